@@ -1,0 +1,41 @@
+# Everything a user needs: `make help`. make creates .venv by itself.
+PYTHON ?= python3
+VENV   := .venv
+BIN    := $(VENV)/bin
+READY  := $(VENV)/.ready
+SCALE  ?=
+ARGS   ?=
+.DEFAULT_GOAL := help
+.PHONY: help setup test test-nojit check bench clean
+
+help: ## List the targets
+	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
+
+setup: $(READY) ## Create .venv with the package and its development tools
+
+$(READY): pyproject.toml
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	touch $@
+
+study-%: $(READY) ## Run studies/% and draw its figure [SCALE=smoke|paper] [ARGS=...]
+	$(BIN)/python -m workflow run $* $(if $(SCALE),--scale $(SCALE)) $(ARGS)
+	$(BIN)/python -m workflow figure $* $(if $(SCALE),--scale $(SCALE)) $(ARGS)
+
+test: $(READY) ## Run the test-suite
+	$(BIN)/python -m pytest
+
+test-nojit: $(READY) ## Run the tests of the kernels as plain Python
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels
+
+check: $(READY) ## Lint, formatting and the import contract
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/lint-imports
+
+bench: $(READY) ## Print what accuracy and effects cost, as ratios
+	$(BIN)/python -m tests.bench
+
+clean: ## Remove .venv and caches, keep results
+	rm -rf $(VENV) .pytest_cache .ruff_cache .hypothesis .import_linter_cache *.egg-info
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -1,0 +1,39 @@
+"""Numerical core of the sliding viscoelastic foundation (numpy and numba only).
+
+Everything here is dimensionless: heights in units of the rms roughness h, lengths along
+the line in units of the element spacing dx, times in units of the relaxation time tau.
+Then a problem is given by the Hurst exponent H, the number of elements N = L/dx and
+
+    load  Fbar = F_N / (4 G L h),    speed  vbar = v tau / dx,    ratio  r = v2 / v1,
+
+slopes come out in units of h/dx, and so do friction coefficients.
+Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
+"""
+
+from kernels.contact import solve_indentation
+from kernels.friction import lagged_slope, quadrature, step_average
+from kernels.realization import Case, Line, Outcome, Quantities, run_case
+from kernels.relaxation import march
+from kernels.schemes import SCHEMES, Step
+from kernels.steady import steady_sliding
+from kernels.surface import amplitudes, draw_phases, rms_slope, sample_line
+
+__all__ = [
+    "SCHEMES",
+    "Case",
+    "Line",
+    "Outcome",
+    "Quantities",
+    "Step",
+    "amplitudes",
+    "draw_phases",
+    "lagged_slope",
+    "march",
+    "quadrature",
+    "rms_slope",
+    "run_case",
+    "sample_line",
+    "solve_indentation",
+    "steady_sliding",
+    "step_average",
+]

@@ -1,0 +1,1 @@
+"""Parameter studies of elastomer friction: study -> plan -> dask -> statistics -> netCDF."""

@@ -1,0 +1,8 @@
+"""``python -m workflow``: see workflow/cli.py."""
+
+import sys
+
+from workflow.cli import main
+
+if __name__ == "__main__":
+    sys.exit(main())

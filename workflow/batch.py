@@ -1,0 +1,125 @@
+"""A batch: the unit of work sent to a worker. Plain data, and the function that runs it."""
+
+import hashlib
+from dataclasses import dataclass
+from pathlib import Path
+
+import numpy as np
+
+from kernels import Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
+from kernels.jit import source_hash
+from workflow.resolution import record_steps
+from workflow.similarity import Problem
+
+SCALARS = ("mu_1", "indentation", "contact_fraction", "mu_2", "jump")
+
+# What stored results depend on besides their settings: the kernels and this file.
+CODE = hashlib.sha256(source_hash().encode() + Path(__file__).read_bytes()).hexdigest()[:16]
+
+
+@dataclass(frozen=True)
+class Task:
+    """One problem with its discretisation, and the key of its results."""
+
+    problem: Problem
+    steps_per_spacing: int
+    march: int  # steps to march after the jump
+    key: str
+
+
+@dataclass(frozen=True)
+class Batch:
+    """Tasks on the same random lines, for consecutive blocks of realizations."""
+
+    seed: int
+    normalisation: str
+    quantities: Quantities
+    scheme: str
+    samples: int
+    tasks: tuple[Task, ...]
+    first_block: int
+    blocks: int
+    realizations_per_block: int
+    seconds: float  # predicted
+
+
+@dataclass(frozen=True)
+class BatchResult:
+    """Block means of a batch, dimensionless: mu in h/dx, indentation in h."""
+
+    scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS)); NaN: not asked for
+    curves: np.ndarray  # shape (tasks, blocks, samples - 1); NaN beyond the recorded steps
+    seconds: float  # CPU time used
+
+
+def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
+    """Return the generator of one line: a function of study seed, H, N and index alone.
+
+    Every m, scheme, load and speed sees the same line; batching and order play no part.
+    """
+    hurst_bits = int(np.float64(hurst).view(np.uint64))
+    return np.random.default_rng([seed, hurst_bits, elements, index])
+
+
+def block_means(batch: Batch) -> tuple[np.ndarray, np.ndarray]:
+    """Run the batch; return (scalars, curves) as in BatchResult."""
+    scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
+    curves = np.zeros((len(batch.tasks), batch.blocks, batch.samples - 1))
+    for block in range(batch.blocks):
+        first = (batch.first_block + block) * batch.realizations_per_block
+        for index in range(first, first + batch.realizations_per_block):
+            _add_realization(batch, index, scalars[:, block], curves[:, block])
+    scalars /= batch.realizations_per_block
+    curves /= batch.realizations_per_block
+    return scalars, curves
+
+
+def _add_realization(batch: Batch, index: int, scalars: np.ndarray, curves: np.ndarray) -> None:
+    """Add one realization of every task to the sums, one row per task."""
+    hurst, elements = batch.tasks[0].problem.hurst, batch.tasks[0].problem.elements
+    amplitude = amplitudes(hurst, elements, batch.normalisation)
+    phases = draw_phases(line_generator(batch.seed, hurst, elements, index), elements)
+    line = None
+    for rows in _shared_cases(batch.tasks):
+        steps = batch.tasks[rows[0]].steps_per_spacing
+        if line is None or line.samples_per_spacing != steps:
+            line = Line.self_affine(amplitude, phases, elements, steps)
+        outcome = run_case(line, _case(batch, rows), batch.quantities)
+        _add_outcome(outcome, rows, scalars, curves)
+
+
+def _shared_cases(tasks: tuple[Task, ...]) -> list[list[int]]:
+    """Return rows of tasks that share a steady state at v1, those of one m together."""
+    cases: dict[tuple, list[int]] = {}
+    for row, task in enumerate(tasks):
+        problem = task.problem
+        key = (task.steps_per_spacing, problem.speed, problem.load)
+        cases.setdefault(key, []).append(row)
+    return [cases[key] for key in sorted(cases)]
+
+
+def _case(batch: Batch, rows: list[int]) -> Case:
+    tasks = [batch.tasks[row] for row in rows]
+    return Case(
+        load=tasks[0].problem.load,
+        speed=tasks[0].problem.speed,
+        ratios=tuple(task.problem.ratio for task in tasks),
+        records=tuple(record_steps(task.march, batch.samples) for task in tasks),
+        scheme=batch.scheme,
+    )
+
+
+def _add_outcome(
+    outcome: Outcome, rows: list[int], scalars: np.ndarray, curves: np.ndarray
+) -> None:
+    for k, row in enumerate(rows):
+        scalars[row] += (
+            outcome.mu_1,
+            outcome.indentation,
+            outcome.contact_fraction,
+            outcome.mu_2[k],
+            outcome.jump[k],
+        )
+        curve = outcome.curves[k] if outcome.curves else np.empty(0)
+        curves[row, : curve.size] += curve
+        curves[row, curve.size :] = np.nan

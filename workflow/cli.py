@@ -1,0 +1,154 @@
+"""Command line: python -m workflow plan|run|status|figure STUDY."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from workflow.errors import UserError
+from workflow.plan import Plan, batches, make_plan
+from workflow.progress import duration
+from workflow.reader import read_study
+from workflow.study import AXES, QUANTITIES, Study
+
+RESUMABLE = 130  # exit status of an interrupted run
+EFFECTS = {
+    "steady": "steady sliding at v1 and v2 (no time marching)",
+    "jump": "jump at t0+ (no time marching)",
+    "relaxation": "relaxation after the jump (time marching)",
+}
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; return the exit status: 0 done, 2 wrong input, 130 interrupted."""
+    options = _parser().parse_args(arguments)
+    try:
+        return COMMANDS[options.command](options)
+    except UserError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print("aborted; finished batches are kept, run again to resume", file=sys.stderr)
+        return RESUMABLE
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m workflow", description=__doc__)
+    commands = parser.add_subparsers(dest="command", required=True)
+    texts = {
+        "plan": "say what a run would do and cost; compute nothing",
+        "run": "compute what is missing and write the result file",
+        "status": "say what is done and what is missing",
+        "figure": "draw the figure of a finished run",
+    }
+    for name, text in texts.items():
+        command = commands.add_parser(name, help=text, description=text)
+        command.add_argument("study", help="a name under studies/ or the path of a TOML file")
+        command.add_argument("--scale", help="one of the study's [scales.NAME] tables")
+        command.add_argument(
+            "--set",
+            action="append",
+            default=[],
+            metavar="TABLE.KEY=VALUE",
+            help="override one setting, e.g. grid.hurst=0.7 (repeatable)",
+        )
+        command.add_argument(
+            "--out", default="results", help="folder of results, or path of the .nc file"
+        )
+        if name == "run":
+            command.add_argument("--scheduler", help="address of a dask scheduler, tcp://host:port")
+            command.add_argument("--workers", type=int, help="local worker processes (all cores)")
+            command.add_argument(
+                "--batch-seconds", type=float, default=3.0, help="predicted length of a batch"
+            )
+    return parser
+
+
+def _study(options: argparse.Namespace) -> tuple[Study, Path]:
+    study = read_study(options.study, options.scale, options.set)
+    out = Path(options.out)
+    return study, out if out.suffix == ".nc" else out / f"{study.name}.nc"
+
+
+def _plan(options: argparse.Namespace) -> int:
+    study, result = _study(options)
+    plan = make_plan(study)
+    lines = [f"study       {study.name}: {study.title}", f"result      {result}"]
+    for axis in AXES:
+        values = study.grid[axis]
+        span = f"{values[0]:g}" if len(values) == 1 else f"{min(values):g} ... {max(values):g}"
+        lines.append(f"  {axis:14s}{len(values):4d}  {span}")
+    copies = plan.points / plan.problems
+    lines += [
+        f"points      {plan.points}",
+        f"problems    {plan.problems} distinct dimensionless problems ({copies:.3g} points each)",
+        f"variants    {', '.join(v.label or 'study' for v in plan.variants)}",
+        f"realizations {study.realizations} each, {_runs(plan)} in all",
+    ]
+    for quantity in QUANTITIES:
+        asked = "simulated" if quantity in study.scene.quantities else "not simulated"
+        lines.append(f"{asked:14s}{EFFECTS[quantity]}")
+    rate = "kept" if study.scene.indentation_rate else "dropped, as eq. 3 is printed"
+    lines.append(f"indentation rate in the force: {rate}")
+    seconds = sum(batch.seconds for batch in batches(plan, set()))
+    lines += [
+        f"predicted   {duration(seconds)} of one core",
+        f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
+        f"longest line {plan.longest_line()} samples",
+    ]
+    print("\n".join(lines))
+    return 0
+
+
+def _runs(plan: Plan) -> int:
+    return plan.problems * len(plan.variants) * plan.study.realizations
+
+
+def _run(options: argparse.Namespace) -> int:
+    from workflow.runner import run_plan
+
+    if options.workers is not None and options.workers < 1:
+        raise UserError(f"--workers {options.workers}: must be at least 1")
+    if not options.batch_seconds > 0.0:
+        raise UserError(f"--batch-seconds {options.batch_seconds}: must be greater than zero")
+    study, result = _study(options)
+    summary = run_plan(
+        make_plan(study), result, options.scheduler, options.workers, options.batch_seconds
+    )
+    print(
+        f"{summary.batches} batches computed in {duration(summary.wall)}, {summary.reused} records "
+        f"reused; {duration(summary.used)} of core time used, "
+        f"{duration(summary.predicted)} predicted"
+    )
+    if summary.interrupted:
+        print("interrupted; finished batches are kept, run again to resume", file=sys.stderr)
+        return RESUMABLE
+    print(result)
+    return 0
+
+
+def _status(options: argparse.Namespace) -> int:
+    from workflow.runner import store_folder
+    from workflow.store import Store
+
+    study, result = _study(options)
+    plan = make_plan(study)
+    folder = store_folder(result)
+    stored = Store(folder).records() if folder.is_dir() else set()
+    missing = list(batches(plan, stored))
+    left = sum(len(batch.tasks) * batch.blocks for batch in missing)
+    print(f"done        {plan.records - left} of {plan.records} records (problem x block)")
+    print(f"remaining   {duration(sum(batch.seconds for batch in missing))} of one core, predicted")
+    print(f"result      {result}{'' if result.is_file() else ' (not written yet)'}")
+    return 0
+
+
+def _figure(options: argparse.Namespace) -> int:
+    from workflow.figure import draw_figure
+
+    study, result = _study(options)
+    for file in draw_figure(study, result):
+        print(file)
+    return 0
+
+
+COMMANDS = {"plan": _plan, "run": _run, "status": _status, "figure": _figure}

@@ -1,0 +1,71 @@
+"""Draw the figure of a study: its folder's figure.py reads the result file and draws."""
+
+import importlib.util
+from collections.abc import Callable
+from pathlib import Path
+
+import matplotlib as mpl
+import xarray as xr
+from matplotlib.figure import Figure
+
+from workflow.errors import UserError
+from workflow.study import Study
+
+STYLE = {
+    "figure.dpi": 150,
+    "savefig.dpi": 200,
+    "font.size": 8.0,
+    "axes.labelsize": 8.5,
+    "axes.titlesize": 8.5,
+    "legend.fontsize": 7.0,
+    "legend.frameon": False,
+    "lines.linewidth": 1.0,
+    "lines.markersize": 3.0,
+    "errorbar.capsize": 1.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "pdf.fonttype": 42,
+}
+# Okabe and Ito: distinguishable with any colour vision.
+COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
+
+
+def draw_figure(study: Study, result: Path) -> list[Path]:
+    """Draw the study's figure beside its result, as PNG and PDF; return the files.
+
+    Raises UserError where the study has no figure script or the result is not there.
+    """
+    script = study.folder / "figure.py"
+    if not script.is_file():
+        raise UserError(f"{script}: not found; the study has no figure script")
+    if not result.is_file():
+        raise UserError(f"{result}: not found; first run: python -m workflow run {study.name}")
+    files = [result.with_suffix(".png"), result.with_suffix(".pdf")]
+    with mpl.rc_context(STYLE):
+        figure = _draw_function(script)(result)
+        for file in files:
+            # No creation date: the same result gives the same file.
+            stamp = {"CreationDate": None} if file.suffix == ".pdf" else {}
+            figure.savefig(file, metadata=stamp)
+    return files
+
+
+def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
+    """Say under the figure how large the study was, and from which seed."""
+    points = int(dataset.fit_status.size)
+    text = (
+        f"{points} grid points, {int(dataset.realizations.max())} realizations each, "
+        f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"
+    )
+    figure.supxlabel(f"{text}; {note}" if note else text, fontsize=6, color="0.35")
+
+
+def _draw_function(script: Path) -> Callable:
+    spec = importlib.util.spec_from_file_location(f"figure_{script.parent.name}", script)
+    if spec is None or spec.loader is None:
+        raise UserError(f"{script}: cannot be loaded")
+    module = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(module)
+    return module.draw

@@ -1,0 +1,181 @@
+"""The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
+
+import hashlib
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+
+from kernels import Quantities
+from workflow.batch import CODE, Batch, Task
+from workflow.cost import Load, case_seconds, line_seconds, worker_bytes
+from workflow.resolution import horizon_steps, steps_per_spacing
+from workflow.similarity import distinct_problems
+from workflow.study import Numerics, Study
+
+BATCH_SECONDS = 3.0
+Record = tuple[str, int]  # (key of a task, block of realizations)
+
+
+@dataclass(frozen=True)
+class Variant:
+    """All tasks of one discretisation of the study, grouped by random line."""
+
+    label: str
+    numerics: Numerics
+    tasks: list[Task]  # in the order of the distinct problems
+    groups: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Everything a study will do."""
+
+    study: Study
+    point_task: np.ndarray  # index into Variant.tasks per grid point, shape of the grid
+    variants: list[Variant]
+
+    @property
+    def points(self) -> int:
+        """Number of grid points."""
+        return int(self.point_task.size)
+
+    @property
+    def problems(self) -> int:
+        """Number of distinct dimensionless problems."""
+        return len(self.variants[0].tasks)
+
+    @property
+    def records(self) -> int:
+        """Number of records (task, block) that the whole study consists of."""
+        return sum(len(v.tasks) for v in self.variants) * self.study.blocks
+
+    def longest_line(self) -> int:
+        """Return the largest number of samples of any line."""
+        return max(t.problem.elements * t.steps_per_spacing for v in self.variants for t in v.tasks)
+
+    def predicted_worker_bytes(self) -> float:
+        """Return the predicted peak memory of a worker."""
+        return worker_bytes(self.longest_line())
+
+
+def make_plan(study: Study) -> Plan:
+    """Return the plan of a study. Raises UserError where a problem would be too large."""
+    problems, point_task = distinct_problems(study)
+    variants = []
+    for label, numerics in study.variants.items():
+        tasks = []
+        for problem in problems:
+            steps = steps_per_spacing(problem, study.scene, numerics)
+            march = horizon_steps(problem, numerics, steps) if _marches(study) else 0
+            what = (CODE, study.seed, study.normalisation, *problem, numerics.scheme, steps)
+            how = (march, numerics.samples, study.scene, study.realizations_per_block)
+            key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
+            tasks.append(Task(problem, steps, march, key))
+        variants.append(Variant(label, numerics, tasks, _grouped(tasks)))
+    return Plan(study, point_task, variants)
+
+
+def _marches(study: Study) -> bool:
+    return "relaxation" in study.scene.quantities
+
+
+def _grouped(tasks: list[Task]) -> list[list[Task]]:
+    groups: dict[tuple[float, int], list[Task]] = {}
+    for task in tasks:
+        groups.setdefault((task.problem.hurst, task.problem.elements), []).append(task)
+    return [sorted(g, key=lambda t: (t.steps_per_spacing, t.problem)) for g in groups.values()]
+
+
+def quantities(study: Study) -> Quantities:
+    """Return what the kernels are asked for; a relaxation starts from the jump."""
+    asked = study.scene.quantities
+    return Quantities(
+        steady="steady" in asked,
+        jump="jump" in asked or "relaxation" in asked,
+        relaxation="relaxation" in asked,
+        indentation_rate=study.scene.indentation_rate,
+    )
+
+
+def batches(plan: Plan, stored: set[Record], target: float = BATCH_SECONDS) -> Iterator[Batch]:
+    """Yield batches of about ``target`` predicted seconds covering every record not stored.
+
+    Every missing record is in exactly one batch; results do not depend on the cut.
+    """
+    for variant in plan.variants:
+        for group in variant.groups:
+            for tasks, first, count in _missing(group, plan.study.blocks, stored):
+                yield from _cut(plan.study, variant.numerics, tasks, first, count, target)
+
+
+def _missing(
+    group: list[Task], blocks: int, stored: set[Record]
+) -> Iterator[tuple[list[Task], int, int]]:
+    """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
+    run: tuple[list[Task], int, int] | None = None
+    for block in range(blocks):
+        tasks = [task for task in group if (task.key, block) not in stored]
+        if run and run[0] == tasks:
+            run = (tasks, run[1], run[2] + 1)
+        else:
+            if run and run[0]:
+                yield run
+            run = (tasks, block, 1)
+    if run and run[0]:
+        yield run
+
+
+def _cut(
+    study: Study, numerics: Numerics, tasks: list[Task], first: int, count: int, target: float
+) -> Iterator[Batch]:
+    for part, seconds in _parts(study, tasks, target):
+        blocks = max(1, round(target / seconds))
+        for start in range(first, first + count, blocks):
+            number = min(blocks, first + count - start)
+            yield Batch(
+                seed=study.seed,
+                normalisation=study.normalisation,
+                quantities=quantities(study),
+                scheme=numerics.scheme,
+                samples=numerics.samples,
+                tasks=tuple(part),
+                first_block=start,
+                blocks=number,
+                realizations_per_block=study.realizations_per_block,
+                seconds=number * seconds,
+            )
+
+
+def _parts(study: Study, tasks: list[Task], target: float) -> Iterator[tuple[list[Task], float]]:
+    """Cut tasks so that one block of each part takes about ``target`` seconds at most."""
+    part: list[Task] = []
+    total = 0.0
+    steps = -1
+    for task in tasks:
+        cost = study.realizations_per_block * task_seconds(study, task)
+        if part and total + cost > target:
+            yield part, total
+            part, total, steps = [], 0.0, -1
+        if task.steps_per_spacing != steps:  # a line of its own
+            steps = task.steps_per_spacing
+            line = line_seconds(task.problem.elements * steps)
+            total += study.realizations_per_block * line
+        part.append(task)
+        total += cost
+    if part:
+        yield part, total
+
+
+def task_seconds(study: Study, task: Task) -> float:
+    """Return the predicted time of one realization of a task on a line that exists."""
+    asked = quantities(study)
+    return case_seconds(
+        Load(
+            samples=task.problem.elements * task.steps_per_spacing,
+            steady_states=1 + (asked.steady or asked.relaxation),
+            jumps=int(asked.jump),
+            steps=task.march,
+            load=task.problem.load,
+        )
+    )

@@ -1,0 +1,66 @@
+"""Progress of long work: a bar with ETA in a terminal, plain lines in a log. On stderr."""
+
+import sys
+import time
+from types import TracebackType
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
+
+LINE_SECONDS = 30.0
+LINE_SHARE = 0.05
+
+
+class Reporter:
+    """Follows work whose size is known as predicted seconds."""
+
+    def __init__(self, what: str, total: float) -> None:
+        """``total`` : predicted core-seconds of all work to come."""
+        self.what, self.total, self.done = what, max(total, 1e-9), 0.0
+        self.began = self.last_time = time.monotonic()
+        self.last_share = 0.0
+        self.bar: Progress | None = None
+        if sys.stderr.isatty():
+            columns = (
+                TextColumn("{task.description}"),
+                BarColumn(),
+                TextColumn("{task.percentage:5.1f} %  left"),
+                TimeRemainingColumn(),
+            )
+            self.bar = Progress(*columns, console=Console(stderr=True))
+            self.task = self.bar.add_task(what, total=self.total)
+
+    def __enter__(self) -> "Reporter":
+        if self.bar:
+            self.bar.start()
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        if self.bar:
+            self.bar.stop()
+
+    def advance(self, seconds: float) -> None:
+        """Count ``seconds`` of predicted work as done."""
+        self.done += seconds
+        if self.bar:
+            self.bar.update(self.task, completed=self.done)
+            return
+        now, share = time.monotonic(), min(1.0, self.done / self.total)
+        due = now - self.last_time >= LINE_SECONDS or share - self.last_share >= LINE_SHARE
+        if due or share >= 1.0:
+            left = (now - self.began) * (1.0 / share - 1.0)
+            print(f"{self.what}: {share:4.0%}, {duration(left)} left", file=sys.stderr, flush=True)
+            self.last_time, self.last_share = now, share
+
+
+def duration(seconds: float) -> str:
+    """Return a time in words of one unit: 12 s, 3.4 min, 5.6 h, 7.8 d."""
+    for size, unit in ((86400.0, "d"), (3600.0, "h"), (60.0, "min")):
+        if seconds >= 2.0 * size:
+            return f"{seconds / size:.1f} {unit}"
+    return f"{seconds:.0f} s"

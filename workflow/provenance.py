@@ -1,0 +1,54 @@
+"""Where a result comes from: program, packages, commit, settings. No dates, no host names."""
+
+import subprocess
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+from workflow.batch import CODE
+from workflow.study import Numerics, Study
+
+PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
+REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
+
+
+def commit() -> str:
+    """Return the git commit of the program, marked where files differ from it, or "unknown"."""
+    root = Path(__file__).resolve().parent.parent
+    try:
+        found = subprocess.run(
+            ["git", "-C", str(root), "describe", "--always", "--dirty", "--abbrev=40"],
+            capture_output=True,
+            text=True,
+            check=True,
+        )
+    except (OSError, subprocess.CalledProcessError):
+        return "unknown"
+    return found.stdout.strip()
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "not installed"
+
+
+def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]:
+    """Return the global attributes of a result file."""
+    return {
+        "Conventions": "CF-1.8",
+        "title": study.title,
+        "source": f"elastomer-friction {_version('elastomer-friction')}",
+        "references": REFERENCE,
+        "commit": commit(),
+        "code": CODE,
+        "versions": ", ".join(f"{name} {_version(name)}" for name in PACKAGES),
+        "study": study.text,
+        "seed": study.seed,
+        "realizations_per_block": study.realizations_per_block,
+        "quantities": " ".join(study.scene.quantities),
+        "indentation_rate": str(study.scene.indentation_rate).lower(),
+        "scheme": numerics.scheme,
+        "steps_per_spacing": str(numerics.steps_per_spacing or "auto"),
+        "horizon": numerics.horizon,
+    }

@@ -1,0 +1,220 @@
+"""Read study.toml: find it, apply the scale and --set, check every key, build the Study."""
+
+import copy
+import json
+import tomllib
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+from kernels import SCHEMES
+from kernels.surface import NORMALISATIONS
+from workflow.axes import axis_values, integer, number, positive, snapped_spacing
+from workflow.errors import UserError
+from workflow.study import AXES, QUANTITIES, Numerics, Scene, Study
+
+TABLES: dict[str, tuple[str, ...]] = {
+    "study": ("title", "seed", "realizations", "realizations_per_block"),
+    "material": ("shear_modulus", "relaxation_time"),
+    "surface": ("length", "normalisation", "snap_spacing"),
+    "grid": AXES,
+    "scene": ("quantities", "indentation_rate"),
+    "numerics": ("scheme", "steps_per_spacing", "samples", "horizon"),
+}
+BY_NAME = ("compare", "scales")  # tables of tables, named by the user
+
+
+def find_study(study: str) -> Path:
+    """Return the path of study.toml for a name under studies/ or a path to a TOML file."""
+    if study.endswith(".toml"):
+        path = Path(study)
+        if path.is_file():
+            return path
+        raise UserError(f"study {study!r}: no such file")
+    roots = [Path.cwd() / "studies", Path(__file__).resolve().parent.parent / "studies"]
+    for root in roots:
+        if (root / study / "study.toml").is_file():
+            return root / study / "study.toml"
+    known = sorted(p.parent.name for root in roots[-1:] for p in root.glob("*/study.toml"))
+    raise UserError(f"study {study!r}: not among {', '.join(known)}, nor the path of a .toml file")
+
+
+def read_study(study: str, scale: str | None = None, settings: list[str] | None = None) -> Study:
+    """Return the checked study; ``settings`` are "table.key=value" overrides.
+
+    Raises UserError, one line, for anything a user can have got wrong.
+    """
+    path = find_study(study)
+    try:
+        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
+        raise UserError(f"{path}: cannot be read as TOML: {error}") from error
+    scales = tables.pop("scales", {})
+    if scale is not None:
+        if not isinstance(scales, dict) or scale not in scales:
+            known = ", ".join(scales) or "none"
+            raise UserError(f"--scale {scale}: the study knows {known}")
+        _merge(tables, scales[scale], f"scales.{scale}")
+    for setting in settings or []:
+        _merge(tables, _setting(setting), "--set")
+    name = path.parent.name if path.name == "study.toml" else path.stem
+    return _build(name, path.parent, tables)
+
+
+def _merge(tables: dict, extra: Any, where: str) -> None:
+    for key, value in _table(where, extra).items():
+        if isinstance(value, dict) and isinstance(tables.get(key), dict) and key not in AXES:
+            _merge(tables[key], value, f"{where}.{key}")
+        else:
+            tables[key] = copy.deepcopy(value)
+
+
+def _setting(text: str) -> dict:
+    try:
+        return tomllib.loads(text)
+    except tomllib.TOMLDecodeError:
+        key, separator, value = text.partition("=")
+        if not separator:
+            raise UserError(f"--set {text}: use table.key=value") from None
+    try:  # a bare word is a string: --set numerics.scheme=exponential
+        return tomllib.loads(f"{key}={json.dumps(value.strip())}")
+    except tomllib.TOMLDecodeError:
+        raise UserError(f"--set {text}: use table.key=value") from None
+
+
+def _table(key: str, value: Any) -> dict:
+    if not isinstance(value, dict):
+        raise UserError(f"{key} = {value!r}: must be a table")
+    return value
+
+
+def _check_keys(where: str, table: dict, known: tuple[str, ...]) -> None:
+    for key in table:
+        if key not in known:
+            raise UserError(f"{where}{key}: unknown key; known are {', '.join(known)}")
+
+
+def _required(tables: dict, table: str, key: str, check: Callable[[str, object], Any]) -> Any:
+    values = tables.get(table, {})
+    if key not in values:
+        raise UserError(f"{table}.{key}: missing")
+    return check(f"{table}.{key}", values[key])
+
+
+def _choice(key: str, value: object, known: tuple[str, ...]) -> str:
+    if value not in known:
+        raise UserError(f"{key} = {value!r}: must be one of {', '.join(known)}")
+    return str(value)
+
+
+def _build(name: str, folder: Path, tables: dict) -> Study:
+    _check_keys("", tables, (*TABLES, *BY_NAME))
+    for table, known in TABLES.items():
+        _check_keys(f"{table}.", _table(table, tables.get(table, {})), known)
+    head = tables.get("study", {})
+    realizations = _required(tables, "study", "realizations", lambda k, v: integer(k, v, 2))
+    block = integer("study.realizations_per_block", head.get("realizations_per_block", 1), 1)
+    if realizations % block or realizations // block < 2:
+        raise UserError(
+            f"study.realizations_per_block = {block}: must divide realizations = {realizations} "
+            "into at least 2 blocks, from which standard errors are estimated"
+        )
+    length = _required(tables, "surface", "length", positive)
+    surface = tables["surface"]
+    return Study(
+        name=name,
+        folder=folder,
+        text=json.dumps(tables, indent=1, sort_keys=True),
+        title=str(head.get("title", name)),
+        seed=integer("study.seed", head.get("seed", 0), 0),
+        realizations=realizations,
+        realizations_per_block=block,
+        shear_modulus=_required(tables, "material", "shear_modulus", positive),
+        relaxation_time=_required(tables, "material", "relaxation_time", positive),
+        length=length,
+        normalisation=_choice(
+            "surface.normalisation", surface.get("normalisation", "modal"), NORMALISATIONS
+        ),
+        grid=_grid(tables, length, _flag("surface.snap_spacing", surface, False)),
+        scene=_scene(tables.get("scene", {})),
+        variants=_variants(tables),
+    )
+
+
+def _flag(key: str, table: dict, default: bool) -> bool:
+    value = table.get(key.rpartition(".")[2], default)
+    if not isinstance(value, bool):
+        raise UserError(f"{key} = {value!r}: must be true or false")
+    return value
+
+
+def _grid(tables: dict, length: float, snap: bool) -> dict[str, tuple[float, ...]]:
+    table = tables.get("grid", {})
+    scene = tables.get("scene", {})
+    if scene.get("quantities") == ["steady"] and "velocity_step" not in table:
+        table = {**table, "velocity_step": 0.0}
+    grid = {}
+    for axis in AXES:
+        grid[axis] = _required({"grid": table}, "grid", axis, axis_values)
+        for value in grid[axis]:
+            _check_range(axis, value)
+    if snap:
+        grid["spacing"] = snapped_spacing(length, grid["spacing"])
+    for spacing in grid["spacing"]:
+        elements = length / spacing
+        if round(elements) < 4 or abs(elements / round(elements) - 1.0) > 1e-9:
+            near = length / max(4, round(elements))
+            raise UserError(
+                f"grid.spacing = {spacing:g}: must divide surface.length = {length:g} into at "
+                f"least 4 elements (nearest: {near!r}; or set surface.snap_spacing = true)"
+            )
+    return grid
+
+
+def _check_range(axis: str, value: float) -> None:
+    if axis == "hurst":
+        if not 0.0 <= value <= 1.0:
+            raise UserError(f"grid.hurst = {value!r}: must lie between 0 and 1")
+    elif axis == "velocity_step":
+        if value <= -1.0:
+            raise UserError(f"grid.velocity_step = {value!r}: must be greater than -1 (v2 > 0)")
+    else:
+        positive(f"grid.{axis}", value)
+
+
+def _scene(table: dict) -> Scene:
+    asked = table.get("quantities", list(QUANTITIES))
+    if not isinstance(asked, list) or not asked:
+        raise UserError(f"scene.quantities = {asked!r}: must be a list out of {QUANTITIES}")
+    for quantity in asked:
+        _choice("scene.quantities", quantity, QUANTITIES)
+    return Scene(
+        quantities=tuple(q for q in QUANTITIES if q in asked),
+        indentation_rate=_flag("scene.indentation_rate", table, True),
+    )
+
+
+def _variants(tables: dict) -> dict[str, Numerics]:
+    own = tables.get("numerics", {})
+    variants = {"": _numerics("numerics", own)}
+    for label, extra in _table("compare", tables.get("compare", {})).items():
+        where = f"compare.{label}"
+        _check_keys(f"{where}.", _table(where, extra), TABLES["numerics"])
+        variants[label] = _numerics(where, {**own, **extra})
+    return variants
+
+
+def _numerics(where: str, table: dict) -> Numerics:
+    default = Numerics()
+    steps = table.get("steps_per_spacing", "auto")
+    horizon = number(f"{where}.horizon", table.get("horizon", default.horizon))
+    if not 1.0 <= horizon <= 100.0:
+        raise UserError(f"{where}.horizon = {horizon!r}: must lie between 1 and 100")
+    return Numerics(
+        scheme=_choice(f"{where}.scheme", table.get("scheme", default.scheme), tuple(SCHEMES)),
+        steps_per_spacing=(
+            None if steps == "auto" else integer(f"{where}.steps_per_spacing", steps, 1)
+        ),
+        samples=integer(f"{where}.samples", table.get("samples", default.samples), 8),
+        horizon=horizon,
+    )

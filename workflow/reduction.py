@@ -1,0 +1,65 @@
+"""Reduction of block means to estimates with standard errors; runs on the workers."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from workflow.batch import SCALARS
+from workflow.fits import RelaxationFit, fit_relaxation
+from workflow.statistics import replicates, standard_error
+
+Estimates = dict[str, np.ndarray]
+
+
+class Blocks(NamedTuple):
+    """Block means of some tasks, dimensionless, and what is needed to reduce them."""
+
+    scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS))
+    curves: np.ndarray  # shape (tasks, blocks, samples - 1)
+    time: np.ndarray  # shape (tasks, samples - 1), in tau; NaN beyond the recorded steps
+    rms_slope: np.ndarray  # shape (tasks,), in h/dx
+    quantities: tuple[str, ...]
+
+
+def reduce_blocks(blocks: Blocks) -> Estimates:
+    """Return name -> array over tasks (first axis); NAME_error beside each estimate.
+
+    ``rate_replicates`` (tasks, blocks + 1) carries the jackknife on to the fit of eq. 13.
+    """
+    asked = blocks.quantities
+    values = dict(zip(SCALARS, np.moveaxis(replicates(blocks.scalars, 1), 2, 0), strict=True))
+    estimates: Estimates = {}
+    if "steady" in asked:
+        for name in ("mu_1", "mu_2", "indentation", "contact_fraction"):
+            _estimate(estimates, name, values[name])
+    if "jump" in asked:
+        _estimate(estimates, "jump", values["jump"])
+    if "relaxation" in asked:
+        start = values["mu_1"] + values["jump"]
+        curves = np.concatenate([start[..., None], replicates(blocks.curves, 1)], axis=2)
+        _estimate(estimates, "mu", curves)
+        zero = np.zeros((len(blocks.time), 1))
+        estimates["time"] = np.concatenate([zero, blocks.time], axis=1)
+        deviation = curves[:, :, 1:] - values["mu_2"][..., None]
+        _relaxations(estimates, blocks, deviation)
+    return estimates
+
+
+def _estimate(estimates: Estimates, name: str, values: np.ndarray) -> None:
+    """Enter the estimate and its error from replicates along axis 1."""
+    estimates[name] = values[:, 0]
+    estimates[f"{name}_error"] = standard_error(values, 1)
+
+
+def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None:
+    fits: list[RelaxationFit] = []
+    for task, time in enumerate(blocks.time):
+        kept = np.isfinite(time)
+        fits.append(fit_relaxation(time[kept], deviation[task][:, kept], blocks.rms_slope[task]))
+    _estimate(estimates, "relaxation_rate", np.array([fit.rate for fit in fits]))
+    _estimate(estimates, "amplitude", np.array([fit.amplitude for fit in fits]))
+    _estimate(estimates, "relaxation_rate_free", np.array([fit.rate_free for fit in fits]))
+    estimates["fit_status"] = np.array([fit.status for fit in fits], dtype=np.int8)
+    estimates["fit_window"] = np.array([fit.window for fit in fits])
+    estimates["fit_quality"] = np.array([fit.quality for fit in fits])
+    estimates["rate_replicates"] = np.array([fit.rate for fit in fits])

@@ -1,0 +1,201 @@
+"""Run a plan: compute what is missing, store it as it finishes, reduce, write the result."""
+
+import signal
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from types import FrameType
+
+import numpy as np
+from distributed import Client
+
+from kernels import Case, Line, amplitudes, rms_slope, run_case
+from workflow.batch import Batch, BatchResult, block_means
+from workflow.cluster import open_client
+from workflow.dataset import build_dataset, write_datasets
+from workflow.flow import stream
+from workflow.plan import BATCH_SECONDS, Plan, Task, Variant, batches, quantities
+from workflow.progress import Reporter
+from workflow.reduction import Blocks, Estimates, reduce_blocks
+from workflow.resolution import record_steps
+from workflow.store import Store
+
+TASKS_PER_REDUCTION = 32
+SECONDS_PER_FIT = 4e-4
+
+
+@dataclass
+class Summary:
+    """What a run did."""
+
+    batches: int = 0
+    reused: int = 0  # records found in the store
+    predicted: float = 0.0  # core-seconds
+    used: float = 0.0
+    wall: float = 0.0
+    interrupted: bool = False
+
+
+class Interrupt:
+    """Ctrl-C and SIGTERM: the first stops taking up work, a second aborts at once."""
+
+    def __init__(self) -> None:
+        self.asked = False
+
+    def __enter__(self) -> "Interrupt":
+        self.previous = {s: signal.signal(s, self._handle) for s in (signal.SIGINT, signal.SIGTERM)}
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for number, handler in self.previous.items():
+            signal.signal(number, handler)
+
+    def __call__(self) -> bool:
+        return self.asked
+
+    def _handle(self, number: int, frame: FrameType | None) -> None:
+        if self.asked:
+            raise KeyboardInterrupt
+        self.asked = True
+
+
+def run_plan(
+    plan: Plan,
+    result: Path,
+    scheduler: str | None = None,
+    workers: int | None = None,
+    batch_seconds: float = BATCH_SECONDS,
+) -> Summary:
+    """Compute whatever of the plan is not stored yet and write the result file.
+
+    An interrupted run keeps all finished batches and writes no result file.
+    """
+    began = time.monotonic()
+    store = Store(store_folder(result))
+    stored = store.records()
+    predicted = sum(batch.seconds for batch in batches(plan, stored, batch_seconds))
+    wanted = ((t.key, b) for v in plan.variants for t in v.tasks for b in range(plan.study.blocks))
+    summary = Summary(reused=sum(record in stored for record in wanted), predicted=predicted)
+    if predicted:
+        warm_up(plan)
+    with open_client(scheduler, workers) as client, Interrupt() as interrupt:
+        work = batches(plan, stored, batch_seconds)
+        _compute(client, store, work, summary, interrupt)
+        if not interrupt():
+            _reduce(client, store, plan, result, interrupt)
+    summary.interrupted = interrupt()
+    summary.wall = time.monotonic() - began
+    return summary
+
+
+def store_folder(result: Path) -> Path:
+    """Return the folder of finished batches beside a result file; studies share it."""
+    return result.parent / "store"
+
+
+def run_batch(batch: Batch) -> BatchResult:
+    """Run one batch (on a worker)."""
+    began = time.process_time()
+    scalars, curves = block_means(batch)
+    return BatchResult(scalars, curves, time.process_time() - began)
+
+
+def warm_up(plan: Plan) -> None:
+    """Compile every kernel once, so that workers find machine code in the cache."""
+    for scheme in {variant.numerics.scheme for variant in plan.variants}:
+        phases = np.linspace(0.0, 6.0, 8)
+        line = Line.self_affine(amplitudes(0.5, 16), phases, 16, 2)
+        case = Case(0.1, 1.0, (1.2,), (np.arange(1, 3),), scheme)
+        run_case(line, case, quantities(plan.study))
+
+
+def _compute(
+    client: Client, store: Store, work: Iterator[Batch], summary: Summary, interrupt: Interrupt
+) -> None:
+    with Reporter("computing", summary.predicted) as reporter:
+        for batch, done in stream(client, run_batch, work, interrupt):
+            store.add(batch, done)
+            summary.batches += 1
+            summary.used += done.seconds
+            reporter.advance(batch.seconds)
+
+
+def _reduce(client: Client, store: Store, plan: Plan, result: Path, interrupt: Interrupt) -> None:
+    marching = "relaxation" in plan.study.scene.quantities
+    fits = sum(len(v.tasks) for v in plan.variants) * (plan.study.blocks + 1) * marching
+    with Reporter("fitting", fits * SECONDS_PER_FIT) as reporter:
+        datasets = {}
+        for variant in plan.variants:
+            estimates = _reduce_variant(client, store, plan, variant, interrupt, reporter)
+            if interrupt():
+                return
+            datasets[variant.label] = build_dataset(plan, variant, estimates)
+    write_datasets(result, datasets)
+
+
+def _reduce_variant(
+    client: Client,
+    store: Store,
+    plan: Plan,
+    variant: Variant,
+    interrupt: Interrupt,
+    reporter: Reporter,
+) -> Estimates:
+    size = TASKS_PER_REDUCTION
+    parts = [variant.tasks[i : i + size] for i in range(0, len(variant.tasks), size)]
+    slopes = _rms_slopes(plan, variant)
+    loaded = (
+        (number, _load(store, plan, variant, part, slopes)) for number, part in enumerate(parts)
+    )
+    found: dict[int, Estimates] = {}
+    for (number, _), estimates in stream(client, _reduce_part, loaded, interrupt):
+        found[number] = estimates
+        reporter.advance(len(parts[number]) * (plan.study.blocks + 1) * SECONDS_PER_FIT)
+    if interrupt():
+        return {}
+    merged = {n: np.concatenate([found[i][n] for i in range(len(parts))]) for n in found[0]}
+    merged["rms_slope"] = np.array([slopes[line_of(task)] for task in variant.tasks])
+    return merged
+
+
+def _reduce_part(part: tuple[int, Blocks]) -> Estimates:
+    return reduce_blocks(part[1])
+
+
+def line_of(task: Task) -> tuple[float, int]:
+    """Return what identifies the random lines of a task: (H, N)."""
+    return task.problem.hurst, task.problem.elements
+
+
+def _rms_slopes(plan: Plan, variant: Variant) -> dict[tuple[float, int], float]:
+    lines = {line_of(task) for task in variant.tasks}
+    return {
+        (hurst, n): rms_slope(amplitudes(hurst, n, plan.study.normalisation), n)
+        for hurst, n in lines
+    }
+
+
+def _load(
+    store: Store,
+    plan: Plan,
+    variant: Variant,
+    tasks: list[Task],
+    slopes: dict[tuple[float, int], float],
+) -> Blocks:
+    samples = variant.numerics.samples - 1
+    records = [(task.key, block) for task in tasks for block in range(plan.study.blocks)]
+    scalars, curves = store.read(records, samples)
+    time = np.full((len(tasks), samples), np.nan)
+    if "relaxation" in plan.study.scene.quantities:
+        for row, task in enumerate(tasks):
+            step = task.problem.speed * task.problem.ratio * task.steps_per_spacing
+            recorded = record_steps(task.march, variant.numerics.samples)
+            time[row, : recorded.size] = recorded / step
+    return Blocks(
+        scalars.reshape(len(tasks), plan.study.blocks, -1),
+        curves.reshape(len(tasks), plan.study.blocks, -1),
+        time,
+        np.array([slopes[line_of(task)] for task in tasks]),
+        plan.study.scene.quantities,
+    )

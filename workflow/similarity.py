@@ -1,0 +1,46 @@
+"""Exact similarity: many points of the grid are one dimensionless problem, computed once.
+
+mu/grad z, d/h and t/tau depend on H, N = L/dx, Fbar = F_N/(4 G L h), vbar = v1 tau/dx and
+r = v2/v1 alone; h and F_N enter only as F_N/h.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from workflow.study import AXES, Study
+
+MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
+
+
+class Problem(NamedTuple):
+    """One dimensionless problem."""
+
+    hurst: float
+    elements: int  # N = L / dx
+    load: float  # Fbar = F_N / (4 G L h)
+    speed: float  # vbar = v1 tau / dx
+    ratio: float  # r = v2 / v1
+
+
+def canonical(values: np.ndarray) -> np.ndarray:
+    """Round to 40 bits of mantissa; commutes with scaling by powers of two."""
+    mantissa, exponent = np.frexp(values)
+    return np.ldexp(np.round(np.ldexp(mantissa, MANTISSA_BITS)), exponent - MANTISSA_BITS)
+
+
+def distinct_problems(study: Study) -> tuple[list[Problem], np.ndarray]:
+    """Return the distinct problems and, per grid point, the index of its problem.
+
+    The index array has the shape of the grid (study.AXES).
+    """
+    axes = [np.array(study.grid[axis]) for axis in AXES]
+    hurst, force, spacing, roughness, velocity, step = np.meshgrid(*axes, indexing="ij")
+    elements = np.round(study.length / spacing).astype(int)
+    load = canonical(force / (4.0 * study.shear_modulus * study.length * roughness))
+    speed = canonical(velocity * study.relaxation_time / (study.length / elements))
+    ratio = canonical(1.0 + step)
+    columns = [a.ravel().tolist() for a in (hurst, elements, load, speed, ratio)]
+    found: dict[Problem, int] = {}
+    index = [found.setdefault(Problem(*row), len(found)) for row in zip(*columns, strict=True)]
+    return list(found), np.array(index).reshape(study.shape)

@@ -1,0 +1,59 @@
+"""The study: everything a user says in study.toml, checked once and then immutable."""
+
+from dataclasses import dataclass
+from pathlib import Path
+
+AXES = ("hurst", "normal_force", "spacing", "roughness", "velocity", "velocity_step")
+QUANTITIES = ("steady", "jump", "relaxation")
+
+
+@dataclass(frozen=True)
+class Numerics:
+    """How problems are discretised; ``steps_per_spacing = None`` stands for "auto"."""
+
+    scheme: str = "exponential"
+    steps_per_spacing: int | None = None
+    samples: int = 64
+    horizon: float = 4.0
+
+
+@dataclass(frozen=True)
+class Scene:
+    """What is simulated."""
+
+    quantities: tuple[str, ...] = QUANTITIES
+    indentation_rate: bool = True
+
+
+@dataclass(frozen=True)
+class Study:
+    """A checked study in SI units."""
+
+    name: str
+    folder: Path  # where study.toml and its figure script are
+    text: str  # the settings in force, after scale and --set, as JSON
+    title: str
+    seed: int
+    realizations: int
+    realizations_per_block: int
+    shear_modulus: float  # Pa
+    relaxation_time: float  # s
+    length: float  # m
+    normalisation: str
+    grid: dict[str, tuple[float, ...]]
+    scene: Scene
+    variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
+
+    @property
+    def blocks(self) -> int:
+        """Number of blocks of realizations, the units of the jackknife."""
+        return self.realizations // self.realizations_per_block
+
+    @property
+    def shape(self) -> tuple[int, ...]:
+        """Shape of the six-dimensional grid."""
+        return tuple(len(self.grid[axis]) for axis in AXES)
+
+    def elements(self, spacing: float) -> int:
+        """Return N = L / dx."""
+        return round(self.length / spacing)
