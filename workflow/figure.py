@@ -59,7 +59,7 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
         f"{points} grid points, {int(dataset.realizations.max())} realizations each, "
         f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"
     )
-    figure.supxlabel(f"{text}; {note}" if note else text, fontsize=6, color="0.35")
+    figure.supxlabel(f"{text}\n{note}" if note else text, fontsize=6, color="0.35")
 
 
 def _draw_function(script: Path) -> Callable:
