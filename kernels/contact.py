@@ -61,6 +61,7 @@ def solve_indentation(c, target, guess):
     passes : number of passes over c (2 to 4 when the guess is good).
     """
     d = guess
+    right = False  # of the root: from there on Newton's method must fall
     previous = -1.0
     passes = 0
     while True:
@@ -68,22 +69,24 @@ def solve_indentation(c, target, guess):
         passes += 1
         if count == 0.0:
             # Left of every threshold: one element carrying all is an upper bound.
-            d = c.min() + target
-        elif count == previous:
-            return d - (total - target) / count, passes
-        else:
-            new = d - (total - target) / count
-            # The first step may start left of the root; afterwards the sets only shrink.
-            previous = count if new < d or passes > 1 else -1.0
-            if new == d:
+            new = c.min() + target
+            if not new > d:  # the load is below rounding, or not a number
                 return d, passes
             d = new
+            continue
+        new = d - (total - target) / count
+        if count == previous or (right and not new < d):
+            return new, passes
+        previous = count if new < d or right else -1.0
+        right = True
+        d = new
 
 
 @kernel
 def solve_weighted(c, stiffness, load, guess):
     """Return (d, passes) with sum_i stiffness_i max(0, d - c_i) = load > 0, as above."""
     d = guess
+    right = False
     previous = -1
     passes = 0
     while True:
@@ -98,10 +101,14 @@ def solve_weighted(c, stiffness, load, guess):
         passes += 1
         if count == 0:
             lowest = np.argmin(c)
-            d = c[lowest] + load / stiffness[lowest]
+            new = c[lowest] + load / stiffness[lowest]
+            if not new > d:
+                return d, passes
+            d = new
         else:
             new = d - (force - load) / slope
-            if count == previous or new == d:
+            if count == previous or (right and not new < d):
                 return new, passes
-            previous = count if new < d or passes > 1 else -1
+            previous = count if new < d or right else -1
+            right = True
             d = new

@@ -4,20 +4,19 @@ import numpy as np
 
 from kernels.jit import kernel
 
+LEAST_COVERED = 0.01  # of a sample: keeps every touching sample in the load balance
+
 
 @kernel
-def quadrature(z, slope, c, d, speed, load):
+def quadrature(z, slope, c, d, formed, speed, load):
     """Return (mu, rate, contact): friction and indentation rate at one instant.
 
     In contact the pressure is p = (d - z) + vbar z' + d' (eq. 3 with the indentation rate
     kept). The load balance sum p = load over p > 0 (eq. 4) gives the rate d' exactly, eq. 5
-    the friction. ``speed`` may differ from the one that led to the state: then this is the
-    state at t0+, just after a velocity jump, and mu - mu_1 is the exact jump.
+    the friction. ``speed`` may differ from ``formed``, the one that led to the steady state
+    (c, d): then this is the moment t0+ after a velocity jump, and mu - mu_1 is the exact jump.
 
-    The pressure is finite at the leading edge, so the sum counts the last sample only as far
-    as the contact reaches: the edge lies where d - c changes sign (second order in m).
-
-    z, slope, c : shape (n,). d : indentation. speed : vbar. load : n Fbar.
+    z, slope, c : shape (n,). d : indentation. formed, speed : vbar. load : n Fbar.
     mu in h/dx, rate in h/tau, contact : share of the line in contact.
     """
     n = z.size
@@ -26,10 +25,8 @@ def quadrature(z, slope, c, d, speed, load):
     lever = np.empty(n)
     touching = 0
     for j in range(n):
-        depth = d - c[j]
-        if depth > 0.0:
-            ahead = d - c[j + 1 if j + 1 < n else 0]
-            weight[touching] = 1.0 if ahead > 0.0 else 0.5 + depth / (depth - ahead)
+        if c[j] < d:
+            weight[touching] = _covered(z, slope, c, d, formed, j)
             pressure[touching] = (d - z[j]) + speed * slope[j]
             lever[touching] = slope[j]
             touching += 1
@@ -45,10 +42,31 @@ def quadrature(z, slope, c, d, speed, load):
 
 
 @kernel
+def _covered(z, slope, c, d, formed, j):
+    """Return how much of touching sample j the contact covers: 1 but at its edges.
+
+    Pressure may be finite at an edge, so a whole or no sample there is an error of first order.
+    The leading edge lies where d - c changes sign, the trailing edge where the pressure
+    (d - z) + vbar z' of the steady state vanishes; both by linear interpolation.
+    """
+    ahead = j + 1 if j + 1 < z.size else 0
+    behind = j - 1 if j > 0 else z.size - 1
+    covered = 1.0
+    if not c[ahead] < d:
+        covered += (d - c[j]) / (c[ahead] - c[j]) - 0.5
+    if not c[behind] < d:
+        here = (d - z[j]) + formed * slope[j]
+        fall = here - ((d - z[behind]) + formed * slope[behind])
+        covered += min(max(here / fall, -0.5), 1.5) - 0.5 if fall > 0.0 else 0.0
+    return max(covered, LEAST_COVERED)
+
+
+@kernel
 def _indentation_rate(pressure, weight, load):
     """Return the root of sum_i weight_i max(0, pressure_i + rate) = load."""
     rate = -pressure.min()  # a first guess with every element pressed, on either side
     previous = -1
+    right = False
     while True:
         total = 0.0
         share = 0.0
@@ -60,12 +78,16 @@ def _indentation_rate(pressure, weight, load):
                 share += weight[i]
                 count += 1
         if count == 0:  # all pressures are equal
-            rate += load / weight.sum()
+            new = rate + load / weight.sum()
+            if not new > rate:
+                return rate
+            rate = new
             continue
         new = rate - (total - load) / share
-        if count == previous or new == rate:
+        if count == previous or (right and not new < rate):
             return new
-        previous = count if new < rate or previous >= 0 else -1
+        previous = count if new < rate or right else -1
+        right = True
         rate = new
 
 

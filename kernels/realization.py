@@ -98,7 +98,7 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     n = line.z.size
     load = case.load * n
     one = _steady(line, load, case.speed, case.scheme)
-    mu_1, _, contact = quadrature(line.z, line.slope, one.c, one.d, case.speed, load)
+    mu_1, _, contact = quadrature(line.z, line.slope, one.c, one.d, case.speed, case.speed, load)
     work = one.sweeps * n
     mu_2 = np.full(len(case.ratios), np.nan)
     jump = np.full(len(case.ratios), np.nan)
@@ -106,18 +106,18 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     for k, ratio in enumerate(case.ratios):
         speed = ratio * case.speed
         if asked.jump:
-            mu_0, _, _ = quadrature(line.z, line.slope, one.c, one.d, speed, load)
+            mu_0, _, _ = quadrature(line.z, line.slope, one.c, one.d, case.speed, speed, load)
             jump[k] = mu_0 - mu_1
         if not (asked.steady or asked.relaxation):
             continue
         two = one if ratio == 1.0 else _steady(line, load, speed, case.scheme)
-        work += two.sweeps * n
-        mu_2[k], _, _ = quadrature(line.z, line.slope, two.c, two.d, speed, load)
+        work += two.sweeps * n if two is not one else 0
+        mu_2[k], _, _ = quadrature(line.z, line.slope, two.c, two.d, speed, speed, load)
         if asked.relaxation:
             rigid = None if asked.indentation_rate else True
-            curve, passes = _relaxation(line, load, one, two, case.records[k], rigid)
+            curve, updates = _relaxation(line, load, one, two, case.records[k], rigid)
             curves.append(mu_2[k] + curve)
-            work += passes
+            work += updates
     return Outcome(mu_1, one.d + line.datum, contact, mu_2, jump, curves, work)
 
 
@@ -134,10 +134,12 @@ def _relaxation(
     weight = lagged_slope(line.slope, step.lag)
     final = step_average(weight, two.c, two.d)
     # d stays between its steady values but for a transient; everything touches at worst.
+    work = 0
     for cap in (1.02 * max(one.d, two.d), np.inf):
         mu, _, passes, inside = march(
             line.z, weight, one.c, one.d, step.decay, step.stiffness, load, record, cap, rigid
         )
+        work += passes * line.z.size
         if inside:
             break
-    return mu - final, passes * line.z.size
+    return mu - final, work

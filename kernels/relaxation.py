@@ -11,6 +11,7 @@ import numpy as np
 from kernels.contact import solve_indentation, solve_weighted
 from kernels.friction import step_average
 from kernels.jit import kernel
+from kernels.steady import NEGLIGIBLE
 
 SHORT_GAP = 16  # gaps up to this many samples are cheaper to carry along than to skip
 
@@ -47,21 +48,12 @@ def march(z, weight, c, d, decay, stiffness, load, record, cap, rigid=None):
     compiles a version for each type of it, so that what is not asked for is not in the code.
     mu : friction averaged over the step (friction.py), in h/dx, shape of record.
     """
-    n = z.size
     start, stop = touchable(z, cap)
     stretches = start.size
-    z, weight, c = _gather(z, start, stop), _gather(weight, start, stop), _gather(c, start, stop)
-    first = np.zeros(stretches + 1, np.int64)
+    first = np.zeros(start.size + 1, np.int64)
     first[1:] = np.cumsum(stop - start)
-    gap = np.append(start[1:], start[0] + n) - stop
-    ring_at = np.zeros(stretches + 1, np.int64)
-    ring_at[1:] = np.cumsum(gap + 1)
-    ring = np.empty(ring_at[-1])
-    for s in range(stretches):
-        # In the steady state every element of a gap left contact with the same displacement.
-        above = first[s + 1] if s + 1 < stretches else 0
-        ring[ring_at[s] : ring_at[s + 1]] = z[above] - max(c[above], d)
-    crossing = decay ** (gap + 1.0)
+    ring, ring_at, crossing = _rings(z, c, d, decay, start, stop)
+    z, weight, c = _gather(z, start, stop), _gather(weight, start, stop), _gather(c, start, stop)
 
     mu = np.empty(record.size)
     indentation = np.empty(record.size)
@@ -71,7 +63,7 @@ def march(z, weight, c, d, decay, stiffness, load, record, cap, rigid=None):
     for step in range(1, record[-1] + 1):
         if rigid is not None:
             _mark_held(c, d, first, held)
-        _shift(z, c, d, decay, first, crossing, ring, ring_at, step)
+        _shift(z, c, d, decay, first, ring, ring_at, step)
         if rigid is None:
             d, used = solve_indentation(c, load / stiffness, d)
         else:
@@ -82,12 +74,34 @@ def march(z, weight, c, d, decay, stiffness, load, record, cap, rigid=None):
         for s in range(stretches):
             below = s - 1 if s > 0 else stretches - 1
             slot = ring_at[below] + step % (ring_at[below + 1] - ring_at[below])
-            ring[slot] = z[first[s]] - max(c[first[s]], d)
+            ring[slot] = crossing[below] * (z[first[s]] - max(c[first[s]], d))
         if step == record[kept]:
             mu[kept] = step_average(weight, c, d)
             indentation[kept] = d
             kept += 1
     return mu, indentation, passes, True
+
+
+@kernel
+def _rings(z, c, d, decay, start, stop):
+    """Return (ring, ring_at, crossing): the displacements with which elements cross the gaps.
+
+    Ring s covers the gap above stretch s. The element to arrive in t steps is in slot
+    t % (gap + 1), decayed to its arrival; those in flight now decay anew from where they are.
+    crossing : decay over a whole gap.
+    """
+    n = z.size
+    gap = np.append(start[1:], start[0] + n) - stop
+    ring_at = np.zeros(start.size + 1, np.int64)
+    ring_at[1:] = np.cumsum(gap + 1)
+    ring = np.empty(ring_at[-1])
+    crossing = np.ones(start.size)
+    for s in range(start.size):
+        for t in range(1, gap[s] + 2):
+            crossing[s] *= decay if crossing[s] > NEGLIGIBLE else 0.0
+            j = (stop[s] - 1 + t) % n
+            ring[ring_at[s] + t % (gap[s] + 1)] = crossing[s] * (z[j] - max(c[j], d))
+    return ring, ring_at, crossing
 
 
 @kernel
@@ -103,14 +117,14 @@ def _gather(values, start, stop):
 
 
 @kernel
-def _shift(z, c, d, decay, first, crossing, ring, ring_at, step):
+def _shift(z, c, d, decay, first, ring, ring_at, step):
     """Move every element to the next sample: thresholds c of the step before contact."""
     for s in range(first.size - 1):
         for i in range(first[s], first[s + 1] - 1):
             c[i] = z[i] - decay * (z[i + 1] - max(c[i + 1], d))
         last = first[s + 1] - 1
         slot = ring_at[s] + step % (ring_at[s + 1] - ring_at[s])
-        c[last] = z[last] - crossing[s] * ring[slot]
+        c[last] = z[last] - ring[slot]
 
 
 @kernel

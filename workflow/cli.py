@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 from workflow.errors import UserError
-from workflow.plan import Plan, batches, make_plan
+from workflow.plan import Plan, batches, make_plan, without_similarity
 from workflow.progress import duration
 from workflow.reader import read_study
 from workflow.study import AXES, QUANTITIES, Study
@@ -91,7 +91,8 @@ def _plan(options: argparse.Namespace) -> int:
     lines.append(f"indentation rate in the force: {rate}")
     seconds = sum(batch.seconds for batch in batches(plan, set()))
     lines += [
-        f"predicted   {duration(seconds)} of one core",
+        f"predicted   {duration(seconds)} of one core; without the similarity "
+        f"{duration(without_similarity(plan))}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"longest line {plan.longest_line()} samples",
     ]

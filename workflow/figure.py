@@ -54,7 +54,7 @@ def draw_figure(study: Study, result: Path) -> list[Path]:
 
 def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
     """Say under the figure how large the study was, and from which seed."""
-    points = int(dataset.fit_status.size)
+    points = int(dataset.realizations.size)
     text = (
         f"{points} grid points, {int(dataset.realizations.max())} realizations each, "
         f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"

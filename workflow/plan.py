@@ -179,3 +179,18 @@ def task_seconds(study: Study, task: Task) -> float:
             load=task.problem.load,
         )
     )
+
+
+def without_similarity(plan: Plan) -> float:
+    """Return the predicted time were every grid point computed, on a line of its own (h, dx)."""
+    study = plan.study
+    copies = np.bincount(plan.point_task.ravel(), minlength=plan.problems)
+    # Lines are shared by points of one (H, dx, h): drawn again for every roughness.
+    total = 0.0
+    for variant in plan.variants:
+        for group in variant.groups:
+            steps = {(t.problem.elements, t.steps_per_spacing) for t in group}
+            total += len(study.grid["roughness"]) * sum(line_seconds(n * m) for n, m in steps)
+        seconds = [task_seconds(study, task) for task in variant.tasks]
+        total += float(copies @ np.array(seconds))
+    return study.realizations * total

@@ -1,0 +1,1 @@
+"""Test-suite: run `python -m pytest` from the top of the repository."""

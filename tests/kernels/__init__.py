@@ -1,0 +1,1 @@
+"""Tests of the numerical core, one module per module of `kernels`."""

@@ -1,0 +1,168 @@
+"""Friction of a state: the exact jump, the indentation rate, the weights of the edges."""
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from kernels import SCHEMES, lagged_slope, quadrature, steady_sliding, step_average
+from tests.convergence import observed_order
+from tests.lines import parabola, random_line
+from tests.references import (
+    jump_without_loss,
+    parabola_edges,
+    parabola_forces,
+    parabola_jump,
+)
+from tests.sizes import size
+
+ELEMENTS, RADIUS, SPEED, DEPTH = 48, 1.0, 1.5, 4.5
+REFINEMENTS = np.array([16, 32, 64, 128, 256])[: size(5, 4)]
+OFFSETS = (0.0, 0.17, 0.31, 0.5, 0.73, 0.9)
+
+
+def steady_state(z, load, speed, m, scheme="exponential"):
+    """Return (c, d); load = Fbar."""
+    step = SCHEMES[scheme](1.0 / (m * speed))
+    return steady_sliding(z, load * z.size, step.decay, step.stiffness)[:2]
+
+
+def jump(z, slope, load, speed, m, ratio):
+    """Return mu(t0+) - mu_1."""
+    c, d = steady_state(z, load, speed, m)
+    mu = [quadrature(z, slope, c, d, v, load * z.size)[0] for v in (speed, ratio * speed)]
+    return mu[1] - mu[0]
+
+
+@pytest.mark.parametrize("ratio", [0.8, 1.0, 1.2, 1.5])
+@pytest.mark.parametrize("hurst", [0.0, 1.0])
+def test_jump_in_full_contact_is_exact(hurst, ratio):
+    z, slope = random_line(80, hurst, 2, seed=1)
+    expected = jump_without_loss(slope, z.size, 2.0, ratio, 40.0)
+    # A difference of two mu of order 0.1: rounding of 1e-16, magnified by 1e3 at most.
+    assert jump(z, slope, 40.0, 2.0, 2, ratio) == pytest.approx(expected, rel=1e-12, abs=1e-15)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_jump_of_a_partial_contact_that_loses_nothing(seed):
+    """Slowing down by 1 % opens no contact; the edges cost the order of 1/m."""
+    m = size(64, 16)
+    z, slope = random_line(40, 1.0, m, seed)
+    c, d = steady_state(z, 0.2, 0.3, m)
+    assert 0.1 < np.mean(c < d) < 0.9
+    expected = jump_without_loss(slope[c < d], z.size, 0.3, 0.99, 0.2)
+    # A few contacts, of 5 m samples each, off by up to a sample at two edges.
+    assert jump(z, slope, 0.2, 0.3, m, 0.99) == pytest.approx(expected, rel=2.0 / m)
+
+
+def parabola_jump_errors(ratio):
+    """Return relative errors of the jump, shape (refinements, offsets)."""
+    normal, _ = parabola_forces(DEPTH, RADIUS, SPEED)
+    exact = parabola_jump(DEPTH, RADIUS, SPEED, ratio)
+    lines = [[parabola(ELEMENTS, m, o, RADIUS) for o in OFFSETS] for m in REFINEMENTS]
+    return np.array(
+        [
+            [jump(*line, normal / ELEMENTS, SPEED, m, ratio) / exact - 1.0 for line in row]
+            for m, row in zip(REFINEMENTS, lines, strict=True)
+        ]
+    )
+
+
+@pytest.mark.parametrize("ratio", [1.2, 2.0])
+def test_jump_of_the_parabola_speeding_up_is_second_order(ratio):
+    errors = parabola_jump_errors(ratio)
+    assert observed_order(REFINEMENTS, errors) > 1.9
+    # Error constant about 0.4 / m^2 (measured), twice that allowed.
+    assert np.abs(errors[-1]).max() < 0.8 / REFINEMENTS[-1] ** 2
+
+
+def test_jump_of_the_parabola_slowing_down_converges():
+    errors = parabola_jump_errors(0.9)
+    assert observed_order(REFINEMENTS, errors) > 0.85  # nominal 1, scattering with the offset
+    assert np.abs(errors[-1]).max() < 1.2 / REFINEMENTS[-1]
+
+
+@pytest.mark.xfail(reason="the trailing edge, where p > 0 after slowing down, counts in full")
+def test_jump_of_the_parabola_slowing_down_is_second_order():
+    assert observed_order(REFINEMENTS, parabola_jump_errors(0.9)) > 1.8
+
+
+@pytest.mark.parametrize("offset", OFFSETS)
+def test_leading_edge_weight_without_solving_a_contact(offset):
+    """The exact contact set of the parabola is given: only the sum over it is tested."""
+    trailing, _ = parabola_edges(DEPTH, RADIUS, SPEED)
+    normal, tangential = parabola_forces(DEPTH, RADIUS, SPEED)
+    errors = []
+    for m in REFINEMENTS:
+        z, slope = parabola(ELEMENTS, m, offset, RADIUS)
+        c = np.where(slope * RADIUS < trailing, 2.0 * DEPTH + z, z)
+        mu, rate, _ = quadrature(z, slope, c, DEPTH, SPEED, normal * m)
+        errors.append([mu / (tangential / normal) - 1.0, rate / DEPTH])
+    # 0.5 / m^2 of smooth error; counting the last sample in full would give 0.3 / m.
+    assert np.all(np.abs(errors) < 1.0 / REFINEMENTS[:, None] ** 2)
+
+
+def edge_weights(c, d):
+    """Return what each sample counts for: half a sample plus the way to the leading edge."""
+    ahead = np.roll(c, -1)
+    share = (d - c) / (ahead - c + (ahead == c))
+    return np.where(c < d, np.where(ahead < d, 1.0, 0.5 + share), 0.0)
+
+
+@pytest.mark.parametrize("speed_after", [0.1, 1.6, 2.0, 2.4, 10.0])
+@pytest.mark.parametrize("load", [1e-3, 0.05, 1.0])
+def test_rate_balances_the_load_and_friction_is_the_lever_mean(load, speed_after):
+    z, slope = random_line(70, 0.7, 2, seed=2)
+    c, d = steady_state(z, load, 2.0, 2)
+    mu, rate, contact = quadrature(z, slope, c, d, speed_after, load * z.size)
+    weight = edge_weights(c, d)
+    pressure = d - z + speed_after * slope
+
+    def excess(rate):
+        return np.sum(weight * np.maximum(0.0, pressure + rate)) - load * z.size
+
+    assert rate == pytest.approx(brentq(excess, -100.0, 1000.0, xtol=1e-13), rel=1e-11, abs=1e-11)
+    force = weight * np.maximum(0.0, pressure + rate)
+    assert mu == pytest.approx(np.sum(force * slope) / np.sum(force), rel=1e-12, abs=1e-13)
+    assert contact == pytest.approx(np.mean(weight * (force > 0.0)), rel=1e-12)
+
+
+def test_steady_rate_vanishes_with_refinement():
+    rates = []
+    for m in (4, 16, 64):
+        z, slope = random_line(30, 1.0, m, seed=3)
+        c, d = steady_state(z, 0.3, 1.0, m)
+        rates.append(abs(quadrature(z, slope, c, d, 1.0, 0.3 * z.size)[1]))
+    assert rates[2] < 0.1 * rates[0]  # at least first order over a factor of 16
+
+
+@pytest.mark.parametrize("n", [1, 2, 9])
+def test_equal_pressures_get_an_equal_rate(n):
+    z = np.zeros(n)
+    mu, rate, contact = quadrature(z, z, z - 1.0, 0.0, 1.0, 0.4 * n)
+    assert (mu, contact) == (0.0, 1.0)
+    assert rate == pytest.approx(0.4, rel=1e-14)
+
+
+@pytest.mark.xfail(run=False, reason="_indentation_rate never returns: two sets alternate")
+def test_pressures_that_tie_at_the_root_end_too():
+    c = np.array([0.4, 0.4, 0.9, 1.1, 0.5, 0.5, 0.3, 0.5, 1.1, 0.4])
+    below = np.array([0.5, 0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.2])
+    from kernels.friction import _indentation_rate
+
+    load = np.sum(below * np.maximum(0.9 - c, 0.0))
+    assert _indentation_rate(-c, below, load) == pytest.approx(0.9, rel=1e-13)
+
+
+def test_lagged_slope_reads_between_the_samples():
+    slope = np.array([1.0, 2.0, 4.0, -1.0])
+    np.testing.assert_array_equal(lagged_slope(slope, 0.0), slope)
+    np.testing.assert_array_equal(lagged_slope(slope, 0.5), [1.5, 3.0, 1.5, 0.0])  # periodic
+    np.testing.assert_allclose(lagged_slope(slope, 0.25), [1.25, 2.5, 2.75, -0.5], rtol=1e-15)
+
+
+def test_step_average_is_the_mean_lever_of_the_forces():
+    c = np.array([0.0, 3.0, 1.0, 2.0])
+    weight = np.array([1.0, 100.0, -2.0, 100.0])
+    # Depths 2 and 1 below d = 2; thresholds at or above d do not count.
+    assert step_average(weight, c, 2.0) == (2.0 * 1.0 - 1.0 * 2.0) / 3.0
+    assert step_average(weight, c, 4.0) == pytest.approx((4 + 100 - 6 + 200) / 10, rel=1e-15)

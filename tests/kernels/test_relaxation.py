@@ -1,0 +1,192 @@
+"""The march against the element-by-element reference, and what it must conserve."""
+
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from kernels import SCHEMES, lagged_slope, march, steady_sliding, step_average
+from kernels.relaxation import SHORT_GAP, touchable
+from tests.lines import random_line
+from tests.reference_march import Elements, RigidElements, constants, relaxation, steady
+from tests.sizes import size
+
+# Elements crossing a gap at the jump are given the new decay for the whole of the gap. Not
+# strict: where all memory ends within the gaps it does not show.
+in_flight = pytest.mark.xfail(reason="march: elements in flight at the jump", strict=False)
+
+
+class Scene(NamedTuple):
+    """A line, a load and a velocity jump."""
+
+    hurst: float
+    m: int
+    load: float
+    speed: float
+    ratio: float
+
+
+# Many stretches, few, one; speeding up and slowing down; partial and full contact; the last
+# three so fast that the memory of the elements reaches across the gaps.
+SCENES = [
+    Scene(0.0, 4, 0.01, 0.15, 1.3),
+    Scene(0.0, 3, 5e-3, 0.2, 0.8),
+    Scene(0.3, 4, 0.02, 0.15, 0.7),
+    Scene(0.7, 4, 0.3, 0.3, 1.2),
+    Scene(0.7, 1, 1e-4, 1.0, 2.0),
+    Scene(1.0, 2, 60.0, 3.0, 1.2),
+    Scene(0.0, 1, 60.0, 20.0, 0.8),
+    Scene(0.3, 1, 0.3, 20.0, 1.2),
+    Scene(0.7, 1, 0.1, 40.0, 0.8),
+    Scene(0.0, 2, 0.5, 6.0, 1.5),
+]
+ELEMENTS = size(150, 60)
+
+
+class Jump:
+    """The steady state at v1 by the kernels, and the march at v2 from it."""
+
+    def __init__(self, scene, scheme, elements=ELEMENTS, seed=3):
+        self.scene, self.scheme = scene, scheme
+        self.z, self.slope = random_line(elements, scene.hurst, scene.m, seed)
+        self.load = scene.load * self.z.size
+        self.before, self.after = (
+            SCHEMES[scheme](1.0 / (scene.m * scene.speed * ratio)) for ratio in (1, scene.ratio)
+        )
+        self.c, self.d = self.steady(self.before)
+        self.weight = lagged_slope(self.slope, self.after.lag)
+
+    def steady(self, step):
+        """Return (c, d) of steady sliding."""
+        return steady_sliding(self.z, self.load, step.decay, step.stiffness)[:2]
+
+    def march(self, record, cap=np.inf, rigid=None):
+        """Return (mu, indentation, inside)."""
+        constants = (self.after.decay, self.after.stiffness, self.load)
+        mu, d, _, inside = march(
+            self.z, self.weight, self.c, self.d, *constants, np.asarray(record), cap, rigid
+        )
+        return mu, d, inside
+
+    def reference(self, steps, kind=Elements):
+        """Return (mu, d, mean of -u) of the reference, from its own steady state."""
+        scene = self.scene
+        dt = 1.0 / (scene.m * scene.speed)
+        u, _, d = steady(self.z, scene.load, constants(self.scheme, dt)[0])
+        step = constants(self.scheme, dt / scene.ratio)
+        return relaxation(kind(self.z, self.slope, u, d, scene.load, step), steps)
+
+
+@pytest.mark.parametrize("cap_factor", [np.inf, pytest.param(1.01, marks=in_flight)])
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("scene", SCENES, ids=str)
+def test_march_is_the_reference_march(scene, scheme, cap_factor):
+    jump = Jump(scene, scheme)
+    steps = 2 * jump.z.size
+    mu, d, mean = jump.reference(steps)
+    cap = cap_factor * max(d.max(), jump.d)
+    found_mu, found_d, inside = jump.march(np.arange(1, steps + 1), cap)
+    assert inside
+    # d is a root of sums of rounded terms; forces are differences multiplied by K <= 50.
+    np.testing.assert_allclose(found_d, d, rtol=1e-11)
+    np.testing.assert_allclose(found_mu, mu, rtol=1e-9, atol=1e-10)
+    np.testing.assert_allclose(mean, jump.scene.load, rtol=1e-11)  # eq. 2: kept by every step
+
+
+@in_flight
+def test_the_cap_does_not_change_the_march():
+    """Leaving out what cannot touch must be exact, whatever the memory."""
+    jump = Jump(Scene(0.7, 1, 0.1, 100.0, 1.2), "exponential", elements=600, seed=5)
+    record = np.arange(1, size(300, 60))
+    mu, d, _ = jump.march(record)
+    capped_mu, capped_d, inside = jump.march(record, 1.01 * d.max())
+    assert inside
+    np.testing.assert_allclose(capped_d, d, rtol=1e-12)
+    np.testing.assert_allclose(capped_mu, mu, rtol=1e-11)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("scene", SCENES, ids=str)
+def test_march_without_indentation_rate_is_the_reference_march(scene, scheme):
+    jump = Jump(scene, scheme, elements=60)
+    mu, d, _ = jump.reference(100, RigidElements)
+    found_mu, found_d, _ = jump.march(np.arange(1, 101), rigid=True)
+    # Brent's method ends within 1e-15 of d; slopes of the balance near 1, levers near 1.
+    np.testing.assert_allclose(found_d, d, rtol=1e-11)
+    np.testing.assert_allclose(found_mu, mu, rtol=1e-9, atol=1e-9)
+
+
+def test_scenes_cover_many_stretches_one_and_none_left_out():
+    counts = []
+    for scene in SCENES:
+        jump = Jump(scene, "exponential")
+        counts.append(touchable(jump.z, 1.01 * jump.d)[0].size)
+    assert max(counts) >= 3
+    assert min(counts) == 1
+
+
+def test_stretches_cover_exactly_what_can_touch():
+    z, _ = random_line(400, 0.2, 1, seed=2)
+    for cap in np.quantile(z, [0.005, 0.02, 0.3, 0.9]):
+        start, stop = touchable(z, cap)
+        inside = np.zeros(z.size, bool)
+        for a, b in zip(start, stop, strict=True):
+            inside[a:b] = True
+            assert z[a] < cap
+            assert z[b - 1] < cap
+        assert np.all(z[~inside] >= cap)
+        assert np.all(start[1:] - stop[:-1] > SHORT_GAP)
+    start, stop = touchable(z, np.inf)
+    assert (start.tolist(), stop.tolist()) == ([0], [z.size])
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("m", [1, 4])
+@pytest.mark.parametrize(
+    ("hurst", "load", "speed"), [(0.0, 1e-3, 0.5), (0.7, 0.1, 20.0), (1.0, 2.0, 3.0)]
+)
+def test_steady_sliding_stays_steady(scheme, m, hurst, load, speed):
+    """The discrete problem is shift-invariant: d is constant, and so is the step average."""
+    jump = Jump(Scene(hurst, m, load, speed, 1.0), scheme, elements=60)
+    mu, d, inside = jump.march(np.arange(1, size(1000, 150) + 1), 1.01 * jump.d)
+    assert inside
+    np.testing.assert_allclose(d, jump.d, rtol=1e-12)
+    expected = step_average(jump.weight, jump.c, jump.d)
+    np.testing.assert_allclose(mu, expected, rtol=1e-10, atol=1e-11)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("scene", SCENES[:4], ids=str)
+def test_march_ends_in_the_steady_state_of_the_new_speed(scene, scheme):
+    jump = Jump(scene, scheme, elements=60)
+    c, d = jump.steady(jump.after)
+    # 35 tau and at least two turns of the line: e^-35 is forgotten.
+    steps = 2 * jump.z.size + int(35 * scene.m * scene.speed * scene.ratio)
+    mu, found, _ = jump.march([1, steps], 1.2 * max(d, jump.d))
+    assert found[1] == pytest.approx(d, rel=1e-11)
+    assert mu[1] == pytest.approx(step_average(jump.weight, c, d), rel=1e-9, abs=1e-10)
+    assert abs(found[0] / d - 1.0) > 1e-9  # it was not there from the start
+
+
+def test_only_the_recorded_steps_are_kept():
+    jump = Jump(SCENES[3], "exponential", elements=60)
+    every, d_every, _ = jump.march(np.arange(1, 101))
+    some, d_some, _ = jump.march([1, 7, 64, 100])
+    np.testing.assert_array_equal(some, every[[0, 6, 63, 99]])
+    np.testing.assert_array_equal(d_some, d_every[[0, 6, 63, 99]])
+
+
+def test_arguments_are_left_alone():
+    jump = Jump(SCENES[3], "exponential", elements=60)
+    kept = [a.copy() for a in (jump.z, jump.weight, jump.c)]
+    jump.march([50])
+    for before, now in zip(kept, (jump.z, jump.weight, jump.c), strict=True):
+        np.testing.assert_array_equal(before, now)
+
+
+def test_a_cap_that_is_reached_is_reported():
+    jump = Jump(Scene(0.7, 2, 0.3, 3.0, 0.2), "exponential", elements=60)  # slower: d grows
+    _, d, inside = jump.march(np.arange(1, 200))
+    assert inside
+    assert d.max() > 1.05 * jump.d
+    assert not jump.march(np.arange(1, 200), 1.02 * jump.d)[2]

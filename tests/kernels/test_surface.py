@@ -1,0 +1,111 @@
+"""Random line: normalisation, one function behind every sampling, exact slopes."""
+
+import numpy as np
+import pytest
+
+from kernels import amplitudes, draw_phases, rms_slope, sample_line
+
+HURST = (0.0, 0.3, 0.7, 1.0)
+SIZES = (2, 3, 50, 51)  # even sizes have a Nyquist mode
+
+
+def drawn(hurst, elements, seed=1):
+    """Return amplitudes and phases of one line."""
+    return amplitudes(hurst, elements), draw_phases(np.random.default_rng(seed), elements)
+
+
+def cosine_sum(amplitude, phases, elements, m):
+    """Return heights and slopes by the sum that defines the line (surface.py)."""
+    x = np.arange(elements * m) / m
+    q = 2.0 * np.pi * np.arange(1, amplitude.size + 1) / elements
+    angle = np.outer(x, q) + phases
+    return np.cos(angle) @ amplitude, -np.sin(angle) @ (amplitude * q)
+
+
+@pytest.mark.parametrize("hurst", HURST)
+@pytest.mark.parametrize("elements", SIZES)
+def test_rms_height_of_the_modes_is_one(hurst, elements):
+    assert np.sum(amplitudes(hurst, elements) ** 2) / 2 == pytest.approx(1.0, rel=1e-14)
+
+
+@pytest.mark.parametrize("hurst", HURST)
+@pytest.mark.parametrize("elements", SIZES)
+@pytest.mark.parametrize("m", [2, 3])
+def test_rms_height_and_slope_of_the_samples(hurst, elements, m):
+    amplitude, phases = drawn(hurst, elements)
+    z, slope = sample_line(amplitude, phases, elements, m)
+    # Sampled above twice the highest wave number, means of squares are exact sums over modes.
+    assert np.sqrt(np.mean(z**2)) == pytest.approx(1.0, rel=1e-13)
+    assert np.sqrt(np.mean(slope**2)) == pytest.approx(rms_slope(amplitude, elements), rel=1e-13)
+    assert abs(z.mean()) < 1e-14
+    assert abs(slope.mean()) < 1e-13
+
+
+@pytest.mark.parametrize("elements", [51, 501])
+def test_odd_lines_have_the_exact_rms_at_one_sample_per_spacing_too(elements):
+    z, _ = sample_line(*drawn(0.7, elements), elements, 1)
+    assert np.sqrt(np.mean(z**2)) == pytest.approx(1.0, rel=1e-13)
+
+
+@pytest.mark.parametrize(("hurst", "ratio"), [(0.0, 1.04), (0.3, 1.17), (0.7, 1.39), (1.0, 1.55)])
+def test_integral_normalisation_of_the_paper(hurst, ratio):
+    """DESIGN section 2: lines are rougher by these factors at N = 5000 (two decimals)."""
+    amplitude = amplitudes(hurst, 5000, "integral")
+    assert np.sqrt(np.sum(amplitude**2) / 2) == pytest.approx(ratio, abs=0.005)
+    # Only the common factor differs.
+    factor = amplitude / amplitudes(hurst, 5000)
+    np.testing.assert_allclose(factor, factor[0], rtol=1e-12)
+
+
+def test_unknown_normalisation_is_refused():
+    with pytest.raises(ValueError, match="modal"):
+        amplitudes(0.7, 50, "peak")
+
+
+@pytest.mark.parametrize("hurst", HURST)
+def test_power_law_of_the_amplitudes(hurst):
+    """A_k ~ q_k^-(H + 1/2): doubling the wave number divides by 2^(H + 1/2)."""
+    amplitude = amplitudes(hurst, 64)
+    assert amplitude[3] / amplitude[7] == pytest.approx(2.0 ** (hurst + 0.5), rel=1e-13)
+
+
+@pytest.mark.parametrize("hurst", HURST)
+@pytest.mark.parametrize("elements", SIZES)
+@pytest.mark.parametrize("m", [1, 2, 5])
+def test_samples_are_the_cosine_sum(hurst, elements, m):
+    amplitude, phases = drawn(hurst, elements)
+    z, slope = sample_line(amplitude, phases, elements, m)
+    z_sum, slope_sum = cosine_sum(amplitude, phases, elements, m)
+    # Rounding of sums of 25 terms of order one, slopes up to pi.
+    np.testing.assert_allclose(z, z_sum, atol=1e-13)
+    np.testing.assert_allclose(slope, slope_sum, atol=3e-13)
+
+
+@pytest.mark.parametrize("elements", [50, 51])
+@pytest.mark.parametrize("hurst", [0.0, 1.0])
+def test_samplings_are_nested(hurst, elements):
+    amplitude, phases = drawn(hurst, elements)
+    coarse = sample_line(amplitude, phases, elements, 1)
+    fine = sample_line(amplitude, phases, elements, 4)
+    np.testing.assert_allclose(coarse[0], fine[0][::4], atol=1e-13)
+    np.testing.assert_allclose(coarse[1], fine[1][::4], atol=3e-13)
+
+
+def test_slope_is_the_derivative_of_the_height():
+    m = 400
+    z, slope = sample_line(*drawn(0.7, 50), 50, m)
+    difference = (np.roll(z, -1) - np.roll(z, 1)) * (m / 2.0)
+    # Central difference: relative error of the highest mode (pi/m)^2 / 6 = 1e-5.
+    np.testing.assert_allclose(difference, slope, atol=2e-5 * np.abs(slope).max())
+
+
+def test_phases_are_reproducible_and_fill_the_circle():
+    first = draw_phases(np.random.default_rng([7, 3]), 5000)
+    again = draw_phases(np.random.default_rng([7, 3]), 5000)
+    other = draw_phases(np.random.default_rng([7, 4]), 5000)
+    np.testing.assert_array_equal(first, again)
+    assert not np.any(first == other)
+    assert first.min() >= 0.0
+    assert first.max() < 2.0 * np.pi
+    # Uniform phases: the resultant of 2500 unit vectors is of order 50, here within 4 sigma.
+    assert np.abs(np.exp(1j * first).sum()) < 4.0 * np.sqrt(first.size)

@@ -1,0 +1,92 @@
+"""Analytic references in the units of kernels/__init__.py (h, dx, tau).
+
+In contact the pressure is p = d - z + vbar z' + d' (eq. 3 of Li et al. 2014 with the
+indentation rate d' kept), mean(p) = Fbar (eq. 4) and mu = sum(p z') / sum(p) (eq. 5).
+"""
+
+import numpy as np
+from scipy.optimize import brentq
+
+
+def sorted_root(thresholds, target: float) -> float:
+    """Return d with sum max(0, d - c_i) = target, from the sorted thresholds c_i.
+
+    Source: with the k lowest elements touching, d_k = (target + c_1 + ... + c_k) / k; the
+    largest k with d_k > c_k holds. Sums start from c_1, so that equal heights cost no digits.
+    """
+    c = np.sort(thresholds)
+    height = c - c[0]
+    d = (target + np.cumsum(height)) / np.arange(1.0, c.size + 1)
+    return float(c[0] + d[np.flatnonzero(d > height)[-1]])
+
+
+def parabola_edges(d: float, radius: float, speed: float) -> tuple[float, float]:
+    """Return the trailing and the leading edge of the contact with z = x^2 / (2 R).
+
+    Source: p = 0 at the trailing edge gives v tau - ((v tau)^2 + 2 R d)^(1/2); at the leading
+    edge the line meets the undeformed elastomer, z = d, hence (2 R d)^(1/2).
+    """
+    return speed - np.sqrt(speed**2 + 2.0 * radius * d), np.sqrt(2.0 * radius * d)
+
+
+def parabola_forces(d: float, radius: float, speed: float, edges=None) -> tuple[float, float]:
+    """Return int p dx and int p z' dx (h dx and h^2) of the parabola, by default steady.
+
+    Source: eqs 4 and 5 with p = d - x^2/2R + v tau x/R, integrated between the edges.
+    """
+    trailing, leading = parabola_edges(d, radius, speed) if edges is None else edges
+
+    def normal(x):
+        return d * x - x**3 / (6.0 * radius) + speed * x**2 / (2.0 * radius)
+
+    def tangential(x):
+        elastic = d * x**2 / (2.0 * radius) - x**4 / (8.0 * radius**2)
+        return elastic + speed * x**3 / (3.0 * radius**2)
+
+    return normal(leading) - normal(trailing), tangential(leading) - tangential(trailing)
+
+
+def parabola_jump(d: float, radius: float, speed: float, ratio: float) -> float:
+    """Return the jump of mu on the parabola.
+
+    Source: displacements stay; p = (d + d') - x^2/2R + r v tau x/R over the old contact as far
+    as p > 0, with d' from eq. 4. Speeding up moves the trailing edge, slowing down does not.
+    """
+    load, before = parabola_forces(d, radius, speed)
+    trailing, leading = parabola_edges(d, radius, speed)
+
+    def after(rate):
+        lost, _ = parabola_edges(d + rate, radius, ratio * speed)
+        return parabola_forces(d + rate, radius, ratio * speed, (max(trailing, lost), leading))
+
+    rate = brentq(lambda rate: after(rate)[0] - load, -0.9 * d, d, xtol=1e-14)
+    return (after(rate)[1] - before) / load
+
+
+def full_contact_friction(rms_slope: float, speed: float, load: float) -> float:
+    """Return mu where everything touches: vbar <z'^2> / Fbar.
+
+    Source: eq. 5 with p = d - z + vbar z' over the period: z and z' are orthogonal. For a
+    sinusoid of amplitude a this is vbar a^2 q^2 / (2 d), with d = Fbar (eq. 4).
+    """
+    return speed * rms_slope**2 / load
+
+
+def slow_sliding(z, slope, load: float) -> tuple[float, float]:
+    """Return (d, mu / vbar) for v -> 0, load = Fbar.
+
+    Source: eq. 4 becomes mean (d - z)+ = Fbar; in eq. 5 the elastic part integrates to zero
+    over every contact and leaves mu = vbar mean_contact(z'^2) / Fbar.
+    """
+    d = sorted_root(z, load * z.size)
+    return d, float(np.sum(slope[z < d] ** 2)) / (load * z.size)
+
+
+def jump_without_loss(contact_slope, samples: int, speed: float, ratio: float, load: float):
+    """Return the jump of mu where no contact is lost, load = Fbar.
+
+    Source: p jumps by vbar (r - 1) (z' - <z'>), the rate d' keeping the load (eq. 4), so
+    dmu = vbar (r - 1) n_c Var_contact(z') / (n Fbar).
+    """
+    spread = contact_slope.size * np.var(contact_slope)
+    return (ratio - 1.0) * speed * spread / (samples * load)
