@@ -1,6 +1,7 @@
 """Draw the figure of a study: its folder's figure.py reads the result file and draws."""
 
 import importlib.util
+import textwrap
 from collections.abc import Callable
 from pathlib import Path
 
@@ -28,6 +29,7 @@ STYLE = {
     "ytick.direction": "in",
     "pdf.fonttype": 42,
 }
+FOOT_CHARACTERS_PER_INCH = 21
 # Okabe and Ito: distinguishable with any colour vision.
 COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
 
@@ -59,7 +61,9 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
         f"{points} grid points, {int(dataset.realizations.max())} realizations each, "
         f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"
     )
-    figure.supxlabel(f"{text}\n{note}" if note else text, fontsize=6, color="0.35")
+    width = int(FOOT_CHARACTERS_PER_INCH * figure.get_figwidth())
+    lines = [line for part in (text, note) if part for line in textwrap.wrap(part, width)]
+    figure.supxlabel("\n".join(lines), fontsize=6, color="0.35")
 
 
 def _draw_function(script: Path) -> Callable:

@@ -1,8 +1,6 @@
 """Read study.toml: find it, apply the scale and --set, check every key, build the Study."""
 
-import copy
 import json
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -11,6 +9,7 @@ from kernels import SCHEMES
 from kernels.surface import NORMALISATIONS
 from workflow.axes import axis_values, integer, number, positive, snapped_spacing
 from workflow.errors import UserError
+from workflow.settings import as_table, load_tables
 from workflow.study import AXES, QUANTITIES, Numerics, Scene, Study
 
 TABLES: dict[str, tuple[str, ...]] = {
@@ -45,47 +44,9 @@ def read_study(study: str, scale: str | None = None, settings: list[str] | None 
     Raises UserError, one line, for anything a user can have got wrong.
     """
     path = find_study(study)
-    try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise UserError(f"{path}: cannot be read as TOML: {error}") from error
-    scales = tables.pop("scales", {})
-    if scale is not None:
-        if not isinstance(scales, dict) or scale not in scales:
-            known = ", ".join(scales) or "none"
-            raise UserError(f"--scale {scale}: the study knows {known}")
-        _merge(tables, scales[scale], f"scales.{scale}")
-    for setting in settings or []:
-        _merge(tables, _setting(setting), "--set")
+    tables = load_tables(path, scale, settings or [])
     name = path.parent.name if path.name == "study.toml" else path.stem
     return _build(name, path.parent, tables)
-
-
-def _merge(tables: dict, extra: Any, where: str) -> None:
-    for key, value in _table(where, extra).items():
-        if isinstance(value, dict) and isinstance(tables.get(key), dict) and key not in AXES:
-            _merge(tables[key], value, f"{where}.{key}")
-        else:
-            tables[key] = copy.deepcopy(value)
-
-
-def _setting(text: str) -> dict:
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError:
-        key, separator, value = text.partition("=")
-        if not separator:
-            raise UserError(f"--set {text}: use table.key=value") from None
-    try:  # a bare word is a string: --set numerics.scheme=exponential
-        return tomllib.loads(f"{key}={json.dumps(value.strip())}")
-    except tomllib.TOMLDecodeError:
-        raise UserError(f"--set {text}: use table.key=value") from None
-
-
-def _table(key: str, value: Any) -> dict:
-    if not isinstance(value, dict):
-        raise UserError(f"{key} = {value!r}: must be a table")
-    return value
 
 
 def _check_keys(where: str, table: dict, known: tuple[str, ...]) -> None:
@@ -110,7 +71,7 @@ def _choice(key: str, value: object, known: tuple[str, ...]) -> str:
 def _build(name: str, folder: Path, tables: dict) -> Study:
     _check_keys("", tables, (*TABLES, *BY_NAME))
     for table, known in TABLES.items():
-        _check_keys(f"{table}.", _table(table, tables.get(table, {})), known)
+        _check_keys(f"{table}.", as_table(table, tables.get(table, {})), known)
     head = tables.get("study", {})
     realizations = _required(tables, "study", "realizations", lambda k, v: integer(k, v, 2))
     block = integer("study.realizations_per_block", head.get("realizations_per_block", 1), 1)
@@ -197,9 +158,9 @@ def _scene(table: dict) -> Scene:
 def _variants(tables: dict) -> dict[str, Numerics]:
     own = tables.get("numerics", {})
     variants = {"": _numerics("numerics", own)}
-    for label, extra in _table("compare", tables.get("compare", {})).items():
+    for label, extra in as_table("compare", tables.get("compare", {})).items():
         where = f"compare.{label}"
-        _check_keys(f"{where}.", _table(where, extra), TABLES["numerics"])
+        _check_keys(f"{where}.", as_table(where, extra), TABLES["numerics"])
         variants[label] = _numerics(where, {**own, **extra})
     return variants
 

@@ -10,19 +10,15 @@ from types import FrameType
 import numpy as np
 from distributed import Client
 
-from kernels import Case, Line, amplitudes, rms_slope, run_case
+from kernels import Case, Line, amplitudes, run_case
 from workflow.batch import Batch, BatchResult, block_means
 from workflow.cluster import open_client
-from workflow.dataset import build_dataset, write_datasets
+from workflow.collect import collect
+from workflow.dataset import write_datasets
 from workflow.flow import stream
-from workflow.plan import BATCH_SECONDS, Plan, Task, Variant, batches, quantities
+from workflow.plan import BATCH_SECONDS, Plan, batches, quantities
 from workflow.progress import Reporter
-from workflow.reduction import Blocks, Estimates, reduce_blocks
-from workflow.resolution import record_steps
 from workflow.store import Store
-
-TASKS_PER_REDUCTION = 32
-SECONDS_PER_FIT = 4e-4
 
 
 @dataclass
@@ -82,8 +78,9 @@ def run_plan(
     with open_client(scheduler, workers) as client, Interrupt() as interrupt:
         work = batches(plan, stored, batch_seconds)
         _compute(client, store, work, summary, interrupt)
-        if not interrupt():
-            _reduce(client, store, plan, result, interrupt)
+        datasets = {} if interrupt() else collect(client, store, plan, interrupt)
+        if datasets:
+            write_datasets(result, datasets)
     summary.interrupted = interrupt()
     summary.wall = time.monotonic() - began
     return summary
@@ -119,83 +116,3 @@ def _compute(
             summary.batches += 1
             summary.used += done.seconds
             reporter.advance(batch.seconds)
-
-
-def _reduce(client: Client, store: Store, plan: Plan, result: Path, interrupt: Interrupt) -> None:
-    marching = "relaxation" in plan.study.scene.quantities
-    fits = sum(len(v.tasks) for v in plan.variants) * (plan.study.blocks + 1) * marching
-    with Reporter("fitting", fits * SECONDS_PER_FIT) as reporter:
-        datasets = {}
-        for variant in plan.variants:
-            estimates = _reduce_variant(client, store, plan, variant, interrupt, reporter)
-            if interrupt():
-                return
-            datasets[variant.label] = build_dataset(plan, variant, estimates)
-    write_datasets(result, datasets)
-
-
-def _reduce_variant(
-    client: Client,
-    store: Store,
-    plan: Plan,
-    variant: Variant,
-    interrupt: Interrupt,
-    reporter: Reporter,
-) -> Estimates:
-    size = TASKS_PER_REDUCTION
-    parts = [variant.tasks[i : i + size] for i in range(0, len(variant.tasks), size)]
-    slopes = _rms_slopes(plan, variant)
-    loaded = (
-        (number, _load(store, plan, variant, part, slopes)) for number, part in enumerate(parts)
-    )
-    found: dict[int, Estimates] = {}
-    for (number, _), estimates in stream(client, _reduce_part, loaded, interrupt):
-        found[number] = estimates
-        reporter.advance(len(parts[number]) * (plan.study.blocks + 1) * SECONDS_PER_FIT)
-    if interrupt():
-        return {}
-    merged = {n: np.concatenate([found[i][n] for i in range(len(parts))]) for n in found[0]}
-    merged["rms_slope"] = np.array([slopes[line_of(task)] for task in variant.tasks])
-    return merged
-
-
-def _reduce_part(part: tuple[int, Blocks]) -> Estimates:
-    return reduce_blocks(part[1])
-
-
-def line_of(task: Task) -> tuple[float, int]:
-    """Return what identifies the random lines of a task: (H, N)."""
-    return task.problem.hurst, task.problem.elements
-
-
-def _rms_slopes(plan: Plan, variant: Variant) -> dict[tuple[float, int], float]:
-    lines = {line_of(task) for task in variant.tasks}
-    return {
-        (hurst, n): rms_slope(amplitudes(hurst, n, plan.study.normalisation), n)
-        for hurst, n in lines
-    }
-
-
-def _load(
-    store: Store,
-    plan: Plan,
-    variant: Variant,
-    tasks: list[Task],
-    slopes: dict[tuple[float, int], float],
-) -> Blocks:
-    samples = variant.numerics.samples - 1
-    records = [(task.key, block) for task in tasks for block in range(plan.study.blocks)]
-    scalars, curves = store.read(records, samples)
-    time = np.full((len(tasks), samples), np.nan)
-    if "relaxation" in plan.study.scene.quantities:
-        for row, task in enumerate(tasks):
-            step = task.problem.speed * task.problem.ratio * task.steps_per_spacing
-            recorded = record_steps(task.march, variant.numerics.samples)
-            time[row, : recorded.size] = recorded / step
-    return Blocks(
-        scalars.reshape(len(tasks), plan.study.blocks, -1),
-        curves.reshape(len(tasks), plan.study.blocks, -1),
-        time,
-        np.array([slopes[line_of(task)] for task in tasks]),
-        plan.study.scene.quantities,
-    )

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
@@ -14,17 +14,11 @@ HEIGHTS = st.floats(-10.0, 10.0, allow_subnormal=False)
 THRESHOLDS = arrays(float, st.integers(1, 40), elements=HEIGHTS)
 LOADS = st.floats(1.0, 1e3)
 QUICK = settings(max_examples=150, deadline=None, derandomize=True, database=None)
-ENDLESS = "solve_indentation never returns: two sets alternate where a threshold is the root"
 
 
 def force(c, d):
     """Return the left side of the load balance."""
     return np.maximum(0.0, d - c).sum()
-
-
-def generic(c, target):
-    """Tell whether no threshold lies within rounding of the root."""
-    return np.abs(c - sorted_root(c, target)).min() > 1e-9
 
 
 @pytest.mark.parametrize("n", [1, 2, 7, 8, 9, 16, 17, 100, 1003])
@@ -64,7 +58,6 @@ def test_a_good_guess_needs_few_passes():
 @QUICK
 @given(c=THRESHOLDS, target=LOADS, guess=HEIGHTS)
 def test_the_root_balances_the_load(c, target, guess):
-    assume(generic(c, target))
     d, _ = solve_indentation(c, target, guess)
     assert force(c, d) == pytest.approx(target, rel=1e-12)
 
@@ -72,7 +65,6 @@ def test_the_root_balances_the_load(c, target, guess):
 @QUICK
 @given(c=THRESHOLDS, target=LOADS, more=st.floats(1.001, 3.0))
 def test_indentation_increases_with_the_load(c, target, more):
-    assume(generic(c, target) and generic(c, more * target))
     d, _ = solve_indentation(c, target, 0.0)
     deeper, _ = solve_indentation(c, more * target, 0.0)
     assert deeper > d
@@ -82,7 +74,6 @@ def test_indentation_increases_with_the_load(c, target, more):
 @given(c=THRESHOLDS, target=LOADS, guess=HEIGHTS, power=st.integers(-30, 30))
 def test_powers_of_two_scale_bit_for_bit(c, target, guess, power):
     c = np.where(np.abs(c) < 1e-200, 0.0, c)
-    assume(generic(c, target))
     s = 2.0**power
     d, passes = solve_indentation(c, target, guess)
     assert solve_indentation(s * c, s * target, s * guess) == (s * d, passes)
@@ -112,7 +103,6 @@ def test_weighted_root_balances_the_load(load, guess):
     assert equal == pytest.approx(sorted_root(c, load), rel=1e-13)
 
 
-@pytest.mark.xfail(run=False, reason="solve_weighted never returns, likewise")
 def test_weighted_ties_at_the_root_end_too():
     c = np.array([0.4, 0.4, 0.9, 1.1, 0.5, 0.5, 0.3, 0.5, 1.1, 0.4])
     stiffness = np.array([0.5, 0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.2])
@@ -120,14 +110,12 @@ def test_weighted_ties_at_the_root_end_too():
     assert solve_weighted(c, stiffness, load, -c.min())[0] == pytest.approx(0.9, rel=1e-13)
 
 
-@pytest.mark.xfail(run=False, reason=ENDLESS)
 def test_ties_at_the_root_end_too():
     c = np.array([0.4, 0.8, 0.0, 0.3, 0.3, 0.9, 0.0, 0.1, 0.5, 0.6])
     d, _ = solve_indentation(c, 0.8, 0.9)
     assert d == pytest.approx(0.3, rel=1e-14)
 
 
-@pytest.mark.xfail(run=False, reason=ENDLESS)
 def test_quantised_heights_end_for_every_root_on_a_tie():
     """Heights of a measured line are multiples of a resolution, and so may be the root."""
     rng = np.random.default_rng(0)
@@ -140,6 +128,5 @@ def test_quantised_heights_end_for_every_root_on_a_tie():
             assert d == pytest.approx(root, rel=1e-14)
 
 
-@pytest.mark.xfail(run=False, reason="solve_indentation never returns: target below one ulp of c")
 def test_a_load_below_rounding_ends_at_the_lowest_threshold():
     assert solve_indentation(np.array([1.0, 2.0]), 1e-17, 0.5)[0] == 1.0

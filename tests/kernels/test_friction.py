@@ -29,7 +29,7 @@ def steady_state(z, load, speed, m, scheme="exponential"):
 def jump(z, slope, load, speed, m, ratio):
     """Return mu(t0+) - mu_1."""
     c, d = steady_state(z, load, speed, m)
-    mu = [quadrature(z, slope, c, d, v, load * z.size)[0] for v in (speed, ratio * speed)]
+    mu = [quadrature(z, slope, c, d, speed, v, load * z.size)[0] for v in (speed, ratio * speed)]
     return mu[1] - mu[0]
 
 
@@ -81,7 +81,6 @@ def test_jump_of_the_parabola_slowing_down_converges():
     assert np.abs(errors[-1]).max() < 1.2 / REFINEMENTS[-1]
 
 
-@pytest.mark.xfail(reason="the trailing edge, where p > 0 after slowing down, counts in full")
 def test_jump_of_the_parabola_slowing_down_is_second_order():
     assert observed_order(REFINEMENTS, parabola_jump_errors(0.9)) > 1.8
 
@@ -95,17 +94,24 @@ def test_leading_edge_weight_without_solving_a_contact(offset):
     for m in REFINEMENTS:
         z, slope = parabola(ELEMENTS, m, offset, RADIUS)
         c = np.where(slope * RADIUS < trailing, 2.0 * DEPTH + z, z)
-        mu, rate, _ = quadrature(z, slope, c, DEPTH, SPEED, normal * m)
+        mu, rate, _ = quadrature(z, slope, c, DEPTH, SPEED, SPEED, normal * m)
         errors.append([mu / (tangential / normal) - 1.0, rate / DEPTH])
     # 0.5 / m^2 of smooth error; counting the last sample in full would give 0.3 / m.
     assert np.all(np.abs(errors) < 1.0 / REFINEMENTS[:, None] ** 2)
 
 
-def edge_weights(c, d):
-    """Return what each sample counts for: half a sample plus the way to the leading edge."""
-    ahead = np.roll(c, -1)
-    share = (d - c) / (ahead - c + (ahead == c))
-    return np.where(c < d, np.where(ahead < d, 1.0, 0.5 + share), 0.0)
+def edge_weights(z, slope, c, d, formed):
+    """Return what each sample counts for: 1, but at the two edges of every contact."""
+    touching, ahead = c < d, np.roll(c, -1)
+    leading = touching & (ahead >= d)
+    weight = touching.astype(float)
+    weight[leading] += ((d - c) / (ahead - c + (ahead == c)))[leading] - 0.5
+    pressure = d - z + formed * slope
+    behind = np.roll(pressure, 1)
+    trailing = touching & ~np.roll(touching, 1) & (pressure > behind)
+    way = np.clip(pressure / np.where(pressure > behind, pressure - behind, 1.0), -0.5, 1.5)
+    weight[trailing] += way[trailing] - 0.5
+    return np.where(touching, np.maximum(weight, 0.01), 0.0)
 
 
 @pytest.mark.parametrize("speed_after", [0.1, 1.6, 2.0, 2.4, 10.0])
@@ -113,8 +119,8 @@ def edge_weights(c, d):
 def test_rate_balances_the_load_and_friction_is_the_lever_mean(load, speed_after):
     z, slope = random_line(70, 0.7, 2, seed=2)
     c, d = steady_state(z, load, 2.0, 2)
-    mu, rate, contact = quadrature(z, slope, c, d, speed_after, load * z.size)
-    weight = edge_weights(c, d)
+    mu, rate, contact = quadrature(z, slope, c, d, 2.0, speed_after, load * z.size)
+    weight = edge_weights(z, slope, c, d, 2.0)
     pressure = d - z + speed_after * slope
 
     def excess(rate):
@@ -131,19 +137,18 @@ def test_steady_rate_vanishes_with_refinement():
     for m in (4, 16, 64):
         z, slope = random_line(30, 1.0, m, seed=3)
         c, d = steady_state(z, 0.3, 1.0, m)
-        rates.append(abs(quadrature(z, slope, c, d, 1.0, 0.3 * z.size)[1]))
+        rates.append(abs(quadrature(z, slope, c, d, 1.0, 1.0, 0.3 * z.size)[1]))
     assert rates[2] < 0.1 * rates[0]  # at least first order over a factor of 16
 
 
 @pytest.mark.parametrize("n", [1, 2, 9])
 def test_equal_pressures_get_an_equal_rate(n):
     z = np.zeros(n)
-    mu, rate, contact = quadrature(z, z, z - 1.0, 0.0, 1.0, 0.4 * n)
+    mu, rate, contact = quadrature(z, z, z - 1.0, 0.0, 1.0, 1.0, 0.4 * n)
     assert (mu, contact) == (0.0, 1.0)
     assert rate == pytest.approx(0.4, rel=1e-14)
 
 
-@pytest.mark.xfail(run=False, reason="_indentation_rate never returns: two sets alternate")
 def test_pressures_that_tie_at_the_root_end_too():
     c = np.array([0.4, 0.4, 0.9, 1.1, 0.5, 0.5, 0.3, 0.5, 1.1, 0.4])
     below = np.array([0.5, 0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.2])

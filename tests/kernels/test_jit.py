@@ -98,6 +98,6 @@ def test_machine_code_computes_what_python_computes():
     np.testing.assert_allclose(c, c_plain, rtol=1e-14, atol=1e-14)
     assert d == pytest.approx(d_plain, rel=1e-14)
     assert abs(sweeps - sweeps_plain) <= 1
-    found = friction.quadrature(z, slope, c, d, 1.1, 3.0)
-    plain = friction.quadrature.py_func(z, slope, c, d, 1.1, 3.0)
+    found = friction.quadrature(z, slope, c, d, 1.0, 1.1, 3.0)
+    plain = friction.quadrature.py_func(z, slope, c, d, 1.0, 1.1, 3.0)
     assert found == pytest.approx(plain, rel=1e-13, abs=1e-13)

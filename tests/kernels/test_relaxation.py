@@ -13,7 +13,6 @@ from tests.sizes import size
 
 # Elements crossing a gap at the jump are given the new decay for the whole of the gap. Not
 # strict: where all memory ends within the gaps it does not show.
-in_flight = pytest.mark.xfail(reason="march: elements in flight at the jump", strict=False)
 
 
 class Scene(NamedTuple):
@@ -77,7 +76,7 @@ class Jump:
         return relaxation(kind(self.z, self.slope, u, d, scene.load, step), steps)
 
 
-@pytest.mark.parametrize("cap_factor", [np.inf, pytest.param(1.01, marks=in_flight)])
+@pytest.mark.parametrize("cap_factor", [np.inf, 1.01])
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("scene", SCENES, ids=str)
 def test_march_is_the_reference_march(scene, scheme, cap_factor):
@@ -93,7 +92,6 @@ def test_march_is_the_reference_march(scene, scheme, cap_factor):
     np.testing.assert_allclose(mean, jump.scene.load, rtol=1e-11)  # eq. 2: kept by every step
 
 
-@in_flight
 def test_the_cap_does_not_change_the_march():
     """Leaving out what cannot touch must be exact, whatever the memory."""
     jump = Jump(Scene(0.7, 1, 0.1, 100.0, 1.2), "exponential", elements=600, seed=5)

@@ -48,7 +48,7 @@ def sinusoid(elements, m, amplitude):
 def test_sinusoid_in_full_contact_is_exact(scheme, m):
     z, slope, rms = sinusoid(32, m, 1.3)
     _, c, d, _ = solved(z, 3.0, 2.0, m, scheme)
-    mu, rate, contact = quadrature(z, slope, c, d, 2.0, 3.0 * z.size)
+    mu, rate, contact = quadrature(z, slope, c, d, 2.0, 2.0, 3.0 * z.size)
     # Sums of waves over whole periods are exact: rounding alone is left.
     assert d == pytest.approx(3.0, rel=1e-13)
     assert mu == pytest.approx(full_contact_friction(rms, 2.0, 3.0), rel=1e-13)
@@ -75,7 +75,7 @@ def test_any_spectrum_in_full_contact(scheme, hurst):
     z, slope = random_line(64, hurst, 2, seed=2)
     load, speed = 60.0, 3.0
     _, c, d, _ = solved(z - z.mean(), load, speed, 2, scheme)
-    mu, _, contact = quadrature(z - z.mean(), slope, c, d, speed, load * z.size)
+    mu, _, contact = quadrature(z - z.mean(), slope, c, d, speed, speed, load * z.size)
     assert contact == 1.0
     assert d == pytest.approx(load, rel=1e-13)
     rms = rms_slope(amplitudes(hurst, 64), 64)
@@ -122,7 +122,7 @@ def test_extreme_loads_and_speeds_need_few_sweeps(scheme, load, speed):
     force = step.stiffness * np.maximum(0.0, d - c).mean()
     # d - c is known to eps times the heights (1 here) or d, and multiplied by the stiffness.
     assert force == pytest.approx(load, rel=1e-12 + 1e-15 * step.stiffness * (1 + d / load))
-    assert np.isfinite(quadrature(z, slope, c, d, speed, load * z.size)).all()
+    assert np.isfinite(quadrature(z, slope, c, d, speed, speed, load * z.size)).all()
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -177,6 +177,6 @@ def test_flat_line_carries_its_load_evenly():
     step = SCHEMES["exponential"](0.3)
     c, d, _ = steady_sliding(z, 0.25 * 12, step.decay, step.stiffness)
     assert d == pytest.approx(0.25, rel=1e-14)
-    mu, rate, contact = quadrature(z, z, c, d, 2.0, 0.25 * 12)
+    mu, rate, contact = quadrature(z, z, c, d, 2.0, 2.0, 0.25 * 12)
     assert (mu, contact) == (0.0, 1.0)
     assert abs(rate) < 1e-14

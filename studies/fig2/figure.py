@@ -1,0 +1,40 @@
+"""Figure 2: friction before, during and after a jump of the sliding velocity, up and down."""
+
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from workflow.figure import COLOURS, foot_line
+
+VARIANTS = {None: "converged", "paper_step": "implicit Euler, one step per $\\Delta x$"}
+
+
+def draw(result: Path) -> Figure:
+    """Return the figure of a result file of this study."""
+    figure, axes = plt.subplots(1, 2, figsize=(6.9, 2.8), layout="constrained")
+    for number, (group, label) in enumerate(VARIANTS.items()):
+        with xr.open_dataset(result, group=group) as dataset:
+            for ax, step in zip(axes, dataset.velocity_step.values, strict=True):
+                _history(ax, dataset.sel(velocity_step=step).squeeze(), COLOURS[number], label)
+                ax.set_title(f"({'ab'[int(step < 0)]}) $v_2 = {1.0 + step:g}\\,v_1$", loc="left")
+                ax.set_xlabel("time after the jump $(t - t_0)/\\tau$")
+    axes[0].set_ylabel("coefficient of friction $\\mu$")
+    axes[0].legend(loc="lower right")
+    with xr.open_dataset(result) as dataset:
+        foot_line(figure, dataset, "bands: one standard error of the deviation from $\\mu_2$")
+    return figure
+
+
+def _history(ax: Axes, point: xr.Dataset, colour: str, label: str) -> None:
+    time, mu = point.time.dropna("sample").values, point.mu.dropna("sample").values
+    before = -0.15 * time[-1]
+    ax.plot([before, 0.0, *time], [point.mu_1, point.mu_1, *mu], color=colour, label=label)
+    ax.axhline(float(point.mu_2), color=colour, lw=0.6, ls=":")
+    error = point.mu_error.values[: time.size]
+    # The curves of all lines move up and down together: show what is left beside mu_2.
+    spread = np.sqrt(np.maximum(error**2 - float(point.mu_2_error) ** 2, 0.0))
+    ax.fill_between(time, mu - spread, mu + spread, color=colour, alpha=0.2, lw=0)

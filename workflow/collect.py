@@ -1,0 +1,105 @@
+"""Collect stored block means, reduce them on the workers, assemble the datasets."""
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+from distributed import Client
+
+from kernels import amplitudes, rms_slope
+from workflow.batch import Task
+from workflow.dataset import build_dataset
+from workflow.flow import stream
+from workflow.plan import Plan, Variant
+from workflow.progress import Reporter
+from workflow.reduction import Blocks, Estimates, reduce_blocks
+from workflow.resolution import record_steps
+from workflow.store import Store
+
+TASKS_PER_REDUCTION = 32
+SECONDS_PER_FIT = 4e-4
+Stop = Callable[[], bool]
+
+
+def collect(client: Client, store: Store, plan: Plan, stop: Stop) -> dict[str, xr.Dataset]:
+    """Return label -> dataset of every variant of a plan whose records are all stored.
+
+    Empty if ``stop()`` turned true meanwhile.
+    """
+    marching = "relaxation" in plan.study.scene.quantities
+    fits = sum(len(v.tasks) for v in plan.variants) * (plan.study.blocks + 1) * marching
+    datasets = {}
+    with Reporter("fitting", fits * SECONDS_PER_FIT) as reporter:
+        for variant in plan.variants:
+            estimates = _reduce_variant(client, store, plan, variant, stop, reporter)
+            if stop():
+                return {}
+            datasets[variant.label] = build_dataset(plan, variant, estimates)
+    return datasets
+
+
+def _reduce_variant(
+    client: Client,
+    store: Store,
+    plan: Plan,
+    variant: Variant,
+    stop: Stop,
+    reporter: Reporter,
+) -> Estimates:
+    size = TASKS_PER_REDUCTION
+    parts = [variant.tasks[i : i + size] for i in range(0, len(variant.tasks), size)]
+    slopes = _rms_slopes(plan, variant)
+    loaded = (
+        (number, _load(store, plan, variant, part, slopes)) for number, part in enumerate(parts)
+    )
+    found: dict[int, Estimates] = {}
+    for (number, _), estimates in stream(client, _reduce_part, loaded, stop):
+        found[number] = estimates
+        reporter.advance(len(parts[number]) * (plan.study.blocks + 1) * SECONDS_PER_FIT)
+    if stop():
+        return {}
+    merged = {n: np.concatenate([found[i][n] for i in range(len(parts))]) for n in found[0]}
+    merged["rms_slope"] = np.array([slopes[line_of(task)] for task in variant.tasks])
+    return merged
+
+
+def _reduce_part(part: tuple[int, Blocks]) -> Estimates:
+    return reduce_blocks(part[1])
+
+
+def line_of(task: Task) -> tuple[float, int]:
+    """Return what identifies the random lines of a task: (H, N)."""
+    return task.problem.hurst, task.problem.elements
+
+
+def _rms_slopes(plan: Plan, variant: Variant) -> dict[tuple[float, int], float]:
+    lines = {line_of(task) for task in variant.tasks}
+    return {
+        (hurst, n): rms_slope(amplitudes(hurst, n, plan.study.normalisation), n)
+        for hurst, n in lines
+    }
+
+
+def _load(
+    store: Store,
+    plan: Plan,
+    variant: Variant,
+    tasks: list[Task],
+    slopes: dict[tuple[float, int], float],
+) -> Blocks:
+    samples = variant.numerics.samples - 1
+    records = [(task.key, block) for task in tasks for block in range(plan.study.blocks)]
+    scalars, curves = store.read(records, samples)
+    time = np.full((len(tasks), samples), np.nan)
+    if "relaxation" in plan.study.scene.quantities:
+        for row, task in enumerate(tasks):
+            step = task.problem.speed * task.problem.ratio * task.steps_per_spacing
+            recorded = record_steps(task.march, variant.numerics.samples)
+            time[row, : recorded.size] = recorded / step
+    return Blocks(
+        scalars.reshape(len(tasks), plan.study.blocks, -1),
+        curves.reshape(len(tasks), plan.study.blocks, -1),
+        time,
+        np.array([slopes[line_of(task)] for task in tasks]),
+        plan.study.scene.quantities,
+    )
