@@ -15,6 +15,7 @@ EFFECTS = {
     "steady": "steady sliding at v1 and v2 (no time marching)",
     "jump": "jump at t0+ (no time marching)",
     "relaxation": "relaxation after the jump (time marching)",
+    "models": "fits beyond eq. 6 (no further simulation)",
 }
 
 

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 import matplotlib as mpl
+import numpy as np
 import xarray as xr
 from matplotlib.figure import Figure
 
@@ -64,6 +65,15 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
     width = int(FOOT_CHARACTERS_PER_INCH * figure.get_figwidth())
     lines = [line for part in (text, note) if part for line in textwrap.wrap(part, width)]
     figure.supxlabel("\n".join(lines), fontsize=6, color="0.35")
+
+
+def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
+    """Return lengths of error bars that are symmetric in the logarithm: none reaches zero.
+
+    A bar is at most a factor of ten long each way.
+    """
+    ratio = np.minimum(error / value, np.log(10.0))
+    return [value * -np.expm1(-ratio), value * np.expm1(ratio)]
 
 
 def _draw_function(script: Path) -> Callable:

@@ -69,7 +69,7 @@ def make_plan(study: Study) -> Plan:
             steps = steps_per_spacing(problem, study.scene, numerics)
             march = horizon_steps(problem, numerics, steps) if _marches(study) else 0
             what = (CODE, study.seed, study.normalisation, *problem, numerics.scheme, steps)
-            how = (march, numerics.samples, study.scene, study.realizations_per_block)
+            how = (march, numerics.samples, quantities(study), study.realizations_per_block)
             key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
             tasks.append(Task(problem, steps, march, key))
         variants.append(Variant(label, numerics, tasks, _grouped(tasks)))

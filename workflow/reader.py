@@ -10,7 +10,7 @@ from kernels.surface import NORMALISATIONS
 from workflow.axes import axis_values, integer, number, positive, snapped_spacing
 from workflow.errors import UserError
 from workflow.settings import as_table, load_tables
-from workflow.study import AXES, QUANTITIES, Numerics, Scene, Study
+from workflow.study import AXES, DEFAULT_QUANTITIES, QUANTITIES, Numerics, Scene, Study
 
 TABLES: dict[str, tuple[str, ...]] = {
     "study": ("title", "seed", "realizations", "realizations_per_block"),
@@ -144,11 +144,13 @@ def _check_range(axis: str, value: float) -> None:
 
 
 def _scene(table: dict) -> Scene:
-    asked = table.get("quantities", list(QUANTITIES))
+    asked = table.get("quantities", list(DEFAULT_QUANTITIES))
     if not isinstance(asked, list) or not asked:
         raise UserError(f"scene.quantities = {asked!r}: must be a list out of {QUANTITIES}")
     for quantity in asked:
         _choice("scene.quantities", quantity, QUANTITIES)
+    if "models" in asked and "relaxation" not in asked:
+        raise UserError(f'scene.quantities = {asked!r}: "models" needs "relaxation" too')
     return Scene(
         quantities=tuple(q for q in QUANTITIES if q in asked),
         indentation_rate=_flag("scene.indentation_rate", table, True),

@@ -6,6 +6,7 @@ import numpy as np
 
 from workflow.batch import SCALARS
 from workflow.fits import RelaxationFit, fit_relaxation
+from workflow.models import Comparison, compare_models
 from workflow.statistics import replicates, standard_error
 
 Estimates = dict[str, np.ndarray]
@@ -40,8 +41,11 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
         _estimate(estimates, "mu", curves)
         zero = np.zeros((len(blocks.time), 1))
         estimates["time"] = np.concatenate([zero, blocks.time], axis=1)
-        deviation = curves[:, :, 1:] - values["mu_2"][..., None]
-        _relaxations(estimates, blocks, deviation)
+        deviation = curves - values["mu_2"][..., None]
+        _estimate(estimates, "deviation", deviation)
+        _relaxations(estimates, blocks, deviation[:, :, 1:])
+    if "models" in asked:
+        _models(estimates, blocks, deviation[:, :, 1:])
     return estimates
 
 
@@ -63,3 +67,19 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
     estimates["fit_window"] = np.array([fit.window for fit in fits])
     estimates["fit_quality"] = np.array([fit.quality for fit in fits])
     estimates["rate_replicates"] = np.array([fit.rate for fit in fits])
+
+
+def _models(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None:
+    final = blocks.scalars[:, :, SCALARS.index("mu_2"), None]
+    found: list[Comparison] = []
+    for task, time in enumerate(blocks.time):
+        kept = np.isfinite(time)
+        each = (blocks.curves - final)[task][:, kept]
+        rate = estimates["relaxation_rate"][task]
+        found.append(compare_models(time[kept], deviation[task][:, kept], each, rate))
+    estimates["best_model"] = np.array([c.best for c in found], dtype=np.int8)
+    for name in ("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"):
+        _estimate(estimates, name, np.array([getattr(c, name) for c in found]))
+    for name in ("gain_stretched", "gain_two_exponentials"):
+        gains = np.array([getattr(c, name) for c in found])
+        estimates[name], estimates[f"{name}_error"] = gains.T

@@ -4,7 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 
 AXES = ("hurst", "normal_force", "spacing", "roughness", "velocity", "velocity_step")
-QUANTITIES = ("steady", "jump", "relaxation")
+QUANTITIES = ("steady", "jump", "relaxation", "models")
+DEFAULT_QUANTITIES = QUANTITIES[:3]
 
 
 @dataclass(frozen=True)
@@ -21,7 +22,7 @@ class Numerics:
 class Scene:
     """What is simulated."""
 
-    quantities: tuple[str, ...] = QUANTITIES
+    quantities: tuple[str, ...] = DEFAULT_QUANTITIES
     indentation_rate: bool = True
 
 

@@ -2,7 +2,10 @@
 
 from typing import NamedTuple
 
+import numpy as np
+
 from workflow.fits import STATUS_MEANINGS
+from workflow.models import MODEL_MEANINGS
 from workflow.study import AXES
 
 GRID = AXES
@@ -51,6 +54,19 @@ VARIABLES: dict[str, Variable] = {
     "fit_quality": Variable(
         GRID, "1", "1 - residual / total sum of squares of mu - mu_2 in the fit window"
     ),
+    "best_model": Variable(GRID, "1", "model that predicts left-out blocks best"),
+    "stretched_rate": Variable(GRID, "1", "rate b of A exp(-(b t)^beta), per tau"),
+    "stretched_exponent": Variable(GRID, "1", "exponent beta of A exp(-(b t)^beta)"),
+    "fast_rate": Variable(GRID, "1", "faster rate of two exponentials, per tau"),
+    "slow_rate": Variable(GRID, "1", "slower rate of two exponentials, per tau"),
+    "fast_share": Variable(GRID, "1", "share of the faster exponential in the amplitude"),
+    "gain_stretched": Variable(
+        GRID, "1", "squared prediction error that a stretched exponential saves against eq. 6"
+    ),
+    "gain_two_exponentials": Variable(
+        GRID, "1", "squared prediction error that two exponentials save against eq. 6"
+    ),
+    "deviation": Variable(CURVE, "1", "mu - mu_2 after the jump", SLOPE),
     "mu": Variable(CURVE, "1", "coefficient of friction after the jump", SLOPE),
     "time": Variable(CURVE, "1", "time since the jump, (t - t0)/tau"),
     "rms_slope": Variable(GRID, "1", "spectral rms slope of the line", SLOPE),
@@ -65,7 +81,7 @@ VARIABLES: dict[str, Variable] = {
     "alpha_points": Variable(PER_HURST, "1", "number of points in the fit of eq. 13"),
 }
 
-STATUS_ATTRIBUTES = {"flag_values": [0, 1, 2], "flag_meanings": STATUS_MEANINGS}
+FLAGS = {"fit_status": STATUS_MEANINGS, "best_model": MODEL_MEANINGS}
 
 
 def declared(name: str) -> Variable:
@@ -82,6 +98,8 @@ def attributes(name: str) -> dict[str, object]:
     found: dict[str, object] = {"units": variable.units, "long_name": variable.long_name}
     if variable.comment:
         found["comment"] = variable.comment
-    if name == "fit_status":
-        found |= STATUS_ATTRIBUTES
+    if name in FLAGS:
+        meanings = FLAGS[name]
+        flags = np.arange(len(meanings.split()), dtype=np.int8)
+        found |= {"flag_values": flags, "flag_meanings": meanings}
     return found

@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
@@ -34,7 +33,5 @@ def _history(ax: Axes, point: xr.Dataset, colour: str, label: str) -> None:
     before = -0.15 * time[-1]
     ax.plot([before, 0.0, *time], [point.mu_1, point.mu_1, *mu], color=colour, label=label)
     ax.axhline(float(point.mu_2), color=colour, lw=0.6, ls=":")
-    error = point.mu_error.values[: time.size]
-    # The curves of all lines move up and down together: show what is left beside mu_2.
-    spread = np.sqrt(np.maximum(error**2 - float(point.mu_2_error) ** 2, 0.0))
-    ax.fill_between(time, mu - spread, mu + spread, color=colour, alpha=0.2, lw=0)
+    spread = point.deviation_error.values[: time.size]
+    ax.fill_between(time, mu - spread, mu + spread, color=colour, alpha=0.25, lw=0)

@@ -34,7 +34,7 @@ def draw(result: Path) -> Figure:
         axes[0].axhline(PLATEAU, color="0.5", ls=":", lw=0.8, label="0.4 (eq. 11)")
         axes[0].set(xscale="log", yscale="log")
         axes[0].set_ylabel("$\\Delta\\bar\\mu_0 / (\\Delta v/v_1)$")
-        axes[0].legend(loc="upper left")
+        axes[0].legend(loc="lower right")
         axes[1].axhline(1.0, color="k", lw=0.8)
         axes[1].set(xlabel="$\\bar\\mu_1 = \\mu_1/\\nabla z$", ylabel="simulated / eq. 12")
         axes[1].set_ylim(0.0, 1.6)

@@ -8,7 +8,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line
+from workflow.figure import COLOURS, foot_line, log_bars
 from workflow.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL
 
 PANELS = {
@@ -77,10 +77,8 @@ def _points(
         chosen[name].values.ravel()[where]
         for name in ("speed_ratio", "relaxation_rate", "relaxation_rate_error")
     )
-    # Symmetric in the logarithm: a large error must not reach below zero.
-    bars = [b * (1.0 - np.exp(-error / b)), b * np.expm1(error / b)]
     style = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.8}
-    ax.errorbar(x, b, bars, fmt="o", color=colour, mfc=face, label=label, **style)
+    ax.errorbar(x, b, log_bars(b, error), fmt="o", color=colour, mfc=face, label=label, **style)
 
 
 def _unfitted(ax: Axes, x: np.ndarray, status: np.ndarray, colour: str, row: float) -> None:

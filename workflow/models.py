@@ -1,0 +1,143 @@
+"""Beyond eq. 6: a stretched exponential and two exponentials, compared on data left out.
+
+The samples of a curve are anything but independent, so criteria that count them (AIC, BIC) do
+not apply. Instead each model is fitted to the mean of all blocks but one and must predict the
+block left out; the mean squared error, averaged over blocks, is its score (M. Stone, J. R.
+Stat. Soc. B 36, 111 (1974)). All fits take mu_2 as known and use the whole recorded curve.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import leastsq
+
+EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
+MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
+DECISIVE = 2.0  # standard errors by which a model must beat eq. 6
+
+
+class Model(NamedTuple):
+    """A law for (mu - mu_2)/scale over t/span, its parameters being free of bounds."""
+
+    value: Callable[[np.ndarray, np.ndarray], np.ndarray]
+    start: Callable[[float], np.ndarray]  # from b span of eq. 6
+
+
+def exponential(p: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return A exp(-b t) (eq. 6); p = (A, log b)."""
+    return p[0] * np.exp(-np.exp(p[1]) * t)
+
+
+def stretched(p: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return A exp(-(b t)^beta); p = (A, log b, log beta)."""
+    return p[0] * np.exp(-((np.exp(p[1]) * t) ** np.exp(p[2])))
+
+
+def two_exponentials(p: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return A exp(-b t) + B exp(-c t); p = (A, log b, B, log c)."""
+    return p[0] * np.exp(-np.exp(p[1]) * t) + p[2] * np.exp(-np.exp(p[3]) * t)
+
+
+MODELS = {
+    EXPONENTIAL: Model(exponential, lambda b: np.array([1.0, np.log(b)])),
+    STRETCHED: Model(stretched, lambda b: np.array([1.0, np.log(b), 0.0])),
+    TWO_EXPONENTIALS: Model(
+        two_exponentials, lambda b: np.array([0.6, np.log(2.0 * b), 0.4, np.log(0.5 * b)])
+    ),
+}
+
+
+class Comparison(NamedTuple):
+    """Coefficients over jackknife replicates (0: all blocks), and which model describes best.
+
+    Coefficients of a model that does not beat eq. 6 decisively mean nothing and are NaN.
+    """
+
+    best: int
+    stretched_rate: np.ndarray  # b of the stretched exponential, per tau
+    stretched_exponent: np.ndarray  # beta
+    fast_rate: np.ndarray  # b of the faster of two exponentials
+    slow_rate: np.ndarray
+    fast_share: np.ndarray  # of the amplitude
+    gain_stretched: tuple[float, float]  # relative to the score of eq. 6, with its error
+    gain_two_exponentials: tuple[float, float]
+
+
+def compare_models(
+    time: np.ndarray, deviation: np.ndarray, blocks: np.ndarray, rate: float
+) -> Comparison:
+    """Fit and compare the three models.
+
+    time : shape (samples,), in tau. deviation : mu - mu_2 of the mean and of the replicates that
+    leave one block out, shape (blocks + 1, samples). blocks : mu - mu_2 of each block, shape
+    (blocks, samples). rate : b of eq. 6, to start from; NaN gives UNDECIDED and NaN throughout.
+    """
+    if not np.isfinite(rate):
+        nothing = np.full(len(deviation), np.nan)
+        return Comparison(UNDECIDED, *[nothing] * 5, (np.nan, np.nan), (np.nan, np.nan))
+    scale, span = deviation[0, 0], time[-1]
+    t, curves, left_out = time / span, deviation / scale, blocks / scale
+    fits = {}
+    scores = {}
+    for code, model in MODELS.items():
+        fits[code] = _fit_all(model, t, curves, rate * span)
+        predicted = np.array([model.value(p, t) for p in fits[code][1:]])
+        scores[code] = np.mean((left_out - predicted) ** 2, axis=1)
+    gains = {code: _gain(scores[EXPONENTIAL], scores[code]) for code in MODELS}
+    for code in (STRETCHED, TWO_EXPONENTIALS):
+        if not _decisive(gains[code]):
+            fits[code][:] = np.nan
+    fast, slow, share = _ordered(fits[TWO_EXPONENTIALS])
+    return Comparison(
+        _best(gains),
+        np.exp(fits[STRETCHED][:, 1]) / span,
+        np.exp(fits[STRETCHED][:, 2]),
+        fast / span,
+        slow / span,
+        share,
+        gains[STRETCHED],
+        gains[TWO_EXPONENTIALS],
+    )
+
+
+def _fit_all(model: Model, t: np.ndarray, curves: np.ndarray, rate: float) -> np.ndarray:
+    """Fit every row of curves, each replicate from the fit of the mean."""
+    start = model.start(rate)
+    fits = np.empty((len(curves), start.size))
+    with np.errstate(all="ignore"):
+        for row, curve in enumerate(curves):
+            guess = fits[0] if row else start
+            fits[row] = leastsq(
+                lambda p, y=curve: model.value(p, t) - y, guess, full_output=True, maxfev=300
+            )[0]
+    return fits
+
+
+def _gain(reference: np.ndarray, score: np.ndarray) -> tuple[float, float]:
+    """Return 1 - score/reference, averaged over blocks, and its standard error."""
+    difference = reference - score
+    error = difference.std(ddof=1) / np.sqrt(difference.size)
+    return float(difference.mean() / reference.mean()), float(error / reference.mean())
+
+
+def _best(gains: dict[int, tuple[float, float]]) -> int:
+    """Return eq. 6 unless another model is decisively better, then the better of those."""
+    better = {code: gain[0] for code, gain in gains.items() if _decisive(gain)}
+    return max(better, key=better.__getitem__) if better else EXPONENTIAL
+
+
+def _decisive(gain: tuple[float, float]) -> bool:
+    return gain[0] > max(DECISIVE * gain[1], 0.0)
+
+
+def _ordered(fits: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return (faster rate, slower rate, share of the faster in the amplitude)."""
+    first, second = np.exp(fits[:, 1]), np.exp(fits[:, 3])
+    swap = second > first
+    share = fits[:, 0] / (fits[:, 0] + fits[:, 2])
+    return (
+        np.where(swap, second, first),
+        np.where(swap, first, second),
+        np.where(swap, 1.0 - share, share),
+    )
