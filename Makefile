@@ -5,8 +5,9 @@ BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
 SCALE  ?=
 ARGS   ?=
+STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup test test-nojit check bench clean
+.PHONY: help setup studies report test test-nojit check bench clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -21,6 +22,13 @@ $(READY): pyproject.toml
 study-%: $(READY) ## Run studies/% and draw its figure [SCALE=smoke|paper] [ARGS=...]
 	$(BIN)/python -m workflow run $* $(if $(SCALE),--scale $(SCALE)) $(ARGS)
 	$(BIN)/python -m workflow figure $* $(if $(SCALE),--scale $(SCALE)) $(ARGS)
+
+studies: $(READY) ## Run all studies one after the other, then the report [SCALE=...]
+	for study in $(STUDIES); do $(MAKE) --no-print-directory study-$$study || exit; done
+	$(MAKE) --no-print-directory report
+
+report: $(READY) ## Write results/report.html from the results that are there
+	$(BIN)/python -m workflow report
 
 test: $(READY) ## Run the test-suite
 	$(BIN)/python -m pytest

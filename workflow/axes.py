@@ -12,9 +12,13 @@ SPACES = {"linspace": np.linspace, "geomspace": np.geomspace}
 
 def number(key: str, value: object) -> float:
     """Return ``value`` as a finite float or raise UserError naming the key."""
-    if isinstance(value, bool) or not isinstance(value, int | float) or not math.isfinite(value):
-        raise UserError(f"{key} = {value!r}: must be a finite number")
-    return float(value)
+    try:
+        known = isinstance(value, int | float) and not isinstance(value, bool)
+        if known and math.isfinite(value):
+            return float(value)
+    except OverflowError:  # a whole number beyond every float
+        pass
+    raise UserError(f"{key} = {value!r:.40}: must be a finite number")
 
 
 def integer(key: str, value: object, least: int) -> int:

@@ -1,6 +1,8 @@
-"""Command line: python -m workflow plan|run|status|figure STUDY."""
+"""Command line: python -m workflow plan|run|status|figure|table STUDY."""
 
 import argparse
+import math
+import os
 import sys
 from pathlib import Path
 
@@ -40,6 +42,7 @@ def _parser() -> argparse.ArgumentParser:
         "run": "compute what is missing and write the result file",
         "status": "say what is done and what is missing",
         "figure": "draw the figure of a finished run",
+        "table": "write all coefficients of a finished run as CSV",
     }
     for name, text in texts.items():
         command = commands.add_parser(name, help=text, description=text)
@@ -59,8 +62,12 @@ def _parser() -> argparse.ArgumentParser:
             command.add_argument("--scheduler", help="address of a dask scheduler, tcp://host:port")
             command.add_argument("--workers", type=int, help="local worker processes (all cores)")
             command.add_argument(
-                "--batch-seconds", type=float, default=3.0, help="predicted length of a batch"
+                "--batch-seconds", type=float, help="predicted length of a batch (3 to 20)"
             )
+    text = "write report.html: all figures, and the claims of the paper beside the results"
+    report = commands.add_parser("report", help=text, description=text)
+    report.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
+    report.add_argument("--out", default="results", help="folder of results")
     return parser
 
 
@@ -93,7 +100,7 @@ def _plan(options: argparse.Namespace) -> int:
     seconds = sum(batch.seconds for batch in batches(plan, set()))
     lines += [
         f"predicted   {duration(seconds)} of one core; without the similarity "
-        f"{duration(without_similarity(plan))}",
+        f"{duration(without_similarity(plan, seconds))}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"longest line {plan.longest_line()} samples",
     ]
@@ -106,12 +113,14 @@ def _runs(plan: Plan) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
+    # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
+    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
     from workflow.runner import run_plan
 
     if options.workers is not None and options.workers < 1:
         raise UserError(f"--workers {options.workers}: must be at least 1")
-    if not options.batch_seconds > 0.0:
-        raise UserError(f"--batch-seconds {options.batch_seconds}: must be greater than zero")
+    if options.batch_seconds is not None and not 0.0 < options.batch_seconds < math.inf:
+        raise UserError(f"--batch-seconds {options.batch_seconds}: must be a positive number")
     study, result = _study(options)
     summary = run_plan(
         make_plan(study), result, options.scheduler, options.workers, options.batch_seconds
@@ -153,4 +162,25 @@ def _figure(options: argparse.Namespace) -> int:
     return 0
 
 
-COMMANDS = {"plan": _plan, "run": _run, "status": _status, "figure": _figure}
+def _table(options: argparse.Namespace) -> int:
+    from workflow.table import write_table
+
+    print(write_table(_study(options)[1]))
+    return 0
+
+
+def _report(options: argparse.Namespace) -> int:
+    from workflow.report import write_report
+
+    print(write_report(Path(options.out), options.studies))
+    return 0
+
+
+COMMANDS = {
+    "plan": _plan,
+    "run": _run,
+    "status": _status,
+    "figure": _figure,
+    "table": _table,
+    "report": _report,
+}

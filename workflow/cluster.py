@@ -32,11 +32,15 @@ def open_client(scheduler: str | None, workers: int | None) -> Iterator[Client]:
         return
     settings = {
         "distributed.worker.preload": ["workflow.worker_setup"],
-        "distributed.scheduler.worker-saturation": 1.1,
+        "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
     }
     for name, value in MALLOC.items():
         settings[f"distributed.nanny.pre-spawn-environ.{name}"] = value
-    with dask.config.set(settings), _local_cluster(workers) as cluster, Client(cluster) as client:
+    with (
+        dask.config.set(settings),
+        _local_cluster(workers) as cluster,
+        Client(cluster) as client,
+    ):
         yield client
 
 
@@ -49,7 +53,7 @@ def _local_cluster(workers: int | None) -> Iterator[LocalCluster]:
             n_workers=workers or _cores(),
             threads_per_worker=1,
             processes=True,
-            dashboard_address=None,
+            dashboard_address="127.0.0.1:0",  # any free port: 8787 may be taken
         )
     finally:
         signal.signal(signal.SIGINT, previous)

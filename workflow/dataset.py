@@ -4,6 +4,7 @@ import contextlib
 import os
 from pathlib import Path
 
+import dask
 import numpy as np
 import xarray as xr
 
@@ -96,15 +97,11 @@ def write_datasets(path: Path, datasets: dict[str, xr.Dataset]) -> None:
     """
     aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     try:
-        for label, dataset in datasets.items():
-            curves = {n: {"zlib": True, "complevel": 1} for n in dataset if dataset[n].ndim > 6}
-            dataset.to_netcdf(
-                aside,
-                mode="a" if label else "w",
-                group=label or None,
-                engine="netcdf4",
-                encoding=curves,
-            )
+        with dask.config.set(scheduler="synchronous"):  # or xarray asks a scheduler for its lock
+            for label, dataset in datasets.items():
+                mode = "a" if label else "w"
+                zipped = {n: {"zlib": True, "complevel": 1} for n in dataset if dataset[n].ndim > 6}
+                dataset.to_netcdf(aside, mode, group=label or None, encoding=zipped)
         with aside.open("rb+") as file:
             os.fsync(file.fileno())
         aside.replace(path)

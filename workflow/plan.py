@@ -13,7 +13,8 @@ from workflow.resolution import horizon_steps, steps_per_spacing
 from workflow.similarity import distinct_problems
 from workflow.study import Numerics, Study
 
-BATCH_SECONDS = 3.0
+BATCH_SECONDS = (3.0, 20.0)  # shortest and longest
+MANY_BATCHES = 20_000  # from here on batches grow: each is a file
 Record = tuple[str, int]  # (key of a task, block of realizations)
 
 
@@ -98,7 +99,13 @@ def quantities(study: Study) -> Quantities:
     )
 
 
-def batches(plan: Plan, stored: set[Record], target: float = BATCH_SECONDS) -> Iterator[Batch]:
+def batch_target(seconds: float) -> float:
+    """Return the length of a batch for ``seconds`` of predicted work."""
+    shortest, longest = BATCH_SECONDS
+    return min(max(shortest, seconds / MANY_BATCHES), longest)
+
+
+def batches(plan: Plan, stored: set[Record], target: float = BATCH_SECONDS[0]) -> Iterator[Batch]:
     """Yield batches of about ``target`` predicted seconds covering every record not stored.
 
     Every missing record is in exactly one batch; results do not depend on the cut.
@@ -181,16 +188,18 @@ def task_seconds(study: Study, task: Task) -> float:
     )
 
 
-def without_similarity(plan: Plan) -> float:
-    """Return the predicted time were every grid point computed, on a line of its own (h, dx)."""
+def without_similarity(plan: Plan, seconds: float) -> float:
+    """Return the predicted time were every grid point computed, on a line of its own (h, dx).
+
+    seconds : the predicted time of the plan as it is.
+    """
     study = plan.study
-    copies = np.bincount(plan.point_task.ravel(), minlength=plan.problems)
-    # Lines are shared by points of one (H, dx, h): drawn again for every roughness.
-    total = 0.0
+    more = np.bincount(plan.point_task.ravel(), minlength=plan.problems) - 1
+    extra = 0.0
     for variant in plan.variants:
-        for group in variant.groups:
-            steps = {(t.problem.elements, t.steps_per_spacing) for t in group}
-            total += len(study.grid["roughness"]) * sum(line_seconds(n * m) for n, m in steps)
-        seconds = [task_seconds(study, task) for task in variant.tasks]
-        total += float(copies @ np.array(seconds))
-    return study.realizations * total
+        extra += float(more @ np.array([task_seconds(study, task) for task in variant.tasks]))
+        for group in variant.groups:  # the lines again for every other roughness
+            lines = {(t.problem.elements, t.steps_per_spacing) for t in group}
+            again = len(study.grid["roughness"]) - 1
+            extra += again * sum(line_seconds(n * m) for n, m in lines)
+    return seconds + study.realizations * extra

@@ -1,6 +1,7 @@
 """Read study.toml: find it, apply the scale and --set, check every key, build the Study."""
 
 import json
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
@@ -20,6 +21,7 @@ TABLES: dict[str, tuple[str, ...]] = {
     "scene": ("quantities", "indentation_rate"),
     "numerics": ("scheme", "steps_per_spacing", "samples", "horizon"),
 }
+MOST_ELEMENTS = 1e8
 BY_NAME = ("compare", "scales")  # tables of tables, named by the user
 
 
@@ -85,8 +87,8 @@ def _build(name: str, folder: Path, tables: dict) -> Study:
     return Study(
         name=name,
         folder=folder,
-        text=json.dumps(tables, indent=1, sort_keys=True),
-        title=str(head.get("title", name)),
+        text=json.dumps(tables, indent=1, sort_keys=True, default=str),
+        title=_text("study.title", head.get("title", name)),
         seed=integer("study.seed", head.get("seed", 0), 0),
         realizations=realizations,
         realizations_per_block=block,
@@ -100,6 +102,12 @@ def _build(name: str, folder: Path, tables: dict) -> Study:
         scene=_scene(tables.get("scene", {})),
         variants=_variants(tables),
     )
+
+
+def _text(key: str, value: object) -> str:
+    if not isinstance(value, str):
+        raise UserError(f"{key} = {value}: must be a string")
+    return value
 
 
 def _flag(key: str, table: dict, default: bool) -> bool:
@@ -119,6 +127,12 @@ def _grid(tables: dict, length: float, snap: bool) -> dict[str, tuple[float, ...
         grid[axis] = _required({"grid": table}, "grid", axis, axis_values)
         for value in grid[axis]:
             _check_range(axis, value)
+    for spacing in grid["spacing"]:
+        if not length / spacing < MOST_ELEMENTS:
+            raise UserError(
+                f"grid.spacing = {spacing!r}: more than {MOST_ELEMENTS:g} elements on "
+                f"surface.length = {length!r}"
+            )
     if snap:
         grid["spacing"] = snapped_spacing(length, grid["spacing"])
     for spacing in grid["spacing"]:
@@ -162,6 +176,8 @@ def _variants(tables: dict) -> dict[str, Numerics]:
     variants = {"": _numerics("numerics", own)}
     for label, extra in as_table("compare", tables.get("compare", {})).items():
         where = f"compare.{label}"
+        if not re.fullmatch(r"[A-Za-z]\w*", label):
+            raise UserError(f'compare."{label}": name it by letters, digits and underscores')
         _check_keys(f"{where}.", as_table(where, extra), TABLES["numerics"])
         variants[label] = _numerics(where, {**own, **extra})
     return variants

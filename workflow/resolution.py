@@ -10,6 +10,7 @@ from workflow.study import Numerics, Scene
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8
+SLOWEST = 1e-12  # vbar; below, no number of steps in reach is enough
 
 
 def speed_ratio(speed: float) -> float:
@@ -35,7 +36,8 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
         need = 8.0
         if "relaxation" in scene.quantities:
             slowest = problem.speed * min(1.0, problem.ratio)
-            need = max(4.0, 2.0 / slowest, 2.0 * expected_rate(problem) / problem.speed)
+            per_time = 2.0 / max(slowest, SLOWEST)
+            need = max(4.0, per_time, 2.0 * expected_rate(problem) / max(problem.speed, SLOWEST))
         steps = 2 ** math.ceil(math.log2(need) - 1e-9)
         if numerics.scheme == "implicit-euler":
             steps *= 8

@@ -1,6 +1,7 @@
 """Run a plan: compute what is missing, store it as it finishes, reduce, write the result."""
 
 import signal
+import sys
 import time
 from collections.abc import Iterator
 from dataclasses import dataclass
@@ -16,7 +17,7 @@ from workflow.cluster import open_client
 from workflow.collect import collect
 from workflow.dataset import write_datasets
 from workflow.flow import stream
-from workflow.plan import BATCH_SECONDS, Plan, batches, quantities
+from workflow.plan import Plan, batch_target, batches, quantities
 from workflow.progress import Reporter
 from workflow.store import Store
 
@@ -34,10 +35,12 @@ class Summary:
 
 
 class Interrupt:
-    """Ctrl-C and SIGTERM: the first stops taking up work, a second aborts at once."""
+    """Ctrl-C and SIGTERM: the first stops taking up work, a later one aborts at once."""
+
+    BOUNCE_SECONDS = 1.0  # one key press or `timeout` may signal process and group
 
     def __init__(self) -> None:
-        self.asked = False
+        self.asked = 0.0
 
     def __enter__(self) -> "Interrupt":
         self.previous = {s: signal.signal(s, self._handle) for s in (signal.SIGINT, signal.SIGTERM)}
@@ -48,12 +51,15 @@ class Interrupt:
             signal.signal(number, handler)
 
     def __call__(self) -> bool:
-        return self.asked
+        return self.asked > 0.0
 
     def _handle(self, number: int, frame: FrameType | None) -> None:
-        if self.asked:
+        now = time.monotonic()
+        if self.asked and now - self.asked > self.BOUNCE_SECONDS:
             raise KeyboardInterrupt
-        self.asked = True
+        if not self.asked:
+            self.asked = now
+            print("stopping: running batches are finished and stored", file=sys.stderr)
 
 
 def run_plan(
@@ -61,22 +67,24 @@ def run_plan(
     result: Path,
     scheduler: str | None = None,
     workers: int | None = None,
-    batch_seconds: float = BATCH_SECONDS,
+    batch_seconds: float | None = None,
 ) -> Summary:
     """Compute whatever of the plan is not stored yet and write the result file.
 
-    An interrupted run keeps all finished batches and writes no result file.
+    batch_seconds : predicted length of a batch; by default it grows with the study. An
+    interrupted run keeps all finished batches and writes no result file.
     """
     began = time.monotonic()
     store = Store(store_folder(result))
     stored = store.records()
-    predicted = sum(batch.seconds for batch in batches(plan, stored, batch_seconds))
+    predicted = sum(batch.seconds for batch in batches(plan, stored))
+    target = batch_seconds or batch_target(predicted)
     wanted = ((t.key, b) for v in plan.variants for t in v.tasks for b in range(plan.study.blocks))
     summary = Summary(reused=sum(record in stored for record in wanted), predicted=predicted)
     if predicted:
         warm_up(plan)
     with open_client(scheduler, workers) as client, Interrupt() as interrupt:
-        work = batches(plan, stored, batch_seconds)
+        work = batches(plan, stored, target)
         _compute(client, store, work, summary, interrupt)
         datasets = {} if interrupt() else collect(client, store, plan, interrupt)
         if datasets:

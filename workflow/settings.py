@@ -21,7 +21,7 @@ def load_tables(path: Path, scale: str | None, settings: list[str]) -> dict:
         raise UserError(f"{path}: cannot be read as TOML: {error}") from error
     scales = tables.pop("scales", {})
     if scale is not None:
-        if not isinstance(scales, dict) or scale not in scales:
+        if scale not in as_table("scales", scales):
             known = ", ".join(scales) or "none"
             raise UserError(f"--scale {scale}: the study knows {known}")
         _merge(tables, scales[scale], f"scales.{scale}")

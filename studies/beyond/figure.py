@@ -12,6 +12,7 @@ from workflow.figure import COLOURS, foot_line, log_bars
 from workflow.models import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
 
 NAMES = {EXPONENTIAL: "eq. 6", STRETCHED: "stretched", TWO_EXPONENTIALS: "two exponentials"}
+X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"
 SLOWEST_SHOWN = 1e-2  # rates far below the horizon are lines, not rates
 
 
@@ -24,6 +25,7 @@ def draw(result: Path) -> Figure:
             colour = COLOURS[number % len(COLOURS)]
             _exponents(axes[0], points, colour, f"$H = {hurst:g}$")
             _rates(axes[1], points, colour)
+        _label(axes)
         _shares(axes[2], dataset)
         foot_line(
             figure,
@@ -46,11 +48,6 @@ def _exponents(ax: Axes, points: xr.Dataset, colour: str, label: str) -> None:
         color=colour,
         label=label,
     )
-    ax.axhline(1.0, color="k", lw=0.7, ls="--")
-    ax.set(xscale="log", xlabel="$x = v_1 \\tau q_\\mathrm{max}$", ylim=(0, 1.6))
-    ax.set_ylabel("stretched exponent $\\beta$")
-    ax.set_title("(a)", loc="left")
-    ax.legend(loc="lower right", ncols=2, columnspacing=0.6, handletextpad=0.2)
 
 
 def _rates(ax: Axes, points: xr.Dataset, colour: str) -> None:
@@ -61,10 +58,18 @@ def _rates(ax: Axes, points: xr.Dataset, colour: str) -> None:
         x = points.speed_ratio.values[shown]
         style = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
         ax.errorbar(x, rate[shown], bars, fmt="o", color=colour, mfc=face, **style)
-    ax.set(xscale="log", yscale="log", xlabel="$x = v_1 \\tau q_\\mathrm{max}$")
-    ax.set_ylim(SLOWEST_SHOWN, 1e4)
-    ax.set_ylabel("rates of two exponentials (per $\\tau$)")
-    ax.set_title("(b) filled: fast, hollow: slow", loc="left")
+
+
+def _label(axes: np.ndarray) -> None:
+    axes[0].axhline(1.0, color="k", lw=0.7, ls="--")
+    axes[0].set(xscale="log", xlabel=X_LABEL, ylabel="stretched exponent $\\beta$")
+    axes[0].set_ylim(bottom=0.0)
+    axes[0].set_title("(a)", loc="left")
+    axes[0].legend(loc="lower left", fontsize=6, handletextpad=0.2)
+    axes[1].set(xscale="log", yscale="log", xlabel=X_LABEL)
+    axes[1].set_ylim(bottom=SLOWEST_SHOWN)
+    axes[1].set_ylabel("rates of two exponentials (per $\\tau$)")
+    axes[1].set_title("(b) filled: fast, hollow: slow", loc="left")
 
 
 def _shares(ax: Axes, dataset: xr.Dataset) -> None:
@@ -80,7 +85,7 @@ def _shares(ax: Axes, dataset: xr.Dataset) -> None:
         colour = COLOURS[(6, 5, 1)[number]]
         ax.bar(edges[:-1], share, np.diff(edges), below, align="edge", color=colour, label=name)
         below += share
-    ax.set(xscale="log", xlabel="$x = v_1 \\tau q_\\mathrm{max}$", ylim=(0, 1.32))
+    ax.set(xscale="log", xlabel=X_LABEL, ylim=(0, 1.32))
     ax.set_ylabel("share of fitted points")
     ax.set_yticks([0, 0.5, 1])
     ax.set_title("(c) best model", loc="left")

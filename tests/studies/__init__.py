@@ -1,0 +1,1 @@
+"""Tests of the studies: that each can be planned, and the physics of figure 7."""

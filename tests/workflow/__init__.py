@@ -1,0 +1,1 @@
+"""Tests of the pipeline, one module per module of `workflow`."""

@@ -1,0 +1,48 @@
+"""Block means with a known answer: exact exponentials whose amplitude varies between blocks."""
+
+import numpy as np
+
+from tests.workflow.small import small_plan
+from workflow.dataset import build_dataset
+from workflow.reduction import Blocks, reduce_blocks
+from workflow.study import QUANTITIES
+
+RATE, JUMP, STEP = 1.5, 0.3, 0.2  # b, dmu_0, mu_2 - mu_1
+
+
+def exponential_blocks(tasks=3, blocks=5, samples=33, quantities=QUANTITIES, seed=1):
+    """Return blocks of tasks relaxing with b = RATE (1 + task); the last ends before its curve."""
+    rng = np.random.default_rng(seed)
+    rate = RATE * (1.0 + np.arange(tasks))
+    time = np.linspace(0.05, 4.0, samples) / rate[:, None]
+    mu_1 = 1.0 + 0.1 * rng.standard_normal((tasks, blocks))
+    share = 1.0 + 0.1 * rng.standard_normal((tasks, blocks))
+    mu_2 = mu_1 + STEP
+    decay = np.exp(-rate[:, None] * time)[:, None, :]
+    curves = mu_2[..., None] + share[..., None] * (JUMP - STEP) * decay
+    contact = rng.random((tasks, blocks))
+    indentation = rng.standard_normal((tasks, blocks))
+    scalars = np.stack([mu_1, indentation, contact, mu_2, JUMP * np.ones_like(mu_1)], axis=2)
+    time[-1, -4:] = np.nan
+    curves[-1, :, -4:] = np.nan
+    return Blocks(scalars, curves, time, np.ones(tasks), quantities)
+
+
+GRID = (
+    "grid.roughness=[1e-5, 3e-5]",
+    "grid.spacing=[1e-4, 2e-4]",
+    "grid.normal_force=[0.04, 0.4, 1.2]",
+    "grid.velocity=[0.02, 0.2, 0.5]",
+)
+
+
+def assembled(*settings):
+    """Return the plan of the small study, made-up estimates, and the dataset of both."""
+    plan = small_plan(*GRID, *settings)
+    variant = plan.variants[0]
+    samples = variant.numerics.samples - 1
+    blocks = exponential_blocks(len(variant.tasks), 4, samples, plan.study.scene.quantities)
+    estimates = reduce_blocks(blocks)
+    estimates["rms_slope"] = np.arange(1.0, len(variant.tasks) + 1)
+    kept = dict(estimates)
+    return plan, kept, build_dataset(plan, variant, estimates)

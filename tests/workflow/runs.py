@@ -1,0 +1,64 @@
+"""Running the small study: on the cluster of the tests, or as a user would, in a process."""
+
+import os
+import subprocess
+import sys
+import time
+from pathlib import Path
+from typing import NamedTuple
+
+import xarray as xr
+
+from tests.workflow.small import small_plan
+from workflow.plan import Plan
+from workflow.runner import Summary, run_plan, store_folder
+
+ROOT = Path(__file__).resolve().parents[2]
+PATIENCE = 120.0  # seconds to wait for a process at most
+
+
+class Run(NamedTuple):
+    """A run that is over."""
+
+    plan: Plan
+    summary: Summary
+    path: Path
+
+    def load(self, group: str | None = None) -> xr.Dataset:
+        """Return the result."""
+        with xr.open_dataset(self.path, group=group) as dataset:
+            return dataset.load()
+
+
+def run(scheduler: str, folder: Path, *settings: str, batch_seconds: float = 3.0, **how) -> Run:
+    """Run the small study with --set ``settings`` on the cluster of the tests."""
+    plan, path = small_plan(*settings, **how), folder / "small.nc"
+    return Run(plan, run_plan(plan, path, scheduler, None, batch_seconds), path)
+
+
+def shards(folder: Path) -> dict[str, tuple[int, int]]:
+    """Return the finished shards beside a result; a shard written again differs."""
+    files = store_folder(folder / "small.nc").glob("*.nc")
+    return {file.name: (file.stat().st_ino, file.stat().st_mtime_ns) for file in files}
+
+
+def start(*arguments: str) -> subprocess.Popen:
+    """Start ``python -m workflow`` in a process group of its own."""
+    return subprocess.Popen(
+        [sys.executable, "-m", "workflow", *arguments],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONUNBUFFERED": "1"},
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+        start_new_session=True,
+    )
+
+
+def wait_for_shards(process: subprocess.Popen, folder: Path, count: int) -> None:
+    """Wait until the process has finished ``count`` batches; it must still be running then."""
+    end = time.monotonic() + PATIENCE
+    while len(shards(folder)) < count:
+        assert process.poll() is None, process.communicate()
+        assert time.monotonic() < end, "no batch was finished"
+        time.sleep(0.002)

@@ -1,0 +1,35 @@
+"""Stores filled with random results, and what is in them."""
+
+from tests.workflow.small import random_result, small_plan
+from workflow.plan import batches
+from workflow.store import Store
+
+WORK = list(batches(small_plan(), set(), 1e-9))  # one task and block each
+BATCH = next(batches(small_plan(), set(), 1e9))  # four tasks, four blocks
+SAMPLES = BATCH.samples - 1
+
+
+def records(batch):
+    """Return the records of a batch, in the order of its arrays."""
+    return [(t.key, batch.first_block + b) for t in batch.tasks for b in range(batch.blocks)]
+
+
+def filled(folder, work):
+    """Return a store holding one random result per batch, and the results."""
+    store = Store(folder)
+    results = [random_result(batch, seed) for seed, batch in enumerate(work)]
+    for batch, result in zip(work, results, strict=True):
+        store.add(batch, result)
+    return store, results
+
+
+def assert_holds(store, batch, result):
+    """Assert that the store returns the result bit for bit."""
+    scalars, curves = store.read(records(batch), SAMPLES)
+    assert scalars.tobytes() == result.scalars.tobytes()
+    assert curves.tobytes() == result.curves.tobytes()
+
+
+def shard_of(store, batch):
+    """Return the file that holds a batch."""
+    return store.place[records(batch)[0]][0]

@@ -1,0 +1,80 @@
+"""The small study that the tests of the pipeline share, and ways to vary it."""
+
+import tempfile
+from pathlib import Path
+
+import numpy as np
+
+from workflow.batch import SCALARS, BatchResult
+from workflow.plan import make_plan
+from workflow.reader import read_study
+
+TEXT = """
+[study]
+title = "small"
+seed = 1
+realizations = 4
+
+[material]
+shear_modulus = 1e7
+relaxation_time = 1e-3
+
+[surface]
+length = 0.01
+
+[grid]
+hurst = [0.3, 0.7]
+normal_force = [0.04, 0.4]
+spacing = 1e-4
+roughness = 1e-5
+velocity = [0.03, 0.1]
+velocity_step = 0.2
+
+[numerics]
+samples = 16
+
+[compare.coarse]
+scheme = "implicit-euler"
+steps_per_spacing = 1
+
+[scales.wide.grid]
+normal_force = [0.04, 0.4, 4.0]
+"""
+
+
+def write_study(folder, text=TEXT):
+    """Write small.toml into ``folder`` and return its path as a string."""
+    path = Path(folder) / "small.toml"
+    path.write_text(text, encoding="utf-8")
+    return str(path)
+
+
+def small_study(*settings, text=TEXT, scale=None):
+    """Return the small study with --set ``settings``."""
+    with tempfile.TemporaryDirectory() as folder:
+        return read_study(write_study(folder, text), scale, list(settings))
+
+
+def small_plan(*settings, **how):
+    """Return the plan of the small study with --set ``settings``."""
+    return make_plan(small_study(*settings, **how))
+
+
+def keys(plan):
+    """Return the keys of the tasks of the study itself, in order."""
+    return [task.key for task in plan.variants[0].tasks]
+
+
+def all_records(plan):
+    """Return every (key, block) the plan consists of."""
+    blocks = range(plan.study.blocks)
+    return [(t.key, block) for v in plan.variants for t in v.tasks for block in blocks]
+
+
+def random_result(batch, seed=0):
+    """Return a result of the right shape with random numbers and a NaN tail."""
+    rng = np.random.default_rng(seed)
+    shape = (len(batch.tasks), batch.blocks)
+    curves = rng.standard_normal((*shape, batch.samples - 1))
+    curves[..., -2:] = np.nan
+    return BatchResult(rng.standard_normal((*shape, len(SCALARS))), curves, 0.1)

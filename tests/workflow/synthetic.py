@@ -1,0 +1,59 @@
+"""Result files whose laws are known: what the claims and the report are tested on."""
+
+import numpy as np
+import xarray as xr
+
+from workflow.fits import FITTED
+from workflow.provenance import provenance
+from workflow.reader import read_study
+from workflow.study import AXES
+from workflow.variables import AXIS_ATTRIBUTES
+
+RELAXATION_TIME, SLOPE = 1e-3, 0.02
+
+
+def result(study="fig7", error=0.01, **axes):
+    """Return a dataset with axes and provenance, but no estimates: add them with ``add``."""
+    usual = {
+        "hurst": [0.3, 0.7],
+        "normal_force": [0.1, 1.0],
+        "spacing": [2e-6],
+        "roughness": [1e-5],
+        "velocity": np.geomspace(1e-4, 1e-1, 7),
+        "velocity_step": [0.2],
+    }
+    chosen = usual | axes
+    coords = {axis: (axis, np.asarray(chosen[axis], dtype=float)) for axis in AXES}
+    settings = read_study(study)
+    dataset = xr.Dataset(coords=coords, attrs=provenance(settings, settings.variants[""]))
+    for axis in AXES:
+        units, long_name = AXIS_ATTRIBUTES[axis]
+        dataset[axis].attrs = {"units": units, "long_name": long_name}
+    x = np.pi * dataset.velocity * RELAXATION_TIME / dataset.spacing
+    plain = {"speed_ratio": x, "rms_slope": SLOPE, "contact_fraction": 0.2, "realizations": 10}
+    return add(dataset, error, **plain)
+
+
+def add(dataset, relative_error=0.01, **estimates):
+    """Return the dataset with estimates on the whole grid, and their standard errors."""
+    shape = tuple(dataset.sizes[axis] for axis in AXES)
+    for name, values in estimates.items():
+        full = xr.DataArray(np.zeros(shape), dims=AXES) + values
+        dataset[name] = full.transpose(*AXES)
+        dataset[f"{name}_error"] = np.abs(dataset[name]) * relative_error
+    return dataset
+
+
+def with_rates(dataset, rate, **how):
+    """Return the dataset with fitted rates."""
+    status = xr.zeros_like(dataset.speed_ratio) + FITTED
+    dataset = add(dataset, **how, relaxation_rate=rate, fit_quality=0.99)
+    return dataset.assign(fit_status=status.astype(np.int8))
+
+
+def with_alpha(dataset, alpha, error=0.01):
+    """Return the dataset with exponents of eq. 13, one per Hurst exponent."""
+    alpha = alpha * xr.ones_like(dataset.hurst)
+    fitted = {"alpha": alpha, "alpha_error": 0.0 * alpha + error, "alpha_free": alpha}
+    fitted |= {"alpha_free_error": fitted["alpha_error"], "alpha_points": 0 * alpha + 10}
+    return dataset.assign(fitted)

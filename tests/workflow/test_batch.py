@@ -1,0 +1,135 @@
+"""A batch: its numbers do not depend on how the work is cut, and its lines on what is asked."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kernels import Line
+from tests.workflow.small import small_plan
+from workflow import batch as module
+from workflow.batch import SCALARS, block_means, line_generator
+from workflow.plan import batches
+
+PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")
+
+
+def one_batch(*settings):
+    """Return the first batch of the small study: all tasks of one H, all blocks."""
+    return next(batches(small_plan(*settings), set(), 1e9))
+
+
+def by_record(work):
+    """Return the numbers of every record, as bytes."""
+    found = {}
+    for batch in work:
+        scalars, curves = block_means(batch)
+        for i, task in enumerate(batch.tasks):
+            for j in range(batch.blocks):
+                record = (task.key, batch.first_block + j)
+                found[record] = (scalars[i, j].tobytes(), curves[i, j].tobytes())
+    return found
+
+
+@pytest.mark.parametrize("target", [1e-9, 2e-3, 6e-3])
+def test_numbers_do_not_depend_on_the_cut(target):
+    whole = by_record(batches(PLAN, set(), 1e9))
+    assert len(whole) == PLAN.records
+    assert by_record(batches(PLAN, set(), target)) == whole
+
+
+WHOLE = one_batch("grid.velocity_step=[0.2, -0.2]", "grid.velocity=[0.03, 0.05, 0.1]")
+
+
+@settings(max_examples=15, deadline=None)
+@given(st.permutations(range(len(WHOLE.tasks))), st.integers(1, 6))
+def test_numbers_do_not_depend_on_the_company_or_order_of_tasks(order, count):
+    part = sorted(order[:count], key=lambda i: WHOLE.tasks[i].steps_per_spacing)
+    tasks = tuple(WHOLE.tasks[i] for i in part)
+    alone = by_record([dataclasses.replace(WHOLE, tasks=tasks, first_block=1, blocks=1)])
+    together = by_record([WHOLE])
+    assert alone == {record: together[record] for record in alone}
+
+
+def test_a_block_is_the_mean_of_its_realizations():
+    pairs, single = (
+        block_means(one_batch("study.realizations_per_block=2")),
+        block_means(one_batch()),
+    )
+    for pair, one in zip(pairs, single, strict=True):
+        expected = (one[:, ::2] + one[:, 1::2]) / 2
+        assert np.array_equal(pair, expected, equal_nan=True)
+
+
+def test_blocks_are_different_realizations():
+    scalars, curves = block_means(one_batch())
+    assert len(np.unique(scalars[0, :, 0])) == 4
+    assert len(np.unique(curves[0, :, 0])) == 4
+
+
+def test_what_is_not_asked_for_is_no_number():
+    scalars, curves = block_means(one_batch('scene.quantities=["steady"]'))
+    missing = np.isnan(scalars).all(axis=(0, 1))
+    assert [name for name, gone in zip(SCALARS, missing, strict=True) if gone] == ["jump"]
+    assert np.isnan(curves).all()
+
+
+def test_curves_end_where_the_march_ends():
+    batch = one_batch("numerics.samples=64", "numerics.horizon=1.0")
+    _, curves = block_means(batch)
+    for task, curve in zip(batch.tasks, curves, strict=True):
+        assert np.isfinite(curve).sum(axis=1).tolist() == [min(task.march, 63)] * batch.blocks
+
+
+def numbers(seed=1, hurst=0.3, elements=100, index=0):
+    """Return the first random numbers of a line."""
+    return line_generator(seed, hurst, elements, index).random(4).tolist()
+
+
+@pytest.mark.parametrize("other", [{"seed": 2}, {"hurst": 0.7}, {"elements": 101}, {"index": 1}])
+def test_each_line_has_random_numbers_of_its_own(other):
+    assert numbers() == numbers()
+    assert set(numbers()).isdisjoint(numbers(**other))
+
+
+@pytest.fixture
+def drawn(monkeypatch):
+    """Return what lines are drawn from: (samples per spacing, phases) in order."""
+    found = []
+
+    class Spy:
+        @staticmethod
+        def self_affine(amplitude, phases, elements, samples_per_spacing):
+            found.append((samples_per_spacing, phases.tolist()))
+            return Line.self_affine(amplitude, phases, elements, samples_per_spacing)
+
+    monkeypatch.setattr(module, "Line", Spy)
+    return found
+
+
+def test_every_resolution_samples_the_same_lines(drawn):
+    for variant in ("4", "16"):
+        block_means(one_batch(f"numerics.steps_per_spacing={variant}"))
+    assert [steps for steps, _ in drawn] == [4] * 4 + [16] * 4
+    assert [phases for _, phases in drawn[:4]] == [phases for _, phases in drawn[4:]]
+
+
+@pytest.mark.parametrize(
+    "setting",
+    ["numerics.scheme=implicit-euler", "grid.normal_force=3.0", 'scene.quantities=["jump"]'],
+)
+def test_load_scheme_and_scene_play_no_part_in_the_lines(drawn, setting):
+    block_means(one_batch())
+    before = [phases for _, phases in drawn]
+    drawn.clear()
+    block_means(one_batch(setting))
+    assert {tuple(p) for _, p in drawn} == {tuple(p) for p in before}
+
+
+def test_tasks_of_one_resolution_share_the_line(drawn):
+    batch = one_batch("numerics.steps_per_spacing=4")
+    assert len(batch.tasks) == 4
+    block_means(batch)
+    assert len(drawn) == batch.blocks * batch.realizations_per_block

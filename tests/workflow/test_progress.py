@@ -1,0 +1,97 @@
+"""Progress: whole lines in a log, a bar in a terminal, durations in one unit."""
+
+import io
+import re
+import sys
+
+import pytest
+
+from workflow import progress
+from workflow.progress import Reporter, duration
+
+
+@pytest.mark.parametrize(
+    ("seconds", "text"),
+    [
+        (0.0, "0 s"),
+        (0.4, "0 s"),
+        (12.3, "12 s"),
+        (119.0, "119 s"),
+        (120.0, "2.0 min"),
+        (204.0, "3.4 min"),
+        (7199.0, "120.0 min"),
+        (20160.0, "5.6 h"),
+        (674000.0, "7.8 d"),
+    ],
+)
+def test_duration_in_words(seconds, text):
+    assert duration(seconds) == text
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Return a clock that moves when it is told to."""
+    now = [100.0]
+    monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
+    return now
+
+
+def lines(capsys):
+    """Return the lines of a log written so far; nothing goes to stdout."""
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert err == "" or err.endswith("\n")
+    assert "\r" not in err
+    return err.splitlines()
+
+
+def test_a_log_gets_plain_lines_with_share_and_time_left(capsys, clock):
+    with Reporter("computing", 40.0) as reporter:
+        clock[0] += 5.0
+        reporter.advance(10.0)
+        assert lines(capsys) == ["computing:  25%, 15 s left"]
+        clock[0] += 5.0
+        reporter.advance(30.0)
+    assert lines(capsys) == ["computing: 100%, 0 s left"]
+
+
+def test_lines_are_sparse(capsys, clock):
+    with Reporter("computing", 1000.0) as reporter:
+        for _ in range(1000):
+            reporter.advance(1.0)
+    found = lines(capsys)
+    assert 15 <= len(found) <= 21
+    assert found[-1] == "computing: 100%, 0 s left"
+
+
+def test_slow_work_is_reported_all_the_same(capsys, clock):
+    reporter = Reporter("computing", 1e6)
+    for _ in range(10):
+        clock[0] += 10.0
+        reporter.advance(1.0)
+    assert len(lines(capsys)) == 3
+
+
+def test_nothing_to_do_says_nothing(capsys):
+    with Reporter("computing", 0.0):
+        pass
+    assert lines(capsys) == []
+
+
+def test_more_work_than_predicted_stays_at_all_of_it(capsys, clock):
+    reporter = Reporter("computing", 1.0)
+    clock[0] += 3.0
+    reporter.advance(5.0)
+    assert lines(capsys) == ["computing: 100%, 0 s left"]
+
+
+def test_a_terminal_gets_a_bar(monkeypatch):
+    terminal = io.StringIO()
+    terminal.isatty = lambda: True
+    monkeypatch.setenv("TERM", "xterm")
+    monkeypatch.setattr(sys, "stderr", terminal)
+    with Reporter("computing", 2.0) as reporter:
+        reporter.advance(1.0)
+    shown = re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", terminal.getvalue())
+    assert "computing" in shown
+    assert "50.0 %" in shown

@@ -1,0 +1,89 @@
+"""Where a result comes from: enough to make it again, nothing that changes between runs."""
+
+import json
+import re
+import subprocess
+from importlib.metadata import version
+
+import netCDF4
+import pytest
+
+from tests.workflow.small import small_study
+from workflow.batch import CODE
+from workflow.provenance import PACKAGES, commit, provenance
+from workflow.reader import read_study
+
+STUDY = small_study("study.seed=7", "scene.indentation_rate=false", scale="wide")
+FOUND = provenance(STUDY, STUDY.variants[""])
+
+
+def test_settings_in_force_make_the_same_study_again(tmp_path):
+    path = tmp_path / "small.toml"
+    settings = json.loads(FOUND["study"])
+    path.write_text("", encoding="utf-8")
+    again = read_study(
+        str(path),
+        settings=[
+            f"{table}.{key}={json.dumps(value)}"
+            for table, values in settings.items()
+            if table != "compare"
+            for key, value in values.items()
+        ],
+    )
+    assert (again.grid, again.seed, again.scene) == (STUDY.grid, 7, STUDY.scene)
+    assert again.variants[""] == STUDY.variants[""]
+
+
+def test_settings_are_attributes_of_their_own_too():
+    expected = {
+        "seed": 7,
+        "scheme": "exponential",
+        "steps_per_spacing": "auto",
+        "horizon": 4.0,
+        "quantities": "steady jump relaxation",
+        "indentation_rate": "false",
+        "realizations_per_block": 1,
+        "title": "small",
+        "code": CODE,
+    }
+    assert expected.items() <= FOUND.items()
+
+
+def test_a_comparison_states_its_own_numerics():
+    coarse = provenance(STUDY, STUDY.variants["coarse"])
+    assert (coarse["scheme"], coarse["steps_per_spacing"]) == ("implicit-euler", "1")
+
+
+@pytest.mark.parametrize("package", PACKAGES)
+def test_versions_of_the_packages_are_there(package):
+    assert f"{package} {version(package)}" in FOUND["versions"].split(", ")
+
+
+def test_the_paper_is_cited():
+    assert "doi:10.1038/srep05795" in FOUND["references"]
+
+
+def test_commit_is_a_full_hash_or_unknown():
+    assert re.fullmatch(r"[0-9a-f]{40}(-dirty)?|.+-g[0-9a-f]{40}(-dirty)?|unknown", commit())
+
+
+@pytest.mark.parametrize(
+    "error", [FileNotFoundError("git"), subprocess.CalledProcessError(128, "git")]
+)
+def test_commit_is_unknown_without_git_or_repository(monkeypatch, error):
+    def fail(*_, **__):
+        raise error
+
+    monkeypatch.setattr(subprocess, "run", fail)
+    assert commit() == "unknown"
+
+
+def test_nothing_depends_on_when_or_where():
+    assert provenance(STUDY, STUDY.variants[""]) == FOUND
+    assert not {"date", "history", "host", "user", "folder"} & set(FOUND)
+
+
+def test_attributes_can_be_written_to_a_file():
+    with netCDF4.Dataset("attributes.nc", "w", memory=1024) as data:
+        data.setncatts(FOUND)
+        assert {name: data.getncattr(name) for name in data.ncattrs()} == FOUND

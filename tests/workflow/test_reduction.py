@@ -1,0 +1,102 @@
+"""Reduction of block means to estimates, against the formulas written out with numpy."""
+
+import numpy as np
+import pytest
+
+from tests.workflow.curves import RATE, exponential_blocks
+from workflow.batch import SCALARS
+from workflow.fits import FITTED
+from workflow.reduction import reduce_blocks
+
+BLOCKS = exponential_blocks()
+FOUND = reduce_blocks(BLOCKS)
+COUNT = BLOCKS.scalars.shape[1]
+
+
+@pytest.mark.parametrize("name", SCALARS)
+def test_estimate_is_the_mean_and_its_error_the_classical_one(name):
+    values = BLOCKS.scalars[:, :, SCALARS.index(name)]
+    np.testing.assert_allclose(FOUND[name], values.mean(axis=1), rtol=1e-12)
+    classical = values.std(axis=1, ddof=1) / np.sqrt(COUNT)
+    np.testing.assert_allclose(FOUND[f"{name}_error"], classical, rtol=1e-6, atol=1e-15)
+
+
+def test_curve_starts_just_after_the_jump():
+    start = BLOCKS.scalars[:, :, SCALARS.index("mu_1")] + BLOCKS.scalars[:, :, -1]
+    np.testing.assert_allclose(FOUND["mu"][:, 0], start.mean(axis=1))
+    error = start.std(axis=1, ddof=1) / np.sqrt(COUNT)
+    np.testing.assert_allclose(FOUND["mu_error"][:, 0], error)
+    assert FOUND["time"][:, 0].tolist() == [0.0] * 3
+
+
+def test_curve_is_the_mean_over_blocks_with_its_error():
+    np.testing.assert_allclose(FOUND["mu"][:, 1:], BLOCKS.curves.mean(axis=1))
+    error = BLOCKS.curves.std(axis=1, ddof=1) / np.sqrt(COUNT)
+    np.testing.assert_allclose(FOUND["mu_error"][:, 1:], error)
+    assert np.array_equal(FOUND["time"][:, 1:], BLOCKS.time, equal_nan=True)
+
+
+def test_deviation_is_the_curve_over_the_steady_value_of_each_block():
+    mu_2 = BLOCKS.scalars[:, :, SCALARS.index("mu_2"), None]
+    deviation = BLOCKS.curves - mu_2
+    np.testing.assert_allclose(FOUND["deviation"][:, 1:], deviation.mean(axis=1), atol=1e-14)
+    error = deviation.std(axis=1, ddof=1) / np.sqrt(COUNT)
+    np.testing.assert_allclose(FOUND["deviation_error"][:, 1:], error, rtol=1e-6, atol=1e-14)
+
+
+def test_rate_of_each_task_is_found_with_mu_2_known_and_free():
+    assert FOUND["fit_status"].tolist() == [FITTED] * 3
+    expected = RATE * np.array([1.0, 2.0, 3.0])
+    np.testing.assert_allclose(FOUND["relaxation_rate"], expected, rtol=1e-6)
+    np.testing.assert_allclose(FOUND["relaxation_rate_free"], expected, rtol=1e-5)
+
+
+def test_amplitude_varies_as_the_curves_do():
+    decay = np.exp(-RATE * BLOCKS.time[0])
+    mu_2 = BLOCKS.scalars[0, :, SCALARS.index("mu_2")]
+    shares = ((BLOCKS.curves[0] - mu_2[:, None]) / decay)[:, 0]
+    assert FOUND["amplitude"][0] == pytest.approx(shares.mean(), rel=1e-6)
+    error = shares.std(ddof=1) / np.sqrt(COUNT)
+    assert FOUND["amplitude_error"][0] == pytest.approx(error, rel=1e-4)
+
+
+def test_replicates_of_the_rate_are_handed_on():
+    assert FOUND["rate_replicates"].shape == (3, COUNT + 1)
+    assert np.array_equal(FOUND["rate_replicates"][:, 0], FOUND["relaxation_rate"])
+
+
+NAMES = {
+    "steady": {"mu_1", "mu_2", "indentation", "contact_fraction"},
+    "jump": {"jump"},
+    "relaxation": {"mu", "deviation", "relaxation_rate", "relaxation_rate_free", "amplitude"},
+}
+WITHOUT_ERROR = {"time", "fit_status", "fit_window", "fit_quality", "rate_replicates"}
+
+
+NAMES["models"] = {
+    *("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"),
+    *("gain_stretched", "gain_two_exponentials"),
+}
+SCENES = [("steady",), ("jump",), ("relaxation",), ("steady", "jump"), tuple(NAMES)]
+
+
+@pytest.mark.parametrize("asked", SCENES)
+def test_only_what_was_asked_for_is_there(asked):
+    names = set().union(*(NAMES[quantity] for quantity in asked))
+    expected = names | {f"{name}_error" for name in names}
+    if "relaxation" in asked:
+        expected |= WITHOUT_ERROR
+    if "models" in asked:
+        expected |= {"best_model"}
+    assert set(reduce_blocks(exponential_blocks(quantities=asked))) == expected
+
+
+def test_reduction_does_not_depend_on_the_company_of_a_task():
+    alone = reduce_blocks(exponential_blocks()._replace(**_rows(1)))
+    for name, values in alone.items():
+        assert values.tobytes() == FOUND[name][1:2].tobytes()
+
+
+def _rows(task):
+    arrays = ("scalars", "curves", "time", "rms_slope")
+    return {name: getattr(BLOCKS, name)[task : task + 1] for name in arrays}

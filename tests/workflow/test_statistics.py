@@ -1,0 +1,72 @@
+"""The jackknife: classical for a mean, honest for a ratio, defined from two blocks on."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import array_shapes, arrays
+
+from workflow.statistics import replicates, standard_error
+
+BLOCKS = arrays(float, array_shapes(min_dims=2, max_dims=3, min_side=2), elements=st.floats(-9, 9))
+
+
+@given(BLOCKS, st.sampled_from([0, 1]))
+def test_error_of_a_mean_is_the_classical_one(blocks, axis):
+    count = blocks.shape[axis]
+    classical = np.std(blocks, axis=axis, ddof=1) / np.sqrt(count)
+    error = standard_error(replicates(blocks, axis), axis)
+    assert error.shape == classical.shape
+    np.testing.assert_allclose(error, classical, rtol=1e-9, atol=1e-12)
+
+
+@given(BLOCKS)
+def test_replicates_are_the_mean_and_the_means_with_one_block_left_out(blocks):
+    found = replicates(blocks, 0)
+    assert len(found) == len(blocks) + 1
+    np.testing.assert_allclose(found[0], blocks.mean(axis=0), atol=1e-12)
+    for j in range(len(blocks)):
+        expected = np.delete(blocks, j, axis=0).mean(axis=0)
+        np.testing.assert_allclose(found[j + 1], expected, atol=1e-12)
+
+
+def test_equal_blocks_have_no_error():
+    assert standard_error(replicates(np.full((5, 3), 0.5), 0), 0).tolist() == [0.0, 0.0, 0.0]
+
+
+def test_two_blocks_are_enough():
+    values = replicates(np.array([1.0, 3.0]), 0)
+    assert values.tolist() == [2.0, 3.0, 1.0]
+    assert standard_error(values, 0) == pytest.approx(1.0)  # |3 - 1| / 2
+
+
+def test_the_estimate_itself_does_not_enter_its_error():
+    values = replicates(np.array([1.0, 2.0, 4.0]), 0)
+    shifted = np.concatenate([values[:1] + 7.0, values[1:]])
+    assert standard_error(shifted, 0) == standard_error(values, 0)
+
+
+def test_no_number_stays_no_number():
+    assert np.isnan(standard_error(replicates(np.array([1.0, np.nan, 2.0]), 0), 0))
+
+
+def ratio_hits(seed, trials=400, blocks=20):
+    """Return how often <y>/<x> is within two standard errors of the true ratio 2."""
+    rng = np.random.default_rng(seed)
+    x = rng.gamma(4.0, 1.0, (trials, blocks))
+    y = 2.0 * x + rng.normal(0.0, 1.5, x.shape)
+    ratio = replicates(y, 1) / replicates(x, 1)
+    return np.sum(np.abs(ratio[:, 0] - 2.0) < 2.0 * standard_error(ratio, 1))
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_error_of_a_ratio_covers_the_truth_as_often_as_it_says(seed):
+    expected = 0.94 * 400  # Student's t with 19 degrees of freedom beyond 2: 6 %
+    assert abs(ratio_hits(seed) - expected) < 4.0 * np.sqrt(400 * 0.94 * 0.06)
+
+
+def test_correlated_errors_of_two_estimates_cancel_in_their_difference():
+    rng = np.random.default_rng(5)
+    common = rng.normal(0.0, 1.0, 30)
+    values = replicates(np.stack([common, common + rng.normal(0.0, 1e-3, 30)]), 1)
+    assert standard_error(values[1] - values[0], 0) < 1e-2 * standard_error(values[0], 0)

@@ -1,0 +1,88 @@
+"""Damaged shards are set aside, and all others are read."""
+
+import netCDF4
+import pytest
+
+from tests.workflow.shards import WORK, assert_holds, filled, records, shard_of
+from tests.workflow.small import random_result
+from workflow.store import Store
+
+
+def truncated(share):
+    """Return how to cut a file down to ``share`` of what it is without its padding."""
+    return lambda content: content[: int(share * len(content.rstrip(b"\0")))]
+
+
+def flipped(content):
+    """Flip one bit in the middle of the stored numbers."""
+    place = content.index(random_result(WORK[0], 0).curves[0, 0, :4].tobytes())
+    return content[: place + 9] + bytes([content[place + 9] ^ 1]) + content[place + 10 :]
+
+
+def foreign(_):
+    """Return a netCDF file of another program."""
+    data = netCDF4.Dataset("foreign.nc", "w", memory=1024)
+    data.createDimension("x", 3)
+    return bytes(data.close())
+
+
+DAMAGE = {
+    "empty": truncated(0.0),
+    "first bytes": truncated(0.001),
+    "tenth": truncated(0.1),
+    "half": truncated(0.5),
+    "most": truncated(0.9),
+    "flipped bit": flipped,
+    "zeros": lambda content: bytes(len(content)),
+    "text": lambda content: b"not netCDF at all",
+    "foreign": foreign,
+}
+
+
+@pytest.mark.parametrize("name", DAMAGE)
+def test_damaged_shard_is_set_aside_and_the_others_are_read(tmp_path, capsys, name):
+    store, results = filled(tmp_path, WORK[:3])
+    damaged = shard_of(store, WORK[0])
+    content = DAMAGE[name](damaged.read_bytes())
+    damaged.write_bytes(content)
+    again = Store(tmp_path)
+    assert again.records() == {*records(WORK[1]), *records(WORK[2])}
+    assert_holds(again, WORK[1], results[1])
+    assert_holds(again, WORK[2], results[2])
+    assert not damaged.exists()
+    assert damaged.with_suffix(".damaged").read_bytes() == content
+    warning = capsys.readouterr().err
+    assert warning.startswith(f"warning: {damaged} is damaged")
+    assert warning.count("\n") == 1
+
+
+def test_damaged_shard_can_be_computed_again(tmp_path, capsys):
+    store, results = filled(tmp_path, WORK[:1])
+    shard_of(store, WORK[0]).write_bytes(b"")
+    again = Store(tmp_path)
+    again.add(WORK[0], results[0])
+    assert_holds(Store(tmp_path), WORK[0], results[0])
+    assert "damaged" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("length", [*range(0, 2**16, 3001)])
+def test_shard_cut_at_any_length_is_set_aside_or_whole(tmp_path, capsys, length):
+    store, (result,) = filled(tmp_path, WORK[:1])
+    shard = shard_of(store, WORK[0])
+    shard.write_bytes(shard.read_bytes()[:length])
+    again = Store(tmp_path)
+    if again.records():
+        assert_holds(again, WORK[0], result)
+    else:
+        assert "set aside" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("place", [*range(0, 2**16, 4099)])
+def test_a_flipped_bit_anywhere_is_found(tmp_path, capsys, place):
+    store, _ = filled(tmp_path, WORK[:1])
+    shard = shard_of(store, WORK[0])
+    content = bytearray(shard.read_bytes())
+    content[min(place, len(content) - 1)] ^= 1
+    shard.write_bytes(content)
+    assert Store(tmp_path).records() == set()
+    assert "checksum" in capsys.readouterr().err
