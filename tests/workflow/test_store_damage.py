@@ -1,5 +1,7 @@
 """Damaged shards are set aside, and all others are read."""
 
+import hashlib
+
 import netCDF4
 import pytest
 
@@ -63,6 +65,18 @@ def test_damaged_shard_can_be_computed_again(tmp_path, capsys):
     again.add(WORK[0], results[0])
     assert_holds(Store(tmp_path), WORK[0], results[0])
     assert "damaged" in capsys.readouterr().err
+
+
+def test_shard_of_another_format_is_set_aside(tmp_path, capsys):
+    store, _ = filled(tmp_path, WORK[:1])
+    shard = shard_of(store, WORK[0])
+    with netCDF4.Dataset(shard, "a") as data:
+        data.setncattr("format", "elastomer-friction shard 0")
+    digest = hashlib.sha256(shard.read_bytes()).hexdigest()[:32]
+    other = shard.rename(tmp_path / f"{digest}.nc")  # whole, as its name says
+    assert Store(tmp_path).records() == set()
+    assert other.with_suffix(".damaged").exists()
+    assert "not a shard of this program" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("length", [*range(0, 2**16, 3001)])
