@@ -8,6 +8,7 @@ from pathlib import Path
 import matplotlib as mpl
 import numpy as np
 import xarray as xr
+from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from workflow.errors import UserError
@@ -52,6 +53,7 @@ def draw_figure(study: Study, result: Path) -> list[Path]:
             # No creation date: the same result gives the same file.
             stamp = {"CreationDate": None} if file.suffix == ".pdf" else {}
             figure.savefig(file, metadata=stamp)
+        plt.close(figure)
     return files
 
 

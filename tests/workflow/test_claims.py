@@ -1,0 +1,209 @@
+"""The claims of the paper, on results whose truth is known."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+from tests.workflow.synthetic import SLOPE, add, result, with_alpha, with_rates
+from workflow import claims_fit, claims_jump, claims_rate
+from workflow.claims import CLAIMS, evaluate
+from workflow.kinetic_law import normalised_jump
+from workflow.verdicts import judge, judge_factor, mean_error
+
+
+def slow(zeta=1.0, xi=1.0, covariance=1.0, error=0.03):
+    """Return figure 3 with these ratios; mu_1 and the jump correlated by ``covariance``."""
+    dataset = result("fig3", hurst=[0.7], normal_force=[0.1])
+    mu = dataset.velocity
+    dataset = add(dataset, error, mu_1=mu, mu_2=mu * (1 + 0.2 * xi), jump=0.2 * zeta * mu)
+    dataset = add(dataset, 0.0, amplitude=0.2 * (zeta - xi) * mu)
+    errors = dataset.mu_1_error, dataset.jump_error
+    both = errors[0] ** 2 + errors[1] ** 2 + 2.0 * covariance * errors[0] * errors[1]
+    start = (dataset.mu_1 + dataset.jump).expand_dims(sample=[0, 1])
+    return dataset.assign(mu=start, mu_error=np.sqrt(both).expand_dims(sample=[0, 1]))
+
+
+@pytest.mark.parametrize("claim", [claims_jump.slow_jump, claims_jump.slow_steady])
+@pytest.mark.parametrize(
+    ("ratio", "verdict"), [(0.996, "holds"), (0.93, "holds within 7 %"), (0.6, "not found")]
+)
+def test_slow_sliding(claim, ratio, verdict):
+    found = claim({"fig3": slow(zeta=ratio, xi=ratio)})
+    assert found.verdict == verdict
+    assert found.found.startswith(f"{ratio:.4f} (")
+    assert "points with x < 0.5, fig3" in found.found
+
+
+def test_error_of_a_ratio_uses_the_covariance():
+    ratio, error = claims_jump._zeta(slow(covariance=0.0))
+    np.testing.assert_allclose(error / ratio, 0.03 * np.sqrt(2.0))
+    _, error = claims_jump._zeta(slow(covariance=1.0))
+    assert float(error.max()) < 1e-8
+
+
+def test_uncertain_ratio_is_no_verdict():
+    unsure = claims_jump.slow_jump({"fig3": slow(zeta=0.9, covariance=0.0, error=0.15)})
+    assert unsure.verdict == "cannot be told: the error is too large"
+
+
+def test_figure_5_alone_has_no_error_of_the_ratio():
+    found = claims_jump.slow_jump({"fig5": slow(0.95).drop_vars(["mu", "mu_error"])})
+    assert found.verdict == "holds within 5 %"
+    assert found.error == "not known without the curves of fig3"
+
+
+def jumps(level):
+    """Return figure 6 with mu_1 saturating at 1.3 grad z and jumps of eq. 12 times ``level``."""
+    dataset = result("fig6", hurst=[0.0, 0.3, 0.5, 0.7], normal_force=[1.2])
+    mu = 1.3 * dataset.speed_ratio / (1.0 + dataset.speed_ratio)
+    law = xr.apply_ufunc(normalised_jump, mu)
+    return add(dataset, 0.001, mu_1=SLOPE * mu, jump=SLOPE * 0.2 * law * level)
+
+
+def test_plateau_and_interpolation_hold():
+    found = claims_jump.interpolation({"fig6": jumps(1.0)})
+    assert (found.verdict, found.error) == ("holds", "0.1 % a point")
+    assert claims_jump.plateau({"fig6": jumps(1.05)}).verdict == "holds"
+
+
+def test_plateau_and_interpolation_fail():
+    assert claims_jump.interpolation({"fig6": jumps(0.5)}).verdict == "not found"
+    assert claims_jump.plateau({"fig6": jumps(0.5)}).verdict == "not found"
+
+
+def test_interpolation_names_the_worst_point():
+    dataset = jumps(1.0)
+    dataset.jump[0, 0, 0, 0, 3, 0] *= 0.6
+    found = claims_jump.interpolation({"fig6": dataset})
+    assert found.verdict.endswith("% (rms), 40 % at worst")
+    assert "largest 40 % at H = 0, v₁ = 0.0032 m/s" in found.found
+
+
+@pytest.mark.parametrize(
+    ("law", "verdict"),
+    [
+        (lambda x: 2.4 * (x / 5e-6) ** -0.5, "holds if Δx = 5 ± 0.1 µm"),
+        (lambda x: 5.0 * (x / 1e-5) ** -0.5, "not found"),
+    ],
+)
+def test_rate_of_figure_4(law, verdict):
+    dataset = result("fig4", hurst=[0.7], normal_force=[1.2], velocity=[0.05], spacing=SPACINGS)
+    dataset = with_rates(dataset, law(dataset.spacing))
+    assert claims_fit.example_rate({"fig4": dataset}).verdict == verdict
+
+
+SPACINGS = np.geomspace(1e-6, 1e-5, 7)
+
+
+def test_rate_of_figure_4_with_the_coarse_step_only():
+    dataset = result("fig4", hurst=[0.7], normal_force=[1.2], velocity=[0.05], spacing=SPACINGS)
+    results = {
+        "fig4": with_rates(dataset.copy(), 1.0),
+        "fig4/paper_step": with_rates(dataset.copy(), 2.4 * (dataset.spacing / 5e-6) ** -0.5),
+    }
+    verdict = claims_fit.example_rate(results).verdict
+    assert verdict == "only with one implicit Euler step per Δx, Δx = 5 ± 0.1 µm"
+
+
+@pytest.mark.parametrize(
+    ("quality", "verdict"), [(0.999, "holds"), (0.9, "not found"), (None, "holds for 86 % of the")]
+)
+def test_exponential(quality, verdict):
+    dataset = with_rates(result(), 1.0)
+    if quality is None:
+        dataset.fit_quality[..., 0, :] = 0.9
+    else:
+        dataset.fit_quality[...] = quality
+    assert claims_fit.exponential({"fig7": dataset}).verdict.startswith(verdict)
+
+
+LEFT = {
+    "x": lambda d: d.speed_ratio,
+    "1": lambda d: xr.ones_like(d.speed_ratio),
+    "1.5 x": lambda d: 1.5 * d.speed_ratio,
+}
+
+
+@pytest.mark.parametrize(
+    ("converged", "coarse", "verdict"),
+    [
+        ("x", "x", "holds"),
+        ("1.5 x", "x", "holds within a factor 1.5"),
+        ("1", "1.5 x", "only with one implicit Euler step per Δx, within a factor 1.5"),
+        ("1", "1", "not found"),
+    ],
+)
+def test_left_branch(converged, coarse, verdict):
+    dataset = result(velocity=np.geomspace(2e-6, 1e-3, 9))
+    results = {
+        "fig7": with_rates(dataset.copy(), LEFT[converged](dataset)),
+        "fig7/paper_step": with_rates(dataset.copy(), LEFT[coarse](dataset)),
+    }
+    found = claims_rate.slow_rate(results)
+    assert found.verdict == verdict
+    assert "b ∝ x^0.00" in found.found or converged != "1"
+
+
+def test_points_with_large_errors_or_near_full_contact_are_left_out():
+    dataset = with_rates(result(velocity=np.geomspace(2e-6, 1e-3, 9)), 1.0)
+    dataset.relaxation_rate_error[0] = 0.2
+    dataset.contact_fraction[1] = 0.9
+    assert claims_rate.slow_rate({"fig7": dataset}) is None
+    assert claims_rate.force_independence({"fig7": dataset}) is None
+
+
+@pytest.mark.parametrize(
+    ("offset", "verdict"), [(0.01, "holds"), (0.093, "holds within 0.10"), (0.3, "not found")]
+)
+def test_exponent(offset, verdict):
+    dataset = result()
+    dataset = with_alpha(dataset, 1.0 - dataset.hurst + offset)
+    assert claims_rate.exponent({"fig7": dataset}).verdict == verdict
+    assert "points of fig8" in claims_rate.exponent({"fig7": dataset, "fig8": dataset}).found
+    assert claims_rate.exponent_paper_step({"fig7": dataset}) is None
+    assert claims_rate.exponent_paper_step({"fig7/paper_step": dataset}).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("factor", "verdict"),
+    [(1.0, "holds"), (0.7, "holds within a factor 1.4"), (3.0, "not found")],
+)
+def test_relaxation_time(factor, verdict):
+    dataset = result()
+    rate = factor * dataset.speed_ratio ** (1.0 - dataset.hurst)
+    assert claims_rate.relaxation_time({"fig7": with_rates(dataset, rate)}).verdict == verdict
+
+
+@pytest.mark.parametrize(
+    ("ratio", "verdict"), [(1.0, "holds"), (1.2, "holds within 14 % (rms)"), (4.0, "not found")]
+)
+def test_force_independence(ratio, verdict):
+    dataset = result()
+    rate = xr.where(dataset.normal_force > 0.5, ratio, 1.0) * dataset.speed_ratio
+    found = claims_rate.force_independence({"fig7": with_rates(dataset, rate)})
+    assert found.verdict.startswith(verdict)
+    assert f"largest ratio {ratio:.2f}" in found.found
+
+
+def test_claims_without_their_study_are_left_out():
+    assert evaluate({}) == []
+    assert evaluate({"fig7": result()}) == []  # no estimates at all
+    dataset = result()
+    both = with_alpha(with_rates(dataset, dataset.speed_ratio), 1.0 - dataset.hurst)
+    found = evaluate({"fig7": both})
+    assert 0 < len(found) < len(CLAIMS)
+    assert all(text for claim in found for text in claim)
+
+
+def test_deviations_within_two_errors_are_chance():
+    assert judge(0.05, 0.03) == "holds"
+    assert judge(0.05, 0.02) == "holds within 5 %"
+    assert judge(0.05, 0.2) == "cannot be told: the error is too large"
+    assert judge(np.nan) == "cannot be told: the error is too large"
+    assert judge_factor(np.array([0.5, 2.0])) == "holds within a factor 2"
+
+
+def test_errors_of_points_on_the_same_lines_do_not_average_out():
+    error = result().speed_ratio * 0.0 + 0.1  # 2 H, one spacing, 14 points each
+    np.testing.assert_allclose(mean_error(error), 0.1 / np.sqrt(2.0))
+    np.testing.assert_allclose(mean_error(error.isel(hurst=[0])), 0.1)

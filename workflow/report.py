@@ -1,0 +1,177 @@
+"""One self-contained HTML page about all results of a folder: figures, claims, parameters."""
+
+import base64
+import contextlib
+import json
+import struct
+from pathlib import Path
+from typing import NamedTuple
+
+import xarray as xr
+
+from workflow.claims import CLAIMS, evaluate
+from workflow.errors import UserError
+from workflow.figure import STYLE, draw_figure
+from workflow.fits import STATUS_MEANINGS
+from workflow.page import render
+from workflow.reader import read_study
+from workflow.store import write_durably
+from workflow.study import AXES, Study
+
+SHOWN_VALUES = 6  # of an axis; of longer ones the ends
+ROOT = "/"  # group of the study itself
+ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
+CONSTANTS = (
+    ("material", "shear_modulus", "shear modulus G", "Pa"),
+    ("material", "relaxation_time", "relaxation time τ", "s"),
+    ("surface", "length", "length of the line L", "m"),
+)
+BROKEN_FIGURE = (AttributeError, IndexError, KeyError, TypeError, ValueError)
+
+
+class Image(NamedTuple):
+    """A figure as data URI, and its size in inches."""
+
+    uri: str
+    width: float
+    height: float
+
+
+class Section(NamedTuple):
+    """What the page shows of one study."""
+
+    name: str
+    title: str
+    image: Image | None
+    trouble: str  # why there is no image
+    parameters: list[tuple[str, str, str]]  # meaning, values, unit
+    variants: list[tuple[str, str, str, str]]  # name, scheme, steps per spacing, fits
+    facts: list[tuple[str, str]]
+    origin: list[tuple[str, str]]
+    settings: str
+
+
+def known_studies() -> list[str]:
+    """Return the names of all studies, figures first."""
+    roots = (Path.cwd() / "studies", Path(__file__).resolve().parent.parent / "studies")
+    names = {path.parent.name for root in roots for path in root.glob("*/study.toml")}
+    return sorted(names, key=lambda name: (not name.startswith("fig"), name))
+
+
+def write_report(folder: Path, names: list[str]) -> Path:
+    """Write ``report.html`` into a folder of results and return its path.
+
+    names : studies to report on, all by default. Raises UserError where none has a result.
+    """
+    studies = [read_study(name) for name in names or known_studies()]
+    present = [study for study in studies if _result(folder, study).is_file()]
+    if not present:
+        wanted = ", ".join(study.name for study in studies)
+        raise UserError(f"{folder}: holds no result of {wanted}; first run: make study-NAME")
+    with contextlib.ExitStack() as stack:
+        groups = {study.name: _open(_result(folder, study), stack) for study in present}
+        sections = [_section(study, folder, groups[study.name]) for study in present]
+        claims = evaluate(
+            {f"{n}{g}".rstrip("/"): data for n, held in groups.items() for g, data in held.items()}
+        )
+        codes = {str(held[ROOT].attrs["code"]) for held in groups.values()}
+    page = render(
+        claims=claims,
+        unjudged=len(CLAIMS) - len(claims),
+        sections=sections,
+        missing=[study for study in studies if study not in present],
+        codes=sorted(codes),
+    )
+    path = folder / "report.html"
+    write_durably(path, page.encode())
+    return path
+
+
+def _result(folder: Path, study: Study) -> Path:
+    return folder / f"{study.name}.nc"
+
+
+def _open(path: Path, stack: contextlib.ExitStack) -> dict[str, xr.Dataset]:
+    """Return group -> dataset, open until the stack is left."""
+    try:
+        groups = xr.open_groups(path, engine="netcdf4")
+    except (OSError, ValueError) as error:
+        raise UserError(f"{path}: cannot be read as netCDF: {error}") from error
+    for dataset in groups.values():
+        stack.enter_context(dataset)
+    if not {"study", "code", "seed"} <= groups[ROOT].attrs.keys():
+        raise UserError(f"{path}: is not a result of this program")
+    return groups
+
+
+def _section(study: Study, folder: Path, groups: dict[str, xr.Dataset]) -> Section:
+    data = groups[ROOT]
+    image, trouble = None, ""
+    try:
+        image = _image(draw_figure(study, _result(folder, study))[0])
+    except UserError as error:
+        trouble = str(error)
+    except BROKEN_FIGURE as error:
+        trouble = f"it cannot be drawn from this file ({error}); run the study again"
+    return Section(
+        name=study.name,
+        title=str(data.attrs["title"]),
+        image=image,
+        trouble=trouble,
+        parameters=_parameters(data),
+        variants=[_variant(group, held) for group, held in groups.items()],
+        facts=_facts(data),
+        origin=[(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
+        settings=str(data.attrs["study"]),
+    )
+
+
+def _image(file: Path) -> Image:
+    content = file.read_bytes()
+    width, height = struct.unpack(">II", content[16:24])  # PNG: the first chunk
+    uri = "data:image/png;base64," + base64.b64encode(content).decode()
+    return Image(uri, width / STYLE["savefig.dpi"], height / STYLE["savefig.dpi"])
+
+
+def _parameters(data: xr.Dataset) -> list[tuple[str, str, str]]:
+    """Return the axes of the grid, then what is the same at all points."""
+    rows = [_axis(data[axis]) for axis in AXES]
+    settings = json.loads(data.attrs["study"])
+    for table, key, meaning, unit in CONSTANTS:
+        rows.append((meaning, f"{settings[table][key]:g}", unit))
+    return rows
+
+
+def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
+    shown = [f"{value:.4g}" for value in axis.values]
+    text = ", ".join(shown)
+    if len(shown) > SHOWN_VALUES:
+        text = f"{shown[0]} … {shown[-1]} ({len(shown)} values)"
+    unit = str(axis.attrs["units"]).replace("s-1", "s⁻¹")
+    return str(axis.attrs["long_name"]), text, "" if unit == "1" else unit
+
+
+def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
+    """Return name, scheme, steps per spacing and the outcome of the fits of one group."""
+    fits = "no fits asked for"
+    if "fit_status" in data:
+        counts = [int((data.fit_status == k).sum()) for k in range(3)]
+        meanings = STATUS_MEANINGS.replace("no_relaxation", "nothing_to_relax").split()
+        pairs = zip(counts, meanings, strict=True)
+        fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for n, meaning in pairs if n)
+    label = "the study itself" if group == ROOT else group.strip("/")
+    return label, str(data.attrs["scheme"]), str(data.attrs["steps_per_spacing"]), fits
+
+
+def _facts(data: xr.Dataset) -> list[tuple[str, str]]:
+    attrs = {key: str(value) for key, value in data.attrs.items()}
+    rate = "kept" if attrs["indentation_rate"] == "true" else "dropped, as eq. 3 is printed"
+    commit = attrs["commit"].replace("-dirty", " with changes that were not committed")
+    return [
+        ("Grid points", str(data.realizations.size)),
+        ("Realizations", f"{int(data.realizations.max())} each"),
+        ("Simulated", attrs["quantities"].replace(" ", ", ")),
+        ("Indentation rate", rate),
+        ("Seed", attrs["seed"]),
+        ("Commit", commit),
+    ]
