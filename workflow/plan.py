@@ -3,10 +3,11 @@
 import hashlib
 from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 
 import numpy as np
 
-from kernels import Quantities
+from kernels import Quantities, amplitudes, rms_slope
 from workflow.batch import CODE, Batch, Task
 from workflow.cost import Load, case_seconds, line_seconds, worker_bytes
 from workflow.resolution import horizon_steps, steps_per_spacing
@@ -184,8 +185,14 @@ def task_seconds(study: Study, task: Task) -> float:
             jumps=int(asked.jump),
             steps=task.march,
             load=task.problem.load,
+            pace=task.problem.speed * _slope(task.problem.hurst, task.problem.elements),
         )
     )
+
+
+@lru_cache
+def _slope(hurst: float, elements: int) -> float:
+    return rms_slope(amplitudes(hurst, elements), elements)
 
 
 def without_similarity(plan: Plan, seconds: float) -> float:
