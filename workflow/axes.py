@@ -7,6 +7,7 @@ import numpy as np
 
 from workflow.errors import UserError
 
+MOST_VALUES = 10_000  # on one axis
 SPACES = {"linspace": np.linspace, "geomspace": np.geomspace}
 
 
@@ -21,10 +22,11 @@ def number(key: str, value: object) -> float:
     raise UserError(f"{key} = {value!r:.40}: must be a finite number")
 
 
-def integer(key: str, value: object, least: int) -> int:
-    """Return ``value`` as an int of at least ``least`` or raise UserError naming the key."""
-    if isinstance(value, bool) or not isinstance(value, int) or value < least:
-        raise UserError(f"{key} = {value!r}: must be a whole number, at least {least}")
+def integer(key: str, value: object, least: int, most: int = 10**9) -> int:
+    """Return ``value`` as an int from ``least`` to ``most`` or raise UserError naming the key."""
+    if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+        limits = f"at least {least}" if most == 10**9 else f"from {least} to {most}"
+        raise UserError(f"{key} = {value!r:.40}: must be a whole number, {limits}")
     return value
 
 
@@ -62,7 +64,7 @@ def _spaced(key: str, spec: dict) -> tuple[float, ...]:
     if not isinstance(args, list) or len(args) != 3:
         raise UserError(f"{key}.{kind} = {args!r}: must be [first, last, number of values]")
     first, last = number(f"{key}.{kind}[0]", args[0]), number(f"{key}.{kind}[1]", args[1])
-    count = integer(f"{key}.{kind}[2]", args[2], 1)
+    count = integer(f"{key}.{kind}[2]", args[2], 1, MOST_VALUES)
     if kind == "geomspace" and first * last <= 0.0:
         raise UserError(f"{key}.geomspace = {args!r}: both ends must be of one sign, not zero")
     return tuple(float(f"{value:.12g}") for value in SPACES[kind](first, last, count))

@@ -10,6 +10,7 @@ from distributed.client import FutureCancelledError
 from workflow.errors import UserError
 
 Stop = Callable[[], bool]
+LOST = "the scheduler was lost; run again to resume"
 
 
 def stream(
@@ -45,19 +46,21 @@ def stream(
 
 
 def _gather(client: Client, futures: list[Future]) -> list[Any]:
-    lost = UserError("the scheduler was lost; run again to resume")
     if any(future.status in ("cancelled", "lost") for future in futures):
-        raise lost
+        raise UserError(LOST)
     try:
         return client.gather(futures)
     except (FutureCancelledError, OSError) as error:
-        raise lost from error
+        raise UserError(LOST) from error
 
 
 def _shed(client: Client, pending: dict[str, tuple[Future, Any]]) -> None:
     """Take back what no worker has yet, so that an interrupted run ends soon."""
-    begun = {key for keys in client.processing().values() for key in keys}
-    waiting = [future for key, (future, _) in pending.items() if key not in begun]
-    for future in waiting:
-        del pending[future.key]
-    client.cancel(waiting)
+    try:
+        begun = {key for keys in client.processing().values() for key in keys}
+        waiting = [future for key, (future, _) in pending.items() if key not in begun]
+        for future in waiting:
+            del pending[future.key]
+        client.cancel(waiting)
+    except OSError as error:
+        raise UserError(LOST) from error

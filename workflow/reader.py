@@ -194,6 +194,6 @@ def _numerics(where: str, table: dict) -> Numerics:
         steps_per_spacing=(
             None if steps == "auto" else integer(f"{where}.steps_per_spacing", steps, 1)
         ),
-        samples=integer(f"{where}.samples", table.get("samples", default.samples), 8),
+        samples=integer(f"{where}.samples", table.get("samples", default.samples), 8, 10_000),
         horizon=horizon,
     )

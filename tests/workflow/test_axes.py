@@ -77,7 +77,7 @@ BAD_ENTRIES = [
     ({"linspace": ["0", 1, 2]}, "grid.a.linspace[0] = '0'"),
     ({"linspace": [0, math.inf, 2]}, "grid.a.linspace[1] = inf"),
     ({"linspace": [0, 1, 2.0]}, "grid.a.linspace[2] = 2.0: must be a whole number"),
-    ({"linspace": [0, 1, 0]}, "grid.a.linspace[2] = 0: must be a whole number, at least 1"),
+    ({"linspace": [0, 1, 0]}, "grid.a.linspace[2] = 0: must be a whole number, from 1 to 10000"),
     ({"geomspace": [0, 1, 3]}, "grid.a.geomspace = [0, 1, 3]: both ends must be of one sign"),
     ({"geomspace": [-1, 1, 3]}, "grid.a.geomspace = [-1, 1, 3]: both ends must be of one sign"),
 ]
