@@ -1,4 +1,4 @@
-"""Command line: python -m workflow plan|run|status|figure|table STUDY."""
+"""Command line: python -m workflow plan|run|status|figure|table STUDY, and report."""
 
 import argparse
 import math

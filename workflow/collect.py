@@ -1,7 +1,5 @@
 """Collect stored block means, reduce them on the workers, assemble the datasets."""
 
-from collections.abc import Callable
-
 import numpy as np
 import xarray as xr
 from distributed import Client
@@ -9,7 +7,7 @@ from distributed import Client
 from kernels import amplitudes, rms_slope
 from workflow.batch import Task
 from workflow.dataset import build_dataset
-from workflow.flow import stream
+from workflow.flow import Stop, stream
 from workflow.plan import Plan, Variant
 from workflow.progress import Reporter
 from workflow.reduction import Blocks, Estimates, reduce_blocks
@@ -18,7 +16,6 @@ from workflow.store import Store
 
 TASKS_PER_REDUCTION = 32
 SECONDS_PER_FIT = 4e-4
-Stop = Callable[[], bool]
 
 
 def collect(client: Client, store: Store, plan: Plan, stop: Stop) -> dict[str, xr.Dataset]:

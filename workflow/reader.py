@@ -32,12 +32,17 @@ def find_study(study: str) -> Path:
         if path.is_file():
             return path
         raise UserError(f"study {study!r}: no such file")
-    roots = [Path.cwd() / "studies", Path(__file__).resolve().parent.parent / "studies"]
-    for root in roots:
-        if (root / study / "study.toml").is_file():
-            return root / study / "study.toml"
-    known = sorted(p.parent.name for root in roots[-1:] for p in root.glob("*/study.toml"))
-    raise UserError(f"study {study!r}: not among {', '.join(known)}, nor the path of a .toml file")
+    known = known_studies()
+    if study in known:
+        return known[study]
+    names = ", ".join(sorted(known))
+    raise UserError(f"study {study!r}: not among {names}, nor the path of a .toml file")
+
+
+def known_studies() -> dict[str, Path]:
+    """Return name -> study.toml of all studies, those of the working folder before our own."""
+    roots = (Path(__file__).resolve().parent.parent / "studies", Path.cwd() / "studies")
+    return {path.parent.name: path for root in roots for path in root.glob("*/study.toml")}
 
 
 def read_study(study: str, scale: str | None = None, settings: list[str] | None = None) -> Study:

@@ -14,7 +14,7 @@ from workflow.errors import UserError
 from workflow.figure import STYLE, draw_figure
 from workflow.fits import STATUS_MEANINGS
 from workflow.page import render
-from workflow.reader import read_study
+from workflow.reader import known_studies, read_study
 from workflow.store import write_durably
 from workflow.study import AXES, Study
 
@@ -51,11 +51,9 @@ class Section(NamedTuple):
     settings: str
 
 
-def known_studies() -> list[str]:
+def study_names() -> list[str]:
     """Return the names of all studies, figures first."""
-    roots = (Path.cwd() / "studies", Path(__file__).resolve().parent.parent / "studies")
-    names = {path.parent.name for root in roots for path in root.glob("*/study.toml")}
-    return sorted(names, key=lambda name: (not name.startswith("fig"), name))
+    return sorted(known_studies(), key=lambda name: (not name.startswith("fig"), name))
 
 
 def write_report(folder: Path, names: list[str]) -> Path:
@@ -63,7 +61,7 @@ def write_report(folder: Path, names: list[str]) -> Path:
 
     names : studies to report on, all by default. Raises UserError where none has a result.
     """
-    studies = [read_study(name) for name in names or known_studies()]
+    studies = [read_study(name) for name in names or study_names()]
     present = [study for study in studies if _result(folder, study).is_file()]
     if not present:
         wanted = ", ".join(study.name for study in studies)

@@ -5,11 +5,8 @@ import pytest
 
 from kernels import (
     SCHEMES,
-    Case,
     Line,
     Quantities,
-    amplitudes,
-    draw_phases,
     lagged_slope,
     quadrature,
     realization,
@@ -18,20 +15,8 @@ from kernels import (
     step_average,
 )
 from kernels.relaxation import march
+from tests.cases import ALL, CASE, ELEMENTS, RATIOS, RECORD, M, line_of
 from tests.lines import random_line
-from tests.sizes import size
-
-ELEMENTS, M = size(120, 60), 2
-RECORD = np.array([1, 2, 3, 5, 10, 20, 50, 100])
-RATIOS = (0.8, 1.2, 1.5)
-CASE = Case(0.1, 0.5, RATIOS, (RECORD,) * 3, "exponential")
-ALL = Quantities()
-
-
-def line_of(seed=1, m=M, hurst=0.7):
-    """Return a random line."""
-    phases = draw_phases(np.random.default_rng(seed), ELEMENTS)
-    return Line.self_affine(amplitudes(hurst, ELEMENTS), phases, ELEMENTS, m)
 
 
 def test_line_starts_at_its_top_and_counts_from_its_bottom():

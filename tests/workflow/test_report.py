@@ -12,7 +12,7 @@ from workflow.cli import main
 from workflow.dataset import write_datasets
 from workflow.errors import UserError
 from workflow.page import formula
-from workflow.report import known_studies, write_report
+from workflow.report import study_names, write_report
 
 
 @pytest.fixture(autouse=True)
@@ -82,7 +82,7 @@ def test_page_says_where_a_result_comes_from(folder):
 
 def test_page_names_missing_studies_and_how_to_run_them(folder):
     text = page(folder)
-    missing = [name for name in known_studies() if name != "fig8"]
+    missing = [name for name in study_names() if name != "fig8"]
     assert f"{len(missing)} of {len(missing) + 1} studies have no" in text
     assert all(f"<code>make study-{name}</code>" in text for name in missing)
     assert "<code>make study-fig8</code>" not in text
