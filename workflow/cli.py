@@ -7,10 +7,11 @@ import sys
 from pathlib import Path
 
 from workflow.errors import UserError
+from workflow.measured import plan_measured, run_measured, write_measured_table
 from workflow.plan import Plan, batches, make_plan, without_similarity
 from workflow.progress import duration
 from workflow.reader import read_study
-from workflow.study import AXES, QUANTITIES, Study
+from workflow.study import AXES, QUANTITIES, Measured, Study
 
 RESUMABLE = 130  # exit status of an interrupted run
 EFFECTS = {
@@ -30,7 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("aborted; finished batches are kept, run again to resume", file=sys.stderr)
+        print("aborted; what was finished is kept, run again for the rest", file=sys.stderr)
         return RESUMABLE
 
 
@@ -71,7 +72,7 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _study(options: argparse.Namespace) -> tuple[Study, Path]:
+def _study(options: argparse.Namespace) -> tuple[Study | Measured, Path]:
     study = read_study(options.study, options.scale, options.set)
     out = Path(options.out)
     return study, out if out.suffix == ".nc" else out / f"{study.name}.nc"
@@ -79,6 +80,9 @@ def _study(options: argparse.Namespace) -> tuple[Study, Path]:
 
 def _plan(options: argparse.Namespace) -> int:
     study, result = _study(options)
+    if isinstance(study, Measured):
+        print(plan_measured(study, result))
+        return 0
     plan = make_plan(study)
     lines = [f"study       {study.name}: {study.title}", f"result      {result}"]
     for axis in AXES:
@@ -122,6 +126,13 @@ def _run(options: argparse.Namespace) -> int:
     if options.batch_seconds is not None and not 0.0 < options.batch_seconds < math.inf:
         raise UserError(f"--batch-seconds {options.batch_seconds}: must be a positive number")
     study, result = _study(options)
+    if isinstance(study, Measured):
+        for option in ("scheduler", "workers", "batch_seconds"):
+            if getattr(options, option) is not None:
+                name = option.replace("_", "-")
+                raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
+        print(run_measured(study, result), result, sep="\n")
+        return 0
     summary = run_plan(
         make_plan(study), result, options.scheduler, options.workers, options.batch_seconds
     )
@@ -142,6 +153,9 @@ def _status(options: argparse.Namespace) -> int:
     from workflow.store import Store
 
     study, result = _study(options)
+    if isinstance(study, Measured):
+        print(_result_line(result))
+        return 0
     plan = make_plan(study)
     folder = store_folder(result)
     stored = Store(folder).records() if folder.is_dir() else set()
@@ -149,8 +163,12 @@ def _status(options: argparse.Namespace) -> int:
     left = sum(len(batch.tasks) * batch.blocks for batch in missing)
     print(f"done        {plan.records - left} of {plan.records} records (problem x block)")
     print(f"remaining   {duration(sum(batch.seconds for batch in missing))} of one core, predicted")
-    print(f"result      {result}{'' if result.is_file() else ' (not written yet)'}")
+    print(_result_line(result))
     return 0
+
+
+def _result_line(result: Path) -> str:
+    return f"result      {result}{'' if result.is_file() else ' (not written yet)'}"
 
 
 def _figure(options: argparse.Namespace) -> int:
@@ -165,7 +183,9 @@ def _figure(options: argparse.Namespace) -> int:
 def _table(options: argparse.Namespace) -> int:
     from workflow.table import write_table
 
-    print(write_table(_study(options)[1]))
+    study, result = _study(options)
+    measured = isinstance(study, Measured)
+    print(write_measured_table(study, result) if measured else write_table(result))
     return 0
 
 

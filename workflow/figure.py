@@ -1,8 +1,6 @@
 """Draw the figure of a study: its folder's figure.py reads the result file and draws."""
 
-import importlib.util
 import textwrap
-from collections.abc import Callable
 from pathlib import Path
 
 import matplotlib as mpl
@@ -12,7 +10,8 @@ from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from workflow.errors import UserError
-from workflow.study import Study
+from workflow.scripts import load_script
+from workflow.study import Measured, Study
 
 STYLE = {
     "figure.dpi": 150,
@@ -36,7 +35,7 @@ FOOT_CHARACTERS_PER_INCH = 21
 COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
 
 
-def draw_figure(study: Study, result: Path) -> list[Path]:
+def draw_figure(study: Study | Measured, result: Path) -> list[Path]:
     """Draw the study's figure beside its result, as PNG and PDF; return the files.
 
     Raises UserError where the study has no figure script or the result is not there.
@@ -48,7 +47,7 @@ def draw_figure(study: Study, result: Path) -> list[Path]:
         raise UserError(f"{result}: not found; first run: python -m workflow run {study.name}")
     files = [result.with_suffix(".png"), result.with_suffix(".pdf")]
     with mpl.rc_context(STYLE):
-        figure = _draw_function(script)(result)
+        figure = load_script(script).draw(result)
         for file in files:
             # No creation date: the same result gives the same file.
             stamp = {"CreationDate": None} if file.suffix == ".pdf" else {}
@@ -76,12 +75,3 @@ def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
     """
     ratio = np.minimum(error / value, np.log(10.0))
     return [value * -np.expm1(-ratio), value * np.expm1(ratio)]
-
-
-def _draw_function(script: Path) -> Callable:
-    spec = importlib.util.spec_from_file_location(f"figure_{script.parent.name}", script)
-    if spec is None or spec.loader is None:
-        raise UserError(f"{script}: cannot be loaded")
-    module = importlib.util.module_from_spec(spec)
-    spec.loader.exec_module(module)
-    return module.draw

@@ -5,7 +5,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
 from workflow.batch import CODE
-from workflow.study import Numerics, Study
+from workflow.study import Measured, Numerics, Study
 
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
 REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
@@ -33,8 +33,8 @@ def _version(package: str) -> str:
         return "not installed"
 
 
-def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]:
-    """Return the global attributes of a result file."""
+def origin(study: Study | Measured) -> dict[str, str | int | float]:
+    """Return the global attributes that every result file has, whatever its kind of study."""
     return {
         "Conventions": "CF-1.8",
         "title": study.title,
@@ -45,6 +45,12 @@ def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]
         "versions": ", ".join(f"{name} {_version(name)}" for name in PACKAGES),
         "study": study.text,
         "seed": study.seed,
+    }
+
+
+def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]:
+    """Return the global attributes of the result file of a grid study."""
+    return origin(study) | {
         "realizations_per_block": study.realizations_per_block,
         "quantities": " ".join(study.scene.quantities),
         "indentation_rate": str(study.scene.indentation_rate).lower(),

@@ -10,8 +10,9 @@ from kernels import SCHEMES
 from kernels.surface import NORMALISATIONS
 from workflow.axes import axis_values, integer, number, positive, snapped_spacing
 from workflow.errors import UserError
-from workflow.settings import as_table, load_tables
-from workflow.study import AXES, DEFAULT_QUANTITIES, QUANTITIES, Numerics, Scene, Study
+from workflow.measured import read_measured
+from workflow.settings import as_table, as_text, check_keys, load_tables
+from workflow.study import AXES, DEFAULT_QUANTITIES, QUANTITIES, Measured, Numerics, Scene, Study
 
 TABLES: dict[str, tuple[str, ...]] = {
     "study": ("title", "seed", "realizations", "realizations_per_block"),
@@ -45,21 +46,21 @@ def known_studies() -> dict[str, Path]:
     return {path.parent.name: path for root in roots for path in root.glob("*/study.toml")}
 
 
-def read_study(study: str, scale: str | None = None, settings: list[str] | None = None) -> Study:
-    """Return the checked study; ``settings`` are "table.key=value" overrides.
+def read_study(
+    study: str, scale: str | None = None, settings: list[str] | None = None
+) -> Study | Measured:
+    """Return the checked study, measured where it has a table [measure], else of a grid.
+
+    settings : "table.key=value" overrides.
 
     Raises UserError, one line, for anything a user can have got wrong.
     """
     path = find_study(study)
     tables = load_tables(path, scale, settings or [])
     name = path.parent.name if path.name == "study.toml" else path.stem
+    if "measure" in tables:
+        return read_measured(name, path.parent, tables)
     return _build(name, path.parent, tables)
-
-
-def _check_keys(where: str, table: dict, known: tuple[str, ...]) -> None:
-    for key in table:
-        if key not in known:
-            raise UserError(f"{where}{key}: unknown key; known are {', '.join(known)}")
 
 
 def _required(tables: dict, table: str, key: str, check: Callable[[str, object], Any]) -> Any:
@@ -76,9 +77,9 @@ def _choice(key: str, value: object, known: tuple[str, ...]) -> str:
 
 
 def _build(name: str, folder: Path, tables: dict) -> Study:
-    _check_keys("", tables, (*TABLES, *BY_NAME))
+    check_keys("", tables, (*TABLES, *BY_NAME))
     for table, known in TABLES.items():
-        _check_keys(f"{table}.", as_table(table, tables.get(table, {})), known)
+        check_keys(f"{table}.", as_table(table, tables.get(table, {})), known)
     head = tables.get("study", {})
     realizations = _required(tables, "study", "realizations", lambda k, v: integer(k, v, 2))
     block = integer("study.realizations_per_block", head.get("realizations_per_block", 1), 1)
@@ -93,7 +94,7 @@ def _build(name: str, folder: Path, tables: dict) -> Study:
         name=name,
         folder=folder,
         text=json.dumps(tables, indent=1, sort_keys=True, default=str),
-        title=_text("study.title", head.get("title", name)),
+        title=as_text("study.title", head.get("title", name)),
         seed=integer("study.seed", head.get("seed", 0), 0),
         realizations=realizations,
         realizations_per_block=block,
@@ -107,12 +108,6 @@ def _build(name: str, folder: Path, tables: dict) -> Study:
         scene=_scene(tables.get("scene", {})),
         variants=_variants(tables),
     )
-
-
-def _text(key: str, value: object) -> str:
-    if not isinstance(value, str):
-        raise UserError(f"{key} = {value}: must be a string")
-    return value
 
 
 def _flag(key: str, table: dict, default: bool) -> bool:
@@ -183,7 +178,7 @@ def _variants(tables: dict) -> dict[str, Numerics]:
         where = f"compare.{label}"
         if not re.fullmatch(r"[A-Za-z]\w*", label):
             raise UserError(f'compare."{label}": name it by letters, digits and underscores')
-        _check_keys(f"{where}.", as_table(where, extra), TABLES["numerics"])
+        check_keys(f"{where}.", as_table(where, extra), TABLES["numerics"])
         variants[label] = _numerics(where, {**own, **extra})
     return variants
 

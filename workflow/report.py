@@ -16,7 +16,7 @@ from workflow.fits import STATUS_MEANINGS
 from workflow.page import render
 from workflow.reader import known_studies, read_study
 from workflow.store import write_durably
-from workflow.study import AXES, Study
+from workflow.study import AXES, Measured, Study
 
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends
 ROOT = "/"  # group of the study itself
@@ -85,7 +85,7 @@ def write_report(folder: Path, names: list[str]) -> Path:
     return path
 
 
-def _result(folder: Path, study: Study) -> Path:
+def _result(folder: Path, study: Study | Measured) -> Path:
     return folder / f"{study.name}.nc"
 
 
@@ -102,7 +102,7 @@ def _open(path: Path, stack: contextlib.ExitStack) -> dict[str, xr.Dataset]:
     return groups
 
 
-def _section(study: Study, folder: Path, groups: dict[str, xr.Dataset]) -> Section:
+def _section(study: Study | Measured, folder: Path, groups: dict[str, xr.Dataset]) -> Section:
     data = groups[ROOT]
     image, trouble = None, ""
     try:
@@ -117,7 +117,7 @@ def _section(study: Study, folder: Path, groups: dict[str, xr.Dataset]) -> Secti
         image=image,
         trouble=trouble,
         parameters=_parameters(data),
-        variants=[_variant(group, held) for group, held in groups.items()],
+        variants=[_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
         facts=_facts(data),
         origin=[(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
         settings=str(data.attrs["study"]),
@@ -132,12 +132,21 @@ def _image(file: Path) -> Image:
 
 
 def _parameters(data: xr.Dataset) -> list[tuple[str, str, str]]:
-    """Return the axes of the grid, then what is the same at all points."""
-    rows = [_axis(data[axis]) for axis in AXES]
+    """Return the axes of the grid, then what is the same at all points.
+
+    Of a measured study: its settings.
+    """
     settings = json.loads(data.attrs["study"])
+    if "measure" in settings:
+        return [(key.replace("_", " "), _setting(v), "") for key, v in settings["measure"].items()]
+    rows = [_axis(data[axis]) for axis in AXES]
     for table, key, meaning, unit in CONSTANTS:
         rows.append((meaning, f"{settings[table][key]:g}", unit))
     return rows
+
+
+def _setting(value: object) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
 def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
@@ -163,13 +172,15 @@ def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
 
 def _facts(data: xr.Dataset) -> list[tuple[str, str]]:
     attrs = {key: str(value) for key, value in data.attrs.items()}
-    rate = "kept" if attrs["indentation_rate"] == "true" else "dropped, as eq. 3 is printed"
     commit = attrs["commit"].replace("-dirty", " with changes that were not committed")
+    origin = [("Seed", attrs["seed"]), ("Commit", commit)]
+    if "scheme" not in attrs:  # a measured study
+        return origin
+    rate = "kept" if attrs["indentation_rate"] == "true" else "dropped, as eq. 3 is printed"
     return [
         ("Grid points", str(data.realizations.size)),
         ("Realizations", f"{int(data.realizations.max())} each"),
         ("Simulated", attrs["quantities"].replace(" ", ", ")),
         ("Indentation rate", rate),
-        ("Seed", attrs["seed"]),
-        ("Commit", commit),
+        *origin,
     ]

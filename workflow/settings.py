@@ -56,3 +56,17 @@ def as_table(key: str, value: Any) -> dict:
     if not isinstance(value, dict):
         raise UserError(f"{key} = {value!r}: must be a table")
     return value
+
+
+def as_text(key: str, value: Any) -> str:
+    """Return ``value`` if it is a string, or raise UserError naming the key."""
+    if not isinstance(value, str):
+        raise UserError(f"{key} = {value}: must be a string")
+    return value
+
+
+def check_keys(where: str, table: dict, known: tuple[str, ...]) -> None:
+    """Raise UserError where a table holds a key that is not known; ``where`` goes before it."""
+    for key in table:
+        if key not in known:
+            raise UserError(f"{where}{key}: unknown key; known are {', '.join(known)}")

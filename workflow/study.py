@@ -2,6 +2,7 @@
 
 from dataclasses import dataclass
 from pathlib import Path
+from types import ModuleType
 
 AXES = ("hurst", "normal_force", "spacing", "roughness", "velocity", "velocity_step")
 QUANTITIES = ("steady", "jump", "relaxation", "models")
@@ -58,3 +59,16 @@ class Study:
     def elements(self, spacing: float) -> int:
         """Return N = L / dx."""
         return round(self.length / spacing)
+
+
+@dataclass(frozen=True)
+class Measured:
+    """A checked measured study: no grid; its measure.py says what is measured (measured.py)."""
+
+    name: str
+    folder: Path  # where study.toml, measure.py and figure.py are
+    text: str  # the settings in force, after scale and --set, as JSON
+    title: str
+    seed: int
+    settings: dict[str, object]  # of the table [measure]
+    script: ModuleType  # measure.py
