@@ -31,7 +31,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("aborted; what was finished is kept, run again for the rest", file=sys.stderr)
+        print("aborted; what was finished is kept, run again to resume", file=sys.stderr)
         return RESUMABLE
 
 
