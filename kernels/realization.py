@@ -4,6 +4,7 @@ Only what is asked for is computed. Points share what they can: one line serves 
 speeds, one steady state at v1 serves all velocity jumps.
 """
 
+import time
 from typing import NamedTuple
 
 import numpy as np
@@ -64,6 +65,14 @@ class Case(NamedTuple):
     scheme: str
 
 
+class Seconds(NamedTuple):
+    """CPU time of this thread in the phases of a case. No result depends on it."""
+
+    steady: float
+    jump: float
+    marching: float
+
+
 class Outcome(NamedTuple):
     """Results of a case; mu in h/dx, indentation in h over the mean line."""
 
@@ -74,6 +83,7 @@ class Outcome(NamedTuple):
     jump: np.ndarray  # shape (ratios,)
     curves: list[np.ndarray]  # per ratio: mu at the recorded steps, ending towards mu_2
     work: int  # element updates, the measure of cost
+    seconds: Seconds
 
 
 class _State(NamedTuple):
@@ -97,8 +107,10 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     """
     n = line.z.size
     load = case.load * n
+    clock = _Clock()
     one = _steady(line, load, case.speed, case.scheme)
     mu_1, _, contact = quadrature(line.z, line.slope, one.c, one.d, case.speed, case.speed, load)
+    clock.lap("steady")
     work = one.sweeps * n
     mu_2 = np.full(len(case.ratios), np.nan)
     jump = np.full(len(case.ratios), np.nan)
@@ -108,17 +120,34 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
         if asked.jump:
             mu_0, _, _ = quadrature(line.z, line.slope, one.c, one.d, case.speed, speed, load)
             jump[k] = mu_0 - mu_1
+            clock.lap("jump")
         if not (asked.steady or asked.relaxation):
             continue
         two = one if ratio == 1.0 else _steady(line, load, speed, case.scheme)
         work += two.sweeps * n if two is not one else 0
         mu_2[k], _, _ = quadrature(line.z, line.slope, two.c, two.d, speed, speed, load)
+        clock.lap("steady")
         if asked.relaxation:
             rigid = None if asked.indentation_rate else True
             curve, updates = _relaxation(line, load, one, two, case.records[k], rigid)
             curves.append(mu_2[k] + curve)
             work += updates
-    return Outcome(mu_1, one.d + line.datum, contact, mu_2, jump, curves, work)
+            clock.lap("marching")
+    seconds = Seconds(**clock.spent)
+    return Outcome(mu_1, one.d + line.datum, contact, mu_2, jump, curves, work, seconds)
+
+
+class _Clock:
+    """Books the time since its last reading to a phase."""
+
+    def __init__(self) -> None:
+        self.spent = dict.fromkeys(Seconds._fields, 0.0)
+        self.last = time.thread_time()
+
+    def lap(self, phase: str) -> None:
+        now = time.thread_time()
+        self.spent[phase] += now - self.last
+        self.last = now
 
 
 def _relaxation(

@@ -1,17 +1,20 @@
 """A batch: the unit of work sent to a worker. Plain data, and the function that runs it."""
 
 import hashlib
+import time
 from dataclasses import dataclass
 from pathlib import Path
+from typing import NamedTuple
 
 import numpy as np
 
-from kernels import Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
+from kernels import Case, Line, Outcome, Quantities, Seconds, amplitudes, draw_phases, run_case
 from kernels.jit import source_hash
 from workflow.resolution import record_steps
 from workflow.similarity import Problem
 
 SCALARS = ("mu_1", "indentation", "contact_fraction", "mu_2", "jump")
+PHASES = ("surfaces", *Seconds._fields)  # of the work on a line; the rest is calls
 
 # What stored results depend on besides their settings: the kernels and this file.
 CODE = hashlib.sha256(source_hash().encode() + Path(__file__).read_bytes()).hexdigest()[:16]
@@ -43,13 +46,13 @@ class Batch:
     seconds: float  # predicted
 
 
-@dataclass(frozen=True)
-class BatchResult:
-    """Block means of a batch, dimensionless: mu in h/dx, indentation in h."""
+class BatchResult(NamedTuple):
+    """Block means of a batch, dimensionless: mu in h/dx, indentation in h; and what they cost."""
 
     scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS)); NaN: not asked for
     curves: np.ndarray  # shape (tasks, blocks, samples - 1); NaN beyond the recorded steps
-    seconds: float  # CPU time used
+    spent: np.ndarray  # shape (tasks, len(PHASES)), CPU seconds; shared work in equal parts
+    seconds: float  # CPU time used in all
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
@@ -61,31 +64,41 @@ def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.ran
     return np.random.default_rng([seed, hurst_bits, elements, index])
 
 
-def block_means(batch: Batch) -> tuple[np.ndarray, np.ndarray]:
-    """Run the batch; return (scalars, curves) as in BatchResult."""
+def block_means(batch: Batch) -> BatchResult:
+    """Run the batch, on one thread of any process."""
+    began = time.thread_time()
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
     curves = np.zeros((len(batch.tasks), batch.blocks, batch.samples - 1))
+    spent = np.zeros((len(batch.tasks), len(PHASES)))
     for block in range(batch.blocks):
         first = (batch.first_block + block) * batch.realizations_per_block
         for index in range(first, first + batch.realizations_per_block):
-            _add_realization(batch, index, scalars[:, block], curves[:, block])
+            _add_realization(batch, index, scalars[:, block], curves[:, block], spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
-    return scalars, curves
+    return BatchResult(scalars, curves, spent, time.thread_time() - began)
 
 
-def _add_realization(batch: Batch, index: int, scalars: np.ndarray, curves: np.ndarray) -> None:
+def _add_realization(
+    batch: Batch, index: int, scalars: np.ndarray, curves: np.ndarray, spent: np.ndarray
+) -> None:
     """Add one realization of every task to the sums, one row per task."""
+    began = time.thread_time()
     hurst, elements = batch.tasks[0].problem.hurst, batch.tasks[0].problem.elements
     amplitude = amplitudes(hurst, elements, batch.normalisation)
     phases = draw_phases(line_generator(batch.seed, hurst, elements, index), elements)
     line = None
+    drawing = 0.0
     for rows in _shared_cases(batch.tasks):
         steps = batch.tasks[rows[0]].steps_per_spacing
         if line is None or line.samples_per_spacing != steps:
             line = Line.self_affine(amplitude, phases, elements, steps)
+            drawing += time.thread_time() - began
         outcome = run_case(line, _case(batch, rows), batch.quantities)
         _add_outcome(outcome, rows, scalars, curves)
+        spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
+        began = time.thread_time()
+    spent[:, 0] += drawing / len(batch.tasks)
 
 
 def _shared_cases(tasks: tuple[Task, ...]) -> list[list[int]]:

@@ -133,14 +133,9 @@ def _run(options: argparse.Namespace) -> int:
                 raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
         print(run_measured(study, result), result, sep="\n")
         return 0
-    summary = run_plan(
-        make_plan(study), result, options.scheduler, options.workers, options.batch_seconds
-    )
-    print(
-        f"{summary.batches} batches computed in {duration(summary.wall)}, {summary.reused} records "
-        f"reused; {duration(summary.used)} of core time used, "
-        f"{duration(summary.predicted)} predicted"
-    )
+    plan = make_plan(study)
+    summary = run_plan(plan, result, options.scheduler, options.workers, options.batch_seconds)
+    print("\n".join(summary.lines(plan)))
     if summary.interrupted:
         print("interrupted; finished batches are kept, run again to resume", file=sys.stderr)
         return RESUMABLE

@@ -1,5 +1,8 @@
 """Collect stored block means, reduce them on the workers, assemble the datasets."""
 
+import time
+from collections.abc import Iterator
+
 import numpy as np
 import xarray as xr
 from distributed import Client
@@ -13,12 +16,15 @@ from workflow.progress import Reporter
 from workflow.reduction import Blocks, Estimates, reduce_blocks
 from workflow.resolution import record_steps
 from workflow.store import Store
+from workflow.summary import Summary
 
 TASKS_PER_REDUCTION = 32
 SECONDS_PER_FIT = 4e-4
 
 
-def collect(client: Client, store: Store, plan: Plan, stop: Stop) -> dict[str, xr.Dataset]:
+def collect(
+    client: Client, store: Store, plan: Plan, summary: Summary, stop: Stop
+) -> dict[str, xr.Dataset]:
     """Return label -> dataset of every variant of a plan whose records are all stored.
 
     Empty if ``stop()`` turned true meanwhile.
@@ -28,7 +34,7 @@ def collect(client: Client, store: Store, plan: Plan, stop: Stop) -> dict[str, x
     datasets = {}
     with Reporter("fitting", fits * SECONDS_PER_FIT) as reporter:
         for variant in plan.variants:
-            estimates = _reduce_variant(client, store, plan, variant, stop, reporter)
+            estimates = _reduce_variant(client, store, plan, variant, summary, stop, reporter)
             if stop():
                 return {}
             datasets[variant.label] = build_dataset(plan, variant, estimates)
@@ -40,18 +46,24 @@ def _reduce_variant(
     store: Store,
     plan: Plan,
     variant: Variant,
+    summary: Summary,
     stop: Stop,
     reporter: Reporter,
 ) -> Estimates:
     size = TASKS_PER_REDUCTION
     parts = [variant.tasks[i : i + size] for i in range(0, len(variant.tasks), size)]
     slopes = _rms_slopes(plan, variant)
-    loaded = (
-        (number, _load(store, plan, variant, part, slopes)) for number, part in enumerate(parts)
-    )
+
+    def load() -> Iterator[tuple[int, Blocks]]:
+        for number, part in enumerate(parts):
+            with summary.filing():
+                blocks = _load(store, plan, variant, part, slopes)
+            yield number, blocks
+
     found: dict[int, Estimates] = {}
-    for (number, _), estimates in stream(client, _reduce_part, loaded, stop):
+    for (number, _), (estimates, seconds) in stream(client, _reduce_part, load(), stop):
         found[number] = estimates
+        summary.phases["fits"] += seconds
         reporter.advance(len(parts[number]) * (plan.study.blocks + 1) * SECONDS_PER_FIT)
     if stop():
         return {}
@@ -60,8 +72,10 @@ def _reduce_variant(
     return merged
 
 
-def _reduce_part(part: tuple[int, Blocks]) -> Estimates:
-    return reduce_blocks(part[1])
+def _reduce_part(part: tuple[int, Blocks]) -> tuple[Estimates, float]:
+    began = time.thread_time()
+    estimates = reduce_blocks(part[1])
+    return estimates, time.thread_time() - began
 
 
 def line_of(task: Task) -> tuple[float, int]:

@@ -4,7 +4,6 @@ import signal
 import sys
 import time
 from collections.abc import Iterator
-from dataclasses import dataclass
 from pathlib import Path
 from types import FrameType
 
@@ -12,7 +11,7 @@ import numpy as np
 from distributed import Client
 
 from kernels import Case, Line, amplitudes, run_case
-from workflow.batch import Batch, BatchResult, block_means
+from workflow.batch import Batch, block_means
 from workflow.cluster import open_client
 from workflow.collect import collect
 from workflow.dataset import write_datasets
@@ -20,18 +19,7 @@ from workflow.flow import stream
 from workflow.plan import Plan, batch_target, batches, quantities
 from workflow.progress import Reporter
 from workflow.store import Store
-
-
-@dataclass
-class Summary:
-    """What a run did."""
-
-    batches: int = 0
-    reused: int = 0  # records found in the store
-    predicted: float = 0.0  # core-seconds
-    used: float = 0.0
-    wall: float = 0.0
-    interrupted: bool = False
+from workflow.summary import Summary
 
 
 class Interrupt:
@@ -84,11 +72,14 @@ def run_plan(
     if predicted:
         warm_up(plan)
     with open_client(scheduler, workers) as client, Interrupt() as interrupt:
+        summary.start = time.monotonic() - began
+        summary.workers = max(1, sum(client.nthreads().values()))
         work = batches(plan, stored, target)
         _compute(client, store, work, summary, interrupt)
-        datasets = {} if interrupt() else collect(client, store, plan, interrupt)
+        datasets = {} if interrupt() else collect(client, store, plan, summary, interrupt)
         if datasets:
-            write_datasets(result, datasets)
+            with summary.filing():
+                write_datasets(result, datasets)
     summary.interrupted = interrupt()
     summary.wall = time.monotonic() - began
     return summary
@@ -97,13 +88,6 @@ def run_plan(
 def store_folder(result: Path) -> Path:
     """Return the folder of finished batches beside a result file; studies share it."""
     return result.parent / "store"
-
-
-def run_batch(batch: Batch) -> BatchResult:
-    """Run one batch (on a worker)."""
-    began = time.process_time()
-    scalars, curves = block_means(batch)
-    return BatchResult(scalars, curves, time.process_time() - began)
 
 
 def warm_up(plan: Plan) -> None:
@@ -119,8 +103,8 @@ def _compute(
     client: Client, store: Store, work: Iterator[Batch], summary: Summary, interrupt: Interrupt
 ) -> None:
     with Reporter("computing", summary.predicted) as reporter:
-        for batch, done in stream(client, run_batch, work, interrupt):
-            store.add(batch, done)
-            summary.batches += 1
-            summary.used += done.seconds
+        for batch, done in stream(client, block_means, work, interrupt):
+            with summary.filing():
+                store.add(batch, done)
+            summary.count(batch, done)
             reporter.advance(batch.seconds)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from workflow.batch import SCALARS, BatchResult
+from workflow.batch import PHASES, SCALARS, BatchResult
 from workflow.plan import make_plan
 from workflow.reader import read_study
 
@@ -77,4 +77,5 @@ def random_result(batch, seed=0):
     shape = (len(batch.tasks), batch.blocks)
     curves = rng.standard_normal((*shape, batch.samples - 1))
     curves[..., -2:] = np.nan
-    return BatchResult(rng.standard_normal((*shape, len(SCALARS))), curves, 0.1)
+    spent = np.full((len(batch.tasks), len(PHASES)), 0.01)
+    return BatchResult(rng.standard_normal((*shape, len(SCALARS))), curves, spent, 0.1)

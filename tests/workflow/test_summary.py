@@ -1,0 +1,65 @@
+"""What a run says it did: every second booked once, the costliest points first."""
+
+import dataclasses
+
+import numpy as np
+import pytest
+
+from tests.workflow.small import small_plan
+from workflow.batch import PHASES, SCALARS, BatchResult
+from workflow.plan import batches
+from workflow.summary import Summary
+
+PLAN = small_plan("grid.velocity=[0.03, 0.05, 0.1]")
+BATCH = next(batches(PLAN, set(), 1e9))
+
+
+def spent(weights):
+    """Return the result of the batch whose task i took weights[i] seconds in every phase."""
+    shape = (len(BATCH.tasks), BATCH.blocks)
+    each = np.outer(weights, np.ones(len(PHASES)))
+    return BatchResult(
+        np.zeros((*shape, len(SCALARS))), np.zeros((*shape, 15)), each, each.sum() + 1
+    )
+
+
+def counted(weights):
+    """Return the summary of that batch alone."""
+    summary = Summary(predicted=10.0, wall=30.0, start=5.0, workers=2, files=0.25)
+    summary.count(BATCH, spent(weights))
+    return summary
+
+
+def test_seconds_of_phases_and_of_tasks_add_up():
+    summary = counted([1.0, 5.0, 2.0, 0.5, 4.0, 3.0])
+    assert sum(summary.phases.values()) == pytest.approx(summary.used)
+    assert summary.phases["calls"] == pytest.approx(1.0)
+    assert sum(summary.tasks.values()) == pytest.approx(summary.used - 1.0)
+
+
+def test_the_points_that_cost_most_come_first():
+    lines = counted([1.0, 5.0, 2.0, 0.5, 4.0, 3.0]).lines(PLAN)
+    top = lines[lines.index("points that cost most:") + 1 :]
+    for line, number in zip(top, (1, 4, 5), strict=True):
+        problem = BATCH.tasks[number].problem
+        velocity = problem.speed * 1e-4 / 1e-3
+        assert f"hurst={problem.hurst:g} " in line
+        assert f"velocity={velocity:.4g} " in line
+        assert line.endswith(f"m={BATCH.tasks[number].steps_per_spacing}")
+
+
+def test_shares_are_of_the_time_all_workers_had():
+    (where,) = [line for line in counted([1.0] * 6).lines(PLAN) if line.startswith("start 5 s")]
+    assert "then 2 workers: surfaces 12%" in where  # 6 s of 2 x 25 s
+    assert "scheduling, waiting 50%" in where
+    assert where.endswith("files 0.2 s in the driver")
+
+
+def test_a_run_that_had_nothing_to_do_says_only_that():
+    assert len(Summary(reused=7, wall=1.0).lines(PLAN)) == 1
+    assert "7 records reused" in Summary(reused=7).lines(PLAN)[0]
+
+
+def test_prediction_is_compared_with_what_was_used():
+    summary = dataclasses.replace(counted([0.0] * 6), used=15.0)
+    assert "(factor 1.50)" in summary.lines(PLAN)[0]
