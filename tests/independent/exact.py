@@ -1,0 +1,175 @@
+"""The Kelvin element, contact and the balance of forces, literally, in any exact arithmetic.
+
+All numbers are of one type: ``fractions.Fraction`` (implicit Euler is rational: nothing is
+rounded) or ``decimal.Decimal`` of many digits (the exponential scheme). Units of
+kernels/__init__.py. The line moves towards +x by one sample per step: the element under sample
+j + 1 comes under sample j.
+"""
+
+from decimal import Decimal
+from fractions import Fraction
+from functools import lru_cache
+from itertools import product
+from typing import NamedTuple
+
+
+class ImplicitEuler(NamedTuple):
+    """f = -(u + du/dt) (eq. 2 with G = tau = 1), du/dt taken over the step, f at its end."""
+
+    dt: Fraction
+    lag = 0
+
+    def force(self, new, old):
+        """Return the force that takes the displacement from old to new."""
+        return -(new + (new - old) / self.dt)
+
+    def free(self, old):
+        """Return where no force takes it: force(new, old) = 0."""
+        return old / (1 + self.dt)
+
+
+@lru_cache
+def _decay(dt):
+    return (-dt).exp()
+
+
+class Exponential(NamedTuple):
+    """u + du/dt = -f solved exactly for a force that is constant over the step."""
+
+    dt: Decimal
+
+    @property
+    def lag(self):
+        """Return the centre of the weight e^-b of times b before the end, in steps."""
+        gone = _decay(self.dt)
+        return (1 - gone * (1 + self.dt)) / (1 - gone) / self.dt
+
+    def force(self, new, old):
+        """Return the force that takes the displacement from old to new."""
+        gone = _decay(self.dt)
+        return (old * gone - new) / (1 - gone)
+
+    def free(self, old):
+        """Return where no force takes it."""
+        return old * _decay(self.dt)
+
+
+def root_of_lines(zeros, slopes, load):
+    """Return d with sum_i slope_i max(0, d - zero_i) = load, by sorting the zeros."""
+    order = sorted(range(len(zeros)), key=lambda i: zeros[i])
+    for count in range(1, len(order) + 1):
+        below = order[:count]
+        total = sum(slopes[i] for i in below)
+        d = (load + sum(slopes[i] * zeros[i] for i in below)) / total
+        if count == len(order) or d <= zeros[order[count]]:
+            return d
+    raise AssertionError("no load, no root")
+
+
+def contact_step(scheme, z, old, load):
+    """Return (u, f, d) after one step: f >= 0, u <= z - d, one of them equal, sum f = load.
+
+    z : heights over the elements now. A pressed element sits at z - d; its force is linear in d.
+    """
+    at_0 = [scheme.force(h, u) for h, u in zip(z, old, strict=True)]
+    slopes = [scheme.force(h - 1, u) - f for h, u, f in zip(z, old, at_0, strict=True)]
+    d = root_of_lines([-f / s for f, s in zip(at_0, slopes, strict=True)], slopes, load)
+    u = [min(scheme.free(o), h - d) for h, o in zip(z, old, strict=True)]
+    f = [scheme.force(new, o) for new, o in zip(u, old, strict=True)]
+    return u, f, d
+
+
+class Steady(NamedTuple):
+    """Steady sliding at constant d: per sample displacement, force and the free displacement."""
+
+    u: list
+    f: list
+    w: list
+    d: object
+
+
+def steady(scheme, z, load):
+    """Return the steady state by trying every set of touching samples: one alone must fit."""
+    found = [_steady_with(scheme, z, load, touching) for touching in product((0, 1), repeat=len(z))]
+    fitting = [state for state in found if state is not None]
+    assert len(fitting) == 1, "the steady state must be unique"
+    return fitting[0]
+
+
+def _steady_with(scheme, z, load, touching):
+    """Return the steady state touching there, or None where a force pulls or heights cross."""
+    if not any(touching):
+        return None
+    n = len(z)
+    total = []  # sum of forces at d = 0 and d = 1, linear in between
+    for d in (0 * load, 1 + 0 * load):
+        u = _carried(scheme, z, d, touching)
+        total.append(sum(scheme.force(u[j], u[(j + 1) % n]) for j in range(n)))
+    d = (load - total[0]) / (total[1] - total[0]) if total[1] != total[0] else None
+    if d is None:
+        return None
+    u = _carried(scheme, z, d, touching)
+    w = [scheme.free(u[(j + 1) % n]) for j in range(n)]
+    for j in range(n):
+        if (w[j] <= z[j] - d) if touching[j] else (u[j] > z[j] - d):
+            return None
+    return Steady(u, [scheme.force(u[j], u[(j + 1) % n]) for j in range(n)], w, d)
+
+
+def _carried(scheme, z, d, touching):
+    """Return u at the samples: z - d where it touches, the decayed one from upstream elsewhere."""
+    n = len(z)
+    last = touching.index(1)
+    u = [None] * n
+    for step in range(n):
+        j = (last - step) % n
+        u[j] = z[j] - d if touching[j] else scheme.free(u[(j + 1) % n])
+    return u
+
+
+def step_friction(scheme, f, slope, moved):
+    """Return eq. 5 over a step, element i ending under sample i - moved, slope read at its lag."""
+    n = len(f)
+    under = [(i - moved) % n for i in range(n)]
+    lever = [(1 - scheme.lag) * slope[j] + scheme.lag * slope[(j + 1) % n] for j in under]
+    return sum(a * b for a, b in zip(f, lever, strict=True)) / sum(f)
+
+
+def relaxation(scheme, z, slope, start, load, steps):
+    """Return [(mu, d)] after each step from the steady state ``start``."""
+    n = len(z)
+    u = start.u
+    rows = []
+    for step in range(1, steps + 1):
+        u, f, d = contact_step(scheme, [z[(i - step) % n] for i in range(n)], u, load)
+        rows.append((step_friction(scheme, f, slope, step), d))
+    return rows
+
+
+def friction_at_once(z, slope, state, formed, speed, load):
+    """Return eq. 5 at an instant of the state that ``formed`` led to, moving at ``speed``.
+
+    p = d - z + speed z' + d' over the touching samples, d' from eq. 4; samples at an edge count
+    as far as the contact covers them: the leading edge where d meets the free height, the trailing
+    edge where the steady pressure vanishes, both on straight lines between samples.
+    """
+    n = len(z)
+    free = [z[j] - state.w[j] for j in range(n)]
+    inside = [j for j in range(n) if free[j] < state.d]
+    steady_pressure = [state.d - z[j] + formed * slope[j] for j in range(n)]
+    half = (1 + 0 * load) / 2
+    weights = []
+    for j in inside:
+        ahead, behind = (j + 1) % n, (j - 1) % n
+        upto, back = half, half
+        if ahead not in inside:
+            upto = (state.d - free[j]) / (free[ahead] - free[j])
+        if behind not in inside:
+            fall = steady_pressure[j] - steady_pressure[behind]
+            if fall > 0:
+                back = min(max(steady_pressure[j] / fall, -half), 3 * half)
+        weights.append(max(upto + back, half / 50))
+    pressure = [state.d - z[j] + speed * slope[j] for j in inside]
+    rate = root_of_lines([-p for p in pressure], weights, load)
+    forces = [w * max(0, p + rate) for w, p in zip(weights, pressure, strict=True)]
+    return sum(f * slope[j] for f, j in zip(forces, inside, strict=True)) / sum(forces)
