@@ -153,8 +153,7 @@ def _status(options: argparse.Namespace) -> int:
         return 0
     plan = make_plan(study)
     folder = store_folder(result)
-    stored = Store(folder).records() if folder.is_dir() else set()
-    missing = list(batches(plan, stored))
+    missing = list(batches(plan, Store(folder)))
     left = sum(len(batch.tasks) * batch.blocks for batch in missing)
     print(f"done        {plan.records - left} of {plan.records} records (problem x block)")
     print(f"remaining   {duration(sum(batch.seconds for batch in missing))} of one core, predicted")

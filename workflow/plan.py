@@ -1,7 +1,7 @@
 """The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
 
 import hashlib
-from collections.abc import Iterator
+from collections.abc import Container, Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 
@@ -106,7 +106,9 @@ def batch_target(seconds: float) -> float:
     return min(max(shortest, seconds / MANY_BATCHES), longest)
 
 
-def batches(plan: Plan, stored: set[Record], target: float = BATCH_SECONDS[0]) -> Iterator[Batch]:
+def batches(
+    plan: Plan, stored: Container[Record], target: float = BATCH_SECONDS[0]
+) -> Iterator[Batch]:
     """Yield batches of about ``target`` predicted seconds covering every record not stored.
 
     Every missing record is in exactly one batch; results do not depend on the cut.
@@ -118,7 +120,7 @@ def batches(plan: Plan, stored: set[Record], target: float = BATCH_SECONDS[0]) -
 
 
 def _missing(
-    group: list[Task], blocks: int, stored: set[Record]
+    group: list[Task], blocks: int, stored: Container[Record]
 ) -> Iterator[tuple[list[Task], int, int]]:
     """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
     run: tuple[list[Task], int, int] | None = None

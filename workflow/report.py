@@ -10,12 +10,12 @@ from typing import NamedTuple
 import xarray as xr
 
 from workflow.claims import CLAIMS, evaluate
+from workflow.durable import write_durably
 from workflow.errors import UserError
 from workflow.figure import STYLE, draw_figure
 from workflow.fits import STATUS_MEANINGS
 from workflow.page import render
 from workflow.reader import known_studies, read_study
-from workflow.store import write_durably
 from workflow.study import AXES, Measured, Study
 
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends

@@ -1,53 +1,29 @@
 """Run a plan: compute what is missing, store it as it finishes, reduce, write the result."""
 
-import signal
-import sys
 import time
-from collections.abc import Iterator
 from pathlib import Path
-from types import FrameType
 
 import numpy as np
+import xarray as xr
 from distributed import Client
 
 from kernels import Case, Line, amplitudes, run_case
-from workflow.batch import Batch, block_means
+from workflow.batch import block_means
 from workflow.cluster import open_client
 from workflow.collect import collect
 from workflow.dataset import write_datasets
+from workflow.durable import clear_leftovers
+from workflow.errors import UserError
 from workflow.flow import stream
+from workflow.interrupt import Interrupt
+from workflow.lock import hold
 from workflow.plan import Plan, batch_target, batches, quantities
 from workflow.progress import Reporter
-from workflow.store import Store
+from workflow.shelf import Shelf
+from workflow.store import DamagedShard, Store
 from workflow.summary import Summary
 
-
-class Interrupt:
-    """Ctrl-C and SIGTERM: the first stops taking up work, a later one aborts at once."""
-
-    BOUNCE_SECONDS = 1.0  # one key press or `timeout` may signal process and group
-
-    def __init__(self) -> None:
-        self.asked = 0.0
-
-    def __enter__(self) -> "Interrupt":
-        self.previous = {s: signal.signal(s, self._handle) for s in (signal.SIGINT, signal.SIGTERM)}
-        return self
-
-    def __exit__(self, *_: object) -> None:
-        for number, handler in self.previous.items():
-            signal.signal(number, handler)
-
-    def __call__(self) -> bool:
-        return self.asked > 0.0
-
-    def _handle(self, number: int, frame: FrameType | None) -> None:
-        now = time.monotonic()
-        if self.asked and now - self.asked > self.BOUNCE_SECONDS:
-            raise KeyboardInterrupt
-        if not self.asked:
-            self.asked = now
-            print("stopping: running batches are finished and stored", file=sys.stderr)
+ATTEMPTS = 3  # at a result, when shards turn out damaged
 
 
 def run_plan(
@@ -63,24 +39,22 @@ def run_plan(
     interrupted run keeps all finished batches and writes no result file.
     """
     began = time.monotonic()
-    store = Store(store_folder(result))
-    stored = store.records()
-    predicted = sum(batch.seconds for batch in batches(plan, stored))
-    target = batch_seconds or batch_target(predicted)
-    wanted = ((t.key, b) for v in plan.variants for t in v.tasks for b in range(plan.study.blocks))
-    summary = Summary(reused=sum(record in stored for record in wanted), predicted=predicted)
-    if predicted:
-        warm_up(plan)
-    with open_client(scheduler, workers) as client, Interrupt() as interrupt:
-        summary.start = time.monotonic() - began
-        summary.workers = max(1, sum(client.nthreads().values()))
-        work = batches(plan, stored, target)
-        _compute(client, store, work, summary, interrupt)
-        datasets = {} if interrupt() else collect(client, store, plan, summary, interrupt)
-        if datasets:
-            with summary.filing():
-                write_datasets(result, datasets)
-    summary.interrupted = interrupt()
+    folder = store_folder(result)
+    with hold(folder):
+        store = Store(folder)
+        store.prepare()
+        clear_leftovers(result)
+        summary = _foreseen(plan, store)
+        if summary.predicted:
+            warm_up(plan)
+        with open_client(scheduler, workers) as client, Interrupt() as interrupt:
+            summary.start = time.monotonic() - began
+            summary.workers = max(1, sum(client.nthreads().values()))
+            datasets = _datasets(client, store, plan, batch_seconds, summary, interrupt)
+            if datasets:
+                with summary.filing():
+                    write_datasets(result, datasets)
+            summary.interrupted = interrupt()
     summary.wall = time.monotonic() - began
     return summary
 
@@ -99,12 +73,32 @@ def warm_up(plan: Plan) -> None:
         run_case(line, case, quantities(plan.study))
 
 
-def _compute(
-    client: Client, store: Store, work: Iterator[Batch], summary: Summary, interrupt: Interrupt
-) -> None:
-    with Reporter("computing", summary.predicted) as reporter:
-        for batch, done in stream(client, block_means, work, interrupt):
-            with summary.filing():
-                store.add(batch, done)
-            summary.count(batch, done)
-            reporter.advance(batch.seconds)
+def _foreseen(plan: Plan, store: Store) -> Summary:
+    missing = [(batch.seconds, len(batch.tasks) * batch.blocks) for batch in batches(plan, store)]
+    predicted = sum(seconds for seconds, _ in missing)
+    return Summary(reused=plan.records - sum(n for _, n in missing), predicted=predicted)
+
+
+def _datasets(
+    client: Client,
+    store: Store,
+    plan: Plan,
+    batch_seconds: float | None,
+    summary: Summary,
+    interrupt: Interrupt,
+) -> dict[str, xr.Dataset]:
+    """Compute what is missing, then collect; once more where shards turn out damaged."""
+    for _ in range(ATTEMPTS):
+        predicted = _foreseen(plan, store).predicted
+        target = batch_seconds or batch_target(predicted)
+        with Reporter("computing", predicted) as reporter, Shelf(store, target) as shelf:
+            for batch, done in stream(client, block_means, batches(plan, store, target), interrupt):
+                with summary.filing():
+                    shelf.add(batch, done)
+                summary.count(batch, done)
+                reporter.advance(batch.seconds)
+        try:
+            return {} if interrupt() else collect(client, store, plan, summary, interrupt)
+        except DamagedShard:
+            continue
+    raise UserError(f"{store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?")

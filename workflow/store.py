@@ -1,130 +1,177 @@
-"""Durable store of finished batches: immutable netCDF shards, each written whole or not at all.
+"""Durable store of finished chunks: immutable shards and a journal that says what they hold.
 
-A shard is built in memory, written aside, flushed, renamed, and its folder flushed; its name is
-the checksum of its content. Its records are found by (key of the task, block), so that widening
-a grid, another batch size or another study reuses what is there.
+A shard is built in memory, written aside, flushed, renamed, its folder flushed; then a line is
+added to the journal. Records are found by (key of the task, block), so that widening a grid,
+another batch size or another study reuses what is there. One process writes, the one that
+holds the lock of the folder; any number may read.
 """
 
 import contextlib
-import hashlib
-import os
 import sys
 from pathlib import Path
 
-import netCDF4
 import numpy as np
 
-from workflow.batch import SCALARS, Batch, BatchResult
-from workflow.errors import UserError
+from workflow import journal
+from workflow.batch import SCALARS
+from workflow.durable import clear_leftovers, write_durably
 from workflow.plan import Record
+from workflow.shard import KEY_BYTES, Chunk, Contents, Finished, chunk_of, decode, digest, encode
 
-FORMAT = "elastomer-friction shard 1"
-KEY_BYTES = 16
+CACHED_SHARDS = 4
+KEY_LENGTH = 2 * KEY_BYTES
+
+
+class DamagedShard(Exception):
+    """A shard did not hold what the journal says; it is set aside, its records are missing."""
 
 
 class Store:
-    """The shards of a results folder. One writing process; any number of readers."""
+    """The shards of a results folder, indexed from the journal alone."""
 
     def __init__(self, folder: Path) -> None:
-        """Open (or create) the store and index its shards."""
+        """Index what the journal of ``folder`` tells; change nothing."""
         self.folder = folder
-        self.place: dict[Record, tuple[Path, int, int]] = {}  # record -> shard, task, block
-        try:
-            folder.mkdir(parents=True, exist_ok=True)
-            shards = sorted(folder.glob("*.nc"))
-        except OSError as error:
-            raise UserError(f"{folder}: cannot be used for results: {error.strerror}") from error
-        for shard in shards:
-            self._index(shard)
+        self.sizes: dict[str, int] = {}  # name of each shard -> bytes
+        self.parts: dict[str, tuple[int, int]] = {}  # checksum of keys -> number, tasks of a part
+        self.rows: dict[str, list[tuple[int, int]]] = {}  # key -> parts it is in, row in each
+        # (part, block) -> shard, record of row 0, records from a row to the next
+        self.place: dict[tuple[int, int], tuple[str, int, int]] = {}
+        self.recent: dict[str, Contents] = {}
+        self.offset = 0  # in the journal, after the last line read or written
+        for entry, self.offset in journal.entries(folder):
+            self._replay(entry)
 
-    def records(self) -> set[Record]:
-        """Return all records stored."""
-        return set(self.place)
+    def prepare(self) -> None:
+        """Mend what a crash or a disk left behind; only for the holder of the folder's lock.
 
-    def add(self, batch: Batch, result: BatchResult) -> None:
-        """Store a finished batch durably. Raises UserError when the disk refuses it."""
-        keys = [task.key for task in batch.tasks]
-        content = _shard_bytes(batch, result)
-        shard = self.folder / f"{_digest(content)}.nc"
-        write_durably(shard, content)
-        self._place(shard, keys, batch.first_block, batch.blocks)
+        Shards that are missing or damaged are set aside and named, finished shards that the
+        journal does not know are entered.
+        """
+        clear_leftovers(self.folder / "*.nc")
+        journal.end_torn_line(self.folder)
+        found = {path.stem: path.stat().st_size for path in self.folder.glob("*.nc")}
+        for name, size in list(self.sizes.items()):
+            if name not in found:
+                self._set_aside(name, "missing")
+            elif found[name] != size:
+                self._set_aside(name, f"{found[name]} bytes instead of {size}")
+        for name in sorted(found.keys() - self.sizes.keys()):
+            if self._path(name).is_file():
+                with contextlib.suppress(DamagedShard):
+                    self._enter(name, found[name], self._load(name).chunks)
+
+    def __contains__(self, record: Record) -> bool:
+        """Return whether a record is stored durably."""
+        key, block = record
+        return any((part, block) in self.place for part, _ in self.rows.get(key, ()))
+
+    def add(self, finished: Finished) -> None:
+        """Store finished batches durably in one shard. Raises UserError if the disk refuses."""
+        content = encode(finished)
+        name = digest(content)
+        write_durably(self._path(name), content)
+        used = sum(result.seconds for _, result in finished)
+        predicted = sum(batch.seconds for batch, _ in finished)
+        times = {"used": round(used, 3), "predicted": round(predicted, 3)}
+        self._enter(name, len(content), [chunk_of(batch) for batch, _ in finished], times)
 
     def read(self, records: list[Record], samples: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return (scalars, curves) of the records, shapes (records, 5) and (records, samples)."""
+        """Return (scalars, curves) of the records, shapes (records, 5) and (records, samples).
+
+        Raises DamagedShard, once the shard is set aside.
+        """
         scalars = np.empty((len(records), len(SCALARS)))
-        curves = np.full((len(records), samples), np.nan)
-        wanted: dict[Path, list[int]] = {}
+        curves = np.empty((len(records), samples))
+        wanted: dict[str, list[tuple[int, int]]] = {}
         for row, record in enumerate(records):
-            wanted.setdefault(self.place[record][0], []).append(row)
-        for shard, rows in wanted.items():
-            with netCDF4.Dataset(shard) as data:
-                data.set_auto_mask(False)
-                all_scalars, all_curves = data["scalars"][:], data["curves"][:]
-            for row in rows:
-                _, task, block = self.place[records[row]]
-                scalars[row] = all_scalars[task, block]
-                curves[row] = all_curves[task, block]
+            shard, place = self._find(record)
+            wanted.setdefault(shard, []).append((row, place))
+        for shard, pairs in wanted.items():
+            rows, places = np.array(pairs).T
+            contents = self._contents(shard)
+            scalars[rows] = contents.scalars[places]
+            curves[rows] = contents.curves[places, :samples]
         return scalars, curves
 
-    def _index(self, shard: Path) -> None:
+    def _path(self, name: str) -> Path:
+        return self.folder / f"{name}.nc"
+
+    def _find(self, record: Record) -> tuple[str, int]:
+        key, block = record
+        for part, row in self.rows[key]:
+            if (part, block) in self.place:
+                shard, base, step = self.place[part, block]
+                return shard, base + row * step
+        raise KeyError(record)
+
+    def _contents(self, name: str) -> Contents:
+        if name not in self.recent:
+            while len(self.recent) >= CACHED_SHARDS:
+                del self.recent[next(iter(self.recent))]
+            self.recent[name] = self._load(name)
+        return self.recent[name]
+
+    def _load(self, name: str) -> Contents:
         try:
-            if _digest(shard.read_bytes()) != shard.stem:
-                raise OSError("its content does not match the checksum in its name")
-            with netCDF4.Dataset(shard) as data:
-                if data.getncattr("format") != FORMAT:
-                    raise OSError("not a shard of this program")
-                keys = [bytes(row).hex() for row in data["key"][:]]
-                first, blocks = int(data.first_block), data.dimensions["block"].size
-        except (OSError, RuntimeError, AttributeError, KeyError, IndexError) as error:
-            aside = shard.with_suffix(".damaged")
-            print(f"warning: {shard} is damaged ({error}): set aside", file=sys.stderr)
-            with contextlib.suppress(OSError):
-                shard.rename(aside)
-            return
-        self._place(shard, keys, first, blocks)
+            content = self._path(name).read_bytes()
+            if digest(content) != name:
+                raise ValueError("its content does not match the checksum in its name")
+            return decode(content)
+        except (OSError, ValueError) as error:
+            self._set_aside(name, str(error))
+            raise DamagedShard(name) from error
 
-    def _place(self, shard: Path, keys: list[str], first: int, blocks: int) -> None:
-        for task, key in enumerate(keys):
-            for block in range(blocks):
-                self.place[key, first + block] = (shard, task, block)
-
-
-def _digest(content: bytes) -> str:
-    return hashlib.sha256(content).hexdigest()[:32]
-
-
-def _shard_bytes(batch: Batch, result: BatchResult) -> bytes:
-    data = netCDF4.Dataset("shard.nc", "w", memory=4096)
-    data.setncatts({"format": FORMAT, "first_block": batch.first_block})
-    tasks, blocks, samples = result.curves.shape
-    sizes = {"task": tasks, "block": blocks, "value": len(SCALARS), "sample": samples}
-    for name, size in {**sizes, "byte": KEY_BYTES}.items():
-        data.createDimension(name, size)
-    keys = np.array([list(bytes.fromhex(task.key)) for task in batch.tasks], dtype=np.uint8)
-    for name, dims, values in (
-        ("key", ("task", "byte"), keys),
-        ("scalars", ("task", "block", "value"), result.scalars),
-        ("curves", ("task", "block", "sample"), result.curves),
-    ):
-        data.createVariable(name, values.dtype, dims, fill_value=False)[:] = values
-    return bytes(data.close())
-
-
-def write_durably(path: Path, content: bytes) -> None:
-    """Write a file whole or not at all: aside, flushed, renamed, the folder flushed."""
-    aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        with aside.open("wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        aside.replace(path)
-        folder = os.open(path.parent, os.O_RDONLY)
-        try:
-            os.fsync(folder)
-        finally:
-            os.close(folder)
-    except OSError as error:
+    def _set_aside(self, name: str, why: str) -> None:
+        path = self._path(name)
+        print(f"warning: {path} is damaged ({why}): set aside", file=sys.stderr)
         with contextlib.suppress(OSError):
-            aside.unlink()
-        raise UserError(f"{path}: cannot be written: {error.strerror}") from error
+            path.replace(path.with_suffix(".damaged"))
+        if name in self.sizes:
+            self._write([{"dropped": name}])
+
+    def _enter(self, name: str, size: int, chunks: list[Chunk], times: dict | None = None) -> None:
+        """Enter a durable shard into the journal, after the parts it is the first to have."""
+        entries: list[journal.Entry] = []
+        table, count = [], 0
+        for chunk in chunks:
+            keys = "".join(chunk.keys)
+            part = digest(keys.encode())
+            if part not in self.parts and all(entry["part"] != part for entry in entries):
+                entries.append({"part": part, "keys": keys})
+            table.append([part, chunk.first_block, chunk.blocks])
+            count += len(chunk.keys) * chunk.blocks
+        shard = {"shard": name, "bytes": size, "records": count, "chunks": table, **(times or {})}
+        self._write([*entries, shard])
+
+    def _write(self, entries: list[journal.Entry]) -> None:
+        self.offset += journal.append(self.folder, entries)
+        for entry in entries:
+            self._replay(entry)
+
+    def _replay(self, entry: journal.Entry) -> None:
+        """Take one entry of the journal into the index."""
+        if "part" in entry:
+            keys, number = entry["keys"], len(self.parts)
+            names = [keys[i : i + KEY_LENGTH] for i in range(0, len(keys), KEY_LENGTH)]
+            self.parts[entry["part"]] = number, len(names)
+            for row, key in enumerate(names):
+                self.rows.setdefault(key, []).append((number, row))
+        elif "shard" in entry:
+            self._place(entry["shard"], entry["bytes"], entry["chunks"])
+        elif "dropped" in entry:
+            self.sizes.pop(entry["dropped"], None)
+            gone = [where for where, found in self.place.items() if found[0] == entry["dropped"]]
+            for where in gone:
+                del self.place[where]
+
+    def _place(self, name: str, size: int, chunks: list[tuple[str, int, int]]) -> None:
+        if any(part not in self.parts for part, _, _ in chunks):
+            return  # the line of a part is spoilt: the shard itself tells its keys
+        self.sizes[name] = size
+        base = 0
+        for part, first, blocks in chunks:
+            number, tasks = self.parts[part]
+            for row in range(blocks):
+                self.place[number, first + row] = name, base + row, blocks
+            base += tasks * blocks

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import xarray as xr
 
+from workflow.durable import write_durably
 from workflow.errors import UserError
-from workflow.store import write_durably
 from workflow.study import AXES
 
 

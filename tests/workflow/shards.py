@@ -14,13 +14,32 @@ def records(batch):
     return [(t.key, batch.first_block + b) for t in batch.tasks for b in range(batch.blocks)]
 
 
+def held(store):
+    """Return all records of a store."""
+    return {
+        (key, block)
+        for key, parts in store.rows.items()
+        for part, _ in parts
+        for number, block in store.place
+        if number == part
+    }
+
+
 def filled(folder, work):
-    """Return a store holding one random result per batch, and the results."""
+    """Return a store holding one random result per batch, a shard each, and the results."""
+    folder.mkdir(parents=True, exist_ok=True)
     store = Store(folder)
     results = [random_result(batch, seed) for seed, batch in enumerate(work)]
     for batch, result in zip(work, results, strict=True):
-        store.add(batch, result)
+        store.add([(batch, result)])
     return store, results
+
+
+def reopened(folder):
+    """Return the store of a folder, mended as a run does before it begins."""
+    store = Store(folder)
+    store.prepare()
+    return store
 
 
 def assert_holds(store, batch, result):
@@ -32,4 +51,5 @@ def assert_holds(store, batch, result):
 
 def shard_of(store, batch):
     """Return the file that holds a batch."""
-    return store.place[records(batch)[0]][0]
+    key, block = records(batch)[0]
+    return store.folder / f"{store.place[store.rows[key][0][0], block][0]}.nc"

@@ -1,12 +1,23 @@
-"""Damaged shards are set aside, and all others are read."""
+"""Damaged shards are set aside, and all others are read; lost lines of the journal come back."""
+
+import contextlib
 
 import netCDF4
 import pytest
 
-from tests.workflow.shards import WORK, assert_holds, filled, records, shard_of
+from tests.workflow.shards import (
+    SAMPLES,
+    WORK,
+    assert_holds,
+    filled,
+    held,
+    records,
+    reopened,
+    shard_of,
+)
 from tests.workflow.small import random_result
-from workflow import store
-from workflow.store import Store
+from workflow import journal, shard
+from workflow.store import DamagedShard, Store
 
 
 def truncated(share):
@@ -40,14 +51,23 @@ DAMAGE = {
 }
 
 
+def seen(folder, batch):
+    """Return the store of a folder once whatever is wrong with a batch has shown."""
+    store = reopened(folder)
+    if records(batch)[0] in store:  # what kept its length shows when it is read
+        with contextlib.suppress(DamagedShard):
+            store.read(records(batch), SAMPLES)
+    return store
+
+
 @pytest.mark.parametrize("name", DAMAGE)
 def test_damaged_shard_is_set_aside_and_the_others_are_read(tmp_path, capsys, name):
     store, results = filled(tmp_path, WORK[:3])
     damaged = shard_of(store, WORK[0])
     content = DAMAGE[name](damaged.read_bytes())
     damaged.write_bytes(content)
-    again = Store(tmp_path)
-    assert again.records() == {*records(WORK[1]), *records(WORK[2])}
+    again = seen(tmp_path, WORK[0])
+    assert held(again) == held(Store(tmp_path)) == {*records(WORK[1]), *records(WORK[2])}
     assert_holds(again, WORK[1], results[1])
     assert_holds(again, WORK[2], results[2])
     assert not damaged.exists()
@@ -57,20 +77,28 @@ def test_damaged_shard_is_set_aside_and_the_others_are_read(tmp_path, capsys, na
     assert warning.count("\n") == 1
 
 
+def test_a_shard_that_vanished_is_named(tmp_path, capsys):
+    store, _ = filled(tmp_path, WORK[:2])
+    shard_of(store, WORK[0]).unlink()
+    assert held(reopened(tmp_path)) == set(records(WORK[1]))
+    assert f"{shard_of(store, WORK[0])} is damaged (missing)" in capsys.readouterr().err
+
+
 def test_damaged_shard_can_be_computed_again(tmp_path, capsys):
     store, results = filled(tmp_path, WORK[:1])
     shard_of(store, WORK[0]).write_bytes(b"")
-    again = Store(tmp_path)
-    again.add(WORK[0], results[0])
+    again = reopened(tmp_path)
+    again.add([(WORK[0], results[0])])
     assert_holds(Store(tmp_path), WORK[0], results[0])
     assert "damaged" in capsys.readouterr().err
 
 
 def test_shard_of_another_format_is_set_aside(tmp_path, capsys, monkeypatch):
     with monkeypatch.context() as earlier:
-        earlier.setattr(store, "FORMAT", "elastomer-friction shard 0")
+        earlier.setattr(shard, "FORMAT", "elastomer-friction shard 0")
         filled(tmp_path, WORK[:1])
-    assert Store(tmp_path).records() == set()
+    (tmp_path / journal.NAME).unlink()
+    assert held(reopened(tmp_path)) == set()
     assert [path.suffix for path in tmp_path.iterdir()] == [".damaged"]
     assert "not a shard of this program" in capsys.readouterr().err
 
@@ -78,10 +106,10 @@ def test_shard_of_another_format_is_set_aside(tmp_path, capsys, monkeypatch):
 @pytest.mark.parametrize("length", [*range(0, 2**16, 3001)])
 def test_shard_cut_at_any_length_is_set_aside_or_whole(tmp_path, capsys, length):
     store, (result,) = filled(tmp_path, WORK[:1])
-    shard = shard_of(store, WORK[0])
-    shard.write_bytes(shard.read_bytes()[:length])
-    again = Store(tmp_path)
-    if again.records():
+    path = shard_of(store, WORK[0])
+    path.write_bytes(path.read_bytes()[:length])
+    again = reopened(tmp_path)
+    if held(again):
         assert_holds(again, WORK[0], result)
     else:
         assert "set aside" in capsys.readouterr().err
@@ -90,9 +118,35 @@ def test_shard_cut_at_any_length_is_set_aside_or_whole(tmp_path, capsys, length)
 @pytest.mark.parametrize("place", [*range(0, 2**16, 4099)])
 def test_a_flipped_bit_anywhere_is_found(tmp_path, capsys, place):
     store, _ = filled(tmp_path, WORK[:1])
-    shard = shard_of(store, WORK[0])
-    content = bytearray(shard.read_bytes())
+    path = shard_of(store, WORK[0])
+    content = bytearray(path.read_bytes())
     content[min(place, len(content) - 1)] ^= 1
-    shard.write_bytes(content)
-    assert Store(tmp_path).records() == set()
+    path.write_bytes(content)
+    assert held(seen(tmp_path, WORK[0])) == set()
     assert "checksum" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("lost", [None, 0, 1, 2, 3])
+def test_lost_lines_of_the_journal_are_found_again_in_the_shards(tmp_path, lost):
+    _, results = filled(tmp_path, WORK[:3])
+    path = tmp_path / journal.NAME
+    lines = path.read_bytes().splitlines(keepends=True)
+    assert len(lines) == 4  # the keys of the one task, then three shards
+    path.write_bytes(b"".join(line for i, line in enumerate(lines) if lost not in (None, i)))
+    for store in (reopened(tmp_path), Store(tmp_path)):
+        for batch, result in zip(WORK[:3], results, strict=True):
+            assert_holds(store, batch, result)
+
+
+def test_mending_a_sound_store_changes_nothing(tmp_path):
+    filled(tmp_path, WORK[:3])
+    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    reopened(tmp_path)
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+
+
+def test_leftovers_of_a_dead_writer_are_removed(tmp_path):
+    filled(tmp_path, WORK[:1])
+    (tmp_path / ".0123.nc.4711.tmp").touch()
+    reopened(tmp_path)
+    assert list(tmp_path.glob(".*")) == []

@@ -1,0 +1,43 @@
+"""Signals that ask a run to stop."""
+
+import signal
+
+import pytest
+
+from workflow import interrupt as module
+from workflow.interrupt import Interrupt
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Return a clock that moves when it is told to."""
+    now = [100.0]
+    monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
+    return now
+
+
+def test_first_signal_asks_and_a_later_one_aborts(clock, capsys):
+    with Interrupt() as interrupt:
+        assert not interrupt()
+        signal.raise_signal(signal.SIGTERM)
+        assert interrupt()
+        clock[0] += 10.0
+        with pytest.raises(KeyboardInterrupt):
+            signal.raise_signal(signal.SIGINT)
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_a_signal_that_comes_twice_at_once_is_one(clock, capsys):
+    with Interrupt() as interrupt:
+        signal.raise_signal(signal.SIGINT)
+        clock[0] += 0.01
+        signal.raise_signal(signal.SIGTERM)
+        assert interrupt()
+    assert capsys.readouterr().err.count("\n") == 1
+
+
+def test_handlers_of_signals_are_put_back():
+    before = [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)]
+    with Interrupt():
+        assert signal.getsignal(signal.SIGTERM) != before[1]
+    assert [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)] == before

@@ -1,0 +1,72 @@
+"""The journal: every sound line is read, no other, whatever a crash or a disk did to it."""
+
+import pytest
+
+from workflow import journal
+
+ENTRIES = [{"part": "ab", "keys": "00" * 16}, {"shard": "x\n", "bytes": 17}, {"dropped": "ü"}]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Return a folder with a journal of three entries."""
+    for entry in ENTRIES:
+        journal.append(tmp_path, [entry])
+    return tmp_path
+
+
+def read(folder, offset=0):
+    """Return the entries of a journal."""
+    return [entry for entry, _ in journal.entries(folder, offset)]
+
+
+def test_entries_come_back_in_order(folder):
+    assert read(folder) == ENTRIES
+
+
+def test_no_journal_has_no_entries(tmp_path):
+    assert read(tmp_path) == []
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_one_can_go_on_reading_where_one_stopped(folder):
+    offsets = [offset for _, offset in journal.entries(folder)]
+    assert offsets[-1] == (folder / journal.NAME).stat().st_size
+    assert [read(folder, offset) for offset in (0, *offsets)] == [
+        ENTRIES,
+        ENTRIES[1:],
+        ENTRIES[2:],
+        [],
+    ]
+
+
+def test_any_prefix_is_read_up_to_its_last_whole_line(folder):
+    content = (folder / journal.NAME).read_bytes()
+    for length in range(len(content)):
+        (folder / journal.NAME).write_bytes(content[:length])
+        assert read(folder) == ENTRIES[: content[:length].count(b"\n")]
+
+
+def test_any_flipped_bit_spoils_at_most_the_lines_it_touches(folder):
+    content = (folder / journal.NAME).read_bytes()
+    for place in range(len(content)):
+        damaged = bytearray(content)
+        damaged[place] ^= 1
+        (folder / journal.NAME).write_bytes(damaged)
+        found = read(folder)
+        assert 1 <= len(found) <= 2
+        assert all(entry in ENTRIES for entry in found)
+
+
+def test_entries_after_a_torn_line_are_read(folder):
+    path = folder / journal.NAME
+    path.write_bytes(path.read_bytes()[:-3])
+    journal.end_torn_line(folder)
+    journal.append(folder, [{"dropped": "y"}])
+    assert read(folder) == [*ENTRIES[:2], {"dropped": "y"}]
+
+
+def test_a_whole_journal_is_left_as_it_is(folder):
+    content = (folder / journal.NAME).read_bytes()
+    journal.end_torn_line(folder)
+    assert (folder / journal.NAME).read_bytes() == content
