@@ -14,7 +14,7 @@ from workflow.flow import Stop, stream
 from workflow.plan import Plan, Variant
 from workflow.progress import Reporter
 from workflow.reduction import Blocks, Estimates, reduce_blocks
-from workflow.resolution import record_steps
+from workflow.resolution import record_steps, record_times
 from workflow.store import Store
 from workflow.summary import Summary
 
@@ -104,9 +104,10 @@ def _load(
     time = np.full((len(tasks), samples), np.nan)
     if "relaxation" in plan.study.scene.quantities:
         for row, task in enumerate(tasks):
-            step = task.problem.speed * task.problem.ratio * task.steps_per_spacing
+            pace = task.problem.speed * task.problem.ratio * task.steps_per_spacing
             recorded = record_steps(task.march, variant.numerics.samples)
-            time[row, : recorded.size] = recorded / step
+            times = record_times(recorded, pace, variant.numerics.scheme)
+            time[row, : recorded.size] = times
     return Blocks(
         scalars.reshape(len(tasks), plan.study.blocks, -1),
         curves.reshape(len(tasks), plan.study.blocks, -1),

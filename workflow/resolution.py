@@ -4,6 +4,7 @@ import math
 
 import numpy as np
 
+from kernels import SCHEMES
 from workflow.errors import UserError
 from workflow.similarity import Problem
 from workflow.study import Numerics, Scene
@@ -62,3 +63,12 @@ def record_steps(march: int, samples: int) -> np.ndarray:
     Sample 0 of a curve is the moment just after the jump and needs no step.
     """
     return np.unique(np.round(np.linspace(1, march, samples - 1)).astype(np.int64))
+
+
+def record_times(recorded: np.ndarray, pace: float, scheme: str) -> np.ndarray:
+    """Return the times since the jump, in tau, to which the friction of recorded steps belongs.
+
+    It is a mean over the step and acts ``lag`` of a step before its end (schemes.py); at the end
+    it would be an error of first order. pace : steps per tau.
+    """
+    return (recorded - SCHEMES[scheme](1.0 / pace).lag) / pace

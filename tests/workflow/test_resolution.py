@@ -7,6 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kernels import SCHEMES, Case, Line, Quantities, amplitudes, draw_phases, run_case
 from tests.workflow.small import small_plan
 from workflow.errors import UserError
 from workflow.resolution import (
@@ -14,6 +15,7 @@ from workflow.resolution import (
     expected_rate,
     horizon_steps,
     record_steps,
+    record_times,
     speed_ratio,
     steps_per_spacing,
 )
@@ -124,3 +126,38 @@ def test_speed_ratio_is_the_abscissa_of_figure_7():
     velocity, tau, spacing = 0.05, 1e-3, 1e-5
     q_max = math.pi / spacing
     assert speed_ratio(velocity * tau / spacing) == pytest.approx(velocity * tau * q_max)
+
+
+def deviation(moments, steps, lag=None):
+    """Return mu - mu_2 of 8 lines at moments of slow creep after a jump, with m = ``steps``.
+
+    lag : where within a step friction acts, other than by the scheme.
+    """
+    speed, total = 0.3, 0.0
+    pace = 1.2 * speed * steps
+    recorded = np.arange(1, int(3 * pace))
+    times = record_times(recorded, pace, "exponential") if lag is None else (recorded - lag) / pace
+    for seed in range(8):
+        phases = draw_phases(np.random.default_rng(seed), 200)
+        line = Line.self_affine(amplitudes(0.0, 200), phases, 200, steps)
+        found = run_case(line, Case(0.1, speed, (1.2,), (recorded,), "exponential"), Quantities())
+        total += np.interp(moments, times, found.curves[0] - found.mu_2[0])
+    return total
+
+
+def test_recorded_friction_belongs_to_its_times():
+    moments = np.linspace(0.5, 2.0, 12)
+    limit = deviation(moments, 256)
+    error = {m: np.abs(deviation(moments, m) / limit - 1.0).max() for m in (16, 64)}
+    at_the_end = np.abs(deviation(moments, 16, lag=0.0) / limit - 1.0).max()
+    assert error[16] < 0.02
+    assert error[64] < 0.002
+    assert at_the_end > 0.08  # of first order
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_recorded_times_lie_within_their_steps(scheme):
+    recorded = np.array([1, 2, 7])
+    for pace in (0.1, 1.0, 30.0):
+        times = record_times(recorded, pace, scheme) * pace
+        assert np.all((times <= recorded) & (times > recorded - 1))
