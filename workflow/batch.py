@@ -3,6 +3,7 @@
 import hashlib
 import time
 from dataclasses import dataclass
+from functools import lru_cache
 from pathlib import Path
 from typing import NamedTuple
 
@@ -10,6 +11,7 @@ import numpy as np
 
 from kernels import Case, Line, Outcome, Quantities, Seconds, amplitudes, draw_phases, run_case
 from kernels.jit import source_hash
+from workflow.memory import peak_bytes
 from workflow.resolution import record_steps
 from workflow.similarity import Problem
 
@@ -53,6 +55,7 @@ class BatchResult(NamedTuple):
     curves: np.ndarray  # shape (tasks, blocks, samples - 1); NaN beyond the recorded steps
     spent: np.ndarray  # shape (tasks, len(PHASES)), CPU seconds; shared work in equal parts
     seconds: float  # CPU time used in all
+    peak: int  # bytes, the most memory this process has had so far
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
@@ -64,8 +67,16 @@ def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.ran
     return np.random.default_rng([seed, hurst_bits, elements, index])
 
 
+@lru_cache
+def load_kernels(scheme: str, asked: Quantities) -> None:
+    """Compile the kernels, or load them from the cache, once per process."""
+    line = Line.self_affine(amplitudes(0.5, 16), np.linspace(0.0, 6.0, 8), 16, 2)
+    run_case(line, Case(0.1, 1.0, (1.2,), (np.arange(1, 3),), scheme), asked)
+
+
 def block_means(batch: Batch) -> BatchResult:
     """Run the batch, on one thread of any process."""
+    load_kernels(batch.scheme, batch.quantities)
     began = time.thread_time()
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
     curves = np.zeros((len(batch.tasks), batch.blocks, batch.samples - 1))
@@ -76,7 +87,7 @@ def block_means(batch: Batch) -> BatchResult:
             _add_realization(batch, index, scalars[:, block], curves[:, block], spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
-    return BatchResult(scalars, curves, spent, time.thread_time() - began)
+    return BatchResult(scalars, curves, spent, time.thread_time() - began, peak_bytes())
 
 
 def _add_realization(

@@ -6,20 +6,16 @@ import os
 import sys
 from pathlib import Path
 
+from workflow.calibration import calibrated
 from workflow.errors import UserError
 from workflow.measured import plan_measured, run_measured, write_measured_table
-from workflow.plan import Plan, batches, make_plan, without_similarity
+from workflow.outline import outline
+from workflow.plan import batches, make_plan
 from workflow.progress import duration
 from workflow.reader import read_study
-from workflow.study import AXES, QUANTITIES, Measured, Study
+from workflow.study import Measured, Study
 
 RESUMABLE = 130  # exit status of an interrupted run
-EFFECTS = {
-    "steady": "steady sliding at v1 and v2 (no time marching)",
-    "jump": "jump at t0+ (no time marching)",
-    "relaxation": "relaxation after the jump (time marching)",
-    "models": "fits beyond eq. 6 (no further simulation)",
-}
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -83,37 +79,9 @@ def _plan(options: argparse.Namespace) -> int:
     if isinstance(study, Measured):
         print(plan_measured(study, result))
         return 0
-    plan = make_plan(study)
-    lines = [f"study       {study.name}: {study.title}", f"result      {result}"]
-    for axis in AXES:
-        values = study.grid[axis]
-        span = f"{values[0]:g}" if len(values) == 1 else f"{min(values):g} ... {max(values):g}"
-        lines.append(f"  {axis:14s}{len(values):4d}  {span}")
-    copies = plan.points / plan.problems
-    lines += [
-        f"points      {plan.points}",
-        f"problems    {plan.problems} distinct dimensionless problems ({copies:.3g} points each)",
-        f"variants    {', '.join(v.label or 'study' for v in plan.variants)}",
-        f"realizations {study.realizations} each, {_runs(plan)} in all",
-    ]
-    for quantity in QUANTITIES:
-        asked = "simulated" if quantity in study.scene.quantities else "not simulated"
-        lines.append(f"{asked:14s}{EFFECTS[quantity]}")
-    rate = "kept" if study.scene.indentation_rate else "dropped, as eq. 3 is printed"
-    lines.append(f"indentation rate in the force: {rate}")
-    seconds = sum(batch.seconds for batch in batches(plan, set()))
-    lines += [
-        f"predicted   {duration(seconds)} of one core; without the similarity "
-        f"{duration(without_similarity(plan, seconds))}",
-        f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
-        f"longest line {plan.longest_line()} samples",
-    ]
-    print("\n".join(lines))
+    speed = calibrated()
+    print("\n".join(outline(make_plan(study, speed.rates), result, speed.note)))
     return 0
-
-
-def _runs(plan: Plan) -> int:
-    return plan.problems * len(plan.variants) * plan.study.realizations
 
 
 def _run(options: argparse.Namespace) -> int:
@@ -133,7 +101,7 @@ def _run(options: argparse.Namespace) -> int:
                 raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
         print(run_measured(study, result), result, sep="\n")
         return 0
-    plan = make_plan(study)
+    plan = make_plan(study, calibrated().rates)
     summary = run_plan(plan, result, options.scheduler, options.workers, options.batch_seconds)
     print("\n".join(summary.lines(plan)))
     if summary.interrupted:
@@ -151,7 +119,7 @@ def _status(options: argparse.Namespace) -> int:
     if isinstance(study, Measured):
         print(_result_line(result))
         return 0
-    plan = make_plan(study)
+    plan = make_plan(study, calibrated().rates)
     folder = store_folder(result)
     missing = list(batches(plan, Store(folder)))
     left = sum(len(batch.tasks) * batch.blocks for batch in missing)

@@ -3,13 +3,13 @@
 import hashlib
 from collections.abc import Container, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 
 import numpy as np
 
-from kernels import Quantities, amplitudes, rms_slope
+from kernels import Quantities
 from workflow.batch import CODE, Batch, Task
-from workflow.cost import Load, case_seconds, line_seconds, worker_bytes
+from workflow.cost import TYPICAL, Rates, driver_bytes, worker_bytes
+from workflow.pricing import Prices, copies_seconds
 from workflow.resolution import horizon_steps, steps_per_spacing
 from workflow.similarity import distinct_problems
 from workflow.study import Numerics, Study
@@ -36,6 +36,7 @@ class Plan:
     study: Study
     point_task: np.ndarray  # index into Variant.tasks per grid point, shape of the grid
     variants: list[Variant]
+    prices: Prices
 
     @property
     def points(self) -> int:
@@ -60,9 +61,18 @@ class Plan:
         """Return the predicted peak memory of a worker."""
         return worker_bytes(self.longest_line())
 
+    def predicted_driver_bytes(self) -> float:
+        """Return the predicted peak memory of the process that plans, stores and collects."""
+        tasks = sum(len(v.tasks) for v in self.variants)
+        samples = max(v.numerics.samples for v in self.variants)
+        return driver_bytes(self.points, tasks, self.records, samples)
 
-def make_plan(study: Study) -> Plan:
-    """Return the plan of a study. Raises UserError where a problem would be too large."""
+
+def make_plan(study: Study, rates: Rates = TYPICAL) -> Plan:
+    """Return the plan of a study. Raises UserError where a problem would be too large.
+
+    rates : how fast the machine is; the size of batches depends on it, no result does.
+    """
     problems, point_task = distinct_problems(study)
     variants = []
     for label, numerics in study.variants.items():
@@ -75,7 +85,7 @@ def make_plan(study: Study) -> Plan:
             key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
             tasks.append(Task(problem, steps, march, key))
         variants.append(Variant(label, numerics, tasks, _grouped(tasks)))
-    return Plan(study, point_task, variants)
+    return Plan(study, point_task, variants, Prices(rates, quantities(study)))
 
 
 def _marches(study: Study) -> bool:
@@ -116,7 +126,7 @@ def batches(
     for variant in plan.variants:
         for group in variant.groups:
             for tasks, first, count in _missing(group, plan.study.blocks, stored):
-                yield from _cut(plan.study, variant.numerics, tasks, first, count, target)
+                yield from _cut(plan, variant.numerics, tasks, first, count, target)
 
 
 def _missing(
@@ -137,9 +147,10 @@ def _missing(
 
 
 def _cut(
-    study: Study, numerics: Numerics, tasks: list[Task], first: int, count: int, target: float
+    plan: Plan, numerics: Numerics, tasks: list[Task], first: int, count: int, target: float
 ) -> Iterator[Batch]:
-    for part, seconds in _parts(study, tasks, target):
+    study = plan.study
+    for part, seconds in _parts(plan, tasks, target):
         blocks = max(1, round(target / seconds))
         for start in range(first, first + count, blocks):
             number = min(blocks, first + count - start)
@@ -157,44 +168,24 @@ def _cut(
             )
 
 
-def _parts(study: Study, tasks: list[Task], target: float) -> Iterator[tuple[list[Task], float]]:
+def _parts(plan: Plan, tasks: list[Task], target: float) -> Iterator[tuple[list[Task], float]]:
     """Cut tasks so that one block of each part takes about ``target`` seconds at most."""
     part: list[Task] = []
     total = 0.0
     steps = -1
+    block = plan.study.realizations_per_block
     for task in tasks:
-        cost = study.realizations_per_block * task_seconds(study, task)
+        cost = block * plan.prices.task(task)
         if part and total + cost > target:
             yield part, total
             part, total, steps = [], 0.0, -1
         if task.steps_per_spacing != steps:  # a line of its own
             steps = task.steps_per_spacing
-            line = line_seconds(task.problem.elements * steps)
-            total += study.realizations_per_block * line
+            total += block * plan.prices.line(task.problem.elements * steps)
         part.append(task)
         total += cost
     if part:
         yield part, total
-
-
-def task_seconds(study: Study, task: Task) -> float:
-    """Return the predicted time of one realization of a task on a line that exists."""
-    asked = quantities(study)
-    return case_seconds(
-        Load(
-            samples=task.problem.elements * task.steps_per_spacing,
-            steady_states=1 + (asked.steady or asked.relaxation),
-            jumps=int(asked.jump),
-            steps=task.march,
-            load=task.problem.load,
-            pace=task.problem.speed * _slope(task.problem.hurst, task.problem.elements),
-        )
-    )
-
-
-@lru_cache
-def _slope(hurst: float, elements: int) -> float:
-    return rms_slope(amplitudes(hurst, elements), elements)
 
 
 def without_similarity(plan: Plan, seconds: float) -> float:
@@ -202,13 +193,11 @@ def without_similarity(plan: Plan, seconds: float) -> float:
 
     seconds : the predicted time of the plan as it is.
     """
-    study = plan.study
-    more = np.bincount(plan.point_task.ravel(), minlength=plan.problems) - 1
     extra = 0.0
+    again = len(plan.study.grid["roughness"]) - 1
     for variant in plan.variants:
-        extra += float(more @ np.array([task_seconds(study, task) for task in variant.tasks]))
+        extra += copies_seconds(plan.prices, variant.tasks, plan.point_task)
         for group in variant.groups:  # the lines again for every other roughness
-            lines = {(t.problem.elements, t.steps_per_spacing) for t in group}
-            again = len(study.grid["roughness"]) - 1
-            extra += again * sum(line_seconds(n * m) for n, m in lines)
-    return seconds + study.realizations * extra
+            lines = {t.problem.elements * t.steps_per_spacing for t in group}
+            extra += again * sum(plan.prices.line(samples) for samples in lines)
+    return seconds + plan.study.realizations * extra

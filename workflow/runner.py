@@ -3,12 +3,10 @@
 import time
 from pathlib import Path
 
-import numpy as np
 import xarray as xr
 from distributed import Client
 
-from kernels import Case, Line, amplitudes, run_case
-from workflow.batch import block_means
+from workflow.batch import block_means, load_kernels
 from workflow.cluster import open_client
 from workflow.collect import collect
 from workflow.dataset import write_datasets
@@ -46,7 +44,8 @@ def run_plan(
         clear_leftovers(result)
         summary = _foreseen(plan, store)
         if summary.predicted:
-            warm_up(plan)
+            for variant in plan.variants:
+                load_kernels(variant.numerics.scheme, quantities(plan.study))
         with open_client(scheduler, workers) as client, Interrupt() as interrupt:
             summary.start = time.monotonic() - began
             summary.workers = max(1, sum(client.nthreads().values()))
@@ -62,15 +61,6 @@ def run_plan(
 def store_folder(result: Path) -> Path:
     """Return the folder of finished batches beside a result file; studies share it."""
     return result.parent / "store"
-
-
-def warm_up(plan: Plan) -> None:
-    """Compile every kernel once, so that workers find machine code in the cache."""
-    for scheme in {variant.numerics.scheme for variant in plan.variants}:
-        phases = np.linspace(0.0, 6.0, 8)
-        line = Line.self_affine(amplitudes(0.5, 16), phases, 16, 2)
-        case = Case(0.1, 1.0, (1.2,), (np.arange(1, 3),), scheme)
-        run_case(line, case, quantities(plan.study))
 
 
 def _foreseen(plan: Plan, store: Store) -> Summary:

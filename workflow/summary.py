@@ -9,6 +9,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from workflow.batch import PHASES, Batch, BatchResult
+from workflow.memory import peak_bytes
 from workflow.plan import Plan
 from workflow.progress import duration
 from workflow.study import AXES
@@ -29,6 +30,7 @@ class Summary:
     wall: float = 0.0  # s, from the first to the last
     workers: int = 1
     files: float = 0.0  # s, reading and writing in the driver, mostly while workers compute
+    peak: int = 0  # bytes, of the largest worker
     interrupted: bool = False
     phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # by key
@@ -37,6 +39,7 @@ class Summary:
         """Enter a finished batch."""
         self.batches += 1
         self.used += done.seconds
+        self.peak = max(self.peak, done.peak)
         phases = done.spent.sum(axis=0)
         for phase, seconds in zip(PHASES, phases, strict=True):
             self.phases[phase] += float(seconds)
@@ -59,7 +62,7 @@ class Summary:
             + (f" (factor {self.used / self.predicted:.2f})" if self.predicted else "")
         ]
         if self.batches:
-            found += [self._where(), *self._costliest(plan)]
+            found += [self._where(), self._memory(plan), *self._costliest(plan)]
         return found
 
     def _where(self) -> str:
@@ -70,6 +73,14 @@ class Summary:
         return (
             f"start {self.start:.0f} s; then {self.workers} workers: {shown}; "
             f"files {self.files:.1f} s in the driver"
+        )
+
+    def _memory(self, plan: Plan) -> str:
+        return (
+            f"memory: {self.peak / 2**20:.0f} MiB in the largest worker, "
+            f"{plan.predicted_worker_bytes() / 2**20:.0f} MiB predicted; "
+            f"{peak_bytes() / 2**20:.0f} MiB here, "
+            f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB predicted"
         )
 
     def _costliest(self, plan: Plan) -> list[str]:

@@ -7,7 +7,9 @@ import pytest
 from distributed import Client
 
 from tests.workflow.runs import Run, run
-from workflow import cluster
+from workflow import cli, cluster
+from workflow.calibration import Calibration
+from workflow.cost import TYPICAL
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -15,6 +17,14 @@ def no_commit() -> Iterator[None]:
     """Hide git: files are compared byte for byte, and someone may commit during the tests."""
     with pytest.MonkeyPatch.context() as patch:
         patch.setenv("GIT_DIR", "/nowhere")
+        yield
+
+
+@pytest.fixture(scope="session", autouse=True)
+def typical_machine() -> Iterator[None]:
+    """Predict with the rates of a typical machine: nothing is measured."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(cli, "calibrated", lambda: Calibration(TYPICAL, "a typical machine"))
         yield
 
 

@@ -78,4 +78,4 @@ def random_result(batch, seed=0):
     curves = rng.standard_normal((*shape, batch.samples - 1))
     curves[..., -2:] = np.nan
     spent = np.full((len(batch.tasks), len(PHASES)), 0.01)
-    return BatchResult(rng.standard_normal((*shape, len(SCALARS))), curves, spent, 0.1)
+    return BatchResult(rng.standard_normal((*shape, len(SCALARS))), curves, spent, 0.1, 2**28)

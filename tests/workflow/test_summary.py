@@ -19,7 +19,7 @@ def spent(weights):
     shape = (len(BATCH.tasks), BATCH.blocks)
     each = np.outer(weights, np.ones(len(PHASES)))
     return BatchResult(
-        np.zeros((*shape, len(SCALARS))), np.zeros((*shape, 15)), each, each.sum() + 1
+        np.zeros((*shape, len(SCALARS))), np.zeros((*shape, 15)), each, each.sum() + 1, 2**28
     )
 
 

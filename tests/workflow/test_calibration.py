@@ -1,0 +1,87 @@
+"""The stored speed of the machine: kept, read, measured anew when damaged, never in the way."""
+
+import json
+
+import numba
+import pytest
+
+from workflow import calibration
+from workflow.calibration import calibrated, calibration_file
+from workflow.cost import TYPICAL
+
+TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "rates": TYPICAL._asdict()})
+
+
+@pytest.fixture
+def measured(tmp_path, monkeypatch):
+    """Keep calibrations in a folder of the test; return the calls of the measurement."""
+    calls = []
+
+    def measure():
+        calls.append(1)
+        return TEXT
+
+    monkeypatch.setattr(calibration, "_measured", measure)
+    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "cache"))
+    return calls
+
+
+def test_it_is_measured_once_and_kept(measured):
+    first, second = calibrated(), calibrated()
+    assert len(measured) == 1
+    assert first == second == (TYPICAL, "M, 2020-01-01")
+    assert calibration_file().read_text() == TEXT
+
+
+@pytest.mark.parametrize("name", ["source_hash", "machine"])
+def test_other_kernels_and_another_processor_have_rates_of_their_own(measured, monkeypatch, name):
+    calibrated()
+    monkeypatch.setattr(calibration, name, lambda: "another")
+    calibrated()
+    assert len(measured) == 2
+
+
+DAMAGED = [
+    "",
+    "{",
+    "[]",
+    "null",
+    TEXT[: len(TEXT) // 2],
+    TEXT.replace("draw", "drew"),
+    TEXT.replace("1.2e-05", "-1.2e-05"),
+    TEXT.replace("1.2e-05", "NaN"),
+    TEXT.replace("1.2e-05", '"fast"'),
+    TEXT.replace("1.2e-05, ", "", 1),
+]
+
+
+@pytest.mark.parametrize("text", DAMAGED)
+def test_a_damaged_file_is_measured_anew(measured, text):
+    assert text != TEXT
+    calibrated()
+    calibration_file().write_text(text)
+    assert calibrated().rates == TYPICAL
+    assert len(measured) == 2
+    assert calibration_file().read_text() == TEXT
+
+
+def test_a_file_that_is_no_text_is_measured_anew(measured):
+    calibrated()
+    calibration_file().write_bytes(b"\xff\xfe\x00")
+    assert calibrated().rates == TYPICAL
+    assert len(measured) == 2
+
+
+def test_a_folder_that_cannot_be_written_is_noted(measured, tmp_path):
+    (tmp_path / "cache").write_text("in the way")
+    found = calibrated()
+    assert found.rates == TYPICAL
+    assert "not kept" in found.note
+
+
+def test_a_machine_that_cannot_be_timed_is_noted(measured, monkeypatch):
+    monkeypatch.setattr(calibration, "_measured", lambda: "")
+    found = calibrated()
+    assert found.rates == TYPICAL
+    assert "another machine" in found.note
+    assert not calibration_file().exists()

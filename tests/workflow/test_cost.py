@@ -1,0 +1,86 @@
+"""The cost model: additive, increasing, and true in what does not depend on a machine."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from kernels import Line, amplitudes, draw_phases, rms_slope
+from kernels.relaxation import touchable
+from kernels.schemes import SCHEMES
+from kernels.steady import steady_sliding
+from workflow.cost import TYPICAL, Curve, Load, case_seconds, sweeps, touchable_share
+from workflow.timing import rates
+
+CURVE = Curve((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
+WORK = Load(10_000, 2, 1, 100, 0.7, 0.05, 0.5)
+
+
+def test_a_curve_passes_through_what_was_measured():
+    assert [CURVE(size) for size in CURVE.sizes] == pytest.approx(CURVE.seconds)
+    assert CURVE(math.sqrt(1000.0)) == pytest.approx(4.0)  # a power law in between
+    assert CURVE(1.0) == 2.0  # what a call takes at least
+    assert CURVE(2000.0) == pytest.approx(160.0)
+
+
+@given(st.floats(1.0, 1e7), st.floats(1.0, 4.0))
+def test_more_samples_never_take_less_time(size, factor):
+    assert CURVE(size * factor) >= CURVE(size) * (1.0 - 1e-12)
+
+
+@pytest.mark.parametrize("name", ["samples", "steady_states", "jumps", "steps"])
+def test_more_work_takes_more_time(name):
+    more = WORK._replace(**{name: 2 * getattr(WORK, name)})
+    assert case_seconds(TYPICAL, more) > case_seconds(TYPICAL, WORK)
+
+
+def test_a_machine_of_half_the_speed_takes_twice_the_time():
+    slow = [part * 2.0 if isinstance(part, float) else half(part) for part in TYPICAL]
+    assert case_seconds(type(TYPICAL)(*slow), WORK) == pytest.approx(
+        2.0 * case_seconds(TYPICAL, WORK)
+    )
+
+
+def half(curve):
+    """Return the curve of a machine of half the speed."""
+    return Curve(curve.sizes, tuple(2.0 * seconds for seconds in curve.seconds))
+
+
+@given(st.floats(0.0, 1.0), st.floats(1e-6, 1e3), st.floats(1e-4, 1e4))
+def test_a_share_is_a_share(hurst, load, pace):
+    assert 0.0 < touchable_share(hurst, load, pace) <= 1.0
+    assert 1.0 <= sweeps(load, pace) <= 8.0
+
+
+def states(count=40, elements=1000, steps=4):
+    """Yield random problems with what is found for them: (H, Fbar, pace, share, sweeps)."""
+    rng = np.random.default_rng(8)
+    for _ in range(count):
+        hurst, load, speed = rng.uniform(0, 1), 10 ** rng.uniform(-3, 0.5), 10 ** rng.uniform(0, 2)
+        amplitude = amplitudes(hurst, elements)
+        line = Line.self_affine(amplitude, draw_phases(rng, elements), elements, steps)
+        step = SCHEMES["exponential"](1.0 / (steps * speed))
+        _, d, number = steady_sliding(line.z, load * line.z.size, step.decay, step.stiffness)
+        start, stop = touchable(line.z, 1.02 * d)
+        share = np.sum(stop - start) / line.z.size
+        yield hurst, load, speed * rms_slope(amplitude, elements), share, number
+
+
+def test_shares_and_sweeps_are_those_of_the_kernels():
+    found = list(states())
+    share = [np.log(row[3] / touchable_share(*row[:3])) for row in found]
+    sweep = [np.log(row[4] / sweeps(*row[1:3])) for row in found]
+    assert np.median(np.abs(share)) < np.log(1.5)
+    assert abs(np.mean(share)) < np.log(1.3)
+    assert np.median(np.abs(sweep)) < np.log(1.4)
+
+
+def test_every_rate_is_measured():
+    found = rates()
+    for curve in found[:-1]:
+        assert min(curve.seconds) > 0.0
+        assert len(curve.sizes) == len(curve.seconds)
+    assert found.case > 0.0
+    assert found.draw.seconds[-1] > found.draw.seconds[0]  # 100 times the samples

@@ -1,0 +1,51 @@
+"""What the tasks of a plan are predicted to cost on a machine whose rates are known."""
+
+from functools import lru_cache
+
+import numpy as np
+
+from kernels import Quantities, amplitudes, rms_slope
+from workflow.batch import Task
+from workflow.cost import Load, Rates, case_seconds
+
+
+class Prices:
+    """Predicted core-seconds of the tasks of one study, each reckoned once."""
+
+    def __init__(self, rates: Rates, asked: Quantities) -> None:
+        """``asked`` : what is simulated."""
+        self.rates, self.asked = rates, asked
+        self.known: dict[str, float] = {}
+
+    def task(self, task: Task) -> float:
+        """Return the predicted time of one realization of a task on a line that exists."""
+        if task.key not in self.known:
+            self.known[task.key] = case_seconds(self.rates, self._load(task))
+        return self.known[task.key]
+
+    def line(self, samples: int) -> float:
+        """Return the predicted time to draw and sample one line."""
+        return self.rates.draw(samples)
+
+    def _load(self, task: Task) -> Load:
+        problem = task.problem
+        return Load(
+            samples=problem.elements * task.steps_per_spacing,
+            steady_states=1 + (self.asked.steady or self.asked.relaxation),
+            jumps=int(self.asked.jump),
+            steps=task.march,
+            hurst=problem.hurst,
+            load=problem.load,
+            pace=problem.speed * _slope(problem.hurst, problem.elements),
+        )
+
+
+@lru_cache
+def _slope(hurst: float, elements: int) -> float:
+    return rms_slope(amplitudes(hurst, elements), elements)
+
+
+def copies_seconds(prices: Prices, tasks: list[Task], point_task: np.ndarray) -> float:
+    """Return the predicted time of all grid points that are copies of a task, once each."""
+    more = np.bincount(point_task.ravel(), minlength=len(tasks)) - 1
+    return float(more @ np.array([prices.task(task) for task in tasks]))

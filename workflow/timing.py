@@ -1,0 +1,116 @@
+"""`python -m workflow.timing`: time the kernels on this machine for a second or two, print JSON.
+
+It runs in a process of its own, set up like a worker (how memory is kept matters as much as the
+processor).
+"""
+
+import contextlib
+import json
+import platform
+import time
+from collections.abc import Callable
+from datetime import UTC, datetime
+from pathlib import Path
+from statistics import median
+
+import numpy as np
+
+from kernels import (
+    SCHEMES,
+    Case,
+    Line,
+    Quantities,
+    amplitudes,
+    draw_phases,
+    lagged_slope,
+    march,
+    quadrature,
+    run_case,
+    steady_sliding,
+)
+from workflow.cost import Curve, Rates
+
+SIZES = (2_000, 20_000, 200_000)  # samples: in the first, second, third cache
+SHORTEST = 60
+FEW, MANY = 4, 24  # steps: their difference is free of what a march does once
+SECONDS = 0.03  # per measurement, at least 3 calls
+HURST, LOAD, SPEED, STEPS = 0.7, 0.1, 1.0, 4
+
+
+def machine() -> str:
+    """Return the name of the processor."""
+    with contextlib.suppress(OSError):
+        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    return platform.processor() or platform.machine()
+
+
+def seconds(call: Callable[[], object]) -> float:
+    """Return the median CPU time of a call; the first one, which may compile, is not counted."""
+    call()
+    found: list[float] = []
+    while len(found) < 3 or sum(found) < SECONDS:
+        began = time.thread_time()
+        call()
+        found.append(time.thread_time() - began)
+    return median(found)
+
+
+def _line(samples: int) -> Line:
+    elements = samples // STEPS
+    phases = draw_phases(np.random.default_rng(1), elements)
+    return Line.self_affine(amplitudes(HURST, elements), phases, elements, STEPS)
+
+
+def _at(samples: int) -> dict[str, float]:
+    """Return the seconds of every kernel on a line of this size, all of which is marched."""
+    line, load = _line(samples), LOAD * samples
+    step = SCHEMES["exponential"](1.0 / (STEPS * SPEED))
+    c, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
+
+    def marching(steps: int) -> float:
+        record = np.array([steps])
+
+        def call() -> None:
+            weight = lagged_slope(line.slope, step.lag)
+            march(line.z, weight, c, d, step.decay, step.stiffness, load, record, np.inf, None)
+
+        return seconds(call)
+
+    few, many = marching(FEW), marching(MANY)
+    each = max(many - few, 0.1 * many) / (MANY - FEW)
+    steady = seconds(lambda: steady_sliding(line.z, load, step.decay, step.stiffness))
+    return {
+        "draw": seconds(lambda: _line(samples)),
+        "sweep": steady / sweeps,
+        "quadrature": seconds(
+            lambda: quadrature(line.z, line.slope, c, d, SPEED, 1.2 * SPEED, load)
+        ),
+        "setup": max(few - FEW * each, 0.1 * few),
+        "step": each,
+    }
+
+
+def _case() -> float:
+    """Return the seconds of a case that has next to nothing to compute."""
+    line = _line(64)
+    case = Case(LOAD, SPEED, (1.2,), (np.arange(1, 9),), "exponential")
+    return seconds(lambda: run_case(line, case, Quantities()))
+
+
+def rates() -> Rates:
+    """Return the rates of this thread of this machine."""
+    found = {size: _at(size) for size in (SHORTEST, *SIZES)}
+    curves = {
+        name: Curve(sizes, tuple(found[size][name] for size in sizes))
+        for name, sizes in dict.fromkeys(found[SHORTEST], SIZES).items()
+    }
+    sizes = (SHORTEST, *SIZES)
+    curves["step"] = Curve(sizes, tuple(found[size]["step"] for size in sizes))
+    return Rates(**curves, case=_case())
+
+
+if __name__ == "__main__":
+    today = datetime.now(UTC).date().isoformat()
+    print(json.dumps({"machine": machine(), "date": today, "rates": rates()._asdict()}))
