@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import Case, Line, Outcome, Quantities, Seconds, amplitudes, draw_phases, run_case
-from kernels.jit import source_hash
+from kernels.jit import compiling, source_hash
 from workflow.memory import peak_bytes
 from workflow.resolution import record_steps
 from workflow.similarity import Problem
@@ -69,9 +69,13 @@ def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.ran
 
 @lru_cache
 def load_kernels(scheme: str, asked: Quantities) -> None:
-    """Compile the kernels, or load them from the cache, once per process."""
-    line = Line.self_affine(amplitudes(0.5, 16), np.linspace(0.0, 6.0, 8), 16, 2)
-    run_case(line, Case(0.1, 1.0, (1.2,), (np.arange(1, 3),), scheme), asked)
+    """Compile the kernels, or load them from the cache, once per process.
+
+    One process of a machine at a time: the others find what the first one compiled.
+    """
+    with compiling():
+        line = Line.self_affine(amplitudes(0.5, 16), np.linspace(0.0, 6.0, 8), 16, 2)
+        run_case(line, Case(0.1, 1.0, (1.2,), (np.arange(1, 3),), scheme), asked)
 
 
 def block_means(batch: Batch) -> BatchResult:

@@ -1,25 +1,25 @@
 """Command line: python -m workflow plan|run|status|figure|table STUDY, and report."""
 
 import argparse
-import math
-import os
 import sys
 from pathlib import Path
 
 from workflow.calibration import calibrated
 from workflow.errors import UserError
-from workflow.measured import plan_measured, run_measured, write_measured_table
+from workflow.measured import plan_measured, write_measured_table
 from workflow.outline import outline
 from workflow.plan import batches, make_plan
 from workflow.progress import duration
 from workflow.reader import read_study
+from workflow.run_command import RESUMABLE, add_run_options, resume_line, run
 from workflow.study import Measured, Study
-
-RESUMABLE = 130  # exit status of an interrupted run
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run one command; return the exit status: 0 done, 2 wrong input, 130 interrupted."""
+    """Run one command; return the exit status.
+
+    0 done, 2 wrong input or surroundings, 3 done but for problems that failed, 130 interrupted.
+    """
     options = _parser().parse_args(arguments)
     try:
         return COMMANDS[options.command](options)
@@ -27,7 +27,7 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("aborted; what was finished is kept, run again to resume", file=sys.stderr)
+        print(resume_line("aborted"), file=sys.stderr)
         return RESUMABLE
 
 
@@ -56,11 +56,7 @@ def _parser() -> argparse.ArgumentParser:
             "--out", default="results", help="folder of results, or path of the .nc file"
         )
         if name == "run":
-            command.add_argument("--scheduler", help="address of a dask scheduler, tcp://host:port")
-            command.add_argument("--workers", type=int, help="local worker processes (all cores)")
-            command.add_argument(
-                "--batch-seconds", type=float, help="predicted length of a batch (3 to 20)"
-            )
+            add_run_options(command)
     text = "write report.html: all figures, and the claims of the paper beside the results"
     report = commands.add_parser("report", help=text, description=text)
     report.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
@@ -85,30 +81,7 @@ def _plan(options: argparse.Namespace) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
-    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
-    from workflow.runner import run_plan
-
-    if options.workers is not None and options.workers < 1:
-        raise UserError(f"--workers {options.workers}: must be at least 1")
-    if options.batch_seconds is not None and not 0.0 < options.batch_seconds < math.inf:
-        raise UserError(f"--batch-seconds {options.batch_seconds}: must be a positive number")
-    study, result = _study(options)
-    if isinstance(study, Measured):
-        for option in ("scheduler", "workers", "batch_seconds"):
-            if getattr(options, option) is not None:
-                name = option.replace("_", "-")
-                raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
-        print(run_measured(study, result), result, sep="\n")
-        return 0
-    plan = make_plan(study, calibrated().rates)
-    summary = run_plan(plan, result, options.scheduler, options.workers, options.batch_seconds)
-    print("\n".join(summary.lines(plan)))
-    if summary.interrupted:
-        print("interrupted; finished batches are kept, run again to resume", file=sys.stderr)
-        return RESUMABLE
-    print(result)
-    return 0
+    return run(options, *_study(options))
 
 
 def _status(options: argparse.Namespace) -> int:

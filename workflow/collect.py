@@ -10,6 +10,7 @@ from distributed import Client
 from kernels import amplitudes, rms_slope
 from workflow.batch import Task
 from workflow.dataset import build_dataset
+from workflow.errors import UserError
 from workflow.flow import Stop, stream
 from workflow.plan import Plan, Variant
 from workflow.progress import Reporter
@@ -27,7 +28,8 @@ def collect(
 ) -> dict[str, xr.Dataset]:
     """Return label -> dataset of every variant of a plan whose records are all stored.
 
-    Empty if ``stop()`` turned true meanwhile.
+    Tasks that failed are marked: estimates NaN, fit_status -1, realizations 0. Empty if
+    ``stop()`` turned true meanwhile.
     """
     marching = "relaxation" in plan.study.scene.quantities
     fits = sum(len(v.tasks) for v in plan.variants) * (plan.study.blocks + 1) * marching
@@ -51,7 +53,11 @@ def _reduce_variant(
     reporter: Reporter,
 ) -> Estimates:
     size = TASKS_PER_REDUCTION
-    parts = [variant.tasks[i : i + size] for i in range(0, len(variant.tasks), size)]
+    sound = np.array([task.key not in store.failed for task in variant.tasks])
+    tasks = [task for task in variant.tasks if task.key not in store.failed]
+    if not tasks:
+        raise UserError(f"nothing is left of {variant.label or 'the study'}: every problem failed")
+    parts = [tasks[i : i + size] for i in range(0, len(tasks), size)]
     slopes = _rms_slopes(plan, variant)
 
     def load() -> Iterator[tuple[int, Blocks]]:
@@ -67,9 +73,22 @@ def _reduce_variant(
         reporter.advance(len(parts[number]) * (plan.study.blocks + 1) * SECONDS_PER_FIT)
     if stop():
         return {}
-    merged = {n: np.concatenate([found[i][n] for i in range(len(parts))]) for n in found[0]}
+    merged = {
+        n: _spread(np.concatenate([found[i][n] for i in range(len(parts))]), sound)
+        for n in found[0]
+    }
+    if not sound.all():
+        merged["realizations"] = np.where(sound, plan.study.realizations, 0).astype(np.int32)
     merged["rms_slope"] = np.array([slopes[line_of(task)] for task in variant.tasks])
     return merged
+
+
+def _spread(values: np.ndarray, sound: np.ndarray) -> np.ndarray:
+    """Return estimates of the sound tasks as an array over all tasks, NaN or -1 elsewhere."""
+    nothing = np.nan if values.dtype.kind == "f" else -1
+    spread = np.full((sound.size, *values.shape[1:]), nothing, values.dtype)
+    spread[sound] = values
+    return spread
 
 
 def _reduce_part(part: tuple[int, Blocks]) -> tuple[Estimates, float]:

@@ -23,7 +23,9 @@ def build_dataset(plan: Plan, variant: Variant, estimates: Estimates) -> xr.Data
     """Return the dataset of one variant; ``estimates`` are arrays over variant.tasks."""
     replicates = estimates.pop("rate_replicates", None)
     estimates["speed_ratio"] = np.array([speed_ratio(t.problem.speed) for t in variant.tasks])
-    estimates["realizations"] = np.full(len(variant.tasks), plan.study.realizations, np.int32)
+    estimates.setdefault(
+        "realizations", np.full(len(variant.tasks), plan.study.realizations, np.int32)
+    )
     coords = {axis: np.array(plan.study.grid[axis]) for axis in AXES}
     data = {}
     for name, values in estimates.items():

@@ -26,7 +26,8 @@ def commit() -> str:
     return found.stdout.strip()
 
 
-def _version(package: str) -> str:
+def version_of(package: str) -> str:
+    """Return the version of an installed package."""
     try:
         return version(package)
     except PackageNotFoundError:
@@ -38,11 +39,11 @@ def origin(study: Study | Measured) -> dict[str, str | int | float]:
     return {
         "Conventions": "CF-1.8",
         "title": study.title,
-        "source": f"elastomer-friction {_version('elastomer-friction')}",
+        "source": f"elastomer-friction {version_of('elastomer-friction')}",
         "references": REFERENCE,
         "commit": commit(),
         "code": CODE,
-        "versions": ", ".join(f"{name} {_version(name)}" for name in PACKAGES),
+        "versions": ", ".join(f"{name} {version_of(name)}" for name in PACKAGES),
         "study": study.text,
         "seed": study.seed,
     }

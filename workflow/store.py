@@ -37,6 +37,7 @@ class Store:
         self.rows: dict[str, list[tuple[int, int]]] = {}  # key -> parts it is in, row in each
         # (part, block) -> shard, record of row 0, records from a row to the next
         self.place: dict[tuple[int, int], tuple[str, int, int]] = {}
+        self.failed: dict[str, str] = {}  # key of each task that failed for good -> why
         self.recent: dict[str, Contents] = {}
         self.offset = 0  # in the journal, after the last line read or written
         for entry, self.offset in journal.entries(folder):
@@ -75,6 +76,14 @@ class Store:
         predicted = sum(batch.seconds for batch, _ in finished)
         times = {"used": round(used, 3), "predicted": round(predicted, 3)}
         self._enter(name, len(content), [chunk_of(batch) for batch, _ in finished], times)
+
+    def record_failure(self, key: str, why: str) -> None:
+        """Note durably that a task failed for good."""
+        self._write([{"failed": key, "why": why}])
+
+    def forget_failures(self, keys: set[str]) -> None:
+        """Let failed tasks be tried again."""
+        self._write([{"retry": key} for key in sorted(keys & self.failed.keys())])
 
     def read(self, records: list[Record], samples: int) -> tuple[np.ndarray, np.ndarray]:
         """Return (scalars, curves) of the records, shapes (records, 5) and (records, samples).
@@ -159,6 +168,10 @@ class Store:
                 self.rows.setdefault(key, []).append((number, row))
         elif "shard" in entry:
             self._place(entry["shard"], entry["bytes"], entry["chunks"])
+        elif "failed" in entry:
+            self.failed[entry["failed"]] = entry["why"]
+        elif "retry" in entry:
+            self.failed.pop(entry["retry"], None)
         elif "dropped" in entry:
             self.sizes.pop(entry["dropped"], None)
             gone = [where for where, found in self.place.items() if found[0] == entry["dropped"]]

@@ -32,6 +32,8 @@ class Summary:
     files: float = 0.0  # s, reading and writing in the driver, mostly while workers compute
     peak: int = 0  # bytes, of the largest worker
     interrupted: bool = False
+    written: bool = False  # the result file
+    failures: list[str] = field(default_factory=list)  # a table
     phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # by key
 

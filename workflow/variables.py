@@ -71,7 +71,9 @@ VARIABLES: dict[str, Variable] = {
     "time": Variable(CURVE, "1", "time since the jump, (t - t0)/tau"),
     "rms_slope": Variable(GRID, "1", "spectral rms slope of the line", SLOPE),
     "speed_ratio": Variable(GRID, "1", "x = v1 tau q_max"),
-    "realizations": Variable(GRID, "1", "number of realizations averaged"),
+    "realizations": Variable(
+        GRID, "1", "number of realizations averaged", comment="0: the computation failed"
+    ),
     "alpha": Variable(
         PER_HURST, "1", "exponent of eq. 13, b = x^alpha, over fitted points with x > 1"
     ),

@@ -64,6 +64,25 @@ def test_cache_folder_is_made_under_the_cache_home(monkeypatch, tmp_path):
     assert folder == tmp_path / "elastomer-friction" / jit.source_hash()
 
 
+def test_without_a_cache_home_it_is_a_folder_of_our_own_on_this_machine(monkeypatch, tmp_path):
+    monkeypatch.delenv("XDG_CACHE_HOME", raising=False)
+    monkeypatch.setattr(jit.tempfile, "gettempdir", lambda: str(tmp_path))
+    folder = Path(jit._cache_folder())
+    base = tmp_path / f"elastomer-friction-{os.getuid()}"
+    assert folder == base / "elastomer-friction" / jit.source_hash()
+    assert base.stat().st_mode & 0o777 == 0o700
+
+
+def test_machine_code_of_another_user_is_not_run(monkeypatch, tmp_path):
+    monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
+    monkeypatch.setattr(jit.os, "getuid", lambda: 4711)
+    folder = Path(jit._cache_folder())
+    try:
+        assert tmp_path not in folder.parents
+    finally:
+        folder.rmdir()
+
+
 def test_a_home_that_cannot_be_written_is_replaced(monkeypatch, tmp_path):
     blocked = tmp_path / "file"
     blocked.write_text("not a folder")

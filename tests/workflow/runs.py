@@ -30,10 +30,17 @@ class Run(NamedTuple):
             return dataset.load()
 
 
-def run(scheduler: str, folder: Path, *settings: str, batch_seconds: float = 3.0, **how) -> Run:
+def run(
+    scheduler: str,
+    folder: Path,
+    *settings: str,
+    scale: str | None = None,
+    batch_seconds: float = 3.0,
+    **how,
+) -> Run:
     """Run the small study with --set ``settings`` on the cluster of the tests."""
-    plan, path = small_plan(*settings, **how), folder / "small.nc"
-    return Run(plan, run_plan(plan, path, scheduler, None, batch_seconds), path)
+    plan, path = small_plan(*settings, scale=scale), folder / "small.nc"
+    return Run(plan, run_plan(plan, path, scheduler, None, batch_seconds, **how), path)
 
 
 def shards(folder: Path) -> dict[str, tuple[int, int]]:

@@ -128,6 +128,7 @@ def test_unknown_study_is_one_line(capsys, command):
     [
         ("--workers", "0"),
         ("--workers", "-2"),
+        ("--max-failures", "-1"),
         ("--batch-seconds", "0.0"),
         ("--batch-seconds", "-1.0"),
         ("--batch-seconds", "nan"),
@@ -135,7 +136,7 @@ def test_unknown_study_is_one_line(capsys, command):
 )
 def test_bad_option_of_run_names_it(capsys, study, tmp_path, option, value):
     message = complaint(capsys, "run", study, f"{option}={value}", "--out", str(tmp_path))
-    assert message.startswith(f"error: {option} {value}: must be ")
+    assert message.startswith(f"error: {option} {value}: must ")
 
 
 def test_endless_batches_are_refused(capsys, study, scheduler, tmp_path):
@@ -163,7 +164,7 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
 
     monkeypatch.setitem(cli.COMMANDS, "plan", interrupt)
     assert main(["plan", study]) == 130
-    assert "run again to resume" in capsys.readouterr().err
+    assert "to resume run again: python -m workflow" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("arguments", [[], ["paint", "fig7"], ["plan"], ["plan", "x", "--no"]])

@@ -61,7 +61,7 @@ def test_a_killed_run_resumes(scheduler, tmp_path, expected):
 def test_ctrl_c_stops_a_run_that_resumes(scheduler, tmp_path, expected, capsys):
     status, out, err = interrupted(tmp_path, signal.SIGINT, whole_group=True)
     assert status == 130
-    assert "run again to resume" in err.splitlines()[-1]
+    assert "to resume run again: python -m workflow run" in err.splitlines()[-1]
     assert "Traceback" not in err
     assert not (tmp_path / "small.nc").exists()
     finished = len(held(Store(store_folder(tmp_path / "small.nc"))))  # a record per batch

@@ -1,0 +1,88 @@
+"""Machine code on disk: used when it is sound, made again when it is not, never fatal."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from tests.sizes import PLAIN_PYTHON
+
+pytestmark = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPT = """
+import numpy as np
+from kernels import contact
+d = contact.solve_indentation(np.array([0.0, 0.5, 1.0]), 1.0, 0.0)
+print(d, sum(contact.solve_indentation.stats.cache_hits.values()))
+"""
+
+
+def solve(folder, *options):
+    """Solve in a new process with its cache in ``folder``: (numbers, hits of the cache), stderr."""
+    process = subprocess.run(
+        [sys.executable, *options, "-c", SCRIPT],
+        cwd=ROOT,
+        env={**os.environ, "NUMBA_CACHE_DIR": str(folder)},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    *found, hits = process.stdout.rsplit(maxsplit=1)
+    return found, int(hits), process.stderr
+
+
+@pytest.fixture(scope="module")
+def cold(tmp_path_factory):
+    """Return a folder with machine code, and what the process that made it found."""
+    folder = tmp_path_factory.mktemp("cache")
+    found, hits, _ = solve(folder)
+    assert hits == 0
+    return folder, found
+
+
+def files(folder, suffix):
+    """Return the files of a cache with a suffix; there are some."""
+    found = sorted(folder.rglob(f"*{suffix}"))
+    assert found
+    return found
+
+
+def test_sound_machine_code_is_used(cold):
+    assert solve(cold[0]) == (cold[1], 1, "")
+
+
+DAMAGE = {
+    "empty": lambda content: b"",
+    "truncated": lambda content: content[: len(content) // 2],
+    "zeros": lambda content: bytes(len(content)),
+    "a flipped bit": lambda content: content[:-40] + bytes([content[-40] ^ 1]) + content[-39:],
+}
+
+
+@pytest.mark.parametrize("suffix", [".nbi", ".nbc"])
+@pytest.mark.parametrize("damage", DAMAGE)
+def test_damaged_machine_code_is_made_again(cold, suffix, damage):
+    folder, found = cold
+    for path in files(folder, suffix):
+        path.write_bytes(DAMAGE[damage](path.read_bytes()))
+    assert solve(folder) == (found, 0, "")
+    assert solve(folder) == (found, 1, "")
+
+
+@pytest.fixture
+def small_disk(tmp_path):
+    """Return a folder on a disk of 16 KiB."""
+    mount = ["mount", "-t", "tmpfs", "-o", "size=16k", "tmpfs", str(tmp_path)]
+    if subprocess.run(mount, capture_output=True).returncode:
+        pytest.skip("this process may not mount a small disk")
+    yield tmp_path
+    subprocess.run(["umount", str(tmp_path)], check=True)
+
+
+def test_a_full_disk_costs_a_warning(cold, small_disk):
+    found, hits, errors = solve(small_disk, "-W", "default")
+    assert (found, hits) == (cold[1], 0)
+    assert "machine code is not cached: [Errno 28] No space left on device" in errors
+    assert solve(small_disk)[:2] == (found, 0)

@@ -1,0 +1,142 @@
+"""A failing chunk is split, tried alone, recorded by point; the rest of the study is finished."""
+
+import numpy as np
+import pytest
+from distributed.scheduler import KilledWorker, WorkerState
+
+from tests.workflow.runs import run
+from tests.workflow.shards import held
+from tests.workflow.small import all_records, small_plan
+from workflow import work
+from workflow.errors import UserError
+from workflow.failures import Failures
+from workflow.plan import batches
+from workflow.runner import store_folder
+from workflow.store import Store
+
+PLAN = small_plan()
+BATCH = next(batches(PLAN, set(), 1e9))  # four tasks, four blocks
+KILLED = KilledWorker("key", WorkerState.__new__(WorkerState), 3)
+
+
+@pytest.fixture
+def failures(tmp_path):
+    """Return the failures of a run that goes on with one."""
+    return Failures(Store(tmp_path), PLAN, 1)
+
+
+def parts(retried):
+    """Return what batches compute: (key, first block, blocks)."""
+    return [(b.tasks[0].key, b.first_block, b.blocks) for b in retried if len(b.tasks) == 1]
+
+
+@pytest.mark.parametrize("error", [ValueError("no"), KILLED])
+def test_a_chunk_is_split_into_its_tasks(failures, error):
+    retried = failures(BATCH, error, False)
+    assert parts(retried) == [(task.key, 0, 4) for task in BATCH.tasks]
+    assert sum(batch.seconds for batch in retried) == pytest.approx(BATCH.seconds)
+    assert failures.lines() == []
+
+
+def test_a_task_whose_worker_died_is_tried_alone_before_it_is_blamed(failures, capsys):
+    (first, *_) = failures(BATCH, KILLED, False)
+    assert failures(first, KILLED, False) == [first]
+    assert failures(first, KILLED, True) == []
+    assert "its worker died 4 times (blocks 0-3)" in capsys.readouterr().err
+
+
+def test_a_failure_is_recorded_by_point_and_said_at_once(failures, capsys):
+    (first, *_) = failures(BATCH, ValueError("no root\nat all"), False)
+    assert failures(first, ValueError("no root\nat all"), False) == []
+    said = capsys.readouterr().err
+    point = "hurst=0.3 normal_force=0.04 spacing=0.0001 roughness=1e-05 velocity=0.03 velocity_step"
+    assert said.startswith(f"failed: {point}")
+    assert said.endswith(": ValueError: no root (blocks 0-3)\n")
+    assert failures.lines()[0].startswith("1 problems failed")
+    again = Failures(Store(failures.store.folder), PLAN, 1)
+    assert again.lines() == failures.lines()
+    assert (first.tasks[0].key, 77) in again
+    assert (BATCH.tasks[1].key, 0) not in again
+
+
+def test_too_many_failures_end_the_run(failures, capsys):
+    tasks = failures(BATCH, ValueError(), False)
+    for batch in tasks[:2]:
+        assert not failures.too_many()
+        failures(batch, ValueError(), False)
+    assert failures.too_many()
+    assert capsys.readouterr().err.count("\n") == 2
+
+
+def test_failures_can_be_forgotten(failures):
+    (first, *_) = failures(BATCH, ValueError(), False)
+    failures(first, ValueError(), False)
+    failures.store.forget_failures({first.tasks[0].key, "unknown"})
+    assert Store(failures.store.folder).failed == {}
+
+
+def test_a_worker_that_cannot_import_us_ends_the_run(failures):
+    with pytest.raises(UserError, match="a worker cannot work: No module named 'workflow'"):
+        failures(BATCH, ModuleNotFoundError("No module named 'workflow'"), False)
+
+
+@pytest.fixture(scope="module")
+def broken(scheduler, tmp_path_factory):
+    """Return a run in which one problem raises on the worker, and that problem's key."""
+    folder = tmp_path_factory.mktemp("broken")
+    bad = PLAN.variants[0].tasks[1].key
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("workflow.runner.run_batch", _Raising(bad))
+        return run(scheduler, folder, max_failures=1), bad
+
+
+class _Raising:
+    """Stands in for run_batch: raises where a batch holds one task."""
+
+    def __init__(self, key):
+        self.key = key
+
+    def __call__(self, batch, expected):
+        if any(task.key == self.key for task in batch.tasks):
+            raise ArithmeticError("no root")
+        return work.run_batch(batch, expected)
+
+
+def test_the_rest_of_the_study_is_finished(broken):
+    (_, summary, path), bad = broken
+    assert summary.written
+    assert len(summary.failures) == 2
+    assert "ArithmeticError: no root" in summary.failures[1]
+    others = {record for record in all_records(PLAN) if record[0] != bad}
+    assert held(Store(store_folder(path))) == others
+
+
+def test_the_failed_point_is_marked_in_the_result(broken, finished):
+    (whole, part), task = (finished.load(), broken[0].load()), 1
+    place = np.unravel_index(np.argmax(PLAN.point_task == task), PLAN.point_task.shape)
+    assert part.realizations.values[place] == 0
+    assert part.fit_status.values[place] == -1
+    assert np.isnan(part.mu_1.values[place])
+    assert np.isnan(part.mu.values[place]).all()
+    sound = np.ones(PLAN.point_task.shape, dtype=bool)
+    sound[place] = False
+    for name in ("mu_1", "jump", "mu", "fit_status", "realizations", "relaxation_rate_error"):
+        values, expected = part[name].values[sound], whole[name].values[sound]
+        assert np.array_equal(values, expected, equal_nan=True)
+
+
+def test_a_failure_is_tried_again_when_asked_and_only_then(broken, finished, scheduler):
+    (_, summary, path), _ = broken
+    again = run(scheduler, path.parent)
+    assert (again.summary.batches, again.summary.failures) == (0, summary.failures)
+    retried = run(scheduler, path.parent, retry_failed=True)
+    assert (retried.summary.batches, retried.summary.failures) == (1, [])
+    assert retried.path.read_bytes() == finished.path.read_bytes()
+
+
+def test_no_result_is_written_after_too_many_failures(scheduler, tmp_path, monkeypatch):
+    monkeypatch.setattr("workflow.runner.run_batch", _Raising(PLAN.variants[0].tasks[1].key))
+    stopped = run(scheduler, tmp_path, max_failures=0)
+    assert not stopped.summary.written
+    assert not stopped.path.exists()
+    assert len(stopped.summary.failures) == 2

@@ -1,0 +1,68 @@
+"""Whoever computes must run what the driver runs; whoever does not is named in a table."""
+
+import pytest
+
+from workflow import versions as module
+from workflow.errors import UserError
+from workflow.versions import Versions, check_versions, require, versions
+
+
+def other(name, value):
+    """Return our versions with one changed."""
+    found = dict(zip(versions().names, versions().values, strict=True)) | {name: value}
+    return Versions(tuple(found), tuple(found.values()))
+
+
+def test_same_versions_are_accepted(client):
+    require(versions())
+    check_versions(client)
+
+
+def test_packages_python_and_our_own_sources_are_compared():
+    names = set(versions().names)
+    assert names == {*module.PACKAGES, "python", "our sources"}
+    assert all("not installed" not in value for value in versions().values)
+
+
+def test_an_edit_is_another_version(tmp_path, monkeypatch):
+    for name in module.FOLDERS:
+        (tmp_path / name).mkdir()
+        (tmp_path / name / "a.py").write_text("x = 1\n")
+    monkeypatch.setattr(module, "__file__", str(tmp_path / "workflow" / "versions.py"))
+    before = versions.__wrapped__()
+    (tmp_path / "kernels" / "a.py").write_text("x = 2\n")
+    after = versions.__wrapped__()
+    assert before.values[:-1] == after.values[:-1]
+    assert before.values[-1] != after.values[-1]
+
+
+@pytest.mark.parametrize("name", ["numba", "our sources"])
+def test_a_worker_that_differs_refuses_with_a_table(name):
+    with pytest.raises(UserError) as error:
+        require(other(name, "0.1"))
+    lines = str(error.value).splitlines()
+    assert len(lines) == 3
+    assert name in lines[2]
+    assert lines[2].endswith("0.1")
+    assert dict(zip(versions().names, versions().values, strict=True))[name] in lines[2]
+
+
+def test_all_who_differ_are_named(client, monkeypatch):
+    monkeypatch.setattr(module, "versions", _Pretended(other("numpy", "1.0")))
+    with pytest.raises(UserError) as error:
+        check_versions(client)
+    lines = str(error.value).splitlines()[2:]  # the scheduler of the tests is in this process
+    assert [line.split()[0] for line in lines] == sorted(client.nthreads())
+
+
+class _Pretended:
+    """Stands in for versions() here; elsewhere it is the real one, imported by name."""
+
+    def __init__(self, found):
+        self.found = found
+
+    def __call__(self):
+        return self.found
+
+    def __reduce__(self):
+        return getattr, (module, "versions")

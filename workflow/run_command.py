@@ -1,0 +1,79 @@
+"""The command ``run``: its options, what it prints, its exit status."""
+
+import argparse
+import math
+import os
+import shlex
+import sys
+from pathlib import Path
+
+from workflow.calibration import calibrated
+from workflow.errors import UserError
+from workflow.measured import run_measured
+from workflow.plan import make_plan
+from workflow.study import Measured, Study
+
+DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
+OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
+
+
+def add_run_options(command: argparse.ArgumentParser) -> None:
+    """Add the options that only ``run`` has."""
+    add = command.add_argument
+    add("--scheduler", help="address of a dask scheduler, tcp://host:port")
+    add("--workers", type=int, help="local worker processes (all cores)")
+    add("--batch-seconds", type=float, help="predicted length of a batch (3 to 20)")
+    add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
+    add("--retry-failed", action="store_true", help="try what failed in earlier runs again")
+
+
+def run(options: argparse.Namespace, study: Study | Measured, result: Path) -> int:
+    """Run a study; return the exit status."""
+    _check(options)
+    if isinstance(study, Measured):
+        for option in OF_A_CLUSTER:
+            if getattr(options, option) is not None:
+                name = option.replace("_", "-")
+                raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
+        print(run_measured(study, result), result, sep="\n")
+        return DONE
+    # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
+    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
+    from workflow.runner import run_plan
+
+    plan = make_plan(study, calibrated().rates)
+    summary = run_plan(
+        plan,
+        result,
+        options.scheduler,
+        options.workers,
+        options.batch_seconds,
+        options.max_failures,
+        options.retry_failed,
+    )
+    print("\n".join(summary.lines(plan)))
+    if summary.failures:
+        print("\n".join(summary.failures), file=sys.stderr)
+    if summary.interrupted:
+        print(resume_line("interrupted"), file=sys.stderr)
+        return RESUMABLE
+    if summary.written:
+        print(result)
+    else:
+        print(f"stopped: more than {options.max_failures} problems failed", file=sys.stderr)
+    return FAILED if summary.failures else DONE
+
+
+def resume_line(what: str) -> str:
+    """Return how to go on with a run that ended early."""
+    command = shlex.join(["python", "-m", "workflow", *sys.argv[1:]])
+    return f"{what}; what is finished is kept, to resume run again: {command}"
+
+
+def _check(options: argparse.Namespace) -> None:
+    if options.workers is not None and options.workers < 1:
+        raise UserError(f"--workers {options.workers}: must be at least 1")
+    if options.batch_seconds is not None and not 0.0 < options.batch_seconds < math.inf:
+        raise UserError(f"--batch-seconds {options.batch_seconds}: must be a positive number")
+    if options.max_failures < 0:
+        raise UserError(f"--max-failures {options.max_failures}: must not be negative")
