@@ -12,7 +12,8 @@ Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 
 from kernels.contact import solve_indentation
 from kernels.friction import lagged_slope, quadrature, step_average
-from kernels.realization import Case, Line, Outcome, Quantities, Seconds, run_case
+from kernels.line import Line
+from kernels.realization import Case, Outcome, Quantities, Seconds, run_case
 from kernels.relaxation import march
 from kernels.schemes import SCHEMES, Step
 from kernels.steady import steady_sliding

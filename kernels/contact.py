@@ -7,7 +7,11 @@ balance of eq. 4 (Li et al. 2014) then reads
 
 and is increasing, convex and piecewise linear in the indentation d. Newton's method from the
 right runs through nested sets of touching elements and ends when the set repeats: with the
-exact root, after finitely many passes, without a tolerance.
+exact root, without a tolerance.
+
+Never more than 2 n + 3 passes over n elements: after the first pass d lies right of the root,
+from then on every pass has a smaller d with fewer elements touching, or is the last. Rounding
+can carry d below every threshold; that restarts it once, from the bound of one element.
 """
 
 import numpy as np
@@ -54,61 +58,48 @@ def overlap(c, d):
 
 
 @kernel
-def solve_indentation(c, target, guess):
-    """Return (d, passes) with sum_i max(0, d - c_i) = target > 0, from any starting ``guess``.
-
-    c : float array of the contact thresholds z_i - w_i.
-    passes : number of passes over c (2 to 4 when the guess is good).
-    """
-    d = guess
-    right = False  # of the root: from there on Newton's method must fall
-    previous = -1.0
-    passes = 0
-    while True:
-        total, count = overlap(c, d)
-        passes += 1
-        if count == 0.0:
-            # Left of every threshold: one element carrying all is an upper bound.
-            new = c.min() + target
-            if not new > d:  # the load is below rounding, or not a number
-                return d, passes
-            d = new
-            continue
-        new = d - (total - target) / count
-        if count == previous or (right and not new < d):
-            return new, passes
-        previous = count if new < d or right else -1.0
-        right = True
-        d = new
+def weighted_overlap(c, stiffness, d):
+    """Return (sum of s_i (d - c_i), sum of s_i, number) over the touching elements c_i < d."""
+    force = 0.0
+    slope = 0.0
+    count = 0.0
+    for i in range(c.size):
+        if c[i] < d:
+            force += stiffness[i] * (d - c[i])
+            slope += stiffness[i]
+            count += 1.0
+    return force, slope, count
 
 
 @kernel
-def solve_weighted(c, stiffness, load, guess):
-    """Return (d, passes) with sum_i stiffness_i max(0, d - c_i) = load > 0, as above."""
+def solve_indentation(c, load, guess, stiffness=None):
+    """Return (d, passes) with sum_i s_i max(0, d - c_i) = load > 0, from any starting ``guess``.
+
+    c : float array of the contact thresholds z_i - w_i. stiffness : s_i > 0, or None where all
+    are 1: numba compiles a version for each type of it.
+    passes : number of passes over c (2 to 4 when the guess is good).
+    """
     d = guess
-    right = False
-    previous = -1
+    fallen = False  # below every threshold
+    previous = 0.0
     passes = 0
     while True:
-        force = 0.0
-        slope = 0.0
-        count = 0
-        for i in range(c.size):
-            if c[i] < d:
-                force += stiffness[i] * (d - c[i])
-                slope += stiffness[i]
-                count += 1
+        if stiffness is None:
+            force, count = overlap(c, d)
+            slope = count
+        else:
+            force, slope, count = weighted_overlap(c, stiffness, d)
         passes += 1
-        if count == 0:
+        if count == 0.0:
+            # One element carrying all is an upper bound.
             lowest = np.argmin(c)
-            new = c[lowest] + load / stiffness[lowest]
-            if not new > d:
-                return d, passes
-            d = new
+            new = c[lowest] + (load if stiffness is None else load / stiffness[lowest])
+            if fallen or not new > d:  # the load is below rounding, or not a number
+                return np.nextafter(c[lowest], np.inf) if d <= c[lowest] else d, passes
+            fallen = True
         else:
             new = d - (force - load) / slope
-            if count == previous or (right and not new < d):
+            if passes > 1 and (count == previous or not new < d):
                 return new, passes
-            previous = count if new < d or right else -1
-            right = True
-            d = new
+        previous = count
+        d = new

@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kernels.contact import solve_indentation
 from kernels.jit import kernel
 
 LEAST_COVERED = 0.01  # of a sample: keeps every touching sample in the load balance
@@ -19,26 +20,53 @@ def quadrature(z, slope, c, d, formed, speed, load):
     z, slope, c : shape (n,). d : indentation. formed, speed : vbar. load : n Fbar.
     mu in h/dx, rate in h/tau, contact : share of the line in contact.
     """
-    n = z.size
-    pressure = np.empty(n)
-    weight = np.empty(n)
-    lever = np.empty(n)
-    touching = 0
-    for j in range(n):
-        if c[j] < d:
-            weight[touching] = _covered(z, slope, c, d, formed, j)
-            pressure[touching] = (d - z[j]) + speed * slope[j]
-            lever[touching] = slope[j]
-            touching += 1
-    rate = _indentation_rate(pressure[:touching], weight[:touching], load)
+    at = np.flatnonzero(c < d)
+    weight = np.empty(at.size)
+    for i in range(at.size):
+        weight[i] = _covered(z, slope, c, d, formed, at[i])
+    threshold = (z[at] - d) - speed * slope[at]  # minus the pressure where d' = 0
+    # As a first guess every element is pressed, but perhaps one.
+    rate, _ = solve_indentation(threshold, load, threshold.max(), weight)
     normal = tangential = contact = 0.0
-    for i in range(touching):
-        p = pressure[i] + rate
+    for i in range(at.size):
+        p = rate - threshold[i]
         if p > 0.0:
             normal += weight[i] * p
-            tangential += weight[i] * p * lever[i]
+            tangential += weight[i] * p * slope[at[i]]
             contact += weight[i]
-    return tangential / normal, rate, contact / n
+    return tangential / normal, rate, contact / z.size
+
+
+@kernel
+def slow_friction(z, slope, c, d, speed, load, steps):
+    """Return mu of steady sliding with the elastic part of eq. 5 integrated exactly.
+
+    int (d - z) z' dx = [-(d - z)^2 / 2] from edge to edge of every contact. Summed by samples
+    its error would not fall with the speed, as friction does; below one sample per tau it
+    drowns it. ``steps`` : samples per spacing; the rest as in quadrature.
+    """
+    elastic = viscous = 0.0
+    for j in np.flatnonzero(c < d):
+        viscous += _covered(z, slope, c, d, speed, j) * slope[j] ** 2
+        for k, sign in (((j - 1) % z.size, 0.5), ((j + 1) % z.size, -0.5)):
+            if not c[k] < d:
+                reach = _reach(z, slope, c, d, speed, j, k)
+                elastic += sign * (d - (z[j] + reach * (z[k] - z[j]))) ** 2
+    return (speed * viscous + steps * elastic) / load
+
+
+@kernel
+def _reach(z, slope, c, d, formed, j, k):
+    """Return how far from touching sample j the contact reaches towards free neighbour k.
+
+    In samples; the leading edge lies where d - c changes sign, the trailing edge where the
+    pressure (d - z) + vbar z' of the steady state vanishes; both by linear interpolation.
+    """
+    if k == (j + 1) % z.size:
+        return (d - c[j]) / (c[k] - c[j])
+    here = (d - z[j]) + formed * slope[j]
+    fall = here - ((d - z[k]) + formed * slope[k])
+    return min(max(here / fall, -0.5), 1.5) if fall > 0.0 else 0.5
 
 
 @kernel
@@ -46,49 +74,12 @@ def _covered(z, slope, c, d, formed, j):
     """Return how much of touching sample j the contact covers: 1 but at its edges.
 
     Pressure may be finite at an edge, so a whole or no sample there is an error of first order.
-    The leading edge lies where d - c changes sign, the trailing edge where the pressure
-    (d - z) + vbar z' of the steady state vanishes; both by linear interpolation.
     """
-    ahead = j + 1 if j + 1 < z.size else 0
-    behind = j - 1 if j > 0 else z.size - 1
     covered = 1.0
-    if not c[ahead] < d:
-        covered += (d - c[j]) / (c[ahead] - c[j]) - 0.5
-    if not c[behind] < d:
-        here = (d - z[j]) + formed * slope[j]
-        fall = here - ((d - z[behind]) + formed * slope[behind])
-        covered += min(max(here / fall, -0.5), 1.5) - 0.5 if fall > 0.0 else 0.0
+    for k in ((j + 1) % z.size, (j - 1) % z.size):
+        if not c[k] < d:
+            covered += _reach(z, slope, c, d, formed, j, k) - 0.5
     return max(covered, LEAST_COVERED)
-
-
-@kernel
-def _indentation_rate(pressure, weight, load):
-    """Return the root of sum_i weight_i max(0, pressure_i + rate) = load."""
-    rate = -pressure.min()  # a first guess with every element pressed, on either side
-    previous = -1
-    right = False
-    while True:
-        total = 0.0
-        share = 0.0
-        count = 0
-        for i in range(pressure.size):
-            p = pressure[i] + rate
-            if p > 0.0:
-                total += weight[i] * p
-                share += weight[i]
-                count += 1
-        if count == 0:  # all pressures are equal
-            new = rate + load / weight.sum()
-            if not new > rate:
-                return rate
-            rate = new
-            continue
-        new = rate - (total - load) / share
-        if count == previous or (right and not new < rate):
-            return new
-        previous = count if new < rate or right else -1
-        right = True
-        rate = new
 
 
 @kernel

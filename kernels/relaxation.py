@@ -8,10 +8,10 @@ per gap hands them from one stretch to the next.
 
 import numpy as np
 
-from kernels.contact import solve_indentation, solve_weighted
+from kernels.contact import solve_indentation
 from kernels.friction import step_average
 from kernels.jit import kernel
-from kernels.steady import NEGLIGIBLE
+from kernels.schemes import NEGLIGIBLE
 
 SHORT_GAP = 16  # gaps up to this many samples are cheaper to carry along than to skip
 
@@ -98,7 +98,9 @@ def _rings(z, c, d, decay, start, stop):
     crossing = np.ones(start.size)
     for s in range(start.size):
         for t in range(1, gap[s] + 2):
-            crossing[s] *= decay if crossing[s] > NEGLIGIBLE else 0.0
+            crossing[s] *= decay
+            if crossing[s] < NEGLIGIBLE:
+                crossing[s] = 0.0
             j = (stop[s] - 1 + t) % n
             ring[ring_at[s] + t % (gap[s] + 1)] = crossing[s] * (z[j] - max(c[j], d))
     return ring, ring_at, crossing
@@ -150,7 +152,7 @@ def _solve_rigid(z, c, held, decay, stiffness, load, d):
         if held[i]:
             threshold[i] = (z[i] - decay * z[i + 1]) / (1.0 - decay)
             weight[i] = 1.0
-    d, passes = solve_weighted(threshold, weight, load, d)
+    d, passes = solve_indentation(threshold, load, d, weight)
     for i in range(c.size):
         if held[i]:
             c[i] = z[i] - decay * (z[i + 1] - d)

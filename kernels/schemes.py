@@ -9,6 +9,12 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+# What decays below this is zero: subnormal numbers, far below, would slow a sweep tenfold.
+NEGLIGIBLE = 1e-200
+# Shortest step, in units of tau: displacements change by dt of themselves in a step, so that
+# rounding, 1e-16 of them, comes back as 1e-16 / dt of the force.
+SHORTEST = 1e-10
+
 
 class Step(NamedTuple):
     """Constants of one time step."""
@@ -20,7 +26,7 @@ class Step(NamedTuple):
 
 def implicit_euler(dt: float) -> Step:
     """Return the step of the implicit Euler scheme; ``dt`` in units of tau. First order."""
-    return Step(1.0 / (1.0 + dt), 1.0 + 1.0 / dt, 0.0)
+    return Step(_decay(1.0 / (1.0 + dt)), 1.0 + 1.0 / dt, 0.0)
 
 
 def exponential(dt: float) -> Step:
@@ -29,7 +35,11 @@ def exponential(dt: float) -> Step:
     u_new = e^-dt u_old - int e^-(dt - s) f(s) ds: the step's force is the mean of f weighted
     with e^-(dt - s), so it acts at the centre of that weight, 1/dt - 1/(e^dt - 1) before the end.
     """
-    return Step(math.exp(-dt), -1.0 / math.expm1(-dt), _weight_centre(dt))
+    return Step(_decay(math.exp(-dt)), -1.0 / math.expm1(-dt), _weight_centre(dt))
+
+
+def _decay(value: float) -> float:
+    return value if value > NEGLIGIBLE else 0.0
 
 
 def _weight_centre(dt: float) -> float:

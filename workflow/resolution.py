@@ -5,13 +5,14 @@ import math
 import numpy as np
 
 from kernels import SCHEMES
+from kernels.realization import SPEEDS
+from kernels.schemes import SHORTEST
 from workflow.errors import UserError
 from workflow.similarity import Problem
 from workflow.study import Numerics, Scene
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8
-SLOWEST = 1e-12  # vbar; below, no number of steps in reach is enough
 
 
 def speed_ratio(speed: float) -> float:
@@ -37,7 +38,7 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
         need = 8.0
         if "relaxation" in scene.quantities:
             slowest = problem.speed * min(1.0, problem.ratio)
-            need = max(4.0, 2.0 * expected_rate(problem) / max(slowest, SLOWEST))
+            need = max(4.0, 2.0 * expected_rate(problem) / max(slowest, SPEEDS[0]))
         steps = 2 ** math.ceil(math.log2(need) - 1e-9)
         if numerics.scheme == "implicit-euler":
             steps *= 8
@@ -48,7 +49,18 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
             f"spacing, more than {MAX_SAMPLES_PER_LINE} samples per line; set a smaller number, "
             "a higher velocity or a larger spacing"
         )
+    _check_speeds(problem, steps)
     return steps
+
+
+def _check_speeds(problem: Problem, steps: int) -> None:
+    """Raise UserError for speeds that the kernels refuse (kernels/realization.py)."""
+    speeds = (problem.speed, problem.speed * problem.ratio)
+    if min(speeds) < SPEEDS[0] or steps * max(speeds) * SHORTEST > 1.0:
+        raise UserError(
+            f"grid.velocity: v tau/dx runs from {min(speeds):.3g} to {max(speeds):.3g}, but must "
+            f"lie between {SPEEDS[0]:g} and {1.0 / SHORTEST / steps:.3g}, where rounding shows"
+        )
 
 
 def horizon_steps(problem: Problem, numerics: Numerics, steps: int) -> int:

@@ -7,12 +7,13 @@ from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
 from kernels import solve_indentation
-from kernels.contact import overlap, solve_weighted
+from kernels.contact import overlap, weighted_overlap
 from tests.references import sorted_root
 
 HEIGHTS = st.floats(-10.0, 10.0, allow_subnormal=False)
 THRESHOLDS = arrays(float, st.integers(1, 40), elements=HEIGHTS)
 LOADS = st.floats(1.0, 1e3)
+EPS = 2.0**-52  # from 1.0 to the next number
 QUICK = settings(max_examples=150, deadline=None, derandomize=True, database=None)
 
 
@@ -97,9 +98,9 @@ def test_ties_below_and_above_the_root():
 def test_weighted_root_balances_the_load(load, guess):
     rng = np.random.default_rng(8)
     c, stiffness = rng.normal(size=57), rng.uniform(0.5, 40.0, 57)
-    d, _ = solve_weighted(c, stiffness, load, guess)
+    d, _ = solve_indentation(c, load, guess, stiffness)
     assert np.sum(stiffness * np.maximum(0.0, d - c)) == pytest.approx(load, rel=1e-11)
-    equal, _ = solve_weighted(c, np.full(57, 2.0), 2.0 * load, guess)
+    equal, _ = solve_indentation(c, 2.0 * load, guess, np.full(57, 2.0))
     assert equal == pytest.approx(sorted_root(c, load), rel=1e-13)
 
 
@@ -107,7 +108,7 @@ def test_weighted_ties_at_the_root_end_too():
     c = np.array([0.4, 0.4, 0.9, 1.1, 0.5, 0.5, 0.3, 0.5, 1.1, 0.4])
     stiffness = np.array([0.5, 0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.2])
     load = np.sum(stiffness * np.maximum(0.9 - c, 0.0))
-    assert solve_weighted(c, stiffness, load, -c.min())[0] == pytest.approx(0.9, rel=1e-13)
+    assert solve_indentation(c, load, -c.min(), stiffness)[0] == pytest.approx(0.9, rel=1e-13)
 
 
 def test_ties_at_the_root_end_too():
@@ -128,5 +129,49 @@ def test_quantised_heights_end_for_every_root_on_a_tie():
             assert d == pytest.approx(root, rel=1e-14)
 
 
-def test_a_load_below_rounding_ends_at_the_lowest_threshold():
-    assert solve_indentation(np.array([1.0, 2.0]), 1e-17, 0.5)[0] == 1.0
+@pytest.mark.parametrize("guess", [0.5, 1.0, 1.5, 1e9])
+@pytest.mark.parametrize("stiffness", [None, np.array([3.0, 1.0])])
+def test_a_load_below_rounding_is_carried_by_the_lowest_element(guess, stiffness):
+    d, _ = solve_indentation(np.array([1.0, 2.0]), 1e-17, guess, stiffness)
+    assert d == 1.0 + EPS  # it touches: friction must not become 0/0
+
+
+def test_rounding_below_every_threshold_does_not_go_round_for_ever():
+    """Newton's method fell below the ties at 1, was lifted above the others, and so on."""
+    c = np.array([1.0, 1.0, 1.0, 1.0, 1.0 + EPS, 1.0 + EPS, 1.0 + EPS])
+    d, passes = solve_indentation(c, 2.0 * EPS, 1.0 + 2.0 * EPS)
+    assert d == 1.0 + EPS
+    assert passes <= 2 * c.size + 3
+
+
+def test_a_guess_far_above_does_not_hide_a_small_load():
+    d, _ = solve_indentation(np.array([0.0, 1e-9, 2.0]), 1e-8, 1e9)
+    assert d == pytest.approx(5.5e-9, rel=1e-12)
+
+
+@pytest.mark.parametrize("stiffness", [None, np.ones(3)])
+@pytest.mark.parametrize(("load", "guess"), [(np.nan, 0.5), (np.nan, 5.0), (1.0, np.nan)])
+def test_what_is_no_number_stays_so_and_ends(load, guess, stiffness):
+    d, passes = solve_indentation(np.array([0.0, 1.0, 2.0]), load, guess, stiffness)
+    assert np.isnan(d)
+    assert passes <= 3
+
+
+@pytest.mark.parametrize("n", [5, 20, 60])
+def test_passes_stay_below_their_bound_where_each_frees_one_element(n):
+    """With c_k = (k + 1)! the mean of the lowest k lies above all of them but the last."""
+    c = np.cumprod(np.arange(1.0, n + 1))
+    d, passes = solve_indentation(c, 1e-3, 2.0 * c[-1])
+    assert d == pytest.approx(1.001, rel=1e-15)
+    assert n <= passes <= 2 * n + 3
+
+
+@pytest.mark.parametrize("n", [1, 5, 8, 13])
+def test_weighted_overlap_sums_forces_and_stiffnesses(n):
+    rng = np.random.default_rng(n)
+    c, stiffness = rng.normal(size=n), rng.uniform(0.5, 40.0, n)
+    for d in (-5.0, 0.1, float(c[0]), 5.0):
+        found, slope, count = weighted_overlap(c, stiffness, d)
+        assert count == np.sum(c < d)
+        assert slope == pytest.approx(np.sum(stiffness[c < d]), rel=1e-14)
+        assert found == pytest.approx(np.sum(stiffness * np.maximum(0.0, d - c)), rel=1e-14)

@@ -5,6 +5,7 @@ import pytest
 from scipy.optimize import brentq
 
 from kernels import SCHEMES, lagged_slope, quadrature, steady_sliding, step_average
+from kernels.friction import slow_friction
 from tests.convergence import observed_order
 from tests.lines import parabola, random_line
 from tests.references import (
@@ -12,6 +13,7 @@ from tests.references import (
     parabola_edges,
     parabola_forces,
     parabola_jump,
+    slow_sliding,
 )
 from tests.sizes import size
 
@@ -149,15 +151,6 @@ def test_equal_pressures_get_an_equal_rate(n):
     assert rate == pytest.approx(0.4, rel=1e-14)
 
 
-def test_pressures_that_tie_at_the_root_end_too():
-    c = np.array([0.4, 0.4, 0.9, 1.1, 0.5, 0.5, 0.3, 0.5, 1.1, 0.4])
-    below = np.array([0.5, 0.5, 0.5, 1.0, 1.0, 1.0, 1.0, 1.0, 1.0, 1.2])
-    from kernels.friction import _indentation_rate
-
-    load = np.sum(below * np.maximum(0.9 - c, 0.0))
-    assert _indentation_rate(-c, below, load) == pytest.approx(0.9, rel=1e-13)
-
-
 def test_lagged_slope_reads_between_the_samples():
     slope = np.array([1.0, 2.0, 4.0, -1.0])
     np.testing.assert_array_equal(lagged_slope(slope, 0.0), slope)
@@ -171,3 +164,39 @@ def test_step_average_is_the_mean_lever_of_the_forces():
     # Depths 2 and 1 below d = 2; thresholds at or above d do not count.
     assert step_average(weight, c, 2.0) == (2.0 * 1.0 - 1.0 * 2.0) / 3.0
     assert step_average(weight, c, 4.0) == pytest.approx((4 + 100 - 6 + 200) / 10, rel=1e-15)
+
+
+def slow(z, slope, load, speed, m):
+    """Return mu of steady sliding with the elastic part taken between edges; load = Fbar."""
+    c, d = steady_state(z, load, speed, m)
+    return slow_friction(z, slope, c, d, speed, load * z.size, m)
+
+
+@pytest.mark.parametrize("speed", [0.1, 1.0])
+def test_slow_friction_of_the_parabola_is_second_order(speed):
+    normal, tangential = parabola_forces(DEPTH, RADIUS, speed)
+    errors = []
+    for m in REFINEMENTS:
+        lines = [parabola(ELEMENTS, m, o, RADIUS) for o in OFFSETS]
+        found = [slow(*line, normal / ELEMENTS, speed, m) for line in lines]
+        errors.append(np.array(found) / (tangential / normal) - 1.0)
+    assert observed_order(REFINEMENTS, np.array(errors)) > 1.8
+
+
+@pytest.mark.parametrize("hurst", [0.0, 1.0])
+def test_slow_friction_in_full_contact_is_exact(hurst):
+    z, slope = random_line(80, hurst, 2, seed=1)
+    expected = 2.0 * np.mean(slope**2) / 40.0
+    assert slow(z, slope, 40.0, 2.0, 2) == pytest.approx(expected, rel=1e-12)
+
+
+@pytest.mark.parametrize("load", [1e-3, 0.05, 1.0])
+@pytest.mark.parametrize("speed", [1e-3, 1e-6, 1e-11])
+def test_slow_friction_keeps_its_accuracy_at_any_low_speed(load, speed):
+    """Its error is that of the contact's shape; summed by samples it would grow as 1 / v."""
+    m = 16
+    z, slope = random_line(60, 1.0, m, seed=2)
+    fine = random_line(60, 1.0, 64 * m, seed=2)
+    expected = speed * slow_sliding(*fine, load)[1]
+    # A contact a few samples wide is known to a part of a sample; the widest here has 200.
+    assert slow(z, slope, load, speed, m) == pytest.approx(expected, rel=0.05)

@@ -14,6 +14,7 @@ from kernels import (
     steady_sliding,
     step_average,
 )
+from kernels.friction import slow_friction
 from kernels.relaxation import march
 from tests.cases import ALL, CASE, ELEMENTS, RATIOS, RECORD, M, line_of
 from tests.lines import random_line
@@ -78,7 +79,9 @@ def test_outcome_is_made_of_the_kernels(scheme):
     step = SCHEMES[scheme](1.0 / (M * v))
     c, d, _ = steady_sliding(line.z, load, step.decay, step.stiffness)
     mu, _, contact = quadrature(line.z, line.slope, c, d, v, v, load)
-    assert (outcome.mu_1, outcome.contact_fraction) == (mu, contact)
+    slow = slow_friction(line.z, line.slope, c, d, v, load, M)
+    blend = mu + np.exp(-((M * v) ** 2)) * (slow - mu)
+    assert (outcome.mu_1, outcome.contact_fraction) == (blend, contact)
     assert outcome.indentation == d + line.datum
     after, _, _ = quadrature(line.z, line.slope, c, d, v, 1.2 * v, load)
     assert outcome.jump[1] == after - mu
@@ -128,6 +131,42 @@ def test_curve_is_marched_again_where_the_cap_is_exceeded(monkeypatch):
     assert [cap == np.inf for cap in caps] == [False, True] * 3
     assert min(caps) > outcome.indentation - line.datum
     np.testing.assert_array_equal(outcome.curves, expected.curves)  # not the wrong first try
+
+
+BAD_CASES = [
+    ({"load": 0.0}, "load"),
+    ({"load": -1.0}, "load"),
+    ({"load": np.nan}, "load"),
+    ({"load": np.inf}, "load"),
+    ({"speed": 0.0}, "speed"),
+    ({"speed": -1.0}, "speed"),
+    ({"speed": 1e-13}, "speed"),
+    ({"speed": np.nan}, "speed"),
+    ({"ratios": (0.0, 1.2, 1.5)}, "speed"),
+    ({"ratios": (1.2, np.inf, 1.5)}, "speed"),
+    ({"speed": 5e9}, "rounding"),  # with the ratio 1.5 and M = 2 samples per spacing
+    ({"records": (np.array([0, 1]),) * 3}, "records"),
+    ({"records": (RECORD, np.array([1, 5, 5]), RECORD)}, "records"),
+    ({"records": (RECORD, RECORD, np.array([], int))}, "records"),
+]
+
+
+@pytest.mark.parametrize(("change", "named"), BAD_CASES, ids=str)
+def test_cases_without_meaning_are_refused(change, named):
+    with pytest.raises(ValueError, match=named):
+        run_case(line_of(), CASE._replace(**change), ALL)
+
+
+@pytest.mark.parametrize(("heights", "slopes", "m"), [(4, 3, 1), (0, 0, 1), (4, 4, 0)])
+def test_lines_that_are_none_are_refused(heights, slopes, m):
+    with pytest.raises(ValueError, match="one slope per height"):
+        Line.from_samples(np.zeros(heights), np.zeros(slopes), m)
+
+
+@pytest.mark.parametrize("scale", [1e-300, 1e-51, 1e51, 1e308])
+def test_heights_in_other_units_than_their_roughness_are_refused(scale):
+    with pytest.raises(ValueError, match="units of their roughness"):
+        Line.from_samples(np.array([-1.0, 1.0]) * scale, np.zeros(2), 1)
 
 
 def test_given_samples_are_a_line_like_any_other():
