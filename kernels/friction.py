@@ -6,6 +6,7 @@ from kernels.contact import solve_indentation
 from kernels.jit import kernel
 
 LEAST_COVERED = 0.01  # of a sample: keeps every touching sample in the load balance
+LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
 
 
 @kernel
@@ -38,21 +39,34 @@ def quadrature(z, slope, c, d, formed, speed, load):
 
 
 @kernel
-def slow_friction(z, slope, c, d, speed, load, steps):
-    """Return mu of steady sliding with the elastic part of eq. 5 integrated exactly.
+def elastic_correction(z, slope, c, d, speed, rate, steps):
+    """Return what sum p z' of quadrature misses of the friction of steady sliding.
 
-    int (d - z) z' dx = [-(d - z)^2 / 2] from edge to edge of every contact. Summed by samples
-    its error would not fall with the speed, as friction does; below one sample per tau it
-    drowns it. ``steps`` : samples per spacing; the rest as in quadrature.
+    int (D - z) z' dx = [-(D - z)^2 / 2] with D = d + d', here cell by cell around the samples.
+    Summed by samples its error does not fall with the speed, as steady friction does; below one
+    sample per tau it drowns it. A sample at an edge that is not resolved is left as it is.
+
+    ``rate`` : as found by quadrature for ``speed``; ``steps`` : samples per spacing.
     """
-    elastic = viscous = 0.0
+    missing = 0.0
     for j in np.flatnonzero(c < d):
-        viscous += _covered(z, slope, c, d, speed, j) * slope[j] ** 2
-        for k, sign in (((j - 1) % z.size, 0.5), ((j + 1) % z.size, -0.5)):
-            if not c[k] < d:
-                reach = _reach(z, slope, c, d, speed, j, k)
-                elastic += sign * (d - (z[j] + reach * (z[k] - z[j]))) ** 2
-    return (speed * viscous + steps * elastic) / load
+        ahead, behind = (j + 1) % z.size, (j - 1) % z.size
+        after, before = 0.5 * (z[j] + z[ahead]), 0.5 * (z[j] + z[behind])
+        if not c[ahead] < d:
+            after = z[j] + _reach(z, slope, c, d, speed, j, ahead) * (z[ahead] - z[j])
+        if not c[behind] < d:
+            reach = _reach(z, slope, c, d, speed, j, behind)
+            if not LEAST_REACH < reach < MOST_REACH:
+                continue
+            before = z[j] + reach * (z[behind] - z[j])
+        deep = d + rate
+        covered = _covered(z, slope, c, d, speed, j)
+        missing += 0.5 * steps * (after - before) * ((deep - before) + (deep - after))
+        missing += covered * speed * slope[j] ** 2
+        p = (deep - z[j]) + speed * slope[j]
+        if p > 0.0:  # what the sum has
+            missing -= covered * p * slope[j]
+    return missing
 
 
 @kernel
@@ -66,7 +80,7 @@ def _reach(z, slope, c, d, formed, j, k):
         return (d - c[j]) / (c[k] - c[j])
     here = (d - z[j]) + formed * slope[j]
     fall = here - ((d - z[k]) + formed * slope[k])
-    return min(max(here / fall, -0.5), 1.5) if fall > 0.0 else 0.5
+    return min(max(here / fall, LEAST_REACH), MOST_REACH) if fall > 0.0 else 0.5
 
 
 @kernel

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.friction import lagged_slope, quadrature, slow_friction, step_average
+from kernels.friction import elastic_correction, lagged_slope, quadrature, step_average
 from kernels.line import Line
 from kernels.relaxation import march
 from kernels.schemes import SCHEMES, SHORTEST, Step
@@ -76,14 +76,18 @@ def _steady(line: Line, load: float, speed: float, scheme: str) -> _State:
 def _friction(line: Line, state: _State, speed: float, load: float) -> tuple[float, float, float]:
     """Return mu of the steady state, mu as quadrature gives it, and the share in contact.
 
-    The first takes the elastic part between edges as far as a sample lasts longer than tau:
-    by measurement the better estimate there, and the worse one beyond.
+    The first has its elastic part corrected as far as a sample lasts longer than tau: by
+    measurement the better estimate there, and the worse one beyond.
     """
     z, slope, c, d, steps = line.z, line.slope, state.c, state.d, line.samples_per_spacing
-    mu, _, contact = quadrature(z, slope, c, d, speed, speed, load)
+    mu, rate, contact = quadrature(z, slope, c, d, speed, speed, load)
     share = math.exp(-((steps * speed) ** 2))
-    slow = slow_friction(z, slope, c, d, speed, load, steps) if share > 1e-3 else mu
-    return mu + share * (slow - mu), mu, contact
+    if share < 1e-3:
+        return mu, mu, contact
+    corrected = mu + share * elastic_correction(z, slope, c, d, speed, rate, steps) / load
+    # Where a contact is narrower than a sample nothing is sure, but this: mu is a mean of slopes.
+    steepest = float(np.abs(slope[c < d]).max())
+    return min(max(corrected, -steepest), steepest), mu, contact
 
 
 def _check(line: Line, case: Case, asked: Quantities) -> None:

@@ -146,30 +146,51 @@ def relaxation(scheme, z, slope, start, load, steps):
     return rows
 
 
-def friction_at_once(z, slope, state, formed, speed, load):
-    """Return eq. 5 at an instant of the state that ``formed`` led to, moving at ``speed``.
+def _edges(z, slope, state, formed):
+    """Return {touching sample: [way to its trailing edge, way to its leading edge]}, in samples.
 
-    p = d - z + speed z' + d' over the touching samples, d' from eq. 4; samples at an edge count
-    as far as the contact covers them: the leading edge where d meets the free height, the trailing
-    edge where the steady pressure vanishes, both on straight lines between samples.
+    The leading edge lies where d meets the free height, the trailing edge where the steady
+    pressure vanishes, both on straight lines between samples; inside a contact half a sample.
     """
     n = len(z)
+    half = (1 + 0 * state.d) / 2
     free = [z[j] - state.w[j] for j in range(n)]
-    inside = [j for j in range(n) if free[j] < state.d]
-    steady_pressure = [state.d - z[j] + formed * slope[j] for j in range(n)]
-    half = (1 + 0 * load) / 2
-    weights = []
-    for j in inside:
+    pressure = [state.d - z[j] + formed * slope[j] for j in range(n)]
+    ways = {j: [half, half] for j in range(n) if free[j] < state.d}
+    for j, way in ways.items():
         ahead, behind = (j + 1) % n, (j - 1) % n
-        upto, back = half, half
-        if ahead not in inside:
-            upto = (state.d - free[j]) / (free[ahead] - free[j])
-        if behind not in inside:
-            fall = steady_pressure[j] - steady_pressure[behind]
-            if fall > 0:
-                back = min(max(steady_pressure[j] / fall, -half), 3 * half)
-        weights.append(max(upto + back, half / 50))
-    pressure = [state.d - z[j] + speed * slope[j] for j in inside]
+        if ahead not in ways:
+            way[1] = (state.d - free[j]) / (free[ahead] - free[j])
+        if behind not in ways and pressure[j] > pressure[behind]:
+            way[0] = min(max(pressure[j] / (pressure[j] - pressure[behind]), -half), 3 * half)
+    return ways
+
+
+def friction_at_once(z, slope, state, formed, speed, load):
+    """Return (mu, d') by eqs 5 and 4 at an instant of the state that ``formed`` led to.
+
+    p = d - z + speed z' + d' over the touching samples, each as far as the contact covers it.
+    """
+    ways = _edges(z, slope, state, formed)
+    weights = [max(sum(way), (1 + 0 * load) / 100) for way in ways.values()]
+    pressure = [state.d - z[j] + speed * slope[j] for j in ways]
     rate = root_of_lines([-p for p in pressure], weights, load)
     forces = [w * max(0, p + rate) for w, p in zip(weights, pressure, strict=True)]
-    return sum(f * slope[j] for f, j in zip(forces, inside, strict=True)) / sum(forces)
+    return sum(f * slope[j] for f, j in zip(forces, ways, strict=True)) / sum(forces), rate
+
+
+def elastic_correction(z, slope, state, speed, rate, steps):
+    """Return what the sum of eq. 5 misses of -steps [(d + d' - z)^2 / 2], cell by cell."""
+    ways, n = _edges(z, slope, state, speed), len(z)
+    half = (1 + 0 * rate) / 2
+    missing = 0 * rate
+    for j, (back, upto) in ways.items():
+        if (j - 1) % n not in ways and back in (-half, 3 * half):
+            continue
+        ends = [z[j] + back * (z[j - 1] - z[j]), z[j] + upto * (z[(j + 1) % n] - z[j])]
+        before, after = ((state.d + rate - end) ** 2 / 2 for end in ends)
+        missing += steps * (before - after)
+        covered = max(back + upto, half / 50)
+        pressure = state.d + rate - z[j] + speed * slope[j]
+        missing += covered * (speed * slope[j] - max(0, pressure)) * slope[j]
+    return missing

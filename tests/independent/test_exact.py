@@ -1,5 +1,6 @@
 """The kernels against exact arithmetic on tiny lines: steady state, jump, a whole velocity step."""
 
+import math
 import random
 from decimal import Decimal, localcontext
 from fractions import Fraction
@@ -11,6 +12,7 @@ from kernels import SCHEMES, Case, Line, Quantities, lagged_slope, march, run_ca
 from tests.independent.exact import (
     Exponential,
     ImplicitEuler,
+    elastic_correction,
     friction_at_once,
     relaxation,
     steady,
@@ -62,13 +64,24 @@ class Both:
         two = steady(self.after, self.z, self.target)
         v1 = self.number(self.speed)
         v2 = v1 * self.number(self.ratio)
-        mu_1 = friction_at_once(self.z, self.slope, one, v1, v1, self.target)
-        mu_0 = friction_at_once(self.z, self.slope, one, v1, v2, self.target)
-        mu_2 = friction_at_once(self.z, self.slope, two, v2, v2, self.target)
+        mu_1, summed = self.steady_friction(one, v1)
+        mu_0, _ = friction_at_once(self.z, self.slope, one, v1, v2, self.target)
+        mu_2, _ = self.steady_friction(two, v2)
         final = step_friction(self.after, two.f, self.slope, 0)
         rows = relaxation(self.after, self.z, self.slope, one, self.target, STEPS)
         curve = [mu_2 + mu - final for mu, _ in rows]
-        return mu_1, mu_2, mu_0 - mu_1, curve, one.d, [d for _, d in rows]
+        return mu_1, mu_2, mu_0 - summed, curve, one.d, [d for _, d in rows]
+
+    def steady_friction(self, state, speed):
+        """Return mu with its elastic part corrected as in run_case, and without."""
+        mu, rate = friction_at_once(self.z, self.slope, state, speed, speed, self.target)
+        missing = elastic_correction(self.z, self.slope, state, speed, rate, M)
+        share = math.exp(-((M * float(speed)) ** 2))
+        if share < 1e-3:
+            return mu, mu
+        touching = [abs(s) for s, f in zip(self.slope, state.f, strict=True) if f > 0]
+        corrected = mu + self.number(share) * missing / self.target
+        return min(max(corrected, -max(touching)), max(touching)), mu
 
     def kernels(self):
         """Return the same from the kernels."""

@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import brentq
 
 from kernels import SCHEMES, lagged_slope, quadrature, steady_sliding, step_average
-from kernels.friction import slow_friction
+from kernels.friction import elastic_correction
 from tests.convergence import observed_order
 from tests.lines import parabola, random_line
 from tests.references import (
@@ -167,13 +167,14 @@ def test_step_average_is_the_mean_lever_of_the_forces():
 
 
 def slow(z, slope, load, speed, m):
-    """Return mu of steady sliding with the elastic part taken between edges; load = Fbar."""
+    """Return mu of steady sliding with its elastic part corrected; load = Fbar."""
     c, d = steady_state(z, load, speed, m)
-    return slow_friction(z, slope, c, d, speed, load * z.size, m)
+    mu, rate, _ = quadrature(z, slope, c, d, speed, speed, load * z.size)
+    return mu + elastic_correction(z, slope, c, d, speed, rate, m) / (load * z.size)
 
 
 @pytest.mark.parametrize("speed", [0.1, 1.0])
-def test_slow_friction_of_the_parabola_is_second_order(speed):
+def test_corrected_friction_of_the_parabola_converges_as_the_sum_does(speed):
     normal, tangential = parabola_forces(DEPTH, RADIUS, speed)
     errors = []
     for m in REFINEMENTS:
@@ -184,7 +185,7 @@ def test_slow_friction_of_the_parabola_is_second_order(speed):
 
 
 @pytest.mark.parametrize("hurst", [0.0, 1.0])
-def test_slow_friction_in_full_contact_is_exact(hurst):
+def test_corrected_friction_in_full_contact_is_exact(hurst):
     z, slope = random_line(80, hurst, 2, seed=1)
     expected = 2.0 * np.mean(slope**2) / 40.0
     assert slow(z, slope, 40.0, 2.0, 2) == pytest.approx(expected, rel=1e-12)
@@ -192,7 +193,7 @@ def test_slow_friction_in_full_contact_is_exact(hurst):
 
 @pytest.mark.parametrize("load", [1e-3, 0.05, 1.0])
 @pytest.mark.parametrize("speed", [1e-3, 1e-6, 1e-11])
-def test_slow_friction_keeps_its_accuracy_at_any_low_speed(load, speed):
+def test_corrected_friction_keeps_its_accuracy_at_any_low_speed(load, speed):
     """Its error is that of the contact's shape; summed by samples it would grow as 1 / v."""
     m = 16
     z, slope = random_line(60, 1.0, m, seed=2)
@@ -200,3 +201,12 @@ def test_slow_friction_keeps_its_accuracy_at_any_low_speed(load, speed):
     expected = speed * slow_sliding(*fine, load)[1]
     # A contact a few samples wide is known to a part of a sample; the widest here has 200.
     assert slow(z, slope, load, speed, m) == pytest.approx(expected, rel=0.05)
+
+
+def test_an_edge_that_is_not_resolved_is_not_corrected():
+    """One sample touches, its slope at odds with the heights around it: mu is that slope."""
+    z, slope = np.array([9.0, 9.0, 0.0, 9.0, 9.0]), np.array([0.0, -600.0, -500.0, 0.0, 0.0])
+    c, d = z.copy(), 1e-6
+    mu, rate, _ = quadrature(z, slope, c, d, 0.01, 0.01, 1e-6)
+    assert mu == pytest.approx(-500.0, rel=1e-15)
+    assert elastic_correction(z, slope, c, d, 0.01, rate, 1) == 0.0
