@@ -8,10 +8,11 @@ from workflow.calibration import calibrated
 from workflow.errors import UserError
 from workflow.measured import plan_measured, write_measured_table
 from workflow.outline import outline
-from workflow.plan import batches, make_plan
-from workflow.progress import duration
+from workflow.plan import make_plan
 from workflow.reader import read_study
 from workflow.run_command import RESUMABLE, add_run_options, resume_line, run
+from workflow.status import result_line, status_lines
+from workflow.store import store_folder
 from workflow.study import Measured, Study
 
 
@@ -85,25 +86,12 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _status(options: argparse.Namespace) -> int:
-    from workflow.runner import store_folder
-    from workflow.store import Store
-
     study, result = _study(options)
     if isinstance(study, Measured):
-        print(_result_line(result))
-        return 0
-    plan = make_plan(study, calibrated().rates)
-    folder = store_folder(result)
-    missing = list(batches(plan, Store(folder)))
-    left = sum(len(batch.tasks) * batch.blocks for batch in missing)
-    print(f"done        {plan.records - left} of {plan.records} records (problem x block)")
-    print(f"remaining   {duration(sum(batch.seconds for batch in missing))} of one core, predicted")
-    print(_result_line(result))
+        print(result_line(result))
+    else:
+        print("\n".join(status_lines(study, result, store_folder(result))))
     return 0
-
-
-def _result_line(result: Path) -> str:
-    return f"result      {result}{'' if result.is_file() else ' (not written yet)'}"
 
 
 def _figure(options: argparse.Namespace) -> int:

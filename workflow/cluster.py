@@ -1,47 +1,62 @@
-"""Where batches run: an embedded LocalCluster or a scheduler that is already there."""
+"""The client of whatever computes: processes of this machine, SLURM's jobs, a scheduler there."""
 
 import contextlib
+import importlib.util
 import os
 import signal
+import sys
 from collections.abc import Iterator
+from typing import Any
 
 import dask
 from distributed import Client, LocalCluster
 
 from workflow.errors import UserError
+from workflow.place import LOCAL, SLURM, Place
+from workflow.slurm import PINNED, slurm_cluster
 
 CONNECT_SECONDS = 10
 # Kernels allocate the same large arrays again and again: keep them in the process. With
 # dask's own setting (trim at 64 KiB) page faults cost as much time as the kernels.
-MALLOC = {"MALLOC_TRIM_THRESHOLD_": 2**28, "MALLOC_MMAP_THRESHOLD_": 2**25}
+MALLOC = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**25)}
 
 
 @contextlib.contextmanager
-def open_client(scheduler: str | None, workers: int | None) -> Iterator[Client]:
-    """Yield a client of ``scheduler`` ("tcp://host:port"), or of single-threaded processes here.
+def open_client(
+    place: Place, workers: int | None = None, dashboard: bool = False
+) -> Iterator[Client]:
+    """Yield a client of the place; ``workers`` is the number of processes of this machine.
 
-    Raises UserError when the scheduler does not answer.
+    Raises UserError when a scheduler does not answer or a batch system refuses.
     """
-    if scheduler:
-        try:
-            client = Client(scheduler, timeout=CONNECT_SECONDS)
-        except (OSError, ValueError) as error:
-            raise UserError(f"--scheduler {scheduler}: no scheduler answers there") from error
-        with client:
-            yield client
-        return
-    settings = {
+    if dashboard and importlib.util.find_spec("bokeh") is None:
+        raise UserError("--dashboard: needs bokeh; install it beside this package")
+    settings: dict[str, Any] = {
         "distributed.worker.preload": ["workflow.worker_setup"],
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
     }
-    for name, value in MALLOC.items():
+    pinned = {f"{name}_NUM_THREADS": 1 for name in PINNED}
+    for name, value in (MALLOC | pinned).items():
         settings[f"distributed.nanny.pre-spawn-environ.{name}"] = value
-    with (
-        dask.config.set(settings),
-        _local_cluster(workers) as cluster,
-        Client(cluster) as client,
-    ):
+    with contextlib.ExitStack() as stack:
+        stack.enter_context(dask.config.set(settings))
+        if place.where == LOCAL:
+            client = Client(stack.enter_context(_local_cluster(workers)))
+        elif place.where == SLURM:
+            client = Client(stack.enter_context(slurm_cluster(place, MALLOC)))
+        else:
+            client = _connected(place.where)
+        stack.enter_context(client)
+        if dashboard:
+            print(f"dashboard: {client.dashboard_link}", file=sys.stderr)
         yield client
+
+
+def _connected(address: str) -> Client:
+    try:
+        return Client(address, timeout=CONNECT_SECONDS)
+    except (OSError, ValueError) as error:
+        raise UserError(f"--scheduler {address}: no scheduler answers there") from error
 
 
 @contextlib.contextmanager

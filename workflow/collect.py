@@ -11,33 +11,34 @@ from kernels import amplitudes, rms_slope
 from workflow.batch import Task
 from workflow.dataset import build_dataset
 from workflow.errors import UserError
-from workflow.flow import Stop, stream
+from workflow.flow import stream
 from workflow.plan import Plan, Variant
 from workflow.progress import Reporter
 from workflow.reduction import Blocks, Estimates, reduce_blocks
 from workflow.resolution import record_steps, record_times
 from workflow.store import Store
 from workflow.summary import Summary
+from workflow.watch import Watch
 
 TASKS_PER_REDUCTION = 32
 SECONDS_PER_FIT = 4e-4
 
 
 def collect(
-    client: Client, store: Store, plan: Plan, summary: Summary, stop: Stop
+    client: Client, store: Store, plan: Plan, summary: Summary, watch: Watch
 ) -> dict[str, xr.Dataset]:
     """Return label -> dataset of every variant of a plan whose records are all stored.
 
     Tasks that failed are marked: estimates NaN, fit_status -1, realizations 0. Empty if
-    ``stop()`` turned true meanwhile.
+    ``watch()`` turned true meanwhile.
     """
     marching = "relaxation" in plan.study.scene.quantities
     fits = sum(len(v.tasks) for v in plan.variants) * (plan.study.blocks + 1) * marching
     datasets = {}
     with Reporter("fitting", fits * SECONDS_PER_FIT) as reporter:
         for variant in plan.variants:
-            estimates = _reduce_variant(client, store, plan, variant, summary, stop, reporter)
-            if stop():
+            estimates = _reduce_variant(client, store, plan, variant, summary, watch, reporter)
+            if watch():
                 return {}
             datasets[variant.label] = build_dataset(plan, variant, estimates)
     return datasets
@@ -49,7 +50,7 @@ def _reduce_variant(
     plan: Plan,
     variant: Variant,
     summary: Summary,
-    stop: Stop,
+    watch: Watch,
     reporter: Reporter,
 ) -> Estimates:
     size = TASKS_PER_REDUCTION
@@ -67,11 +68,11 @@ def _reduce_variant(
             yield number, blocks
 
     found: dict[int, Estimates] = {}
-    for (number, _), (estimates, seconds) in stream(client, _reduce_part, load(), stop):
+    for (number, _), (estimates, seconds) in stream(client, _reduce_part, load(), watch):
         found[number] = estimates
         summary.phases["fits"] += seconds
         reporter.advance(len(parts[number]) * (plan.study.blocks + 1) * SECONDS_PER_FIT)
-    if stop():
+    if watch():
         return {}
     merged = {
         n: _spread(np.concatenate([found[i][n] for i in range(len(parts))]), sound)

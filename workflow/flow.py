@@ -10,11 +10,10 @@ from distributed.client import FutureCancelledError
 from distributed.scheduler import KilledWorker
 
 from workflow.errors import UserError
+from workflow.watch import Watch
 
-Stop = Callable[[], bool]
 # What to do instead of an item that failed with an error, alone in the cluster or not.
 Retry = Callable[[Any, Exception, bool], list[Any]]
-Beat = Callable[[int, int], None]  # told the number of worker threads and of items in flight
 
 LOST = "the scheduler was lost; run again to resume"
 POLL_SECONDS = 0.02
@@ -31,18 +30,17 @@ def stream(
     client: Client,
     function: Callable,
     items: Iterable[Any],
-    stop: Stop = lambda: False,
+    watch: Watch | None = None,
     retry: Retry = raise_error,
-    beat: Beat = lambda threads, in_flight: None,
 ) -> Iterator[tuple[Any, Any]]:
-    """Yield (item, function(item)) as they finish; once stop() is true, only what is running.
+    """Yield (item, function(item)) as they finish; once watch() is true, only what is running.
 
     At most a few items per worker thread are in flight, so memory does not grow with the
     study. ``retry`` returns what to do instead of an item that failed; what follows a killed
-    worker is done last, one item at a time, so that the item to blame is certain. ``beat`` is
-    called every second or so. Raises UserError when the scheduler is lost.
+    worker is done last, one item at a time, so that the item to blame is certain. Raises
+    UserError when the scheduler is lost.
     """
-    return iter(_Stream(client, function, items, stop, retry, beat))
+    return iter(_Stream(client, function, items, watch or Watch(), retry))
 
 
 class _Stream:
@@ -51,12 +49,10 @@ class _Stream:
         client: Client,
         function: Callable,
         items: Iterable[Any],
-        stop: Stop,
+        watch: Watch,
         retry: Retry,
-        beat: Beat,
     ) -> None:
-        self.client, self.function, self.stop = client, function, stop
-        self.retry, self.beat = retry, beat
+        self.client, self.function, self.watch, self.retry = client, function, watch, retry
         self.source = iter(items)
         self.again: list[Any] = []  # before the rest of the source
         self.alone: list[Any] = []  # after it
@@ -77,7 +73,7 @@ class _Stream:
                 time.sleep(POLL_SECONDS)
             del finished
             self._tick()
-            if not self.stop():
+            if not self.watch():
                 self._submit()
             yield from done
 
@@ -122,7 +118,7 @@ class _Stream:
 
     def _tick(self) -> None:
         """Now and then look at the workers; shed what no worker has begun after a stop."""
-        stopping = self.stop()
+        stopping = self.watch()
         if self.shedding == stopping and time.monotonic() - self.last_beat < BEAT_SECONDS:
             return
         self.shedding = stopping
@@ -133,7 +129,7 @@ class _Stream:
         except OSError as error:
             raise UserError(LOST) from error
         self.window = max(PER_THREAD * threads, LEAST)
-        self.beat(threads, len(self.pending))
+        self.watch.look(threads, len(self.pending))
         self.last_beat = time.monotonic()
 
     def _shed(self) -> None:

@@ -22,11 +22,9 @@ def lines_of(entries: list[Entry]) -> bytes:
     return b"".join(b"%08x %s\n" % (zlib.crc32(text), text) for text in texts)
 
 
-def append(folder: Path, entries: list[Entry]) -> int:
-    """Append entries durably; return the bytes. Raises UserError when the disk refuses them."""
-    content = lines_of(entries)
-    append_durably(folder / NAME, content)
-    return len(content)
+def append(folder: Path, entries: list[Entry]) -> None:
+    """Append entries durably. Raises UserError when the disk refuses them."""
+    append_durably(folder / NAME, lines_of(entries))
 
 
 def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
@@ -41,6 +39,12 @@ def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
                     yield json.loads(text), offset
     except FileNotFoundError:
         return
+
+
+def size(folder: Path) -> int:
+    """Return the bytes of a journal, 0 where there is none."""
+    path = folder / NAME
+    return path.stat().st_size if path.is_file() else 0
 
 
 def end_torn_line(folder: Path) -> None:

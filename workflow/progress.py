@@ -17,6 +17,7 @@ class Reporter:
     def __init__(self, what: str, total: float) -> None:
         """``total`` : predicted core-seconds of all work to come."""
         self.what, self.total, self.done = what, max(total, 1e-9), 0.0
+        self.crew = ""
         self.began = self.last_time = time.monotonic()
         self.last_share = 0.0
         self.bar: Progress | None = None
@@ -24,11 +25,11 @@ class Reporter:
             columns = (
                 TextColumn("{task.description}"),
                 BarColumn(),
-                TextColumn("{task.percentage:5.1f} %  left"),
+                TextColumn("{task.percentage:5.1f} %{task.fields[crew]}  left"),
                 TimeRemainingColumn(),
             )
             self.bar = Progress(*columns, console=Console(stderr=True))
-            self.task = self.bar.add_task(what, total=self.total)
+            self.task = self.bar.add_task(what, total=self.total, crew="")
 
     def __enter__(self) -> "Reporter":
         if self.bar:
@@ -47,14 +48,22 @@ class Reporter:
     def advance(self, seconds: float) -> None:
         """Count ``seconds`` of predicted work as done."""
         self.done += seconds
+        self._show()
+
+    def beat(self, workers: int, failed: int) -> None:
+        """Note who works; say so from time to time even when nothing is finished."""
+        self.crew = f", {workers} workers" + (f", {failed} failed" if failed else "")
+        self._show()
+
+    def _show(self) -> None:
         if self.bar:
-            self.bar.update(self.task, completed=self.done)
+            self.bar.update(self.task, completed=self.done, crew=self.crew)
             return
         now, share = time.monotonic(), min(1.0, self.done / self.total)
         due = now - self.last_time >= LINE_SECONDS or share - self.last_share >= LINE_SHARE
-        if due or share >= 1.0:
-            left = (now - self.began) * (1.0 / share - 1.0)
-            print(f"{self.what}: {share:4.0%}, {duration(left)} left", file=sys.stderr, flush=True)
+        if due or (share >= 1.0 > self.last_share):
+            left = f", {duration((now - self.began) * (1.0 / share - 1.0))} left" if share else ""
+            print(f"{self.what}: {share:4.0%}{left}{self.crew}", file=sys.stderr, flush=True)
             self.last_time, self.last_share = now, share
 
 

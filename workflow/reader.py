@@ -11,6 +11,7 @@ from kernels.surface import NORMALISATIONS
 from workflow.axes import axis_values, integer, number, positive, snapped_spacing
 from workflow.errors import UserError
 from workflow.measured import read_measured
+from workflow.place_reader import read_place
 from workflow.settings import as_table, as_text, check_keys, load_tables
 from workflow.study import AXES, DEFAULT_QUANTITIES, QUANTITIES, Measured, Numerics, Scene, Study
 
@@ -77,7 +78,8 @@ def _choice(key: str, value: object, known: tuple[str, ...]) -> str:
 
 
 def _build(name: str, folder: Path, tables: dict) -> Study:
-    check_keys("", tables, (*TABLES, *BY_NAME))
+    check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
+    place = read_place(as_table("cluster", tables.pop("cluster", {})))
     for table, known in TABLES.items():
         check_keys(f"{table}.", as_table(table, tables.get(table, {})), known)
     head = tables.get("study", {})
@@ -107,6 +109,7 @@ def _build(name: str, folder: Path, tables: dict) -> Study:
         grid=_grid(tables, length, _flag("surface.snap_spacing", surface, False)),
         scene=_scene(tables.get("scene", {})),
         variants=_variants(tables),
+        place=place,
     )
 
 

@@ -5,11 +5,13 @@ import math
 import os
 import shlex
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from workflow.calibration import calibrated
 from workflow.errors import UserError
 from workflow.measured import run_measured
+from workflow.place import SLURM, Place
 from workflow.plan import make_plan
 from workflow.study import Measured, Study
 
@@ -21,6 +23,8 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
     """Add the options that only ``run`` has."""
     add = command.add_argument
     add("--scheduler", help="address of a dask scheduler, tcp://host:port")
+    add("--slurm", action="store_true", help="compute in jobs of SLURM, see the table [cluster]")
+    add("--dashboard", action="store_true", help="start dask's dashboard and say where it is")
     add("--workers", type=int, help="local worker processes (all cores)")
     add("--batch-seconds", type=float, help="predicted length of a batch (3 to 20)")
     add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
@@ -39,18 +43,18 @@ def run(options: argparse.Namespace, study: Study | Measured, result: Path) -> i
         return DONE
     # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
-    from workflow.runner import run_plan
+    from workflow.runner import How, run_plan
 
     plan = make_plan(study, calibrated().rates)
-    summary = run_plan(
-        plan,
-        result,
-        options.scheduler,
-        options.workers,
-        options.batch_seconds,
-        options.max_failures,
-        options.retry_failed,
+    how = How(
+        place=_place(options, study.place),
+        workers=options.workers,
+        dashboard=options.dashboard,
+        batch_seconds=options.batch_seconds,
+        max_failures=options.max_failures,
+        retry_failed=options.retry_failed,
     )
+    summary = run_plan(plan, result, how)
     print("\n".join(summary.lines(plan)))
     if summary.failures:
         print("\n".join(summary.failures), file=sys.stderr)
@@ -64,6 +68,13 @@ def run(options: argparse.Namespace, study: Study | Measured, result: Path) -> i
     return FAILED if summary.failures else DONE
 
 
+def _place(options: argparse.Namespace, place: Place) -> Place:
+    """Return where to compute: the study's place unless the options say otherwise."""
+    if options.scheduler:
+        return replace(place, where=options.scheduler)
+    return replace(place, where=SLURM) if options.slurm else place
+
+
 def resume_line(what: str) -> str:
     """Return how to go on with a run that ended early."""
     command = shlex.join(["python", "-m", "workflow", *sys.argv[1:]])
@@ -71,6 +82,8 @@ def resume_line(what: str) -> str:
 
 
 def _check(options: argparse.Namespace) -> None:
+    if options.scheduler and options.slurm:
+        raise UserError("--scheduler and --slurm: only one of them")
     if options.workers is not None and options.workers < 1:
         raise UserError(f"--workers {options.workers}: must be at least 1")
     if options.batch_seconds is not None and not 0.0 < options.batch_seconds < math.inf:

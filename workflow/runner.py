@@ -1,6 +1,7 @@
 """Run a plan: compute what is missing, store it as it finishes, reduce, write the result."""
 
 import time
+from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 
@@ -17,97 +18,135 @@ from workflow.failures import Failures
 from workflow.flow import stream
 from workflow.interrupt import Interrupt
 from workflow.lock import hold
+from workflow.place import HERE, Place
 from workflow.plan import Plan, batch_target, batches, quantities
 from workflow.progress import Reporter
 from workflow.shelf import Shelf
-from workflow.store import DamagedShard, Store
+from workflow.status import Status, StatusWriter, identity, status_file
+from workflow.store import DamagedShard, Store, store_folder
 from workflow.summary import Summary
 from workflow.versions import check_versions, versions
+from workflow.watch import Watch
 from workflow.work import run_batch
 
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 
 
-def run_plan(
-    plan: Plan,
-    result: Path,
-    scheduler: str | None = None,
-    workers: int | None = None,
-    batch_seconds: float | None = None,
-    max_failures: int = 0,
-    retry_failed: bool = False,
-) -> Summary:
+@dataclass(frozen=True)
+class How:
+    """How to run a plan; no number of the result depends on it.
+
+    batch_seconds : predicted length of a batch; by default it grows with the study.
+    """
+
+    place: Place = HERE
+    workers: int | None = None  # processes of this machine; None: one per core
+    dashboard: bool = False
+    batch_seconds: float | None = None
+    max_failures: int = 0
+    retry_failed: bool = False
+
+
+def run_plan(plan: Plan, result: Path, how: How) -> Summary:
     """Compute whatever of the plan is not stored yet and write the result file.
 
-    batch_seconds : predicted length of a batch; by default it grows with the study. An
-    interrupted run keeps all finished batches and writes no result file; so does one with more
-    than ``max_failures`` failed problems. With fewer, these are marked in the result.
+    An interrupted run keeps all finished batches and writes no result file; so does one with
+    more than ``how.max_failures`` failed problems. With fewer, these are marked in the result.
     """
     began = time.monotonic()
     folder = store_folder(result)
     with hold(folder):
-        store = Store(folder)
-        store.prepare()
-        clear_leftovers(result)
-        failures = Failures(store, plan, max_failures)
-        if retry_failed:
-            store.forget_failures({task.key for _, task in failures.tasks()})
-        summary = _foreseen(plan, failures)
-        if summary.predicted:
+        run = _Run(plan, result, Store(folder), how)
+        if run.summary.predicted:
             for variant in plan.variants:
                 load_kernels(variant.numerics.scheme, quantities(plan.study))
-        with open_client(scheduler, workers) as client, Interrupt() as interrupt:
+        with open_client(how.place, how.workers, how.dashboard) as client, run.interrupt:
             check_versions(client)
-            summary.start = time.monotonic() - began
-            summary.workers = max(1, sum(client.nthreads().values()))
-            datasets = _datasets(client, failures, batch_seconds, summary, interrupt)
-            if datasets:
-                with summary.filing():
-                    write_datasets(result, datasets)
-                summary.written = True
-            summary.interrupted = interrupt()
-            summary.failures = failures.lines()
-    summary.wall = time.monotonic() - began
-    return summary
+            run.summary.start = time.monotonic() - began
+            run.finish(client)
+    run.summary.wall = time.monotonic() - began
+    return run.summary
 
 
-def store_folder(result: Path) -> Path:
-    """Return the folder of finished batches beside a result file; studies share it."""
-    return result.parent / "store"
+class _Run:
+    def __init__(self, plan: Plan, result: Path, store: Store, how: How) -> None:
+        self.plan, self.result, self.store, self.how = plan, result, store, how
+        store.prepare()
+        for path in (result, status_file(result)):
+            clear_leftovers(path)
+        self.failures = Failures(store, plan, how.max_failures)
+        if how.retry_failed:
+            store.forget_failures({task.key for _, task in self.failures.tasks()})
+        self.interrupt = Interrupt()
+        self.watch = Watch(self._stops, how.place.patience, self._beat)
+        self.reporter: Reporter | None = None
+        self.shelf: Shelf | None = None
+        name = identity(plan.study)
+        store.begin(name)
+        done, left = self._extent()
+        self.summary = Summary(reused=done, predicted=left)
+        failed = len(self.failures.tasks())
+        status = Status(name, plan.records, done, left, failed)
+        self.status = StatusWriter(result, store.folder, status, self._extent)
 
-
-def _foreseen(plan: Plan, settled: Failures) -> Summary:
-    missing = [(batch.seconds, len(batch.tasks) * batch.blocks) for batch in batches(plan, settled)]
-    predicted = sum(seconds for seconds, _ in missing)
-    return Summary(reused=plan.records - sum(n for _, n in missing), predicted=predicted)
-
-
-def _datasets(
-    client: Client,
-    failures: Failures,
-    batch_seconds: float | None,
-    summary: Summary,
-    interrupt: Interrupt,
-) -> dict[str, xr.Dataset]:
-    """Compute what is missing, then collect; once more where shards turn out damaged."""
-    store, plan = failures.store, failures.plan
-
-    def stop() -> bool:
-        return interrupt() or failures.too_many()
-
-    for _ in range(ATTEMPTS):
-        predicted = _foreseen(plan, failures).predicted
-        target = batch_seconds or batch_target(predicted)
-        work = batches(plan, failures, target)
-        run = partial(run_batch, expected=versions())
-        with Reporter("computing", predicted) as reporter, Shelf(store, target) as shelf:
-            for batch, done in stream(client, run, work, stop, failures):
-                with summary.filing():
-                    shelf.add(batch, done)
-                summary.count(batch, done)
-                reporter.advance(batch.seconds)
+    def finish(self, client: Client) -> None:
+        """Compute, collect and write; the status says how it ended, whatever happens."""
+        state = "ended early"
         try:
-            return {} if stop() else collect(client, store, plan, summary, interrupt)
-        except DamagedShard:
-            continue
-    raise UserError(f"{store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?")
+            datasets = self._datasets(client)
+            if datasets:
+                with self.summary.filing():
+                    write_datasets(self.result, datasets)
+                self.summary.written = True
+            state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"
+        finally:
+            self.summary.interrupted = self.interrupt() and not self.summary.written
+            self.summary.failures = self.failures.lines()
+            self.status.end(state)
+
+    def _datasets(self, client: Client) -> dict[str, xr.Dataset]:
+        """Compute what is missing, then collect; once more where shards turn out damaged."""
+        for _ in range(ATTEMPTS):
+            self._compute(client)
+            try:
+                if self._stops():
+                    return {}
+                return collect(client, self.store, self.plan, self.summary, self.watch)
+            except DamagedShard:
+                continue
+        raise UserError(
+            f"{self.store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?"
+        )
+
+    def _compute(self, client: Client) -> None:
+        _, predicted = self._extent()
+        target = self.how.batch_seconds or batch_target(predicted)
+        target = min(target, self.how.place.longest_batch)
+        work = batches(self.plan, self.failures, target)
+        function = partial(run_batch, expected=versions())
+        with Reporter("computing", predicted) as reporter, Shelf(self.store, target) as shelf:
+            self.reporter, self.shelf = reporter, shelf
+            for batch, done in stream(client, function, work, self.watch, self.failures):
+                with self.summary.filing():
+                    shelf.add(batch, done)
+                self.summary.count(batch, done)
+                reporter.advance(batch.seconds)
+        self.reporter = self.shelf = None
+
+    def _extent(self) -> tuple[int, float]:
+        """Return the number of records that are settled, and the predicted seconds of the rest."""
+        work = batches(self.plan, self.failures)
+        missing = [(len(batch.tasks) * batch.blocks, batch.seconds) for batch in work]
+        records = sum(number for number, _ in missing)
+        return self.plan.records - records, sum(seconds for _, seconds in missing)
+
+    def _stops(self) -> bool:
+        return self.interrupt() or self.failures.too_many()
+
+    def _beat(self, threads: int, in_flight: int) -> None:
+        """Take note of the workers every second."""
+        self.summary.workers = max(self.summary.workers, threads)
+        if self.reporter and self.shelf:
+            self.reporter.beat(threads, self.failures.fresh)
+            self.shelf.flush_when_due()
+        self.status.write(threads, min(threads, in_flight))

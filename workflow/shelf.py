@@ -40,6 +40,10 @@ class Shelf:
         """Take a finished batch; it is durable after the next flush."""
         self.waiting.append((batch, result))
         self.bytes += result.scalars.nbytes + result.curves.nbytes
+        self.flush_when_due()
+
+    def flush_when_due(self) -> None:
+        """Store what waits if it has waited long enough or is much."""
         now = time.monotonic()
         due = min(max(self.least, SHARE_OF_RUN * (now - self.began)), LONGEST_SECONDS)
         if self.bytes >= MOST_BYTES or now - self.stored >= due:

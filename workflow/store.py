@@ -7,6 +7,8 @@ holds the lock of the folder; any number may read.
 """
 
 import contextlib
+import os
+import socket
 import sys
 from pathlib import Path
 
@@ -20,6 +22,11 @@ from workflow.shard import KEY_BYTES, Chunk, Contents, Finished, chunk_of, decod
 
 CACHED_SHARDS = 4
 KEY_LENGTH = 2 * KEY_BYTES
+
+
+def store_folder(result: Path) -> Path:
+    """Return the folder of finished batches beside a result file; studies share it."""
+    return result.parent / "store"
 
 
 class DamagedShard(Exception):
@@ -39,8 +46,7 @@ class Store:
         self.place: dict[tuple[int, int], tuple[str, int, int]] = {}
         self.failed: dict[str, str] = {}  # key of each task that failed for good -> why
         self.recent: dict[str, Contents] = {}
-        self.offset = 0  # in the journal, after the last line read or written
-        for entry, self.offset in journal.entries(folder):
+        for entry, _ in journal.entries(folder):
             self._replay(entry)
 
     def prepare(self) -> None:
@@ -76,6 +82,10 @@ class Store:
         predicted = sum(batch.seconds for batch, _ in finished)
         times = {"used": round(used, 3), "predicted": round(predicted, 3)}
         self._enter(name, len(content), [chunk_of(batch) for batch, _ in finished], times)
+
+    def begin(self, study: str) -> None:
+        """Note durably that a run of a study begins."""
+        self._write([{"run": study, "pid": os.getpid(), "host": socket.gethostname()}])
 
     def record_failure(self, key: str, why: str) -> None:
         """Note durably that a task failed for good."""
@@ -154,7 +164,7 @@ class Store:
         self._write([*entries, shard])
 
     def _write(self, entries: list[journal.Entry]) -> None:
-        self.offset += journal.append(self.folder, entries)
+        journal.append(self.folder, entries)
         for entry in entries:
             self._replay(entry)
 

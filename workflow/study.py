@@ -4,6 +4,8 @@ from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
 
+from workflow.place import HERE, Place
+
 AXES = ("hurst", "normal_force", "spacing", "roughness", "velocity", "velocity_step")
 QUANTITIES = ("steady", "jump", "relaxation", "models")
 DEFAULT_QUANTITIES = QUANTITIES[:3]
@@ -45,6 +47,7 @@ class Study:
     grid: dict[str, tuple[float, ...]]
     scene: Scene
     variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
+    place: Place = HERE  # no part of the results' identity
 
     @property
     def blocks(self) -> int:

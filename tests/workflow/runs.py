@@ -10,8 +10,11 @@ from typing import NamedTuple
 import xarray as xr
 
 from tests.workflow.small import small_plan
+from workflow.place import Place
 from workflow.plan import Plan
-from workflow.runner import Summary, run_plan, store_folder
+from workflow.runner import How, run_plan
+from workflow.store import store_folder
+from workflow.summary import Summary
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE = 120.0  # seconds to wait for a process at most
@@ -40,7 +43,8 @@ def run(
 ) -> Run:
     """Run the small study with --set ``settings`` on the cluster of the tests."""
     plan, path = small_plan(*settings, scale=scale), folder / "small.nc"
-    return Run(plan, run_plan(plan, path, scheduler, None, batch_seconds, **how), path)
+    how = How(Place(scheduler), batch_seconds=batch_seconds, **how)
+    return Run(plan, run_plan(plan, path, how), path)
 
 
 def shards(folder: Path) -> dict[str, tuple[int, int]]:

@@ -11,16 +11,18 @@ import pytest
 
 from tests.workflow.runs import PATIENCE, ROOT
 from workflow.cluster import open_client
+from workflow.place import Place
 
 SCRIPT = """
 import json, os, signal, sys
 from workflow.cluster import open_client
+from workflow.place import Place
 
 def facts():
     return os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN, dict(os.environ)
 
 if __name__ == "__main__":
-    with open_client(None, 2) as client:
+    with open_client(Place(), 2) as client:
         workers = list(client.run(facts).values())
         threads = list(client.nthreads().values())
     mine = signal.getsignal(signal.SIGINT) == signal.default_int_handler
@@ -74,7 +76,7 @@ def test_a_second_run_on_a_machine_starts_in_silence(embedded):
 
 
 def test_a_scheduler_that_is_there_is_used(scheduler):
-    with open_client(scheduler, None) as client:
+    with open_client(Place(scheduler)) as client:
         assert client.scheduler.address == scheduler
         assert len(client.nthreads()) == 2
 
@@ -82,11 +84,12 @@ def test_a_scheduler_that_is_there_is_used(scheduler):
 ADDRESSES = ["tcp://127.0.0.1:1", "nonsense", "foo://host:1", "tcp://127.0.0.1"]
 PROBE = f"""
 from workflow import cluster
+from workflow.place import Place
 from workflow.errors import UserError
 cluster.CONNECT_SECONDS = 0.2
 for address in {ADDRESSES!r}:
     try:
-        cluster.open_client(address, None).__enter__()
+        cluster.open_client(Place(address)).__enter__()
     except UserError as error:
         print(error)
 """
@@ -104,5 +107,5 @@ def test_no_scheduler_at_the_address():
 
 def test_own_handler_of_ctrl_c_is_put_back(scheduler):
     before = signal.getsignal(signal.SIGINT)
-    with open_client(scheduler, None):
+    with open_client(Place(scheduler)):
         assert signal.getsignal(signal.SIGINT) is before

@@ -11,8 +11,7 @@ from workflow import work
 from workflow.errors import UserError
 from workflow.failures import Failures
 from workflow.plan import batches
-from workflow.runner import store_folder
-from workflow.store import Store
+from workflow.store import Store, store_folder
 
 PLAN = small_plan()
 BATCH = next(batches(PLAN, set(), 1e9))  # four tasks, four blocks

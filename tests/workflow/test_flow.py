@@ -12,6 +12,7 @@ from distributed.comm import CommClosedError
 from tests.workflow.runs import PATIENCE
 from workflow.errors import UserError
 from workflow.flow import stream
+from workflow.watch import Watch
 
 
 def test_each_item_comes_back_once_with_its_result(client):
@@ -50,7 +51,7 @@ def test_after_a_stop_only_what_is_running_is_awaited(client):
             yield i
 
     found = []
-    for item, _ in stream(client, abs, items(), lambda: stopped[0]):
+    for item, _ in stream(client, abs, items(), Watch(lambda: stopped[0])):
         found.append(item)
         stopped[0] = True
     assert 1 <= len(set(found)) == len(found) <= drawn[0] <= 24

@@ -9,8 +9,7 @@ from tests.workflow.runs import PATIENCE, run, shards, start, wait_for_shards
 from tests.workflow.shards import held, reopened
 from tests.workflow.small import write_study
 from workflow.cli import main
-from workflow.runner import store_folder
-from workflow.store import Store
+from workflow.store import Store, store_folder
 
 LONG = "study.realizations=20"  # 320 batches
 

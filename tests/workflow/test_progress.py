@@ -95,3 +95,16 @@ def test_a_terminal_gets_a_bar(monkeypatch):
     shown = re.sub(r"\x1b\[[0-9;?]*[a-zA-Z]", "", terminal.getvalue())
     assert "computing" in shown
     assert "50.0 %" in shown
+
+
+def test_who_works_is_said(capsys, clock):
+    with Reporter("computing", 10.0) as reporter:
+        reporter.beat(3, 0)
+        assert lines(capsys) == []
+        clock[0] += 31.0
+        reporter.beat(3, 0)
+        assert lines(capsys) == ["computing:   0%, 3 workers"]
+        reporter.beat(2, 1)
+        reporter.advance(10.0)
+        reporter.beat(2, 1)
+    assert lines(capsys) == ["computing: 100%, 0 s left, 2 workers, 1 failed"]

@@ -8,8 +8,7 @@ from tests.workflow.shards import held
 from tests.workflow.small import all_records, write_study
 from workflow.errors import UserError
 from workflow.lock import hold
-from workflow.runner import store_folder
-from workflow.store import Store
+from workflow.store import Store, store_folder
 
 
 def test_a_run_computes_everything_and_says_so(finished):
@@ -28,7 +27,7 @@ def test_result_holds_the_study_and_its_comparison(finished):
 
 def test_nothing_but_result_and_store_is_left(finished):
     names = {path.name for path in finished.path.parent.iterdir()}
-    assert names == {"small.nc", "store"}
+    assert names == {"small.nc", "small.status.json", "store"}
 
 
 def test_other_batches_give_the_same_bytes(finished, scheduler, tmp_path):

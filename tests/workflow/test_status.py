@@ -1,0 +1,134 @@
+"""Status: what a run writes, brought up to date from the journal, or counted anew."""
+
+import json
+import os
+import socket
+import time
+
+import pytest
+
+from tests.workflow.shards import BATCH
+from tests.workflow.small import random_result, small_plan, small_study
+from workflow.lock import hold
+from workflow.plan import batches
+from workflow.status import Status, StatusWriter, identity, read_status, status_file, status_lines
+from workflow.store import Store, store_folder
+
+STUDY = small_study()
+PLAN = small_plan()
+
+
+@pytest.fixture
+def place(tmp_path):
+    """Return result path, store, and the writer of a run that has begun there."""
+    result = tmp_path / "small.nc"
+    folder = store_folder(result)
+    folder.mkdir()
+    store = Store(folder)
+    store.begin(identity(STUDY))
+    status = Status(identity(STUDY), PLAN.records, 0, 7200.0)
+    return result, store, StatusWriter(result, folder, status, lambda: (5, 1800.0))
+
+
+def read(place):
+    """Return the status of the small study."""
+    return read_status(STUDY, place[0], place[1].folder)
+
+
+def test_a_run_says_how_far_it_is(place):
+    result, store, writer = place
+    with hold(store.folder):
+        writer.write(3, 2)
+        lines = status_lines(STUDY, result, store.folder)
+    assert lines[:5] == [
+        "done        0 of 64 records (problem x block)",
+        "running     2 batches on 3 workers",
+        "waiting     64 records",
+        "failed      0 problems",
+        "remaining   2 core-hours, predicted",
+    ]
+    assert f"running, by process {os.getpid()} on {socket.gethostname()} since" in lines[5]
+
+
+def test_what_the_journal_got_since_is_counted(place):
+    _, store, writer = place
+    writer.write(3, 2)
+    store.add([(BATCH, random_result(BATCH))])
+    store.record_failure("0" * 32, "why")
+    found = read(place)
+    assert (found.done, found.failed) == (16, 1)
+    assert found.left == pytest.approx(7200.0 - BATCH.seconds)
+    assert json.loads(status_file(place[0]).read_text())["done"] == 0
+
+
+def test_the_writer_counts_the_same_way(place):
+    _, store, writer = place
+    store.add([(BATCH, random_result(BATCH))])
+    writer.end("interrupted")
+    found = json.loads(status_file(place[0]).read_text())
+    assert (found["done"], found["state"], found["workers"]) == (16, "interrupted", 0)
+
+
+def test_a_run_that_was_killed_is_no_longer_running(place):
+    writer = place[2]
+    writer.write(3, 2)
+    lines = status_lines(STUDY, place[0], place[1].folder)
+    assert lines[1] == "running     0 batches on 0 workers"
+    assert lines[5].startswith("run         was killed, 20")
+
+
+def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):
+    _, store, writer = place
+    store.add([(BATCH, random_result(BATCH))])
+    store._set_aside(next(iter(store.sizes)), "test")
+    assert read(place).done == 0
+    writer.write(1, 1)
+    assert json.loads(status_file(place[0]).read_text())["done"] == 5
+    assert "set aside" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    "spoil",
+    [
+        lambda result, store: status_file(result).unlink(),
+        lambda result, store: status_file(result).write_text('{"study": 1'),
+        lambda result, store: status_file(result).write_text("{}"),
+        lambda result, store: store.begin("another study"),
+        lambda result, store: (store.folder / "journal").write_bytes(b""),
+    ],
+    ids=["no file", "half a file", "another file", "another run", "no journal"],
+)
+def test_without_a_status_that_holds_records_are_counted(place, spoil):
+    result, store, writer = place
+    writer.status.done = 999
+    writer.write(1, 1)
+    spoil(result, store)
+    found = read(place)
+    assert found.done == 0
+    expected = sum(batch.seconds for batch in batches(PLAN, set()))
+    assert 0.0 < found.left < 100.0 * expected  # rates are those of this machine
+
+
+def test_other_settings_are_another_status(place):
+    place[2].write(1, 1)
+    other = small_study("study.seed=2")
+    assert identity(other) != identity(STUDY)
+    assert read_status(other, place[0], place[1].folder).study == identity(other)
+
+
+def test_where_it_is_computed_is_no_part_of_a_study():
+    elsewhere = small_study('cluster.where="slurm"', "cluster.jobs=7")
+    assert elsewhere.place.jobs == 7
+    assert identity(elsewhere) == identity(STUDY)
+    assert elsewhere.text == STUDY.text
+
+
+def test_it_is_written_every_few_seconds_only(place, monkeypatch):
+    writer, now = place[2], [time.monotonic()]
+    monkeypatch.setattr("workflow.status.time.monotonic", lambda: now[0])
+    for _ in range(20):
+        writer.write(1, 1)
+        now[0] += 1.0
+    monkeypatch.setattr("workflow.status.write_durably", pytest.fail)
+    now[0] = writer.written + 4.9
+    writer.write(1, 1)
