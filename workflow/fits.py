@@ -8,14 +8,22 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import leastsq
 
-FITTED, NO_RELAXATION, NOT_EXPONENTIAL = 0, 1, 2
-STATUS_MEANINGS = "fitted no_relaxation not_exponential"
+from workflow.statistics import significant, standard_error
+
+FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE = range(5)
+STATUS_MEANINGS = "fitted no_relaxation not_exponential undetermined not_finite"
+STATUS_COMMENT = (
+    "no_relaxation: mu after the first step differs from mu_2 by less than three standard errors "
+    "or by rounding; not_exponential: eq. 6 leaves over a fifth of the sum of squares; "
+    "undetermined: it decays, but b is less than three of its standard errors (noise, or too short "
+    "a window); not_finite: the curve holds NaN or inf; fewer than 18 blocks need more than three"
+)
 
 WINDOW_END = 0.05  # the window ends where the deviation has fallen to this share
 WINDOW_LEAST = 3  # samples
-SIGNIFICANCE = 3.0  # standard errors the first deviation must exceed
 ROUNDING = 1e-14  # deviations below this share of the rms slope are rounding noise
 LEAST_QUALITY = 0.8
+LARGEST_NOISE = 3.0  # times the variances of the samples: what noise can leave as residual
 
 
 class RelaxationFit(NamedTuple):
@@ -36,24 +44,30 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
     deviation : mu - mu_2, shape (replicates, samples), row 0 the mean curve.
     slope : rms slope in the same units, against which rounding is judged.
     """
+    size = len(deviation)
+    if not np.isfinite(deviation).all():
+        return _unfitted(NOT_FINITE, size)
     first = deviation[:, 0]
-    count = first.size - 1
-    noise = np.sqrt((count - 1) / count * np.sum((first[1:] - first[1:].mean()) ** 2))
-    if abs(first[0]) <= max(SIGNIFICANCE * noise, ROUNDING * slope):
-        return _unfitted(NO_RELAXATION, first.size)
+    if not significant(first) or abs(first[0]) <= ROUNDING * slope:
+        return _unfitted(NO_RELAXATION, size)
     end = fit_window(deviation[0])
     time, deviation = time[:end], deviation[:, :end]
     start = _start(time, deviation[0])
     if start is None:
-        return _unfitted(NOT_EXPONENTIAL, first.size)
+        return _unfitted(NOT_EXPONENTIAL, size)
     known = _fit_all(time, deviation, np.array(start))
-    residual = deviation[0] - known[0, 0] * np.exp(-known[0, 1] * time)
-    quality = 1.0 - np.sum(residual**2) / np.sum(deviation[0] ** 2)
-    if not (np.isfinite(known).all() and quality >= LEAST_QUALITY):
-        return _unfitted(NOT_EXPONENTIAL, first.size)
-    free = np.full(first.size, np.nan)
+    residual = np.sum((deviation[0] - known[0, 0] * np.exp(-known[0, 1] * time)) ** 2)
+    quality = 1.0 - residual / np.sum(deviation[0] ** 2)
+    if not quality >= LEAST_QUALITY:  # NaN where the mean curve has no fit
+        noise = LARGEST_NOISE * np.sum(standard_error(deviation, 0) ** 2)
+        return _unfitted(UNDETERMINED if residual <= noise else NOT_EXPONENTIAL, size)
+    if not significant(known[:, 1]):
+        return _unfitted(UNDETERMINED, size)
+    free = np.full(size, np.nan)
     if end > WINDOW_LEAST:
         free = _fit_all(time, deviation, np.array([*known[0], 0.0]))[:, 1]
+        if not significant(free):
+            free[:] = np.nan
     return RelaxationFit(FITTED, known[:, 1], known[:, 0], free, float(time[-1]), float(quality))
 
 

@@ -12,9 +12,12 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import leastsq
 
+from workflow.statistics import errors_needed, significant
+
 EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
 MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
 DECISIVE = 2.0  # standard errors by which a model must beat eq. 6
+ROUNDING = 1e-9  # gains below it are rounding
 
 
 class Model(NamedTuple):
@@ -51,7 +54,8 @@ MODELS = {
 class Comparison(NamedTuple):
     """Coefficients over jackknife replicates (0: all blocks), and which model describes best.
 
-    Coefficients of a model that does not beat eq. 6 decisively mean nothing and are NaN.
+    Coefficients of a model that does not beat eq. 6 decisively, or that the blocks do not
+    determine, mean nothing and are NaN.
     """
 
     best: int
@@ -77,22 +81,22 @@ def compare_models(
         nothing = np.full(len(deviation), np.nan)
         return Comparison(UNDECIDED, *[nothing] * 5, (np.nan, np.nan), (np.nan, np.nan))
     scale, span = deviation[0, 0], time[-1]
-    t, curves, left_out = time / span, deviation / scale, blocks / scale
-    fits = {}
-    scores = {}
-    for code, model in MODELS.items():
-        fits[code] = _fit_all(model, t, curves, rate * span)
-        predicted = np.array([model.value(p, t) for p in fits[code][1:]])
-        scores[code] = np.mean((left_out - predicted) ** 2, axis=1)
-    gains = {code: _gain(scores[EXPONENTIAL], scores[code]) for code in MODELS}
-    for code in (STRETCHED, TWO_EXPONENTIALS):
-        if not _decisive(gains[code]):
-            fits[code][:] = np.nan
-    fast, slow, share = _ordered(fits[TWO_EXPONENTIALS])
+    with np.errstate(all="ignore"):  # far from eq. 6 a fit may run away; it is not decisive then
+        fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)
+        b, beta = np.exp(fits[STRETCHED][:, 1:]).T
+        fast, slow, share = _ordered(fits[TWO_EXPONENTIALS])
+        known = {STRETCHED: (b, beta), TWO_EXPONENTIALS: (fast, slow, share, fast - slow)}
+    better = {}
+    for code, values in known.items():
+        if _decisive(gains[code], len(blocks)) and all(map(significant, values)):
+            better[code] = gains[code][0]
+        else:
+            for array in values:
+                array[:] = np.nan
     return Comparison(
-        _best(gains),
-        np.exp(fits[STRETCHED][:, 1]) / span,
-        np.exp(fits[STRETCHED][:, 2]),
+        max(better, key=better.__getitem__) if better else EXPONENTIAL,
+        b / span,
+        beta,
         fast / span,
         slow / span,
         share,
@@ -101,16 +105,27 @@ def compare_models(
     )
 
 
+def _fits_and_gains(
+    t: np.ndarray, curves: np.ndarray, blocks: np.ndarray, rate: float
+) -> tuple[dict[int, np.ndarray], dict[int, tuple[float, float]]]:
+    """Return per model the fits to all curves, and what it gains on eq. 6 on blocks left out."""
+    fits, scores = {}, {}
+    for code, model in MODELS.items():
+        fits[code] = _fit_all(model, t, curves, rate)
+        predicted = np.array([model.value(p, t) for p in fits[code][1:]])
+        scores[code] = np.mean((blocks - predicted) ** 2, axis=1)
+    return fits, {code: _gain(scores[EXPONENTIAL], scores[code]) for code in MODELS}
+
+
 def _fit_all(model: Model, t: np.ndarray, curves: np.ndarray, rate: float) -> np.ndarray:
     """Fit every row of curves, each replicate from the fit of the mean."""
     start = model.start(rate)
     fits = np.empty((len(curves), start.size))
-    with np.errstate(all="ignore"):
-        for row, curve in enumerate(curves):
-            guess = fits[0] if row else start
-            fits[row] = leastsq(
-                lambda p, y=curve: model.value(p, t) - y, guess, full_output=True, maxfev=300
-            )[0]
+    for row, curve in enumerate(curves):
+        guess = fits[0] if row else start
+        fits[row] = leastsq(
+            lambda p, y=curve: model.value(p, t) - y, guess, full_output=True, maxfev=300
+        )[0]
     return fits
 
 
@@ -121,14 +136,10 @@ def _gain(reference: np.ndarray, score: np.ndarray) -> tuple[float, float]:
     return float(difference.mean() / reference.mean()), float(error / reference.mean())
 
 
-def _best(gains: dict[int, tuple[float, float]]) -> int:
-    """Return eq. 6 unless another model is decisively better, then the better of those."""
-    better = {code: gain[0] for code, gain in gains.items() if _decisive(gain)}
-    return max(better, key=better.__getitem__) if better else EXPONENTIAL
-
-
-def _decisive(gain: tuple[float, float]) -> bool:
-    return gain[0] > max(DECISIVE * gain[1], 0.0)
+def _decisive(gain: tuple[float, float], blocks: int) -> bool:
+    """Return whether a model predicts better than by chance or rounding; NaN does not."""
+    needed = errors_needed(blocks, DECISIVE, 0.05)
+    return gain[0] > max(needed * gain[1], ROUNDING)
 
 
 def _ordered(fits: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

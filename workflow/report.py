@@ -162,8 +162,8 @@ def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
     """Return name, scheme, steps per spacing and the outcome of the fits of one group."""
     fits = "no fits asked for"
     if "fit_status" in data:
-        counts = [int((data.fit_status == k).sum()) for k in range(3)]
         meanings = STATUS_MEANINGS.replace("no_relaxation", "nothing_to_relax").split()
+        counts = [int((data.fit_status == k).sum()) for k in range(len(meanings))]
         pairs = zip(counts, meanings, strict=True)
         fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for n, meaning in pairs if n)
     label = "the study itself" if group == ROOT else group.strip("/")

@@ -6,6 +6,10 @@ Source: B. Efron, The Jackknife, the Bootstrap and Other Resampling Plans (SIAM 
 """
 
 import numpy as np
+from scipy.special import stdtrit
+
+SIGNIFICANCE = 3.0  # standard errors a number must exceed
+CHANCE = 0.01  # with few blocks: share of nothings that may pass by chance
 
 
 def replicates(blocks: np.ndarray, axis: int) -> np.ndarray:
@@ -27,3 +31,23 @@ def standard_error(values: np.ndarray, axis: int) -> np.ndarray:
     count = left_out.shape[axis]
     deviation = left_out - left_out.mean(axis=axis, keepdims=True)
     return np.sqrt((count - 1) / count * np.sum(deviation**2, axis=axis))
+
+
+def errors_needed(blocks: int, many: float = SIGNIFICANCE, chance: float = CHANCE) -> float:
+    """Return how many standard errors of that many blocks a number must exceed to count.
+
+    Over g blocks an estimate follows Student's t with g - 1 degrees of freedom: few blocks need
+    more than the ``many`` of many blocks, six for four, or chance passes more often than
+    ``chance`` (two-sided).
+    """
+    return max(many, float(stdtrit(blocks - 1, 1.0 - 0.5 * chance)))
+
+
+def significant(values: np.ndarray) -> bool:
+    """Return whether an estimate, replicates of shape (blocks + 1,), differs from zero.
+
+    NaN in the estimate or in one replicate is not significant.
+    """
+    with np.errstate(over="ignore", invalid="ignore"):
+        error = standard_error(values, 0)
+    return bool(abs(values[0]) > errors_needed(values.size - 1) * error)

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.fits import STATUS_MEANINGS
+from workflow.fits import STATUS_COMMENT, STATUS_MEANINGS
 from workflow.models import MODEL_MEANINGS
 from workflow.study import AXES
 
@@ -44,10 +44,13 @@ VARIABLES: dict[str, Variable] = {
         GRID, "1", "relaxation rate b of eq. 6, per tau", comment="fit with mu_2 known"
     ),
     "relaxation_rate_free": Variable(
-        GRID, "1", "relaxation rate b of eq. 6, per tau", comment="fit with mu_2 free"
+        GRID,
+        "1",
+        "relaxation rate b of eq. 6, per tau",
+        comment="fit with mu_2 free; NaN where the window does not determine rate and offset both",
     ),
     "amplitude": Variable(GRID, "1", "amplitude mu* of eq. 6, with mu_2 known", SLOPE),
-    "fit_status": Variable(GRID, "1", "outcome of the fit of eq. 6"),
+    "fit_status": Variable(GRID, "1", "outcome of the fit of eq. 6", comment=STATUS_COMMENT),
     "fit_window": Variable(
         GRID, "1", "end of the fit window in tau", comment="starts at the first step after the jump"
     ),

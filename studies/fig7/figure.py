@@ -9,14 +9,14 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from workflow.figure import COLOURS, foot_line, log_bars
-from workflow.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL
+from workflow.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
 
 PANELS = {
     "paper_step": "(a) implicit Euler, one step per $\\Delta x$",
     None: "(b) converged in time",
 }
 NEARLY_FULL = 0.8  # contact fraction above which markers are hollow
-MARKS = {NO_RELAXATION: "|", NOT_EXPONENTIAL: "x"}
+MARKS = {NO_RELAXATION: "|", NOT_EXPONENTIAL: "x", UNDETERMINED: "+"}
 
 
 def draw(result: Path) -> Figure:
@@ -43,7 +43,7 @@ def draw(result: Path) -> Figure:
             figure,
             dataset,
             "lines: eq. 13; hollow: over 80 % in contact; below the axis line, by $H$: | nothing "
-            "to relax, x not exponential",
+            "to relax, x not exponential, + lost in noise",
         )
     return figure
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tests.workflow.curves import assembled
-from workflow.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL
+from workflow.fits import FITTED, NOT_FINITE
 from workflow.study import AXES
 from workflow.variables import VARIABLES
 
@@ -78,8 +78,12 @@ def test_every_error_is_described_like_its_estimate():
 
 def test_fit_status_explains_its_codes():
     attributes = DATASET["fit_status"].attrs
-    assert attributes["flag_meanings"].split() == ["fitted", "no_relaxation", "not_exponential"]
-    assert list(attributes["flag_values"]) == [FITTED, NO_RELAXATION, NOT_EXPONENTIAL]
+    meanings = attributes["flag_meanings"].split()
+    assert meanings[:3] == ["fitted", "no_relaxation", "not_exponential"]
+    assert list(attributes["flag_values"]) == list(range(NOT_FINITE + 1))
+    assert len(meanings) == NOT_FINITE + 1
+    for meaning in meanings[1:]:
+        assert f"{meaning}: " in attributes["comment"]
 
 
 def expected_at(name, point):
@@ -124,7 +128,8 @@ def test_speed_ratio_is_that_of_the_point():
 
 def test_power_law_uses_fitted_points_beyond_one_only():
     x = DATASET.speed_ratio.values[0]
-    distinct = np.unique(PLAN.point_task[0][x > 1.0])
+    fitted = DATASET.fit_status.values[0] == FITTED
+    distinct = np.unique(PLAN.point_task[0][(x > 1.0) & fitted])
     assert 3 <= distinct.size < np.unique(PLAN.point_task[0]).size
     assert DATASET.alpha_points.values[0] == distinct.size
     assert np.isfinite(DATASET.alpha).all()

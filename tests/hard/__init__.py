@@ -1,0 +1,1 @@
+"""Hard cases: corners of the parameter space, hard data, bad input, damaged files."""
