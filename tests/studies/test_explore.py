@@ -10,7 +10,7 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 NOTEBOOK = ROOT / "studies" / "explore.ipynb"
 SETTINGS = (
-    "study.realizations=6",
+    "study.realizations=20",
     "grid.hurst=[0.3, 0.7]",
     "grid.normal_force=0.1",
     "grid.spacing=1e-5",

@@ -15,7 +15,7 @@ from workflow.fits import FITTED, NO_RELAXATION
 ROOT = Path(__file__).resolve().parents[2]
 FULL_CONTACT = 1000.0  # N
 SETTINGS = (
-    "study.realizations=12",
+    "study.realizations=20",
     "grid.hurst=[0.3, 0.7]",
     f"grid.normal_force=[0.1, 1.0, {FULL_CONTACT}]",
     "grid.spacing=1e-5",
