@@ -34,7 +34,7 @@ test: $(READY) ## Run the test-suite
 	$(BIN)/python -m pytest
 
 test-nojit: $(READY) ## Run the tests of the kernels as plain Python
-	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels
+	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)
 
 check: $(READY) ## Lint, formatting and the import contract
 	$(BIN)/ruff check .

@@ -1,0 +1,159 @@
+"""Residuals of one velocity step, measured on the state of every element at every step.
+
+The kernels give the indentation; the displacements under it are worked out here, element by
+element, and held against the equations of the model. Residuals are relative to their terms.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels import SCHEMES, Line, Step, lagged_slope, march, solve_indentation, steady_sliding
+from kernels.steady import sweep
+
+TINY = np.finfo(float).tiny  # the smallest normal number
+EPS = np.finfo(float).eps
+STAY = 20  # steps for which steady sliding has to stay as it is
+RESIDUALS = {
+    "balance": "sum f = F_N (eq. 4)",
+    "mean": "mean of -u = F_N/(4GL) (eq. 2 summed)",
+    "contact": "f >= 0, u <= z - d, one of them equal",
+    "energy": "work = elastic energy + dissipation",
+    "steady": "steady sliding marched on stays steady",
+    "march": "d by stretches that can touch = d of all elements",
+}
+COUNTS = {
+    "falling": "places where F_N(d) falls",
+    "subnormal": "subnormal numbers in the state",
+    "not_finite": "numbers that are none",
+    "passes": "Newton passes of one step, at most",
+    "sweeps": "sweeps of one steady state, at most",
+}
+
+
+class Motion(NamedTuple):
+    """A line under load, and a velocity step."""
+
+    line: Line
+    load: float  # Fbar
+    speed: float  # vbar before
+    ratio: float  # after / before
+    scheme: str
+
+    def step(self, ratio: float) -> tuple[float, Step]:
+        """Return dt and the constants of a step at ``ratio`` times the speed."""
+        dt = 1.0 / (self.line.samples_per_spacing * self.speed * ratio)
+        return dt, SCHEMES[self.scheme](dt)
+
+    def steady(self, step: Step) -> tuple[np.ndarray, float, int]:
+        """Return (c, d, sweeps) of steady sliding."""
+        return steady_sliding(self.line.z, self.total, step.decay, step.stiffness)
+
+    @property
+    def total(self) -> float:
+        """The load on the whole line."""
+        return self.load * self.line.z.size
+
+
+def probe(motion: Motion, steps: int) -> dict[str, float]:
+    """Return the worst residual of each kind, and the counts, over ``steps`` after the jump."""
+    worst = dict.fromkeys((*RESIDUALS, *COUNTS), 0.0)
+    starts = []
+    for ratio in (1.0, motion.ratio):
+        dt, step = motion.step(ratio)
+        c, d, sweeps = motion.steady(step)
+        starts.append((c, d))
+        u = _steady_displacements(motion.line.z, c, d, step.decay)
+        _raise(worst, sweeps=sweeps, falling=_falling(motion.line.z, d, step))
+        _raise(worst, subnormal=_subnormal(c), not_finite=np.sum(~np.isfinite(c)))
+        depths = _march(motion, (c, d), step, 1.02 * d, STAY, worst)
+        _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
+        _follow(motion, u, d, dt, step, depths, worst)
+        if ratio == 1.0:
+            first = u
+    depths = _march(motion, starts[0], step, 1.02 * max(d for _, d in starts), steps, worst)
+    _follow(motion, first, starts[0][1], dt, step, depths, worst)
+    return worst
+
+
+def _march(motion, state, step, cap, steps, worst):
+    """Return the indentations after each step by the kernels, marched as run_case does."""
+    weight = lagged_slope(motion.line.slope, step.lag)
+    record = np.arange(1, steps + 1)
+    for highest in (cap, np.inf):
+        constants = (step.decay, step.stiffness, motion.total, record, highest)
+        mu, depths, _, inside = march(motion.line.z, weight, *state, *constants)
+        if inside:
+            break
+    _raise(worst, not_finite=np.sum(~np.isfinite(mu)) + np.sum(~np.isfinite(depths)))
+    return depths
+
+
+def _steady_displacements(z, c, d, decay):
+    """Return u: z - d where the line touches, decaying from there on."""
+    touching = np.flatnonzero(np.tile(c < d, 2))
+    at = np.arange(z.size)
+    last = touching[np.searchsorted(touching, at)]
+    return (z[last % z.size] - d) * decay ** (last - at)
+
+
+def _follow(motion, u, d, dt, step, depths, worst):
+    """Let every element follow the given indentations, raising the worst residuals."""
+    z, total = motion.line.z, motion.total
+    for depth in depths:
+        old = np.roll(u, -1)
+        free = step.decay * old
+        d, passes = solve_indentation(z - free, total / step.stiffness, d)
+        u = np.minimum(free, z - depth)
+        force = step.stiffness * (free - u)
+        _raise(
+            worst,
+            balance=abs(np.sum(force) / total - 1.0),
+            mean=abs(-np.sum(u) / total - 1.0),
+            contact=_contact(force, (z - depth) - u, depth),
+            energy=_energy(motion.scheme, dt, old, u, force),
+            march=abs(d / depth - 1.0),
+            passes=passes,
+        )
+        d = depth
+
+
+def _contact(force, gap, d):
+    """Return how far an element presses and stands off at once, pulls, or passes through."""
+    pressed, apart = force / force.max(), gap / d
+    return max(np.max(np.minimum(pressed, apart)), -pressed.min(), -apart.min())
+
+
+def _energy(scheme, dt, old, new, force):
+    """Return |work - elastic energy - dissipation| relative to the sizes of its terms.
+
+    Exponential: the force is constant over a step, and the motion under it exact. Implicit
+    Euler dissipates (u - u_old)^2 / 2 of its own. Both are sums of squares: none is created.
+    """
+    work = -force * (new - old)
+    elastic = 0.5 * (new - old) * (new + old)
+    if scheme == "exponential":
+        dissipated = -0.5 * np.expm1(-2.0 * dt) * (old + force) ** 2
+    else:
+        dissipated = (1.0 / dt + 0.5) * (new - old) ** 2
+    # At rest all terms are rounding of the stored energy.
+    size = np.sum(np.abs(work) + np.abs(elastic) + dissipated + EPS * old**2)
+    return abs(np.sum(work - elastic - dissipated)) / size
+
+
+def _falling(z, d, step):
+    """Return how often the force of steady sliding fails to rise with the indentation."""
+    c = np.empty_like(z)
+    depths = d * np.geomspace(0.01, 100.0, 25)
+    force = [sweep(z, depth, step.decay, int(np.argmin(z)), c)[0] for depth in depths]
+    return int(np.sum(np.diff(force) <= 0.0))
+
+
+def _subnormal(state):
+    return int(np.sum((state != 0.0) & (np.abs(state) < TINY)))
+
+
+def _raise(worst: dict[str, float], **found: float) -> None:
+    """Keep the larger value of each kind; what is no number counts as infinite."""
+    for kind, value in found.items():
+        worst[kind] = max(worst[kind], float(value) if np.isfinite(value) else np.inf)
