@@ -30,6 +30,13 @@ def integer(key: str, value: object, least: int, most: int = 10**9) -> int:
     return value
 
 
+def choice(key: str, value: object, known: tuple[str, ...]) -> str:
+    """Return ``value`` if it is one of ``known`` or raise UserError naming the key."""
+    if value not in known:
+        raise UserError(f"{key} = {value!r}: must be one of {', '.join(known)}")
+    return str(value)
+
+
 def positive(key: str, value: object) -> float:
     """Return ``value`` as a positive float or raise UserError naming the key."""
     checked = number(key, value)

@@ -53,6 +53,7 @@ def _parser() -> argparse.ArgumentParser:
             metavar="TABLE.KEY=VALUE",
             help="override one setting, e.g. grid.hurst=0.7 (repeatable)",
         )
+        command.add_argument("--accuracy", help="as --set numerics.accuracy=0.01: 1%% or 0.01")
         command.add_argument(
             "--out", default="results", help="folder of results, or path of the .nc file"
         )
@@ -66,9 +67,20 @@ def _parser() -> argparse.ArgumentParser:
 
 
 def _study(options: argparse.Namespace) -> tuple[Study | Measured, Path]:
-    study = read_study(options.study, options.scale, options.set)
+    settings = list(options.set)
+    if options.accuracy is not None:
+        settings.append(f"numerics.accuracy={_share(options.accuracy)!r}")
+    study = read_study(options.study, options.scale, settings)
     out = Path(options.out)
     return study, out if out.suffix == ".nc" else out / f"{study.name}.nc"
+
+
+def _share(text: str) -> float:
+    """Return 0.01 for 1% and for 0.01."""
+    try:
+        return float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
+    except ValueError:
+        raise UserError(f"--accuracy {text}: must be a number such as 1% or 0.01") from None
 
 
 def _plan(options: argparse.Namespace) -> int:

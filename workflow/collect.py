@@ -8,6 +8,7 @@ import xarray as xr
 from distributed import Client
 
 from kernels import amplitudes, rms_slope
+from workflow.attained import attained
 from workflow.batch import Task
 from workflow.dataset import build_dataset
 from workflow.errors import UserError
@@ -16,6 +17,7 @@ from workflow.plan import Plan, Variant
 from workflow.progress import Reporter
 from workflow.reduction import Blocks, Estimates, reduce_blocks
 from workflow.resolution import record_steps, record_times
+from workflow.statistics import grouped_means
 from workflow.store import Store
 from workflow.summary import Summary
 from workflow.watch import Watch
@@ -24,64 +26,89 @@ TASKS_PER_REDUCTION = 32
 SECONDS_PER_FIT = 4e-4
 
 
-def collect(
-    client: Client, store: Store, plan: Plan, summary: Summary, watch: Watch
-) -> dict[str, xr.Dataset]:
-    """Return label -> dataset of every variant of a plan whose records are all stored.
+class Collector:
+    """Reduces stored block means on the workers."""
 
-    Tasks that failed are marked: estimates NaN, fit_status -1, realizations 0. Empty if
-    ``watch()`` turned true meanwhile.
-    """
-    marching = "relaxation" in plan.study.scene.quantities
-    fits = sum(len(v.tasks) for v in plan.variants) * (plan.study.blocks + 1) * marching
-    datasets = {}
-    with Reporter("fitting", fits * SECONDS_PER_FIT) as reporter:
-        for variant in plan.variants:
-            estimates = _reduce_variant(client, store, plan, variant, summary, watch, reporter)
-            if watch():
+    def __init__(
+        self, client: Client, store: Store, plan: Plan, summary: Summary, watch: Watch
+    ) -> None:
+        """``watch`` : tells when to give up."""
+        self.client, self.store, self.plan = client, store, plan
+        self.summary, self.watch = summary, watch
+
+    def datasets(self, blocks: dict[str, int]) -> dict[str, xr.Dataset]:
+        """Return label -> dataset of every variant, from ``blocks`` of each task (by key).
+
+        Tasks that failed are marked: estimates NaN, flags -1, realizations 0. Empty if
+        ``watch()`` turned true meanwhile.
+        """
+        datasets = {}
+        for variant in self.plan.variants:
+            estimates = self._variant(variant, blocks)
+            if not estimates:
                 return {}
-            datasets[variant.label] = build_dataset(plan, variant, estimates)
-    return datasets
+            datasets[variant.label] = build_dataset(self.plan, variant, estimates)
+        return datasets
+
+    def _variant(self, variant: Variant, blocks: dict[str, int]) -> Estimates:
+        tasks = [task for task in variant.tasks if task.key not in self.store.failed]
+        if not tasks:
+            where = variant.label or "the study"
+            raise UserError(f"nothing is left of {where}: every problem failed")
+        sound = np.array([task.key not in self.store.failed for task in variant.tasks])
+        estimates = self.estimates(variant, tasks, blocks, "fitting")
+        if not estimates:
+            return {}
+        estimates |= accuracy_reached(variant, tasks, estimates)
+        spread = {name: _spread(values, sound) for name, values in estimates.items()}
+        each = self.plan.study.realizations_per_block
+        counts = [blocks[task.key] * each for task in variant.tasks]
+        spread["realizations"] = np.where(sound, counts, 0).astype(np.int32)
+        slopes = _rms_slopes(self.plan, variant)
+        spread["rms_slope"] = np.array([slopes[line_of(task)] for task in variant.tasks])
+        return spread
+
+    def estimates(
+        self, variant: Variant, tasks: list[Task], blocks: dict[str, int], what: str
+    ) -> Estimates:
+        """Return the estimates of some tasks from ``blocks`` of each; empty if stopped."""
+        size = TASKS_PER_REDUCTION
+        parts = [tasks[i : i + size] for i in range(0, len(tasks), size)]
+        slopes = _rms_slopes(self.plan, variant)
+
+        def load() -> Iterator[tuple[int, Blocks]]:
+            for number, part in enumerate(parts):
+                with self.summary.filing():
+                    loaded = _load(self.store, self.plan, variant, part, slopes, blocks)
+                yield number, loaded
+
+        marched = "relaxation" in self.plan.study.scene.quantities
+        fits = (self.plan.groups(variant) + 1) * marched * SECONDS_PER_FIT
+        found: dict[int, Estimates] = {}
+        with Reporter(what, len(tasks) * fits) as reporter:
+            work = stream(self.client, _reduce_part, load(), self.watch)
+            for (number, _), (estimates, seconds) in work:
+                found[number] = estimates
+                self.summary.phases["fits"] += seconds
+                reporter.advance(len(parts[number]) * fits)
+        if self.watch():
+            return {}
+        return {n: np.concatenate([found[i][n] for i in range(len(parts))]) for n in found[0]}
 
 
-def _reduce_variant(
-    client: Client,
-    store: Store,
-    plan: Plan,
-    variant: Variant,
-    summary: Summary,
-    watch: Watch,
-    reporter: Reporter,
-) -> Estimates:
-    size = TASKS_PER_REDUCTION
-    sound = np.array([task.key not in store.failed for task in variant.tasks])
-    tasks = [task for task in variant.tasks if task.key not in store.failed]
-    if not tasks:
-        raise UserError(f"nothing is left of {variant.label or 'the study'}: every problem failed")
-    parts = [tasks[i : i + size] for i in range(0, len(tasks), size)]
-    slopes = _rms_slopes(plan, variant)
-
-    def load() -> Iterator[tuple[int, Blocks]]:
-        for number, part in enumerate(parts):
-            with summary.filing():
-                blocks = _load(store, plan, variant, part, slopes)
-            yield number, blocks
-
-    found: dict[int, Estimates] = {}
-    for (number, _), (estimates, seconds) in stream(client, _reduce_part, load(), watch):
-        found[number] = estimates
-        summary.phases["fits"] += seconds
-        reporter.advance(len(parts[number]) * (plan.study.blocks + 1) * SECONDS_PER_FIT)
-    if watch():
+def accuracy_reached(variant: Variant, tasks: list[Task], estimates: Estimates) -> Estimates:
+    """Return what a wanted accuracy adds to the estimates of some tasks; nothing without one."""
+    if not variant.goals:
         return {}
-    merged = {
-        n: _spread(np.concatenate([found[i][n] for i in range(len(parts))]), sound)
-        for n in found[0]
+    goals = [variant.goals[task.key] for task in tasks]
+    ratios = np.array([task.problem.ratio for task in tasks])
+    found = attained(estimates, goals, ratios, variant.numerics.accuracy or 0.0)
+    bias = np.array([max(goal.bias.values()) for goal in goals])
+    return {
+        "accuracy_reached": found.reached,
+        "accuracy_status": found.status,
+        "bias_bound": bias,
     }
-    if not sound.all():
-        merged["realizations"] = np.where(sound, plan.study.realizations, 0).astype(np.int32)
-    merged["rms_slope"] = np.array([slopes[line_of(task)] for task in variant.tasks])
-    return merged
 
 
 def _spread(values: np.ndarray, sound: np.ndarray) -> np.ndarray:
@@ -117,10 +144,15 @@ def _load(
     variant: Variant,
     tasks: list[Task],
     slopes: dict[tuple[float, int], float],
+    blocks: dict[str, int],
 ) -> Blocks:
-    samples = variant.numerics.samples - 1
-    records = [(task.key, block) for task in tasks for block in range(plan.study.blocks)]
-    scalars, curves = store.read(records, samples)
+    samples, groups = variant.numerics.samples - 1, plan.groups(variant)
+    records = [(task.key, block) for task in tasks for block in range(blocks[task.key])]
+    ends = np.cumsum([blocks[task.key] for task in tasks])[:-1]
+    read = store.read(records, samples)
+    scalars, curves = (
+        np.stack([grouped_means(part, groups) for part in np.split(whole, ends)]) for whole in read
+    )
     time = np.full((len(tasks), samples), np.nan)
     if "relaxation" in plan.study.scene.quantities:
         for row, task in enumerate(tasks):
@@ -128,10 +160,5 @@ def _load(
             recorded = record_steps(task.march, variant.numerics.samples)
             times = record_times(recorded, pace, variant.numerics.scheme)
             time[row, : recorded.size] = times
-    return Blocks(
-        scalars.reshape(len(tasks), plan.study.blocks, -1),
-        curves.reshape(len(tasks), plan.study.blocks, -1),
-        time,
-        np.array([slopes[line_of(task)] for task in tasks]),
-        plan.study.scene.quantities,
-    )
+    rms_slopes = np.array([slopes[line_of(task)] for task in tasks])
+    return Blocks(scalars, curves, time, rms_slopes, plan.study.scene.quantities)

@@ -23,9 +23,8 @@ def build_dataset(plan: Plan, variant: Variant, estimates: Estimates) -> xr.Data
     """Return the dataset of one variant; ``estimates`` are arrays over variant.tasks."""
     replicates = estimates.pop("rate_replicates", None)
     estimates["speed_ratio"] = np.array([speed_ratio(t.problem.speed) for t in variant.tasks])
-    estimates.setdefault(
-        "realizations", np.full(len(variant.tasks), plan.study.realizations, np.int32)
-    )
+    steps = [task.steps_per_spacing for task in variant.tasks]
+    estimates["steps_per_spacing"] = np.array(steps, np.int32)
     coords = {axis: np.array(plan.study.grid[axis]) for axis in AXES}
     data = {}
     for name, values in estimates.items():
@@ -39,7 +38,7 @@ def build_dataset(plan: Plan, variant: Variant, estimates: Estimates) -> xr.Data
         data |= _power_laws(plan, variant, estimates, replicates)
         coords["sample"] = np.arange(variant.numerics.samples)
     dataset = xr.Dataset(data, coords, provenance(plan.study, variant.numerics))
-    _annotate(dataset)
+    _annotate(dataset, plan.groups(variant) - 1)
     return dataset
 
 
@@ -82,11 +81,13 @@ def _power_laws(
     return {name: (declared(name).dims, values) for name, values in found.items()}
 
 
-def _annotate(dataset: xr.Dataset) -> None:
+def _annotate(dataset: xr.Dataset, freedom: int) -> None:
     for name in dataset.data_vars:
         dataset[name].attrs = attributes(str(name))
         if f"{name}_error" in dataset:
             dataset[name].attrs["ancillary_variables"] = f"{name}_error"
+        if str(name).endswith("_error"):
+            dataset[name].attrs["degrees_of_freedom"] = freedom
     for name in dataset.coords:
         units, long_name = AXIS_ATTRIBUTES[str(name)]
         dataset[name].attrs = {"units": units, "long_name": long_name}

@@ -9,9 +9,10 @@ import numpy as np
 from kernels import Quantities
 from workflow.batch import CODE, Batch, Task
 from workflow.cost import TYPICAL, Rates, driver_bytes, worker_bytes
-from workflow.pricing import Prices, copies_seconds
+from workflow.goal import FIRST_SHARE, GROUPS, Goal, goal_of, whole_blocks
+from workflow.pricing import Prices
 from workflow.resolution import horizon_steps, steps_per_spacing
-from workflow.similarity import distinct_problems
+from workflow.similarity import Problem, distinct_problems
 from workflow.study import Numerics, Study
 
 BATCH_SECONDS = (3.0, 20.0)  # shortest and longest
@@ -27,6 +28,7 @@ class Variant:
     numerics: Numerics
     tasks: list[Task]  # in the order of the distinct problems
     groups: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
+    goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
 
 
 @dataclass(frozen=True)
@@ -37,6 +39,8 @@ class Plan:
     point_task: np.ndarray  # index into Variant.tasks per grid point, shape of the grid
     variants: list[Variant]
     prices: Prices
+    first: dict[str, int]  # blocks of the first round by key of the task, all where no goals are
+    expected: dict[str, int]  # blocks that the goals are predicted to need
 
     @property
     def points(self) -> int:
@@ -50,8 +54,12 @@ class Plan:
 
     @property
     def records(self) -> int:
-        """Number of records (task, block) that the whole study consists of."""
-        return sum(len(v.tasks) for v in self.variants) * self.study.blocks
+        """Number of records (task, block) of the whole study, predicted where there are goals."""
+        return sum(self.expected[t.key] for v in self.variants for t in v.tasks)
+
+    def groups(self, variant: Variant) -> int:
+        """Return the number of groups of blocks for the jackknife."""
+        return GROUPS if variant.goals else self.study.blocks
 
     def longest_line(self) -> int:
         """Return the largest number of samples of any line."""
@@ -75,17 +83,32 @@ def make_plan(study: Study, rates: Rates = TYPICAL) -> Plan:
     """
     problems, point_task = distinct_problems(study)
     variants = []
+    first: dict[str, int] = {}
+    expected: dict[str, int] = {}
     for label, numerics in study.variants.items():
-        tasks = []
+        tasks, goals = [], {}
         for problem in problems:
-            steps = steps_per_spacing(problem, study.scene, numerics)
-            march = horizon_steps(problem, numerics, steps) if _marches(study) else 0
-            what = (CODE, study.seed, study.normalisation, *problem, numerics.scheme, steps)
-            how = (march, numerics.samples, quantities(study), study.realizations_per_block)
-            key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
-            tasks.append(Task(problem, steps, march, key))
-        variants.append(Variant(label, numerics, tasks, _grouped(tasks)))
-    return Plan(study, point_task, variants, Prices(rates, quantities(study)))
+            goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
+            steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
+            task = _task(study, problem, numerics, steps)
+            tasks.append(task)
+            first[task.key] = expected[task.key] = study.blocks
+            if goal:
+                goals[task.key] = goal
+                most, need = numerics.max_realizations, goal.realizations
+                first[task.key] = whole_blocks(study, FIRST_SHARE * need, most)
+                expected[task.key] = whole_blocks(study, need, most)
+        variants.append(Variant(label, numerics, tasks, _grouped(tasks), goals))
+    prices = Prices(rates, quantities(study))
+    return Plan(study, point_task, variants, prices, first, expected)
+
+
+def _task(study: Study, problem: Problem, numerics: Numerics, steps: int) -> Task:
+    march = horizon_steps(problem, numerics, steps) if _marches(study) else 0
+    what = (CODE, study.seed, study.normalisation, *problem, numerics.scheme, steps)
+    how = (march, numerics.samples, quantities(study), study.realizations_per_block)
+    key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
+    return Task(problem, steps, march, key)
 
 
 def _marches(study: Study) -> bool:
@@ -117,25 +140,29 @@ def batch_target(seconds: float) -> float:
 
 
 def batches(
-    plan: Plan, stored: Container[Record], target: float = BATCH_SECONDS[0]
+    plan: Plan,
+    stored: Container[Record],
+    target: float = BATCH_SECONDS[0],
+    blocks: dict[str, int] | None = None,
 ) -> Iterator[Batch]:
     """Yield batches of about ``target`` predicted seconds covering every record not stored.
 
     Every missing record is in exactly one batch; results do not depend on the cut.
+    blocks : number of blocks by key of the task, by default those expected.
     """
     for variant in plan.variants:
         for group in variant.groups:
-            for tasks, first, count in _missing(group, plan.study.blocks, stored):
+            for tasks, first, count in _missing(group, blocks or plan.expected, stored):
                 yield from _cut(plan, variant.numerics, tasks, first, count, target)
 
 
 def _missing(
-    group: list[Task], blocks: int, stored: Container[Record]
+    group: list[Task], blocks: dict[str, int], stored: Container[Record]
 ) -> Iterator[tuple[list[Task], int, int]]:
     """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
     run: tuple[list[Task], int, int] | None = None
-    for block in range(blocks):
-        tasks = [task for task in group if (task.key, block) not in stored]
+    for block in range(max(blocks[task.key] for task in group)):
+        tasks = [t for t in group if block < blocks[t.key] and (t.key, block) not in stored]
         if run and run[0] == tasks:
             run = (tasks, run[1], run[2] + 1)
         else:
@@ -186,18 +213,3 @@ def _parts(plan: Plan, tasks: list[Task], target: float) -> Iterator[tuple[list[
         total += cost
     if part:
         yield part, total
-
-
-def without_similarity(plan: Plan, seconds: float) -> float:
-    """Return the predicted time were every grid point computed, on a line of its own (h, dx).
-
-    seconds : the predicted time of the plan as it is.
-    """
-    extra = 0.0
-    again = len(plan.study.grid["roughness"]) - 1
-    for variant in plan.variants:
-        extra += copies_seconds(plan.prices, variant.tasks, plan.point_task)
-        for group in variant.groups:  # the lines again for every other roughness
-            lines = {t.problem.elements * t.steps_per_spacing for t in group}
-            extra += again * sum(plan.prices.line(samples) for samples in lines)
-    return seconds + plan.study.realizations * extra

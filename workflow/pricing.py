@@ -1,12 +1,9 @@
 """What the tasks of a plan are predicted to cost on a machine whose rates are known."""
 
-from functools import lru_cache
-
-import numpy as np
-
-from kernels import Quantities, amplitudes, rms_slope
+from kernels import Quantities
 from workflow.batch import Task
 from workflow.cost import Load, Rates, case_seconds
+from workflow.similarity import pace
 
 
 class Prices:
@@ -36,16 +33,5 @@ class Prices:
             steps=task.march,
             hurst=problem.hurst,
             load=problem.load,
-            pace=problem.speed * _slope(problem.hurst, problem.elements),
+            pace=pace(problem),
         )
-
-
-@lru_cache
-def _slope(hurst: float, elements: int) -> float:
-    return rms_slope(amplitudes(hurst, elements), elements)
-
-
-def copies_seconds(prices: Prices, tasks: list[Task], point_task: np.ndarray) -> float:
-    """Return the predicted time of all grid points that are copies of a task, once each."""
-    more = np.bincount(point_task.ravel(), minlength=len(tasks)) - 1
-    return float(more @ np.array([prices.task(task) for task in tasks]))

@@ -51,6 +51,7 @@ def origin(study: Study | Measured) -> dict[str, str | int | float]:
 
 def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]:
     """Return the global attributes of the result file of a grid study."""
+    wanted = {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
     return origin(study) | {
         "realizations_per_block": study.realizations_per_block,
         "quantities": " ".join(study.scene.quantities),
@@ -58,4 +59,5 @@ def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]
         "scheme": numerics.scheme,
         "steps_per_spacing": str(numerics.steps_per_spacing or "auto"),
         "horizon": numerics.horizon,
+        **(wanted if numerics.accuracy else {}),
     }

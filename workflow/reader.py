@@ -1,19 +1,18 @@
 """Read study.toml: find it, apply the scale and --set, check every key, build the Study."""
 
 import json
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any
 
-from kernels import SCHEMES
 from kernels.surface import NORMALISATIONS
-from workflow.axes import axis_values, integer, number, positive, snapped_spacing
+from workflow.axes import axis_values, choice, integer, positive, snapped_spacing
 from workflow.errors import UserError
 from workflow.measured import read_measured
 from workflow.place_reader import read_place
+from workflow.read_numerics import NUMERICS, read_variants
 from workflow.settings import as_table, as_text, check_keys, load_tables
-from workflow.study import AXES, DEFAULT_QUANTITIES, QUANTITIES, Measured, Numerics, Scene, Study
+from workflow.study import AXES, DEFAULT_QUANTITIES, QUANTITIES, Measured, Scene, Study
 
 TABLES: dict[str, tuple[str, ...]] = {
     "study": ("title", "seed", "realizations", "realizations_per_block"),
@@ -21,7 +20,7 @@ TABLES: dict[str, tuple[str, ...]] = {
     "surface": ("length", "normalisation", "snap_spacing"),
     "grid": AXES,
     "scene": ("quantities", "indentation_rate"),
-    "numerics": ("scheme", "steps_per_spacing", "samples", "horizon"),
+    "numerics": NUMERICS,
 }
 MOST_ELEMENTS = 1e8
 BY_NAME = ("compare", "scales")  # tables of tables, named by the user
@@ -71,12 +70,6 @@ def _required(tables: dict, table: str, key: str, check: Callable[[str, object],
     return check(f"{table}.{key}", values[key])
 
 
-def _choice(key: str, value: object, known: tuple[str, ...]) -> str:
-    if value not in known:
-        raise UserError(f"{key} = {value!r}: must be one of {', '.join(known)}")
-    return str(value)
-
-
 def _build(name: str, folder: Path, tables: dict) -> Study:
     check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
     place = read_place(as_table("cluster", tables.pop("cluster", {})))
@@ -103,12 +96,12 @@ def _build(name: str, folder: Path, tables: dict) -> Study:
         shear_modulus=_required(tables, "material", "shear_modulus", positive),
         relaxation_time=_required(tables, "material", "relaxation_time", positive),
         length=length,
-        normalisation=_choice(
+        normalisation=choice(
             "surface.normalisation", surface.get("normalisation", "modal"), NORMALISATIONS
         ),
         grid=_grid(tables, length, _flag("surface.snap_spacing", surface, False)),
         scene=_scene(tables.get("scene", {})),
-        variants=_variants(tables),
+        variants=read_variants(tables),
         place=place,
     )
 
@@ -165,38 +158,10 @@ def _scene(table: dict) -> Scene:
     if not isinstance(asked, list) or not asked:
         raise UserError(f"scene.quantities = {asked!r}: must be a list out of {QUANTITIES}")
     for quantity in asked:
-        _choice("scene.quantities", quantity, QUANTITIES)
+        choice("scene.quantities", quantity, QUANTITIES)
     if "models" in asked and "relaxation" not in asked:
         raise UserError(f'scene.quantities = {asked!r}: "models" needs "relaxation" too')
     return Scene(
         quantities=tuple(q for q in QUANTITIES if q in asked),
         indentation_rate=_flag("scene.indentation_rate", table, True),
-    )
-
-
-def _variants(tables: dict) -> dict[str, Numerics]:
-    own = tables.get("numerics", {})
-    variants = {"": _numerics("numerics", own)}
-    for label, extra in as_table("compare", tables.get("compare", {})).items():
-        where = f"compare.{label}"
-        if not re.fullmatch(r"[A-Za-z]\w*", label):
-            raise UserError(f'compare."{label}": name it by letters, digits and underscores')
-        check_keys(f"{where}.", as_table(where, extra), TABLES["numerics"])
-        variants[label] = _numerics(where, {**own, **extra})
-    return variants
-
-
-def _numerics(where: str, table: dict) -> Numerics:
-    default = Numerics()
-    steps = table.get("steps_per_spacing", "auto")
-    horizon = number(f"{where}.horizon", table.get("horizon", default.horizon))
-    if not 1.0 <= horizon <= 100.0:
-        raise UserError(f"{where}.horizon = {horizon!r}: must lie between 1 and 100")
-    return Numerics(
-        scheme=_choice(f"{where}.scheme", table.get("scheme", default.scheme), tuple(SCHEMES)),
-        steps_per_spacing=(
-            None if steps == "auto" else integer(f"{where}.steps_per_spacing", steps, 1)
-        ),
-        samples=integer(f"{where}.samples", table.get("samples", default.samples), 8, 10_000),
-        horizon=horizon,
     )

@@ -25,23 +25,36 @@ def expected_rate(problem: Problem) -> float:
     return max(1.0, speed_ratio(problem.speed) ** (1.0 - problem.hurst))
 
 
+def least_steps(problem: Problem, scene: Scene) -> int:
+    """Return the least m for what is asked, a power of two: a relaxation needs two steps per tau
+    and per relaxation time at the slower speed.
+    """
+    if "relaxation" not in scene.quantities:
+        return 1
+    slowest = problem.speed * min(1.0, problem.ratio)
+    need = 2.0 * expected_rate(problem) / max(slowest, SPEEDS[0])
+    return 2 ** max(0, math.ceil(math.log2(need) - 1e-9))
+
+
 def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int:
     """Return m: the given number, or for "auto" a power of two resolving what is asked.
 
-    Contacts need 8 samples per spacing when only steady states and jumps are asked for. A
-    relaxation needs two steps per tau and per relaxation time at the slower speed; b is then
-    within about 2 % of its limit (5 % at H = 0). First order schemes take 8 times as many.
+    Contacts need 8 samples per spacing when only steady states and jumps are asked for, and 4
+    beside a relaxation; b is then within about 2 % of its limit (5 % at H = 0). First order schemes
+    take 8 times as many.
     """
-    if numerics.steps_per_spacing is not None:
-        steps = numerics.steps_per_spacing
-    else:
-        need = 8.0
-        if "relaxation" in scene.quantities:
-            slowest = problem.speed * min(1.0, problem.ratio)
-            need = max(4.0, 2.0 * expected_rate(problem) / max(slowest, SPEEDS[0]))
-        steps = 2 ** math.ceil(math.log2(need) - 1e-9)
+    steps = numerics.steps_per_spacing
+    if steps is None:
+        marched = "relaxation" in scene.quantities
+        steps = max(4 if marched else 8, least_steps(problem, scene))
         if numerics.scheme == "implicit-euler":
             steps *= 8
+    check_resolution(problem, steps, numerics)
+    return steps
+
+
+def check_resolution(problem: Problem, steps: int, numerics: Numerics) -> None:
+    """Raise UserError where a line does not fit into a worker, or rounding would show."""
     if problem.elements * steps > MAX_SAMPLES_PER_LINE:
         raise UserError(
             f"numerics.steps_per_spacing = {numerics.steps_per_spacing or 'auto'}: "
@@ -50,7 +63,6 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
             "a higher velocity or a larger spacing"
         )
     _check_speeds(problem, steps)
-    return steps
 
 
 def _check_speeds(problem: Problem, steps: int) -> None:

@@ -8,9 +8,10 @@ from pathlib import Path
 import xarray as xr
 from distributed import Client
 
+from workflow.attained import accuracy_lines
 from workflow.batch import load_kernels
 from workflow.cluster import open_client
-from workflow.collect import collect
+from workflow.collect import Collector
 from workflow.dataset import write_datasets
 from workflow.durable import clear_leftovers
 from workflow.errors import UserError
@@ -21,6 +22,7 @@ from workflow.lock import hold
 from workflow.place import HERE, Place
 from workflow.plan import Plan, batch_target, batches, quantities
 from workflow.progress import Reporter
+from workflow.rounds import Rounds
 from workflow.shelf import Shelf
 from workflow.status import Status, StatusWriter, identity, status_file
 from workflow.store import DamagedShard, Store, store_folder
@@ -98,6 +100,8 @@ class _Run:
                 with self.summary.filing():
                     write_datasets(self.result, datasets)
                 self.summary.written = True
+                for label, dataset in datasets.items():
+                    self.summary.accuracy += accuracy_lines(label, dataset)
             state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"
         finally:
             self.summary.interrupted = self.interrupt() and not self.summary.written
@@ -106,23 +110,29 @@ class _Run:
 
     def _datasets(self, client: Client) -> dict[str, xr.Dataset]:
         """Compute what is missing, then collect; once more where shards turn out damaged."""
+        collector = Collector(client, self.store, self.plan, self.summary, self.watch)
         for _ in range(ATTEMPTS):
-            self._compute(client)
+            rounds = Rounds(self.plan)
             try:
-                if self._stops():
-                    return {}
-                return collect(client, self.store, self.plan, self.summary, self.watch)
+                while True:
+                    self._compute(client, rounds.blocks)
+                    if self._stops():
+                        return {}
+                    if not rounds.go_on(collector):
+                        return collector.datasets(rounds.blocks)
             except DamagedShard:
                 continue
         raise UserError(
             f"{self.store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?"
         )
 
-    def _compute(self, client: Client) -> None:
-        _, predicted = self._extent()
+    def _compute(self, client: Client, blocks: dict[str, int]) -> None:
+        """Compute and store what is missing of ``blocks`` of each task (by key)."""
+        missing = batches(self.plan, self.failures, blocks=blocks)
+        predicted = sum(batch.seconds for batch in missing)
         target = self.how.batch_seconds or batch_target(predicted)
         target = min(target, self.how.place.longest_batch)
-        work = batches(self.plan, self.failures, target)
+        work = batches(self.plan, self.failures, target, blocks)
         function = partial(run_batch, expected=versions())
         with Reporter("computing", predicted) as reporter, Shelf(self.store, target) as shelf:
             self.reporter, self.shelf = reporter, shelf

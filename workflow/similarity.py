@@ -4,10 +4,12 @@ mu/grad z, d/h and t/tau depend on H, N = L/dx, Fbar = F_N/(4 G L h), vbar = v1 
 r = v2/v1 alone; h and F_N enter only as F_N/h.
 """
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
+from kernels import amplitudes, rms_slope
 from workflow.study import AXES, Study
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
@@ -44,3 +46,13 @@ def distinct_problems(study: Study) -> tuple[list[Problem], np.ndarray]:
     found: dict[Problem, int] = {}
     index = [found.setdefault(Problem(*row), len(found)) for row in zip(*columns, strict=True)]
     return list(found), np.array(index).reshape(study.shape)
+
+
+def pace(problem: Problem) -> float:
+    """Return vbar grad z, the viscous pressure on a mean slope in units of G h."""
+    return problem.speed * _slope(problem.hurst, problem.elements)
+
+
+@lru_cache
+def _slope(hurst: float, elements: int) -> float:
+    return rms_slope(amplitudes(hurst, elements), elements)

@@ -12,6 +12,15 @@ SIGNIFICANCE = 3.0  # standard errors a number must exceed
 CHANCE = 0.01  # with few blocks: share of nothings that may pass by chance
 
 
+def grouped_means(blocks: np.ndarray, groups: int) -> np.ndarray:
+    """Return the means over every ``groups``-th block, shape (groups, ...).
+
+    Block i goes into group i modulo ``groups``: blocks that two points with different numbers of
+    blocks have in common, and so their random lines, stay in the same group.
+    """
+    return blocks.reshape(-1, groups, *blocks.shape[1:]).mean(axis=0)
+
+
 def replicates(blocks: np.ndarray, axis: int) -> np.ndarray:
     """Return the mean followed by the leave-one-block-out means along ``axis``.
 

@@ -19,6 +19,8 @@ class Numerics:
     steps_per_spacing: int | None = None
     samples: int = 64
     horizon: float = 4.0
+    accuracy: float | None = None  # wanted relative error of what is asked for
+    max_realizations: int = 10_000  # per point, on the way to the accuracy
 
 
 @dataclass(frozen=True)

@@ -34,6 +34,7 @@ class Summary:
     interrupted: bool = False
     written: bool = False  # the result file
     failures: list[str] = field(default_factory=list)  # a table
+    accuracy: list[str] = field(default_factory=list)  # what was reached, by variant
     phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # by key
 
@@ -65,7 +66,7 @@ class Summary:
         ]
         if self.batches:
             found += [self._where(), self._memory(plan), *self._costliest(plan)]
-        return found
+        return found + self.accuracy
 
     def _where(self) -> str:
         """Return the shares of the core time that the workers had once they were there."""

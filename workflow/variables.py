@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from workflow.attained import ACCURACY_MEANINGS
 from workflow.fits import STATUS_COMMENT, STATUS_MEANINGS
 from workflow.models import MODEL_MEANINGS
 from workflow.study import AXES
@@ -12,6 +13,9 @@ GRID = AXES
 CURVE = (*AXES, "sample")
 PER_HURST = ("hurst",)
 SLOPE, HEIGHT, PLAIN = "slope", "height", "plain"  # times h/dx, times h, as it is
+
+
+ERRORS = "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
 
 
 class Variable(NamedTuple):
@@ -77,6 +81,18 @@ VARIABLES: dict[str, Variable] = {
     "realizations": Variable(
         GRID, "1", "number of realizations averaged", comment="0: the computation failed"
     ),
+    "steps_per_spacing": Variable(GRID, "1", "steps, and elements, per spacing dx"),
+    "accuracy_reached": Variable(
+        GRID,
+        "1",
+        "relative standard error plus bound of the discretisation error, the largest of what was "
+        "asked for",
+        comment="inf: not known; NaN: nothing that was asked for has a relative error here",
+    ),
+    "accuracy_status": Variable(GRID, "1", "whether numerics.accuracy was met"),
+    "bias_bound": Variable(
+        GRID, "1", "bound of the relative discretisation error, the largest of what was asked for"
+    ),
     "alpha": Variable(
         PER_HURST, "1", "exponent of eq. 13, b = x^alpha, over fitted points with x > 1"
     ),
@@ -86,7 +102,11 @@ VARIABLES: dict[str, Variable] = {
     "alpha_points": Variable(PER_HURST, "1", "number of points in the fit of eq. 13"),
 }
 
-FLAGS = {"fit_status": STATUS_MEANINGS, "best_model": MODEL_MEANINGS}
+FLAGS = {
+    "accuracy_status": ACCURACY_MEANINGS,
+    "fit_status": STATUS_MEANINGS,
+    "best_model": MODEL_MEANINGS,
+}
 
 
 def declared(name: str) -> Variable:
@@ -94,7 +114,7 @@ def declared(name: str) -> Variable:
     if name in VARIABLES:
         return VARIABLES[name]
     variable = VARIABLES[name.removesuffix("_error")]
-    return variable._replace(long_name=f"standard error of {variable.long_name}")
+    return variable._replace(long_name=f"standard error of {variable.long_name}", comment=ERRORS)
 
 
 def attributes(name: str) -> dict[str, object]:

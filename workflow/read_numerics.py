@@ -1,0 +1,64 @@
+"""Read the tables [numerics] and [compare.NAME] of a study."""
+
+import re
+
+from kernels import SCHEMES
+from workflow.axes import choice, integer, number
+from workflow.errors import UserError
+from workflow.settings import as_table, check_keys
+from workflow.study import Numerics
+
+NUMERICS = (
+    *("scheme", "steps_per_spacing", "samples", "horizon"),
+    *("accuracy", "max_realizations"),
+)
+ACCURACIES = (1e-4, 0.3)  # beyond the one nothing is in reach, beyond the other no law holds
+
+
+def read_variants(tables: dict) -> dict[str, Numerics]:
+    """Return label -> numerics of the study ("") and of its comparisons. Raises UserError."""
+    own = tables.get("numerics", {})
+    variants = {"": _numerics("numerics", own)}
+    for label, extra in as_table("compare", tables.get("compare", {})).items():
+        where = f"compare.{label}"
+        if not re.fullmatch(r"[A-Za-z]\w*", label):
+            raise UserError(f'compare."{label}": name it by letters, digits and underscores')
+        check_keys(f"{where}.", as_table(where, extra), NUMERICS)
+        variants[label] = _numerics(where, {**own, **extra})
+    return variants
+
+
+def _numerics(where: str, table: dict) -> Numerics:
+    default = Numerics()
+    steps = table.get("steps_per_spacing", "auto")
+    horizon = number(f"{where}.horizon", table.get("horizon", default.horizon))
+    if not 1.0 <= horizon <= 100.0:
+        raise UserError(f"{where}.horizon = {horizon!r}: must lie between 1 and 100")
+    most = table.get("max_realizations", default.max_realizations)
+    found = Numerics(
+        scheme=choice(f"{where}.scheme", table.get("scheme", default.scheme), tuple(SCHEMES)),
+        steps_per_spacing=(
+            None if steps == "auto" else integer(f"{where}.steps_per_spacing", steps, 1)
+        ),
+        samples=integer(f"{where}.samples", table.get("samples", default.samples), 8, 10_000),
+        horizon=horizon,
+        accuracy=_accuracy(where, table),
+        max_realizations=integer(f"{where}.max_realizations", most, 1),
+    )
+    if found.accuracy and found.scheme != default.scheme and not found.steps_per_spacing:
+        raise UserError(
+            f"{where}.scheme = {found.scheme!r}: where the accuracy chooses the steps it takes "
+            f"{default.scheme}, never dearer; leave scheme out or give steps_per_spacing too"
+        )
+    return found
+
+
+def _accuracy(where: str, table: dict) -> float | None:
+    if "accuracy" not in table:
+        return None
+    key = f"{where}.accuracy"
+    value = number(key, table["accuracy"])
+    least, most = ACCURACIES
+    if not least <= value <= most:
+        raise UserError(f"{key} = {value!r}: must lie between {least:g} and {most:g} (0.01 is 1 %)")
+    return value
