@@ -17,7 +17,6 @@ import numpy as np
 
 from kernels import (
     SCHEMES,
-    Case,
     Line,
     Quantities,
     amplitudes,
@@ -25,15 +24,16 @@ from kernels import (
     lagged_slope,
     march,
     quadrature,
-    run_case,
     steady_sliding,
 )
+from workflow.batch import Batch, Task, block_means
 from workflow.cost import Curve, Rates
+from workflow.similarity import Problem
 
 SIZES = (2_000, 20_000, 200_000)  # samples: in the first, second, third cache
 SHORTEST = 60
 FEW, MANY = 4, 24  # steps: their difference is free of what a march does once
-SECONDS = 0.03  # per measurement, at least 3 calls
+SECONDS = 0.05  # per measurement, at least 3 calls
 HURST, LOAD, SPEED, STEPS = 0.7, 0.1, 1.0, 4
 
 
@@ -92,23 +92,23 @@ def _at(samples: int) -> dict[str, float]:
     }
 
 
-def _case() -> float:
-    """Return the seconds of a case that has next to nothing to compute."""
-    line = _line(64)
-    case = Case(LOAD, SPEED, (1.2,), (np.arange(1, 9),), "exponential")
-    return seconds(lambda: run_case(line, case, Quantities()))
+def _case(kernels: dict[str, float]) -> float:
+    """Return the seconds of a realization of SHORTEST samples beyond its kernels."""
+    problem = Problem(HURST, SHORTEST, LOAD, SPEED, 1.2)
+    asked = Quantities()
+    batch = Batch(1, "modal", asked, "exponential", 64, (Task(problem, 1, 8, ""),), 0, 1, 20, 0.0)
+    states = 2 * 4 * kernels["sweep"] + 3 * kernels["quadrature"]
+    inside = kernels["draw"] + states + kernels["setup"] + 8 * kernels["step"]
+    whole = seconds(lambda: block_means(batch)) / batch.realizations_per_block
+    return max(whole - inside, 0.1 * whole)
 
 
 def rates() -> Rates:
     """Return the rates of this thread of this machine."""
-    found = {size: _at(size) for size in (SHORTEST, *SIZES)}
-    curves = {
-        name: Curve(sizes, tuple(found[size][name] for size in sizes))
-        for name, sizes in dict.fromkeys(found[SHORTEST], SIZES).items()
-    }
     sizes = (SHORTEST, *SIZES)
-    curves["step"] = Curve(sizes, tuple(found[size]["step"] for size in sizes))
-    return Rates(**curves, case=_case())
+    found = [_at(size) for size in sizes]
+    curves = {name: Curve(sizes, tuple(at[name] for at in found)) for name in found[0]}
+    return Rates(**curves, case=_case(found[0]))
 
 
 if __name__ == "__main__":

@@ -44,5 +44,6 @@ def assembled(*settings):
     blocks = exponential_blocks(len(variant.tasks), 4, samples, plan.study.scene.quantities)
     estimates = reduce_blocks(blocks)
     estimates["rms_slope"] = np.arange(1.0, len(variant.tasks) + 1)
+    estimates["realizations"] = np.full(len(variant.tasks), 4, np.int32)
     kept = dict(estimates)
     return plan, kept, build_dataset(plan, variant, estimates)

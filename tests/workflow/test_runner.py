@@ -168,5 +168,6 @@ def test_steady_sliding_alone_leaves_the_rest_out(finished, scheduler, tmp_path)
     steady = run(scheduler, tmp_path, 'scene.quantities=["steady"]').load()
     kept = {"mu_1", "mu_2", "indentation", "contact_fraction"}
     errors = {f"{name}_error" for name in kept}
-    assert set(steady.data_vars) == kept | errors | {"rms_slope", "speed_ratio", "realizations"}
+    always = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing"}
+    assert set(steady.data_vars) == kept | errors | always
     assert "sample" not in steady.dims
