@@ -5,13 +5,12 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from workflow.fits import FITTED, NO_RELAXATION
+from workflow.fits import NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE
 from workflow.goal import Goal, allowed
 from workflow.study import AXES
 
 MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2
 ACCURACY_MEANINGS = "missed met met_where_defined"
-KNOWN_CURVE = 0.1  # relative error of the first deviation from which on a fit that fails is a fact
 
 
 class Attained(NamedTuple):
@@ -44,6 +43,8 @@ def attained(
         partly |= undefined
         reached = np.maximum(reached, np.where(undefined, -np.inf, relative + bias))
         growth = np.maximum(growth, np.where(undefined, 0.0, (relative / left) ** 2))
+    if "fit_status" in estimates:
+        growth[estimates["fit_status"] == NOT_FINITE] = 0.0  # no number of lines mends that
     missed = reached > wanted * (1.0 + 1e-9)
     status = np.where(missed, MISSED, np.where(partly, MET_WHERE_DEFINED, MET))
     return Attained(np.where(reached < 0.0, np.nan, reached), status.astype(np.int8), growth)
@@ -60,8 +61,7 @@ def _undefined(
     error = estimates["deviation_error"][:, 1]
     change = np.abs(estimates["mu"][:, 0] * (ratios - 1.0))  # of a viscous force, for scale
     nothing = (status == NO_RELAXATION) & (first + 2.0 * error <= wanted * change)
-    other = (status != FITTED) & (status != NO_RELAXATION) & (error <= KNOWN_CURVE * first)
-    return nothing | other
+    return nothing | (status == NOT_EXPONENTIAL)
 
 
 def accuracy_lines(label: str, dataset: xr.Dataset) -> list[str]:

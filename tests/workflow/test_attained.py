@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workflow.attained import MET, MET_WHERE_DEFINED, MISSED, attained
-from workflow.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL
+from workflow.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE, UNDETERMINED
 from workflow.goal import Goal
 
 WANTED = 0.1
@@ -60,9 +60,15 @@ def test_a_relaxation_that_may_be_there_is_not_given_up():
     assert (reached, status, growth) == (np.inf, MISSED, np.inf)
 
 
-def test_a_curve_known_well_that_is_no_exponential_has_no_rate():
+@pytest.mark.parametrize(
+    ("status", "growth"), [(UNDETERMINED, np.inf), (NOT_FINITE, 0.0)], ids=["noise", "broken"]
+)
+def test_a_rate_that_is_not_known_is_missed(status, growth):
+    assert judge(rate=NAN, status=status) == (np.inf, MISSED, growth)
+
+
+def test_a_curve_that_is_no_exponential_has_no_rate():
     assert judge(rate=NAN, status=NOT_EXPONENTIAL)[1] == MET_WHERE_DEFINED
-    assert judge(rate=NAN, status=NOT_EXPONENTIAL, first=(0.01, 0.005))[1] == MISSED
 
 
 def test_an_exact_zero_has_no_relative_error():
