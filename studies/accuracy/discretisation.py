@@ -1,0 +1,123 @@
+"""Errors and times of all discretisations of one point, against its reference."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from .errors import (
+    QUANTITIES,
+    Errors,
+    Observed,
+    Reference,
+    compare,
+    deviations,
+    extrapolate,
+    observe,
+    order,
+)
+from .levels import influence, multilevel_gain
+from .points import Point, Surface
+from .sampling import Method, run, seconds
+
+SCHEMES = ("exponential", "implicit-euler")
+PART = {"mu_1": 0, "jump": 0, "rate": 1, "curve": 1}  # which of the two times a quantity costs
+LEAST_LINES = 16
+
+
+class Ladder(NamedTuple):
+    """One scheme at one point over m = 1, 2, 4, ..."""
+
+    steps: list[int]
+    errors: list[Errors]
+    seconds: np.ndarray  # shape (steps, 2): mu_1 and jump, everything
+    observed: list[Observed]  # on all lines of each m
+
+
+def ladder_steps(point: Point, most: int) -> list[int]:
+    """Return m = 1, 2, 4 ... up to ``most``, further where tau is not resolved by then."""
+    top = max(most, 2 ** math.ceil(math.log2(2.4 / point.speed)))
+    return [2**k for k in range(int(math.log2(top)) + 1)]
+
+
+def lines_at(steps: int, most: int) -> int:
+    """Return the number of lines at m: fewer where they cost more."""
+    return max(min(LEAST_LINES, most), min(most, 8 * most // steps))
+
+
+def reference(point: Point, surfaces: list[Surface], most: int) -> Reference:
+    """Return the reference of a point, extrapolated from twice the finest m."""
+    finest = ladder_steps(point, most)[-1]
+    lines = lines_at(2 * finest, len(surfaces))
+    fine, coarse = (
+        run(point, surfaces[:lines], Method("exponential", m)) for m in (2 * finest, finest)
+    )
+    end = float(fine.moments[-1])
+    elements = surfaces[0].elements
+    return extrapolate(*(observe(point, elements, r, lines, end) for r in (fine, coarse)), end)
+
+
+def climb(
+    point: Point, surfaces: list[Surface], scheme: str, steps: list[int], limit: Reference
+) -> Ladder:
+    """Run a scheme over all m; errors are those on the lines of the reference."""
+    paired, elements = limit.limit.mu_1.size, surfaces[0].elements
+    errors, times, observed = [], [], []
+    for m in steps:
+        runs = run(point, surfaces[: lines_at(m, len(surfaces))], Method(scheme, m))
+        errors.append(compare(observe(point, elements, runs, paired, limit.end), limit))
+        observed.append(observe(point, elements, runs, runs.mu_1.size, limit.end))
+        times.append(seconds(runs))
+    return Ladder(steps, errors, np.array(times), observed)
+
+
+def orders(ladder: Ladder, limit: Reference) -> np.ndarray:
+    """Return the measured order of convergence per quantity."""
+    steps = np.array(ladder.steps)
+    rms = np.array([error.rms for error in ladder.errors])
+    return np.array([order(steps, rms[:, q], 2.0 * limit.error[q]) for q in range(4)])
+
+
+def bias_bound(errors: Errors) -> np.ndarray:
+    """Return what the bias may be: its estimate and one standard error."""
+    return np.abs(errors.bias) + errors.bias_error
+
+
+def spread(ladder: Ladder) -> np.ndarray:
+    """Return the relative standard deviation of one realization, at a middle m."""
+    found = np.array([deviations(o) for o in ladder.observed])
+    middle = next((k for k, row in enumerate(found) if k >= 2 and np.isfinite(row).all()), 2)
+    return found[middle]
+
+
+def gains(ladder: Ladder, targets: tuple[float, ...]) -> np.ndarray:
+    """Return the gain of multilevel Monte Carlo, shape (targets, 3): mu_1, jump, rate."""
+    found = np.empty((len(targets), 3))
+    each = [influence(o) for o in ladder.observed]
+    bound = np.array([bias_bound(error) for error in ladder.errors])
+    for q, name in enumerate(QUANTITIES[:3]):
+        values = {m: each[k][name] for k, m in enumerate(ladder.steps)}
+        bias = dict(zip(ladder.steps, bound[:, q], strict=True))
+        cost = dict(zip(ladder.steps, ladder.seconds[:, PART[name]], strict=True))
+        found[:, q] = [multilevel_gain(values, bias, cost, target) for target in targets]
+    return found
+
+
+def single_precision(
+    point: Point,
+    surfaces: list[Surface],
+    ladder: Ladder,
+    limit: Reference,
+    steps: tuple[int, ...],
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return errors (steps, QUANTITIES) with lines in float32, and times over those of float64.
+
+    Sums and marches stay in float64: numba types them so; only what is stored is shorter.
+    """
+    paired, elements = limit.limit.mu_1.size, surfaces[0].elements
+    errors, times = [], []
+    for m in steps:
+        runs = run(point, surfaces[:paired], Method("exponential", m, single=True))
+        errors.append(compare(observe(point, elements, runs, paired, limit.end), limit).rms)
+        times.append(seconds(runs) / ladder.seconds[ladder.steps.index(m)])
+    return np.array(errors), np.array(times)

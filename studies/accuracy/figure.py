@@ -1,0 +1,226 @@
+"""Work and precision: error against CPU time, and what follows from it."""
+
+from pathlib import Path
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from workflow.figure import COLOURS
+
+NAMES = {"mu_1": "$\\mu_1$", "jump": "$\\Delta\\mu_0$", "rate": "$b$", "curve": "$\\mu(t)$"}
+REGIMES = ((0.0, 1.0, "$x < 1$"), (1.0, 10.5, "$1 \\leq x \\leq 10$"), (10.5, np.inf, "$x > 10$"))
+LIMITS = (1e-6, 2.0)
+TARGET = 0.01
+
+
+def draw(result: Path) -> Figure:
+    """Return the figure of a result file of this study."""
+    with xr.open_groups(result)["/"] as data:
+        figure, axes = plt.subplots(3, 3, figsize=(7.4, 7.8), layout="constrained")
+        for ax, (name, label) in zip(axes.flat, NAMES.items(), strict=False):
+            _ladders(ax, data, name)
+            letter = "abcd"[list(NAMES).index(name)]
+            ax.set_title(f"({letter}) discretisation error of {label}", loc="left")
+        _regimes(axes[0, 0])
+        _balance(axes[1, 2], data)
+        _multilevel(axes[2, 2], data)
+    with xr.open_dataset(result, group="sampling") as sampling:
+        _sampling(axes[1, 1], sampling)
+    with xr.open_dataset(result, group="alternatives") as found:
+        _alternatives(axes[2, 0], found, "mu_1", "(g)")
+        _alternatives(axes[2, 1], found, "rate", "(h)")
+    figure.supxlabel(_foot(result), fontsize=6, color="0.35")
+    return figure
+
+
+def _regime(x: float) -> int:
+    return next(k for k, (low, high, _) in enumerate(REGIMES) if low <= x < high)
+
+
+def _ladders(ax: Axes, data: xr.Dataset, name: str) -> None:
+    """Draw error over time of every point, and the median order of each scheme."""
+    part = 1 if name in ("rate", "curve") else 0
+    for point in data.point.values:
+        one = data.sel(point=point)
+        colour = COLOURS[_regime(float(one.x))]
+        for scheme, line in zip(data.scheme.values, ("-", ":"), strict=True):
+            error = one.error.sel(scheme=scheme, quantity=name)
+            time = 1e3 * one.seconds.sel(scheme=scheme).isel(part=part)
+            style = {"color": colour, "lw": 0.7, "ms": 1.6, "alpha": 0.8}
+            ax.plot(time, error, line, marker="o" if line == "-" else None, **style)
+    _front(ax, data, name, part)
+    orders = data.order.sel(quantity=name).median("point", skipna=True)
+    text = [f"order {float(o):.1f}" for o in orders]
+    words = (f"exponential: {text[0]}", f"implicit Euler: {text[1]}")
+    for line, word in zip(("-", ":"), words, strict=True):
+        ax.plot([], [], line, color="0.2", label=word)
+    ax.legend(loc="lower left", handlelength=1.6)
+    ax.set(xscale="log", yscale="log", ylim=LIMITS)
+    _milliseconds(ax)
+    if name in ("mu_1", "curve"):
+        ax.set_ylabel("relative error")
+
+
+def _front(ax: Axes, data: xr.Dataset, name: str, part: int) -> None:
+    """Draw the Pareto front of the medians over points: nothing is faster and more accurate."""
+    common = data.error.sel(quantity=name).notnull().mean("point") > 0.5
+    error = data.error.sel(quantity=name).median("point", skipna=True).where(common)
+    time = data.seconds.isel(part=part).median("point", skipna=True)
+    found = [
+        (1e3 * float(time.sel(at)), float(error.sel(at)), int(m), scheme)
+        for scheme in data.scheme.values
+        for m in data.steps.values
+        for at in [{"scheme": scheme, "steps": m}]
+        if np.isfinite(error.sel(at))
+    ]
+    best = np.inf
+    front = []
+    for at in sorted(found):
+        if at[1] < best:
+            front.append(at)
+            best = at[1]
+    ax.plot([f[0] for f in front], [f[1] for f in front], "k-", lw=2.0, alpha=0.6)
+    for time, error, m, _ in front:
+        if m in (1, 4, 16, 64):
+            ax.annotate(
+                f"{m}",
+                (time, error),
+                (3, 2),
+                textcoords="offset points",
+                fontsize=6.5,
+                weight="bold",
+            )
+
+
+def _milliseconds(ax: Axes) -> None:
+    ax.set_xlabel("CPU ms per realization")
+    ax.xaxis.set_minor_formatter("")
+
+
+def _regimes(ax: Axes) -> None:
+    """Say which colour is which regime of x."""
+    for k, (_, _, label) in enumerate(REGIMES):
+        ax.annotate(
+            label,
+            (0.97, 0.97 - 0.08 * k),
+            xycoords="axes fraction",
+            ha="right",
+            va="top",
+            color=COLOURS[k],
+            fontsize=7,
+        )
+
+
+def _sampling(ax: Axes, data: xr.Dataset) -> None:
+    """Draw the error of the mean of R realizations: median and range over the points."""
+    for k, name in enumerate(data.sampled.values):
+        error = data.error.sel(sampled=name)
+        ax.fill_between(
+            data.realizations,
+            error.min("point"),
+            error.max("point"),
+            color=COLOURS[k + 3],
+            alpha=0.15,
+            lw=0,
+        )
+        ax.plot(
+            data.realizations,
+            error.median("point", skipna=True),
+            "o-",
+            color=COLOURS[k + 3],
+            label=NAMES[str(name)],
+        )
+    count = data.realizations.values
+    ax.plot(count, 0.25 / np.sqrt(count), "k--", lw=0.8, label="$0.25\\,R^{-1/2}$")
+    ax.set(xscale="log", yscale="log", xlabel="realizations $R$")
+    ax.set_title("(e) sampling error: median, range", loc="left")
+    ax.legend(loc="lower left", ncols=2)
+
+
+def _balance(ax: Axes, data: xr.Dataset) -> None:
+    """Draw total error over time for each m at one point, bias and sampling, and the best."""
+    one = data.sel(point=data.point.values[min(2, data.sizes["point"] - 1)])
+    one = one.sel(scheme="exponential", quantity="mu_1").isel(part=0)
+    count = np.geomspace(10, 1e6, 60)
+    best = []
+    shown = [m for m in (1, 2, 4, 8, 16) if m in one.steps]
+    for k, m in enumerate(shown):
+        at = one.sel(steps=m)
+        total = np.hypot(float(at.bias), float(at.deviation) / np.sqrt(count))
+        time = count * float(at.seconds)
+        ax.plot(time, total, color=plt.cm.viridis(k / len(shown)), label=f"$m = {m}$")
+        ax.axhline(abs(float(at.bias)), color=plt.cm.viridis(k / len(shown)), lw=0.5, ls=":")
+        best.append((time, total))
+    grid = np.geomspace(3e-3, 1e3, 200)
+    front = np.min([np.interp(grid, t, e, right=e[-1], left=np.inf) for t, e in best], axis=0)
+    ax.plot(grid, front, "k", lw=2.2, alpha=0.25, label="best")
+    ax.set(xscale="log", yscale="log", xlabel="CPU s in all", xlim=(2e-3, 1e3), ylim=(1e-5, 0.2))
+    ax.set_title(f"(f) both, $\\mu_1$ at $x = {float(one.x):g}$", loc="left")
+    ax.legend(loc="lower left")
+
+
+def _alternatives(ax: Axes, data: xr.Dataset, name: str, letter: str) -> None:
+    """Draw error over time of the kernels and of the alternatives, at the compared points."""
+    part = 1 if name == "rate" else 0
+    marks = ("o", "s", "^")
+    for row, solver in enumerate(data.solver.values):
+        for k, point in enumerate(data.point.values):
+            one = data.sel(point=point, solver=solver)
+            ax.plot(
+                1e3 * one.seconds.isel(part=part),
+                one.error.sel(quantity=name),
+                marker=marks[k],
+                color=COLOURS[(0, 1, 2, 4)[row]],
+                lw=0.8,
+                ms=2.5,
+                label=str(solver) if k == 0 else None,
+            )
+    ax.set(xscale="log", yscale="log", ylim=(LIMITS[0], LIMITS[1]))
+    _milliseconds(ax)
+    ax.set_title(f"{letter} common alternatives: {NAMES[name]}", loc="left")
+    if name == "mu_1":
+        ax.set_ylabel("relative error")
+        for k, point in enumerate(data.point.values):
+            label = f"$x = {float(data.x.sel(point=point)):g}$"
+            ax.plot([], [], marks[k], color="0.4", label=label)
+        ax.legend(loc="lower left", ncols=2, columnspacing=0.8)
+
+
+def _multilevel(ax: Axes, data: xr.Dataset) -> None:
+    """Draw the gain of multilevel Monte Carlo over the wanted error."""
+    for k, name in enumerate(data.sampled.values):
+        gain = data.multilevel_gain.sel(sampled=name)
+        colour = COLOURS[k + 3]
+        shift = 1.12 ** (k - 1)
+        for point in range(data.sizes["point"]):
+            ax.plot(shift * data.target, gain.isel(point=point), ".", color=colour, ms=2, alpha=0.5)
+        ax.plot(
+            shift * data.target,
+            gain.median("point", skipna=True),
+            "o-",
+            color=colour,
+            label=NAMES[str(name)],
+        )
+    ax.axhline(2.0, color="0.4", lw=0.8, ls="--")
+    ax.annotate("worth it above", (1.3e-3, 2.08), ha="right", fontsize=6.5, color="0.35")
+    ax.set(xscale="log", yscale="log", xlabel="wanted relative error", ylim=(0.8, 20.0))
+    ax.set_yticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
+    ax.minorticks_off()
+    ax.invert_xaxis()
+    ax.set_title("(i) gain of multilevel MC", loc="left")
+    ax.legend(loc="upper left")
+
+
+def _foot(result: Path) -> str:
+    with xr.open_dataset(result) as data:
+        worst = float(data.reference_error.sel(quantity="mu_1").max())
+        return (
+            f"{data.sizes['point']} points (H, Fbar, x), every marker one m = 1, 2, 4, ...; rms "
+            "over lines; references: Richardson extrapolation,\n"
+            "numbers: m of the Pareto front of the medians (black); "
+            f"error of mu_1 at most {worst:.0e}; curve relative to the jump; "
+            f"process time, medians; seed {data.attrs['seed']}"
+        )

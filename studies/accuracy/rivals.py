@@ -1,0 +1,87 @@
+"""The common alternatives and the separation of space and time, as datasets."""
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+
+from . import discretisation as disc
+from .alternatives import affordable, available, run_march
+from .errors import QUANTITIES, compare, observe
+from .ladders import PARTS, point_coords
+from .marches import MARCHES
+from .points import Point, surface
+from .sampling import seconds
+from .space import separate
+
+SOLVERS = ("kernels", *MARCHES)
+LEVELS = (1, 2, 4, 8, 16)
+SPACE_LINES = 4
+WARM = Point(0.5, 0.3, 1.0)
+
+
+def alternatives(
+    points: tuple[Point, ...], settings: dict, seed: int, advance: Callable[[], None]
+) -> xr.Dataset:
+    """Return errors and times of all methods on the same lines.
+
+    Error and time are missing where a method is not installed, fails or would take too long.
+    """
+    top = [disc.ladder_steps(point, settings["finest"]) for point in points]
+    steps = max(top, key=len)
+    shape = (len(points), len(SOLVERS), len(steps))
+    error, time = np.full((*shape, 4), np.nan), np.full((*shape, 2), np.nan)
+    for name in MARCHES:
+        if available(name):  # compile and load before anything is timed
+            run_march(name, WARM, [surface(WARM, 64, seed, i) for i in range(2)], 2)
+    for k, point in enumerate(points):
+        elements, lines = settings["elements"], settings["march_lines"]
+        surfaces = [surface(point, elements, seed, i) for i in range(lines)]
+        limit = disc.reference(point, surfaces, settings["finest"])
+        own = disc.climb(point, surfaces, "exponential", top[k], limit)
+        error[k, 0, : len(top[k])] = [e.rms for e in own.errors]
+        time[k, 0, : len(top[k])] = own.seconds
+        for row, name in enumerate(MARCHES, start=1):
+            wanted = affordable(name, point, elements, settings["march_updates"])
+            for column, m in enumerate(w for w in wanted if w in steps and available(name)):
+                try:
+                    runs = run_march(name, point, surfaces, m)
+                except ArithmeticError:
+                    continue
+                found = observe(point, elements, runs, limit.limit.mu_1.size, limit.end)
+                error[k, row, column] = compare(found, limit).rms
+                time[k, row, column] = seconds(runs)
+        advance()
+    coords = point_coords(points) | {
+        "solver": list(SOLVERS),
+        "steps": steps,
+        "quantity": list(QUANTITIES),
+        "part": list(PARTS),
+    }
+    dims = ("point", "solver", "steps")
+    texts = {"long_name": "rms error over lines, relative", "units": "1"}
+    timed = {"long_name": "CPU time per realization, median", "units": "s"}
+    return xr.Dataset(
+        {"error": ((*dims, "quantity"), error, texts), "seconds": ((*dims, "part"), time, timed)},
+        coords,
+    )
+
+
+def space(points: tuple[Point, ...], settings: dict, seed: int) -> xr.Dataset:
+    """Return errors and fluctuations with elements and steps per dx refined apart."""
+    found = []
+    for point in points:
+        elements = max(64, settings["elements"] // 4)
+        surfaces = [surface(point, elements, seed, i) for i in range(SPACE_LINES)]
+        found.append(separate(point, surfaces, LEVELS))
+    dims = ("point", "elements_per_spacing", "steps")
+    coords = point_coords(points) | {"elements_per_spacing": list(LEVELS), "steps": list(LEVELS)}
+    error = {"long_name": "rms error of mu_1 as a step average, relative", "units": "1"}
+    noise = {"long_name": "rms fluctuation of steady friction in time, relative", "units": "1"}
+    return xr.Dataset(
+        {
+            "error": (dims, np.array([f[0] for f in found]), error),
+            "noise": (dims, np.array([f[1] for f in found]), noise),
+        },
+        coords,
+    )

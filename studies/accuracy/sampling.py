@@ -1,0 +1,78 @@
+"""Runs of one discretisation on some lines: results per line, and CPU time per line."""
+
+import time
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels import Case, Line, Outcome, Quantities, run_case
+from workflow.resolution import horizon_steps, record_steps, record_times
+from workflow.study import Numerics
+
+from .points import RATIO, Point, Surface
+
+NUMERICS = Numerics()
+
+
+class Method(NamedTuple):
+    """A discretisation."""
+
+    scheme: str
+    steps: int  # m, samples and time steps per dx
+    single: bool = False  # samples of the line in float32
+
+
+class Runs(NamedTuple):
+    """Results of one method at one point; first axis: lines. mu in h/dx, times in tau."""
+
+    mu_1: np.ndarray
+    mu_2: np.ndarray
+    jump: np.ndarray
+    curves: np.ndarray  # shape (lines, samples)
+    moments: np.ndarray  # shape (samples,), of the samples
+    cpu: np.ndarray  # shape (lines, 3): drawing and sampling, steady states and jump, all
+
+
+def recorded_steps(point: Point, elements: int, method: Method) -> tuple[np.ndarray, np.ndarray]:
+    """Return the steps at which the workflow records a relaxation, and their moments in tau."""
+    march = horizon_steps(point.problem(elements), NUMERICS, method.steps)
+    record = record_steps(march, NUMERICS.samples)
+    return record, record_times(record, method.steps * point.speed * RATIO, method.scheme)
+
+
+def run(point: Point, surfaces: list[Surface], method: Method) -> Runs:
+    """Run a method on lines as the workflow would, and take the CPU time of each."""
+    record, moments = recorded_steps(point, surfaces[0].elements, method)
+    case = Case(point.load, point.speed, (RATIO,), (record,), method.scheme)
+    outcomes, cpu = [], []
+    for surface in surfaces:
+        outcome, seconds = _run_one(surface, case, method)
+        outcomes.append(outcome)
+        cpu.append(seconds)
+    return Runs(
+        mu_1=np.array([o.mu_1 for o in outcomes]),
+        mu_2=np.array([o.mu_2[0] for o in outcomes]),
+        jump=np.array([o.jump[0] for o in outcomes]),
+        curves=np.array([o.curves[0] for o in outcomes]),
+        moments=moments,
+        cpu=np.array(cpu),
+    )
+
+
+def _run_one(surface: Surface, case: Case, method: Method) -> tuple[Outcome, tuple]:
+    began = time.process_time()
+    line = Line.self_affine(*surface, method.steps)
+    if method.single:
+        line = line._replace(z=line.z.astype(np.float32), slope=line.slope.astype(np.float32))
+    drawn = time.process_time()
+    run_case(line, case, Quantities(relaxation=False))
+    steady = time.process_time()
+    outcome = run_case(line, case, Quantities())
+    done = time.process_time()
+    return outcome, (drawn - began, steady - drawn, done - steady)
+
+
+def seconds(runs: Runs) -> np.ndarray:
+    """Return the median CPU seconds per realization: of mu_1 and jump, and of everything."""
+    drawn, steady, everything = np.median(runs.cpu, axis=0)
+    return np.array([drawn + steady, drawn + everything])

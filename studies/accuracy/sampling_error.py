@@ -1,0 +1,46 @@
+"""Sampling error: how far the mean of R realizations is from that of all, R = 10 ... 2000."""
+
+import numpy as np
+
+from kernels import amplitudes, rms_slope
+from workflow.fits import fit_relaxation
+from workflow.statistics import replicates
+
+from .points import Point, Surface
+from .sampling import Method, Runs, run
+
+COUNTS = (10, 20, 50, 100, 200, 500, 1000)
+GROUPS = 40  # at most
+BLOCKS = 5  # of a group: the fit wants to know the noise
+
+
+def sampling_errors(point: Point, surfaces: list[Surface], steps: int) -> np.ndarray:
+    """Return the rms relative error of groups of R lines, shape (COUNTS, 3): mu_1, jump, rate.
+
+    Against all lines; what the group has in common with them is corrected for. NaN with fewer
+    than two groups, or where the rate can be fitted in fewer than half of them.
+    """
+    runs = run(point, surfaces, Method("exponential", steps))
+    slope = rms_slope(amplitudes(point.hurst, surfaces[0].elements), surfaces[0].elements)
+    lines = len(surfaces)
+    whole = _estimate(runs, slice(0, lines), slope)
+    found = np.full((len(COUNTS), 3), np.nan)
+    for row, count in enumerate(COUNTS):
+        number = min(GROUPS, lines // count)
+        if number < 2:
+            break
+        parts = [_estimate(runs, slice(k * count, (k + 1) * count), slope) for k in range(number)]
+        apart = np.array(parts) / whole - 1.0
+        for q in range(3):
+            there = apart[np.isfinite(apart[:, q]), q]
+            if there.size >= max(2, number // 2):
+                found[row, q] = np.sqrt(np.mean(there**2) / (1.0 - count / lines))
+    return found
+
+
+def _estimate(runs: Runs, rows: slice, slope: float) -> np.ndarray:
+    """Return (mu_1, jump, b) of the mean over some lines."""
+    deviation = runs.curves[rows] - runs.mu_2[rows, None]
+    blocks = np.array([part.mean(axis=0) for part in np.array_split(deviation, BLOCKS)])
+    rate = fit_relaxation(runs.moments, replicates(blocks, 0), slope).rate[0]
+    return np.array([runs.mu_1[rows].mean(), runs.jump[rows].mean(), rate])

@@ -1,0 +1,186 @@
+"""The study of accuracy: its parts against what is known of them, and the study as a whole."""
+
+import numpy as np
+import pytest
+import xarray as xr
+from matplotlib import pyplot as plt
+
+from kernels import SCHEMES, Line, lagged_slope, march, steady_sliding, step_average
+from studies.accuracy.alternatives import available, seconds_at
+from studies.accuracy.discretisation import climb, ladder_steps, reference
+from studies.accuracy.levels import multilevel_gain
+from studies.accuracy.marches import MARCHES, NumbaMarch
+from studies.accuracy.points import COMPARED, POINTS, Point, surface
+from studies.accuracy.recommendation import choose
+from studies.accuracy.space import separate
+from workflow.cli import main
+
+POINT = Point(0.5, 0.3, 1.5)
+TOLERANCE = {"numpy": 1e-8, "numba": 1e-8, "tamaas": 1e-6}
+
+
+def kernel_march(line, point, steps):
+    """Return steady friction at v1 and that of steps after the jump, by the kernels."""
+    load = point.load * line.z.size
+    dt = 1.0 / (line.samples_per_spacing * point.speed)
+    one, two = SCHEMES["implicit-euler"](dt), SCHEMES["implicit-euler"](dt / 1.2)
+    c, d, _ = steady_sliding(line.z, load, one.decay, one.stiffness)
+    weight = lagged_slope(line.slope, 0.0)
+    steady = step_average(weight, c, d)
+    record = np.arange(1, steps + 1)
+    mu, *_ = march(line.z, weight, c, d, two.decay, two.stiffness, load, record, np.inf)
+    return steady, mu, dt
+
+
+@pytest.mark.parametrize("name", MARCHES)
+@pytest.mark.parametrize("m", [1, 4])
+def test_alternatives_agree_with_the_kernels_at_equal_m(name, m):
+    if not available(name):
+        pytest.skip(f"{name} is not installed")
+    line = Line.self_affine(*surface(POINT, 100, 1, 0), m)
+    steady, mu, dt = kernel_march(line, POINT, 10)
+    one = MARCHES[name](line, POINT.load)
+    before = one.advance(int(np.ceil(25.0 / np.log1p(dt))), dt)
+    assert before[-1] == pytest.approx(steady, rel=TOLERANCE[name])
+    np.testing.assert_allclose(one.advance(10, dt / 1.2), mu, rtol=TOLERANCE[name])
+
+
+def test_elements_apart_carry_the_same_load_and_nearly_the_same_friction():
+    line = Line.self_affine(*surface(POINT, 100, 1, 0), 16)
+    dt = 1.0 / (16 * POINT.speed)
+    every = NumbaMarch(line, POINT.load).advance(500, dt)
+    some = NumbaMarch(line, POINT.load, stride=2).advance(500, dt)
+    assert np.ptp(every[-100:]) < 1e-6 * every[-1]
+    assert np.ptp(some[-100:]) > 1e-5 * every[-1]  # the lattice shows
+    assert some[-100:].mean() == pytest.approx(every[-1], rel=0.02)
+
+
+def test_more_steps_than_elements_fluctuate_and_more_elements_do_not():
+    _, noise = separate(POINT, [surface(POINT, 64, 1, 0)], (1, 2, 4))
+    assert np.all(noise[np.tril_indices(3)] < 1e-4)
+    assert np.all(noise[np.triu_indices(3, 1)] > 1e-3)
+
+
+@pytest.fixture(scope="module")
+def ladders():
+    """Return the reference of one point and both schemes over m = 1 ... 16."""
+    surfaces = [surface(POINT, 200, 1, k) for k in range(8)]
+    limit = reference(POINT, surfaces, 16)
+    steps = ladder_steps(POINT, 16)
+    return limit, {s: climb(POINT, surfaces, s, steps, limit) for s in SCHEMES}
+
+
+def rms(ladder, quantity):
+    """Return the error over m."""
+    return np.array([error.rms[quantity] for error in ladder.errors])
+
+
+def test_both_schemes_converge_to_one_reference(ladders):
+    limit, found = ladders
+    for ladder in found.values():
+        assert np.all(rms(ladder, 0)[-1] < 0.1 * rms(ladder, 0)[0])
+        assert rms(ladder, 3)[-1] < 0.2 * rms(ladder, 3)[0]
+    assert np.all(limit.error[[0, 1, 3]] < 0.01)
+
+
+def test_exponential_scheme_gives_the_more_accurate_curve(ladders):
+    _, found = ladders
+    euler, exponential = (rms(found[s], 3) for s in ("implicit-euler", "exponential"))
+    assert euler[-1] > 2.0 * exponential[-1]
+
+
+def test_choice_balances_bias_and_realizations():
+    steps, bias = [1, 2, 4], np.array([0.1, 0.02, 0.005])
+    seconds = np.array([1.0, 2.0, 4.0])
+    cheap = choose(steps, bias, 0.5, seconds, 0.2)
+    fine = choose(steps, bias, 0.5, seconds, 0.01)
+    assert (cheap.steps, fine.steps) == (1, 4)
+    assert fine.realizations == np.ceil(0.25 / (1e-4 - 2.5e-5))
+    assert choose(steps, bias, 0.5, seconds, 0.004).steps == 0
+    assert choose(steps, bias, 1e-6, seconds, 0.2).realizations == 10
+
+
+def test_gain_of_multilevel_is_that_of_the_formula():
+    rng = np.random.default_rng(1)
+    coarse = rng.standard_normal(4000)
+    values = {1: coarse, 8: coarse + 0.01 * rng.standard_normal(4000)}
+    bias, cost = {1: 0.1, 8: 0.0}, {1: 1.0, 8: 100.0}
+    plain = values[8].var(ddof=1) * 100.0
+    levels = (coarse.std(ddof=1) + np.sqrt((values[8] - coarse).var(ddof=1) * 101.0)) ** 2
+    assert multilevel_gain(values, bias, cost, 0.05) == pytest.approx(plain / levels, rel=1e-12)
+    assert multilevel_gain(values, bias, cost, 0.2) < 2.0  # the coarse level alone will do
+    assert np.isnan(multilevel_gain({1: coarse}, bias, cost, 0.05))
+
+
+def test_time_to_an_accuracy_is_between_the_runs_around_it():
+    error, seconds = np.array([0.1, 0.01, 0.001]), np.array([1.0, 4.0, 16.0])
+    assert seconds_at(error, seconds, 0.01) == pytest.approx(4.0)
+    assert seconds_at(error, seconds, np.sqrt(1e-3)) == pytest.approx(2.0)
+    assert seconds_at(error, seconds, 0.5) == 1.0
+    assert np.isnan(seconds_at(error, seconds, 1e-4))
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory):
+    """Run the study at smoke scale."""
+    folder = tmp_path_factory.mktemp("accuracy")
+    assert main(["run", "accuracy", "--scale", "smoke", "--out", str(folder)]) == 0
+    return folder / "accuracy.nc"
+
+
+def test_errors_fall_with_m(result):
+    with xr.open_dataset(result) as data:
+        error = data.error.sel(scheme="exponential", quantity="mu_1", steps=[2, 16])
+        assert (error.isel(steps=1) < 0.1 * error.isel(steps=0)).all()
+        assert (data.seconds.dropna("steps", how="all") > 0.0).any()
+
+
+def test_single_precision_shows_only_where_m_is_fine(result):
+    with xr.open_dataset(result) as data:
+        double = data.error.sel(scheme="exponential", quantity="mu_1", steps=[1, 2, 4])
+        single = data.single_error.sel(quantity="mu_1", single_steps=[1, 2, 4])
+        np.testing.assert_allclose(single, double, rtol=0.05)
+
+
+def test_sampling_error_falls_as_the_root_of_the_number(result):
+    with xr.open_dataset(result, group="sampling") as data:
+        error = data.error.sel(sampled=["mu_1", "jump"], realizations=[10, 50]).mean("point")
+        ratio = error.isel(realizations=0) / error.isel(realizations=1)
+        assert (abs(np.log(ratio / np.sqrt(5.0))) < 0.7).all()
+
+
+def test_alternatives_are_less_accurate_at_equal_m(result):
+    with xr.open_dataset(result, group="alternatives") as data:
+        error = data.error.sel(quantity="mu_1", steps=[2, 4]).mean("steps")
+        kernels = error.sel(solver="kernels")
+        assert (error.sel(solver=["numpy", "numba"]) > kernels).all()
+        numpy, numba = (data.error.sel(solver=s, quantity="mu_1") for s in ("numpy", "numba"))
+        np.testing.assert_allclose(numpy, numba, rtol=1e-3)
+
+
+def test_recommendation_asks_more_for_more_accuracy(result):
+    with xr.open_dataset(result, group="recommendation") as data:
+        count = data.realizations.sel(sampled="mu_1")
+        coarse, fine = count.sel(target=0.1), count.sel(target=0.01)
+        both = np.isfinite(coarse) & np.isfinite(fine)
+        assert both.any()
+        assert (fine > coarse).where(both, True).all()
+
+
+def test_figure_and_table(result, capsys):
+    try:
+        assert main(["figure", "accuracy", "--scale", "smoke", "--out", str(result)]) == 0
+    finally:
+        plt.close("all")
+    assert main(["table", "accuracy", "--out", str(result)]) == 0
+    rows = result.with_suffix(".csv").read_text().splitlines()
+    assert rows[0].startswith("point,sampled,target,")
+    assert len(rows) > 5
+
+
+def test_points_are_spread_over_the_ranges():
+    assert len(POINTS) >= 12
+    assert len(set(POINTS)) == len(POINTS) > COMPARED
+    for name, low, high in (("hurst", 0.0, 1.0), ("load", 1e-3, 1.0), ("x", 0.03, 100.0)):
+        values = [getattr(point, name) for point in POINTS]
+        assert (min(values), max(values)) == (low, high)
