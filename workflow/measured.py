@@ -8,6 +8,7 @@ declares, and [scales.NAME]. measure.py holds
     measure(settings, seed, advance) -> group -> xarray.Dataset; "" is the root. It calls
                advance(seconds) with the predicted seconds of each part that is done
     table(result) -> pandas.DataFrame of a finished result, if the study has one
+    summary(datasets) -> lines to print after a run, if the study has any
 """
 
 import json
@@ -59,7 +60,7 @@ def plan_measured(study: Measured, result: Path) -> str:
 
 
 def run_measured(study: Measured, result: Path) -> str:
-    """Measure, write the result file durably and return a line about the time it took.
+    """Measure, write the result file durably; return what to print: a summary and the time.
 
     An interrupted measurement writes nothing: an earlier result stays as it was.
     """
@@ -76,7 +77,10 @@ def run_measured(study: Measured, result: Path) -> str:
     write_datasets(
         result, {name: data.assign_attrs(origins | data.attrs) for name, data in datasets.items()}
     )
-    return f"{duration(used)} of core time used, {duration(seconds)} predicted"
+    summary = study.script.summary(datasets) if hasattr(study.script, "summary") else []
+    return "\n".join(
+        [*summary, f"{duration(used)} of core time used, {duration(seconds)} predicted"]
+    )
 
 
 def write_measured_table(study: Measured, result: Path) -> Path:

@@ -83,8 +83,8 @@ def _front(ax: Axes, data: xr.Dataset, name: str, part: int) -> None:
             front.append(at)
             best = at[1]
     ax.plot([f[0] for f in front], [f[1] for f in front], "k-", lw=2.0, alpha=0.6)
-    for time, error, m, _ in front:
-        if m in (1, 4, 16, 64):
+    for time, error, m, scheme in front:
+        if m in (1, 4, 16, 64) and scheme == "exponential":
             ax.annotate(
                 f"{m}",
                 (time, error),

@@ -12,7 +12,7 @@ from workflow.axes import integer, positive
 
 from . import ladders, rivals
 from .points import COMPARED, POINTS
-from .recommendation import recommend
+from .recommendation import recommend, table_lines
 
 SETTINGS = {
     "points": partial(integer, least=1, most=len(POINTS)),
@@ -82,6 +82,11 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
         "space": rivals.space(compared, settings, seed),
         "recommendation": recommend(root),
     }
+
+
+def summary(datasets: dict[str, xr.Dataset]) -> list[str]:
+    """Return the table "for this accuracy take ... ; it costs ..." by regime of x."""
+    return table_lines(datasets["recommendation"])
 
 
 def table(result: Path) -> pd.DataFrame:

@@ -96,3 +96,25 @@ def _by_regime(found: xr.Dataset) -> xr.Dataset:
         rows.append(upper.where(np.isfinite(upper)).assign(reached=reached))
     together = xr.concat(rows, xr.Variable("regime", list(REGIMES)))
     return together.rename({name: f"{name}_of_regime" for name in together.data_vars})
+
+
+def table_lines(found: xr.Dataset) -> list[str]:
+    """Return by regime of x what serves three quarters of its points: m, R and seconds."""
+    lines = ["error    take for three quarters of the points (exponential): m, realizations, time"]
+    for regime in found.regime.values:
+        lines.append(f"{regime}")
+        for target in found.target.values:
+            cells = []
+            for name in found.sampled.values:
+                one = found.sel(regime=regime, target=target, sampled=name)
+                cells.append(f"{name:5s}{_cell(one):30s}")
+            lines.append(f"  {100.0 * target:4g} %  " + "".join(cells).rstrip())
+    return lines
+
+
+def _cell(one: xr.Dataset) -> str:
+    seconds = float(one.seconds_of_regime)
+    if not np.isfinite(seconds):
+        return f"(reached at {100.0 * float(one.reached_of_regime):.0f} %)"
+    steps, count = int(one.steps_of_regime), int(one.realizations_of_regime)
+    return f"{steps}, {count}, {seconds:.2g} s"

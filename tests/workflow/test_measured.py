@@ -38,6 +38,9 @@ def measure(settings, seed, advance):
         advance(0.5)
     return {"": xr.Dataset({"found": ("n", found)}), "seed": xr.Dataset({"seed": seed})}
 
+def summary(datasets):
+    return [f"largest {float(datasets[''].found.max()):g}"]
+
 def table(result):
     with xr.open_dataset(result) as data:
         return pd.DataFrame({"found": data.found.values})
@@ -87,7 +90,8 @@ def test_plan_says_what_would_be_measured_and_how_long(study, capsys):
 
 def test_run_writes_all_groups_with_their_origin(study, capsys):
     assert main(["run", "powers"]) == 0
-    assert capsys.readouterr().out.splitlines()[-1] == "results/powers.nc"
+    out = capsys.readouterr().out.splitlines()
+    assert (out[0], out[-1]) == ("largest 4", "results/powers.nc")
     groups = xr.open_groups("results/powers.nc")
     assert groups["/"].found.values.tolist() == [1.0, 2.0, 4.0]
     assert groups["/seed"].seed == 5
