@@ -64,10 +64,11 @@ def test_more_steps_than_elements_fluctuate_and_more_elements_do_not():
 @pytest.fixture(scope="module")
 def ladders():
     """Return the reference of one point and both schemes over m = 1 ... 16."""
-    surfaces = [surface(POINT, 200, 1, k) for k in range(8)]
-    limit = reference(POINT, surfaces, 16)
-    steps = ladder_steps(POINT, 16)
-    return limit, {s: climb(POINT, surfaces, s, steps, limit) for s in SCHEMES}
+    point = Point(0.0, 0.3, 0.5)
+    surfaces = [surface(point, 200, 1, k) for k in range(8)]
+    limit = reference(point, surfaces, 16)
+    steps = ladder_steps(point, 16)
+    return limit, {s: climb(point, surfaces, s, steps, limit) for s in SCHEMES}
 
 
 def rms(ladder, quantity):
@@ -83,10 +84,11 @@ def test_both_schemes_converge_to_one_reference(ladders):
     assert np.all(limit.error[[0, 1, 3]] < 0.01)
 
 
-def test_exponential_scheme_gives_the_more_accurate_curve(ladders):
+def test_rate_of_creep_is_that_of_the_scheme(ladders):
     _, found = ladders
-    euler, exponential = (rms(found[s], 3) for s in ("implicit-euler", "exponential"))
-    assert euler[-1] > 2.0 * exponential[-1]
+    euler, exponential = (rms(found[s], 2) for s in ("implicit-euler", "exponential"))
+    assert euler[-1] > 0.1
+    assert exponential[-1] < 0.01
 
 
 def test_choice_balances_bias_and_realizations():
