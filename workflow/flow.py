@@ -65,7 +65,8 @@ class _Stream:
 
     def __iter__(self) -> Iterator[tuple[Any, Any]]:
         self._tick()
-        self._submit()
+        if not self.watch():
+            self._submit()
         while self.pending:
             finished = self.running.next_batch(block=False)
             done = self._take([future for future in finished if future.key in self.pending])

@@ -62,7 +62,7 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
         if run.summary.predicted:
             for variant in plan.variants:
                 load_kernels(variant.numerics.scheme, quantities(plan.study))
-        with open_client(how.place, how.workers, how.dashboard) as client, run.interrupt:
+        with run.interrupt, open_client(how.place, how.workers, how.dashboard) as client:
             check_versions(client)
             run.summary.start = time.monotonic() - began
             run.finish(client)

@@ -1,0 +1,26 @@
+"""Clusters for the tests; all of these are marked ``cluster``."""
+
+from collections.abc import Iterator
+
+import pytest
+
+from tests.cluster.processes import Standing
+from tests.cluster.slurm import Slurm, missing
+
+
+@pytest.fixture(scope="module")
+def standing(tmp_path_factory) -> Iterator[Standing]:
+    """Return a scheduler and two workers, started as a user would."""
+    cluster = Standing(tmp_path_factory.mktemp("standing"))
+    yield cluster
+    cluster.stop()
+
+
+@pytest.fixture(scope="module")
+def slurm(tmp_path_factory) -> Iterator[Slurm]:
+    """Return a private SLURM of two nodes."""
+    if why := missing():
+        pytest.skip(f"no SLURM: {why}")
+    private = Slurm(tmp_path_factory.mktemp("slurm"))
+    yield private
+    private.stop()

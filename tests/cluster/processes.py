@@ -1,0 +1,101 @@
+"""The processes of a cluster: a scheduler, workers, drivers; started, found, ended."""
+
+import os
+import signal
+import socket
+import subprocess
+import sys
+from pathlib import Path
+
+import psutil
+
+ROOT = Path(__file__).resolve().parents[2]
+PATIENCE = 300.0  # seconds to wait for a process at most
+
+
+def free_port() -> int:
+    """Return a port that is free now."""
+    with socket.socket() as probe:
+        probe.bind(("127.0.0.1", 0))
+        return probe.getsockname()[1]
+
+
+def start(log: Path, *arguments: str, **environment: str) -> subprocess.Popen:
+    """Start ``python -m ...`` in a process group of its own, its output added to a file."""
+    with log.open("ab") as output:
+        return subprocess.Popen(
+            [sys.executable, "-m", *arguments],
+            cwd=ROOT,
+            env={**os.environ, "PYTHONUNBUFFERED": "1", "GIT_DIR": "/nowhere", **environment},
+            stdin=subprocess.DEVNULL,
+            stdout=output,
+            stderr=output,
+            start_new_session=True,
+        )
+
+
+def end(process: subprocess.Popen) -> None:
+    """End a process and whatever it has started."""
+    family = [process.pid]
+    if process.poll() is None:
+        family += [child.pid for child in psutil.Process(process.pid).children(recursive=True)]
+    for pid in family:
+        kill(pid, signal.SIGKILL)
+    process.wait(timeout=PATIENCE)
+
+
+def kill(pid: int, number: int) -> None:
+    """Send a signal to a process, which may be gone already."""
+    if psutil.pid_exists(pid):
+        os.kill(pid, number)
+
+
+def workers_of(process: psutil.Process) -> list[int]:
+    """Return the pids of the worker processes below a nanny or a driver."""
+    try:
+        family = process.children(recursive=True)
+        return [child.pid for child in family if "spawn_main" in " ".join(child.cmdline())]
+    except psutil.NoSuchProcess:
+        return []
+
+
+class Standing:
+    """A scheduler and two workers with nannies, as a user would start them; healed on demand."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        self.port = free_port()
+        self.address = f"tcp://127.0.0.1:{self.port}"
+        self.tally = folder / "tally"
+        self.tally.mkdir(parents=True)
+        self.processes: dict[str, subprocess.Popen] = {}
+        self.heal()
+
+    def heal(self) -> None:
+        """Start whatever is not running."""
+        for name in ("scheduler", "worker-1", "worker-2"):
+            process = self.processes.get(name)
+            if process is None or process.poll() is not None:
+                self.processes[name] = self._start(name)
+
+    def stop(self) -> None:
+        """End all."""
+        for process in self.processes.values():
+            end(process)
+
+    def workers(self) -> list[int]:
+        """Return the pids of the worker processes."""
+        nannies = [p for name, p in self.processes.items() if name != "scheduler"]
+        alive = [psutil.Process(p.pid) for p in nannies if p.poll() is None]
+        return [pid for nanny in alive for pid in workers_of(nanny)]
+
+    def _start(self, name: str) -> subprocess.Popen:
+        log = self.folder / f"{name}.log"
+        if name == "scheduler":
+            options = ("--host", "127.0.0.1", "--port", str(self.port), "--no-dashboard")
+            return start(log, "distributed.cli.dask_scheduler", *options)
+        options = ["--nthreads", "1", "--no-dashboard", "--preload", "tests.cluster.tally"]
+        options += ["--local-directory", str(self.folder / name), "--death-timeout", "60"]
+        return start(
+            log, "distributed.cli.dask_worker", self.address, *options, TALLY=str(self.tally)
+        )

@@ -1,0 +1,169 @@
+"""A private SLURM of two emulated nodes on loopback: no systemd, no cgroups, no database."""
+
+import getpass
+import os
+import shutil
+import signal
+import socket
+import subprocess
+import time
+from pathlib import Path
+
+import psutil
+
+from tests.cluster.processes import PATIENCE, free_port, kill, workers_of
+
+PROGRAMS = ("munged", "slurmctld", "slurmd", "sbatch", "squeue", "scontrol", "scancel", "sinfo")
+NODES = ("n1", "n2")
+CONFIGURATION = """\
+ClusterName=private
+SlurmctldHost={host}(127.0.0.1)
+SlurmctldPort={ctld_port}
+SlurmdPort={slurmd_port}
+CommunicationParameters=NoInAddrAny,NoCtldInAddrAny
+SlurmUser={user}
+SlurmdUser={user}
+AuthType=auth/munge
+AuthInfo=socket={folder}/run/munge.socket
+CredType=cred/munge
+StateSaveLocation={folder}/ctld
+SlurmdSpoolDir={folder}/spool/%n
+SlurmctldPidFile={folder}/run/slurmctld.pid
+SlurmdPidFile={folder}/run/slurmd-%n.pid
+SlurmctldLogFile={folder}/log/slurmctld.log
+SlurmdLogFile={folder}/log/slurmd-%n.log
+ProctrackType=proctrack/linuxproc
+TaskPlugin=task/none
+JobAcctGatherType=jobacct_gather/none
+AccountingStorageType=accounting_storage/none
+MpiDefault=none
+SwitchType=switch/none
+SchedulerType=sched/backfill
+SchedulerParameters=sched_interval=1,bf_interval=1,sched_min_interval=100000
+SelectType=select/cons_tres
+SelectTypeParameters=CR_CPU_Memory
+SlurmdParameters=config_overrides
+ReturnToService=2
+KillWait=5
+NodeName=n1 NodeHostname={host} NodeAddr=127.0.0.1 Port={n1} CPUs=1 RealMemory=4000 State=UNKNOWN
+NodeName=n2 NodeHostname={host} NodeAddr=127.0.0.1 Port={n2} CPUs=1 RealMemory=4000 State=UNKNOWN
+PartitionName=normal Nodes=n1,n2 Default=YES MaxTime=01:00:00 DefMemPerCPU=512 State=UP
+"""
+
+
+def missing() -> str:
+    """Return why SLURM cannot be started here, or nothing."""
+    absent = [name for name in PROGRAMS if shutil.which(name, path=_path()) is None]
+    if absent:
+        return f"not installed: {', '.join(absent)}"
+    return "" if os.geteuid() == 0 else "only root can start a private SLURM"
+
+
+def _path() -> str:
+    return f"{os.environ['PATH']}:/usr/sbin:/sbin"
+
+
+class Slurm:
+    """Two nodes of one core each; commands find it by the environment of this process."""
+
+    def __init__(self, folder: Path) -> None:
+        self.folder = folder
+        for name in ("ctld", "log", "run", "spool/n1", "spool/n2", "jobs"):
+            (folder / name).mkdir(parents=True)
+        (folder / "slurm.conf").write_text(
+            CONFIGURATION.format(
+                host=socket.gethostname().partition(".")[0],
+                user=getpass.getuser(),
+                folder=folder,
+                ctld_port=free_port(),
+                slurmd_port=free_port(),
+                n1=free_port(),
+                n2=free_port(),
+            )
+        )
+        self.environment = {"SLURM_CONF": str(folder / "slurm.conf"), "PATH": _path()}
+        self._start()
+
+    def options(self, jobs: int = 2) -> list[str]:
+        """Return the options of a run that computes in jobs of this SLURM."""
+        table = {
+            "queue": "normal",
+            "jobs": jobs,
+            "memory": "1500MB",
+            "walltime": "00:30:00",
+            "interface": "lo",
+            "log_folder": str(self.folder / "jobs"),
+        }
+        return ["--slurm"] + [
+            word for key, value in table.items() for word in ("--set", f"cluster.{key}={value!r}")
+        ]
+
+    def run(self, *command: str, check: bool = True) -> str:
+        """Run a command of SLURM and return what it prints."""
+        environment = {**os.environ, **self.environment}
+        done = subprocess.run(command, env=environment, capture_output=True, text=True)
+        if check and done.returncode:
+            raise RuntimeError(f"{command}: {done.stderr}")
+        return done.stdout
+
+    def set_down(self, node: str) -> None:
+        """Take a node away with whatever runs there."""
+        self.run("scontrol", "update", f"NodeName={node}", "State=DOWN", "Reason=chaos")
+
+    def heal(self) -> None:
+        """Give back nodes that are down."""
+        for node in NODES:
+            if self.run("sinfo", "-h", "-n", node, "-o", "%T").strip().startswith("down"):
+                self.run("scontrol", "update", f"NodeName={node}", "State=RESUME")
+
+    def nannies(self) -> list[psutil.Process]:
+        """Return the processes that jobs run: nannies of our nodes alone."""
+        found = []
+        for process in psutil.process_iter():
+            try:
+                ours = process.environ().get("SLURM_CONF") == self.environment["SLURM_CONF"]
+                if ours and "distributed.cli.dask_worker" in process.cmdline():
+                    found.append(process)
+            except psutil.Error:
+                continue
+        return found
+
+    def workers(self) -> list[int]:
+        """Return the pids of the worker processes in the jobs."""
+        return [pid for nanny in self.nannies() for pid in workers_of(nanny)]
+
+    def stop(self) -> None:
+        """End all jobs and daemons."""
+        self.run("scancel", "--user", getpass.getuser(), check=False)
+        time.sleep(1.0)
+        for nanny in self.nannies():
+            for pid in (*workers_of(nanny), nanny.pid):
+                kill(pid, signal.SIGKILL)
+        for name in ("slurmd-n1", "slurmd-n2", "slurmctld", "munged"):
+            pid_file = self.folder / "run" / f"{name}.pid"
+            if pid_file.is_file():
+                kill(int(pid_file.read_text()), signal.SIGTERM)
+
+    def _start(self) -> None:
+        run, key = self.folder / "run", self.folder / "run" / "munge.key"
+        key.write_bytes(os.urandom(128))
+        key.chmod(0o600)
+        run.chmod(0o755)
+        options = {
+            "key-file": key,
+            "socket": run / "munge.socket",
+            "pid-file": run / "munged.pid",
+            "log-file": run / "munged.log",
+            "seed-file": run / "munge.seed",
+            "num-threads": 2,
+        }
+        self.run("munged", "--force", *(f"--{name}={value}" for name, value in options.items()))
+        configuration = self.environment["SLURM_CONF"]
+        self.run("slurmctld", "-c", "-f", configuration)
+        for node in NODES:
+            self.run("slurmd", "-f", configuration, "-N", node)
+        end = time.monotonic() + PATIENCE
+        while self.run("sinfo", "-h", "-o", "%T", check=False).strip() != "idle":
+            if time.monotonic() > end:
+                raise RuntimeError("the nodes of the private SLURM do not come up")
+            time.sleep(0.25)

@@ -1,0 +1,51 @@
+"""The smoke study on three kinds of cluster: the same file, bit for bit."""
+
+import pytest
+
+from tests.cluster.processes import PATIENCE, start
+from tests.cluster.tally import begun
+from workflow import journal
+
+pytestmark = pytest.mark.cluster
+STUDY = ("workflow", "run", "fig7", "--scale", "smoke")
+
+
+def result_of(folder, *options, **environment):
+    """Run the smoke study; return the bytes of its result, and what it said."""
+    folder.mkdir(exist_ok=True)
+    log = folder / "log"
+    process = start(log, *STUDY, "--out", str(folder), *options, **environment)
+    assert process.wait(timeout=PATIENCE) == 0, log.read_text()
+    return (folder / "fig7.nc").read_bytes(), log.read_text()
+
+
+@pytest.fixture(scope="module")
+def local(tmp_path_factory):
+    """Return the result computed by processes of this machine."""
+    return result_of(tmp_path_factory.mktemp("local"), "--workers", "2")[0]
+
+
+def test_a_scheduler_with_two_workers_gives_the_same_bytes(local, standing, tmp_path):
+    found, said = result_of(tmp_path, "--scheduler", standing.address, "--batch-seconds", "0.2")
+    assert found == local
+    assert "then 2 workers" in said
+    stored = [e["chunks"] for e, _ in journal.entries(tmp_path / "store") if "shard" in e]
+    assert begun(standing.tally) == sum(len(chunks) for chunks in stored)
+
+
+def test_jobs_of_slurm_give_the_same_bytes(local, slurm, tmp_path):
+    found, said = result_of(tmp_path, *slurm.options(), **slurm.environment)
+    assert found == local
+    assert "1 workers" in said or "2 workers" in said
+    names = {path.suffix for path in (slurm.folder / "jobs").iterdir()}
+    assert ".out" in names
+
+
+def test_what_slurm_refuses_is_one_line(slurm, tmp_path):
+    options = [*slurm.options(), "--set", 'cluster.queue="nowhere"']
+    log = tmp_path / "log"
+    process = start(log, *STUDY, "--out", str(tmp_path), *options, **slurm.environment)
+    assert process.wait(timeout=PATIENCE) == 2
+    last = log.read_text().splitlines()[-1]
+    assert last.startswith("error: --slurm: SLURM refuses the jobs: ")
+    assert "invalid partition" in last
