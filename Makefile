@@ -7,7 +7,7 @@ SCALE  ?=
 ARGS   ?=
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-nojit check bench clean
+.PHONY: help setup studies report test test-cluster chaos test-nojit check bench bench-cluster clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -30,8 +30,14 @@ studies: $(READY) ## Run all studies one after the other, then the report [SCALE
 report: $(READY) ## Write results/report.html from the results that are there
 	$(BIN)/python -m workflow report
 
-test: $(READY) ## Run the test-suite
-	$(BIN)/python -m pytest
+test: $(READY) ## Run the test-suite, but for the tests with clusters
+	$(BIN)/python -m pytest -m "not cluster"
+
+test-cluster: $(READY) ## Run the tests with real clusters on this machine (SLURM if it is installed)
+	$(BIN)/python -m pytest -m cluster tests/cluster
+
+chaos: $(READY) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
+	$(BIN)/python -m tests.cluster.chaos $(ARGS)
 
 test-nojit: $(READY) ## Run the tests of the kernels as plain Python
 	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)
@@ -43,6 +49,9 @@ check: $(READY) ## Lint, formatting and the import contract
 
 bench: $(READY) ## Print what accuracy and effects cost, as ratios
 	$(BIN)/python -m tests.bench
+
+bench-cluster: $(READY) ## Print what scheduling costs, and the driver's memory over realizations
+	$(BIN)/python -m tests.cluster.overhead
 
 clean: ## Remove .venv and caches, keep results
 	rm -rf $(VENV) .pytest_cache .ruff_cache .hypothesis .import_linter_cache *.egg-info

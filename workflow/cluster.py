@@ -2,6 +2,7 @@
 
 import contextlib
 import importlib.util
+import logging
 import os
 import signal
 import sys
@@ -38,6 +39,8 @@ def open_client(
     pinned = {f"{name}_NUM_THREADS": 1 for name in PINNED}
     for name, value in (MALLOC | pinned).items():
         settings[f"distributed.nanny.pre-spawn-environ.{name}"] = value
+    # A lost scheduler is said in one line, by the flow.
+    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
         if place.where == LOCAL:

@@ -157,6 +157,7 @@ class _Run:
         """Take note of the workers every second."""
         self.summary.workers = max(self.summary.workers, threads)
         if self.reporter and self.shelf:
-            self.reporter.beat(threads, self.failures.fresh)
+            if threads:  # or else the watch says that there are none
+                self.reporter.beat(threads, self.failures.fresh)
             self.shelf.flush_when_due()
         self.status.write(threads, min(threads, in_flight))

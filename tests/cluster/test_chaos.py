@@ -1,0 +1,12 @@
+"""A few random kills of everything that can be killed; ``make chaos`` runs many."""
+
+import pytest
+
+from tests.cluster.chaos import run_chaos
+
+pytestmark = pytest.mark.cluster
+
+
+def test_kills_change_no_bit_and_lose_no_finished_work(tmp_path):
+    report = run_chaos(tmp_path, kills=10, seed=7, core_seconds=45.0)
+    assert report[0].startswith("10 kills")
