@@ -1,0 +1,80 @@
+"""Finished batches wait for company, but not for long."""
+
+import pytest
+
+from tests.workflow.shards import WORK, held
+from tests.workflow.small import random_result
+from workflow import shelf as module
+from workflow.shelf import Shelf
+from workflow.store import Store
+
+
+@pytest.fixture
+def clock(monkeypatch):
+    """Return a clock that moves when it is told to."""
+    now = [100.0]
+    monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
+    return now
+
+
+@pytest.fixture
+def store(tmp_path):
+    """Return an empty store."""
+    return Store(tmp_path)
+
+
+def put(shelf, *numbers):
+    """Put random results on a shelf."""
+    for number in numbers:
+        shelf.add(WORK[number], random_result(WORK[number], number))
+
+
+def test_batches_of_two_batch_lengths_share_a_shard(store, clock):
+    with Shelf(store, 3.0) as shelf:
+        put(shelf, 0, 1, 2)
+        assert held(store) == set()
+        clock[0] += 6.0
+        put(shelf, 3)
+        assert len(held(store)) == 4
+        put(shelf, 4)
+        assert len(held(store)) == 4
+    assert len(held(store)) == 5
+    assert len(store.sizes) == 2
+
+
+def test_the_last_batch_does_not_wait_for_the_next(store, clock):
+    with Shelf(store, 3.0) as shelf:
+        put(shelf, 0)
+        clock[0] += 6.0
+        shelf.flush_when_due()
+        assert len(held(store)) == 1
+
+
+def test_a_long_run_writes_a_shard_every_thousandth_of_its_time(store, clock):
+    with Shelf(store, 3.0) as shelf:
+        clock[0] += 30_000.0
+        put(shelf, 0)
+        clock[0] += 29.0
+        put(shelf, 1)
+        assert len(held(store)) == 1
+        clock[0] += 2.0
+        put(shelf, 2)
+        assert len(held(store)) == 3
+
+
+def test_much_is_stored_at_once(store, clock, monkeypatch):
+    monkeypatch.setattr(module, "MOST_BYTES", 1000)
+    with Shelf(store, 3.0) as shelf:
+        put(shelf, *range(10))
+        assert len(held(store)) >= 6
+
+
+def test_what_waits_is_stored_whatever_ends_the_run(store, clock):
+    def aborted():
+        with Shelf(store, 3.0) as shelf:
+            put(shelf, 0, 1)
+            raise KeyboardInterrupt
+
+    with pytest.raises(KeyboardInterrupt):
+        aborted()
+    assert len(held(store)) == 2
