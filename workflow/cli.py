@@ -109,7 +109,7 @@ def _status(options: argparse.Namespace) -> int:
 def _figure(options: argparse.Namespace) -> int:
     from workflow.figure import draw_figure
 
-    study, result = _study(options)
+    study, result = _checked(options)
     for file in draw_figure(study, result):
         print(file)
     return 0
@@ -118,10 +118,19 @@ def _figure(options: argparse.Namespace) -> int:
 def _table(options: argparse.Namespace) -> int:
     from workflow.table import write_table
 
-    study, result = _study(options)
+    study, result = _checked(options)
     measured = isinstance(study, Measured)
-    print(write_measured_table(study, result) if measured else write_table(result))
+    print(write_measured_table(study, result) if measured else write_table(study, result))
     return 0
+
+
+def _checked(options: argparse.Namespace) -> tuple[Study | Measured, Path]:
+    """Return the study and its result, which has been found to be one."""
+    from workflow.results import check_result
+
+    study, result = _study(options)
+    check_result(study, result, asked=bool(options.scale or options.set))
+    return study, result
 
 
 def _report(options: argparse.Namespace) -> int:

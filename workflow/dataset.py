@@ -103,8 +103,7 @@ def write_datasets(path: Path, datasets: dict[str, xr.Dataset]) -> None:
         with dask.config.set(scheduler="synchronous"):  # or xarray asks a scheduler for its lock
             for label, dataset in datasets.items():
                 mode = "a" if label else "w"
-                zipped = {n: {"zlib": True, "complevel": 1} for n in dataset if dataset[n].ndim > 6}
-                dataset.to_netcdf(aside, mode, group=label or None, encoding=zipped)
+                dataset.to_netcdf(aside, mode, group=label or None, encoding=_encoding(dataset))
         with aside.open("rb+") as file:
             os.fsync(file.fileno())
         aside.replace(path)
@@ -112,3 +111,12 @@ def write_datasets(path: Path, datasets: dict[str, xr.Dataset]) -> None:
         with contextlib.suppress(OSError):
             aside.unlink()
         raise UserError(f"{path}: cannot be written: {error}") from error
+
+
+def _encoding(dataset: xr.Dataset) -> dict:
+    """Return how variables are stored: with a checksum each, curves compressed."""
+    curve = {"zlib": True, "complevel": 1}
+    return {
+        name: {"fletcher32": variable.ndim > 0, **(curve if variable.ndim > 6 else {})}
+        for name, variable in dataset.variables.items()
+    }

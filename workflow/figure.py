@@ -1,5 +1,6 @@
 """Draw the figure of a study: its folder's figure.py reads the result file and draws."""
 
+import io
 import textwrap
 from pathlib import Path
 
@@ -9,7 +10,9 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
+from workflow.durable import write_durably
 from workflow.errors import UserError
+from workflow.results import BROKEN, broken
 from workflow.scripts import load_script
 from workflow.study import Measured, Study
 
@@ -38,22 +41,29 @@ COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#0
 def draw_figure(study: Study | Measured, result: Path) -> list[Path]:
     """Draw the study's figure beside its result, as PNG and PDF; return the files.
 
-    Raises UserError where the study has no figure script or the result is not there.
+    Raises UserError where the study has no figure script, the script cannot use the result, or
+    the disk refuses the files.
     """
     script = study.folder / "figure.py"
     if not script.is_file():
         raise UserError(f"{script}: not found; the study has no figure script")
-    if not result.is_file():
-        raise UserError(f"{result}: not found; first run: python -m workflow run {study.name}")
-    files = [result.with_suffix(".png"), result.with_suffix(".pdf")]
+    files = {}
     with mpl.rc_context(STYLE):
-        figure = load_script(script).draw(result)
-        for file in files:
+        try:
+            figure = load_script(script).draw(result)
+        except BROKEN as error:
+            plt.close("all")
+            raise broken(study, result, error) from error
+        for kind in ("png", "pdf"):
             # No creation date: the same result gives the same file.
-            stamp = {"CreationDate": None} if file.suffix == ".pdf" else {}
-            figure.savefig(file, metadata=stamp)
+            stamp = {"CreationDate": None} if kind == "pdf" else {}
+            drawn = io.BytesIO()
+            figure.savefig(drawn, format=kind, metadata=stamp)
+            files[result.with_suffix(f".{kind}")] = drawn.getvalue()
         plt.close(figure)
-    return files
+    for file, content in files.items():
+        write_durably(file, content)
+    return list(files)
 
 
 def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:

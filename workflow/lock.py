@@ -55,8 +55,8 @@ def _sign(file) -> None:
     with contextlib.suppress(OSError):
         since = datetime.now().astimezone().isoformat(" ", "seconds")
         file.truncate(0)
-        file.write(json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": since}))
-        file.flush()
+        text = json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": since})
+        os.write(file.fileno(), text.encode())  # no buffer, which would fail again when closed
 
 
 def _words(folder: Path) -> str:

@@ -87,10 +87,13 @@ def write_measured_table(study: Measured, result: Path) -> Path:
     """Write NAME.csv beside a result file and return it."""
     if not hasattr(study.script, "table"):
         raise UserError(f"study {study.name!r}: has no table")
-    if not result.is_file():
-        raise UserError(f"{result}: not found; run the study first")
+    from workflow.results import BROKEN, broken
+
     path = result.with_suffix(".csv")
-    frame = study.script.table(result)
+    try:
+        frame = study.script.table(result)
+    except BROKEN as error:
+        raise broken(study, result, error) from error
     write_durably(path, frame.to_csv(index=False, float_format="%.4g").encode())
     return path
 

@@ -16,17 +16,16 @@ from workflow.figure import STYLE, draw_figure
 from workflow.fits import STATUS_MEANINGS
 from workflow.page import render
 from workflow.reader import known_studies, read_study
+from workflow.results import ROOT, differing_settings, listed, open_result
 from workflow.study import AXES, Measured, Study
 
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends
-ROOT = "/"  # group of the study itself
 ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
 CONSTANTS = (
     ("material", "shear_modulus", "shear modulus G", "Pa"),
     ("material", "relaxation_time", "relaxation time τ", "s"),
     ("surface", "length", "length of the line L", "m"),
 )
-BROKEN_FIGURE = (AttributeError, IndexError, KeyError, TypeError, ValueError)
 
 
 class Image(NamedTuple):
@@ -67,11 +66,13 @@ def write_report(folder: Path, names: list[str]) -> Path:
         wanted = ", ".join(study.name for study in studies)
         raise UserError(f"{folder}: holds no result of {wanted}; first run: make study-NAME")
     with contextlib.ExitStack() as stack:
-        groups = {study.name: _open(_result(folder, study), stack) for study in present}
-        sections = [_section(study, folder, groups[study.name]) for study in present]
-        claims = evaluate(
-            {f"{n}{g}".rstrip("/"): data for n, held in groups.items() for g, data in held.items()}
-        )
+        groups = {s.name: open_result(s, _result(folder, s), stack) for s in present}
+        named = {f"{n}{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
+        try:
+            sections = [_section(study, folder, groups[study.name]) for study in present]
+            claims = evaluate(named)
+        except (OSError, RuntimeError) as error:  # of netCDF, which reads late
+            raise UserError(f"{folder}: a result cannot be read: {error}") from error
         codes = {str(held[ROOT].attrs["code"]) for held in groups.values()}
     page = render(
         claims=claims,
@@ -89,19 +90,6 @@ def _result(folder: Path, study: Study | Measured) -> Path:
     return folder / f"{study.name}.nc"
 
 
-def _open(path: Path, stack: contextlib.ExitStack) -> dict[str, xr.Dataset]:
-    """Return group -> dataset, open until the stack is left."""
-    try:
-        groups = xr.open_groups(path, engine="netcdf4")
-    except (OSError, ValueError) as error:
-        raise UserError(f"{path}: cannot be read as netCDF: {error}") from error
-    for dataset in groups.values():
-        stack.enter_context(dataset)
-    if not {"study", "code", "seed"} <= groups[ROOT].attrs.keys():
-        raise UserError(f"{path}: is not a result of this program")
-    return groups
-
-
 def _section(study: Study | Measured, folder: Path, groups: dict[str, xr.Dataset]) -> Section:
     data = groups[ROOT]
     image, trouble = None, ""
@@ -109,8 +97,6 @@ def _section(study: Study | Measured, folder: Path, groups: dict[str, xr.Dataset
         image = _image(draw_figure(study, _result(folder, study))[0])
     except UserError as error:
         trouble = str(error)
-    except BROKEN_FIGURE as error:
-        trouble = f"it cannot be drawn from this file ({error}); run the study again"
     return Section(
         name=study.name,
         title=str(data.attrs["title"]),
@@ -118,7 +104,7 @@ def _section(study: Study | Measured, folder: Path, groups: dict[str, xr.Dataset
         trouble=trouble,
         parameters=_parameters(data),
         variants=[_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
-        facts=_facts(data),
+        facts=_facts(data) + _changes(study, data),
         origin=[(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
         settings=str(data.attrs["study"]),
     )
@@ -168,6 +154,12 @@ def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
         fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for n, meaning in pairs if n)
     label = "the study itself" if group == ROOT else group.strip("/")
     return label, str(data.attrs["scheme"]), str(data.attrs["steps_per_spacing"]), fits
+
+
+def _changes(study: Study | Measured, data: xr.Dataset) -> list[tuple[str, str]]:
+    """Return which settings are not those of study.toml without a scale, if any."""
+    settings = differing_settings(study, data.attrs)
+    return [("Not as in study.toml", listed(settings))] if settings else []
 
 
 def _facts(data: xr.Dataset) -> list[tuple[str, str]]:

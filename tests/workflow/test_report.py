@@ -113,7 +113,7 @@ def test_text_of_a_result_is_escaped(tmp_path):
 def test_a_figure_that_cannot_be_drawn_leaves_the_rest(tmp_path):
     write_datasets(tmp_path / "fig6.nc", {"": result("fig6")})
     write_report(tmp_path, ["fig6"])
-    assert "No figure: it cannot be drawn from this file" in page(tmp_path)
+    assert "fig6.nc: cannot be used by fig6" in page(tmp_path)
     assert "normal force F<sub>N</sub>" in page(tmp_path)
 
 
