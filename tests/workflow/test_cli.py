@@ -159,8 +159,9 @@ def test_figure_before_the_run_says_what_to_do(capsys, tmp_path):
     assert "fig7.nc: not found; first run: python -m workflow run fig7" in message
 
 
-def test_figure_of_a_study_without_a_script(capsys, study):
-    assert "figure.py: not found" in complaint(capsys, "figure", study)
+def test_figure_of_a_study_without_a_script(capsys, study, finished):
+    arguments = ("figure", study, "--out", str(finished.path))
+    assert "figure.py: not found" in complaint(capsys, *arguments)
 
 
 def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, monkeypatch):
