@@ -9,6 +9,7 @@ import numpy as np
 from kernels import Quantities
 from workflow.batch import CODE, Batch, Task
 from workflow.cost import TYPICAL, Rates, driver_bytes, worker_bytes
+from workflow.cutting import Record, missing_runs, parts
 from workflow.goal import FIRST_SHARE, GROUPS, Goal, goal_of, whole_blocks
 from workflow.pricing import Prices
 from workflow.resolution import horizon_steps, steps_per_spacing
@@ -17,7 +18,6 @@ from workflow.study import Numerics, Study
 
 BATCH_SECONDS = (3.0, 20.0)  # shortest and longest
 MANY_BATCHES = 20_000  # from here on batches grow: each is a file
-Record = tuple[str, int]  # (key of a task, block of realizations)
 
 
 @dataclass(frozen=True)
@@ -147,69 +147,44 @@ def batches(
 ) -> Iterator[Batch]:
     """Yield batches of about ``target`` predicted seconds covering every record not stored.
 
-    Every missing record is in exactly one batch; results do not depend on the cut.
+    Every missing record is in exactly one batch; results do not depend on the cut. What takes
+    longer than the target comes first, longest first: no worker is left alone with it.
     blocks : number of blocks by key of the task, by default those expected.
     """
-    for variant in plan.variants:
-        for group in variant.groups:
-            for tasks, first, count in _missing(group, blocks or plan.expected, stored):
-                yield from _cut(plan, variant.numerics, tasks, first, count, target)
-
-
-def _missing(
-    group: list[Task], blocks: dict[str, int], stored: Container[Record]
-) -> Iterator[tuple[list[Task], int, int]]:
-    """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
-    run: tuple[list[Task], int, int] | None = None
-    for block in range(max(blocks[task.key] for task in group)):
-        tasks = [t for t in group if block < blocks[t.key] and (t.key, block) not in stored]
-        if run and run[0] == tasks:
-            run = (tasks, run[1], run[2] + 1)
-        else:
-            if run and run[0]:
-                yield run
-            run = (tasks, block, 1)
-    if run and run[0]:
-        yield run
+    block = plan.study.realizations_per_block
+    pieces = [
+        (seconds, variant.numerics, tasks, first, count)
+        for variant in plan.variants
+        for group in variant.groups
+        for missing, first, count in missing_runs(group, blocks or plan.expected, stored)
+        for tasks, seconds in parts(plan.prices, block, missing, target)
+    ]
+    pieces.sort(key=lambda piece: -max(piece[0], target))
+    for piece in pieces:
+        yield from _cut(plan.study, target, *piece)
 
 
 def _cut(
-    plan: Plan, numerics: Numerics, tasks: list[Task], first: int, count: int, target: float
+    study: Study,
+    target: float,
+    seconds: float,
+    numerics: Numerics,
+    tasks: list[Task],
+    first: int,
+    count: int,
 ) -> Iterator[Batch]:
-    study = plan.study
-    for part, seconds in _parts(plan, tasks, target):
-        blocks = max(1, round(target / seconds))
-        for start in range(first, first + count, blocks):
-            number = min(blocks, first + count - start)
-            yield Batch(
-                seed=study.seed,
-                normalisation=study.normalisation,
-                quantities=quantities(study),
-                scheme=numerics.scheme,
-                samples=numerics.samples,
-                tasks=tuple(part),
-                first_block=start,
-                blocks=number,
-                realizations_per_block=study.realizations_per_block,
-                seconds=number * seconds,
-            )
-
-
-def _parts(plan: Plan, tasks: list[Task], target: float) -> Iterator[tuple[list[Task], float]]:
-    """Cut tasks so that one block of each part takes about ``target`` seconds at most."""
-    part: list[Task] = []
-    total = 0.0
-    steps = -1
-    block = plan.study.realizations_per_block
-    for task in tasks:
-        cost = block * plan.prices.task(task)
-        if part and total + cost > target:
-            yield part, total
-            part, total, steps = [], 0.0, -1
-        if task.steps_per_spacing != steps:  # a line of its own
-            steps = task.steps_per_spacing
-            total += block * plan.prices.line(task.problem.elements * steps)
-        part.append(task)
-        total += cost
-    if part:
-        yield part, total
+    blocks = max(1, round(target / seconds))
+    for start in range(first, first + count, blocks):
+        number = min(blocks, first + count - start)
+        yield Batch(
+            seed=study.seed,
+            normalisation=study.normalisation,
+            quantities=quantities(study),
+            scheme=numerics.scheme,
+            samples=numerics.samples,
+            tasks=tuple(tasks),
+            first_block=start,
+            blocks=number,
+            realizations_per_block=study.realizations_per_block,
+            seconds=number * seconds,
+        )

@@ -65,6 +65,12 @@ def test_batches_last_about_as_long_as_asked(target):
         assert batch.seconds <= 1.5 * target or (batch.blocks == 1 and len(batch.tasks) == 1)
 
 
+def test_what_cannot_be_cut_to_size_comes_first_and_longest_first():
+    found = [batch.seconds for batch in batches(PLAN, set(), 1e-9)]
+    assert found[0] > found[-1]
+    assert found == sorted(found, reverse=True)
+
+
 def test_a_longer_target_gives_fewer_batches():
     counts = [len(list(batches(PLAN, set(), target))) for target in (1e-5, 1e-3, 1e3)]
     assert counts == sorted(counts, reverse=True)
