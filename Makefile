@@ -7,7 +7,7 @@ SCALE  ?=
 ARGS   ?=
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-cluster chaos test-nojit check bench bench-cluster clean
+.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench bench-cluster clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -38,6 +38,9 @@ test-cluster: $(READY) ## Run the tests with real clusters on this machine (SLUR
 
 chaos: $(READY) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
 	$(BIN)/python -m tests.cluster.chaos $(ARGS)
+
+fuzz: $(READY) ## Fuzz the reader of studies [FUZZ_SECONDS=600]
+	$(BIN)/python -m tests.fuzz
 
 test-nojit: $(READY) ## Run the tests of the kernels as plain Python
 	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)

@@ -56,11 +56,14 @@ def read_study(
     Raises UserError, one line, for anything a user can have got wrong.
     """
     path = find_study(study)
-    tables = load_tables(path, scale, settings or [])
     name = path.parent.name if path.name == "study.toml" else path.stem
-    if "measure" in tables:
-        return read_measured(name, path.parent, tables)
-    return _build(name, path.parent, tables)
+    try:
+        tables = load_tables(path, scale, settings or [])
+        if "measure" in tables:
+            return read_measured(name, path.parent, tables)
+        return _build(name, path.parent, tables)
+    except RecursionError:
+        raise UserError(f"{path}: holds brackets within brackets too deep to read") from None
 
 
 def _required(tables: dict, table: str, key: str, check: Callable[[str, object], Any]) -> Any:

@@ -38,7 +38,7 @@ def versions() -> Versions:
 def require(expected: Versions) -> None:
     """Raise UserError with a table where this process, a worker, differs from the driver."""
     if versions() != expected:
-        raise UserError(_table(expected, {socket.gethostname(): versions()}))
+        raise UserError(*_table(expected, {socket.gethostname(): versions()}))
 
 
 def check_versions(client: Client) -> None:
@@ -53,10 +53,10 @@ def check_versions(client: Client) -> None:
         others["scheduler"] = error
     odd = {name: found for name, found in others.items() if found != versions()}
     if odd:
-        raise UserError(_table(versions(), odd))
+        raise UserError(*_table(versions(), odd))
 
 
-def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> str:
+def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> list[str]:
     lines = ["scheduler and workers must run what the driver runs:"]
     lines.append(f"  {'':28s}{'':14s}{'there':18s}driver")
     for name, found in sorted(others.items()):
@@ -67,4 +67,4 @@ def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> str:
         for package, value in zip(mine.names, mine.values, strict=True):
             if there.get(package) != value:
                 lines.append(f"  {name:28s}{package:14s}{there.get(package)!s:18s}{value}")
-    return "\n".join(lines)
+    return lines

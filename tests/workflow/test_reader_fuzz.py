@@ -1,43 +1,92 @@
-"""Whatever a TOML file holds, it is read as a study or refused with one line."""
+"""Whatever a TOML file holds, it is read as a study and planned, or refused with one line.
+
+``make fuzz`` runs the same for FUZZ_SECONDS (tests/fuzz.py).
+"""
 
 import copy
 import json
+import math
+import os
+import tempfile
 import tomllib
+from pathlib import Path
 
-from hypothesis import given, settings
+from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from tests.workflow.small import TEXT, small_study
+from tests.workflow.small import TEXT, small_study, write_study
 from workflow.errors import UserError
-from workflow.reader import TABLES
-from workflow.study import Study
+from workflow.plan import make_plan
+from workflow.reader import TABLES, known_studies, read_study
+from workflow.study import Measured, Study
 
-NAMES = sorted({key for keys in TABLES.values() for key in keys} | {"smoke", "x y", "linspace"})
+EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "80"))  # of each kind
+MOST_POINTS = 100  # of a study to plan
+MOST_ELEMENTS = 10_000
+TEXTS = [TEXT, *(path.read_text() for path in sorted(known_studies().values()))]
+TABLE_NAMES = [*TABLES, "cluster", "compare", "scales", "measure", "other"]
+NAMES = sorted(
+    {key for keys in TABLES.values() for key in keys}
+    | {"smoke", "x y", "linspace", "jobs", "cores", "memory", "walltime", "prologue", "where", ""}
+)
 NUMBERS = st.one_of(
     st.integers(-(2**70), 2**70),
+    st.integers(10**300, 10**320),
     st.floats(1e-12, 1e12),
     st.floats(-1e3, 1e3, allow_subnormal=False),
-    st.sampled_from([0.0, float("nan"), float("inf"), -float("inf"), 1, 2, 4, 0.5]),
+    st.floats(),
+    st.sampled_from([0.0, 1, 2, 4, 0.5, 5e-324, 1.7e308, 0.01 / 3, 1e-4]),
 )
 SCALARS = st.one_of(
     NUMBERS,
     st.booleans(),
-    st.sampled_from(["", "auto", "steady", "exponential", "modal", "a\nb", "µ", "'"]),
+    st.dates(),
+    st.times(),
+    st.text(max_size=5).filter(lambda text: "\x7f" not in text),
+    st.sampled_from(["", "auto", "steady", "exponential", "modal", "a\nb", "µ", "'", "slurm"]),
 )
 SPACED = st.builds(
     lambda kind, first, last, count: {kind: [first, last, count]},
     st.sampled_from(["linspace", "geomspace"]),
     NUMBERS,
     NUMBERS,
-    st.integers(-2, 50),
+    st.one_of(st.integers(-2, 50), NUMBERS),
 )
 VALUES = st.one_of(
     SCALARS,
-    st.lists(SCALARS, max_size=3),
+    st.lists(st.one_of(SCALARS, st.lists(SCALARS, max_size=2)), max_size=3),
     SPACED,
     st.dictionaries(st.sampled_from(NAMES), st.one_of(SCALARS, st.lists(SCALARS)), max_size=2),
 )
-PLACES = st.tuples(st.sampled_from([*TABLES, "compare", "scales", "other"]), st.sampled_from(NAMES))
+PLACES = st.tuples(st.sampled_from(TABLE_NAMES), st.sampled_from(NAMES))
+PIECES = st.one_of(
+    st.text(max_size=3),
+    st.sampled_from(
+        [
+            *("[", "]", "[[", "{", "}", "=", '"', '"""', "'''", "\n", "#", ",", "nan", "-inf"),
+            *(
+                "1e400",
+                "1_0",
+                "0x1F",
+                "1979-05-27T07:32:00Z",
+                "\\u0000",
+                "\ufeff",
+                "[grid]",
+                "a.b=1",
+            ),
+        ]
+    ),
+)
+EDITS = st.lists(st.tuples(st.floats(0.0, 1.0), st.integers(0, 8), PIECES), min_size=1, max_size=4)
+SETTINGS = st.one_of(
+    st.text(max_size=12),
+    st.builds(
+        lambda place, sign, value: f"{place[0]}.{place[1]}{sign}{value}",
+        PLACES,
+        st.sampled_from(["=", " = ", "", "==", "\n="]),
+        st.one_of(st.text(max_size=8), NUMBERS.map(str), PIECES),
+    ),
+)
 
 
 def toml(value):
@@ -46,41 +95,94 @@ def toml(value):
         return "{" + ", ".join(f"{json.dumps(k)} = {toml(v)}" for k, v in value.items()) + "}"
     if isinstance(value, list):
         return "[" + ", ".join(toml(entry) for entry in value) + "]"
-    if isinstance(value, float):
+    if isinstance(value, bool | str):
+        return json.dumps(value)
+    if isinstance(value, int | float):
         return repr(value)
-    return json.dumps(value)
+    return value.isoformat()
 
 
-def read(tables, scale):
-    """Return the study that ``tables`` make, or the message they are refused with."""
-    text = "\n".join(f"{json.dumps(key)} = {toml(value)}" for key, value in tables.items())
+def document(tables):
+    """Return the tables as text."""
+    return "\n".join(f"{json.dumps(key)} = {toml(value)}" for key, value in tables.items())
+
+
+def outcome(text, *given_settings, scale=None):
+    """Return the study that a text makes, or the message it is refused with."""
     try:
-        return small_study(text=text, scale=scale)
+        study = small_study(*given_settings, text=text, scale=scale)
     except UserError as error:
         return str(error)
+    if isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS:
+        if max(study.elements(spacing) for spacing in study.grid["spacing"]) > MOST_ELEMENTS:
+            return study
+        try:
+            make_plan(study)
+        except UserError as error:
+            return str(error)
+    return study
 
 
-def check(outcome):
-    """Assert that ``outcome`` is a study or a message of one line."""
-    assert isinstance(outcome, Study) or (outcome and "\n" not in outcome)
+def check(found):
+    """Assert that an outcome is a study or a message of one line."""
+    assert isinstance(found, Study | Measured) or (found and found.isprintable()), found
 
 
-@settings(max_examples=150, deadline=None)
+@settings(max_examples=EXAMPLES, deadline=None)
 @given(st.lists(st.tuples(PLACES, VALUES), min_size=1, max_size=3), st.booleans())
 def test_a_study_with_random_changes_is_read_or_refused(changes, scaled):
     tables = copy.deepcopy(tomllib.loads(TEXT))
     for (table, key), value in changes:
         tables.setdefault(table, {})[key] = value
-    check(read(tables, "wide" if scaled else None))
+    check(outcome(document(tables), scale="wide" if scaled else None))
 
 
-@settings(max_examples=50, deadline=None)
-@given(st.dictionaries(st.sampled_from([*TABLES, "compare", "other"]), VALUES, max_size=4))
+@settings(max_examples=EXAMPLES, deadline=None)
+@given(st.dictionaries(st.sampled_from(TABLE_NAMES), VALUES, max_size=4))
 def test_random_tables_are_read_or_refused(tables):
-    check(read(tables, None))
+    check(outcome(document(tables)))
+
+
+@settings(max_examples=EXAMPLES, deadline=None)
+@given(st.sampled_from(TEXTS), EDITS)
+def test_an_edited_text_is_read_or_refused(text, edits):
+    for at, length, piece in edits:
+        place = int(at * len(text))
+        text = text[:place] + piece + text[place + length :]
+    check(outcome(text))
+
+
+@settings(max_examples=EXAMPLES, deadline=None)
+@given(st.lists(SETTINGS, min_size=1, max_size=3), st.one_of(st.none(), st.text(max_size=6)))
+def test_random_settings_are_read_or_refused(given_settings, scale):
+    check(outcome(TEXT, *given_settings, scale=scale))
+
+
+@settings(max_examples=EXAMPLES, deadline=None)
+@given(st.binary(max_size=60))
+@example(b"\xef\xbb\xbf" + TEXT.encode())
+@example(TEXT.encode("utf-16"))
+@example(b"a=" + b"[" * 5000)
+def test_random_bytes_are_read_or_refused(content):
+    with tempfile.TemporaryDirectory() as folder:
+        path = write_study(folder)
+        Path(path).write_bytes(content)
+        try:
+            check(read_study(path))
+        except UserError as error:
+            check(str(error))
 
 
 def test_the_text_written_for_the_fuzz_is_the_study_it_came_from():
-    outcome = read(tomllib.loads(TEXT), None)
-    assert isinstance(outcome, Study)
-    assert outcome.grid == small_study().grid
+    found = outcome(document(tomllib.loads(TEXT)))
+    assert isinstance(found, Study)
+    assert found.grid == small_study().grid
+
+
+FUZZED = (
+    test_a_study_with_random_changes_is_read_or_refused,
+    test_random_tables_are_read_or_refused,
+    test_an_edited_text_is_read_or_refused,
+    test_random_settings_are_read_or_refused,
+    test_random_bytes_are_read_or_refused,
+)
