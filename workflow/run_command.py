@@ -26,7 +26,7 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
     add("--slurm", action="store_true", help="compute in jobs of SLURM, see the table [cluster]")
     add("--dashboard", action="store_true", help="start dask's dashboard and say where it is")
     add("--workers", type=int, help="local worker processes (all cores)")
-    add("--batch-seconds", type=float, help="predicted length of a batch (3 to 20)")
+    add("--batch-seconds", type=float, help="predicted length of a batch (1 to 10)")
     add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
     add("--retry-failed", action="store_true", help="try what failed in earlier runs again")
 

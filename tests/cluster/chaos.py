@@ -27,7 +27,7 @@ from workflow import journal
 
 SHARES = {"standing": 0.5, "slurm": 0.3, "local": 0.2}  # of the kills
 ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM}  # of drivers
-BATCH_SECONDS = "0.4"
+BATCH_SECONDS = "0.15"  # short, so that much can happen in a small study
 Weapon = Callable[[], bool]  # returns whether it found something to kill
 
 
@@ -220,7 +220,7 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--kills", type=int, default=50)
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--core-seconds", type=float, default=250.0, help="of the study")
+    parser.add_argument("--core-seconds", type=float, default=60.0, help="of the study")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         report = run_chaos(Path(folder), options.kills, options.seed, options.core_seconds)

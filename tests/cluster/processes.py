@@ -20,12 +20,12 @@ def free_port() -> int:
         return probe.getsockname()[1]
 
 
-def start(log: Path, *arguments: str, **environment: str) -> subprocess.Popen:
+def start(log: Path, *arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.Popen:
     """Start ``python -m ...`` in a process group of its own, its output added to a file."""
     with log.open("ab") as output:
         return subprocess.Popen(
             [sys.executable, "-m", *arguments],
-            cwd=ROOT,
+            cwd=cwd,
             env={**os.environ, "PYTHONUNBUFFERED": "1", "GIT_DIR": "/nowhere", **environment},
             stdin=subprocess.DEVNULL,
             stdout=output,

@@ -53,6 +53,31 @@ def test_sound_machine_code_is_used(cold):
     assert solve(cold[0]) == (cold[1], 1, "")
 
 
+TOGETHER = """
+from kernels import contact
+from kernels.jit import compiling
+import numpy as np
+with compiling():
+    contact.solve_indentation(np.array([0.0, 0.5, 1.0]), 1.0, 0.0)
+print(sum(contact.solve_indentation.stats.cache_misses.values()))
+"""
+
+
+def test_of_many_processes_of_a_machine_one_compiles(tmp_path):
+    processes = [
+        subprocess.Popen(
+            [sys.executable, "-c", TOGETHER],
+            cwd=ROOT,
+            env={**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)},
+            stdout=subprocess.PIPE,
+            text=True,
+        )
+        for _ in range(4)
+    ]
+    misses = [int(process.communicate()[0]) for process in processes]
+    assert sorted(misses) == [0, 0, 0, 1]
+
+
 DAMAGE = {
     "empty": lambda content: b"",
     "truncated": lambda content: content[: len(content) // 2],

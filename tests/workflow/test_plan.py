@@ -116,7 +116,7 @@ def test_the_similarity_never_costs_time():
     assert without_similarity(plan, seconds(plan)) >= seconds(plan)
 
 
-@pytest.mark.parametrize(("work", "target"), [(1.0, 3.0), (2e5, 10.0), (1e9, 20.0)])
+@pytest.mark.parametrize(("work", "target"), [(1.0, 1.0), (600.0, 3.0), (1e9, 10.0)])
 def test_batches_grow_with_the_work_within_limits(work, target):
     assert batch_target(work) == pytest.approx(target)
 
