@@ -31,7 +31,9 @@ class Failures:
 
     def __call__(self, batch: Batch, error: Exception, alone: bool) -> list[Batch]:
         """Return what to do instead of a batch that failed (see flow.Retry)."""
-        if isinstance(error, UserError | ImportError):
+        if isinstance(error, UserError):
+            raise error
+        if isinstance(error, ImportError):
             raise UserError(f"a worker cannot work: {error}") from error
         if len(batch.tasks) > 1 or (isinstance(error, KilledWorker) and not alone):
             return [self._only(batch, task) for task in batch.tasks]
