@@ -22,7 +22,9 @@ PER_THREAD, LEAST = 4, 8  # items in flight
 
 
 def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
-    """Let an error on a worker end the stream."""
+    """Let an error on a worker end the stream; an item whose worker died gets another chance."""
+    if isinstance(error, KilledWorker) and not alone:
+        return [item]
     raise error
 
 

@@ -61,13 +61,13 @@ class Status:
 
     def lines(self, result: Path, by: str | None) -> list[str]:
         """Return what the command prints; ``by`` is who runs something in the folder."""
-        waiting = self.total - self.done
+        total = max(self.total, self.done)  # rounds may take more than was foreseen
         alive = by is not None and f"process {self.pid} on {self.host}" in by
         found = [
-            f"done        {self.done} of {self.total} records (problem x block)",
+            f"done        {self.done} of {total} records (problem x block)",
             f"running     {self.running if alive else 0} batches on "
             f"{self.workers if alive else 0} workers",
-            f"waiting     {waiting} records",
+            f"waiting     {total - self.done} records",
             f"failed      {self.failed} problems",
             f"remaining   {self.left / 3600.0:.3g} core-hours, predicted",
         ]

@@ -8,10 +8,11 @@ import time
 import pytest
 from distributed import Client
 from distributed.comm import CommClosedError
+from distributed.scheduler import KilledWorker
 
 from tests.workflow.runs import PATIENCE
 from workflow.errors import UserError
-from workflow.flow import stream
+from workflow.flow import raise_error, stream
 from workflow.watch import Watch
 
 
@@ -60,6 +61,23 @@ def test_after_a_stop_only_what_is_running_is_awaited(client):
 def test_an_error_on_a_worker_is_raised_here(client):
     with pytest.raises(ValueError, match=r"math domain error|nonnegative"):
         list(stream(client, math.sqrt, [1.0, -1.0]))
+
+
+def test_an_item_whose_worker_died_gets_one_chance_alone():
+    killed = KilledWorker("key", None, 3)
+    assert raise_error(7, killed, False) == [7]
+    with pytest.raises(KilledWorker):
+        raise_error(7, killed, True)
+
+
+def halves(item, error, alone):
+    """Return two items instead of one that failed."""
+    return [abs(item) / 2.0] * 2
+
+
+def test_what_failed_is_replaced_and_the_rest_goes_on(client):
+    found = list(stream(client, math.sqrt, [4.0, -2.0, 9.0], retry=halves))
+    assert sorted(found) == [(1.0, 1.0), (1.0, 1.0), (4.0, 2.0), (9.0, 3.0)]
 
 
 def test_a_scheduler_that_dies_during_a_transfer_is_reported(client, monkeypatch):

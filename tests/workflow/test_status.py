@@ -109,6 +109,12 @@ def test_without_a_status_that_holds_records_are_counted(place, spoil):
     assert 0.0 < found.left < 100.0 * expected  # rates are those of this machine
 
 
+def test_rounds_may_take_more_than_was_foreseen(tmp_path):
+    lines = Status("x", 64, 80, 0.0).lines(tmp_path / "small.nc", None)
+    assert lines[0].startswith("done        80 of 80 records")
+    assert lines[2] == "waiting     0 records"
+
+
 def test_other_settings_are_another_status(place):
     place[2].write(1, 1)
     other = small_study("study.seed=2")
