@@ -7,8 +7,8 @@ import pytest
 
 from kernels import SCHEMES, Case, Line, Quantities, run_case
 from studies.stability.probe import Motion, probe
+from studies.stability.shapes import line_through, shapes
 from tests.hard.bounds import assert_stable
-from tests.hard.shapes import line_through, shapes
 from tests.sizes import size
 
 SHAPES = shapes(size(48, 24))

@@ -1,0 +1,145 @@
+"""Measure residuals and iteration counts over a map of Fbar and x, and in all corners."""
+
+from collections.abc import Callable
+from functools import partial
+from pathlib import Path
+
+import numpy as np
+import pandas as pd
+import xarray as xr
+
+from kernels import SCHEMES, Case, Line, Quantities, amplitudes, rms_slope, run_case
+from workflow.axes import integer
+
+from .corners import corners, number_of_corners, random_line
+from .probe import COUNTS, RESIDUALS, Motion, probe
+
+HURST, M, RATIO = 0.7, 4, 1.2  # of the map
+KINDS = RESIDUALS | COUNTS
+SECONDS = 1.1e-4  # predicted, per step of a short line
+SECONDS_PER_SAMPLE = 1.2e-7  # and per sample of it
+LONG_SECONDS = 7e-6  # per element of a very long line
+SETTINGS = {
+    "map_loads": partial(integer, least=2),
+    "map_speeds": partial(integer, least=2),
+    "map_elements": partial(integer, least=8),
+    "map_lines": partial(integer, least=1),
+    "corner_lines": partial(integer, least=1),
+    "most_elements": partial(integer, least=1),
+    "steps": partial(integer, least=1),
+}
+
+
+def outline(settings: dict) -> tuple[list[str], float]:
+    """Return what would be measured, and the predicted seconds of one core."""
+    points = settings["map_loads"] * settings["map_speeds"] * len(SCHEMES)
+    cases = number_of_corners(settings["corner_lines"], settings["most_elements"])
+    lines = [
+        f"map         {points} points, {settings['map_lines']} lines each",
+        f"corners     {cases} cases of {settings['steps']} steps",
+    ]
+    long = sum(n * 4 * LONG_SECONDS for n in (10**5, 10**6) if n <= settings["most_elements"])
+    corner = _seconds(settings, 250)  # samples of a line, the mean of all corners
+    return lines, points * _map_seconds(settings) + cases * corner + long
+
+
+def _seconds(settings: dict, samples: int) -> float:
+    return (settings["steps"] + 40) * (SECONDS + SECONDS_PER_SAMPLE * samples)
+
+
+def _map_seconds(settings: dict) -> float:
+    return settings["map_lines"] * _seconds(settings, M * settings["map_elements"])
+
+
+def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
+    """Return the map, and in group "corners" one row per case."""
+    return {"": _map(settings, seed, advance), "corners": _corners(settings, seed, advance)}
+
+
+def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Dataset:
+    loads = np.geomspace(1e-6, 1e4, settings["map_loads"])
+    speeds = np.geomspace(1e-4, 1e6, settings["map_speeds"])
+    n = settings["map_elements"]
+    both = [  # the same lines with m and 2 m samples per spacing
+        [random_line(HURST, n, m, seed, index) for m in (M, 2 * M)]
+        for index in range(settings["map_lines"])
+    ]
+    shape = (len(SCHEMES), loads.size, speeds.size)
+    found = {kind: np.zeros(shape) for kind in (*KINDS, "refinement")}
+    for place in np.ndindex(shape):
+        scheme, load, x = list(SCHEMES)[place[0]], loads[place[1]], speeds[place[2]]
+        for line, fine in both:
+            motion = Motion(line, load, x / np.pi, RATIO, scheme)
+            worst = probe(motion, settings["steps"]) | {"refinement": _refinement(motion, fine)}
+            for kind, value in worst.items():
+                found[kind][place] = max(found[kind][place], value)
+        advance(_map_seconds(settings))
+    dims = ("scheme", "load", "speed_ratio")
+    data = {kind: (dims, values, _attributes(kind)) for kind, values in found.items()}
+    coords = {"scheme": list(SCHEMES), "load": loads, "speed_ratio": speeds}
+    return xr.Dataset(data, coords, {"hurst": HURST, "elements": n, "steps_per_spacing": M})
+
+
+def _refinement(motion: Motion, fine: Line) -> float:
+    """Return by how much mu_1 moves when the samples are halved, in units of the rms slope."""
+    case = Case(motion.load, motion.speed, (), (), motion.scheme)
+    one, two = (
+        run_case(line, case, Quantities(jump=False, relaxation=False)).mu_1
+        for line in (motion.line, fine)
+    )
+    elements = fine.z.size // fine.samples_per_spacing
+    return abs(two - one) / rms_slope(amplitudes(HURST, elements), elements)
+
+
+def _corners(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Dataset:
+    rows = []
+    arguments = (settings["corner_lines"], settings["most_elements"], settings["steps"])
+    for corner in corners(seed, *arguments):
+        motion = corner.motion
+        rows.append(
+            {
+                "line": corner.line,
+                "elements": corner.elements,
+                "steps_per_spacing": motion.line.samples_per_spacing,
+                "load": motion.load,
+                "speed_ratio": np.pi * motion.speed,
+                "ratio": motion.ratio,
+                "scheme": motion.scheme,
+                **probe(motion, corner.steps),
+            }
+        )
+        samples = motion.line.z.size
+        long = samples > 10**4
+        advance(samples * LONG_SECONDS if long else _seconds(settings, 250))
+    data = {name: ("case", [row[name] for row in rows], _attributes(name)) for name in rows[0]}
+    return xr.Dataset(data)
+
+
+def _attributes(name: str) -> dict[str, str]:
+    """Return the attributes of a variable; residuals are relative."""
+    known = KINDS | {
+        "refinement": "|mu_1(2 m) - mu_1(m)| / rms slope",
+        "load": "Fbar = F_N / (4 G L h)",
+        "speed_ratio": "x = v1 tau q_max",
+        "ratio": "v2 / v1",
+    }
+    return {"long_name": known.get(name, name.replace("_", " ")), "units": "1"}
+
+
+def table(result: Path) -> pd.DataFrame:
+    """Return the worst of every kind over the map and the corners, and where it was."""
+    frames = []
+    with xr.open_dataset(result) as data:
+        points = data.to_dataframe().reset_index()
+        settings = {"line": f"H = {data.hurst:g}", "elements": data.elements, "ratio": RATIO}
+        frames.append(points.assign(**settings, steps_per_spacing=data.steps_per_spacing))
+    with xr.open_dataset(result, group="corners") as data:
+        frames.append(data.to_dataframe())
+    cases = pd.concat(frames, ignore_index=True)
+    where = ["line", "elements", "steps_per_spacing", "load", "speed_ratio", "ratio", "scheme"]
+    rows = []
+    for kind, meaning in KINDS.items():
+        worst = cases.loc[cases[kind].idxmax()]
+        rows.append({"kind": kind, "meaning": meaning, "cases": len(cases), "worst": worst[kind]})
+        rows[-1] |= {name: worst[name] for name in where}
+    return pd.DataFrame(rows)
