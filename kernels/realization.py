@@ -61,7 +61,7 @@ class Outcome(NamedTuple):
 
 
 class _State(NamedTuple):
-    c: np.ndarray
+    w: np.ndarray
     d: float
     step: Step
     sweeps: int
@@ -69,8 +69,8 @@ class _State(NamedTuple):
 
 def _steady(line: Line, load: float, speed: float, scheme: str) -> _State:
     step = SCHEMES[scheme](1.0 / (line.samples_per_spacing * speed))
-    c, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
-    return _State(c, d, step, sweeps)
+    w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
+    return _State(w, d, step, sweeps)
 
 
 def _friction(line: Line, state: _State, speed: float, load: float) -> tuple[float, float, float]:
@@ -79,14 +79,14 @@ def _friction(line: Line, state: _State, speed: float, load: float) -> tuple[flo
     The first has its elastic part corrected as far as a sample lasts longer than tau: by
     measurement the better estimate there, and the worse one beyond.
     """
-    z, slope, c, d, steps = line.z, line.slope, state.c, state.d, line.samples_per_spacing
-    mu, rate, contact = quadrature(z, slope, c, d, speed, speed, load)
+    z, slope, w, d, steps = line.z, line.slope, state.w, state.d, line.samples_per_spacing
+    mu, rate, contact = quadrature(z, slope, w, d, speed, speed, load)
     share = math.exp(-((steps * speed) ** 2))
     if share < 1e-3:
         return mu, mu, contact
-    corrected = mu + share * elastic_correction(z, slope, c, d, speed, rate, steps) / load
+    corrected = mu + share * elastic_correction(z, slope, w, d, speed, rate, steps) / load
     # Where a contact is narrower than a sample nothing is sure, but this: mu is a mean of slopes.
-    steepest = float(np.abs(slope[c < d]).max())
+    steepest = float(np.abs(slope[z - w < d]).max())
     return min(max(corrected, -steepest), steepest), mu, contact
 
 
@@ -126,7 +126,7 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     for k, ratio in enumerate(case.ratios):
         speed = ratio * case.speed
         if asked.jump:
-            mu_0, _, _ = quadrature(line.z, line.slope, one.c, one.d, case.speed, speed, load)
+            mu_0, _, _ = quadrature(line.z, line.slope, one.w, one.d, case.speed, speed, load)
             jump[k] = mu_0 - summed  # errors of the elastic part cancel
             clock.lap("jump")
         if not (asked.steady or asked.relaxation):
@@ -169,12 +169,12 @@ def _relaxation(
     """Return the deviation from the steady friction at v2, and the element updates."""
     step = two.step
     weight = lagged_slope(line.slope, step.lag)
-    final = step_average(weight, two.c, two.d)
+    final = step_average(weight, line.z - two.w, two.d)
     # d stays between its steady values but for a transient; everything touches at worst.
     work = 0
     for cap in (1.02 * max(one.d, two.d), np.inf):
         mu, _, passes, inside = march(
-            line.z, weight, one.c, one.d, step.decay, step.stiffness, load, record, cap, rigid
+            line.z, weight, one.w, one.d, step.decay, step.stiffness, load, record, cap, rigid
         )
         work += passes * line.z.size
         if inside:

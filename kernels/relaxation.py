@@ -37,10 +37,10 @@ def touchable(z, cap):
 
 
 @kernel
-def march(z, weight, c, d, decay, stiffness, load, record, cap, rigid=None):
-    """March from the steady state (c, d) and return (mu, indentation, passes, inside).
+def march(z, weight, w, d, decay, stiffness, load, record, cap, rigid=None):
+    """March from the steady state (w, d) and return (mu, indentation, passes, inside).
 
-    z, weight, c : line, lagged slope and contact thresholds, shape (n,), z[0] the highest point.
+    z, weight, w : line, lagged slope and free displacements, shape (n,), z[0] the highest point.
     decay, stiffness : of the step at the new speed. load : n Fbar.
     record : increasing step numbers (first step = 1) at which mu and d are kept.
     cap : elements above it are taken never to touch; inside tells whether d stayed below.
@@ -52,8 +52,10 @@ def march(z, weight, c, d, decay, stiffness, load, record, cap, rigid=None):
     stretches = start.size
     first = np.zeros(start.size + 1, np.int64)
     first[1:] = np.cumsum(stop - start)
-    ring, ring_at, crossing = _rings(z, c, d, decay, start, stop)
-    z, weight, c = _gather(z, start, stop), _gather(weight, start, stop), _gather(c, start, stop)
+    ring, ring_at, crossing = _rings(z, w, d, decay, start, stop)
+    # What lies above cap in short gaps cannot touch at any height: low, it costs w no digits.
+    z, weight = np.minimum(_gather(z, start, stop), cap), _gather(weight, start, stop)
+    c = z - _gather(w, start, stop)
 
     mu = np.empty(record.size)
     indentation = np.empty(record.size)
@@ -83,7 +85,7 @@ def march(z, weight, c, d, decay, stiffness, load, record, cap, rigid=None):
 
 
 @kernel
-def _rings(z, c, d, decay, start, stop):
+def _rings(z, w, d, decay, start, stop):
     """Return (ring, ring_at, crossing): the displacements with which elements cross the gaps.
 
     Ring s covers the gap above stretch s. The element to arrive in t steps is in slot
@@ -102,7 +104,7 @@ def _rings(z, c, d, decay, start, stop):
             if crossing[s] < NEGLIGIBLE:
                 crossing[s] = 0.0
             j = (stop[s] - 1 + t) % n
-            ring[ring_at[s] + t % (gap[s] + 1)] = crossing[s] * (z[j] - max(c[j], d))
+            ring[ring_at[s] + t % (gap[s] + 1)] = crossing[s] * min(w[j], z[j] - d)
     return ring, ring_at, crossing
 
 

@@ -9,7 +9,8 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-# What decays below this is zero: subnormal numbers, far below, would slow a sweep tenfold.
+# What decays below this is zero: subnormal numbers would slow a sweep tenfold. Below its root
+# so is the decay of one step, whose product with what is left then stays a normal number.
 NEGLIGIBLE = 1e-200
 # Shortest step, in units of tau: displacements change by dt of themselves in a step, so that
 # rounding, 1e-16 of them, comes back as 1e-16 / dt of the force.
@@ -39,7 +40,7 @@ def exponential(dt: float) -> Step:
 
 
 def _decay(value: float) -> float:
-    return value if value > NEGLIGIBLE else 0.0
+    return value if value > math.sqrt(NEGLIGIBLE) else 0.0
 
 
 def _weight_centre(dt: float) -> float:

@@ -19,10 +19,10 @@ from kernels.schemes import NEGLIGIBLE
 
 
 @kernel
-def sweep(z, d, decay, deepest, c):
-    """Fill c with the thresholds z - w of steady sliding at indentation d.
+def sweep(z, d, decay, deepest, w):
+    """Fill w with the free displacements of steady sliding at indentation d.
 
-    Return (sum of d - c_i over touching elements, its derivative with respect to d, number).
+    Return (sum of w - (z - d) over touching elements, its derivative with respect to d, number).
     """
     u = z[deepest] - d
     du = 1.0  # -du/dd: 1 in contact, decaying outside
@@ -32,46 +32,45 @@ def sweep(z, d, decay, deepest, c):
     j = deepest
     for _ in range(z.size):
         j = j - 1 if j > 0 else z.size - 1
-        w = decay * u
+        free = decay * u if u < -NEGLIGIBLE else 0.0
         du *= decay
-        if w > -NEGLIGIBLE:
-            w = du = 0.0
         gap = z[j] - d
-        c[j] = z[j] - w
-        if gap < w:
-            total += w - gap
+        w[j] = free
+        if gap < free:
+            total += free - gap
             slope += 1.0 - du
             touching += 1
             u = gap
             du = 1.0
         else:
-            u = w
+            u = free
     return total, slope, touching
 
 
 @kernel
 def steady_sliding(z, load, decay, stiffness):
-    """Return (c, d, sweeps) of the steady state under the load sum_i f_i = load.
+    """Return (w, d, sweeps) of the steady state under the load sum_i f_i = load.
 
     z : heights (in h), shape (n,). load : n Fbar. decay, stiffness : of the step (schemes.py).
-    c : contact thresholds z - w, shape (n,); element i touches where c_i < d. d : indentation.
+    w : displacements that elements without force would have, shape (n,); element i touches
+    where z_i - w_i < d, its displacement is min(w_i, z_i - d). d : indentation.
     """
     deepest = np.argmin(z)
-    c = np.empty_like(z)
+    w = np.empty_like(z)
     # F(d) >= sum (d - z)+: the elastic indentation (v -> 0) bounds d from above.
     d, _ = solve_indentation(z, load, z[deepest] + load / z.size)
     fewest = z.size + 1
     least = np.inf
     sweeps = 0
     while True:
-        total, slope, touching = sweep(z, d, decay, deepest, c)
+        total, slope, touching = sweep(z, d, decay, deepest, w)
         sweeps += 1
         excess = stiffness * total - load
         new = d - excess / (stiffness * slope)
         # From the right every iterate stays right of the root; rounding alone ends this.
         progress = touching < fewest or excess < 0.5 * least
         if not (excess > 4e-16 * load and new < d and progress):
-            return c, d, sweeps
+            return w, d, sweeps
         fewest = min(fewest, touching)
         least = min(least, excess)
         d = new

@@ -67,14 +67,14 @@ def _at(samples: int) -> dict[str, float]:
     """Return the seconds of every kernel on a line of this size, all of which is marched."""
     line, load = _line(samples), LOAD * samples
     step = SCHEMES["exponential"](1.0 / (STEPS * SPEED))
-    c, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
+    w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
 
     def marching(steps: int) -> float:
         record = np.array([steps])
 
         def call() -> None:
             weight = lagged_slope(line.slope, step.lag)
-            march(line.z, weight, c, d, step.decay, step.stiffness, load, record, np.inf, None)
+            march(line.z, weight, w, d, step.decay, step.stiffness, load, record, np.inf, None)
 
         return seconds(call)
 
@@ -85,7 +85,7 @@ def _at(samples: int) -> dict[str, float]:
         "draw": seconds(lambda: _line(samples)),
         "sweep": steady / sweeps,
         "quadrature": seconds(
-            lambda: quadrature(line.z, line.slope, c, d, SPEED, 1.2 * SPEED, load)
+            lambda: quadrature(line.z, line.slope, w, d, SPEED, 1.2 * SPEED, load)
         ),
         "setup": max(few - FEW * each, 0.1 * few),
         "step": each,

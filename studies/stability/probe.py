@@ -46,7 +46,7 @@ class Motion(NamedTuple):
         return dt, SCHEMES[self.scheme](dt)
 
     def steady(self, step: Step) -> tuple[np.ndarray, float, int]:
-        """Return (c, d, sweeps) of steady sliding."""
+        """Return (w, d, sweeps) of steady sliding."""
         return steady_sliding(self.line.z, self.total, step.decay, step.stiffness)
 
     @property
@@ -61,12 +61,12 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
     starts = []
     for ratio in (1.0, motion.ratio):
         dt, step = motion.step(ratio)
-        c, d, sweeps = motion.steady(step)
-        starts.append((c, d))
-        u = _steady_displacements(motion.line.z, c, d, step.decay)
+        w, d, sweeps = motion.steady(step)
+        starts.append((w, d))
+        u = np.minimum(w, motion.line.z - d)
         _raise(worst, sweeps=sweeps, falling=_falling(motion.line.z, d, step))
-        _raise(worst, subnormal=_subnormal(c), not_finite=np.sum(~np.isfinite(c)))
-        depths = _march(motion, (c, d), step, 1.02 * d, STAY, worst)
+        _raise(worst, subnormal=_subnormal(w), not_finite=np.sum(~np.isfinite(w)))
+        depths = _march(motion, (w, d), step, 1.02 * d, STAY, worst)
         _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
         _follow(motion, u, d, dt, step, depths, worst)
         if ratio == 1.0:
@@ -87,14 +87,6 @@ def _march(motion, state, step, cap, steps, worst):
             break
     _raise(worst, not_finite=np.sum(~np.isfinite(mu)) + np.sum(~np.isfinite(depths)))
     return depths
-
-
-def _steady_displacements(z, c, d, decay):
-    """Return u: z - d where the line touches, decaying from there on."""
-    touching = np.flatnonzero(np.tile(c < d, 2))
-    at = np.arange(z.size)
-    last = touching[np.searchsorted(touching, at)]
-    return (z[last % z.size] - d) * decay ** (last - at)
 
 
 def _follow(motion, u, d, dt, step, depths, worst):
@@ -143,9 +135,9 @@ def _energy(scheme, dt, old, new, force):
 
 def _falling(z, d, step):
     """Return how often the force of steady sliding fails to rise with the indentation."""
-    c = np.empty_like(z)
+    w = np.empty_like(z)
     depths = d * np.geomspace(0.01, 100.0, 25)
-    force = [sweep(z, depth, step.decay, int(np.argmin(z)), c)[0] for depth in depths]
+    force = [sweep(z, depth, step.decay, int(np.argmin(z)), w)[0] for depth in depths]
     return int(np.sum(np.diff(force) <= 0.0))
 
 

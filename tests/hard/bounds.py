@@ -17,10 +17,10 @@ def bounds(motion) -> dict[str, float]:
     stiffness, deepest, highest, touching = 1.0, np.inf, 0.0, 1
     for ratio in (1.0, motion.ratio):
         _, step = motion.step(ratio)
-        c, d, _ = motion.steady(step)
+        w, d, _ = motion.steady(step)
         stiffness = max(stiffness, step.stiffness)
         deepest, highest = min(deepest, d), max(highest, d)
-        touching = max(touching, np.sum(c < d))
+        touching = max(touching, np.sum(motion.line.z - w < d))
     height = motion.line.z.max()
     lost = (np.sqrt(touching) * height + touching * highest) / motion.total
     force = MARGIN * EPS * (1.0 + stiffness * (1.0 + lost))

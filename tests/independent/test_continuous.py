@@ -22,7 +22,7 @@ class Start(NamedTuple):
     x: np.ndarray
     z: np.ndarray
     slope: np.ndarray
-    c: np.ndarray
+    w: np.ndarray
     d: float
 
     @classmethod
@@ -33,12 +33,12 @@ class Start(NamedTuple):
         x = np.roll(x, -top)
         z, slope = LINE(x)
         step = SCHEMES[scheme](1.0 / (m * speed))
-        c, d, _ = steady_sliding(z, load * z.size, step.decay, step.stiffness)
-        return cls(x, z, slope, c, d)
+        w, d, _ = steady_sliding(z, load * z.size, step.decay, step.stiffness)
+        return cls(x, z, slope, w, d)
 
     def sliding(self, load, speed):
         """Return the same elements, to slide continuously."""
-        u = self.z - np.maximum(self.c, self.d)
+        u = np.minimum(self.w, self.z - self.d)
         return Sliding(LINE, self.x, u, self.d, load * self.z.size, speed)
 
 
@@ -50,7 +50,7 @@ def after_the_jump(m, scheme, load, speed, ratio):
     record = np.arange(1, round(m * after) + 1)
     weight = lagged_slope(start.slope, step.lag)
     mu, _, _, _ = march(
-        start.z, weight, start.c, start.d, step.decay, step.stiffness,
+        start.z, weight, start.w, start.d, step.decay, step.stiffness,
         load * start.z.size, record, np.inf,
     )  # fmt: skip
     sliding = start.sliding(load, after)
@@ -76,7 +76,7 @@ def test_steady_sliding_is_the_mean_of_the_continuous_motion(load):
     for m in REFINEMENTS[:3]:
         start = Start.at(m, "exponential", load, speed)
         mu, _, _ = quadrature(
-            start.z, start.slope, start.c, start.d, speed, speed, load * start.z.size
+            start.z, start.slope, start.w, start.d, speed, speed, load * start.z.size
         )
         sliding = start.sliding(load, speed)
         sliding.advance(4.0)
@@ -90,7 +90,7 @@ def test_the_jump_is_that_of_the_elements_at_rest(ratio):
     load, speed, m = 0.3, 1.0, 256
     start = Start.at(m, "exponential", load, speed)
     after, _, _ = quadrature(
-        start.z, start.slope, start.c, start.d, speed, ratio * speed, load * start.z.size
+        start.z, start.slope, start.w, start.d, speed, ratio * speed, load * start.z.size
     )
     sliding = start.sliding(load, ratio * speed)
     _, friction = sliding.derivatives(0.0, [start.d, 0.0])

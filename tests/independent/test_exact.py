@@ -89,11 +89,11 @@ class Both:
         case = Case(self.load, self.speed, (self.ratio,), (record,), self.scheme)
         found = run_case(self.line, case, Quantities())
         n = self.line.z.size
-        c, d, _ = steady_sliding(self.line.z, self.load * n, *self.step(1.0)[:2])
+        w, d, _ = steady_sliding(self.line.z, self.load * n, *self.step(1.0)[:2])
         step = self.step(self.ratio)
         weight = lagged_slope(self.line.slope, step.lag)
         _, depth, _, _ = march(
-            self.line.z, weight, c, d, step.decay, step.stiffness, self.load * n, record, np.inf
+            self.line.z, weight, w, d, step.decay, step.stiffness, self.load * n, record, np.inf
         )
         return found.mu_1, found.mu_2[0], found.jump[0], found.curves[0], d, depth
 

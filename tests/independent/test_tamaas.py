@@ -56,16 +56,16 @@ def test_a_whole_velocity_step(hurst):
     foundation = Foundation(z)
     for _ in range(TO_STEADY):
         forces = foundation.advance(SPEED)
-    c, d, _ = steady_sliding(z, load, one.decay, one.stiffness)
-    expected = one.stiffness * np.maximum(0.0, d - c)
+    w, d, _ = steady_sliding(z, load, one.decay, one.stiffness)
+    expected = one.stiffness * np.maximum(0.0, d - (z - w))
     np.testing.assert_allclose(forces, expected, rtol=0.0, atol=TOLERANCE * expected.max())
     mu_1 = float(forces @ slope / forces.sum())
-    assert mu_1 == pytest.approx(step_average(slope, c, d), rel=TOLERANCE)
+    assert mu_1 == pytest.approx(step_average(slope, z - w, d), rel=TOLERANCE)
 
     forces = [foundation.advance(RATIO * SPEED) for _ in range(AFTER)]
     found = [float(f @ slope / f.sum()) for f in forces]
     weight = lagged_slope(slope, two.lag)
     record = np.arange(1, AFTER + 1)
-    mu, _, _, _ = march(z, weight, c, d, two.decay, two.stiffness, load, record, np.inf)
+    mu, _, _, _ = march(z, weight, w, d, two.decay, two.stiffness, load, record, np.inf)
     np.testing.assert_allclose(found, mu, rtol=TOLERANCE)
     assert np.ptp(mu) > 1e3 * TOLERANCE * mu[-1]  # there is something to follow

@@ -111,12 +111,12 @@ def test_kernels_release_the_interpreter(kernel):
 @compiled_only
 def test_machine_code_computes_what_python_computes():
     z, slope = random_line(61, 0.7, 1, seed=4)
-    c, d, sweeps = steady.steady_sliding(z, 3.0, 0.4, 1.0 / 0.6)
-    c_plain, d_plain, sweeps_plain = steady.steady_sliding.py_func(z, 3.0, 0.4, 1.0 / 0.6)
+    w, d, sweeps = steady.steady_sliding(z, 3.0, 0.4, 1.0 / 0.6)
+    w_plain, d_plain, sweeps_plain = steady.steady_sliding.py_func(z, 3.0, 0.4, 1.0 / 0.6)
     # Only the order of sums may differ by vectorization.
-    np.testing.assert_allclose(c, c_plain, rtol=1e-14, atol=1e-14)
+    np.testing.assert_allclose(w, w_plain, rtol=1e-14, atol=1e-14)
     assert d == pytest.approx(d_plain, rel=1e-14)
     assert abs(sweeps - sweeps_plain) <= 1
-    found = friction.quadrature(z, slope, c, d, 1.0, 1.1, 3.0)
-    plain = friction.quadrature.py_func(z, slope, c, d, 1.0, 1.1, 3.0)
+    found = friction.quadrature(z, slope, w, d, 1.0, 1.1, 3.0)
+    plain = friction.quadrature.py_func(z, slope, w, d, 1.0, 1.1, 3.0)
     assert found == pytest.approx(plain, rel=1e-13, abs=1e-13)

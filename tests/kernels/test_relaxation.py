@@ -52,18 +52,18 @@ class Jump:
         self.before, self.after = (
             SCHEMES[scheme](1.0 / (scene.m * scene.speed * ratio)) for ratio in (1, scene.ratio)
         )
-        self.c, self.d = self.steady(self.before)
+        self.w, self.d = self.steady(self.before)
         self.weight = lagged_slope(self.slope, self.after.lag)
 
     def steady(self, step):
-        """Return (c, d) of steady sliding."""
+        """Return (w, d) of steady sliding."""
         return steady_sliding(self.z, self.load, step.decay, step.stiffness)[:2]
 
     def march(self, record, cap=np.inf, rigid=None):
         """Return (mu, indentation, inside)."""
         constants = (self.after.decay, self.after.stiffness, self.load)
         mu, d, _, inside = march(
-            self.z, self.weight, self.c, self.d, *constants, np.asarray(record), cap, rigid
+            self.z, self.weight, self.w, self.d, *constants, np.asarray(record), cap, rigid
         )
         return mu, d, inside
 
@@ -149,7 +149,7 @@ def test_steady_sliding_stays_steady(scheme, m, hurst, load, speed):
     mu, d, inside = jump.march(np.arange(1, size(1000, 150) + 1), 1.01 * jump.d)
     assert inside
     np.testing.assert_allclose(d, jump.d, rtol=1e-12)
-    expected = step_average(jump.weight, jump.c, jump.d)
+    expected = step_average(jump.weight, jump.z - jump.w, jump.d)
     np.testing.assert_allclose(mu, expected, rtol=1e-10, atol=1e-11)
 
 
@@ -157,12 +157,12 @@ def test_steady_sliding_stays_steady(scheme, m, hurst, load, speed):
 @pytest.mark.parametrize("scene", SCENES[:4], ids=str)
 def test_march_ends_in_the_steady_state_of_the_new_speed(scene, scheme):
     jump = Jump(scene, scheme, elements=60)
-    c, d = jump.steady(jump.after)
+    w, d = jump.steady(jump.after)
     # 35 tau and at least two turns of the line: e^-35 is forgotten.
     steps = 2 * jump.z.size + int(35 * scene.m * scene.speed * scene.ratio)
     mu, found, _ = jump.march([1, steps], 1.2 * max(d, jump.d))
     assert found[1] == pytest.approx(d, rel=1e-11)
-    assert mu[1] == pytest.approx(step_average(jump.weight, c, d), rel=1e-9, abs=1e-10)
+    assert mu[1] == pytest.approx(step_average(jump.weight, jump.z - w, d), rel=1e-9, abs=1e-10)
     assert abs(found[0] / d - 1.0) > 1e-9  # it was not there from the start
 
 
@@ -176,9 +176,9 @@ def test_only_the_recorded_steps_are_kept():
 
 def test_arguments_are_left_alone():
     jump = Jump(SCENES[3], "exponential", elements=60)
-    kept = [a.copy() for a in (jump.z, jump.weight, jump.c)]
+    kept = [a.copy() for a in (jump.z, jump.weight, jump.w)]
     jump.march([50])
-    for before, now in zip(kept, (jump.z, jump.weight, jump.c), strict=True):
+    for before, now in zip(kept, (jump.z, jump.weight, jump.w), strict=True):
         np.testing.assert_array_equal(before, now)
 
 

@@ -30,7 +30,7 @@ CASES = [
 
 
 def solved(z, load, speed, m, scheme):
-    """Return the step and the steady state (c, d, sweeps); load = Fbar."""
+    """Return the step and the steady state (w, d, sweeps); load = Fbar."""
     step = SCHEMES[scheme](1.0 / (m * speed))
     return step, *steady_sliding(z, load * z.size, step.decay, step.stiffness)
 
@@ -47,8 +47,8 @@ def sinusoid(elements, m, amplitude):
 @pytest.mark.parametrize("m", [1, 2, 7])
 def test_sinusoid_in_full_contact_is_exact(scheme, m):
     z, slope, rms = sinusoid(32, m, 1.3)
-    _, c, d, _ = solved(z, 3.0, 2.0, m, scheme)
-    mu, rate, contact = quadrature(z, slope, c, d, 2.0, 2.0, 3.0 * z.size)
+    _, w, d, _ = solved(z, 3.0, 2.0, m, scheme)
+    mu, rate, contact = quadrature(z, slope, w, d, 2.0, 2.0, 3.0 * z.size)
     # Sums of waves over whole periods are exact: rounding alone is left.
     assert d == pytest.approx(3.0, rel=1e-13)
     assert mu == pytest.approx(full_contact_friction(rms, 2.0, 3.0), rel=1e-13)
@@ -62,8 +62,8 @@ def test_step_average_of_the_sinusoid_is_second_order(scheme):
     refinements, errors = np.array([16, 32, 64, 128, 256]), []
     for m in refinements:
         z, slope, rms = sinusoid(32, m, 1.3)
-        step, c, d, _ = solved(z, 3.0, 2.0, m, scheme)
-        mu = step_average(lagged_slope(slope, step.lag), c, d)
+        step, w, d, _ = solved(z, 3.0, 2.0, m, scheme)
+        mu = step_average(lagged_slope(slope, step.lag), z - w, d)
         errors.append([mu / full_contact_friction(rms, 2.0, 3.0) - 1.0])
     assert observed_order(refinements, np.array(errors)) == pytest.approx(2.0, abs=0.01)
     assert abs(errors[-1][0]) < 1e-6
@@ -74,8 +74,8 @@ def test_step_average_of_the_sinusoid_is_second_order(scheme):
 def test_any_spectrum_in_full_contact(scheme, hurst):
     z, slope = random_line(64, hurst, 2, seed=2)
     load, speed = 60.0, 3.0
-    _, c, d, _ = solved(z - z.mean(), load, speed, 2, scheme)
-    mu, _, contact = quadrature(z - z.mean(), slope, c, d, speed, speed, load * z.size)
+    _, w, d, _ = solved(z - z.mean(), load, speed, 2, scheme)
+    mu, _, contact = quadrature(z - z.mean(), slope, w, d, speed, speed, load * z.size)
     assert contact == 1.0
     assert d == pytest.approx(load, rel=1e-13)
     rms = rms_slope(amplitudes(hurst, 64), 64)
@@ -87,20 +87,20 @@ def test_any_spectrum_in_full_contact(scheme, hurst):
 @pytest.mark.parametrize(("hurst", "m", "load", "speed"), CASES)
 def test_state_is_that_of_an_element_carried_round_the_line(scheme, hurst, m, load, speed):
     z, _ = random_line(60, hurst, m, seed=3)
-    _, c, d, _ = solved(z, load, speed, m, scheme)
+    _, found, d, _ = solved(z, load, speed, m, scheme)
     u, w, expected = steady(z, load, constants(scheme, 1.0 / (m * speed))[0])
     # Bisection to one ulp; the force loses digits as the stiffness, at most 150 here.
     assert d == pytest.approx(expected, rel=1e-12)
-    np.testing.assert_allclose(z - c, w, atol=1e-12 * max(1.0, d))
-    np.testing.assert_allclose(z - np.maximum(c, d), u, atol=1e-12 * max(1.0, d))
+    np.testing.assert_allclose(found, w, atol=1e-12 * max(1.0, d))
+    np.testing.assert_allclose(np.minimum(found, z - d), u, atol=1e-12 * max(1.0, d))
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize(("hurst", "m", "load", "speed"), CASES)
 def test_balance_and_contact_conditions(scheme, hurst, m, load, speed):
     z, _ = random_line(60, hurst, m, seed=4)
-    step, c, d, sweeps = solved(z, load, speed, m, scheme)
-    u, w = z - np.maximum(c, d), z - c
+    step, w, d, sweeps = solved(z, load, speed, m, scheme)
+    u = np.minimum(w, z - d)
     force = step.stiffness * (w - u)
     rounding = 1e-15 * step.stiffness * d / load  # of w - u, relative to the mean force
     assert force.mean() == pytest.approx(load, rel=1e-14 + rounding)
@@ -117,12 +117,12 @@ def test_balance_and_contact_conditions(scheme, hurst, m, load, speed):
 @pytest.mark.parametrize("speed", [1e-4, 1.0, 1e3])
 def test_extreme_loads_and_speeds_need_few_sweeps(scheme, load, speed):
     z, slope = random_line(100, 0.7, 1, seed=5)
-    step, c, d, sweeps = solved(z, load, speed, 1, scheme)
+    step, w, d, sweeps = solved(z, load, speed, 1, scheme)
     assert sweeps <= 20  # convex Newton: about 5; rounding may creep by ulps at high speed
-    force = step.stiffness * np.maximum(0.0, d - c).mean()
-    # d - c is known to eps times the heights (1 here) or d, and multiplied by the stiffness.
+    force = step.stiffness * np.maximum(0.0, d - (z - w)).mean()
+    # The overlap is known to eps times the heights (1 here) or d, and multiplied by the stiffness.
     assert force == pytest.approx(load, rel=1e-12 + 1e-15 * step.stiffness * (1 + d / load))
-    assert np.isfinite(quadrature(z, slope, c, d, speed, speed, load * z.size)).all()
+    assert np.isfinite(quadrature(z, slope, w, d, speed, speed, load * z.size)).all()
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -130,8 +130,8 @@ def test_force_increases_convexly_with_the_indentation(scheme):
     z, _ = random_line(80, 0.7, 2, seed=6)
     step = SCHEMES[scheme](0.2)
     depths = np.linspace(0.05, 6.0, 40)
-    c = np.empty_like(z)
-    found = [sweep(z, d, step.decay, np.argmin(z), c)[:2] for d in depths]
+    w = np.empty_like(z)
+    found = [sweep(z, d, step.decay, np.argmin(z), w)[:2] for d in depths]
     force, slope = np.array(found).T
     assert np.all(np.diff(force) > 0.0)
     assert np.all(np.diff(slope) >= -1e-12)
@@ -144,23 +144,23 @@ def test_force_increases_convexly_with_the_indentation(scheme):
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_cyclic_shifts_change_nothing(scheme):
     z, _ = random_line(70, 0.5, 2, seed=7)
-    _, c, d, _ = solved(z, 0.1, 3.0, 2, scheme)
+    _, w, d, _ = solved(z, 0.1, 3.0, 2, scheme)
     for shift in (1, 33, 139):
-        _, c_shifted, d_shifted, _ = solved(np.roll(z, shift), 0.1, 3.0, 2, scheme)
+        _, w_shifted, d_shifted, _ = solved(np.roll(z, shift), 0.1, 3.0, 2, scheme)
         assert d_shifted == pytest.approx(d, rel=1e-13)  # sums in another order
-        np.testing.assert_allclose(c_shifted, np.roll(c, shift), rtol=1e-12, atol=1e-12)
+        np.testing.assert_allclose(w_shifted, np.roll(w, shift), rtol=1e-12, atol=1e-12)
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize(("hurst", "m", "load", "speed"), CASES)
 def test_mirror_image_moving_the_other_way_is_the_same(scheme, hurst, m, load, speed):
     z, slope = random_line(60, hurst, m, seed=8)
-    step, c, d, _ = solved(z, load, speed, m, scheme)
-    mu = step_average(lagged_slope(slope, step.lag), c, d)
+    step, w, d, _ = solved(z, load, speed, m, scheme)
+    mu = step_average(lagged_slope(slope, step.lag), z - w, d)
     mirrored, falling = z[::-1], -slope[::-1]
-    u, w, d_mirrored = steady(mirrored, load, step.decay, direction=-1)
+    u, free, d_mirrored = steady(mirrored, load, step.decay, direction=-1)
     acting = (1.0 - step.lag) * falling + step.lag * np.roll(falling, 1)
-    force = np.maximum(0.0, w - u)
+    force = np.maximum(0.0, free - u)
     assert d == pytest.approx(d_mirrored, rel=1e-12)
     # Friction points the other way; one ulp of w - u against the force, as above.
     assert mu == pytest.approx(-np.sum(force * acting) / np.sum(force), rel=1e-10)
@@ -168,16 +168,16 @@ def test_mirror_image_moving_the_other_way_is_the_same(scheme, hurst, m, load, s
 
 def test_vanishing_decay_is_the_elastic_contact():
     z, _ = random_line(90, 0.7, 1, seed=9)
-    c, d, _ = steady_sliding(z, 5.0, 0.0, 1.0)
-    np.testing.assert_array_equal(c, z)
+    w, d, _ = steady_sliding(z, 5.0, 0.0, 1.0)
+    np.testing.assert_array_equal(w, 0.0)
     assert d == pytest.approx(sorted_root(z, 5.0), rel=1e-13)
 
 
 def test_flat_line_carries_its_load_evenly():
     z = np.zeros(12)
     step = SCHEMES["exponential"](0.3)
-    c, d, _ = steady_sliding(z, 0.25 * 12, step.decay, step.stiffness)
+    w, d, _ = steady_sliding(z, 0.25 * 12, step.decay, step.stiffness)
     assert d == pytest.approx(0.25, rel=1e-14)
-    mu, rate, contact = quadrature(z, z, c, d, 2.0, 2.0, 0.25 * 12)
+    mu, rate, contact = quadrature(z, z, w, d, 2.0, 2.0, 0.25 * 12)
     assert (mu, contact) == (0.0, 1.0)
     assert abs(rate) < 1e-14

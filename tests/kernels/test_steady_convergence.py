@@ -20,9 +20,9 @@ OFFSETS = (0.0, 0.17, 0.31, 0.5, 0.73, 0.9)
 def estimates(z, slope, load, speed, m, scheme):
     """Return d, mu by quadrature and mu by step average; load = Fbar."""
     step = SCHEMES[scheme](1.0 / (m * speed))
-    c, d, _ = steady_sliding(z, load * z.size, step.decay, step.stiffness)
-    mu, _, _ = quadrature(z, slope, c, d, speed, speed, load * z.size)
-    return d, mu, step_average(lagged_slope(slope, step.lag), c, d)
+    w, d, _ = steady_sliding(z, load * z.size, step.decay, step.stiffness)
+    mu, _, _ = quadrature(z, slope, w, d, speed, speed, load * z.size)
+    return d, mu, step_average(lagged_slope(slope, step.lag), z - w, d)
 
 
 @pytest.fixture(scope="module", params=SCHEMES)

@@ -29,10 +29,10 @@ def work(z, slope, m, scheme):
     """Return the work done on the line per element, from mu and d of the kernels."""
     before, after = (SCHEMES[scheme](1.0 / (m * SPEED * r)) for r in (1.0, RATIO))
     load = LOAD * z.size
-    c, d, _ = steady_sliding(z, load, before.decay, before.stiffness)
+    w, d, _ = steady_sliding(z, load, before.decay, before.stiffness)
     weight = lagged_slope(slope, after.lag)
     record = np.arange(1, DURATION * m + 1)
-    mu, depth, _, _ = march(z, weight, c, d, after.decay, after.stiffness, load, record, np.inf)
+    mu, depth, _, _ = march(z, weight, w, d, after.decay, after.stiffness, load, record, np.inf)
     return LOAD * (mu.sum() / m + depth[-1] - d)  # v dt = dx / m
 
 
