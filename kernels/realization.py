@@ -170,9 +170,10 @@ def _relaxation(
     step = two.step
     weight = lagged_slope(line.slope, step.lag)
     final = step_average(weight, line.z - two.w, two.d)
-    # d stays between its steady values but for a transient; everything touches at worst.
+    # d stays between its steady values but for a transient. It never exceeds what one element
+    # needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.
     work = 0
-    for cap in (1.02 * max(one.d, two.d), np.inf):
+    for cap in (1.02 * max(one.d, two.d), 1.001 * max(one.d, load)):
         mu, _, passes, inside = march(
             line.z, weight, one.w, one.d, step.decay, step.stiffness, load, record, cap, rigid
         )

@@ -74,9 +74,9 @@ def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Data
             for kind, value in worst.items():
                 found[kind][place] = max(found[kind][place], value)
         advance(_map_seconds(settings))
-    dims = ("scheme", "load", "speed_ratio")
+    dims = ("scheme", "mean_load", "speed_ratio")
     data = {kind: (dims, values, _attributes(kind)) for kind, values in found.items()}
-    coords = {"scheme": list(SCHEMES), "load": loads, "speed_ratio": speeds}
+    coords = {"scheme": list(SCHEMES), "mean_load": loads, "speed_ratio": speeds}
     return xr.Dataset(data, coords, {"hurst": HURST, "elements": n, "steps_per_spacing": M})
 
 
@@ -101,7 +101,7 @@ def _corners(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.
                 "line": corner.line,
                 "elements": corner.elements,
                 "steps_per_spacing": motion.line.samples_per_spacing,
-                "load": motion.load,
+                "mean_load": motion.load,
                 "speed_ratio": np.pi * motion.speed,
                 "ratio": motion.ratio,
                 "scheme": motion.scheme,
@@ -119,7 +119,7 @@ def _attributes(name: str) -> dict[str, str]:
     """Return the attributes of a variable; residuals are relative."""
     known = KINDS | {
         "refinement": "|mu_1(2 m) - mu_1(m)| / rms slope",
-        "load": "Fbar = F_N / (4 G L h)",
+        "mean_load": "Fbar = F_N / (4 G L h)",
         "speed_ratio": "x = v1 tau q_max",
         "ratio": "v2 / v1",
     }
@@ -136,10 +136,10 @@ def table(result: Path) -> pd.DataFrame:
     with xr.open_dataset(result, group="corners") as data:
         frames.append(data.to_dataframe())
     cases = pd.concat(frames, ignore_index=True)
-    where = ["line", "elements", "steps_per_spacing", "load", "speed_ratio", "ratio", "scheme"]
+    where = ["line", "elements", "steps_per_spacing", "mean_load", "speed_ratio", "ratio", "scheme"]
     rows = []
     for kind, meaning in KINDS.items():
         worst = cases.loc[cases[kind].idxmax()]
-        rows.append({"kind": kind, "meaning": meaning, "cases": len(cases), "worst": worst[kind]})
-        rows[-1] |= {name: worst[name] for name in where}
+        row = {"kind": kind, "meaning": meaning, "cases": len(cases), "worst": worst[kind]}
+        rows.append(row | {name: worst[name] for name in where if worst[kind] > 0.0})
     return pd.DataFrame(rows)

@@ -80,7 +80,7 @@ def _march(motion, state, step, cap, steps, worst):
     """Return the indentations after each step by the kernels, marched as run_case does."""
     weight = lagged_slope(motion.line.slope, step.lag)
     record = np.arange(1, steps + 1)
-    for highest in (cap, np.inf):
+    for highest in (cap, 1.001 * max(state[1], motion.total)):
         constants = (step.decay, step.stiffness, motion.total, record, highest)
         mu, depths, _, inside = march(motion.line.z, weight, *state, *constants)
         if inside:
