@@ -45,6 +45,13 @@ fuzz: $(READY) ## Fuzz the reader of studies [FUZZ_SECONDS=600]
 test-nojit: $(READY) ## Run the tests of the kernels as plain Python
 	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)
 
+coverage: $(READY) ## Measure which lines the tests run: kernels as plain Python, workers too
+	$(BIN)/coverage erase
+	NUMBA_DISABLE_JIT=1 $(BIN)/coverage run -m pytest -q tests/kernels
+	$(BIN)/coverage run -m pytest -q tests/workflow tests/studies/test_plans.py
+	$(BIN)/coverage combine --quiet
+	$(BIN)/coverage report
+
 check: $(READY) ## Lint, formatting and the import contract
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .

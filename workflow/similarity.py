@@ -10,6 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import amplitudes, rms_slope
+from kernels.realization import LOADS, SPEEDS
+from workflow.errors import UserError
 from workflow.study import AXES, Study
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
@@ -34,14 +36,18 @@ def canonical(values: np.ndarray) -> np.ndarray:
 def distinct_problems(study: Study) -> tuple[list[Problem], np.ndarray]:
     """Return the distinct problems and, per grid point, the index of its problem.
 
-    The index array has the shape of the grid (study.AXES).
+    The index array has the shape of the grid (study.AXES). Raises UserError for loads and speeds
+    that the kernels refuse (kernels/realization.py).
     """
     axes = [np.array(study.grid[axis]) for axis in AXES]
     hurst, force, spacing, roughness, velocity, step = np.meshgrid(*axes, indexing="ij")
     elements = np.round(study.length / spacing).astype(int)
-    load = canonical(force / (4.0 * study.shear_modulus * study.length * roughness))
-    speed = canonical(velocity * study.relaxation_time / (study.length / elements))
-    ratio = canonical(1.0 + step)
+    with np.errstate(over="ignore", under="ignore", divide="ignore", invalid="ignore"):
+        load = force / (4.0 * study.shear_modulus * study.length * roughness)
+        speed = velocity * study.relaxation_time / (study.length / elements)
+    _check("normal_force", "F_N/(4 G L h)", load, LOADS)
+    _check("velocity", "v1 tau/dx", speed, SPEEDS)
+    load, speed, ratio = canonical(load), canonical(speed), canonical(1.0 + step)
     columns = [a.ravel().tolist() for a in (hurst, elements, load, speed, ratio)]
     found: dict[Problem, int] = {}
     index = [found.setdefault(Problem(*row), len(found)) for row in zip(*columns, strict=True)]
@@ -56,3 +62,13 @@ def pace(problem: Problem) -> float:
 @lru_cache
 def _slope(hurst: float, elements: int) -> float:
     return rms_slope(amplitudes(hurst, elements), elements)
+
+
+def _check(axis: str, name: str, values: np.ndarray, limits: tuple[float, float]) -> None:
+    """Raise UserError where a dimensionless number leaves its limits; NaN does."""
+    low, high = values.min(), values.max()
+    if not (limits[0] <= low and high <= limits[1]):
+        raise UserError(
+            f"grid.{axis}: {name} runs from {low:.3g} to {high:.3g}, but must lie between "
+            f"{limits[0]:g} and {limits[1]:g}"
+        )

@@ -1,0 +1,99 @@
+"""docs/limits.md: every refusal it lists is refused with these words, and none is missing.
+
+The examples are changes of the small study (small.py): settings as for --set, `--scale NAME`,
+`without TABLE.KEY`, `file TEXT` for the whole file.
+"""
+
+import ast
+import re
+import tomllib
+from pathlib import Path
+
+import pytest
+
+from tests.workflow.small import TEXT, small_study
+from tests.workflow.test_reader_fuzz import document
+from workflow.errors import UserError
+from workflow.plan import make_plan
+
+ROOT = Path(__file__).resolve().parents[2]
+DOCUMENT = ROOT / "docs" / "limits.md"
+CHECKED = (
+    "axes",
+    "place_reader",
+    "read_numerics",
+    "reader",
+    "resolution",
+    "settings",
+    "similarity",
+)
+ELSEWHERE = {"find_study"}  # its answers name all studies; see test_reader_errors.py
+
+
+def rows(title):
+    """Return the cells of the table below a title."""
+    text = DOCUMENT.read_text(encoding="utf-8").split(f"## {title}\n")[1].split("\n## ")[0]
+    lines = [line for line in text.splitlines() if line.startswith("|")][2:]
+    return [[cell.strip() for cell in line.strip("|").split(" | ")] for line in lines]
+
+
+REFUSALS = rows("Refusals of a study")
+
+
+def refuse(example):
+    """Return (message, places where it was raised) of a refused example."""
+    text, settings, scale = TEXT, [], None
+    if example.startswith("without "):
+        table, key = example.removeprefix("without ").split(".")
+        tables = tomllib.loads(TEXT)
+        del tables[table][key]
+        text = document(tables)
+    elif example.startswith("file "):
+        text = example.removeprefix("file ").replace("[ x 5000", "[" * 5000)
+    elif example.startswith("--scale "):
+        scale = example.removeprefix("--scale ")
+    else:
+        settings = example.split("; ")
+    with pytest.raises(UserError) as error:
+        make_plan(small_study(*settings, text=text, scale=scale))
+    message = re.sub(r"/\S*/small\.toml", "small.toml", str(error.value))
+    places = {(Path(str(entry.path)).stem, entry.lineno + 1) for entry in error.traceback}
+    return message, places
+
+
+@pytest.mark.parametrize("row", REFUSALS, ids=lambda row: row[2])
+def test_the_refusal_has_the_words_of_the_table(row):
+    _, supported, example, answer = row
+    assert supported
+    assert refuse(example.strip("`"))[0] == answer.strip("`")
+
+
+def raised(module):
+    """Return the source lines over which ``raise UserError`` statements of a module stretch."""
+    tree = ast.parse((ROOT / "workflow" / f"{module}.py").read_text(encoding="utf-8"))
+    return [
+        range(node.lineno, (node.end_lineno or node.lineno) + 1)
+        for part in tree.body
+        if getattr(part, "name", None) not in ELSEWHERE
+        for node in ast.walk(part)
+        if isinstance(node, ast.Raise) and "UserError" in ast.unparse(node)
+    ]
+
+
+def test_no_refusal_is_missing_from_the_table():
+    seen = set().union(*(refuse(row[2].strip("`"))[1] for row in REFUSALS))
+    missing = [
+        f"{module}.py:{lines[0]}"
+        for module in CHECKED
+        for lines in raised(module)
+        if not any((module, line) in seen for line in lines)
+    ]
+    assert not missing
+
+
+def test_other_refusals_have_the_words_of_the_source():
+    source = "".join(path.read_text(encoding="utf-8") for path in ROOT.glob("[kw]*/*.py"))
+    source = re.sub(r'"\s*\n\s*f?"', "", source)
+    for where, _, words in rows("Other refusals"):
+        for part in re.split(r"…", words.strip("`")):
+            assert part.strip() in source, (where, part)
