@@ -57,7 +57,7 @@ check: $(READY) ## Lint, formatting and the import contract
 	$(BIN)/ruff format --check .
 	$(BIN)/lint-imports
 
-bench: $(READY) ## Print what accuracy and effects cost, as ratios
+bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
 	$(BIN)/python -m tests.bench
 
 bench-cluster: $(READY) ## Print what scheduling costs, and the driver's memory over realizations

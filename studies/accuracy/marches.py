@@ -37,7 +37,7 @@ class NumpyMarch:
             d = brentq(excess, low, low + target, xtol=SEARCH)
             force = np.maximum(reach + d, 0.0)
             self.u = free - force
-            mu[step] = (force @ slope) / force.sum()
+            mu[step] = (force * slope).sum() / force.sum()  # not @: one thread only
         return mu
 
 
@@ -147,7 +147,7 @@ class TamaasMarch:
             self.slope = np.roll(self.slope, 1)
             self.solver.solve(self.load)
             pressure = self.model.traction
-            mu[step] = (pressure @ self.slope) / pressure.sum()
+            mu[step] = (pressure * self.slope).sum() / pressure.sum()
         return mu
 
 

@@ -90,9 +90,11 @@ def _by_regime(found: xr.Dataset) -> xr.Dataset:
     for number in range(len(REGIMES)):
         chosen = found.isel(point=regime == number)
         part = chosen[["steps", "realizations", "seconds"]]
-        # Points that no m serves count as the dearest; where they are many there is no answer.
-        upper = part.fillna(np.inf).quantile(0.75, "point", method="higher").drop_vars("quantile")
-        reached = np.isfinite(chosen.seconds).mean("point")
+        # Points that no m serves count as the dearest; those where nothing relaxes do not count.
+        answers = np.isfinite(chosen.seconds).any("target")
+        upper = part.fillna(np.inf).where(answers)
+        upper = upper.quantile(0.75, "point", method="higher").drop_vars("quantile")
+        reached = np.isfinite(chosen.seconds).sum("point") / answers.sum("point")
         rows.append(upper.where(np.isfinite(upper)).assign(reached=reached))
     together = xr.concat(rows, xr.Variable("regime", list(REGIMES)))
     return together.rename({name: f"{name}_of_regime" for name in together.data_vars})

@@ -107,7 +107,7 @@ def _rates(ax: Axes, groups: dict[str, xr.Dataset], scheme: str, hurst: float) -
     x = np.geomspace(0.02, 50.0, 100)
     ax.plot(x[x < 1], x[x < 1], "--", color="0.5", lw=0.9)
     ax.plot(x[x >= 1], x[x >= 1] ** (1.0 - hurst), "--", color="0.5", lw=0.9)
-    ax.annotate("eq. 13", (2.2, 4.2), fontsize=6.5, color="0.35")
+    ax.annotate("eq. 13", (0.045, 0.026), fontsize=6.5, color="0.35")
     ax.set(xscale="log", yscale="log", ylim=(0.02, 40.0))
 
 
