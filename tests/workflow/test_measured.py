@@ -161,6 +161,8 @@ def test_options_of_the_cluster_are_refused(study, capsys, option):
 
 def test_a_study_without_a_table_says_so(study, capsys):
     (study / "measure.py").write_text(MEASURE.partition("def table")[0])
+    main(["run", "powers"])
+    capsys.readouterr()
     assert "has no table" in refused(capsys, "table", "powers")
 
 
