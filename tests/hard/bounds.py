@@ -9,10 +9,11 @@ MARGIN = 16.0
 def bounds(motion) -> dict[str, float]:
     """Return the largest residual of each kind (studies/stability/probe.py) that is allowed.
 
-    Thresholds z - w and the indentation d are rounded to eps of their size; a step multiplies
-    their difference, the force, by the stiffness K. Relative to the load n Fbar the n' touching
-    elements lose eps K (n'^1/2 height + n' d) / (n Fbar); d itself loses eps height / d. And
-    K (1 - E) = 1, the force of an element at rest, holds to eps K.
+    Thresholds z - w, of samples no higher than the highest possible indentation, and the
+    indentation d are rounded to eps of their size; a step multiplies their difference, the
+    force, by the stiffness K. Relative to the load n Fbar the n' touching elements lose
+    eps K (n'^1/2 height + n' d) / (n Fbar); d itself loses eps height / d. And K (1 - E) = 1,
+    the force of an element at rest, holds to eps K.
     """
     stiffness, deepest, highest, touching = 1.0, np.inf, 0.0, 1
     for ratio in (1.0, motion.ratio):
@@ -21,7 +22,7 @@ def bounds(motion) -> dict[str, float]:
         stiffness = max(stiffness, step.stiffness)
         deepest, highest = min(deepest, d), max(highest, d)
         touching = max(touching, np.sum(motion.line.z - w < d))
-    height = motion.line.z.max()
+    height = min(motion.line.z.max(), max(highest, motion.total))
     lost = (np.sqrt(touching) * height + touching * highest) / motion.total
     force = MARGIN * EPS * (1.0 + stiffness * (1.0 + lost))
     depth = MARGIN * EPS * (1.0 + stiffness + height / deepest)

@@ -24,11 +24,11 @@ def kernel_march(line, point, steps):
     load = point.load * line.z.size
     dt = 1.0 / (line.samples_per_spacing * point.speed)
     one, two = SCHEMES["implicit-euler"](dt), SCHEMES["implicit-euler"](dt / 1.2)
-    c, d, _ = steady_sliding(line.z, load, one.decay, one.stiffness)
+    w, d, _ = steady_sliding(line.z, load, one.decay, one.stiffness)
     weight = lagged_slope(line.slope, 0.0)
-    steady = step_average(weight, c, d)
+    steady = step_average(weight, line.z - w, d)
     record = np.arange(1, steps + 1)
-    mu, *_ = march(line.z, weight, c, d, two.decay, two.stiffness, load, record, np.inf)
+    mu, *_ = march(line.z, weight, w, d, two.decay, two.stiffness, load, record, np.inf)
     return steady, mu, dt
 
 
