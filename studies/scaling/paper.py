@@ -1,0 +1,63 @@
+"""A whole study on a virtual cluster: real plan, flow, shelf, store and journal, no kernels.
+
+Runs in a process of its own (processes.alone), so that its memory is that of a driver.
+"""
+
+import tempfile
+import time
+from operator import attrgetter
+from pathlib import Path
+from resource import RUSAGE_SELF, getrusage
+
+from workflow.flow import stream
+from workflow.journal import size
+from workflow.plan import batch_target, batches, make_plan
+from workflow.reader import read_study
+from workflow.shelf import Shelf
+from workflow.store import Store
+
+from .pretend import pretend
+from .virtual import Costs, VirtualClient, virtual_time
+
+MEBIBYTE = 2**20
+
+
+def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[str, float]:
+    """Return what the study takes on so many workers; sizes in MiB, times in s."""
+    began = time.process_time()
+    plan = make_plan(read_study(study, scale))
+    target = batch_target(sum(batch.seconds for batch in batches(plan, ())))
+    planned = time.process_time() - began
+    client = VirtualClient(workers, Costs(*costs), attrgetter("seconds"))
+    longest = 0.0
+    began = time.process_time()
+    with tempfile.TemporaryDirectory() as folder:
+        store = Store(Path(folder))
+        with virtual_time(client), Shelf(store, target) as shelf:
+            for batch, done in stream(client, pretend, batches(plan, store, target)):
+                shelf.add(batch, done)
+                longest = max(longest, batch.seconds)
+        spent = time.process_time() - began
+        memory = getrusage(RUSAGE_SELF).ru_maxrss / 1024
+        began = time.process_time()
+        indexed = len(Store(Path(folder)).place)
+        indexing = time.process_time() - began
+        journal = size(Path(folder))
+    if indexed != len(store.place):
+        raise RuntimeError(f"{study}: the journal tells of {indexed} of {len(store.place)} rows")
+    return {
+        "points": plan.points,
+        "realizations": sum(len(v.tasks) for v in plan.variants) * plan.study.realizations,
+        "planning": planned,
+        "batches": client.tasks,
+        "longest_batch": longest,
+        "wall": client.now,
+        "work": client.busy,
+        "efficiency": client.efficiency,
+        "shards": len(store.sizes),
+        "store": sum(store.sizes.values()) / MEBIBYTE,
+        "journal": journal / MEBIBYTE,
+        "driver_memory": memory,
+        "driver_seconds": spent / client.tasks,  # measured: flow, index, shards; no network
+        "indexing": indexing,
+    }

@@ -1,0 +1,100 @@
+"""The simulated cluster: work is conserved, and a saturated one follows the formula."""
+
+from operator import pos
+
+import pytest
+import xarray as xr
+from matplotlib import pyplot as plt
+
+from studies.scaling.real import durations, simulated
+from studies.scaling.virtual import Costs, VirtualClient, virtual_time
+from workflow.cli import main
+from workflow.flow import PER_THREAD, stream
+
+COSTS = Costs(scheduler=2e-3, driver=5e-4, latency=1e-3)
+FREE = Costs(scheduler=0.0, driver=0.0, latency=0.0)
+
+
+@pytest.mark.parametrize("workers", [1, 7, 300])
+def test_every_task_is_done_once_and_no_work_is_lost(workers):
+    items = durations(0.5, 1000, 1)
+    with virtual_time(VirtualClient(workers, COSTS, pos)) as client:
+        done = [item for item, _ in stream(client, pos, items)]
+    assert sorted(done) == sorted(items)
+    assert client.tasks == len(items)
+    assert client.busy == pytest.approx(sum(items), rel=1e-12)
+    assert client.now >= max(client.busy / workers, max(items))
+
+
+def test_efficiency_falls_with_the_workers():
+    found = [simulated(w, durations(0.2, 30 * w, 1), COSTS).efficiency for w in (10, 100, 1000)]
+    assert 1.0 > found[0] > found[1] > found[2]
+
+
+def test_efficiency_grows_with_the_batch():
+    found = [simulated(200, durations(s, 6000, 1), COSTS).efficiency for s in (0.1, 1.0, 10.0)]
+    assert found[0] < found[1] < found[2] < 1.0
+
+
+@pytest.mark.parametrize("costs", [COSTS, COSTS._replace(scheduler=5e-4, driver=2e-3)])
+def test_saturated_cluster_does_as_many_tasks_as_its_slowest_server(costs):
+    workers, mean = 1000, 0.2
+    client = simulated(workers, durations(mean, 30 * workers, 1), costs)
+    rate = 1.0 / max(costs.scheduler, costs.driver)
+    assert workers / mean > 5.0 * rate  # what the workers could do
+    assert client.tasks / client.now == pytest.approx(rate, rel=0.05)
+    assert client.efficiency == pytest.approx(mean * rate / workers, rel=0.05)
+
+
+def test_nothing_is_lost_where_nothing_costs():
+    client = simulated(1, durations(2.0, 50, 1), FREE)
+    assert client.efficiency == pytest.approx(1.0, abs=1e-3)
+
+
+def test_no_more_is_in_flight_than_the_window():
+    sent = []
+
+    def source():
+        for number in range(1000):
+            sent.append(number)
+            yield 1.0
+
+    with virtual_time(VirtualClient(10, COSTS, pos)) as client:
+        for count, _ in enumerate(stream(client, pos, source())):
+            assert len(sent) - count <= PER_THREAD * 10 + 10  # and the results not yet yielded
+
+
+@pytest.fixture(scope="module")
+def result(tmp_path_factory):
+    """Run the smoke study; return its result file."""
+    folder = tmp_path_factory.mktemp("scaling")
+    assert main(["run", "scaling", "--scale", "smoke", "--out", str(folder)]) == 0
+    return folder / "scaling.nc"
+
+
+def test_figure_and_table_are_written(result):
+    words = ("scaling", "--scale", "smoke", "--out", str(result))
+    try:
+        assert main(["figure", *words]) == 0
+    finally:
+        plt.close("all")
+    assert main(["table", *words]) == 0
+    assert result.with_suffix(".png").stat().st_size > 20_000
+    assert result.with_suffix(".csv").read_text().startswith("study,workers,")
+
+
+def test_the_same_work_is_done_by_any_number_of_workers(result):
+    with xr.open_dataset(result, group="studies") as studies:
+        work = studies.work.values
+        assert work == pytest.approx(work[:, :1] * [[1.0] * work.shape[1]], rel=1e-9)
+        assert (studies.wall * studies.workers >= studies.work).all()
+        assert (studies.efficiency.diff("workers") < 0.0).all()
+        assert (studies.shards <= studies.batches).all()
+
+
+def test_real_workers_are_busy_no_more_than_always(result):
+    with xr.open_dataset(result, group="real") as real:
+        assert ((real.efficiency >= 0.0) & (real.efficiency < 1.0)).all()
+        assert (real.scheduler_cpu > 0.0).all()
+    with xr.open_dataset(result) as uniform:
+        assert 0.0 < uniform.overhead < 1.0
