@@ -7,7 +7,7 @@ import xarray as xr
 
 from . import discretisation as disc
 from .errors import QUANTITIES
-from .points import Point, surface
+from .points import Point, Surface, surface
 from .sampling import Method, run
 from .sampling_error import COUNTS, sampling_errors
 
@@ -24,69 +24,30 @@ def warm_up() -> None:
             run(point, [surface(point, 64, 0, 0)], Method(scheme, 2, single))
 
 
+# name: (dimensions, long_name, unit)
+DECLARED = {
+    "error": ("point scheme steps quantity", "rms error over lines; rate: of the mean curve", "1"),
+    "bias": ("point scheme steps quantity", "error of the mean over lines, signed", "1"),
+    "bias_error": ("point scheme steps quantity", "standard error of the bias", "1"),
+    "seconds": ("point scheme steps part", "CPU time per realization, median", "s"),
+    "order": ("point scheme quantity", "measured order of convergence in 1/m", "1"),
+    "reference_error": ("point quantity", "stated error of the reference", "1"),
+    "deviation": ("point quantity", "standard deviation of one realization", "1"),
+    "multilevel_gain": ("point target sampled", "cost of plain over multilevel Monte Carlo", "1"),
+    "single_error": ("point single_steps quantity", "error with the line in float32", "1"),
+    "single_time": ("point single_steps part", "CPU time with float32 over float64", "1"),
+}
+
+
 def discretisations(
     points: tuple[Point, ...], settings: dict, seed: int, advance: Callable[[], None]
 ) -> xr.Dataset:
-    """Return errors, times, orders and what follows from them for all points."""
-    top = [disc.ladder_steps(point, settings["finest"]) for point in points]
-    steps = max(top, key=len)
-    shape = (len(points), 2, len(steps), 4)
-    data = {name: np.full(shape, np.nan) for name in ("error", "bias", "bias_error")}
-    data["seconds"] = np.full((*shape[:3], 2), np.nan)
-    data["order"] = np.full((len(points), 2, 4), np.nan)
-    data["reference_error"] = np.full((len(points), 4), np.nan)
-    data["deviation"] = np.full((len(points), 4), np.nan)
-    data["multilevel_gain"] = np.full((len(points), len(TARGETS), 3), np.nan)
-    data["single_error"] = np.full((len(points), len(SINGLE_STEPS), 4), np.nan)
-    data["single_time"] = np.full((len(points), len(SINGLE_STEPS), 2), np.nan)
-    for k, point in enumerate(points):
-        surfaces = [surface(point, settings["elements"], seed, i) for i in range(settings["lines"])]
-        limit = disc.reference(point, surfaces, settings["finest"])
-        data["reference_error"][k] = limit.error
-        for s, scheme in enumerate(disc.SCHEMES):
-            ladder = disc.climb(point, surfaces, scheme, top[k], limit)
-            rows = slice(0, len(top[k]))
-            data["error"][k, s, rows] = [e.rms for e in ladder.errors]
-            data["bias"][k, s, rows] = [e.bias for e in ladder.errors]
-            data["bias_error"][k, s, rows] = [e.bias_error for e in ladder.errors]
-            data["seconds"][k, s, rows] = ladder.seconds
-            data["order"][k, s] = disc.orders(ladder, limit)
-            if s == 0:
-                data["deviation"][k] = disc.spread(ladder)
-                data["multilevel_gain"][k] = disc.gains(ladder, TARGETS)
-                found = disc.single_precision(point, surfaces, ladder, limit, SINGLE_STEPS)
-                data["single_error"][k], data["single_time"][k] = found
-        advance()
-    return _labelled(points, data, steps)
+    """Return errors, times, orders and what follows from them for all points.
 
-
-def _labelled(points: tuple[Point, ...], data: dict[str, np.ndarray], steps: list[int]):
-    dims = {
-        "error": ("point", "scheme", "steps", "quantity"),
-        "bias": ("point", "scheme", "steps", "quantity"),
-        "bias_error": ("point", "scheme", "steps", "quantity"),
-        "seconds": ("point", "scheme", "steps", "part"),
-        "order": ("point", "scheme", "quantity"),
-        "reference_error": ("point", "quantity"),
-        "deviation": ("point", "quantity"),
-        "multilevel_gain": ("point", "target", "sampled"),
-        "single_error": ("point", "single_steps", "quantity"),
-        "single_time": ("point", "single_steps", "part"),
-    }
-    names = {
-        "error": "rms error over lines, relative (rate: bias; curve: relative to the jump)",
-        "bias": "error of the mean over lines, relative, signed",
-        "bias_error": "standard error of the bias",
-        "seconds": "CPU time per realization, median",
-        "order": "measured order of convergence in 1/m",
-        "reference_error": "stated error of the extrapolated reference, relative",
-        "deviation": "standard deviation of one realization, relative",
-        "multilevel_gain": "cost of plain over multilevel Monte Carlo at equal error",
-        "single_error": "error with the line in float32",
-        "single_time": "CPU time with the line in float32 over that with float64",
-    }
-    coords = {
-        **point_coords(points),
+    Errors are relative, those of curves to the jump.
+    """
+    steps = max((disc.ladder_steps(p, settings["finest"]) for p in points), key=len)
+    coords = point_coords(points) | {
         "scheme": list(disc.SCHEMES),
         "steps": ("steps", steps, {"long_name": "m, steps and samples per spacing"}),
         "quantity": list(QUANTITIES),
@@ -95,14 +56,34 @@ def _labelled(points: tuple[Point, ...], data: dict[str, np.ndarray], steps: lis
         "sampled": list(QUANTITIES[:3]),
         "single_steps": list(SINGLE_STEPS),
     }
-    units = {"seconds": "s"}
-    return xr.Dataset(
-        {
-            name: (dims[name], values, {"long_name": names[name], "units": units.get(name, "1")})
-            for name, values in data.items()
-        },
-        coords,
-    )
+    data = xr.Dataset(coords=coords)
+    for name, (dims, text, unit) in DECLARED.items():
+        empty = np.full([data.sizes[dim] for dim in dims.split()], np.nan)
+        data[name] = (dims.split(), empty, {"long_name": text, "units": unit})
+    for k, point in enumerate(points):
+        surfaces = [surface(point, settings["elements"], seed, i) for i in range(settings["lines"])]
+        _fill(data, k, point, surfaces, settings["finest"])
+        advance()
+    return data
+
+
+def _fill(data: xr.Dataset, k: int, point: Point, surfaces: list[Surface], finest: int) -> None:
+    """Measure point number k and enter it."""
+    limit = disc.reference(point, surfaces, finest)
+    data["reference_error"][k] = limit.error
+    steps = disc.ladder_steps(point, finest)
+    rows = slice(0, len(steps))
+    ladders = [disc.climb(point, surfaces, scheme, steps, limit) for scheme in disc.SCHEMES]
+    for s, ladder in enumerate(ladders):
+        data["error"][k, s, rows] = [e.rms for e in ladder.errors]
+        data["bias"][k, s, rows] = [e.bias for e in ladder.errors]
+        data["bias_error"][k, s, rows] = [e.bias_error for e in ladder.errors]
+        data["seconds"][k, s, rows] = ladder.seconds
+        data["order"][k, s] = disc.orders(ladder, limit)
+    data["deviation"][k] = disc.spread(ladders[0])
+    data["multilevel_gain"][k] = disc.gains(ladders[0], TARGETS)
+    found = disc.single_precision(point, surfaces, ladders[0], limit, SINGLE_STEPS)
+    data["single_error"][k], data["single_time"][k] = found
 
 
 def point_coords(points: tuple[Point, ...]) -> dict:

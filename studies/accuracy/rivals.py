@@ -7,10 +7,10 @@ import xarray as xr
 
 from . import discretisation as disc
 from .alternatives import affordable, available, run_march
-from .errors import QUANTITIES, compare, observe
+from .errors import QUANTITIES, Reference, compare, observe
 from .ladders import PARTS, point_coords
 from .marches import MARCHES
-from .points import Point, surface
+from .points import Point, Surface, surface
 from .sampling import seconds
 from .space import separate
 
@@ -35,22 +35,19 @@ def alternatives(
         if available(name):  # compile and load before anything is timed
             run_march(name, WARM, [surface(WARM, 64, seed, i) for i in range(2)], 2)
     for k, point in enumerate(points):
-        elements, lines = settings["elements"], settings["march_lines"]
-        surfaces = [surface(point, elements, seed, i) for i in range(lines)]
+        surfaces = [
+            surface(point, settings["elements"], seed, i) for i in range(settings["march_lines"])
+        ]
         limit = disc.reference(point, surfaces, settings["finest"])
         own = disc.climb(point, surfaces, "exponential", top[k], limit)
         error[k, 0, : len(top[k])] = [e.rms for e in own.errors]
         time[k, 0, : len(top[k])] = own.seconds
         for row, name in enumerate(MARCHES, start=1):
-            wanted = affordable(name, point, elements, settings["march_updates"])
+            wanted = affordable(name, point, settings["elements"], settings["march_updates"])
             for column, m in enumerate(w for w in wanted if w in steps and available(name)):
-                try:
-                    runs = run_march(name, point, surfaces, m)
-                except ArithmeticError:
-                    continue
-                found = observe(point, elements, runs, limit.limit.mu_1.size, limit.end)
-                error[k, row, column] = compare(found, limit).rms
-                time[k, row, column] = seconds(runs)
+                error[k, row, column], time[k, row, column] = _marched(
+                    name, point, surfaces, m, limit
+                )
         advance()
     coords = point_coords(points) | {
         "solver": list(SOLVERS),
@@ -65,6 +62,18 @@ def alternatives(
         {"error": ((*dims, "quantity"), error, texts), "seconds": ((*dims, "part"), time, timed)},
         coords,
     )
+
+
+def _marched(
+    name: str, point: Point, surfaces: list[Surface], steps: int, limit: Reference
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return errors (QUANTITIES,) and times (2,) of an alternative; NaN where it fails."""
+    try:
+        runs = run_march(name, point, surfaces, steps)
+    except ArithmeticError:
+        return np.full(4, np.nan), np.full(2, np.nan)
+    found = observe(point, surfaces[0].elements, runs, limit.limit.mu_1.size, limit.end)
+    return compare(found, limit).rms, seconds(runs)
 
 
 def space(points: tuple[Point, ...], settings: dict, seed: int) -> xr.Dataset:
