@@ -86,8 +86,16 @@ DAMAGE = {
 }
 
 
-@pytest.mark.parametrize("suffix", [".nbi", ".nbc"])
-@pytest.mark.parametrize("damage", DAMAGE)
+@pytest.mark.parametrize(
+    ("suffix", "damage"),
+    [
+        (".nbi", "truncated"),
+        (".nbi", "zeros"),
+        (".nbc", "empty"),
+        (".nbc", "truncated"),
+        (".nbc", "a flipped bit"),
+    ],
+)
 def test_damaged_machine_code_is_made_again(cold, suffix, damage):
     folder, found = cold
     for path in files(folder, suffix):
