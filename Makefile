@@ -63,6 +63,13 @@ bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accu
 bench-cluster: $(READY) ## Print what scheduling costs, and the driver's memory over realizations
 	$(BIN)/python -m tests.cluster.overhead
 
+mutation: $(READY) ## Mutate the contact step, test every mutant (hours; edits kernels/contact.py, then restores it)
+	$(BIN)/python -m pip install --quiet 'cosmic-ray>=8.4'
+	$(BIN)/cosmic-ray init --force tests/mutation.toml results/mutation.sqlite
+	$(BIN)/cr-filter-operators results/mutation.sqlite tests/mutation.toml
+	$(BIN)/cosmic-ray exec tests/mutation.toml results/mutation.sqlite
+	$(BIN)/cr-report --surviving-only results/mutation.sqlite
+
 clean: ## Remove .venv and caches, keep results
 	rm -rf $(VENV) .pytest_cache .ruff_cache .hypothesis .import_linter_cache *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +
