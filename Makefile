@@ -7,7 +7,7 @@ SCALE  ?=
 ARGS   ?=
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench bench-cluster clean
+.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench bench-cluster mutation clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -63,9 +63,9 @@ bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accu
 bench-cluster: $(READY) ## Print what scheduling costs, and the driver's memory over realizations
 	$(BIN)/python -m tests.cluster.overhead
 
-mutation: $(READY) ## Mutate the contact step, test every mutant (hours; edits kernels/contact.py, then restores it)
+mutation: $(READY) ## Mutate the contact step, test every mutant (hours; edits it, then restores it)
 	$(BIN)/python -m pip install --quiet 'cosmic-ray>=8.4'
-	$(BIN)/cosmic-ray init --force tests/mutation.toml results/mutation.sqlite
+	$(BIN)/cosmic-ray init tests/mutation.toml results/mutation.sqlite
 	$(BIN)/cr-filter-operators results/mutation.sqlite tests/mutation.toml
 	$(BIN)/cosmic-ray exec tests/mutation.toml results/mutation.sqlite
 	$(BIN)/cr-report --surviving-only results/mutation.sqlite
