@@ -17,6 +17,7 @@ import numba
 import numpy as np
 
 from kernels.jit import source_hash
+from workflow import timing
 from workflow.cost import TYPICAL, Curve, Rates
 from workflow.durable import write_durably
 from workflow.errors import UserError
@@ -34,8 +35,9 @@ class Calibration(NamedTuple):
 
 def calibration_file() -> Path:
     """Return where the rates of these kernels on this processor are kept."""
+    method = Path(timing.__file__).read_bytes()
     what = (source_hash(), machine(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
-    name = hashlib.sha256(repr(what).encode()).hexdigest()[:16]
+    name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
     return Path(numba.config.CACHE_DIR) / f"rates-{name}.json"
 
 

@@ -7,8 +7,9 @@ measured by calibration.py.
 import math
 from typing import NamedTuple
 
-DRIVER_BYTES = 265e6  # interpreter and libraries of the process that plans and collects
+DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 200e6  # interpreter, libraries, machine code
+LOOK = 0.2  # of a sweep: finding the samples that touch
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
 BYTES_PER_TASK = 2000  # of the plan
 BYTES_PER_RECORD = 1  # many share an entry of the index
@@ -39,7 +40,7 @@ class Rates(NamedTuple):
 
     draw: Curve  # phases, two FFTs, shifts
     sweep: Curve  # one pass of a steady state
-    quadrature: Curve  # friction of a steady state, or a jump
+    quadrature: Curve  # friction of a steady state, or a jump, over the samples that touch
     setup: Curve  # of a march, over the samples of the line
     step: Curve  # of a march, over the samples that are marched
     case: float  # s, calls from Python
@@ -49,7 +50,7 @@ class Rates(NamedTuple):
 TYPICAL = Rates(
     draw=Curve((2e3, 2e4, 2e5), (2.4e-4, 1.1e-3, 1.1e-2)),
     sweep=Curve((2e3, 2e4, 2e5), (1.2e-5, 8.5e-5, 9.0e-4)),
-    quadrature=Curve((2e3, 2e4, 2e5), (1.2e-5, 6.0e-5, 8.0e-4)),
+    quadrature=Curve((2e3, 2e4, 2e5), (4.5e-5, 4.2e-4, 4.5e-3)),
     setup=Curve((2e3, 2e4, 2e5), (2.0e-5, 1.7e-4, 1.7e-3)),
     step=Curve((6e1, 2e3, 2e4, 2e5), (4.0e-7, 8.0e-6, 8.0e-5, 8.5e-4)),
     case=1.2e-4,
@@ -90,10 +91,11 @@ def case_seconds(rates: Rates, work: Load) -> float:
     """Return the predicted time of one case on a line that exists."""
     n = work.samples
     states = work.steady_states * sweeps(work.load, work.pace) * rates.sweep(n)
-    friction = (work.steady_states + work.jumps) * rates.quadrature(n)
+    touching = n * touchable_share(work.hurst, work.load, work.pace)
+    look = LOOK * rates.sweep(n)
+    friction = (work.steady_states + work.jumps) * (look + rates.quadrature(touching))
     march = 0.0
     if work.steps:
-        touching = n * touchable_share(work.hurst, work.load, work.pace)
         march = rates.setup(n) + work.steps * rates.step(touching)
     return rates.case + states + friction + march
 

@@ -35,6 +35,7 @@ SHORTEST = 60
 FEW, MANY = 4, 24  # steps: their difference is free of what a march does once
 SECONDS = 0.05  # per measurement, at least 3 calls
 HURST, LOAD, SPEED, STEPS = 0.7, 0.1, 1.0, 4
+ALL_TOUCHING = 30.0  # load
 
 
 def machine() -> str:
@@ -79,13 +80,15 @@ def _at(samples: int) -> dict[str, float]:
         return seconds(call)
 
     few, many = marching(FEW), marching(MANY)
+    whole = ALL_TOUCHING * samples
+    touching, deep, *_ = steady_sliding(line.z, whole, step.decay, step.stiffness)
     each = max(many - few, 0.1 * many) / (MANY - FEW)
     steady = seconds(lambda: steady_sliding(line.z, load, step.decay, step.stiffness))
     return {
         "draw": seconds(lambda: _line(samples)),
         "sweep": steady / sweeps,
         "quadrature": seconds(
-            lambda: quadrature(line.z, line.slope, w, d, SPEED, 1.2 * SPEED, load)
+            lambda: quadrature(line.z, line.slope, touching, deep, SPEED, 1.2 * SPEED, whole)
         ),
         "setup": max(few - FEW * each, 0.1 * few),
         "step": each,

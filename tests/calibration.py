@@ -1,0 +1,159 @@
+"""`make calibration`: are the stated errors true? Takes some minutes; exit status 1 where not.
+
+Many small independent studies of the same points: the intervals value +- t * error, with t of
+Student for the degrees of freedom in the file, must hold the reference (the mean of all studies
+together) as often as they claim, within three binomial errors. Studies that took realizations in
+rounds until an accuracy was met are held to the same.
+"""
+
+import sys
+from concurrent.futures import ProcessPoolExecutor
+from typing import NamedTuple
+
+import numpy as np
+from scipy.stats import t as student
+
+from kernels import Quantities, amplitudes, rms_slope
+from workflow.attained import attained
+from workflow.batch import Batch, Task, block_means
+from workflow.fits import FITTED
+from workflow.goal import GROUPS, Goal
+from workflow.reduction import Blocks, Estimates, reduce_blocks
+from workflow.resolution import horizon_steps, record_steps, record_times, steps_per_spacing
+from workflow.rounds import next_blocks
+from workflow.similarity import Problem
+from workflow.statistics import grouped_means
+from workflow.study import Numerics, Scene
+
+SEED = 8
+STUDIES, LINES = 160, 256  # independent studies, lines of each at most
+POINTS = {  # name: problem, accuracy that takes a few rounds
+    "H=0.7 x=10": (Problem(0.7, 500, 0.05, 10.0 / np.pi, 1.2), 0.05),
+    "H=0.3 x=30": (Problem(0.3, 500, 0.05, 30.0 / np.pi, 1.2), 0.05),
+    "H=0.5 x=3, light": (Problem(0.5, 500, 0.005, 3.0 / np.pi, 1.2), 0.05),
+    "H=0 x=3": (Problem(0.0, 500, 0.1, 3.0 / np.pi, 1.2), 0.02),
+}
+SIZES = {10: 10, 20: 20, 50: 50, 128: GROUPS, 256: GROUPS}  # realizations: groups of them
+NAMES = ("mu_1", "jump", "relaxation_rate")
+LEVELS = (0.68, 0.95)
+SAMPLES = 64
+ALL = ("steady", "jump", "relaxation")
+
+
+class Lines(NamedTuple):
+    """All lines of one point."""
+
+    scalars: np.ndarray  # shape (studies, lines, scalars)
+    curves: np.ndarray  # shape (studies, lines, samples - 1)
+    time: np.ndarray  # shape (samples - 1,)
+    slope: float
+
+
+def compute(problem: Problem, seed: int = SEED) -> Lines:
+    """Run all lines of all studies of a point."""
+    steps = steps_per_spacing(problem, Scene(), Numerics())
+    march = horizon_steps(problem, Numerics(), steps)
+    task = Task(problem, steps, march, "")
+    count = STUDIES * LINES
+    batch = Batch(seed, "modal", Quantities(), "exponential", SAMPLES, (task,), 0, count, 1, 0.0)
+    done = block_means(batch)
+    recorded = record_steps(march, SAMPLES)
+    time = np.full(SAMPLES - 1, np.nan)
+    pace = problem.speed * problem.ratio * steps
+    time[: recorded.size] = record_times(recorded, pace, "exponential")
+    shape = (STUDIES, LINES, -1)
+    slope = rms_slope(amplitudes(problem.hurst, problem.elements), problem.elements)
+    return Lines(done.scalars.reshape(shape), done.curves.reshape(shape), time, slope)
+
+
+def estimates(lines: Lines, studies: np.ndarray, size: int, groups: int) -> Estimates:
+    """Return the estimates of some studies from the first ``size`` lines of each."""
+    blocks = [
+        np.stack([grouped_means(whole[study, :size], groups) for study in studies])
+        for whole in (lines.scalars, lines.curves)
+    ]
+    count = len(studies)
+    slopes = np.full(count, lines.slope)
+    return reduce_blocks(Blocks(*blocks, np.tile(lines.time, (count, 1)), slopes, ALL))
+
+
+def reference(lines: Lines) -> Estimates:
+    """Return the estimates from all lines of all studies, each study a block."""
+    blocks = (whole.mean(axis=1)[None] for whole in (lines.scalars, lines.curves))
+    return reduce_blocks(Blocks(*blocks, lines.time[None], np.array([lines.slope]), ALL))
+
+
+def stopped(lines: Lines, problem: Problem, wanted: float) -> tuple[Estimates, np.ndarray]:
+    """Return the estimates of studies that took rounds to an accuracy, and the lines they took."""
+    goal = Goal(0, dict.fromkeys(NAMES, 0.0), 0.0)
+    size = np.full(STUDIES, GROUPS)
+    going = np.arange(STUDIES)
+    found: Estimates = {}
+    while going.size:
+        for count in np.unique(size[going]):
+            some = going[size[going] == count]
+            part = estimates(lines, some, int(count), GROUPS)
+            for name, values in part.items():
+                found.setdefault(name, np.empty((STUDIES, *values.shape[1:]), values.dtype))
+                found[name][some] = values
+        goals, ratios = [goal] * going.size, np.full(going.size, problem.ratio)
+        judged = attained({n: v[going] for n, v in found.items()}, goals, ratios, wanted)
+        most = LINES // GROUPS * GROUPS
+        grown = [
+            next_blocks(int(n), float(g), most)
+            for n, g in zip(size[going], judged.growth, strict=True)
+        ]
+        again = np.array(grown) > size[going]
+        size[going] = grown
+        going = going[again]
+    return found, size
+
+
+def coverage(found: Estimates, truth: Estimates, name: str, freedom: int) -> tuple[np.ndarray, int]:
+    """Return how often the intervals of LEVELS hold the reference, and in how many studies."""
+    known = np.isfinite(found[name]) & np.isfinite(found[f"{name}_error"])
+    off = np.abs(found[name] - truth[name]) / found[f"{name}_error"]
+    return np.array([np.mean(off[known] <= quantile(p, freedom)) for p in LEVELS]), int(known.sum())
+
+
+def quantile(level: float, freedom: int) -> float:
+    """Return the half width of an interval in standard errors."""
+    return float(student.ppf(0.5 + 0.5 * level, freedom))
+
+
+def row(what: str, found: Estimates, truth: Estimates, freedom: int) -> bool:
+    """Print the coverage of all estimates; return whether all are as claimed."""
+    cells, sound = [], True
+    for name in NAMES:
+        shares, studies = coverage(found, truth, name, freedom)
+        tolerance = 3.0 * np.sqrt(np.array(LEVELS) * (1.0 - np.array(LEVELS)) / max(studies, 1))
+        good = studies == 0 or bool(np.all(np.abs(shares - LEVELS) <= tolerance))
+        sound &= good
+        cells.append(f"{shares[0]:5.2f} {shares[1]:5.2f} {studies:4d}{' ' if good else '*'}")
+    print(f"  {what:32s}" + "   ".join(cells))
+    return sound
+
+
+def main() -> int:
+    """Print the table; return 1 where intervals do not hold what they claim."""
+    sound = True
+    print(f"Share of {STUDIES} studies whose 68 % and 95 % intervals hold the reference")
+    print(f"  {'realizations':32s}" + "   ".join(f"{name:17s}" for name in NAMES))
+    with ProcessPoolExecutor() as pool:
+        work = pool.map(compute, [problem for problem, _ in POINTS.values()])
+        for (name, (problem, wanted)), lines in zip(POINTS.items(), work, strict=True):
+            truth = reference(lines)
+            assert truth["fit_status"][0] == FITTED
+            print(f"{name}, F = {problem.load:g}")
+            for size, groups in SIZES.items():
+                found = estimates(lines, np.arange(STUDIES), size, groups)
+                sound &= row(f"{size} in {groups} blocks", found, truth, groups - 1)
+            found, sizes = stopped(lines, problem, wanted)
+            what = f"rounds to {wanted:.0%}, {sizes.mean():.0f} on average"
+            sound &= row(what, found, truth, GROUPS - 1)
+    print("as claimed" if sound else "* : off by more than three binomial errors")
+    return 0 if sound else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())
