@@ -7,7 +7,7 @@ SCALE  ?=
 ARGS   ?=
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench bench-cluster mutation clean
+.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench bench-cluster mutation calibration clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -69,6 +69,9 @@ mutation: $(READY) ## Mutate the contact step, test every mutant (hours; edits i
 	$(BIN)/cr-filter-operators results/mutation.sqlite tests/mutation.toml
 	$(BIN)/cosmic-ray exec tests/mutation.toml results/mutation.sqlite
 	$(BIN)/cr-report --surviving-only results/mutation.sqlite
+
+calibration: $(READY) ## Check that stated errors are true, over many small studies (minutes)
+	$(BIN)/python -m tests.calibration
 
 clean: ## Remove .venv and caches, keep results
 	rm -rf $(VENV) .pytest_cache .ruff_cache .hypothesis .import_linter_cache *.egg-info
