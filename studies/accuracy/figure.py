@@ -15,7 +15,7 @@ from .panels import LIMITS, NAMES, draw_ladders, milliseconds, name_regimes
 
 def draw(result: Path) -> Figure:
     """Return the figure of a result file of this study."""
-    with xr.open_groups(result)["/"] as data:
+    with xr.open_dataset(result) as data:
         figure, axes = plt.subplots(3, 3, figsize=(7.4, 7.8), layout="constrained")
         for ax, (name, label) in zip(axes.flat, NAMES.items(), strict=False):
             draw_ladders(ax, data, name)

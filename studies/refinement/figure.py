@@ -1,5 +1,6 @@
 """Refinement of figure 7 in time: what of its left branch is physics, and what the time step."""
 
+import json
 from pathlib import Path
 
 import matplotlib as mpl
@@ -27,7 +28,7 @@ PHYSICS = (
 
 def draw(result: Path) -> Figure:
     """Return the figure of a result file of this study."""
-    groups = {name.strip("/"): data for name, data in xr.open_groups(result).items()}
+    groups = _load(result)
     hursts = groups[""].hurst.values[[0, -1]] if groups[""].hurst.size > 2 else groups[""].hurst
     figure, axes = plt.subplots(
         2, 3, figsize=(7.4, 5.4), sharex=True, layout="constrained", squeeze=False
@@ -51,9 +52,17 @@ def draw(result: Path) -> Figure:
         groups[""],
         f"shown: F_N = {force:g} N; missing markers: no fit, nothing relaxes there",
     )
-    for data in groups.values():
-        data.close()
     return figure
+
+
+def _load(result: Path) -> dict[str, xr.Dataset]:
+    """Return group -> dataset; "" is the study itself, the others are its comparisons."""
+    with xr.open_dataset(result) as data:
+        groups = {"": data.load()}
+    for name in json.loads(groups[""].attrs["study"])["compare"]:
+        with xr.open_dataset(result, group=name) as data:
+            groups[name] = data.load()
+    return groups
 
 
 def _at(data: xr.Dataset, hurst: float) -> xr.Dataset:

@@ -174,6 +174,8 @@ def test_figure_and_table(result, capsys):
         assert main(["figure", "accuracy", "--scale", "smoke", "--out", str(result)]) == 0
     finally:
         plt.close("all")
+    assert main(["report", "accuracy", "--out", str(result.parent)]) == 0
+    plt.close("all")
     assert main(["table", "accuracy", "--out", str(result)]) == 0
     rows = result.with_suffix(".csv").read_text().splitlines()
     assert rows[0].startswith("point,sampled,target,")
