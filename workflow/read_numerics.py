@@ -12,6 +12,7 @@ NUMERICS = (
     *("scheme", "steps_per_spacing", "samples", "horizon"),
     *("accuracy", "max_realizations"),
 )
+LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
 ACCURACIES = (1e-4, 0.3)  # beyond the one nothing is in reach, beyond the other no law holds
 
 
@@ -31,7 +32,9 @@ def read_variants(tables: dict) -> dict[str, Numerics]:
 def _numerics(where: str, table: dict) -> Numerics:
     default = Numerics()
     steps = table.get("steps_per_spacing", "auto")
-    horizon = number(f"{where}.horizon", table.get("horizon", default.horizon))
+    accuracy = _accuracy(where, table)
+    usual = LONG_HORIZON if accuracy and accuracy < 0.01 else default.horizon
+    horizon = number(f"{where}.horizon", table.get("horizon", usual))
     if not 1.0 <= horizon <= 100.0:
         raise UserError(f"{where}.horizon = {horizon!r}: must lie between 1 and 100")
     most = table.get("max_realizations", default.max_realizations)
@@ -42,7 +45,7 @@ def _numerics(where: str, table: dict) -> Numerics:
         ),
         samples=integer(f"{where}.samples", table.get("samples", default.samples), 8, 10_000),
         horizon=horizon,
-        accuracy=_accuracy(where, table),
+        accuracy=accuracy,
         max_realizations=integer(f"{where}.max_realizations", most, 1),
     )
     if found.accuracy and found.scheme != default.scheme and not found.steps_per_spacing:

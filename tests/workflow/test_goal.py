@@ -114,3 +114,11 @@ def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
         assert blocks % GROUPS == 0
         assert GROUPS <= wanted.first[key] <= blocks
     assert wanted.records > plain.records
+
+
+def test_below_one_percent_the_march_is_longer_unless_a_horizon_is_given():
+    settings = (), ("numerics.accuracy=0.01",), ("numerics.accuracy=0.005",)
+    horizons = [small_study(*some).variants[""].horizon for some in settings]
+    assert horizons == [4.0, 4.0, 6.0]
+    given = small_study("numerics.accuracy=0.005", "numerics.horizon=3")
+    assert given.variants[""].horizon == 3.0
