@@ -56,6 +56,15 @@ def test_a_good_guess_needs_few_passes():
         assert solve_indentation(c, 20.0, nearby)[1] <= 4
 
 
+def test_a_set_that_repeats_ends_the_search_at_the_second_pass():
+    """Going on until rounding stops the fall would cost a third pass now and then."""
+    for seed in range(200):
+        c = np.random.default_rng(seed).normal(size=30)
+        guess = sorted_root(c, 20.0) * (1.0 + 1e-9)
+        assert solve_indentation(c, 20.0, guess)[1] == 2
+        assert solve_indentation(c, 20.0, guess, np.ones(30))[1] == 2
+
+
 @QUICK
 @given(c=THRESHOLDS, target=LOADS, guess=HEIGHTS)
 def test_the_root_balances_the_load(c, target, guess):
