@@ -34,7 +34,7 @@ def test_root_is_that_of_the_sorted_sums(n, mean_load):
 @pytest.mark.parametrize("n", [1, 5, 8, 13, 64, 67])
 def test_overlap_counts_and_sums_the_touching_elements(n):
     c = np.random.default_rng(n).normal(size=n)
-    for d in (-5.0, 0.1, 5.0):
+    for d in (-5.0, 0.1, 5.0, *c):  # an element at d itself does not touch
         total, count = overlap(c, d)
         assert count == np.sum(c < d)
         assert total == pytest.approx(force(c, d), rel=1e-14)
