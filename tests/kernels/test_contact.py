@@ -145,6 +145,10 @@ def test_a_load_below_rounding_is_carried_by_the_lowest_element(guess, stiffness
     assert d == 1.0 + EPS  # it touches: friction must not become 0/0
 
 
+def test_passes_are_counted_from_the_first():
+    assert solve_indentation(np.array([1.0, 2.0]), 1e-17, 1.0)[1] == 1
+
+
 def test_rounding_below_every_threshold_does_not_go_round_for_ever():
     """Newton's method fell below the ties at 1, was lifted above the others, and so on."""
     c = np.array([1.0, 1.0, 1.0, 1.0, 1.0 + EPS, 1.0 + EPS, 1.0 + EPS])
