@@ -90,7 +90,7 @@ def _studies(ax: Axes, studies: xr.Dataset) -> None:
             text = (
                 f"{float(at.efficiency):.1%}   {duration(float(at.wall))}   {int(at.shards)} shards"
             )
-            ax.text(place, 0.03, text, rotation=90, ha="center", va="bottom", fontsize=6.5)
+            ax.text(place, 0.06, text, rotation=90, ha="center", va="bottom", fontsize=6.5)
     planning = ", ".join(
         f"{name} {float(studies.planning.sel(study=name).max()):.1f} s"
         for name in studies.study.values
@@ -123,4 +123,5 @@ def _simulated_memory(ax: Axes, studies: xr.Dataset) -> None:
             ms=4,
             label=label,
         )
-    ax.set_ylim(bottom=0)
+    ax.set_xlim(500.0, 1e8)
+    ax.set_ylim(0.0, 1.25 * ax.get_ylim()[1])
