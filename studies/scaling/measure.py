@@ -133,7 +133,7 @@ def _uniform(settings: dict, costs: Costs, seed: int) -> xr.Dataset:
     for i, mean in enumerate(settings["uniform_seconds"]):
         for j, workers in enumerate(settings["uniform_workers"]):
             client = simulated(workers, durations(mean, TASKS_PER_WORKER * workers, seed), costs)
-            efficiency[i, j], rate[i, j] = client.efficiency, client.tasks / client.now
+            efficiency[i, j], rate[i, j] = client.efficiency, client.tasks / client.wall
     dims = ("seconds", "workers")
     coords = {"seconds": list(settings["uniform_seconds"])}
     coords["workers"] = list(settings["uniform_workers"])

@@ -51,7 +51,7 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
         "planning": planned,
         "batches": client.tasks,
         "longest_batch": longest,
-        "wall": client.now,
+        "wall": client.wall,
         "work": client.busy,
         "efficiency": client.efficiency,
         "shards": len(store.sizes),

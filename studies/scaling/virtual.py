@@ -17,6 +17,8 @@ from unittest.mock import patch
 
 from workflow import flow, shelf
 
+BEGAN = 1000.0  # s; no clock of a machine starts at zero with a program, and flow looks at once
+
 
 class Costs(NamedTuple):
     """What one task costs besides its own time (s)."""
@@ -42,7 +44,7 @@ class VirtualClient:
 
     def __init__(self, workers: int, costs: Costs, duration: Callable[[Any], float]) -> None:
         self.workers, self.costs, self.duration = workers, costs, duration
-        self.now = 0.0
+        self.now = BEGAN
         self.busy = 0.0  # worker-seconds spent on tasks
         self.tasks = 0  # done
         self._threads = dict.fromkeys(range(workers), 1)
@@ -57,7 +59,12 @@ class VirtualClient:
     @property
     def efficiency(self) -> float:
         """Busy worker time over workers times the time that has passed."""
-        return self.busy / (self.workers * self.now)
+        return self.busy / (self.workers * self.wall)
+
+    @property
+    def wall(self) -> float:
+        """Time that has passed (s)."""
+        return self.now - BEGAN
 
     def nthreads(self) -> dict[int, int]:
         """Return threads per worker."""

@@ -23,7 +23,7 @@ def test_every_task_is_done_once_and_no_work_is_lost(workers):
     assert sorted(done) == sorted(items)
     assert client.tasks == len(items)
     assert client.busy == pytest.approx(sum(items), rel=1e-12)
-    assert client.now >= max(client.busy / workers, max(items))
+    assert client.wall >= max(client.busy / workers, max(items))
 
 
 def test_efficiency_falls_with_the_workers():
@@ -42,13 +42,18 @@ def test_saturated_cluster_does_as_many_tasks_as_its_slowest_server(costs):
     client = simulated(workers, durations(mean, 30 * workers, 1), costs)
     rate = 1.0 / max(costs.scheduler, costs.driver)
     assert workers / mean > 5.0 * rate  # what the workers could do
-    assert client.tasks / client.now == pytest.approx(rate, rel=0.05)
+    assert client.tasks / client.wall == pytest.approx(rate, rel=0.05)
     assert client.efficiency == pytest.approx(mean * rate / workers, rel=0.05)
 
 
 def test_nothing_is_lost_where_nothing_costs():
     client = simulated(1, durations(2.0, 50, 1), FREE)
     assert client.efficiency == pytest.approx(1.0, abs=1e-3)
+
+
+def test_all_workers_are_busy_from_the_start():
+    client = simulated(500, [100.0] * 500, COSTS)
+    assert client.wall == pytest.approx(100.0, rel=0.03)  # one wave
 
 
 def test_no_more_is_in_flight_than_the_window():
