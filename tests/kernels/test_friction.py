@@ -173,7 +173,7 @@ def slow(z, slope, load, speed, m):
     return mu + elastic_correction(z, slope, w, d, speed, rate, m) / (load * z.size)
 
 
-@pytest.mark.parametrize("speed", [0.1, 1.0])
+@pytest.mark.parametrize("speed", [0.01, 0.1])
 def test_corrected_friction_of_the_parabola_converges_as_the_sum_does(speed):
     normal, tangential = parabola_forces(DEPTH, RADIUS, speed)
     errors = []
