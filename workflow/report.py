@@ -65,11 +65,13 @@ def write_report(folder: Path, names: list[str]) -> Path:
     if not present:
         wanted = ", ".join(study.name for study in studies)
         raise UserError(f"{folder}: holds no result of {wanted}; first run: make study-NAME")
+    # netCDF does not survive a file opened again while several of its groups are open: draw first.
+    drawn = {study.name: _drawn(study, _result(folder, study)) for study in present}
     with contextlib.ExitStack() as stack:
         groups = {s.name: open_result(s, _result(folder, s), stack) for s in present}
         named = {f"{n}{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
         try:
-            sections = [_section(study, folder, groups[study.name]) for study in present]
+            sections = [_section(s, groups[s.name], *drawn[s.name]) for s in present]
             claims = evaluate(named)
         except (OSError, RuntimeError) as error:  # of netCDF, which reads late
             raise UserError(f"{folder}: a result cannot be read: {error}") from error
@@ -90,13 +92,18 @@ def _result(folder: Path, study: Study | Measured) -> Path:
     return folder / f"{study.name}.nc"
 
 
-def _section(study: Study | Measured, folder: Path, groups: dict[str, xr.Dataset]) -> Section:
-    data = groups[ROOT]
-    image, trouble = None, ""
+def _drawn(study: Study | Measured, result: Path) -> tuple[Image | None, str]:
+    """Return the figure of a result, or what is wrong with it."""
     try:
-        image = _image(draw_figure(study, _result(folder, study))[0])
+        return _image(draw_figure(study, result)[0]), ""
     except UserError as error:
-        trouble = str(error)
+        return None, str(error)
+
+
+def _section(
+    study: Study | Measured, groups: dict[str, xr.Dataset], image: Image | None, trouble: str
+) -> Section:
+    data = groups[ROOT]
     return Section(
         name=study.name,
         title=str(data.attrs["title"]),

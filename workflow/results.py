@@ -34,11 +34,6 @@ def open_result(
         raise UserError(f"{path}: cannot be read as netCDF: {error}") from error
     for dataset in groups.values():
         stack.enter_context(dataset)
-    if isinstance(study, Measured):  # small files; their figures open them again, which netCDF
-        for dataset in groups.values():  # does not survive with several groups of one file open
-            dataset.load()
-        for dataset in groups.values():
-            dataset.close()
     root = groups[ROOT]
     if not root.attrs.keys() >= MARKS or _flat(root.attrs["study"]) is None:
         raise UserError(f"{path}: is not a result of this program")
