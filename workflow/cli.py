@@ -129,7 +129,7 @@ def _checked(options: argparse.Namespace) -> tuple[Study | Measured, Path]:
     from workflow.results import check_result
 
     study, result = _study(options)
-    check_result(study, result, asked=bool(options.scale or options.set))
+    check_result(study, result, asked=bool(options.scale or options.set or options.accuracy))
     return study, result
 
 

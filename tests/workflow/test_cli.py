@@ -184,3 +184,27 @@ def test_wrong_usage_has_exit_status_two(capsys, arguments):
 def test_a_line_too_long_is_one_line(capsys, tmp_path):
     path = write_study(tmp_path, TEXT.replace("velocity = [0.03, 0.1]", "velocity = 1e-9"))
     assert "samples per line" in complaint(capsys, "plan", path)
+
+
+@pytest.mark.parametrize("text", ["5%", "0.05"])
+def test_an_accuracy_on_the_command_line_is_the_setting(capsys, study, text):
+    by_option = output(capsys, "plan", study, "--accuracy", text)
+    assert by_option == output(capsys, "plan", study, "--set", "numerics.accuracy=0.05")
+    assert by_option != output(capsys, "plan", study)
+
+
+def test_an_accuracy_that_is_no_number_is_refused(capsys, study):
+    expected = "error: --accuracy fine: must be a number such as 1% or 0.01\n"
+    assert complaint(capsys, "plan", study, "--accuracy", "fine") == expected
+    assert "numerics.accuracy = 2.0: must lie between" in complaint(
+        capsys, "plan", study, "--accuracy", "200%"
+    )
+
+
+def test_a_result_of_another_accuracy_is_not_drawn(capsys, study, tmp_path):
+    out = ("--out", str(tmp_path))
+    assert main(["run", study, "--workers", "1", *out]) == 0
+    capsys.readouterr()
+    assert "other settings than asked for: numerics.accuracy" in complaint(
+        capsys, "table", study, "--accuracy", "5%", *out
+    )
