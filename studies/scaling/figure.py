@@ -73,7 +73,16 @@ def _validation(ax: Axes, real: xr.Dataset) -> None:
         ax.plot(chosen.seconds, chosen.simulated_efficiency, "-", color=colour)
         label = f"{int(workers)} workers"
         ax.plot(chosen.seconds, chosen.efficiency, MARKERS[number], color=colour, ms=4, label=label)
-    ax.set(xscale="log", xlabel="mean batch (s)", ylabel="busy share of workers", ylim=(0, 1.05))
+    ax.set(
+        xscale="log",
+        xlabel="mean batch (s)",
+        xlim=(0.1, 4.0),
+        ylabel="busy share of workers",
+        ylim=(0, 1.05),
+    )
+    ax.set_xlim(0.1, 4.0)
+    ax.set_xticks([0.1, 0.2, 0.5, 1.0, 2.0], ["0.1", "0.2", "0.5", "1", "2"])
+    ax.tick_params(which="minor", labelbottom=False)
     ax.set_title("(b) real, sleeping workers; simulated (lines)", loc="left")
     ax.legend(loc="lower right")
 

@@ -5,10 +5,10 @@ Runs in a process of its own (processes.alone).
 
 import tempfile
 from pathlib import Path
-from resource import RUSAGE_SELF, getrusage
 from unittest.mock import patch
 
 from workflow import runner
+from workflow.memory import peak_bytes
 from workflow.plan import batches, make_plan
 from workflow.reader import read_study
 
@@ -53,5 +53,5 @@ def measured(realizations: int) -> dict[str, float]:
             summary = runner.run_plan(plan, Path(folder) / "points.nc", how)
     return {
         "batches": summary.batches,
-        "memory": getrusage(RUSAGE_SELF).ru_maxrss / 1024,
+        "memory": peak_bytes() / 2**20,
     }

@@ -7,10 +7,10 @@ import tempfile
 import time
 from operator import attrgetter
 from pathlib import Path
-from resource import RUSAGE_SELF, getrusage
 
 from workflow.flow import stream
 from workflow.journal import size
+from workflow.memory import peak_bytes
 from workflow.plan import batch_target, batches, make_plan
 from workflow.reader import read_study
 from workflow.shelf import Shelf
@@ -38,7 +38,7 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
                 shelf.add(batch, done)
                 longest = max(longest, batch.seconds)
         spent = time.process_time() - began
-        memory = getrusage(RUSAGE_SELF).ru_maxrss / 1024
+        memory = peak_bytes() / MEBIBYTE
         began = time.process_time()
         indexed = len(Store(Path(folder)).place)
         indexing = time.process_time() - began
