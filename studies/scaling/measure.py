@@ -18,7 +18,8 @@ from .real import LATENCY, Costs, durations, measured, simulated
 OF_A_RUN = ("workers", "seconds", "tasks", "wall", "efficiency")
 OF_CPU = ("scheduler_cpu", "driver_cpu", "workers_cpu")
 TASKS_PER_WORKER = 30  # of the uniform batches
-SECONDS_PER_BATCH = 2e-4  # of the driver of a simulated study: outline
+SECONDS_PER_BATCH = 1.3e-4  # of the driver of a simulated study: outline
+SECONDS_TO_PLAN = 1e-4  # per task of it
 SECONDS_PER_TASK = 8e-3  # of all processes of a real cluster
 
 
@@ -76,9 +77,10 @@ def outline(settings: dict) -> tuple[list[str], float]:
 
 def _study_seconds(name: str, settings: dict) -> float:
     plan = make_plan(read_study(name, settings["scale"]))
-    total = sum(batch.seconds for batch in batches(plan, ()))
-    number = min(plan.records, total / batch_target(total) + len(plan.variants[0].tasks))
-    return len(settings["workers"]) * (1e-4 * plan.problems + SECONDS_PER_BATCH * number)
+    target = batch_target(sum(batch.seconds for batch in batches(plan, ())))
+    number = sum(1 for _ in batches(plan, (), target))
+    tasks = sum(len(variant.tasks) for variant in plan.variants)
+    return len(settings["workers"]) * (SECONDS_TO_PLAN * tasks + SECONDS_PER_BATCH * number)
 
 
 def measure(settings: dict, seed: int, advance) -> dict[str, xr.Dataset]:
