@@ -29,21 +29,21 @@ def sweep(z, d, decay, deepest, w):
     total = 0.0
     slope = 0.0
     touching = 0
-    j = deepest
-    for _ in range(z.size):
-        j = j - 1 if j > 0 else z.size - 1
-        free = decay * u if u < -NEGLIGIBLE else 0.0
-        du *= decay
-        gap = z[j] - d
-        w[j] = free
-        if gap < free:
-            total += free - gap
-            slope += 1.0 - du
-            touching += 1
-            u = gap
-            du = 1.0
-        else:
-            u = free
+    # Two plain loops round the period: a test for the end of the line in one loop costs time.
+    for first, last in ((deepest - 1, -1), (z.size - 1, deepest - 1)):
+        for j in range(first, last, -1):
+            free = decay * u if u < -NEGLIGIBLE else 0.0
+            du = decay * du if du > NEGLIGIBLE else 0.0
+            gap = z[j] - d
+            w[j] = free
+            if gap < free:
+                total += free - gap
+                slope += 1.0 - du
+                touching += 1
+                u = gap
+                du = 1.0
+            else:
+                u = free
     return total, slope, touching
 
 

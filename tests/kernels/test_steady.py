@@ -141,6 +141,46 @@ def test_force_increases_convexly_with_the_indentation(scheme):
     assert np.all(secant <= slope[1:] + 1e-11)
 
 
+def plain(kernel):
+    """Return the Python function of a kernel, compiled or not."""
+    return getattr(kernel, "py_func", kernel)
+
+
+def test_decay_never_leaves_subnormal_numbers():
+    """Where decay > 1/2 the smallest subnormal times decay rounds back to itself, for ever."""
+    products = []
+
+    class Watched(float):
+        def __mul__(self, other):
+            products.append(abs(float(self) * other))
+            return float(self) * other
+
+    z = np.full(3000, 5.0)
+    z[2998] = 0.0  # one element touches, all others decay for almost the whole period
+    w = np.empty_like(z)
+    total, slope, touching = plain(sweep)(z, 1.0, Watched(0.7), 2998, w)
+    assert (total, slope, touching) == (1.0, 1.0, 1)
+    assert len(products) > 2000
+    assert min(p for p in products if p > 0.0) > 1e-300
+
+
+@pytest.mark.parametrize("deepest", [0, 1, 40, 78, 79])
+def test_one_sweep_visits_every_sample_once_wherever_it_starts(deepest):
+    z = 2.0 + np.cos(np.arange(80) * 0.31)
+    z[deepest] = 0.0
+    w = np.full_like(z, np.nan)
+    total, _, touching = sweep(z, 1.4, 0.8, deepest, w)
+    u = z[deepest] - 1.4
+    expected = 0.0
+    for k in range(1, 81):  # upstream, so that the deepest sample comes last
+        j = (deepest - k) % 80
+        assert w[j] == 0.8 * u
+        u = min(w[j], z[j] - 1.4)
+        expected += w[j] - u
+    assert total == pytest.approx(expected, rel=1e-14)
+    assert touching == np.sum(np.minimum(w, z - 1.4) < w)
+
+
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_cyclic_shifts_change_nothing(scheme):
     z, _ = random_line(70, 0.5, 2, seed=7)
