@@ -16,7 +16,8 @@ STATUS_COMMENT = (
     "no_relaxation: mu after the first step differs from mu_2 by less than three standard errors "
     "or by rounding; not_exponential: eq. 6 leaves over a fifth of the sum of squares; "
     "undetermined: it decays, but b is less than three of its standard errors (noise, or too short "
-    "a window); not_finite: the curve holds NaN or inf; fewer than 18 blocks need more than three"
+    "a window), or does not differ between blocks; not_finite: the curve holds NaN or inf; fewer "
+    "than 15 blocks need more than three"
 )
 
 WINDOW_END = 0.05  # the window ends where the deviation has fallen to this share

@@ -18,6 +18,11 @@ EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
 MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
 DECISIVE = 2.0  # standard errors by which a model must beat eq. 6
 ROUNDING = 1e-9  # gains below it are rounding
+# What the samples can determine at all, whatever a fit says.
+SLOWEST = 1e-3  # rate times the whole time: below, the curve is a constant
+FASTEST = 30.0  # (rate times time of the second sample)^beta: above, rounding alone is left there
+FALL = 58.0  # exp(-s) falls from 95 % to 5 % while s grows by this factor
+LEAST_CHANGE = 0.1  # of log (b t)^beta over the samples: below, the curve is a constant
 
 
 class Model(NamedTuple):
@@ -85,7 +90,9 @@ def compare_models(
         fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)
         b, beta = np.exp(fits[STRETCHED][:, 1:]).T
         fast, slow, share = _ordered(fits[TWO_EXPONENTIALS])
-        known = {STRETCHED: (b, beta), TWO_EXPONENTIALS: (fast, slow, share, fast - slow)}
+        b[~determined(time / span, b, beta)] = np.nan
+        fast[~determined(time / span, fast)] = slow[~determined(time / span, slow)] = np.nan
+    known = {STRETCHED: (b, beta), TWO_EXPONENTIALS: (fast, slow, share, fast - slow)}
     better = {}
     for code, values in known.items():
         if _decisive(gains[code], len(blocks)) and all(map(significant, values)):
@@ -103,6 +110,23 @@ def compare_models(
         gains[STRETCHED],
         gains[TWO_EXPONENTIALS],
     )
+
+
+def determined(
+    time: np.ndarray, rate: np.ndarray, exponent: np.ndarray | float = 1.0
+) -> np.ndarray:
+    """Return where samples at these times can determine the coefficients of exp(-(b t)^beta).
+
+    A fit may run away to coefficients at which the curve no longer depends on them: a fall between
+    two samples or before the first, a curve that is a constant. Such coefficients mean nothing,
+    even where every replicate agrees on them. Shape and units: rate per unit of time.
+    """
+    with np.errstate(all="ignore"):  # whatever a fit ran away to
+        fall = FALL ** (1.0 / np.asarray(exponent))  # factor of time in which 95 % become 5 %
+        change = exponent * np.log(time[-1] / time[0])
+        left = (rate * time[1]) ** exponent < FASTEST
+        seen = fall > 1.0 + rate * (time[1] - time[0])  # not between two samples
+        return (rate * time[-1] > SLOWEST) & left & seen & (change > LEAST_CHANGE)
 
 
 def _fits_and_gains(

@@ -10,6 +10,7 @@ from scipy.special import stdtrit
 
 SIGNIFICANCE = 3.0  # standard errors a number must exceed
 CHANCE = 0.01  # with few blocks: share of nothings that may pass by chance
+ROUNDING = 1e-14  # a standard error below this share of its value is rounding, not a spread
 
 
 def grouped_means(blocks: np.ndarray, groups: int) -> np.ndarray:
@@ -55,8 +56,11 @@ def errors_needed(blocks: int, many: float = SIGNIFICANCE, chance: float = CHANC
 def significant(values: np.ndarray) -> bool:
     """Return whether an estimate, replicates of shape (blocks + 1,), differs from zero.
 
-    NaN in the estimate or in one replicate is not significant.
+    NaN in the estimate or in one replicate is not significant. Nor is an estimate whose replicates
+    agree to rounding: random lines always differ, so the data do not enter it, as where a fit has
+    run to the same end in every replicate.
     """
     with np.errstate(over="ignore", invalid="ignore"):
         error = standard_error(values, 0)
-    return bool(abs(values[0]) > errors_needed(values.size - 1) * error)
+        spread = error > ROUNDING * abs(values[0])
+    return bool(spread and abs(values[0]) > errors_needed(values.size - 1) * error)

@@ -18,7 +18,8 @@ def exponential_blocks(tasks=3, blocks=5, samples=33, quantities=QUANTITIES, see
     mu_1 = 1.0 + 0.1 * rng.standard_normal((tasks, blocks))
     share = 1.0 + 0.1 * rng.standard_normal((tasks, blocks))
     mu_2 = mu_1 + STEP
-    decay = np.exp(-rate[:, None] * time)[:, None, :]
+    each = rate[:, None] * (1.0 + 1e-8 * rng.standard_normal((tasks, blocks)))  # a spread, if small
+    decay = np.exp(-each[..., None] * time[:, None, :])
     curves = mu_2[..., None] + share[..., None] * (JUMP - STEP) * decay
     contact = rng.random((tasks, blocks))
     indentation = rng.standard_normal((tasks, blocks))

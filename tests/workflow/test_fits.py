@@ -20,8 +20,15 @@ SHARE = np.linspace(0.0, 4.0, 63)
 
 
 def fit(deviation, time=SHARE, blocks=4, slope=1.0):
-    """Fit one curve without noise: all replicates are equal."""
-    return fit_relaxation(time, np.tile(deviation, (blocks + 1, 1)), slope)
+    """Fit one curve whose replicates differ by just enough to have a spread."""
+    return fit_relaxation(time, spread(deviation, blocks), slope)
+
+
+def spread(deviation, blocks=4):
+    """Return a curve, then replicates of it that differ by 1e-10."""
+    noise = np.random.default_rng(3).standard_normal((blocks + 1, len(deviation)))
+    noise[0] = 0.0
+    return deviation * (1.0 + 1e-10 * noise)
 
 
 def noisy(rng, rate, amplitude, noise, blocks=40):
@@ -141,8 +148,19 @@ def test_what_does_not_decay_is_not_exponential(name):
     assert np.isnan([*found.rate, *found.amplitude, *found.rate_free, found.quality]).all()
 
 
+def test_a_curve_whose_replicates_are_all_equal_is_not_fitted():
+    equal = np.tile(np.exp(-SHARE), (5, 1))
+    assert fit_relaxation(SHARE, equal, 1.0).status == NO_RELAXATION
+
+
+def test_a_rate_whose_replicates_are_all_equal_is_undetermined():
+    amplitude = np.array([1.0, 0.9, 1.1, 1.05, 0.95])
+    scaled = np.multiply.outer(amplitude, np.exp(-1.5 * SHARE))
+    assert fit_relaxation(SHARE, scaled, 1.0).status == UNDETERMINED
+
+
 def test_one_replicate_without_a_fit_leaves_the_rate_undetermined():
-    deviation = np.tile(np.exp(-SHARE), (5, 1))
+    deviation = spread(np.exp(-SHARE))
     deviation[3] = np.exp(SHARE)
     assert fit_relaxation(SHARE, deviation, 1.0).status == UNDETERMINED
 

@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from workflow import models
 from workflow.models import (
     EXPONENTIAL,
     STRETCHED,
@@ -10,6 +11,7 @@ from workflow.models import (
     UNDECIDED,
     Comparison,
     compare_models,
+    determined,
 )
 from workflow.statistics import replicates, standard_error
 
@@ -75,3 +77,49 @@ def test_nothing_is_compared_where_eq_6_was_not_fitted():
     for name in set(Comparison._fields) - {"best"}:
         assert np.isnan(getattr(found, name)).all()
     assert found.fast_rate.shape == (31,)
+
+
+# (rate, exponent) per unit of time, for samples at TIME: what they can determine, and what not
+RESOLVED = [(1.0, 1.0), (0.01, 1.0), (12.0, 1.0), (60.0, 1.0), (1.0, 0.3), (1.0, 3.0), (100.0, 0.2)]
+RUN_AWAY = {
+    "faster than the second sample": (1e3, 1.0),
+    "far faster": (4.46e18, 1.0),
+    "slower than the whole time": (1e-5, 1.0),
+    "a fall between two samples": (1.0, 200.0),
+    "a constant": (1.0, 1e-3),
+    "a constant from long ago": (4.46e18, 1e-4),
+    "no number": (np.nan, 1.0),
+    "without bounds": (np.inf, 1.0),
+    "exponent without bounds": (1.0, np.inf),
+    "exponent of zero": (1.0, 0.0),
+}
+
+
+@pytest.mark.parametrize(("rate", "exponent"), RESOLVED)
+def test_what_the_samples_resolve_can_be_determined(rate, exponent):
+    assert determined(TIME, np.array([rate]), np.array([exponent])).all()
+
+
+@pytest.mark.parametrize("name", RUN_AWAY)
+def test_what_the_samples_do_not_resolve_cannot_be_determined(name):
+    rate, exponent = RUN_AWAY[name]
+    assert not determined(TIME, np.array([rate]), np.array([exponent])).any()
+
+
+@pytest.mark.parametrize("spread", [0.0, 1e-3])
+def test_coefficients_that_ran_away_are_refused_even_where_replicates_agree(monkeypatch, spread):
+    rng = np.random.default_rng(2)
+    blocks = CURVES[STRETCHED] + 1e-3 * rng.standard_normal((30, TIME.size))
+
+    def run_away(model, t, curves, rate):
+        fits = np.tile([1.0, np.log(4.46e18), 0.0, np.log(2e18)], (len(curves), 1))
+        fits = fits[:, : model.start(rate).size]
+        return fits + spread * rng.standard_normal(fits.shape)
+
+    gains = dict.fromkeys(CURVES, (0.5, 0.01))  # as if both predicted better by far
+    fits = {code: run_away(model, TIME, blocks[:31], 1.3) for code, model in models.MODELS.items()}
+    monkeypatch.setattr(models, "_fits_and_gains", lambda *_: (fits, gains))
+    found = compare_models(TIME, replicates(blocks, 0), blocks, 1.3)
+    assert found.best == EXPONENTIAL
+    for name in ("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"):
+        assert np.isnan(getattr(found, name)).all()

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
-from workflow.statistics import replicates, standard_error
+from workflow.statistics import replicates, significant, standard_error
 
 BLOCKS = arrays(float, array_shapes(min_dims=2, max_dims=3, min_side=2), elements=st.floats(-9, 9))
 
@@ -70,3 +70,17 @@ def test_correlated_errors_of_two_estimates_cancel_in_their_difference():
     common = rng.normal(0.0, 1.0, 30)
     values = replicates(np.stack([common, common + rng.normal(0.0, 1e-3, 30)]), 1)
     assert standard_error(values[1] - values[0], 0) < 1e-2 * standard_error(values[0], 0)
+
+
+@pytest.mark.parametrize("value", [1.0, -3e-20, 4.46e18])
+@pytest.mark.parametrize("spread", [0.0, 1e-17])
+def test_replicates_that_agree_to_rounding_are_not_significant(value, spread):
+    noise = np.random.default_rng(4).standard_normal(21)
+    assert not significant(value * (1.0 + spread * noise))
+    assert significant(value * (1.0 + 1e-9 * noise))
+
+
+def test_zero_and_no_number_are_not_significant():
+    assert not significant(np.zeros(21))
+    assert not significant(np.array([1.0, 1.0, np.nan, 1.1]))
+    assert not significant(np.array([np.inf, 1.0, 1.2, 1.1]))
