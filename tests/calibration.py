@@ -16,13 +16,16 @@ from scipy.stats import t as student
 
 from kernels import Quantities, amplitudes, rms_slope
 from workflow.attained import attained
-from workflow.batch import Batch, Task, block_means
 from workflow.fits import FITTED
 from workflow.goal import GROUPS, Goal
 from workflow.reduction import Blocks, Estimates, reduce_blocks
-from workflow.resolution import horizon_steps, record_steps, record_times, steps_per_spacing
+from workflow.resolution import (
+    horizon_steps,
+    steps_per_spacing,
+)
 from workflow.rounds import next_blocks
-from workflow.similarity import Problem
+from workflow.simulate.block_means import block_means, record_steps, record_times
+from workflow.simulate.tasks import Batch, Problem, Task
 from workflow.statistics import grouped_means
 from workflow.study import Numerics, Scene
 

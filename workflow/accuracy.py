@@ -10,8 +10,12 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from workflow.resolution import expected_rate, speed_ratio
-from workflow.similarity import Problem, pace
+from workflow.resolution import (
+    expected_rate,
+    speed_ratio,
+)
+from workflow.similarity import pace
+from workflow.simulate.tasks import Problem
 
 JUDGED = {"steady": "mu_1", "jump": "jump", "relaxation": "relaxation_rate"}  # what is asked for
 

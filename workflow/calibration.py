@@ -21,7 +21,7 @@ from workflow import timing
 from workflow.cost import TYPICAL, Curve, Rates
 from workflow.durable import write_durably
 from workflow.errors import UserError
-from workflow.timing import machine
+from workflow.provenance import processor
 
 CURVES = [name for name in Rates._fields if name != "case"]
 
@@ -36,7 +36,7 @@ class Calibration(NamedTuple):
 def calibration_file() -> Path:
     """Return where the rates of these kernels on this processor are kept."""
     method = Path(timing.__file__).read_bytes()
-    what = (source_hash(), machine(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
+    what = (source_hash(), processor(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
     name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
     return Path(numba.config.CACHE_DIR) / f"rates-{name}.json"
 

@@ -9,14 +9,14 @@ from distributed import Client
 
 from kernels import amplitudes, rms_slope
 from workflow.attained import attained
-from workflow.batch import Task
 from workflow.dataset import build_dataset
 from workflow.errors import UserError
 from workflow.flow import stream
 from workflow.plan import Plan, Variant
 from workflow.progress import Reporter
 from workflow.reduction import Blocks, Estimates, reduce_blocks
-from workflow.resolution import record_steps, record_times
+from workflow.simulate.block_means import record_steps, record_times
+from workflow.simulate.tasks import Task
 from workflow.statistics import grouped_means
 from workflow.store import Store
 from workflow.summary import Summary

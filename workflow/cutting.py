@@ -2,10 +2,8 @@
 
 from collections.abc import Container, Iterator
 
-from workflow.batch import Task
 from workflow.pricing import Prices
-
-Record = tuple[str, int]  # (key of a task, block of realizations)
+from workflow.simulate.tasks import Record, Task
 
 
 def missing_runs(

@@ -6,9 +6,9 @@ import sys
 import numpy as np
 from distributed.scheduler import KilledWorker
 
-from workflow.batch import Batch, Task
 from workflow.errors import UserError
 from workflow.plan import Plan, Record
+from workflow.simulate.tasks import Batch, Task
 from workflow.store import Store
 from workflow.study import AXES
 

@@ -17,7 +17,8 @@ from workflow.resolution import (
     horizon_steps,
     least_steps,
 )
-from workflow.similarity import Problem, pace
+from workflow.similarity import pace
+from workflow.simulate.tasks import Problem
 from workflow.study import Numerics, Scene, Study
 
 GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it

@@ -7,13 +7,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from kernels import Quantities
-from workflow.batch import CODE, Batch, Task
 from workflow.cost import TYPICAL, Rates, driver_bytes, worker_bytes
-from workflow.cutting import Record, missing_runs, parts
+from workflow.cutting import (
+    missing_runs,
+    parts,
+)
 from workflow.goal import FIRST_SHARE, GROUPS, Goal, goal_of, whole_blocks
 from workflow.pricing import Prices
-from workflow.resolution import horizon_steps, steps_per_spacing
-from workflow.similarity import Problem, distinct_problems
+from workflow.resolution import (
+    horizon_steps,
+    steps_per_spacing,
+)
+from workflow.similarity import distinct_problems
+from workflow.simulate.code import CODE
+from workflow.simulate.tasks import Batch, Problem, Record, Task
 from workflow.study import Numerics, Study
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest

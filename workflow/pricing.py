@@ -1,9 +1,9 @@
 """What the tasks of a plan are predicted to cost on a machine whose rates are known."""
 
 from kernels import Quantities
-from workflow.batch import Task
 from workflow.cost import Load, Rates, case_seconds
 from workflow.similarity import pace
+from workflow.simulate.tasks import Task
 
 
 class Prices:

@@ -1,10 +1,12 @@
-"""Where a result comes from: program, packages, commit, settings. No dates, no host names."""
+"""Where a result comes from: program, packages, processor, commit, settings. No dates, no names."""
 
+import contextlib
+import platform
 import subprocess
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 
-from workflow.batch import CODE
+from workflow.simulate.code import CODE
 from workflow.study import Measured, Numerics, Study
 
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
@@ -34,6 +36,20 @@ def version_of(package: str) -> str:
         return "not installed"
 
 
+def package_versions() -> str:
+    """Return the versions of the packages that take part, in words."""
+    return ", ".join(f"{name} {version_of(name)}" for name in PACKAGES)
+
+
+def processor() -> str:
+    """Return the name of the processor, on whose kind the last bits of results depend."""
+    with contextlib.suppress(OSError):
+        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    return platform.processor() or platform.machine()
+
+
 def origin(study: Study | Measured) -> dict[str, str | int | float]:
     """Return the global attributes that every result file has, whatever its kind of study."""
     return {
@@ -43,7 +59,8 @@ def origin(study: Study | Measured) -> dict[str, str | int | float]:
         "references": REFERENCE,
         "commit": commit(),
         "code": CODE,
-        "versions": ", ".join(f"{name} {version_of(name)}" for name in PACKAGES),
+        "versions": package_versions(),
+        "processor": processor(),
         "study": study.text,
         "seed": study.seed,
     }

@@ -4,9 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.batch import SCALARS
 from workflow.fits import RelaxationFit, fit_relaxation
 from workflow.models import Comparison, compare_models
+from workflow.simulate.tasks import SCALARS
 from workflow.statistics import replicates, standard_error
 
 Estimates = dict[str, np.ndarray]

@@ -2,13 +2,10 @@
 
 import math
 
-import numpy as np
-
-from kernels import SCHEMES
 from kernels.realization import SPEEDS
 from kernels.schemes import SHORTEST
 from workflow.errors import UserError
-from workflow.similarity import Problem
+from workflow.simulate.tasks import Problem
 from workflow.study import Numerics, Scene
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
@@ -79,20 +76,3 @@ def horizon_steps(problem: Problem, numerics: Numerics, steps: int) -> int:
     """Return the number of steps to march: ``horizon`` expected relaxation times, at least 8."""
     time = numerics.horizon / expected_rate(problem)
     return max(MIN_STEPS, math.ceil(time * steps * problem.speed * problem.ratio))
-
-
-def record_steps(march: int, samples: int) -> np.ndarray:
-    """Return the recorded step numbers, increasing from 1 to ``march``, at most samples - 1.
-
-    Sample 0 of a curve is the moment just after the jump and needs no step.
-    """
-    return np.unique(np.round(np.linspace(1, march, samples - 1)).astype(np.int64))
-
-
-def record_times(recorded: np.ndarray, pace: float, scheme: str) -> np.ndarray:
-    """Return the times since the jump, in tau, to which the friction of recorded steps belongs.
-
-    It is a mean over the step and acts ``lag`` of a step before its end (schemes.py); at the end
-    it would be an error of first order. pace : steps per tau.
-    """
-    return (recorded - SCHEMES[scheme](1.0 / pace).lag) / pace

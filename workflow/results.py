@@ -7,8 +7,8 @@ from pathlib import Path
 
 import xarray as xr
 
-from workflow.batch import CODE
 from workflow.errors import UserError
+from workflow.simulate.code import CODE
 from workflow.study import AXES, Measured, Study
 
 ROOT = "/"  # group of the study itself

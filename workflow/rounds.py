@@ -9,10 +9,10 @@ import math
 import numpy as np
 
 from workflow.attained import attained
-from workflow.batch import Task
 from workflow.collect import Collector
 from workflow.goal import GROUPS, most_blocks
 from workflow.plan import Plan, Variant
+from workflow.simulate.tasks import Task
 
 MARGIN = 1.1  # over the extrapolated need, or every other point would miss it by a hair
 GROWTH = (1.25, 4.0)  # of the realizations from one round to the next

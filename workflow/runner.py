@@ -9,7 +9,6 @@ import xarray as xr
 from distributed import Client
 
 from workflow.attained import accuracy_lines
-from workflow.batch import load_kernels
 from workflow.cluster import open_client
 from workflow.collect import Collector
 from workflow.dataset import write_datasets
@@ -22,8 +21,10 @@ from workflow.lock import hold
 from workflow.place import HERE, Place
 from workflow.plan import Plan, batch_target, batches, quantities
 from workflow.progress import Reporter
+from workflow.provenance import package_versions, processor
 from workflow.rounds import Rounds
 from workflow.shelf import Shelf
+from workflow.simulate.block_means import load_kernels
 from workflow.status import Status, StatusWriter, identity, status_file
 from workflow.store import DamagedShard, Store, store_folder
 from workflow.summary import Summary
@@ -84,7 +85,7 @@ class _Run:
         self.reporter: Reporter | None = None
         self.shelf: Shelf | None = None
         name = identity(plan.study)
-        store.begin(name)
+        store.begin(name, package_versions(), processor())
         done, left = self._extent()
         self.summary = Summary(reused=done, predicted=left)
         failed = len(self.failures.tasks())

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import netCDF4
 import numpy as np
 
-from workflow.batch import SCALARS, Batch, BatchResult
+from workflow.simulate.tasks import SCALARS, Batch, BatchResult
 
 FORMAT = "elastomer-friction shard 2"
 KEY_BYTES = 16

@@ -3,8 +3,8 @@
 import time
 from types import TracebackType
 
-from workflow.batch import Batch, BatchResult
 from workflow.shard import Finished
+from workflow.simulate.tasks import Batch, BatchResult
 from workflow.store import Store
 
 SHARE_OF_RUN = 1e-3  # of a run's time that a crash of the driver may cost

@@ -5,26 +5,16 @@ r = v2/v1 alone; h and F_N enter only as F_N/h.
 """
 
 from functools import lru_cache
-from typing import NamedTuple
 
 import numpy as np
 
 from kernels import amplitudes, rms_slope
 from kernels.realization import LOADS, SPEEDS
 from workflow.errors import UserError
+from workflow.simulate.tasks import Problem
 from workflow.study import AXES, Study
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
-
-
-class Problem(NamedTuple):
-    """One dimensionless problem."""
-
-    hurst: float
-    elements: int  # N = L / dx
-    load: float  # Fbar = F_N / (4 G L h)
-    speed: float  # vbar = v1 tau / dx
-    ratio: float  # r = v2 / v1
 
 
 def canonical(values: np.ndarray) -> np.ndarray:

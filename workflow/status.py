@@ -15,11 +15,11 @@ from datetime import datetime
 from pathlib import Path
 
 from workflow import journal
-from workflow.batch import CODE
 from workflow.calibration import calibrated
 from workflow.durable import write_durably
 from workflow.lock import holder
 from workflow.plan import batches, make_plan
+from workflow.simulate.code import CODE
 from workflow.store import Store
 from workflow.study import Study
 

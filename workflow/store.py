@@ -15,10 +15,10 @@ from pathlib import Path
 import numpy as np
 
 from workflow import journal
-from workflow.batch import SCALARS
 from workflow.durable import clear_leftovers, write_durably
 from workflow.plan import Record
 from workflow.shard import KEY_BYTES, Chunk, Contents, Finished, chunk_of, decode, digest, encode
+from workflow.simulate.tasks import SCALARS
 
 CACHED_SHARDS = 4
 KEY_LENGTH = 2 * KEY_BYTES
@@ -83,9 +83,10 @@ class Store:
         times = {"used": round(used, 3), "predicted": round(predicted, 3)}
         self._enter(name, len(content), [chunk_of(batch) for batch, _ in finished], times)
 
-    def begin(self, study: str) -> None:
-        """Note durably that a run of a study begins."""
-        self._write([{"run": study, "pid": os.getpid(), "host": socket.gethostname()}])
+    def begin(self, study: str, versions: str, processor: str) -> None:
+        """Note durably that a run of a study begins, and with what it will compute."""
+        process = {"pid": os.getpid(), "host": socket.gethostname()}
+        self._write([{"run": study, **process, "versions": versions, "processor": processor}])
 
     def record_failure(self, key: str, why: str) -> None:
         """Note durably that a task failed for good."""

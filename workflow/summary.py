@@ -8,10 +8,10 @@ from dataclasses import dataclass, field
 
 import numpy as np
 
-from workflow.batch import PHASES, Batch, BatchResult
 from workflow.memory import peak_bytes
 from workflow.plan import Plan
 from workflow.progress import duration
+from workflow.simulate.tasks import PHASES, Batch, BatchResult
 from workflow.study import AXES
 
 COSTLIEST = 3  # points shown

@@ -4,13 +4,10 @@ It runs in a process of its own, set up like a worker (how memory is kept matter
 processor).
 """
 
-import contextlib
 import json
-import platform
 import time
 from collections.abc import Callable
 from datetime import UTC, datetime
-from pathlib import Path
 from statistics import median
 
 import numpy as np
@@ -26,9 +23,10 @@ from kernels import (
     quadrature,
     steady_sliding,
 )
-from workflow.batch import Batch, Task, block_means
 from workflow.cost import Curve, Rates
-from workflow.similarity import Problem
+from workflow.provenance import processor
+from workflow.simulate.block_means import block_means
+from workflow.simulate.tasks import Batch, Problem, Task
 
 SIZES = (2_000, 20_000, 200_000)  # samples: in the first, second, third cache
 SHORTEST = 60
@@ -36,15 +34,6 @@ FEW, MANY = 4, 24  # steps: their difference is free of what a march does once
 SECONDS = 0.05  # per measurement, at least 3 calls
 HURST, LOAD, SPEED, STEPS = 0.7, 0.1, 1.0, 4
 ALL_TOUCHING = 30.0  # load
-
-
-def machine() -> str:
-    """Return the name of the processor."""
-    with contextlib.suppress(OSError):
-        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
-            if line.startswith("model name"):
-                return line.partition(":")[2].strip()
-    return platform.processor() or platform.machine()
 
 
 def seconds(call: Callable[[], object]) -> float:
@@ -116,4 +105,4 @@ def rates() -> Rates:
 
 if __name__ == "__main__":
     today = datetime.now(UTC).date().isoformat()
-    print(json.dumps({"machine": machine(), "date": today, "rates": rates()._asdict()}))
+    print(json.dumps({"machine": processor(), "date": today, "rates": rates()._asdict()}))

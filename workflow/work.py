@@ -1,6 +1,7 @@
 """What a worker process does with a batch. Imported by name; needs nothing set up beforehand."""
 
-from workflow.batch import Batch, BatchResult, block_means
+from workflow.simulate.block_means import block_means
+from workflow.simulate.tasks import Batch, BatchResult
 from workflow.versions import Versions, require
 
 

@@ -6,8 +6,8 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import amplitudes, draw_phases
-from workflow.batch import line_generator
-from workflow.similarity import Problem
+from workflow.simulate.block_means import line_generator
+from workflow.simulate.tasks import Problem
 
 RATIO = 1.2  # v2 / v1
 

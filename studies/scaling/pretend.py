@@ -7,7 +7,7 @@ from collections.abc import Callable
 import cloudpickle
 import numpy as np
 
-from workflow.batch import PHASES, SCALARS, Batch, BatchResult
+from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
 
 cloudpickle.register_pickle_by_value(sys.modules[__name__])
 

@@ -14,12 +14,12 @@ import time
 from pathlib import Path
 
 from tests.workflow.small import random_result, small_plan
-from workflow.batch import Batch, BatchResult
 from workflow.cluster import open_client
 from workflow.flow import stream
 from workflow.place import HERE
 from workflow.plan import batches
 from workflow.shelf import Shelf
+from workflow.simulate.tasks import Batch, BatchResult
 from workflow.store import Store
 
 WORKERS = 2

@@ -9,7 +9,7 @@ from tests.workflow.runs import run
 from tests.workflow.shards import held
 from tests.workflow.small import all_records, small_plan
 from workflow import work
-from workflow.batch import Batch, BatchResult
+from workflow.simulate.tasks import Batch, BatchResult
 from workflow.store import Store, store_folder
 from workflow.versions import Versions
 

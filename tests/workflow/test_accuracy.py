@@ -5,8 +5,8 @@ import pytest
 
 from kernels import Quantities
 from workflow.accuracy import LAWS, Error, judged
-from workflow.batch import SCALARS, Batch, Task, block_means
-from workflow.similarity import Problem
+from workflow.simulate.block_means import block_means
+from workflow.simulate.tasks import SCALARS, Batch, Problem, Task
 
 POINTS = [
     Problem(0.3, 600, 0.05, 5.0, 1.2),

@@ -9,9 +9,10 @@ from hypothesis import strategies as st
 
 from kernels import Line
 from tests.workflow.small import small_plan
-from workflow import batch as module
-from workflow.batch import PHASES, SCALARS, block_means, line_generator
 from workflow.plan import batches
+from workflow.simulate import block_means as module
+from workflow.simulate.block_means import block_means, line_generator
+from workflow.simulate.tasks import PHASES, SCALARS
 
 PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")
 

@@ -33,7 +33,7 @@ def test_it_is_measured_once_and_kept(measured):
     assert calibration_file().read_text() == TEXT
 
 
-@pytest.mark.parametrize("name", ["source_hash", "machine"])
+@pytest.mark.parametrize("name", ["source_hash", "processor"])
 def test_other_kernels_and_another_processor_have_rates_of_their_own(measured, monkeypatch, name):
     calibrated()
     monkeypatch.setattr(calibration, name, lambda: "another")

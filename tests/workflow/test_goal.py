@@ -10,7 +10,7 @@ from workflow.errors import UserError
 from workflow.goal import GROUPS, allowed, goal_of, whole_blocks
 from workflow.resolution import MAX_SAMPLES_PER_LINE
 from workflow.rounds import next_blocks
-from workflow.similarity import Problem
+from workflow.simulate.tasks import Problem
 from workflow.study import Numerics, Scene
 
 PROBLEMS = st.builds(

@@ -9,9 +9,9 @@ import netCDF4
 import pytest
 
 from tests.workflow.small import small_study
-from workflow.batch import CODE
-from workflow.provenance import PACKAGES, commit, provenance
+from workflow.provenance import PACKAGES, commit, processor, provenance
 from workflow.reader import read_study
+from workflow.simulate.code import CODE
 
 STUDY = small_study("study.seed=7", "scene.indentation_rate=false", scale="wide")
 FOUND = provenance(STUDY, STUDY.variants[""])
@@ -57,6 +57,10 @@ def test_a_comparison_states_its_own_numerics():
 @pytest.mark.parametrize("package", PACKAGES)
 def test_versions_of_the_packages_are_there(package):
     assert f"{package} {version(package)}" in FOUND["versions"].split(", ")
+
+
+def test_the_processor_is_there():
+    assert FOUND["processor"] == processor() != ""
 
 
 def test_the_paper_is_cited():

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 
 from tests.workflow.curves import RATE, exponential_blocks
-from workflow.batch import SCALARS
 from workflow.fits import FITTED
 from workflow.reduction import reduce_blocks
+from workflow.simulate.tasks import SCALARS
 
 BLOCKS = exponential_blocks()
 FOUND = reduce_blocks(BLOCKS)

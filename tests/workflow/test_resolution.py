@@ -14,12 +14,11 @@ from workflow.resolution import (
     MAX_SAMPLES_PER_LINE,
     expected_rate,
     horizon_steps,
-    record_steps,
-    record_times,
     speed_ratio,
     steps_per_spacing,
 )
-from workflow.similarity import Problem
+from workflow.simulate.block_means import record_steps, record_times
+from workflow.simulate.tasks import Problem
 from workflow.study import Numerics, Scene
 
 HURST = st.floats(0.0, 1.0)

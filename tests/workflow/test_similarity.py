@@ -8,7 +8,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.workflow.small import small_study
-from workflow.similarity import canonical, distinct_problems
+from workflow.similarity import (
+    canonical,
+    distinct_problems,
+)
 from workflow.study import AXES
 
 NORMAL = st.floats(1e-100, 1e100)

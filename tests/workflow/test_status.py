@@ -25,7 +25,7 @@ def place(tmp_path):
     folder = store_folder(result)
     folder.mkdir()
     store = Store(folder)
-    store.begin(identity(STUDY))
+    store.begin(identity(STUDY), "numpy 2", "a processor")
     status = Status(identity(STUDY), PLAN.records, 0, 7200.0)
     return result, store, StatusWriter(result, folder, status, lambda: (5, 1800.0))
 
@@ -93,7 +93,7 @@ def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):
         lambda result, store: status_file(result).unlink(),
         lambda result, store: status_file(result).write_text('{"study": 1'),
         lambda result, store: status_file(result).write_text("{}"),
-        lambda result, store: store.begin("another study"),
+        lambda result, store: store.begin("another study", "numpy 2", "a processor"),
         lambda result, store: (store.folder / "journal").write_bytes(b""),
     ],
     ids=["no file", "half a file", "another file", "another run", "no journal"],

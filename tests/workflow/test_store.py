@@ -130,6 +130,16 @@ def test_the_journal_tells_records_and_core_time(tmp_path):
     assert shard["predicted"] == round(BATCH.seconds, 3)
 
 
+def test_the_journal_tells_with_what_a_run_computes(tmp_path):
+    Store(tmp_path).begin("a study", "numpy 2.4", "a processor")
+    (run,) = [entry for entry, _ in journal.entries(tmp_path)]
+    assert (run["run"], run["versions"], run["processor"]) == (
+        "a study",
+        "numpy 2.4",
+        "a processor",
+    )
+
+
 def full_disk(*_):
     """Fail like a full disk."""
     raise OSError(errno.ENOSPC, "No space left on device")

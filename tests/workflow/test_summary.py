@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from tests.workflow.small import small_plan
-from workflow.batch import PHASES, SCALARS, BatchResult
 from workflow.plan import batches
+from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
 from workflow.summary import Summary
 
 PLAN = small_plan("grid.velocity=[0.03, 0.05, 0.1]")

@@ -1,61 +1,31 @@
-"""A batch: the unit of work sent to a worker. Plain data, and the function that runs it."""
+"""Run a batch: draw its lines, run every realization, average over blocks."""
 
-import hashlib
 import time
-from dataclasses import dataclass
 from functools import lru_cache
-from pathlib import Path
-from typing import NamedTuple
 
 import numpy as np
 
-from kernels import Case, Line, Outcome, Quantities, Seconds, amplitudes, draw_phases, run_case
-from kernels.jit import compiling, source_hash
+from kernels import SCHEMES, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
+from kernels.jit import compiling
 from workflow.memory import peak_bytes
-from workflow.resolution import record_steps
-from workflow.similarity import Problem
-
-SCALARS = ("mu_1", "indentation", "contact_fraction", "mu_2", "jump")
-PHASES = ("surfaces", *Seconds._fields)  # of the work on a line; the rest is calls
-
-# What stored results depend on besides their settings: the kernels and this file.
-CODE = hashlib.sha256(source_hash().encode() + Path(__file__).read_bytes()).hexdigest()[:16]
+from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
 
 
-@dataclass(frozen=True)
-class Task:
-    """One problem with its discretisation, and the key of its results."""
+def record_steps(march: int, samples: int) -> np.ndarray:
+    """Return the recorded step numbers, increasing from 1 to ``march``, at most samples - 1.
 
-    problem: Problem
-    steps_per_spacing: int
-    march: int  # steps to march after the jump
-    key: str
+    Sample 0 of a curve is the moment just after the jump and needs no step.
+    """
+    return np.unique(np.round(np.linspace(1, march, samples - 1)).astype(np.int64))
 
 
-@dataclass(frozen=True)
-class Batch:
-    """Tasks on the same random lines, for consecutive blocks of realizations."""
+def record_times(recorded: np.ndarray, pace: float, scheme: str) -> np.ndarray:
+    """Return the times since the jump, in tau, to which the friction of recorded steps belongs.
 
-    seed: int
-    normalisation: str
-    quantities: Quantities
-    scheme: str
-    samples: int
-    tasks: tuple[Task, ...]
-    first_block: int
-    blocks: int
-    realizations_per_block: int
-    seconds: float  # predicted
-
-
-class BatchResult(NamedTuple):
-    """Block means of a batch, dimensionless: mu in h/dx, indentation in h; and what they cost."""
-
-    scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS)); NaN: not asked for
-    curves: np.ndarray  # shape (tasks, blocks, samples - 1); NaN beyond the recorded steps
-    spent: np.ndarray  # shape (tasks, len(PHASES)), CPU seconds; shared work in equal parts
-    seconds: float  # CPU time used in all
-    peak: int  # bytes, the most memory this process has had so far
+    It is a mean over the step and acts ``lag`` of a step before its end (schemes.py); at the end
+    it would be an error of first order. pace : steps per tau.
+    """
+    return (recorded - SCHEMES[scheme](1.0 / pace).lag) / pace
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:

@@ -1,0 +1,116 @@
+"""The key of stored numbers covers all that they depend on, and nothing else."""
+
+import ast
+import shutil
+from pathlib import Path
+from types import FunctionType, ModuleType
+
+import pytest
+
+from workflow.simulate import block_means as work
+from workflow.simulate.code import CODE, FOLDERS, code_hash
+
+HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
+# What the hashed files use of ours that no number depends on.
+NO_NUMBERS = {"workflow.memory.peak_bytes"}
+
+
+def imported(path):
+    """Return the dotted names that a file imports, inside functions too."""
+    found = set()
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names}
+        elif isinstance(node, ast.ImportFrom):
+            assert node.level == 0, f"{path}: a relative import"
+            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+    return found
+
+
+@pytest.mark.parametrize("path", HASHED, ids=lambda path: f"{path.parent.name}/{path.name}")
+def test_hashed_files_import_of_ours_only_what_is_hashed(path):
+    ours = {name for name in imported(path) if name.startswith(("workflow", "studies", "tests"))}
+    assert {n for n in ours if not n.startswith("workflow.simulate.")} <= NO_NUMBERS
+
+
+def reachable(function, found):
+    """Add the files of all functions of ours that a function can reach by names it uses."""
+    if isinstance(function, FunctionType) and function not in found:
+        found.add(function)
+        names = set(function.__code__.co_names)
+        for constant in function.__code__.co_consts:
+            names |= set(getattr(constant, "co_names", ()))
+        for name in names:
+            value = function.__globals__.get(name)
+            members = vars(value).values() if isinstance(value, type) else [value]
+            if isinstance(value, ModuleType) and value.__name__.startswith(("workflow", "kernels")):
+                members = vars(value).values()
+            for member in members:
+                plain = getattr(member, "__func__", member)
+                reachable(getattr(plain, "__wrapped__", getattr(plain, "py_func", plain)), found)
+    return found
+
+
+def test_every_function_that_block_means_reaches_is_hashed():
+    found = reachable(work.block_means, set())
+    assert {work.record_steps, work.line_generator} <= found
+    files = {Path(function.__code__.co_filename) for function in found}
+    root = FOLDERS[0].parent
+    ours = {path for path in files if root in path.parents and ".venv" not in path.parts}
+    outside = {path.relative_to(root).as_posix() for path in ours - set(HASHED)}
+    assert outside <= {"workflow/memory.py"}
+    assert len(ours) > 8  # contact, friction, line, relaxation, steady, surface ...
+
+
+@pytest.fixture
+def copied(tmp_path):
+    """Return copies of the hashed folders."""
+    copies = tuple(tmp_path / folder.name for folder in FOLDERS)
+    for folder, copy in zip(FOLDERS, copies, strict=True):
+        shutil.copytree(folder, copy, ignore=shutil.ignore_patterns("__pycache__"))
+    return copies
+
+
+def edited(folders, name, old, new):
+    """Replace text in a copied file and return the hash."""
+    (path,) = [p for folder in folders for p in folder.rglob(name)]
+    text = path.read_text(encoding="utf-8")
+    assert old in text
+    path.write_text(text.replace(old, new), encoding="utf-8")
+    return code_hash(folders)
+
+
+def test_copies_have_the_same_hash(copied):
+    assert code_hash(copied) == CODE
+
+
+EDITS = {
+    "the steps that a record keeps": ("block_means.py", "np.linspace", "np.geomspace"),
+    "a number": ("schemes.py", "1e-200", "1e-201"),
+    "an operator": ("steady.py", "w[j] = free", "w[j] = -free"),
+    "a default": ("surface.py", '= "modal"', '= "integral"'),
+    "a flag of the compiler": ("jit.py", 'error_model="numpy"', 'error_model="python"'),
+}
+
+
+@pytest.mark.parametrize("name", EDITS)
+def test_any_edit_of_what_is_computed_changes_the_hash(copied, name):
+    assert edited(copied, *EDITS[name]) != CODE
+
+
+def test_a_file_more_or_less_changes_the_hash(copied):
+    (copied[0] / "more.py").write_text("", encoding="utf-8")
+    assert code_hash(copied) != CODE
+
+
+NO_EDITS = {
+    "a docstring": ("steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
+    "a comment": ("schemes.py", "# What decays below", "# Whatever decays below"),
+    "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
+    "brackets": ("block_means.py", "return (recorded - ", "return ((recorded) - "),
+}
+
+
+@pytest.mark.parametrize("name", NO_EDITS)
+def test_words_and_layout_leave_the_hash_alone(copied, name):
+    assert edited(copied, *NO_EDITS[name]) == CODE
