@@ -1,36 +1,53 @@
-"""A shard: the block means of many finished chunks as the bytes of one netCDF file.
+"""A shard: the block means of many finished batches as the bytes of one netCDF file.
 
 It tells by itself what it holds. Bytes are built and read in memory, so that HDF5 takes no
 lock and sees no full disk; the name of a shard is the checksum of its bytes.
 """
 
 import hashlib
+from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import netCDF4
 import numpy as np
 
-from workflow.simulate.tasks import SCALARS, Batch, BatchResult
+from workflow.simulate.tasks import SCALARS, Batch, BatchResult, Record
 
 FORMAT = "elastomer-friction shard 2"
 KEY_BYTES = 16
 Finished = list[tuple[Batch, BatchResult]]
 
 
-class Chunk(NamedTuple):
-    """The records of some tasks for consecutive blocks, in the order (task, block)."""
+class StoredBatch(NamedTuple):
+    """What a shard holds of a batch: records in the order (task, block)."""
 
     keys: tuple[str, ...]
     first_block: int
     blocks: int
 
 
-class Contents(NamedTuple):
-    """What a shard holds; records of the chunks one after the other."""
+@dataclass(frozen=True)
+class Contents:
+    """What a shard holds; records of its batches one after the other."""
 
-    chunks: list[Chunk]
+    batches: list[StoredBatch]
     scalars: np.ndarray  # shape (records, len(SCALARS))
     curves: np.ndarray  # shape (records, samples); NaN beyond the samples of a record
+
+    @cached_property
+    def records(self) -> list[Record]:
+        """Which record each row holds."""
+        return [
+            (key, batch.first_block + block)
+            for batch in self.batches
+            for key in batch.keys
+            for block in range(batch.blocks)
+        ]
+
+    def record_at(self, position: int) -> Record | None:
+        """Return which record a row holds, None where there is no such row."""
+        return self.records[position] if position < len(self.records) else None
 
 
 def digest(content: bytes) -> str:
@@ -38,9 +55,9 @@ def digest(content: bytes) -> str:
     return hashlib.sha256(content).hexdigest()[:32]
 
 
-def chunk_of(batch: Batch) -> Chunk:
-    """Return what a batch computes."""
-    return Chunk(tuple(task.key for task in batch.tasks), batch.first_block, batch.blocks)
+def stored_batch(batch: Batch) -> StoredBatch:
+    """Return what a shard holds of a batch."""
+    return StoredBatch(tuple(task.key for task in batch.tasks), batch.first_block, batch.blocks)
 
 
 def encode(finished: Finished) -> bytes:
@@ -52,9 +69,9 @@ def encode(finished: Finished) -> bytes:
         rows = result.curves.reshape(-1, result.curves.shape[2])
         missing = samples - rows.shape[1]
         curves.append(np.pad(rows, ((0, 0), (0, missing)), constant_values=np.nan))
-    chunks = [chunk_of(batch) for batch, _ in finished]
-    table = np.array([(len(c.keys), c.first_block, c.blocks) for c in chunks], dtype=np.int64)
-    keys = bytes.fromhex("".join(key for chunk in chunks for key in chunk.keys))
+    stored = [stored_batch(batch) for batch, _ in finished]
+    table = np.array([(len(s.keys), s.first_block, s.blocks) for s in stored], dtype=np.int64)
+    keys = bytes.fromhex("".join(key for batch in stored for key in batch.keys))
     data = netCDF4.Dataset("shard.nc", "w", memory=4096)
     data.format = FORMAT
     for name, dims, values in (
@@ -83,8 +100,8 @@ def decode(content: bytes) -> Contents:
         raise ValueError(f"not a shard of this program ({error})") from error
     width = 2 * KEY_BYTES
     names = [keys[i : i + width] for i in range(0, len(keys), width)]
-    chunks = []
+    batches = []
     for tasks, first_block, blocks in table:
-        chunks.append(Chunk(tuple(names[:tasks]), first_block, blocks))
+        batches.append(StoredBatch(tuple(names[:tasks]), first_block, blocks))
         del names[:tasks]
-    return Contents(chunks, scalars, curves)
+    return Contents(batches, scalars, curves)

@@ -119,7 +119,7 @@ def first_shard(folder):
     """Return the shard that holds two batches, and its records."""
     store = Store(folder)
     inside = {record for batch in SHARDS[0] for record in records(batch)}
-    name = store._find(next(iter(inside)))[0]
+    name = store.index.find(next(iter(inside)))[0]
     return folder / f"{name}.nc", inside
 
 

@@ -19,12 +19,13 @@ ELSEWHERE = next(batch for batch in WORK if not set(records(batch)) & set(record
 
 def held(store):
     """Return all records of a store."""
+    index = store.index
     return {
         (key, block)
-        for key, parts in store.rows.items()
+        for key, parts in index.rows.items()
         for part, _ in parts
-        for number, block in store.place
-        if number == part
+        for known, block in index.found
+        if known == part
     }
 
 
@@ -54,5 +55,4 @@ def assert_holds(store, batch, result):
 
 def shard_of(store, batch):
     """Return the file that holds a batch."""
-    key, block = records(batch)[0]
-    return store.folder / f"{store.place[store.rows[key][0][0], block][0]}.nc"
+    return store.folder / f"{store.index.find(records(batch)[0])[0]}.nc"

@@ -22,10 +22,11 @@ def facts():
     return os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN, dict(os.environ)
 
 if __name__ == "__main__":
+    before = signal.getsignal(signal.SIGINT)
     with open_client(Place(), 2) as client:
         workers = list(client.run(facts).values())
         threads = list(client.nthreads().values())
-    mine = signal.getsignal(signal.SIGINT) == signal.default_int_handler
+    mine = signal.getsignal(signal.SIGINT) == before
     json.dump({"workers": workers, "threads": threads, "mine": mine}, sys.stdout)
 """
 

@@ -90,7 +90,7 @@ def damage(victim, content):
     """Overwrite a shard; return the number of records it held."""
     name, store = victim.stem, Store(victim.parent)
     victim.write_bytes(content)
-    return len(held(store)) - len({r for r in held(store) if store._find(r)[0] != name})
+    return len(held(store)) - len({r for r in held(store) if store.index.find(r)[0] != name})
 
 
 @pytest.mark.parametrize("length_kept", [False, True])

@@ -39,7 +39,7 @@ def test_batches_of_two_batch_lengths_share_a_shard(store, clock):
         put(shelf, 4)
         assert len(held(store)) == 4
     assert len(held(store)) == 5
-    assert len(store.sizes) == 2
+    assert len(store.index.sizes) == 2
 
 
 def test_the_last_batch_does_not_wait_for_the_next(store, clock):

@@ -80,7 +80,7 @@ def test_a_run_that_was_killed_is_no_longer_running(place):
 def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):
     _, store, writer = place
     store.add([(BATCH, random_result(BATCH))])
-    store._set_aside(next(iter(store.sizes)), "test")
+    store._set_aside(next(iter(store.index.sizes)), "test")
     assert read(place).done == 0
     writer.write(1, 1)
     assert json.loads(status_file(place[0]).read_text())["done"] == 5
