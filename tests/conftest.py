@@ -5,6 +5,10 @@ from collections.abc import Iterator
 import pytest
 from distributed import LocalCluster
 
+from tests.last_bit import perturb
+
+perturb()
+
 
 @pytest.fixture(scope="session")
 def scheduler() -> Iterator[str]:

@@ -1,0 +1,30 @@
+"""Rounding as on another processor: with LAST_BIT=1 in the environment lines differ by it.
+
+Other processors round FFT, exp and sums otherwise. No test may depend on that; here heights and
+slopes go up, down or stay by one unit in the last place, the same for the same line.
+"""
+
+import os
+
+import numpy as np
+
+import kernels
+from kernels import line, surface
+
+WANTED = os.environ.get("LAST_BIT")
+exact_line = surface.sample_line
+
+
+def perturbed_line(amplitude, phases, elements, samples_per_spacing):
+    """Return a line as surface.sample_line does, rounded otherwise."""
+    seed = [int(WANTED), elements, samples_per_spacing, *phases.view(np.uint64).tolist()[:4]]
+    rng = np.random.default_rng(seed)
+    found = exact_line(amplitude, phases, elements, samples_per_spacing)
+    return tuple(values * (1.0 + rng.choice([-2e-16, 0.0, 2e-16], values.size)) for values in found)
+
+
+def perturb():
+    """Let all lines of this process be rounded otherwise, where that is asked for."""
+    if WANTED:
+        for module in (kernels, line, surface):
+            module.sample_line = perturbed_line
