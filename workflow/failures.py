@@ -7,8 +7,8 @@ import numpy as np
 from distributed.scheduler import KilledWorker
 
 from workflow.errors import UserError
-from workflow.plan import Plan, Record
-from workflow.simulate.tasks import Batch, Task
+from workflow.plan import Plan
+from workflow.simulate.tasks import Batch, Record, Task
 from workflow.store import Store
 from workflow.study import AXES
 

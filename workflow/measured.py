@@ -17,12 +17,12 @@ import time
 from pathlib import Path
 
 from workflow.axes import integer
+from workflow.durable import write_durably
 from workflow.errors import UserError
 from workflow.progress import Reporter, duration
 from workflow.provenance import origin
 from workflow.scripts import load_script
 from workflow.settings import as_table, as_text, check_keys
-from workflow.store import write_durably
 from workflow.study import Measured
 
 TABLES = ("study", "measure")
