@@ -15,19 +15,17 @@ import numpy as np
 from scipy.stats import t as student
 
 from kernels import Quantities, amplitudes, rms_slope
-from workflow.attained import attained
-from workflow.fits import FITTED
-from workflow.goal import GROUPS, Goal
-from workflow.reduction import Blocks, Estimates, reduce_blocks
-from workflow.resolution import (
-    horizon_steps,
-    steps_per_spacing,
-)
-from workflow.rounds import next_blocks
+from workflow.plan.goal import GROUPS, Goal
+from workflow.plan.problems import horizon_steps, steps_per_spacing
+from workflow.reduce.attained import attained
+from workflow.reduce.estimates import Blocks, Estimates, reduce_blocks
+from workflow.reduce.fits import FITTED
+from workflow.reduce.jackknife import grouped_means
+from workflow.run.rounds import next_blocks
 from workflow.simulate.block_means import block_means, record_steps, record_times
 from workflow.simulate.tasks import Batch, Problem, Task
-from workflow.statistics import grouped_means
-from workflow.study import Numerics, Scene
+from workflow.study.numerics import Numerics
+from workflow.study.study import Scene
 
 SEED = 7
 STUDIES, LINES = 160, 256  # independent studies, lines of each at most

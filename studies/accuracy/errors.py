@@ -5,8 +5,8 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import amplitudes, rms_slope
-from workflow.fits import fit_relaxation
-from workflow.statistics import replicates, standard_error
+from workflow.reduce.fits import fit_relaxation
+from workflow.reduce.jackknife import replicates, standard_error
 
 from .points import Point
 from .sampling import Runs

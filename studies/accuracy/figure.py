@@ -8,7 +8,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS
+from workflow.report.figure import COLOURS
 
 from .panels import LIMITS, NAMES, draw_ladders, milliseconds, name_regimes
 

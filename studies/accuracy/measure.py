@@ -8,7 +8,7 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from workflow.axes import integer, positive
+from workflow.study.checks import integer, positive
 
 from . import ladders, rivals
 from .points import COMPARED, POINTS

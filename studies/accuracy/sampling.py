@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import Case, Line, Outcome, Quantities, run_case
-from workflow.resolution import horizon_steps
+from workflow.plan.problems import horizon_steps
 from workflow.simulate.block_means import record_steps, record_times
-from workflow.study import Numerics
+from workflow.study.numerics import Numerics
 
 from .points import RATIO, Point, Surface
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from kernels import amplitudes, rms_slope
-from workflow.fits import fit_relaxation
+from workflow.reduce.fits import fit_relaxation
 
 from .points import Point, Surface
 from .sampling import Method, Runs, run

@@ -8,8 +8,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line, log_bars
-from workflow.models import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
+from workflow.reduce.models import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
+from workflow.report.figure import COLOURS, foot_line, log_bars
 
 NAMES = {EXPONENTIAL: "eq. 6", STRETCHED: "stretched", TWO_EXPONENTIALS: "two exponentials"}
 X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"

@@ -7,7 +7,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line
+from workflow.report.figure import COLOURS, foot_line
 
 VARIANTS = {None: "converged", "paper_step": "implicit Euler, one step per $\\Delta x$"}
 

@@ -9,7 +9,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line
+from workflow.report.figure import COLOURS, foot_line
 
 JUMP_AT = 10.0  # tau
 END = 20.0

@@ -8,8 +8,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line
-from workflow.fits import FITTED
+from workflow.reduce.fits import FITTED
+from workflow.report.figure import COLOURS, foot_line
 
 PAPER_RATE = 2.4
 VARIANTS = {None: "converged", "paper_step": "implicit Euler, one step per $\\Delta x$"}

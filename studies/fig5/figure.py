@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from workflow.figure import foot_line
+from workflow.report.figure import foot_line
 
 QUANTITIES = {
     "jump": "$\\Delta\\mu_0 / (\\Delta v/v_1)$",

@@ -8,8 +8,8 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from workflow.figure import foot_line
 from workflow.kinetic_law import PLATEAU, normalised_jump
+from workflow.report.figure import foot_line
 
 
 def draw(result: Path) -> Figure:

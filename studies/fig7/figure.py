@@ -8,8 +8,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line, log_bars
-from workflow.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
+from workflow.reduce.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
+from workflow.report.figure import COLOURS, foot_line, log_bars
 
 PANELS = {
     "paper_step": "(a) implicit Euler, one step per $\\Delta x$",

@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line
+from workflow.report.figure import COLOURS, foot_line
 
 VARIANTS = {None: "converged", "paper_step": "implicit Euler, one step per $\\Delta x$"}
 

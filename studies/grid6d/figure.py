@@ -8,10 +8,10 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line, log_bars
-from workflow.fits import FITTED
+from studies.grid6d.prediction import LIMITS, law_error, shares_within
 from workflow.kinetic_law import normalised_jump
-from workflow.prediction import LIMITS, law_error, shares_within
+from workflow.reduce.fits import FITTED
+from workflow.report.figure import COLOURS, foot_line, log_bars
 
 X_LABEL = "$x = v_1\\tau q_\\mathrm{max}$"
 STYLE = {"ms": 2.2, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.7}

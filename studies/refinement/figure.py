@@ -10,8 +10,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, foot_line
-from workflow.fits import FITTED
+from workflow.reduce.fits import FITTED
+from workflow.report.figure import COLOURS, foot_line
 
 SCHEMES = {"euler": "implicit Euler", "exponential": "exponential"}
 FORCE = 0.1  # N, the nearest is shown

@@ -10,8 +10,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.figure import COLOURS, FOOT_CHARACTERS_PER_INCH
-from workflow.progress import duration
+from workflow.report.figure import COLOURS, FOOT_CHARACTERS_PER_INCH
+from workflow.system.progress import duration
 
 MARKERS = ("o", "s", "^", "D")
 

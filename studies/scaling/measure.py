@@ -7,10 +7,12 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from workflow.axes import axis_values, integer, positive
 from workflow.errors import UserError
-from workflow.plan import batch_target, batches, make_plan
-from workflow.reader import read_study
+from workflow.plan.batches import batch_target, batches
+from workflow.plan.plan import make_plan
+from workflow.study.checks import integer, positive
+from workflow.study.grid import axis_values
+from workflow.study.read import read_study
 
 from .processes import alone
 from .real import LATENCY, Costs, durations, measured, simulated

@@ -7,10 +7,11 @@ import tempfile
 from pathlib import Path
 from unittest.mock import patch
 
-from workflow import runner
-from workflow.memory import peak_bytes
-from workflow.plan import batches, make_plan
-from workflow.reader import read_study
+from workflow.plan.batches import batches
+from workflow.plan.plan import make_plan
+from workflow.run import run as runner
+from workflow.study.read import read_study
+from workflow.system.process import peak_bytes
 
 from .pretend import pretend, whole
 

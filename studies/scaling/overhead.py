@@ -9,13 +9,14 @@ import time
 from itertools import cycle, islice
 from pathlib import Path
 
-from workflow.cluster import open_client
-from workflow.flow import stream
-from workflow.place import HERE
-from workflow.plan import batches, make_plan
-from workflow.reader import read_study
-from workflow.shelf import Shelf
-from workflow.store import Store
+from workflow.plan.batches import batches
+from workflow.plan.plan import make_plan
+from workflow.run.clusters import open_client
+from workflow.run.flow import stream
+from workflow.store.shelf import Shelf
+from workflow.store.store import Store
+from workflow.study.cluster import HERE
+from workflow.study.read import read_study
 
 from .pretend import pretend, sleep_through, whole
 

@@ -8,13 +8,14 @@ import time
 from operator import attrgetter
 from pathlib import Path
 
-from workflow.flow import stream
-from workflow.journal import size
-from workflow.memory import peak_bytes
-from workflow.plan import batch_target, batches, make_plan
-from workflow.reader import read_study
-from workflow.shelf import Shelf
-from workflow.store import Store
+from workflow.plan.batches import batch_target, batches
+from workflow.plan.plan import make_plan
+from workflow.run.flow import stream
+from workflow.store.journal import size
+from workflow.store.shelf import Shelf
+from workflow.store.store import Store
+from workflow.study.read import read_study
+from workflow.system.process import peak_bytes
 
 from .pretend import pretend
 from .virtual import Costs, VirtualClient, virtual_time
@@ -40,11 +41,13 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
         spent = time.process_time() - began
         memory = peak_bytes() / MEBIBYTE
         began = time.process_time()
-        indexed = len(Store(Path(folder)).place)
+        indexed = len(Store(Path(folder)).index.found)
         indexing = time.process_time() - began
         journal = size(Path(folder))
-    if indexed != len(store.place):
-        raise RuntimeError(f"{study}: the journal tells of {indexed} of {len(store.place)} rows")
+    if indexed != len(store.index.found):
+        raise RuntimeError(
+            f"{study}: the journal tells of {indexed} of {len(store.index.found)} rows"
+        )
     return {
         "points": plan.points,
         "realizations": sum(len(v.tasks) for v in plan.variants) * plan.study.realizations,
@@ -54,8 +57,8 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
         "wall": client.wall,
         "work": client.busy,
         "efficiency": client.efficiency,
-        "shards": len(store.sizes),
-        "store": sum(store.sizes.values()) / MEBIBYTE,
+        "shards": len(store.index.sizes),
+        "store": sum(store.index.sizes.values()) / MEBIBYTE,
         "journal": journal / MEBIBYTE,
         "driver_memory": memory,
         "driver_seconds": spent / client.tasks,  # measured: flow, index, shards; no network

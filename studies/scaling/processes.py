@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 
 import psutil
 
-from workflow.scripts import load_script
+from workflow.study.scripts import load_script
 
 HERE = Path(__file__).parent
 QUIET = {  # what distributed does beside the tasks would cost more than many sleeping workers
@@ -25,7 +25,7 @@ QUIET = {  # what distributed does beside the tasks would cost more than many sl
     "DASK_DISTRIBUTED__ADMIN__SYSTEM_MONITOR__GIL__ENABLED": "False",
     "DASK_DISTRIBUTED__ADMIN__TICK__INTERVAL": "10s",
     "DASK_DISTRIBUTED__ADMIN__TICK__CYCLE": "60s",
-    "DASK_DISTRIBUTED__SCHEDULER__WORKER_SATURATION": "1.0",  # as workflow.cluster sets it
+    "DASK_DISTRIBUTED__SCHEDULER__WORKER_SATURATION": "1.0",  # as workflow.run.clusters sets it
 }
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from distributed import Client
 
-from workflow.flow import stream
+from workflow.run.flow import stream
 
 from .processes import Started, sleeping_cluster
 from .virtual import Costs, VirtualClient, virtual_time

@@ -1,4 +1,4 @@
-"""A cluster in virtual time, behind the interface that workflow.flow.stream uses of dask's Client.
+"""A cluster in virtual time, behind the interface that the stream of work uses of dask's Client.
 
 Nothing runs: a task takes the seconds that ``duration`` says of its item. Driver and scheduler
 are one server each, first come, first served, with so many seconds per task; a worker is idle
@@ -15,7 +15,8 @@ from itertools import count
 from typing import Any, NamedTuple
 from unittest.mock import patch
 
-from workflow import flow, shelf
+from workflow.run import flow
+from workflow.store import shelf
 
 BEGAN = 1000.0  # s; no clock of a machine starts at zero with a program, and flow looks at once
 

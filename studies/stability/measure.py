@@ -9,7 +9,7 @@ import pandas as pd
 import xarray as xr
 
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, rms_slope, run_case
-from workflow.axes import integer
+from workflow.study.checks import integer
 
 from .corners import corners, number_of_corners, random_line
 from .probe import COUNTS, RESIDUALS, Motion, probe

@@ -16,7 +16,7 @@ from tests.cluster.havoc import Chaos, FinishedTooSoonError
 from tests.cluster.processes import PATIENCE, Standing, end, start
 from tests.cluster.slurm import Slurm, missing
 from tests.cluster.tally import begun
-from workflow import journal
+from workflow.store import journal
 
 SHARES = {"standing": 0.5, "slurm": 0.3, "local": 0.2}  # of the kills
 

@@ -13,7 +13,7 @@ import psutil
 
 from tests.cluster.processes import PATIENCE, Standing, kill, start, workers_of
 from tests.cluster.slurm import NODES, Slurm
-from workflow import journal
+from workflow.store import journal
 
 ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM}  # of drivers
 BATCH_SECONDS = "0.15"  # short, so that much can happen in a small study

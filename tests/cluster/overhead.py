@@ -14,13 +14,13 @@ import time
 from pathlib import Path
 
 from tests.workflow.small import random_result, small_plan
-from workflow.cluster import open_client
-from workflow.flow import stream
-from workflow.place import HERE
-from workflow.plan import batches
-from workflow.shelf import Shelf
+from workflow.plan.batches import batches
+from workflow.run.clusters import open_client
+from workflow.run.flow import stream
 from workflow.simulate.tasks import Batch, BatchResult
-from workflow.store import Store
+from workflow.store.shelf import Shelf
+from workflow.store.store import Store
+from workflow.study.cluster import HERE
 
 WORKERS = 2
 CHUNKS, SECONDS = 40, 2.0

@@ -4,7 +4,7 @@ import pytest
 
 from tests.cluster.processes import PATIENCE, start
 from tests.cluster.tally import begun
-from workflow import journal
+from workflow.store import journal
 
 pytestmark = pytest.mark.cluster
 STUDY = ("workflow", "run", "fig7", "--scale", "smoke")

@@ -8,10 +8,10 @@ import pytest
 from tests.workflow.runs import run
 from tests.workflow.shards import held
 from tests.workflow.small import all_records, small_plan
-from workflow import work
+from workflow.run import worker as work
+from workflow.run.worker import Versions
 from workflow.simulate.tasks import Batch, BatchResult
-from workflow.store import Store, store_folder
-from workflow.versions import Versions
+from workflow.store.store import Store, store_folder
 
 pytestmark = pytest.mark.cluster
 BAD = 1  # number of the task that kills
@@ -28,7 +28,7 @@ def poisonous(batch: Batch, expected: Versions) -> BatchResult:
 def poisoned(standing, tmp_path_factory):
     """Return a run of the small study with a poisonous problem, and its result."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("workflow.runner.run_batch", poisonous)
+        patch.setattr("workflow.run.run.run_batch", poisonous)
         done = run(standing.address, tmp_path_factory.mktemp("poisoned"), max_failures=1)
     return done, done.load()
 

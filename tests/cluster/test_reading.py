@@ -4,8 +4,8 @@ import pytest
 import xarray as xr
 
 from tests.cluster.processes import PATIENCE, start
-from workflow import journal
-from workflow.lock import holder
+from workflow.store import journal
+from workflow.system.files import holder
 
 pytestmark = pytest.mark.cluster
 STUDY = ("fig7", "--scale", "smoke")

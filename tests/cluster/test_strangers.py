@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 from tests.cluster.processes import PATIENCE, ROOT, Standing, end, free_port, start
-from workflow import journal
+from workflow.store import journal
 
 pytestmark = pytest.mark.cluster
 STUDY = ("workflow", "run", "fig7", "--scale", "smoke", "--batch-seconds", "0.2")

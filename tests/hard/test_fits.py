@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 from scipy.stats import kstest, t
 
-from workflow.fits import (
+from workflow.reduce.fits import (
     FITTED,
     NO_RELAXATION,
     NOT_EXPONENTIAL,
@@ -20,8 +20,8 @@ from workflow.fits import (
     fit_power_law,
     fit_relaxation,
 )
-from workflow.models import compare_models
-from workflow.statistics import errors_needed, replicates, standard_error
+from workflow.reduce.jackknife import errors_needed, replicates, standard_error
+from workflow.reduce.models import compare_models
 
 SEEDS = 100
 SAMPLES = 63

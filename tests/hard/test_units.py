@@ -5,8 +5,8 @@ import pytest
 
 from tests.workflow.small import small_study
 from workflow.errors import UserError
-from workflow.plan import make_plan
-from workflow.similarity import distinct_problems
+from workflow.plan.plan import make_plan
+from workflow.plan.problems import distinct_problems
 
 ROUGHNESS = (1e-12, 3.7e-9, 1e-5, 1.0, 1e3)  # m
 TIMES = (1e-12, 2.9e-7, 1e-3, 1.0, 1e6)  # s

@@ -16,9 +16,9 @@ import pytest
 
 from tests.workflow.shards import SAMPLES, WORK, held, records, reopened
 from tests.workflow.small import random_result
-from workflow import journal
 from workflow.errors import UserError
-from workflow.store import DamagedShard, Store
+from workflow.store import journal
+from workflow.store.store import DamagedShard, Store
 
 STRIDE = int(os.environ.get("WRITE_FAULT_STRIDE", "997"))
 SHARDS = (WORK[:2], WORK[2:3], WORK[3:4])  # batches of each shard

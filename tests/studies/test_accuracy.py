@@ -13,7 +13,7 @@ from studies.accuracy.marches import MARCHES, NumbaMarch
 from studies.accuracy.points import COMPARED, POINTS, Point, surface
 from studies.accuracy.recommendation import choose
 from studies.accuracy.space import separate
-from workflow.cli import main
+from workflow.cli.main import main
 
 POINT = Point(0.5, 0.3, 1.5)
 TOLERANCE = {"numpy": 1e-8, "numba": 1e-8, "tamaas": 1e-6}

@@ -9,8 +9,8 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from workflow.cli import main
-from workflow.fits import FITTED, NO_RELAXATION
+from workflow.cli.main import main
+from workflow.reduce.fits import FITTED, NO_RELAXATION
 
 ROOT = Path(__file__).resolve().parents[2]
 FULL_CONTACT = 1000.0  # N

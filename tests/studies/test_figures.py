@@ -5,10 +5,10 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from workflow.cli import main
-from workflow.fits import FITTED
+from studies.grid6d.prediction import law_error
+from workflow.cli.main import main
 from workflow.kinetic_law import normalised_jump
-from workflow.prediction import law_error
+from workflow.reduce.fits import FITTED
 
 STUDIES = ("fig2", "fig3", "fig4", "fig5", "fig6", "fig8", "beyond", "grid6d")
 

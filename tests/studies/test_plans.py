@@ -6,9 +6,10 @@ from pathlib import Path
 import pytest
 
 import studies
-from workflow.plan import batches, make_plan
-from workflow.reader import read_study
-from workflow.study import Measured
+from workflow.plan.batches import batches
+from workflow.plan.plan import make_plan
+from workflow.study.measured import Measured
+from workflow.study.read import read_study
 
 FOLDERS = sorted(path.parent for path in Path(studies.__file__).parent.glob("*/study.toml"))
 SCALES = [

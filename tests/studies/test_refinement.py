@@ -5,8 +5,8 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from workflow.cli import main
-from workflow.fits import FITTED
+from workflow.cli.main import main
+from workflow.reduce.fits import FITTED
 
 
 @pytest.fixture(scope="module")

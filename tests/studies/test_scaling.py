@@ -8,8 +8,8 @@ from matplotlib import pyplot as plt
 
 from studies.scaling.real import durations, simulated
 from studies.scaling.virtual import Costs, VirtualClient, virtual_time
-from workflow.cli import main
-from workflow.flow import PER_THREAD, stream
+from workflow.cli.main import main
+from workflow.run.flow import PER_THREAD, stream
 
 COSTS = Costs(scheduler=2e-3, driver=5e-4, latency=1e-3)
 FREE = Costs(scheduler=0.0, driver=0.0, latency=0.0)

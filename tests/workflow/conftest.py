@@ -7,9 +7,10 @@ import pytest
 from distributed import Client
 
 from tests.workflow.runs import Run, run
-from workflow import cli, cluster
-from workflow.calibration import Calibration
-from workflow.cost import TYPICAL
+from workflow.cli import main as cli
+from workflow.plan.cost import TYPICAL
+from workflow.plan.machine import Calibration
+from workflow.run import clusters as cluster
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -3,9 +3,11 @@
 import numpy as np
 
 from tests.workflow.small import small_plan
-from workflow.dataset import build_dataset
-from workflow.reduction import Blocks, reduce_blocks
-from workflow.study import QUANTITIES
+from workflow.plan.problems import speed_ratio
+from workflow.reduce.estimates import Blocks, reduce_blocks
+from workflow.result.dataset import build_dataset
+from workflow.run.collect import _exponents
+from workflow.study.study import QUANTITIES
 
 RATE, JUMP, STEP = 1.5, 0.3, 0.2  # b, dmu_0, mu_2 - mu_1
 
@@ -46,5 +48,9 @@ def assembled(*settings):
     estimates = reduce_blocks(blocks)
     estimates["rms_slope"] = np.arange(1.0, len(variant.tasks) + 1)
     estimates["realizations"] = np.full(len(variant.tasks), 4, np.int32)
+    estimates["speed_ratio"] = np.array([speed_ratio(t.problem.speed) for t in variant.tasks])
+    steps = [task.steps_per_spacing for task in variant.tasks]
+    estimates["steps_per_spacing"] = np.array(steps, np.int32)
     kept = dict(estimates)
-    return plan, kept, build_dataset(plan, variant, estimates)
+    exponents = _exponents(plan, variant, estimates)
+    return plan, kept, build_dataset(plan, variant, estimates, exponents)

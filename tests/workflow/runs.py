@@ -10,11 +10,11 @@ from typing import NamedTuple
 import xarray as xr
 
 from tests.workflow.small import small_plan
-from workflow.place import Place
-from workflow.plan import Plan
-from workflow.runner import How, run_plan
-from workflow.store import store_folder
-from workflow.summary import Summary
+from workflow.plan.plan import Plan
+from workflow.run.run import How, run_plan
+from workflow.run.summary import Summary
+from workflow.store.store import store_folder
+from workflow.study.cluster import Place
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE = 120.0  # seconds to wait for a process at most

@@ -1,8 +1,8 @@
 """Stores filled with random results, and what is in them."""
 
 from tests.workflow.small import random_result, small_plan
-from workflow.plan import batches
-from workflow.store import Store
+from workflow.plan.batches import batches
+from workflow.store.store import Store
 
 WORK = list(batches(small_plan(), set(), 1e-9))  # one task and block each
 BATCH = next(batches(small_plan(), set(), 1e9))  # four tasks, four blocks

@@ -5,9 +5,9 @@ from pathlib import Path
 
 import numpy as np
 
-from workflow.plan import make_plan
-from workflow.reader import read_study
+from workflow.plan.plan import make_plan
 from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
+from workflow.study.read import read_study
 
 TEXT = """
 [study]

@@ -3,11 +3,11 @@
 import numpy as np
 import xarray as xr
 
-from workflow.fits import FITTED
-from workflow.provenance import provenance
-from workflow.reader import read_study
-from workflow.study import AXES
-from workflow.variables import AXIS_ATTRIBUTES
+from workflow.reduce.fits import FITTED
+from workflow.result.provenance import provenance
+from workflow.result.variables import AXIS_ATTRIBUTES
+from workflow.study.grid import AXES
+from workflow.study.read import read_study
 
 RELAXATION_TIME, SLOPE = 1e-3, 0.02
 

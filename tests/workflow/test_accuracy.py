@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kernels import Quantities
-from workflow.accuracy import LAWS, Error, judged
+from workflow.plan.error_laws import LAWS, Error, judged
 from workflow.simulate.block_means import block_means
 from workflow.simulate.tasks import SCALARS, Batch, Problem, Task
 

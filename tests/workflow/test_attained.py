@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from workflow.attained import MET, MET_WHERE_DEFINED, MISSED, attained
-from workflow.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE, UNDETERMINED
-from workflow.goal import Goal
+from workflow.plan.goal import Goal
+from workflow.reduce.attained import MET, MET_WHERE_DEFINED, MISSED, attained
+from workflow.reduce.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE, UNDETERMINED
 
 WANTED = 0.1
 RATIO = np.array([1.2])

@@ -6,8 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workflow.axes import axis_values, integer, positive, snapped_spacing
 from workflow.errors import UserError
+from workflow.study.checks import integer, positive
+from workflow.study.grid import axis_values, snapped_spacing
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from kernels import Line
 from tests.workflow.small import small_plan
-from workflow.plan import batches
+from workflow.plan.batches import batches
 from workflow.simulate import block_means as module
 from workflow.simulate.block_means import block_means, line_generator
 from workflow.simulate.tasks import PHASES, SCALARS

@@ -5,9 +5,9 @@ import json
 import numba
 import pytest
 
-from workflow import calibration
-from workflow.calibration import calibrated, calibration_file
-from workflow.cost import TYPICAL
+from workflow.plan import machine as calibration
+from workflow.plan.cost import TYPICAL
+from workflow.plan.machine import calibrated, calibration_file
 
 TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "rates": TYPICAL._asdict()})
 

@@ -4,8 +4,8 @@ import pytest
 
 from tests.workflow.runs import PATIENCE, start
 from tests.workflow.small import TEXT, write_study
-from workflow import cli
-from workflow.cli import main
+from workflow.cli import main as cli
+from workflow.cli.main import main
 
 
 @pytest.fixture

@@ -10,13 +10,13 @@ import sys
 import pytest
 
 from tests.workflow.runs import PATIENCE, ROOT
-from workflow.cluster import open_client
-from workflow.place import Place
+from workflow.run.clusters import open_client
+from workflow.study.cluster import Place
 
 SCRIPT = """
 import json, os, signal, sys
-from workflow.cluster import open_client
-from workflow.place import Place
+from workflow.run.clusters import open_client
+from workflow.study.cluster import Place
 
 def facts():
     return os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN, dict(os.environ)
@@ -84,13 +84,13 @@ def test_a_scheduler_that_is_there_is_used(scheduler):
 
 ADDRESSES = ["tcp://127.0.0.1:1", "nonsense", "foo://host:1", "tcp://127.0.0.1"]
 PROBE = f"""
-from workflow import cluster
-from workflow.place import Place
+from workflow.run import clusters
+from workflow.study.cluster import Place
 from workflow.errors import UserError
-cluster.CONNECT_SECONDS = 0.2
+clusters.CONNECT_SECONDS = 0.2
 for address in {ADDRESSES!r}:
     try:
-        cluster.open_client(Place(address)).__enter__()
+        clusters.open_client(Place(address)).__enter__()
     except UserError as error:
         print(error)
 """

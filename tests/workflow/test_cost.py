@@ -11,8 +11,8 @@ from kernels import Line, amplitudes, draw_phases, rms_slope
 from kernels.relaxation import touchable
 from kernels.schemes import SCHEMES
 from kernels.steady import steady_sliding
-from workflow.cost import TYPICAL, Curve, Load, case_seconds, sweeps, touchable_share
-from workflow.timing import rates
+from workflow.plan.cost import TYPICAL, Curve, Load, case_seconds, sweeps, touchable_share
+from workflow.plan.timing import rates
 
 CURVE = Curve((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
 WORK = Load(10_000, 2, 1, 100, 0.7, 0.05, 0.5)

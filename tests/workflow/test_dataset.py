@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from tests.workflow.curves import assembled
-from workflow.fits import FITTED, NOT_FINITE
-from workflow.study import AXES
-from workflow.variables import VARIABLES
+from workflow.reduce.fits import FITTED, NOT_FINITE
+from workflow.result.variables import VARIABLES
+from workflow.study.grid import AXES
 
 PLAN, ESTIMATES, DATASET = assembled()
 _, _, WITH_MODELS = assembled(

@@ -5,8 +5,8 @@ import os
 
 import pytest
 
-from workflow.durable import append_durably, clear_leftovers, write_durably
 from workflow.errors import UserError
+from workflow.system.files import append_durably, clear_leftovers, write_durably
 
 
 def full_disk(*_):

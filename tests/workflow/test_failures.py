@@ -7,11 +7,11 @@ from distributed.scheduler import KilledWorker, WorkerState
 from tests.workflow.runs import run
 from tests.workflow.shards import held
 from tests.workflow.small import all_records, small_plan
-from workflow import work
 from workflow.errors import UserError
-from workflow.failures import Failures
-from workflow.plan import batches
-from workflow.store import Store, store_folder
+from workflow.plan.batches import batches
+from workflow.run import worker as work
+from workflow.run.failures import Failures
+from workflow.store.store import Store, store_folder
 
 PLAN = small_plan()
 BATCH = next(batches(PLAN, set(), 1e9))  # four tasks, four blocks
@@ -85,7 +85,7 @@ def broken(scheduler, tmp_path_factory):
     folder = tmp_path_factory.mktemp("broken")
     bad = PLAN.variants[0].tasks[1].key
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("workflow.runner.run_batch", _Raising(bad))
+        patch.setattr("workflow.run.run.run_batch", _Raising(bad))
         return run(scheduler, folder, max_failures=1), bad
 
 
@@ -134,7 +134,7 @@ def test_a_failure_is_tried_again_when_asked_and_only_then(broken, finished, sch
 
 
 def test_no_result_is_written_after_too_many_failures(scheduler, tmp_path, monkeypatch):
-    monkeypatch.setattr("workflow.runner.run_batch", _Raising(PLAN.variants[0].tasks[1].key))
+    monkeypatch.setattr("workflow.run.run.run_batch", _Raising(PLAN.variants[0].tasks[1].key))
     stopped = run(scheduler, tmp_path, max_failures=0)
     assert not stopped.summary.written
     assert not stopped.path.exists()

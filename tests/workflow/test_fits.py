@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workflow.fits import (
+from workflow.reduce.fits import (
     FITTED,
     NO_RELAXATION,
     NOT_EXPONENTIAL,
@@ -14,7 +14,7 @@ from workflow.fits import (
     fit_relaxation,
     fit_window,
 )
-from workflow.statistics import replicates, standard_error
+from workflow.reduce.jackknife import replicates, standard_error
 
 SHARE = np.linspace(0.0, 4.0, 63)
 

@@ -12,8 +12,7 @@ from distributed.scheduler import KilledWorker
 
 from tests.workflow.runs import PATIENCE
 from workflow.errors import UserError
-from workflow.flow import raise_error, stream
-from workflow.watch import Watch
+from workflow.run.flow import Watch, raise_error, stream
 
 
 def test_each_item_comes_back_once_with_its_result(client):

@@ -5,13 +5,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.workflow.small import small_plan, small_study
-from workflow.accuracy import LAWS
 from workflow.errors import UserError
-from workflow.goal import GROUPS, allowed, goal_of, whole_blocks
-from workflow.resolution import MAX_SAMPLES_PER_LINE
-from workflow.rounds import next_blocks
+from workflow.plan.error_laws import LAWS
+from workflow.plan.goal import GROUPS, allowed, goal_of, whole_blocks
+from workflow.plan.problems import MAX_SAMPLES_PER_LINE
+from workflow.run.rounds import next_blocks
 from workflow.simulate.tasks import Problem
-from workflow.study import Numerics, Scene
+from workflow.study.numerics import Numerics
+from workflow.study.study import Scene
 
 PROBLEMS = st.builds(
     Problem,

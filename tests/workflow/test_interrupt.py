@@ -4,8 +4,8 @@ import signal
 
 import pytest
 
-from workflow import interrupt as module
-from workflow.interrupt import Interrupt
+from workflow.system import process as module
+from workflow.system.process import Interrupt
 
 
 @pytest.fixture

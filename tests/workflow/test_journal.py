@@ -2,7 +2,7 @@
 
 import pytest
 
-from workflow import journal
+from workflow.store import journal
 
 ENTRIES = [{"part": "ab", "keys": "00" * 16}, {"shard": "x\n", "bytes": 17}, {"dropped": "ü"}]
 

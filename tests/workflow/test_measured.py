@@ -5,9 +5,9 @@ import json
 import pytest
 import xarray as xr
 
-from workflow.cli import main
-from workflow.reader import read_study
-from workflow.study import Measured
+from workflow.cli.main import main
+from workflow.study.measured import Measured
+from workflow.study.read import read_study
 
 STUDY = """
 [study]
@@ -23,7 +23,7 @@ MEASURE = """
 from functools import partial
 import pandas as pd
 import xarray as xr
-from workflow.axes import integer, positive
+from workflow.study.checks import integer, positive
 from .helper import power
 
 SETTINGS = {"powers": partial(integer, least=1), "base": positive}

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
-from workflow import models
-from workflow.models import (
+from workflow.reduce import models
+from workflow.reduce.jackknife import replicates, standard_error
+from workflow.reduce.models import (
     EXPONENTIAL,
     STRETCHED,
     TWO_EXPONENTIALS,
@@ -13,7 +14,6 @@ from workflow.models import (
     compare_models,
     determined,
 )
-from workflow.statistics import replicates, standard_error
 
 TIME = np.linspace(0.02, 4.0, 63)
 CURVES = {

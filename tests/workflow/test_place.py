@@ -4,10 +4,9 @@ import subprocess
 
 import pytest
 
-from workflow import slurm
 from workflow.errors import UserError
-from workflow.place import HERE, Place, walltime_seconds
-from workflow.place_reader import read_place
+from workflow.run import clusters as slurm
+from workflow.study.cluster import HERE, Place, read_place, walltime_seconds
 
 TABLE = {
     "where": "slurm",
@@ -102,7 +101,7 @@ def test_jobs_are_asked_for_as_the_table_says():
         "--interface ib0",
         "--lifetime 6480s",
         "--lifetime-stagger 648s",
-        "--preload workflow.worker_setup",
+        "--preload workflow.run.worker",
     ):
         assert option in script
 

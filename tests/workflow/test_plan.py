@@ -8,9 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.workflow.small import all_records, keys, small_plan
-from workflow import plan as planning
-from workflow.outline import without_similarity
-from workflow.plan import batch_target, batches
+from workflow.cli.outline import without_similarity
+from workflow.plan import plan as planning
+from workflow.plan.batches import batch_target, batches
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 PLAN = small_plan(*GRID)

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workflow.fits import fit_power_law
-from workflow.statistics import replicates, standard_error
+from workflow.reduce.fits import fit_power_law
+from workflow.reduce.jackknife import replicates, standard_error
 
 X = np.geomspace(1.5, 300.0, 12)
 

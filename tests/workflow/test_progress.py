@@ -6,8 +6,8 @@ import sys
 
 import pytest
 
-from workflow import progress
-from workflow.progress import Reporter, duration
+from workflow.system import progress
+from workflow.system.progress import Reporter, duration
 
 
 @pytest.mark.parametrize(

@@ -9,9 +9,10 @@ import netCDF4
 import pytest
 
 from tests.workflow.small import small_study
-from workflow.provenance import PACKAGES, commit, processor, provenance
-from workflow.reader import read_study
+from workflow.result.provenance import commit, provenance
 from workflow.simulate.code import CODE
+from workflow.study.read import read_study
+from workflow.system.packages import PACKAGES, processor
 
 STUDY = small_study("study.seed=7", "scene.indentation_rate=false", scale="wide")
 FOUND = provenance(STUDY, STUDY.variants[""])

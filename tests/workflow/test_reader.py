@@ -5,8 +5,8 @@ import json
 import pytest
 
 from tests.workflow.small import TEXT, small_study, write_study
-from workflow.reader import find_study, read_study
-from workflow.study import Numerics
+from workflow.study.numerics import Numerics
+from workflow.study.read import find_study, read_study
 
 
 def test_values_of_the_file_reach_the_study():

@@ -4,7 +4,7 @@ import pytest
 
 from tests.workflow.small import TEXT, small_study, write_study
 from workflow.errors import UserError
-from workflow.reader import find_study, read_study
+from workflow.study.read import find_study, read_study
 
 
 def complaint(*settings, **how):

@@ -16,9 +16,10 @@ from hypothesis import strategies as st
 
 from tests.workflow.small import TEXT, small_study, write_study
 from workflow.errors import UserError
-from workflow.plan import make_plan
-from workflow.reader import TABLES, known_studies, read_study
-from workflow.study import Measured, Study
+from workflow.plan.plan import make_plan
+from workflow.study.measured import Measured
+from workflow.study.read import TABLES, known_studies, read_study
+from workflow.study.study import Study
 
 EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "80"))  # of each kind
 MOST_POINTS = 100  # of a study to plan

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from tests.workflow.curves import RATE, exponential_blocks
-from workflow.fits import FITTED
-from workflow.reduction import reduce_blocks
+from workflow.reduce.estimates import reduce_blocks
+from workflow.reduce.fits import FITTED
 from workflow.simulate.tasks import SCALARS
 
 BLOCKS = exponential_blocks()

@@ -8,11 +8,11 @@ import pytest
 from matplotlib import pyplot as plt
 
 from tests.workflow.synthetic import result, with_alpha
-from workflow.cli import main
-from workflow.dataset import write_datasets
+from workflow.cli.main import main
 from workflow.errors import UserError
-from workflow.page import formula
-from workflow.report import study_names, write_report
+from workflow.report.page import formula
+from workflow.report.report import study_names, write_report
+from workflow.result.netcdf import write_datasets
 
 
 @pytest.fixture(autouse=True)

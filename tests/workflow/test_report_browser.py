@@ -9,8 +9,8 @@ from matplotlib import pyplot as plt
 
 from tests.workflow.synthetic import add, result
 from tests.workflow.test_report import write_figure_8
-from workflow.dataset import write_datasets
-from workflow.report import write_report
+from workflow.report.report import write_report
+from workflow.result.netcdf import write_datasets
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("chrome")
 QUIET = (

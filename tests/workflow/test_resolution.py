@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, draw_phases, run_case
 from tests.workflow.small import small_plan
 from workflow.errors import UserError
-from workflow.resolution import (
+from workflow.plan.problems import (
     MAX_SAMPLES_PER_LINE,
     expected_rate,
     horizon_steps,
@@ -19,7 +19,8 @@ from workflow.resolution import (
 )
 from workflow.simulate.block_means import record_steps, record_times
 from workflow.simulate.tasks import Problem
-from workflow.study import Numerics, Scene
+from workflow.study.numerics import Numerics
+from workflow.study.study import Scene
 
 HURST = st.floats(0.0, 1.0)
 SPEED = st.floats(1e-3, 1e3)

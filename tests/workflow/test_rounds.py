@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from tests.workflow.runs import run, shards
-from workflow.attained import MET, MISSED
-from workflow.goal import GROUPS
-from workflow.plan import make_plan
-from workflow.statistics import grouped_means, replicates, standard_error
+from workflow.plan.goal import GROUPS
+from workflow.plan.plan import make_plan
+from workflow.reduce.attained import MET, MISSED
+from workflow.reduce.jackknife import grouped_means, replicates, standard_error
 
 WANTED = 0.08
 SETTINGS = (

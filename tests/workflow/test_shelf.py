@@ -4,9 +4,9 @@ import pytest
 
 from tests.workflow.shards import WORK, held
 from tests.workflow.small import random_result
-from workflow import shelf as module
-from workflow.shelf import Shelf
-from workflow.store import Store
+from workflow.store import shelf as module
+from workflow.store.shelf import Shelf
+from workflow.store.store import Store
 
 
 @pytest.fixture

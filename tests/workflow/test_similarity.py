@@ -8,11 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.workflow.small import small_study
-from workflow.similarity import (
-    canonical,
-    distinct_problems,
-)
-from workflow.study import AXES
+from workflow.plan.problems import canonical, distinct_problems
+from workflow.study.grid import AXES
 
 NORMAL = st.floats(1e-100, 1e100)
 

@@ -9,10 +9,17 @@ import pytest
 
 from tests.workflow.shards import BATCH
 from tests.workflow.small import random_result, small_plan, small_study
-from workflow.lock import hold
-from workflow.plan import batches
-from workflow.status import Status, StatusWriter, identity, read_status, status_file, status_lines
-from workflow.store import Store, store_folder
+from workflow.plan.batches import batches
+from workflow.run.status import (
+    Status,
+    StatusWriter,
+    identity,
+    read_status,
+    status_file,
+    status_lines,
+)
+from workflow.store.store import Store, store_folder
+from workflow.system.files import hold
 
 STUDY = small_study()
 PLAN = small_plan()
@@ -131,10 +138,10 @@ def test_where_it_is_computed_is_no_part_of_a_study():
 
 def test_it_is_written_every_few_seconds_only(place, monkeypatch):
     writer, now = place[2], [time.monotonic()]
-    monkeypatch.setattr("workflow.status.time.monotonic", lambda: now[0])
+    monkeypatch.setattr("workflow.run.status.time.monotonic", lambda: now[0])
     for _ in range(20):
         writer.write(1, 1)
         now[0] += 1.0
-    monkeypatch.setattr("workflow.status.write_durably", pytest.fail)
+    monkeypatch.setattr("workflow.run.status.write_durably", pytest.fail)
     now[0] = writer.written + 4.9
     writer.write(1, 1)

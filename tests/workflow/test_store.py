@@ -20,9 +20,9 @@ from tests.workflow.shards import (
     shard_of,
 )
 from tests.workflow.small import random_result
-from workflow import journal
 from workflow.errors import UserError
-from workflow.store import Store
+from workflow.store import journal
+from workflow.store.store import Store
 
 
 def test_result_comes_back_bit_for_bit(tmp_path):

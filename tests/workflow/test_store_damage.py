@@ -18,8 +18,8 @@ from tests.workflow.shards import (
     shard_of,
 )
 from tests.workflow.small import random_result
-from workflow import journal, shard
-from workflow.store import DamagedShard, Store
+from workflow.store import journal, shard
+from workflow.store.store import DamagedShard, Store
 
 
 def truncated(share):

@@ -6,9 +6,9 @@ import numpy as np
 import pytest
 
 from tests.workflow.small import small_plan
-from workflow.plan import batches
+from workflow.plan.batches import batches
+from workflow.run.summary import Summary
 from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
-from workflow.summary import Summary
 
 PLAN = small_plan("grid.velocity=[0.03, 0.05, 0.1]")
 BATCH = next(batches(PLAN, set(), 1e9))

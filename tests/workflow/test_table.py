@@ -4,10 +4,10 @@ import pandas as pd
 import pytest
 
 from tests.workflow.small import small_study, write_study
-from workflow.cli import main
+from workflow.cli.main import main
 from workflow.errors import UserError
-from workflow.study import AXES
-from workflow.table import write_table
+from workflow.report.table import write_table
+from workflow.study.grid import AXES
 
 
 @pytest.fixture(scope="module")

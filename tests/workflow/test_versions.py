@@ -2,9 +2,9 @@
 
 import pytest
 
-from workflow import versions as module
 from workflow.errors import UserError
-from workflow.versions import Versions, check_versions, require, versions
+from workflow.run import worker as module
+from workflow.run.worker import Versions, check_versions, require, versions
 
 
 def other(name, value):
@@ -26,11 +26,11 @@ def test_packages_python_and_our_own_sources_are_compared():
 
 def test_an_edit_is_another_version(tmp_path, monkeypatch):
     for name in module.FOLDERS:
-        (tmp_path / name).mkdir()
-        (tmp_path / name / "a.py").write_text("x = 1\n")
-    monkeypatch.setattr(module, "__file__", str(tmp_path / "workflow" / "versions.py"))
+        (tmp_path / name / "room").mkdir(parents=True)
+        (tmp_path / name / "room" / "a.py").write_text("x = 1\n")
+    monkeypatch.setattr(module, "ROOT", tmp_path)
     before = versions.__wrapped__()
-    (tmp_path / "kernels" / "a.py").write_text("x = 2\n")
+    (tmp_path / "kernels" / "room" / "a.py").write_text("x = 2\n")
     after = versions.__wrapped__()
     assert before.values[:-1] == after.values[:-1]
     assert before.values[-1] != after.values[-1]

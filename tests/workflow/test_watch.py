@@ -2,9 +2,9 @@
 
 import pytest
 
-from workflow import watch as module
 from workflow.errors import UserError
-from workflow.watch import Watch
+from workflow.run import flow as module
+from workflow.run.flow import Watch
 
 
 @pytest.fixture

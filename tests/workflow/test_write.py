@@ -7,8 +7,8 @@ import pytest
 import xarray as xr
 
 from tests.workflow.curves import assembled
-from workflow.dataset import write_datasets
 from workflow.errors import UserError
+from workflow.result.netcdf import write_datasets
 
 _, _, DATASET = assembled()
 

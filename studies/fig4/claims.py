@@ -1,0 +1,71 @@
+"""What the paper says of figure 4, judged from the numbers of this study."""
+
+import numpy as np
+import xarray as xr
+
+from workflow.report.claims import (
+    HOLDS,
+    NOT_FOUND,
+    ONLY_COARSE,
+    Claim,
+    Results,
+    given,
+    per_point,
+)
+
+RATE = 2.4  # of figure 4
+USUAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typical
+
+
+def example_rate(results: Results) -> Claim | None:
+    """Judge b = 2.4 of figure 4: for which spacing is it found?"""
+    found, places = [], {}
+    for group, label in (("", "converged"), ("/paper_step", "implicit Euler")):
+        line = _over_spacing(given(results, f"fig4{group}", "relaxation_rate"))
+        if line is None:
+            continue
+        spacing, rate, error = line
+        usual = int(np.abs(np.log(spacing / USUAL_SPACING)).argmin())
+        found.append(
+            f"{label}: b = {rate[usual]:.2f} ± {error[usual]:.2f} at Δx = "
+            f"{1e6 * spacing[usual]:.3g} µm, {rate.min():.2f} … {rate.max():.2f} over "
+            f"{rate.size} spacings"
+        )
+        at = _crossing(np.log(spacing), np.log(rate / RATE), error / rate)
+        if at is not None:
+            micrometres = 1e6 * np.exp(at[0])
+            places[group] = f"Δx = {micrometres:.2g} ± {micrometres * at[1]:.1g} µm"
+    if not found:
+        return None
+    verdict = f"{HOLDS} if {places['']}" if "" in places else NOT_FOUND
+    if verdict == NOT_FOUND and places:
+        verdict = f"{ONLY_COARSE}, {places['/paper_step']}"
+    text = "Figure 4: b = 2.4 (its spacing is not printed; N is typically 5000, Δx = 2 µm)"
+    error = per_point(results["fig4"]) if "fig4" in results else "not known"
+    return Claim(text, f"{RATE:g}", "; ".join(found), error, verdict)
+
+
+def _over_spacing(
+    dataset: xr.Dataset | None,
+) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
+    """Return spacing, b and its error where fitted, or None unless spacing alone varies."""
+    if dataset is None or dataset.relaxation_rate.size != dataset.spacing.size:
+        return None
+    rate, error = dataset.relaxation_rate.values.ravel(), dataset.relaxation_rate_error
+    known = np.isfinite(rate)
+    if not known.any():
+        return None
+    return dataset.spacing.values[known], rate[known], error.values.ravel()[known]
+
+
+def _crossing(x: np.ndarray, y: np.ndarray, error: np.ndarray) -> tuple[float, float] | None:
+    """Return (x, error of x) where y first changes sign, by linear interpolation."""
+    change = np.flatnonzero(np.sign(y[1:]) != np.sign(y[:-1]))
+    if change.size == 0:
+        return None
+    k = change[0]
+    slope = (y[k + 1] - y[k]) / (x[k + 1] - x[k])
+    return float(x[k] - y[k] / slope), float(abs(max(error[k], error[k + 1]) / slope))
+
+
+CLAIMS = (example_rate,)

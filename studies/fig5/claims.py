@@ -1,0 +1,78 @@
+"""What the paper says of slow sliding (eq. 9), judged from the numbers of figures 3 and 5."""
+
+from collections.abc import Callable
+
+import numpy as np
+import xarray as xr
+
+from workflow.report.claims import Claim, Results, given, judge, mean_error
+
+SLOW = 0.5  # x below which sliding is slow
+
+
+def slow_jump(results: Results) -> Claim | None:
+    """Judge zeta -> 1 at low speed (eq. 9)."""
+    return _slow(results, "ζ = (Δµ₀/µ₁)/(Δv/v₁) → 1 at low speed (eq. 9)", _zeta)
+
+
+def slow_steady(results: Results) -> Claim | None:
+    """Judge xi -> 1 at low speed (eq. 9)."""
+    return _slow(results, "ξ = ((µ₂ − µ₁)/µ₁)/(Δv/v₁) → 1 at low speed (eq. 9)", _xi)
+
+
+def _slow(results: Results, text: str, law: Callable) -> Claim | None:
+    """Judge a ratio by its value in figures 3 and 5; the error needs the curves of figure 3."""
+    values, found, error = [], [], np.nan
+    for name in ("fig3", "fig5"):
+        dataset = given(results, name, "mu_1", "mu_2", "jump")
+        if dataset is None:
+            continue
+        slow = dataset.where(dataset.speed_ratio < SLOW)
+        ratio, ratio_error = law(slow)
+        known = ratio.values[np.isfinite(ratio.values)]
+        if known.size == 0:
+            continue
+        values.append(known)
+        found.append(
+            f"{known.mean():.4f} ({known.min():.4f} … {known.max():.4f}, {known.size} points "
+            f"with x < {SLOW:g}, {name})"
+        )
+        if ratio_error is not None:
+            error = mean_error(ratio_error)
+    if not values:
+        return None
+    deviation = float(np.abs(np.concatenate(values) - 1.0).max())
+    unknown = not np.isfinite(error)
+    shown = "not known without the curves of fig3" if unknown else f"± {error:.1g}"
+    return Claim(text, "1", "; ".join(found), shown, judge(deviation, 0.0 if unknown else error))
+
+
+def _zeta(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
+    """Return zeta and its error.
+
+    mu_1 and the jump come from the same lines; their covariance follows from the error of
+    their sum, which is sample 0 of the curve.
+    """
+    mu, jump = points.mu_1, points.jump
+    zeta = jump / mu / points.velocity_step
+    if "mu" not in points:
+        return zeta, None
+    variances = points.mu_1_error**2, points.jump_error**2
+    both = points.mu_error.isel(sample=0) ** 2 - sum(variances)
+    relative = variances[0] / mu**2 + variances[1] / jump**2 - both / (mu * jump)
+    return zeta, np.abs(zeta) * np.sqrt(np.maximum(relative, 0.0))
+
+
+def _xi(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
+    """Return xi and a bound of its error: xi is zeta less the share mu*/mu_1 that relaxes."""
+    mu, step = points.mu_1, points.velocity_step
+    xi = (points.mu_2 - mu) / mu / step
+    zeta, error = _zeta(points)
+    if error is None:
+        return xi, None
+    unknown = np.abs(zeta - xi)  # nothing fitted: what relaxes is not known better than this
+    fitted = points.amplitude_error / mu / np.abs(step)
+    return xi, error + fitted.fillna(unknown)
+
+
+CLAIMS = (slow_jump, slow_steady)

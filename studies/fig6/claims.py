@@ -1,0 +1,67 @@
+"""What the paper says of the jump (eqs. 11 and 12), judged from the numbers of figure 6."""
+
+import numpy as np
+
+from workflow.kinetic_law import PLATEAU, normalised_jump
+from workflow.report.claims import TOLERANCE, Claim, Results, given, judge, mean_error, percent
+
+FLAT = 0.9  # share of its largest value from which mu_1 counts as on the plateau
+MIDDLE = (0.3, 0.7)  # Hurst exponents of the plateau claim
+
+
+def plateau(results: Results) -> Claim | None:
+    """Judge the plateau of the jump (eq. 11), by the mean of each Hurst exponent."""
+    dataset = given(results, "fig6", "mu_1", "jump")
+    if dataset is None:
+        return None
+    inside = (dataset.hurst > MIDDLE[0] - 1e-9) & (dataset.hurst < MIDDLE[1] + 1e-9)
+    chosen = dataset.isel(hurst=np.flatnonzero(inside))
+    if chosen.hurst.size == 0:
+        return None
+    line = ("normal_force", "spacing", "roughness", "velocity", "velocity_step")
+    flat = chosen.where(chosen.mu_1 >= FLAT * chosen.mu_1.max("velocity"))
+    level = flat.jump / flat.rms_slope / flat.velocity_step
+    error = flat.jump_error / flat.rms_slope / np.abs(flat.velocity_step)
+    each = level.mean(line)
+    errors = [mean_error(error.isel(hurst=[k])) for k in range(each.size)]
+    parts = [
+        f"{value:.3f} ± {e:.3f} at H = {hurst:g}"
+        for hurst, value, e in zip(chosen.hurst.values, each.values, errors, strict=True)
+    ]
+    return Claim(
+        "Plateau (Δµ₀/∇z)/(Δv/v₁) = 0.4 at high speed (eq. 11)",
+        f"{PLATEAU:g}",
+        f"mean {float(each.mean()):.3f}: {', '.join(parts)}; {int(level.count())} points with µ₁ "
+        f"within {percent(1 - FLAT)} of its largest value",
+        f"± {np.sqrt(np.sum(np.square(errors))) / each.size:.3f}",
+        judge(float(np.abs(each / PLATEAU - 1.0).max()), max(errors) / PLATEAU),
+    )
+
+
+def interpolation(results: Results) -> Claim | None:
+    """Judge the interpolation between both limits (eq. 12)."""
+    dataset = given(results, "fig6", "mu_1", "jump")
+    if dataset is None:
+        return None
+    mu = dataset.mu_1 / dataset.rms_slope
+    law = dataset.rms_slope * dataset.velocity_step * normalised_jump(mu)
+    deviation = (dataset.jump / law - 1.0).stack(point=dataset.mu_1.dims)
+    worst = deviation.isel(point=int(np.nanargmax(np.abs(deviation.values))))
+    rms = float(np.sqrt((deviation**2).mean()))
+    largest = abs(float(worst))
+    error = float((dataset.jump_error / np.abs(law)).median())
+    verdict = judge(rms, 0.0, TOLERANCE)
+    if verdict != judge(largest, 0.0, TOLERANCE):
+        verdict += f" (rms), {percent(largest)} at worst"
+    return Claim(
+        "The jump follows eq. 12 from slow to fast sliding, for all H",
+        "eq. 12",
+        f"rms deviation {percent(rms, 1)}, largest {percent(largest)} at "
+        f"H = {float(worst.hurst):g}, v₁ = {float(worst.velocity):.2g} m/s; {deviation.size} "
+        "points",
+        f"{percent(error, 1)} a point",
+        verdict,
+    )
+
+
+CLAIMS = (plateau, interpolation)

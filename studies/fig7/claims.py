@@ -1,0 +1,156 @@
+"""What the paper says of relaxation (eqs. 6, 13 to 16), judged from the numbers of figure 7."""
+
+import numpy as np
+import xarray as xr
+
+from workflow.kinetic_law import relaxation_rate
+from workflow.reduce.fits import FITTED, NOT_EXPONENTIAL
+from workflow.report.claims import (
+    FACTOR,
+    HOLDS,
+    NOT_FOUND,
+    ONLY_COARSE,
+    Claim,
+    Results,
+    given,
+    judge,
+    judge_factor,
+    per_point,
+    percent,
+    reworded,
+    spread,
+    typical_factor,
+)
+
+GOOD_FIT = 0.95  # 1 - residual / total sum of squares of an accurate fit
+
+
+def exponential(results: Results) -> Claim | None:
+    """Judge that an exponential fits the relaxation accurately (eq. 6)."""
+    dataset = given(results, "fig7", "fit_quality", "fit_status")
+    if dataset is None:
+        return None
+    quality = dataset.fit_quality.values[(dataset.fit_status == FITTED).values]
+    relaxing = quality.size + int((dataset.fit_status == NOT_EXPONENTIAL).sum())
+    if quality.size == 0:
+        return None
+    share = float((quality >= GOOD_FIT).sum() / relaxing)
+    low, middle = np.percentile(quality, [5, 50])
+    verdict = judge(1.0 - share, tolerance=0.5)
+    return Claim(
+        "The relaxation is accurately fitted by an exponential (eq. 6)",
+        "accurate",
+        f"R² ≥ {GOOD_FIT:g} for {percent(share)} of {relaxing} relaxing points; of the fits, "
+        f"median R² {middle:.4f}, one in 20 below {low:.3f}",
+        per_point(dataset),
+        reworded(verdict, f"{HOLDS} for {percent(share)} of the points"),
+    )
+
+
+CONVERGED, PAPER_STEP = "fig7", "fig7/paper_step"
+
+VARIANTS = {CONVERGED: "converged", PAPER_STEP: "implicit Euler"}
+NEEDED = (
+    "speed_ratio",
+    "relaxation_rate",
+    "relaxation_rate_error",
+    "contact_fraction",
+    "fit_status",
+)
+
+LARGEST_ERROR = 0.15  # relative standard error of b up to which a point is used
+NEARLY_FULL = 0.8  # contact fraction from which a contact counts as full
+FORCE_TOLERANCE = 0.5
+
+
+def slow_rate(results: Results) -> Claim | None:
+    """Judge b = x below x = 1, the length D_c = 1/q_max: as studied and with the paper's step."""
+    ratios, found = {}, []
+    for key, label in VARIANTS.items():
+        points = _usable(results, key, below=1.0)
+        if points is None:
+            continue
+        x, rate = points.speed_ratio.values, points.relaxation_rate.values
+        ratios[key] = rate / x
+        slope = np.polyfit(np.log(x), np.log(rate), 1)[0]
+        found.append(
+            f"{label}: b/x = {spread(ratios[key])}, b ∝ x^{slope:.2f}, median b = "
+            f"{np.median(rate):.2f}, D_c q_max = {np.median(x / rate):.2f}, {x.size} points"
+        )
+    if CONVERGED not in ratios:
+        return None
+    verdict = judge_factor(ratios[CONVERGED])
+    factor = typical_factor(ratios.get(PAPER_STEP, np.array([np.inf])))
+    if verdict == NOT_FOUND and factor <= FACTOR:
+        verdict = f"{ONLY_COARSE}, within a factor {factor:.2g}"
+    return Claim(
+        "b = v₁τq_max for v₁τq_max < 1: relaxation over the length D_c = 1/q_max (eqs. 13, 14)",
+        "b/x = 1",
+        "; ".join(found),
+        per_point(results[CONVERGED]),
+        verdict,
+    )
+
+
+def relaxation_time(results: Results) -> Claim | None:
+    """Judge the relaxation time above x = 1 (eq. 16)."""
+    points = _usable(results, CONVERGED, above=1.0)
+    if points is None:
+        return None
+    law = relaxation_rate(points.speed_ratio.values, points.hurst.values)
+    ratio = points.relaxation_rate.values / law
+    return Claim(
+        "Relaxation time τ^H (v q_max)^(H−1) for v₁τq_max > 1 (eq. 16), short of full contact",
+        "b/x^(1−H) = 1",
+        f"b/x^(1−H) = {spread(ratio)}, extremes {ratio.min():.2f} and {ratio.max():.2f}; "
+        f"{ratio.size} points",
+        per_point(results[CONVERGED]),
+        judge_factor(ratio),
+    )
+
+
+def force_independence(results: Results) -> Claim | None:
+    """Judge that b does not depend on the normal force: its spread over F_N at one (H, dx, v1)."""
+    points = _usable(results, CONVERGED)
+    if points is None:
+        return None
+    log_rate = np.log(points.relaxation_rate).unstack("point")
+    several = log_rate.count("normal_force") > 1
+    deviation = log_rate.std("normal_force", ddof=1).where(several)
+    if int(several.sum()) == 0:
+        return None
+    rms = float(np.sqrt((deviation**2).mean()))
+    verdict = judge(float(np.expm1(rms)), tolerance=FORCE_TOLERANCE)
+    extreme = float(np.exp((log_rate.max("normal_force") - log_rate.min("normal_force")).max()))
+    force = points.normal_force.values
+    return Claim(
+        "b depends on v₁τq_max and H alone, not on the normal force (eq. 13)",
+        "no spread",
+        f"rms spread {percent(np.expm1(rms))} over F_N = {force.min():g} … {force.max():g} N, "
+        f"largest ratio {extreme:.2f}; {int(several.sum())} combinations of H, Δx, v₁",
+        per_point(results[CONVERGED]),
+        verdict
+        if verdict in (HOLDS, NOT_FOUND)
+        else f"{verdict} (rms), ratio {extreme:.1f} at worst",
+    )
+
+
+def _usable(
+    results: Results, key: str, above: float = 0.0, below: float = np.inf
+) -> xr.Dataset | None:
+    """Return the points of above < x < below with a fit of small error, short of full contact.
+
+    They lie along "point". None where there are fewer than two values of x.
+    """
+    dataset = given(results, key, *NEEDED)
+    if dataset is None:
+        return None
+    points = dataset[list(NEEDED)].stack(point=dataset.relaxation_rate.dims)
+    x = points.speed_ratio
+    small = points.relaxation_rate_error < LARGEST_ERROR * points.relaxation_rate
+    short = points.contact_fraction < NEARLY_FULL
+    usable = (points.fit_status == FITTED) & small & short & (x > above) & (x < below)
+    return points.isel(point=usable.values) if np.unique(x.values[usable]).size > 1 else None
+
+
+CLAIMS = (exponential, slow_rate, relaxation_time, force_independence)

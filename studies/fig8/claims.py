@@ -1,0 +1,54 @@
+"""What the paper says of the exponent (eq. 13), judged from the numbers of figures 8 and 7."""
+
+import math
+
+import numpy as np
+
+from workflow.report.claims import (
+    HOLDS,
+    Claim,
+    Results,
+    given,
+    judge,
+    reworded,
+)
+
+ALPHA_TOLERANCE = 0.2
+
+
+def exponent(results: Results) -> Claim | None:
+    """Judge alpha = 1 - H above x = 1 (eq. 13), converged in time."""
+    return _exponent(results, "", "converged in time")
+
+
+def exponent_paper_step(results: Results) -> Claim | None:
+    """Judge alpha = 1 - H above x = 1 (eq. 13), implicit Euler at one step per spacing."""
+    return _exponent(results, "/paper_step", "implicit Euler, one step per Δx")
+
+
+def _exponent(results: Results, group: str, label: str) -> Claim | None:
+    name = "fig8" if given(results, f"fig8{group}", "alpha") else "fig7"
+    dataset = given(results, name + group, "alpha")
+    if dataset is None:
+        return None
+    dataset = dataset.isel(hurst=np.isfinite(dataset.alpha.values))
+    if dataset.hurst.size == 0:
+        return None
+    off = (dataset.alpha - (1.0 - dataset.hurst)).values
+    worst = int(np.abs(off).argmax())
+    free = float(np.abs(dataset.alpha_free - (1.0 - dataset.hurst)).max())
+    error = float(dataset.alpha_error[worst])
+    verdict = judge(abs(off[worst]), error, ALPHA_TOLERANCE)
+    at_most = math.ceil(100.0 * abs(off[worst]) - 1e-9) / 100.0
+    return Claim(
+        f"α = 1 − H for v₁τq_max > 1 (eq. 13, figure 8), {label}",
+        "1 − H",
+        f"α − (1 − H) = {off.min():+.3f} … {off.max():+.3f}, largest at "
+        f"H = {float(dataset.hurst[worst]):g}; with a free prefactor within {free:.2f}; "
+        f"{dataset.hurst.size} H, {int(dataset.alpha_points.sum())} points of {name}",
+        f"± {error:.3f}",
+        reworded(verdict, f"{HOLDS} within {at_most:.2f}"),
+    )
+
+
+CLAIMS = (exponent, exponent_paper_step)

@@ -1,0 +1,151 @@
+"""Command line: python -m workflow plan|run|status|figure|table STUDY, and report."""
+
+import argparse
+import sys
+from pathlib import Path
+
+from workflow.cli.outline import outline, plan_measured
+from workflow.cli.run import RESUMABLE, add_run_options, resume_line, run
+from workflow.errors import UserError
+from workflow.plan.machine import calibrated
+from workflow.plan.plan import make_plan
+from workflow.report.table import write_measured_table
+from workflow.run.status import result_line, status_lines
+from workflow.store.store import store_folder
+from workflow.study.measured import Measured
+from workflow.study.read import read_study
+from workflow.study.study import Study
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; return the exit status.
+
+    0 done, 2 wrong input or surroundings, 3 done but for problems that failed, 130 interrupted.
+    """
+    options = _parser().parse_args(arguments)
+    try:
+        return COMMANDS[options.command](options)
+    except UserError as error:
+        print(f"error: {error}", file=sys.stderr)
+        return 2
+    except KeyboardInterrupt:
+        print(resume_line("aborted"), file=sys.stderr)
+        return RESUMABLE
+
+
+def _parser() -> argparse.ArgumentParser:
+    parser = argparse.ArgumentParser(prog="python -m workflow", description=__doc__)
+    commands = parser.add_subparsers(dest="command", required=True)
+    texts = {
+        "plan": "say what a run would do and cost; compute nothing",
+        "run": "compute what is missing and write the result file",
+        "status": "say what is done and what is missing",
+        "figure": "draw the figure of a finished run",
+        "table": "write all coefficients of a finished run as CSV",
+    }
+    for name, text in texts.items():
+        command = commands.add_parser(name, help=text, description=text)
+        command.add_argument("study", help="a name under studies/ or the path of a TOML file")
+        command.add_argument("--scale", help="one of the study's [scales.NAME] tables")
+        command.add_argument(
+            "--set",
+            action="append",
+            default=[],
+            metavar="TABLE.KEY=VALUE",
+            help="override one setting, e.g. grid.hurst=0.7 (repeatable)",
+        )
+        command.add_argument("--accuracy", help="as --set numerics.accuracy=0.01: 1%% or 0.01")
+        command.add_argument(
+            "--out", default="results", help="folder of results, or path of the .nc file"
+        )
+        if name == "run":
+            add_run_options(command)
+    text = "write report.html: all figures, and the claims of the paper beside the results"
+    report = commands.add_parser("report", help=text, description=text)
+    report.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
+    report.add_argument("--out", default="results", help="folder of results")
+    return parser
+
+
+def _study(options: argparse.Namespace) -> tuple[Study | Measured, Path]:
+    settings = list(options.set)
+    if options.accuracy is not None:
+        settings.append(f"numerics.accuracy={_share(options.accuracy)!r}")
+    study = read_study(options.study, options.scale, settings)
+    out = Path(options.out)
+    return study, out if out.suffix == ".nc" else out / f"{study.name}.nc"
+
+
+def _share(text: str) -> float:
+    """Return 0.01 for 1% and for 0.01."""
+    try:
+        return float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
+    except ValueError:
+        raise UserError(f"--accuracy {text}: must be a number such as 1% or 0.01") from None
+
+
+def _plan(options: argparse.Namespace) -> int:
+    study, result = _study(options)
+    if isinstance(study, Measured):
+        print(plan_measured(study, result))
+        return 0
+    speed = calibrated()
+    print("\n".join(outline(make_plan(study, speed.rates), result, speed.note)))
+    return 0
+
+
+def _run(options: argparse.Namespace) -> int:
+    return run(options, *_study(options))
+
+
+def _status(options: argparse.Namespace) -> int:
+    study, result = _study(options)
+    if isinstance(study, Measured):
+        print(result_line(result))
+    else:
+        print("\n".join(status_lines(study, result, store_folder(result))))
+    return 0
+
+
+def _figure(options: argparse.Namespace) -> int:
+    from workflow.report.figure import draw_figure
+
+    study, result = _checked(options)
+    for file in draw_figure(study, result):
+        print(file)
+    return 0
+
+
+def _table(options: argparse.Namespace) -> int:
+    from workflow.report.table import write_table
+
+    study, result = _checked(options)
+    measured = isinstance(study, Measured)
+    print(write_measured_table(study, result) if measured else write_table(study, result))
+    return 0
+
+
+def _checked(options: argparse.Namespace) -> tuple[Study | Measured, Path]:
+    """Return the study and its result, which has been found to be one."""
+    from workflow.result.netcdf import check_result
+
+    study, result = _study(options)
+    check_result(study, result, asked=bool(options.scale or options.set or options.accuracy))
+    return study, result
+
+
+def _report(options: argparse.Namespace) -> int:
+    from workflow.report.report import write_report
+
+    print(write_report(Path(options.out), options.studies))
+    return 0
+
+
+COMMANDS = {
+    "plan": _plan,
+    "run": _run,
+    "status": _status,
+    "figure": _figure,
+    "table": _table,
+    "report": _report,
+}

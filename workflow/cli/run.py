@@ -1,0 +1,94 @@
+"""The command ``run``: its options, what it prints, its exit status."""
+
+import argparse
+import math
+import os
+import shlex
+import sys
+from dataclasses import replace
+from pathlib import Path
+
+from workflow.errors import UserError
+from workflow.plan.machine import calibrated
+from workflow.plan.plan import make_plan
+from workflow.run.measured import run_measured
+from workflow.study.cluster import SLURM, Place
+from workflow.study.measured import Measured
+from workflow.study.study import Study
+
+DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
+
+OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
+
+
+def add_run_options(command: argparse.ArgumentParser) -> None:
+    """Add the options that only ``run`` has."""
+    add = command.add_argument
+    add("--scheduler", help="address of a dask scheduler, tcp://host:port")
+    add("--slurm", action="store_true", help="compute in jobs of SLURM, see the table [cluster]")
+    add("--dashboard", action="store_true", help="start dask's dashboard and say where it is")
+    add("--workers", type=int, help="local worker processes (all cores)")
+    add("--batch-seconds", type=float, help="predicted length of a batch (1 to 10)")
+    add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
+    add("--retry-failed", action="store_true", help="try what failed in earlier runs again")
+
+
+def run(options: argparse.Namespace, study: Study | Measured, result: Path) -> int:
+    """Run a study; return the exit status."""
+    _check(options)
+    if isinstance(study, Measured):
+        for option in OF_A_CLUSTER:
+            if getattr(options, option) is not None:
+                name = option.replace("_", "-")
+                raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
+        print(run_measured(study, result), result, sep="\n")
+        return DONE
+    # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
+    os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
+    from workflow.run.run import How, run_plan
+
+    plan = make_plan(study, calibrated().rates)
+    how = How(
+        place=_place(options, study.place),
+        workers=options.workers,
+        dashboard=options.dashboard,
+        batch_seconds=options.batch_seconds,
+        max_failures=options.max_failures,
+        retry_failed=options.retry_failed,
+    )
+    summary = run_plan(plan, result, how)
+    print("\n".join(summary.lines(plan)))
+    if summary.failures:
+        print("\n".join(summary.failures), file=sys.stderr)
+    if summary.interrupted:
+        print(resume_line("interrupted"), file=sys.stderr)
+        return RESUMABLE
+    if summary.written:
+        print(result)
+    else:
+        print(f"stopped: more than {options.max_failures} problems failed", file=sys.stderr)
+    return FAILED if summary.failures else DONE
+
+
+def _place(options: argparse.Namespace, place: Place) -> Place:
+    """Return where to compute: the study's place unless the options say otherwise."""
+    if options.scheduler:
+        return replace(place, where=options.scheduler)
+    return replace(place, where=SLURM) if options.slurm else place
+
+
+def resume_line(what: str) -> str:
+    """Return how to go on with a run that ended early."""
+    command = shlex.join(["python", "-m", "workflow", *sys.argv[1:]])
+    return f"{what}; what is finished is kept, to resume run again: {command}"
+
+
+def _check(options: argparse.Namespace) -> None:
+    if options.scheduler and options.slurm:
+        raise UserError("--scheduler and --slurm: only one of them")
+    if options.workers is not None and options.workers < 1:
+        raise UserError(f"--workers {options.workers}: must be at least 1")
+    if options.batch_seconds is not None and not 0.0 < options.batch_seconds < math.inf:
+        raise UserError(f"--batch-seconds {options.batch_seconds}: must be a positive number")
+    if options.max_failures < 0:
+        raise UserError(f"--max-failures {options.max_failures}: must not be negative")

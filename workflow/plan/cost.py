@@ -1,0 +1,146 @@
+"""Predicted cost of a case: how much work it is (laws below) times how fast a machine works.
+
+The amounts (sweeps, touching samples) belong to the problem, the rates to a machine; those are
+measured by calibration.py.
+"""
+
+import math
+from typing import NamedTuple
+
+from kernels import Quantities
+from workflow.plan.problems import pace
+from workflow.simulate.tasks import Task
+
+DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
+WORKER_BYTES = 200e6  # interpreter, libraries, machine code
+LOOK = 0.2  # of a sweep: finding the samples that touch
+BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
+BYTES_PER_TASK = 2000  # of the plan
+BYTES_PER_RECORD = 1  # many share an entry of the index
+BYTES_PER_POINT = 1000  # of the result, all estimates
+BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
+
+
+class Curve(NamedTuple):
+    """Seconds per call over the number of samples: a power law between measured sizes."""
+
+    sizes: tuple[float, ...]  # increasing
+    seconds: tuple[float, ...]
+
+    def __call__(self, size: float) -> float:
+        """Return the seconds for ``size`` samples; at either end in proportion to the size."""
+        sizes, seconds = self
+        if size <= sizes[0]:
+            return seconds[0]
+        for k in range(1, len(sizes)):
+            if size <= sizes[k]:
+                share = math.log(size / sizes[k - 1]) / math.log(sizes[k] / sizes[k - 1])
+                return seconds[k - 1] * (seconds[k] / seconds[k - 1]) ** share
+        return seconds[-1] * size / sizes[-1]
+
+
+class Rates(NamedTuple):
+    """How fast a machine is."""
+
+    draw: Curve  # phases, two FFTs, shifts
+    sweep: Curve  # one pass of a steady state
+    quadrature: Curve  # friction of a steady state, or a jump, over the samples that touch
+    setup: Curve  # of a march, over the samples of the line
+    step: Curve  # of a march, over the samples that are marched
+    case: float  # s, calls from Python
+
+
+# One core of the machine of the first measurements; for tests, and where nothing is measured.
+TYPICAL = Rates(
+    draw=Curve((2e3, 2e4, 2e5), (2.4e-4, 1.1e-3, 1.1e-2)),
+    sweep=Curve((2e3, 2e4, 2e5), (1.2e-5, 8.5e-5, 9.0e-4)),
+    quadrature=Curve((2e3, 2e4, 2e5), (4.5e-5, 4.2e-4, 4.5e-3)),
+    setup=Curve((2e3, 2e4, 2e5), (2.0e-5, 1.7e-4, 1.7e-3)),
+    step=Curve((6e1, 2e3, 2e4, 2e5), (4.0e-7, 8.0e-6, 8.0e-5, 8.5e-4)),
+    case=1.2e-4,
+)
+
+
+class Load(NamedTuple):
+    """What one case does on one line."""
+
+    samples: int
+    steady_states: int
+    jumps: int
+    steps: int
+    hurst: float
+    load: float  # Fbar
+    pace: float  # vbar grad z, the viscous pressure on a mean slope in G h
+
+
+def touchable_share(hurst: float, load: float, pace: float) -> float:
+    """Return the share of the line that is marched: what lies below the indentation.
+
+    At rest it grows with the load; at speed little area carries it, load over viscous pressure.
+    Measured on 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000: half of
+    them within 20 %, nine of ten within a factor of 2.2.
+    """
+    rest = math.exp(-0.40 + 0.78 * hurst) * load**0.635
+    speed = math.exp(1.58 + 0.44 * hurst) * (load / pace**0.72) ** 1.06
+    return (1.0 + rest**-2.8 + speed**-2.8) ** (-1.0 / 2.8)
+
+
+def sweeps(load: float, pace: float) -> float:
+    """Return the number of sweeps of a steady state, 1 to 8: within 40 %, same problems."""
+    light = min(max(3.8 + 0.9 * math.log10(pace), 2.5), 5.5)
+    return 1.2 + (light - 1.2) / (1.0 + load / 3.0)
+
+
+def case_seconds(rates: Rates, work: Load) -> float:
+    """Return the predicted time of one case on a line that exists."""
+    n = work.samples
+    states = work.steady_states * sweeps(work.load, work.pace) * rates.sweep(n)
+    touching = n * touchable_share(work.hurst, work.load, work.pace)
+    look = LOOK * rates.sweep(n)
+    friction = (work.steady_states + work.jumps) * (look + rates.quadrature(touching))
+    march = 0.0
+    if work.steps:
+        march = rates.setup(n) + work.steps * rates.step(touching)
+    return rates.case + states + friction + march
+
+
+def worker_bytes(samples: int) -> float:
+    """Return the predicted peak memory of a worker whose longest line has ``samples``."""
+    return WORKER_BYTES + BYTES_PER_SAMPLE * samples
+
+
+def driver_bytes(points: int, tasks: int, records: int, samples: int) -> float:
+    """Return the predicted peak memory of the driver: plan, index of the store, result."""
+    estimates = points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * samples)
+    return DRIVER_BYTES + tasks * BYTES_PER_TASK + records * BYTES_PER_RECORD + estimates
+
+
+class Prices:
+    """Predicted core-seconds of the tasks of one study, each reckoned once."""
+
+    def __init__(self, rates: Rates, asked: Quantities) -> None:
+        """``asked`` : what is simulated."""
+        self.rates, self.asked = rates, asked
+        self.known: dict[str, float] = {}
+
+    def task(self, task: Task) -> float:
+        """Return the predicted time of one realization of a task on a line that exists."""
+        if task.key not in self.known:
+            self.known[task.key] = case_seconds(self.rates, self._load(task))
+        return self.known[task.key]
+
+    def line(self, samples: int) -> float:
+        """Return the predicted time to draw and sample one line."""
+        return self.rates.draw(samples)
+
+    def _load(self, task: Task) -> Load:
+        problem = task.problem
+        return Load(
+            samples=problem.elements * task.steps_per_spacing,
+            steady_states=1 + (self.asked.steady or self.asked.relaxation),
+            jumps=int(self.asked.jump),
+            steps=task.march,
+            hurst=problem.hurst,
+            load=problem.load,
+            pace=pace(problem),
+        )

@@ -1,0 +1,107 @@
+"""What a wanted accuracy asks of one problem: steps per spacing, horizon, realizations.
+
+Elements are tied to steps in these kernels: an element sits at every sample, so more steps per
+spacing are more elements per spacing too.
+"""
+
+import math
+from collections.abc import Iterator
+from typing import NamedTuple
+
+from workflow.errors import UserError
+from workflow.plan.cost import touchable_share
+from workflow.plan.error_laws import LAWS, judged
+from workflow.plan.problems import (
+    MAX_SAMPLES_PER_LINE,
+    check_resolution,
+    horizon_steps,
+    least_steps,
+    pace,
+)
+from workflow.simulate.tasks import Problem
+from workflow.study.numerics import Numerics
+from workflow.study.study import Scene, Study
+
+GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it
+FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more
+TRIED = 3  # steps, each twice the one before, that are fine enough; finer ones never pay
+STATES = 28.0  # updates of the march that drawing and both steady states of a sample are worth
+
+
+class Goal(NamedTuple):
+    """How one problem is to reach the accuracy."""
+
+    steps: int  # per spacing
+    bias: dict[str, float]  # bound of the relative discretisation error of each estimate judged
+    realizations: float  # predicted need
+
+
+def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
+    """Return the cheapest way to the accuracy, by the laws of accuracy.py and of cost.py.
+
+    Discretisation may take up to half of the accuracy; where no line that fits a worker is that
+    fine, the finest that does. A number of steps given by the user stands, and its error is not
+    counted: the accuracy is then that of the discretisation chosen.
+    """
+    names = judged(scene.quantities)
+    wanted = numerics.accuracy or 0.0
+    scatter = {name: LAWS[name].scatter(problem) for name in names}
+    if numerics.steps_per_spacing is not None:
+        check_resolution(problem, numerics.steps_per_spacing, numerics)
+        bias = dict.fromkeys(names, 0.0)
+        return Goal(numerics.steps_per_spacing, bias, _need(wanted, bias, scatter))
+    errors = {name: LAWS[name].error(problem) for name in names}
+    least = least_steps(problem, scene)
+    check_resolution(problem, least, numerics)
+    found: list[tuple[float, Goal]] = []
+    for steps in _doubled(least, MAX_SAMPLES_PER_LINE // problem.elements):
+        bias = {name: error.at(steps) for name, error in errors.items()}
+        goal = Goal(steps, bias, _need(wanted, bias, scatter))
+        if max(bias.values()) <= 0.5 * wanted:
+            cost = max(goal.realizations, GROUPS) * _updates(problem, scene, numerics, steps)
+            found.append((cost, goal))
+            if len(found) == TRIED:
+                break
+    return min(found, key=lambda one: one[0])[1] if found else goal
+
+
+def _doubled(first: int, last: int) -> Iterator[int]:
+    while first <= last:
+        yield first
+        first *= 2
+
+
+def _need(wanted: float, bias: dict[str, float], scatter: dict[str, float]) -> float:
+    """Return how many realizations bring every standard error down to what the bias leaves."""
+    return max((scatter[name] / allowed(wanted, bias[name])) ** 2 for name in bias)
+
+
+def allowed(wanted: float, bias: float) -> float:
+    """Return the relative standard error that is left beside a bias, at least half of all."""
+    return max(wanted - bias, 0.5 * wanted)
+
+
+def _updates(problem: Problem, scene: Scene, numerics: Numerics, steps: int) -> float:
+    """Return the cost of one realization per spacing, in element updates of the march."""
+    march = 0.0
+    if "relaxation" in scene.quantities:
+        share = touchable_share(problem.hurst, problem.load, pace(problem))
+        march = share * horizon_steps(problem, numerics, steps)
+    return steps * (STATES + march)
+
+
+def most_blocks(study: Study, most: int) -> int:
+    """Return the cap on the blocks of a point, a multiple of GROUPS."""
+    blocks = most // (GROUPS * study.realizations_per_block) * GROUPS
+    if not blocks:
+        raise UserError(
+            f"numerics.max_realizations = {most}: must be at least {GROUPS} blocks of "
+            f"study.realizations_per_block = {study.realizations_per_block}"
+        )
+    return blocks
+
+
+def whole_blocks(study: Study, realizations: float, most: int) -> int:
+    """Return the number of blocks for at least so many realizations, within the cap."""
+    layers = math.ceil(realizations / (GROUPS * study.realizations_per_block) - 1e-9)
+    return min(GROUPS * max(layers, 1), most_blocks(study, most))

@@ -1,0 +1,94 @@
+"""How fast this machine runs the kernels: measured once (timing.py), then kept.
+
+The rates are kept in the cache folder of the compiled kernels, one file per kernels, processor
+and packages. Predictions and the size of batches depend on them, results do not.
+"""
+
+import contextlib
+import hashlib
+import json
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import numba
+import numpy as np
+
+from kernels.jit import source_hash
+from workflow.errors import UserError
+from workflow.plan import timing
+from workflow.plan.cost import TYPICAL, Curve, Rates
+from workflow.system.files import write_durably
+from workflow.system.packages import ROOT, processor
+
+CURVES = [name for name in Rates._fields if name != "case"]
+
+
+class Calibration(NamedTuple):
+    """Rates, and a note on where they come from."""
+
+    rates: Rates
+    note: str
+
+
+def calibration_file() -> Path:
+    """Return where the rates of these kernels on this processor are kept."""
+    method = Path(timing.__file__).read_bytes()
+    what = (source_hash(), processor(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
+    name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
+    return Path(numba.config.CACHE_DIR) / f"rates-{name}.json"
+
+
+def calibrated() -> Calibration:
+    """Return the rates of this machine, measured now if they are not known yet."""
+    file = calibration_file()
+    found = _read(file)
+    if found is None:
+        print("measuring the speed of this machine (once)", file=sys.stderr)
+        text = _measured()
+        found = text and _parsed(text)
+        if not found:
+            return Calibration(TYPICAL, "another machine, as this one could not be timed")
+        with contextlib.suppress(OSError):
+            file.parent.mkdir(parents=True, exist_ok=True)
+        try:
+            write_durably(file, text.encode())
+        except UserError:
+            return found._replace(note=f"{found.note}, not kept: {file.parent} is not writable")
+    return found
+
+
+def _read(file: Path) -> Calibration | None:
+    try:
+        return _parsed(file.read_text(encoding="utf-8"))
+    except (OSError, UnicodeDecodeError):
+        return None
+
+
+def _parsed(text: str) -> Calibration | None:
+    """Return the calibration of a JSON text, or None where it is damaged."""
+    try:
+        data = json.loads(text)
+        curves = {name: Curve(*map(tuple, data["rates"][name])) for name in CURVES}
+        case = float(data["rates"]["case"])
+        seconds = [case, *(s for curve in curves.values() for s in curve.seconds)]
+        whole = all(
+            len(c.sizes) == len(c.seconds) > 1 and min(c.sizes) > 0 for c in curves.values()
+        )
+        if not (whole and all(1e-12 < s < 1e3 for s in seconds)):
+            return None
+        return Calibration(Rates(**curves, case=case), f"{data['machine']}, {data['date']}")
+    except (ValueError, KeyError, TypeError):
+        return None
+
+
+def _measured() -> str:
+    """Return what a process with the settings of a worker measures, "" where it fails."""
+    from workflow.system.process import MALLOC
+
+    environment = {**os.environ, **{name: str(value) for name, value in MALLOC.items()}}
+    command = [sys.executable, "-m", "workflow.plan.timing"]
+    done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True)
+    return done.stdout if done.returncode == 0 else ""

@@ -1,0 +1,128 @@
+"""The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
+
+import hashlib
+from dataclasses import dataclass
+
+import numpy as np
+
+from kernels import Quantities
+from workflow.plan.cost import TYPICAL, Prices, Rates, driver_bytes, worker_bytes
+from workflow.plan.goal import FIRST_SHARE, GROUPS, Goal, goal_of, whole_blocks
+from workflow.plan.problems import distinct_problems, horizon_steps, steps_per_spacing
+from workflow.simulate.code import CODE
+from workflow.simulate.tasks import Problem, Task
+from workflow.study.numerics import Numerics
+from workflow.study.study import Study
+
+
+@dataclass(frozen=True)
+class Variant:
+    """All tasks of one discretisation of the study, grouped by random line."""
+
+    label: str
+    numerics: Numerics
+    tasks: list[Task]  # in the order of the distinct problems
+    groups: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
+    goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
+
+
+@dataclass(frozen=True)
+class Plan:
+    """Everything a study will do."""
+
+    study: Study
+    point_task: np.ndarray  # index into Variant.tasks per grid point, shape of the grid
+    variants: list[Variant]
+    prices: Prices
+    first: dict[str, int]  # blocks of the first round by key of the task, all where no goals are
+    expected: dict[str, int]  # blocks that the goals are predicted to need
+
+    @property
+    def points(self) -> int:
+        """Number of grid points."""
+        return int(self.point_task.size)
+
+    @property
+    def problems(self) -> int:
+        """Number of distinct dimensionless problems."""
+        return len(self.variants[0].tasks)
+
+    @property
+    def records(self) -> int:
+        """Number of records (task, block) of the whole study, predicted where there are goals."""
+        return sum(self.expected[t.key] for v in self.variants for t in v.tasks)
+
+    def groups(self, variant: Variant) -> int:
+        """Return the number of groups of blocks for the jackknife."""
+        return GROUPS if variant.goals else self.study.blocks
+
+    def longest_line(self) -> int:
+        """Return the largest number of samples of any line."""
+        return max(t.problem.elements * t.steps_per_spacing for v in self.variants for t in v.tasks)
+
+    def predicted_worker_bytes(self) -> float:
+        """Return the predicted peak memory of a worker."""
+        return worker_bytes(self.longest_line())
+
+    def predicted_driver_bytes(self) -> float:
+        """Return the predicted peak memory of the process that plans, stores and collects."""
+        tasks = sum(len(v.tasks) for v in self.variants)
+        samples = max(v.numerics.samples for v in self.variants)
+        return driver_bytes(self.points, tasks, self.records, samples)
+
+
+def make_plan(study: Study, rates: Rates = TYPICAL) -> Plan:
+    """Return the plan of a study. Raises UserError where a problem would be too large.
+
+    rates : how fast the machine is; the size of batches depends on it, no result does.
+    """
+    problems, point_task = distinct_problems(study)
+    variants = []
+    first: dict[str, int] = {}
+    expected: dict[str, int] = {}
+    for label, numerics in study.variants.items():
+        tasks, goals = [], {}
+        for problem in problems:
+            goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
+            steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
+            task = _task(study, problem, numerics, steps)
+            tasks.append(task)
+            first[task.key] = expected[task.key] = study.blocks
+            if goal:
+                goals[task.key] = goal
+                most, need = numerics.max_realizations, goal.realizations
+                first[task.key] = whole_blocks(study, FIRST_SHARE * need, most)
+                expected[task.key] = whole_blocks(study, need, most)
+        variants.append(Variant(label, numerics, tasks, _grouped(tasks), goals))
+    prices = Prices(rates, quantities(study))
+    return Plan(study, point_task, variants, prices, first, expected)
+
+
+def _task(study: Study, problem: Problem, numerics: Numerics, steps: int) -> Task:
+    march = horizon_steps(problem, numerics, steps) if _marches(study) else 0
+    what = (CODE, study.seed, study.normalisation, *problem, numerics.scheme, steps)
+    how = (march, numerics.samples, quantities(study), study.realizations_per_block)
+    key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
+    return Task(problem, steps, march, key)
+
+
+def _marches(study: Study) -> bool:
+    return "relaxation" in study.scene.quantities
+
+
+def _grouped(tasks: list[Task]) -> list[list[Task]]:
+    groups: dict[tuple[float, int], list[Task]] = {}
+    for task in tasks:
+        groups.setdefault((task.problem.hurst, task.problem.elements), []).append(task)
+    return [sorted(g, key=lambda t: (t.steps_per_spacing, t.problem)) for g in groups.values()]
+
+
+def quantities(study: Study) -> Quantities:
+    """Return what the kernels are asked for; a relaxation starts from the jump."""
+    asked = study.scene.quantities
+    return Quantities(
+        steady="steady" in asked,
+        jump="jump" in asked or "relaxation" in asked,
+        relaxation="relaxation" in asked,
+        indentation_rate=study.scene.indentation_rate,
+    )

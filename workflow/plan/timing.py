@@ -1,0 +1,112 @@
+"""`python -m workflow.plan.timing`: time the kernels on this machine for two seconds, print JSON.
+
+It runs in a process of its own, set up like a worker (how memory is kept matters as much as the
+processor).
+"""
+
+import json
+import time
+from collections.abc import Callable
+from datetime import UTC, datetime
+from statistics import median
+
+import numpy as np
+
+from kernels import (
+    SCHEMES,
+    Line,
+    Quantities,
+    amplitudes,
+    draw_phases,
+    lagged_slope,
+    march,
+    quadrature,
+    steady_sliding,
+)
+from workflow.plan.cost import Curve, Rates
+from workflow.simulate.block_means import block_means
+from workflow.simulate.tasks import Batch, Problem, Task
+from workflow.system.packages import processor
+
+SIZES = (2_000, 20_000, 200_000)  # samples: in the first, second, third cache
+SHORTEST = 60
+
+FEW, MANY = 4, 24  # steps: their difference is free of what a march does once
+
+SECONDS = 0.05  # per measurement, at least 3 calls
+
+HURST, LOAD, SPEED, STEPS = 0.7, 0.1, 1.0, 4
+
+ALL_TOUCHING = 30.0  # load
+
+
+def seconds(call: Callable[[], object]) -> float:
+    """Return the median CPU time of a call; the first one, which may compile, is not counted."""
+    call()
+    found: list[float] = []
+    while len(found) < 3 or sum(found) < SECONDS:
+        began = time.thread_time()
+        call()
+        found.append(time.thread_time() - began)
+    return median(found)
+
+
+def _line(samples: int) -> Line:
+    elements = samples // STEPS
+    phases = draw_phases(np.random.default_rng(1), elements)
+    return Line.self_affine(amplitudes(HURST, elements), phases, elements, STEPS)
+
+
+def _at(samples: int) -> dict[str, float]:
+    """Return the seconds of every kernel on a line of this size, all of which is marched."""
+    line, load = _line(samples), LOAD * samples
+    step = SCHEMES["exponential"](1.0 / (STEPS * SPEED))
+    w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
+
+    def marching(steps: int) -> float:
+        record = np.array([steps])
+
+        def call() -> None:
+            weight = lagged_slope(line.slope, step.lag)
+            march(line.z, weight, w, d, step.decay, step.stiffness, load, record, np.inf, None)
+
+        return seconds(call)
+
+    few, many = marching(FEW), marching(MANY)
+    whole = ALL_TOUCHING * samples
+    touching, deep, *_ = steady_sliding(line.z, whole, step.decay, step.stiffness)
+    each = max(many - few, 0.1 * many) / (MANY - FEW)
+    steady = seconds(lambda: steady_sliding(line.z, load, step.decay, step.stiffness))
+    return {
+        "draw": seconds(lambda: _line(samples)),
+        "sweep": steady / sweeps,
+        "quadrature": seconds(
+            lambda: quadrature(line.z, line.slope, touching, deep, SPEED, 1.2 * SPEED, whole)
+        ),
+        "setup": max(few - FEW * each, 0.1 * few),
+        "step": each,
+    }
+
+
+def _case(kernels: dict[str, float]) -> float:
+    """Return the seconds of a realization of SHORTEST samples beyond its kernels."""
+    problem = Problem(HURST, SHORTEST, LOAD, SPEED, 1.2)
+    asked = Quantities()
+    batch = Batch(1, "modal", asked, "exponential", 64, (Task(problem, 1, 8, ""),), 0, 1, 20, 0.0)
+    states = 2 * 4 * kernels["sweep"] + 3 * kernels["quadrature"]
+    inside = kernels["draw"] + states + kernels["setup"] + 8 * kernels["step"]
+    whole = seconds(lambda: block_means(batch)) / batch.realizations_per_block
+    return max(whole - inside, 0.1 * whole)
+
+
+def rates() -> Rates:
+    """Return the rates of this thread of this machine."""
+    sizes = (SHORTEST, *SIZES)
+    found = [_at(size) for size in sizes]
+    curves = {name: Curve(sizes, tuple(at[name] for at in found)) for name in found[0]}
+    return Rates(**curves, case=_case(found[0]))
+
+
+if __name__ == "__main__":
+    today = datetime.now(UTC).date().isoformat()
+    print(json.dumps({"machine": processor(), "date": today, "rates": rates()._asdict()}))

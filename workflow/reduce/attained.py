@@ -1,0 +1,63 @@
+"""Whether estimates have the accuracy that was asked for, and what they lack."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from workflow.plan.goal import Goal, allowed
+from workflow.reduce.fits import NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE
+
+MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2
+
+ACCURACY_MEANINGS = "missed met met_where_defined"
+
+
+class Attained(NamedTuple):
+    """The accuracy of some tasks; arrays of shape (tasks,)."""
+
+    reached: np.ndarray  # relative standard error plus bias, the worst estimate; inf: unknown
+    status: np.ndarray  # int8, see ACCURACY_MEANINGS
+    growth: np.ndarray  # factor by which realizations must grow; inf: unknown
+
+
+def attained(
+    estimates: dict[str, np.ndarray], goals: list[Goal], ratios: np.ndarray, wanted: float
+) -> Attained:
+    """Judge the estimates of some tasks.
+
+    Where a value has no relative error (nothing to relax, not exponential, exactly zero) it is left
+    out, and the status says so; reached is NaN where that leaves nothing.
+    ratios : v2/v1, shape (tasks,).
+    """
+    reached = np.full(len(goals), -np.inf)
+    growth = np.zeros(len(goals))
+    partly = np.zeros(len(goals), bool)
+    for name in goals[0].bias:
+        bias = np.array([goal.bias[name] for goal in goals])
+        left = np.array([allowed(wanted, each) for each in bias])
+        with np.errstate(all="ignore"):
+            relative = estimates[f"{name}_error"] / np.abs(estimates[name])
+        relative[~np.isfinite(relative)] = np.inf
+        undefined = (relative > left) & _undefined(name, estimates, ratios, wanted)
+        partly |= undefined
+        reached = np.maximum(reached, np.where(undefined, -np.inf, relative + bias))
+        growth = np.maximum(growth, np.where(undefined, 0.0, (relative / left) ** 2))
+    if "fit_status" in estimates:
+        growth[estimates["fit_status"] == NOT_FINITE] = 0.0  # no number of lines mends that
+    missed = reached > wanted * (1.0 + 1e-9)
+    status = np.where(missed, MISSED, np.where(partly, MET_WHERE_DEFINED, MET))
+    return Attained(np.where(reached < 0.0, np.nan, reached), status.astype(np.int8), growth)
+
+
+def _undefined(
+    name: str, estimates: dict[str, np.ndarray], ratios: np.ndarray, wanted: float
+) -> np.ndarray:
+    """Return where an estimate has no relative error that more realizations could lessen."""
+    if name != "relaxation_rate":
+        return (estimates[name] == 0.0) & (estimates[f"{name}_error"] == 0.0)
+    status = estimates["fit_status"]
+    first = np.abs(estimates["deviation"][:, 1])
+    error = estimates["deviation_error"][:, 1]
+    change = np.abs(estimates["mu"][:, 0] * (ratios - 1.0))  # of a viscous force, for scale
+    nothing = (status == NO_RELAXATION) & (first + 2.0 * error <= wanted * change)
+    return nothing | (status == NOT_EXPONENTIAL)

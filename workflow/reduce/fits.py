@@ -1,0 +1,160 @@
+"""Fits of the paper's laws: eq. 6 to a relaxation curve, eq. 13 to the rates of one H.
+
+Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 6 and 13.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import leastsq
+
+from workflow.reduce.jackknife import significant, standard_error
+
+FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE = range(5)
+
+STATUS_MEANINGS = "fitted no_relaxation not_exponential undetermined not_finite"
+STATUS_COMMENT = (
+    "no_relaxation: mu after the first step differs from mu_2 by less than three standard errors "
+    "or by rounding; not_exponential: eq. 6 leaves over a fifth of the sum of squares; "
+    "undetermined: it decays, but b is less than three of its standard errors (noise, or too short "
+    "a window), or does not differ between blocks; not_finite: the curve holds NaN or inf; fewer "
+    "than 15 blocks need more than three"
+)
+
+WINDOW_END = 0.05  # the window ends where the deviation has fallen to this share
+WINDOW_LEAST = 3  # samples
+ROUNDING = 1e-14  # deviations below this share of the rms slope are rounding noise
+LEAST_QUALITY = 0.8
+LARGEST_NOISE = 3.0  # times the variances of the samples: what noise can leave as residual
+
+
+class RelaxationFit(NamedTuple):
+    """Fit of eq. 6; arrays hold the fit of the mean curve, then of its jackknife replicates."""
+
+    status: int
+    rate: np.ndarray  # b, shape (replicates,)
+    amplitude: np.ndarray  # mu*, shape (replicates,)
+    rate_free: np.ndarray  # b with mu_2 fitted too, shape (replicates,)
+    window: float  # end of the fit window, in tau
+    quality: float  # 1 - residual sum of squares / sum of squares, of the mean curve
+
+
+def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> RelaxationFit:
+    """Fit mu - mu_2 = mu* exp(-b t) (eq. 6) with mu_2 known, and with mu_2 free.
+
+    time : shape (samples,), from the first step after the jump, in tau.
+    deviation : mu - mu_2, shape (replicates, samples), row 0 the mean curve.
+    slope : rms slope in the same units, against which rounding is judged.
+    """
+    size = len(deviation)
+    if not np.isfinite(deviation).all():
+        return _unfitted(NOT_FINITE, size)
+    first = deviation[:, 0]
+    if not significant(first) or abs(first[0]) <= ROUNDING * slope:
+        return _unfitted(NO_RELAXATION, size)
+    end = fit_window(deviation[0])
+    time, deviation = time[:end], deviation[:, :end]
+    start = _start(time, deviation[0])
+    if start is None:
+        return _unfitted(NOT_EXPONENTIAL, size)
+    known = _fit_all(time, deviation, np.array(start))
+    residual = np.sum((deviation[0] - known[0, 0] * np.exp(-known[0, 1] * time)) ** 2)
+    quality = 1.0 - residual / np.sum(deviation[0] ** 2)
+    if not quality >= LEAST_QUALITY:  # NaN where the mean curve has no fit
+        noise = LARGEST_NOISE * np.sum(standard_error(deviation, 0) ** 2)
+        return _unfitted(UNDETERMINED if residual <= noise else NOT_EXPONENTIAL, size)
+    if not significant(known[:, 1]):
+        return _unfitted(UNDETERMINED, size)
+    free = np.full(size, np.nan)
+    if end > WINDOW_LEAST:
+        free = _fit_all(time, deviation, np.array([*known[0], 0.0]))[:, 1]
+        if not significant(free):
+            free[:] = np.nan
+    return RelaxationFit(FITTED, known[:, 1], known[:, 0], free, float(time[-1]), float(quality))
+
+
+def fit_window(deviation: np.ndarray) -> int:
+    """Return the number of samples until the deviation first falls to 5 % of its first value."""
+    low = np.flatnonzero(np.abs(deviation) < WINDOW_END * abs(deviation[0]))
+    end = low[0] + 1 if low.size else deviation.size
+    return int(min(max(end, WINDOW_LEAST), deviation.size))
+
+
+def _start(time: np.ndarray, deviation: np.ndarray) -> tuple[float, float] | None:
+    """Return (amplitude, rate) through the first sample and the one nearest to 1/e of it."""
+    share = deviation[1:] / deviation[0]
+    usable = np.flatnonzero((share > 0.0) & (share < 1.0))
+    if not usable.size:
+        return None
+    k = usable[np.argmin(np.abs(np.log(share[usable]) + 1.0))]
+    rate = -np.log(share[k]) / (time[k + 1] - time[0])
+    return deviation[0] * np.exp(min(rate * time[0], 50.0)), rate
+
+
+def _fit_all(time: np.ndarray, curves: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """Fit every row of ``curves``; rows (amplitude, rate[, offset]), NaN where it fails."""
+    fits = np.full((len(curves), start.size), np.nan)
+    for row, curve in enumerate(curves):
+        fits[row] = _least_squares(time, curve, fits[0] if row else start)
+        if not np.isfinite(fits[row]).all():
+            break
+    return fits
+
+
+def _least_squares(time: np.ndarray, curve: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """Levenberg-Marquardt fit in scaled variables; the rate is kept positive by its logarithm."""
+    scale, span = start[0], time[-1]
+
+    def model(p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        phase = np.exp(p[1]) * time / span
+        return phase, np.exp(-phase)
+
+    def residual(p: np.ndarray) -> np.ndarray:
+        offset = p[2] if p.size > 2 else 0.0
+        return p[0] * model(p)[1] + offset - curve / scale
+
+    def jacobian(p: np.ndarray) -> np.ndarray:
+        phase, decay = model(p)
+        columns = [decay, -p[0] * phase * decay]
+        return np.column_stack([*columns, np.ones_like(time)][: p.size])
+
+    first = np.array([1.0, np.log(start[1] * span), *(start[2:] / scale)])
+    with np.errstate(all="ignore"):
+        p, _, _, _, flag = leastsq(residual, first, Dfun=jacobian, full_output=True)
+        rate = np.exp(p[1]) / span
+    if flag not in (1, 2, 3, 4) or not 1e-3 < rate * span < 1e4:
+        return np.full(start.size, np.nan)
+    return np.array([p[0] * scale, rate, *(p[2:] * scale)])
+
+
+def _unfitted(status: int, size: int) -> RelaxationFit:
+    nothing = np.full(size, np.nan)
+    return RelaxationFit(status, nothing, nothing, nothing, np.nan, np.nan)
+
+
+class PowerLaw(NamedTuple):
+    """Fit of eq. 13; arrays hold the estimate, then its jackknife replicates."""
+
+    alpha: np.ndarray  # b = x^alpha, shape (replicates,)
+    alpha_free: np.ndarray  # b = c x^alpha, shape (replicates,)
+    prefactor: np.ndarray  # c, shape (replicates,)
+    scatter: float  # rms of log10(b / x^alpha)
+    points: int
+
+
+def fit_power_law(x: np.ndarray, rate: np.ndarray) -> PowerLaw:
+    """Fit log b = alpha log x (eq. 13) over the given points, all with x > 1.
+
+    x : shape (points,). rate : b, shape (points, replicates). NaN where fewer than 3 points.
+    """
+    count, size = rate.shape
+    if count < 3 or np.ptp(x) == 0.0:
+        nothing = np.full(size, np.nan)
+        return PowerLaw(nothing, nothing, nothing, np.nan, count)
+    log_x, log_b = np.log(x), np.log(rate)
+    alpha = log_x @ log_b / (log_x @ log_x)
+    centred = log_x - log_x.mean()
+    free = centred @ log_b / (centred @ centred)
+    prefactor = np.exp(log_b.mean(axis=0) - free * log_x.mean())
+    residual = (log_b[:, 0] - alpha[0] * log_x) / np.log(10.0)
+    return PowerLaw(alpha, free, prefactor, float(np.sqrt(np.mean(residual**2))), count)

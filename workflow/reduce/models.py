@@ -1,0 +1,181 @@
+"""Beyond eq. 6: a stretched exponential and two exponentials, compared on data left out.
+
+The samples of a curve are anything but independent, so criteria that count them (AIC, BIC) do
+not apply. Instead each model is fitted to the mean of all blocks but one and must predict the
+block left out; the mean squared error, averaged over blocks, is its score (M. Stone, J. R.
+Stat. Soc. B 36, 111 (1974)). All fits take mu_2 as known and use the whole recorded curve.
+"""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import leastsq
+
+from workflow.reduce.jackknife import errors_needed, significant
+
+EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
+
+MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
+DECISIVE = 2.0  # standard errors by which a model must beat eq. 6
+ROUNDING = 1e-9  # gains below it are rounding
+
+
+# What the samples can determine at all, whatever a fit says.
+SLOWEST = 1e-3  # rate times the whole time: below, the curve is a constant
+FASTEST = 30.0  # (rate times time of the second sample)^beta: above, rounding alone is left there
+FALL = 58.0  # exp(-s) falls from 95 % to 5 % while s grows by this factor
+LEAST_CHANGE = 0.1  # of log (b t)^beta over the samples: below, the curve is a constant
+
+
+class Model(NamedTuple):
+    """A law for (mu - mu_2)/scale over t/span, its parameters being free of bounds."""
+
+    value: Callable[[np.ndarray, np.ndarray], np.ndarray]
+    start: Callable[[float], np.ndarray]  # from b span of eq. 6
+
+
+def exponential(p: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return A exp(-b t) (eq. 6); p = (A, log b)."""
+    return p[0] * np.exp(-np.exp(p[1]) * t)
+
+
+def stretched(p: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return A exp(-(b t)^beta); p = (A, log b, log beta)."""
+    return p[0] * np.exp(-((np.exp(p[1]) * t) ** np.exp(p[2])))
+
+
+def two_exponentials(p: np.ndarray, t: np.ndarray) -> np.ndarray:
+    """Return A exp(-b t) + B exp(-c t); p = (A, log b, B, log c)."""
+    return p[0] * np.exp(-np.exp(p[1]) * t) + p[2] * np.exp(-np.exp(p[3]) * t)
+
+
+MODELS = {
+    EXPONENTIAL: Model(exponential, lambda b: np.array([1.0, np.log(b)])),
+    STRETCHED: Model(stretched, lambda b: np.array([1.0, np.log(b), 0.0])),
+    TWO_EXPONENTIALS: Model(
+        two_exponentials, lambda b: np.array([0.6, np.log(2.0 * b), 0.4, np.log(0.5 * b)])
+    ),
+}
+
+
+class Comparison(NamedTuple):
+    """Coefficients over jackknife replicates (0: all blocks), and which model describes best.
+
+    Coefficients of a model that does not beat eq. 6 decisively, or that the blocks do not
+    determine, mean nothing and are NaN.
+    """
+
+    best: int
+    stretched_rate: np.ndarray  # b of the stretched exponential, per tau
+    stretched_exponent: np.ndarray  # beta
+    fast_rate: np.ndarray  # b of the faster of two exponentials
+    slow_rate: np.ndarray
+    fast_share: np.ndarray  # of the amplitude
+    gain_stretched: tuple[float, float]  # relative to the score of eq. 6, with its error
+    gain_two_exponentials: tuple[float, float]
+
+
+def compare_models(
+    time: np.ndarray, deviation: np.ndarray, blocks: np.ndarray, rate: float
+) -> Comparison:
+    """Fit and compare the three models.
+
+    time : shape (samples,), in tau. deviation : mu - mu_2 of the mean and of the replicates that
+    leave one block out, shape (blocks + 1, samples). blocks : mu - mu_2 of each block, shape
+    (blocks, samples). rate : b of eq. 6, to start from; NaN gives UNDECIDED and NaN throughout.
+    """
+    if not np.isfinite(rate):
+        nothing = np.full(len(deviation), np.nan)
+        return Comparison(UNDECIDED, *[nothing] * 5, (np.nan, np.nan), (np.nan, np.nan))
+    scale, span = deviation[0, 0], time[-1]
+    with np.errstate(all="ignore"):  # far from eq. 6 a fit may run away; it is not decisive then
+        fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)
+        b, beta = np.exp(fits[STRETCHED][:, 1:]).T
+        fast, slow, share = _ordered(fits[TWO_EXPONENTIALS])
+        b[~determined(time / span, b, beta)] = np.nan
+        fast[~determined(time / span, fast)] = slow[~determined(time / span, slow)] = np.nan
+    known = {STRETCHED: (b, beta), TWO_EXPONENTIALS: (fast, slow, share, fast - slow)}
+    better = {}
+    for code, values in known.items():
+        if _decisive(gains[code], len(blocks)) and all(map(significant, values)):
+            better[code] = gains[code][0]
+        else:
+            for array in values:
+                array[:] = np.nan
+    return Comparison(
+        max(better, key=better.__getitem__) if better else EXPONENTIAL,
+        b / span,
+        beta,
+        fast / span,
+        slow / span,
+        share,
+        gains[STRETCHED],
+        gains[TWO_EXPONENTIALS],
+    )
+
+
+def determined(
+    time: np.ndarray, rate: np.ndarray, exponent: np.ndarray | float = 1.0
+) -> np.ndarray:
+    """Return where samples at these times can determine the coefficients of exp(-(b t)^beta).
+
+    A fit may run away to coefficients at which the curve no longer depends on them: a fall between
+    two samples or before the first, a curve that is a constant. Such coefficients mean nothing,
+    even where every replicate agrees on them. Shape and units: rate per unit of time.
+    """
+    with np.errstate(all="ignore"):  # whatever a fit ran away to
+        fall = FALL ** (1.0 / np.asarray(exponent))  # factor of time in which 95 % become 5 %
+        change = exponent * np.log(time[-1] / time[0])
+        left = (rate * time[1]) ** exponent < FASTEST
+        seen = fall > 1.0 + rate * (time[1] - time[0])  # not between two samples
+        return (rate * time[-1] > SLOWEST) & left & seen & (change > LEAST_CHANGE)
+
+
+def _fits_and_gains(
+    t: np.ndarray, curves: np.ndarray, blocks: np.ndarray, rate: float
+) -> tuple[dict[int, np.ndarray], dict[int, tuple[float, float]]]:
+    """Return per model the fits to all curves, and what it gains on eq. 6 on blocks left out."""
+    fits, scores = {}, {}
+    for code, model in MODELS.items():
+        fits[code] = _fit_all(model, t, curves, rate)
+        predicted = np.array([model.value(p, t) for p in fits[code][1:]])
+        scores[code] = np.mean((blocks - predicted) ** 2, axis=1)
+    return fits, {code: _gain(scores[EXPONENTIAL], scores[code]) for code in MODELS}
+
+
+def _fit_all(model: Model, t: np.ndarray, curves: np.ndarray, rate: float) -> np.ndarray:
+    """Fit every row of curves, each replicate from the fit of the mean."""
+    start = model.start(rate)
+    fits = np.empty((len(curves), start.size))
+    for row, curve in enumerate(curves):
+        guess = fits[0] if row else start
+        fits[row] = leastsq(
+            lambda p, y=curve: model.value(p, t) - y, guess, full_output=True, maxfev=300
+        )[0]
+    return fits
+
+
+def _gain(reference: np.ndarray, score: np.ndarray) -> tuple[float, float]:
+    """Return 1 - score/reference, averaged over blocks, and its standard error."""
+    difference = reference - score
+    error = difference.std(ddof=1) / np.sqrt(difference.size)
+    return float(difference.mean() / reference.mean()), float(error / reference.mean())
+
+
+def _decisive(gain: tuple[float, float], blocks: int) -> bool:
+    """Return whether a model predicts better than by chance or rounding; NaN does not."""
+    needed = errors_needed(blocks, DECISIVE, 0.05)
+    return gain[0] > max(needed * gain[1], ROUNDING)
+
+
+def _ordered(fits: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return (faster rate, slower rate, share of the faster in the amplitude)."""
+    first, second = np.exp(fits[:, 1]), np.exp(fits[:, 3])
+    swap = second > first
+    share = fits[:, 0] / (fits[:, 0] + fits[:, 2])
+    return (
+        np.where(swap, second, first),
+        np.where(swap, first, second),
+        np.where(swap, 1.0 - share, share),
+    )

@@ -1,0 +1,91 @@
+"""Draw the figure of a study: its folder's figure.py reads the result file and draws."""
+
+import io
+import textwrap
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.figure import Figure
+
+from workflow.errors import UserError
+from workflow.result.netcdf import BROKEN, broken
+from workflow.study.measured import Measured
+from workflow.study.scripts import load_script
+from workflow.study.study import Study
+from workflow.system.files import write_durably
+
+STYLE = {
+    "figure.dpi": 150,
+    "savefig.dpi": 200,
+    "font.size": 8.0,
+    "axes.labelsize": 8.5,
+    "axes.titlesize": 8.5,
+    "legend.fontsize": 7.0,
+    "legend.frameon": False,
+    "lines.linewidth": 1.0,
+    "lines.markersize": 3.0,
+    "errorbar.capsize": 1.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "pdf.fonttype": 42,
+}
+
+FOOT_CHARACTERS_PER_INCH = 21
+
+
+# Okabe and Ito: distinguishable with any colour vision.
+COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
+
+
+def draw_figure(study: Study | Measured, result: Path) -> list[Path]:
+    """Draw the study's figure beside its result, as PNG and PDF; return the files.
+
+    Raises UserError where the study has no figure script, the script cannot use the result, or
+    the disk refuses the files.
+    """
+    script = study.folder / "figure.py"
+    if not script.is_file():
+        raise UserError(f"{script}: not found; the study has no figure script")
+    files = {}
+    with mpl.rc_context(STYLE):
+        try:
+            figure = load_script(script).draw(result)
+        except BROKEN as error:
+            plt.close("all")
+            raise broken(study, result, error) from error
+        for kind in ("png", "pdf"):
+            # No creation date: the same result gives the same file.
+            stamp = {"CreationDate": None} if kind == "pdf" else {}
+            drawn = io.BytesIO()
+            figure.savefig(drawn, format=kind, metadata=stamp)
+            files[result.with_suffix(f".{kind}")] = drawn.getvalue()
+        plt.close(figure)
+    for file, content in files.items():
+        write_durably(file, content)
+    return list(files)
+
+
+def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
+    """Say under the figure how large the study was, and from which seed."""
+    points = int(dataset.realizations.size)
+    text = (
+        f"{points} grid points, {int(dataset.realizations.max())} realizations each, "
+        f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"
+    )
+    width = int(FOOT_CHARACTERS_PER_INCH * figure.get_figwidth())
+    lines = [line for part in (text, note) if part for line in textwrap.wrap(part, width)]
+    figure.supxlabel("\n".join(lines), fontsize=6, color="0.35")
+
+
+def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
+    """Return lengths of error bars that are symmetric in the logarithm: none reaches zero.
+
+    A bar is at most a factor of ten long each way.
+    """
+    ratio = np.minimum(error / value, np.log(10.0))
+    return [value * -np.expm1(-ratio), value * np.expm1(ratio)]

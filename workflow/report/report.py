@@ -1,0 +1,188 @@
+"""One self-contained HTML page about all results of a folder: figures, claims, parameters."""
+
+import base64
+import contextlib
+import json
+import struct
+from pathlib import Path
+from typing import NamedTuple
+
+import xarray as xr
+
+from workflow.errors import UserError
+from workflow.reduce.fits import STATUS_MEANINGS
+from workflow.report.claims import evaluate, known_claims
+from workflow.report.figure import STYLE, draw_figure
+from workflow.report.page import render
+from workflow.result.netcdf import ROOT, differing_settings, listed, open_result
+from workflow.study.grid import AXES
+from workflow.study.measured import Measured
+from workflow.study.read import known_studies, read_study
+from workflow.study.study import Study
+from workflow.system.files import write_durably
+
+SHOWN_VALUES = 6  # of an axis; of longer ones the ends
+ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
+CONSTANTS = (
+    ("material", "shear_modulus", "shear modulus G", "Pa"),
+    ("material", "relaxation_time", "relaxation time τ", "s"),
+    ("surface", "length", "length of the line L", "m"),
+)
+
+
+class Image(NamedTuple):
+    """A figure as data URI, and its size in inches."""
+
+    uri: str
+    width: float
+    height: float
+
+
+class Section(NamedTuple):
+    """What the page shows of one study."""
+
+    name: str
+    title: str
+    image: Image | None
+    trouble: str  # why there is no image
+    parameters: list[tuple[str, str, str]]  # meaning, values, unit
+    variants: list[tuple[str, str, str, str]]  # name, scheme, steps per spacing, fits
+    facts: list[tuple[str, str]]
+    origin: list[tuple[str, str]]
+    settings: str
+
+
+def study_names() -> list[str]:
+    """Return the names of all studies, figures first."""
+    return sorted(known_studies(), key=lambda name: (not name.startswith("fig"), name))
+
+
+def write_report(folder: Path, names: list[str]) -> Path:
+    """Write ``report.html`` into a folder of results and return its path.
+
+    names : studies to report on, all by default. Raises UserError where none has a result.
+    """
+    studies = [read_study(name) for name in names or study_names()]
+    present = [study for study in studies if _result(folder, study).is_file()]
+    if not present:
+        wanted = ", ".join(study.name for study in studies)
+        raise UserError(f"{folder}: holds no result of {wanted}; first run: make study-NAME")
+    # netCDF does not survive a file opened again while several of its groups are open: draw first.
+    drawn = {study.name: _drawn(study, _result(folder, study)) for study in present}
+    with contextlib.ExitStack() as stack:
+        groups = {s.name: open_result(s, _result(folder, s), stack) for s in present}
+        named = {f"{n}{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
+        try:
+            sections = [_section(s, groups[s.name], *drawn[s.name]) for s in present]
+            judges = known_claims()
+            claims = evaluate(judges, named)
+        except (OSError, RuntimeError) as error:  # of netCDF, which reads late
+            raise UserError(f"{folder}: a result cannot be read: {error}") from error
+        codes = {str(held[ROOT].attrs["code"]) for held in groups.values()}
+    page = render(
+        claims=claims,
+        unjudged=len(judges) - len(claims),
+        sections=sections,
+        missing=[study for study in studies if study not in present],
+        codes=sorted(codes),
+    )
+    path = folder / "report.html"
+    write_durably(path, page.encode())
+    return path
+
+
+def _result(folder: Path, study: Study | Measured) -> Path:
+    return folder / f"{study.name}.nc"
+
+
+def _drawn(study: Study | Measured, result: Path) -> tuple[Image | None, str]:
+    """Return the figure of a result, or what is wrong with it."""
+    try:
+        return _image(draw_figure(study, result)[0]), ""
+    except UserError as error:
+        return None, str(error)
+
+
+def _section(
+    study: Study | Measured, groups: dict[str, xr.Dataset], image: Image | None, trouble: str
+) -> Section:
+    data = groups[ROOT]
+    return Section(
+        name=study.name,
+        title=str(data.attrs["title"]),
+        image=image,
+        trouble=trouble,
+        parameters=_parameters(data),
+        variants=[_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
+        facts=_facts(data) + _changes(study, data),
+        origin=[(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
+        settings=str(data.attrs["study"]),
+    )
+
+
+def _image(file: Path) -> Image:
+    content = file.read_bytes()
+    width, height = struct.unpack(">II", content[16:24])  # PNG: the first chunk
+    uri = "data:image/png;base64," + base64.b64encode(content).decode()
+    return Image(uri, width / STYLE["savefig.dpi"], height / STYLE["savefig.dpi"])
+
+
+def _parameters(data: xr.Dataset) -> list[tuple[str, str, str]]:
+    """Return the axes of the grid, then what is the same at all points.
+
+    Of a measured study: its settings.
+    """
+    settings = json.loads(data.attrs["study"])
+    if "measure" in settings:
+        return [(key.replace("_", " "), _setting(v), "") for key, v in settings["measure"].items()]
+    rows = [_axis(data[axis]) for axis in AXES]
+    for table, key, meaning, unit in CONSTANTS:
+        rows.append((meaning, f"{settings[table][key]:g}", unit))
+    return rows
+
+
+def _setting(value: object) -> str:
+    return ", ".join(map(str, value)) if isinstance(value, list) else str(value)
+
+
+def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
+    shown = [f"{value:.4g}" for value in axis.values]
+    text = ", ".join(shown)
+    if len(shown) > SHOWN_VALUES:
+        text = f"{shown[0]} … {shown[-1]} ({len(shown)} values)"
+    unit = str(axis.attrs["units"]).replace("s-1", "s⁻¹")
+    return str(axis.attrs["long_name"]), text, "" if unit == "1" else unit
+
+
+def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
+    """Return name, scheme, steps per spacing and the outcome of the fits of one group."""
+    fits = "no fits asked for"
+    if "fit_status" in data:
+        meanings = STATUS_MEANINGS.replace("no_relaxation", "nothing_to_relax").split()
+        counts = [int((data.fit_status == k).sum()) for k in range(len(meanings))]
+        pairs = zip(counts, meanings, strict=True)
+        fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for n, meaning in pairs if n)
+    label = "the study itself" if group == ROOT else group.strip("/")
+    return label, str(data.attrs["scheme"]), str(data.attrs["steps_per_spacing"]), fits
+
+
+def _changes(study: Study | Measured, data: xr.Dataset) -> list[tuple[str, str]]:
+    """Return which settings are not those of study.toml without a scale, if any."""
+    settings = differing_settings(study, data.attrs)
+    return [("Not as in study.toml", listed(settings))] if settings else []
+
+
+def _facts(data: xr.Dataset) -> list[tuple[str, str]]:
+    attrs = {key: str(value) for key, value in data.attrs.items()}
+    commit = attrs["commit"].replace("-dirty", " with changes that were not committed")
+    origin = [("Seed", attrs["seed"]), ("Commit", commit)]
+    if "scheme" not in attrs:  # a measured study
+        return origin
+    rate = "kept" if attrs["indentation_rate"] == "true" else "dropped, as eq. 3 is printed"
+    return [
+        ("Grid points", str(data.realizations.size)),
+        ("Realizations", f"{int(data.realizations.max())} each"),
+        ("Simulated", attrs["quantities"].replace(" ", ", ")),
+        ("Indentation rate", rate),
+        *origin,
+    ]

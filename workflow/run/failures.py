@@ -1,0 +1,85 @@
+"""What to do with chunks that fail: split, tried alone, then recorded, so that the rest goes on."""
+
+import dataclasses
+import sys
+
+import numpy as np
+from distributed.scheduler import KilledWorker
+
+from workflow.errors import UserError
+from workflow.plan.plan import Plan
+from workflow.simulate.tasks import Batch, Record, Task
+from workflow.store.store import Store
+from workflow.study.grid import AXES
+
+
+class Failures:
+    """The retry policy of a run, and the tasks that failed for good.
+
+    A chunk that fails is split into its tasks. One that raises again, or kills its workers while
+    nothing else runs, is recorded in the journal; no run takes it up until it is asked to.
+    """
+
+    def __init__(self, store: Store, plan: Plan, most: int) -> None:
+        """``most`` : with more failed tasks than this the run stops taking up work."""
+        self.store, self.plan, self.most = store, plan, most
+        self.fresh = 0  # failures of this run
+
+    def __contains__(self, record: Record) -> bool:
+        """Return whether nothing is left to do for a record: stored, or of a failed task."""
+        return record[0] in self.store.failed or record in self.store
+
+    def __call__(self, batch: Batch, error: Exception, alone: bool) -> list[Batch]:
+        """Return what to do instead of a batch that failed (see flow.Retry)."""
+        if isinstance(error, UserError):
+            raise error
+        if isinstance(error, ImportError):
+            raise UserError(f"a worker cannot work: {error}") from error
+        if len(batch.tasks) > 1 or (isinstance(error, KilledWorker) and not alone):
+            return [self._only(batch, task) for task in batch.tasks]
+        self._record(batch, error)
+        return []
+
+    def too_many(self) -> bool:
+        """Return whether more tasks failed in this run than it may go on with."""
+        return self.fresh > self.most
+
+    def tasks(self) -> list[tuple[str, Task]]:
+        """Return (label of the variant, task) of all tasks of the plan that failed."""
+        failed = self.store.failed
+        return [(v.label, t) for v in self.plan.variants for t in v.tasks if t.key in failed]
+
+    def lines(self) -> list[str]:
+        """Return a table of all tasks of the plan that failed, by grid point."""
+        tasks = self.tasks()
+        if not tasks:
+            return []
+        lines = [f"{len(tasks)} problems failed; --retry-failed tries them again:"]
+        return lines + [
+            f"  {self.where(t)} {label}: {self.store.failed[t.key]}" for label, t in tasks
+        ]
+
+    def where(self, task: Task) -> str:
+        """Return the first grid point of a task in words."""
+        numbers = {t.key: i for v in self.plan.variants for i, t in enumerate(v.tasks)}
+        point = int(np.argmax(self.plan.point_task.ravel() == numbers[task.key]))
+        place = np.unravel_index(point, self.plan.point_task.shape)
+        grid = self.plan.study.grid
+        return " ".join(f"{axis}={grid[axis][i]:.4g}" for axis, i in zip(AXES, place, strict=True))
+
+    @staticmethod
+    def _only(batch: Batch, task: Task) -> Batch:
+        return dataclasses.replace(batch, tasks=(task,), seconds=batch.seconds / len(batch.tasks))
+
+    def _record(self, batch: Batch, error: Exception) -> None:
+        (task,) = batch.tasks
+        if task.key in self.store.failed:
+            return  # in another block, meanwhile
+        if isinstance(error, KilledWorker):
+            why = f"its worker died {error.allowed_failures + 1} times"
+        else:
+            why = f"{type(error).__name__}: {error}".splitlines()[0]
+        last = batch.first_block + batch.blocks - 1
+        self.store.record_failure(task.key, f"{why} (blocks {batch.first_block}-{last})")
+        self.fresh += 1
+        print(f"failed: {self.where(task)}: {self.store.failed[task.key]}", file=sys.stderr)

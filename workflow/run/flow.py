@@ -1,0 +1,185 @@
+"""Stream items through the cluster: a bounded window, refilled in bulk, gathered in batches."""
+
+import math
+import sys
+import time
+from collections.abc import Callable, Iterable, Iterator
+from itertools import islice
+from typing import Any
+
+from distributed import Client, Future, as_completed
+from distributed.client import FutureCancelledError
+from distributed.scheduler import KilledWorker
+
+from workflow.errors import UserError
+from workflow.system.progress import duration
+
+SILENCE_SECONDS = 10.0  # without workers, before that is said; then twice as long each time
+
+
+class Watch:
+    """What a stream of work asks while it goes on."""
+
+    def __init__(
+        self,
+        stop: Callable[[], bool] = lambda: False,
+        patience: float = math.inf,
+        beat: Callable[[int, int], None] = lambda threads, in_flight: None,
+    ) -> None:
+        """``patience`` : seconds to wait without workers; ``beat`` is told (threads, in flight)."""
+        self.stop, self.patience, self.beat = stop, patience, beat
+        self.idle_since: float | None = None
+        self.next_line = SILENCE_SECONDS
+
+    def __call__(self) -> bool:
+        """Return whether no more work is to be taken up."""
+        return self.stop()
+
+    def look(self, threads: int, in_flight: int) -> None:
+        """Note how many worker threads there are. Raises UserError when patience ends."""
+        self.beat(threads, in_flight)
+        now = time.monotonic()
+        if threads:
+            self.idle_since, self.next_line = None, SILENCE_SECONDS
+            return
+        self.idle_since = now if self.idle_since is None else self.idle_since
+        waited = now - self.idle_since
+        if waited > self.patience:
+            raise UserError(f"no worker for {duration(waited)}: given up; run again to resume")
+        if waited >= self.next_line:
+            until = f", at most {duration(self.patience)}" if self.patience < math.inf else ""
+            print(f"no worker for {duration(waited)}: waiting{until}", file=sys.stderr, flush=True)
+            self.next_line *= 2.0
+
+
+# What to do instead of an item that failed with an error, alone in the cluster or not.
+Retry = Callable[[Any, Exception, bool], list[Any]]
+
+LOST = "the scheduler was lost; run again to resume"
+POLL_SECONDS = 0.02
+BEAT_SECONDS = 1.0
+
+PER_THREAD, LEAST = 4, 8  # items in flight
+
+
+def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
+    """Let an error on a worker end the stream; an item whose worker died gets another chance."""
+    if isinstance(error, KilledWorker) and not alone:
+        return [item]
+    raise error
+
+
+def stream(
+    client: Client,
+    function: Callable,
+    items: Iterable[Any],
+    watch: Watch | None = None,
+    retry: Retry = raise_error,
+) -> Iterator[tuple[Any, Any]]:
+    """Yield (item, function(item)) as they finish; once watch() is true, only what is running.
+
+    At most a few items per worker thread are in flight, so memory does not grow with the
+    study. ``retry`` returns what to do instead of an item that failed; what follows a killed
+    worker is done last, one item at a time, so that the item to blame is certain. Raises
+    UserError when the scheduler is lost.
+    """
+    return iter(_Stream(client, function, items, watch or Watch(), retry))
+
+
+class _Stream:
+    def __init__(
+        self,
+        client: Client,
+        function: Callable,
+        items: Iterable[Any],
+        watch: Watch,
+        retry: Retry,
+    ) -> None:
+        self.client, self.function, self.watch, self.retry = client, function, watch, retry
+        self.source = iter(items)
+        self.again: list[Any] = []  # before the rest of the source
+        self.alone: list[Any] = []  # after it
+        self.pending: dict[str, tuple[Future, Any]] = {}
+        self.running = as_completed([], loop=client.loop)
+        self.isolated = False  # what is in flight is alone there
+        self.window = LEAST
+        self.shedding = False
+        self.last_beat = 0.0
+
+    def __iter__(self) -> Iterator[tuple[Any, Any]]:
+        self._tick()
+        if not self.watch():
+            self._submit()
+        while self.pending:
+            finished = self.running.next_batch(block=False)
+            done = self._take([future for future in finished if future.key in self.pending])
+            if not finished:
+                time.sleep(POLL_SECONDS)
+            del finished
+            self._tick()
+            if not self.watch():
+                self._submit()
+            yield from done
+
+    def _submit(self) -> None:
+        """Fill the window from what is to be done again and the source; then one alone."""
+        free = self.window - len(self.pending)
+        if free <= self.window // 8 or (self.isolated and self.pending):
+            return  # refilled in bulk
+        fresh = self.again[:free]
+        del self.again[:free]
+        fresh += islice(self.source, free - len(fresh))
+        self.isolated = False if fresh else self.isolated
+        if not fresh and not self.pending and self.alone:
+            fresh, self.isolated = [self.alone.pop()], True
+        if not fresh:
+            return
+        futures = self.client.map(self.function, fresh, pure=False)
+        self.pending |= {f.key: (f, item) for f, item in zip(futures, fresh, strict=True)}
+        self.running.update(futures)
+
+    def _take(self, futures: list[Future]) -> list[tuple[Any, Any]]:
+        """Return (item, result) of what went well, and note what to do instead of the rest."""
+        if any(future.status in ("cancelled", "lost") for future in futures):
+            raise UserError(LOST)
+        while True:
+            failed = [future for future in futures if future.status == "error"]
+            sound = [future for future in futures if future not in failed]
+            try:
+                results = self.client.gather(sound)
+                break
+            except (FutureCancelledError, OSError) as error:
+                raise UserError(LOST) from error
+            except Exception:  # a result was lost with its worker, and failed the second time
+                if all(future.status != "error" for future in sound):
+                    raise
+        done = [(self.pending.pop(f.key)[1], r) for f, r in zip(sound, results, strict=True)]
+        for future in failed:
+            item, error = self.pending.pop(future.key)[1], future.exception()
+            killed = isinstance(error, KilledWorker)
+            (self.alone if killed else self.again).extend(self.retry(item, error, self.isolated))
+        return done
+
+    def _tick(self) -> None:
+        """Now and then look at the workers; shed what no worker has begun after a stop."""
+        stopping = self.watch()
+        if self.shedding == stopping and time.monotonic() - self.last_beat < BEAT_SECONDS:
+            return
+        self.shedding = stopping
+        try:
+            threads = sum(self.client.nthreads().values())
+            if stopping:
+                self._shed()
+        except OSError as error:
+            raise UserError(LOST) from error
+        self.window = max(PER_THREAD * threads, LEAST)
+        self.watch.look(threads, len(self.pending))
+        self.last_beat = time.monotonic()
+
+    def _shed(self) -> None:
+        """Take back what no worker has yet, so that an interrupted run ends soon."""
+        begun = {key for keys in self.client.processing().values() for key in keys}
+        waiting = [future for key, (future, _) in self.pending.items() if key not in begun]
+        for future in waiting:
+            del self.pending[future.key]
+        self.client.cancel(waiting)

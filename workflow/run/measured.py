@@ -1,0 +1,41 @@
+"""Run a measured study: measure, then write its result file durably."""
+
+import sys
+import time
+from pathlib import Path
+
+from workflow.errors import UserError
+from workflow.result.provenance import origin
+from workflow.study.measured import Measured
+from workflow.system.progress import Reporter, duration
+
+
+def run_measured(study: Measured, result: Path) -> str:
+    """Measure, write the result file durably; return what to print: a summary and the time.
+
+    An interrupted measurement writes nothing: an earlier result stays as it was.
+    """
+    from workflow.result.netcdf import write_datasets
+
+    lines, seconds = study.script.outline(study.settings)
+    print("\n".join(lines), file=sys.stderr)
+    began = time.process_time()
+    with Reporter("measuring", seconds) as reporter:
+        datasets = study.script.measure(study.settings, study.seed, reporter.advance)
+    used = time.process_time() - began
+    origins = origin(study)
+    _make_folder(result.parent)
+    write_datasets(
+        result, {name: data.assign_attrs(origins | data.attrs) for name, data in datasets.items()}
+    )
+    summary = study.script.summary(datasets) if hasattr(study.script, "summary") else []
+    return "\n".join(
+        [*summary, f"{duration(used)} of core time used, {duration(seconds)} predicted"]
+    )
+
+
+def _make_folder(folder: Path) -> None:
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UserError(f"{folder}: cannot be made: {error}") from error

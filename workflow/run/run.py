@@ -1,0 +1,161 @@
+"""Run a plan: compute what is missing, store it as it finishes, reduce, write the result."""
+
+import time
+from dataclasses import dataclass
+from functools import partial
+from pathlib import Path
+
+import xarray as xr
+from distributed import Client
+
+from workflow.errors import UserError
+from workflow.plan.batches import batch_target, batches
+from workflow.plan.plan import Plan, quantities
+from workflow.result.netcdf import write_datasets
+from workflow.run.clusters import open_client
+from workflow.run.collect import Collector
+from workflow.run.failures import Failures
+from workflow.run.flow import Watch, stream
+from workflow.run.rounds import Rounds
+from workflow.run.status import Status, StatusWriter, identity, status_file
+from workflow.run.summary import Summary, accuracy_lines
+from workflow.run.worker import check_versions, run_batch, versions
+from workflow.simulate.block_means import load_kernels
+from workflow.store.shelf import Shelf
+from workflow.store.store import DamagedShard, Store, store_folder
+from workflow.study.cluster import HERE, Place
+from workflow.system.files import clear_leftovers, hold
+from workflow.system.packages import package_versions, processor
+from workflow.system.process import Interrupt
+from workflow.system.progress import Reporter
+
+ATTEMPTS = 3  # at a result, when shards turn out damaged
+
+
+@dataclass(frozen=True)
+class How:
+    """How to run a plan; no number of the result depends on it.
+
+    batch_seconds : predicted length of a batch; by default it grows with the study.
+    """
+
+    place: Place = HERE
+    workers: int | None = None  # processes of this machine; None: one per core
+    dashboard: bool = False
+    batch_seconds: float | None = None
+    max_failures: int = 0
+    retry_failed: bool = False
+
+
+def run_plan(plan: Plan, result: Path, how: How) -> Summary:
+    """Compute whatever of the plan is not stored yet and write the result file.
+
+    An interrupted run keeps all finished batches and writes no result file; so does one with
+    more than ``how.max_failures`` failed problems. With fewer, these are marked in the result.
+    """
+    began = time.monotonic()
+    folder = store_folder(result)
+    with hold(folder):
+        run = _Run(plan, result, Store(folder), how)
+        if run.summary.predicted:
+            for variant in plan.variants:
+                load_kernels(variant.numerics.scheme, quantities(plan.study))
+        with run.interrupt, open_client(how.place, how.workers, how.dashboard) as client:
+            check_versions(client)
+            run.summary.start = time.monotonic() - began
+            run.finish(client)
+    run.summary.wall = time.monotonic() - began
+    return run.summary
+
+
+class _Run:
+    def __init__(self, plan: Plan, result: Path, store: Store, how: How) -> None:
+        self.plan, self.result, self.store, self.how = plan, result, store, how
+        store.prepare()
+        for path in (result, status_file(result)):
+            clear_leftovers(path)
+        self.failures = Failures(store, plan, how.max_failures)
+        if how.retry_failed:
+            store.forget_failures({task.key for _, task in self.failures.tasks()})
+        self.interrupt = Interrupt()
+        self.watch = Watch(self._stops, how.place.patience, self._beat)
+        self.reporter: Reporter | None = None
+        self.shelf: Shelf | None = None
+        name = identity(plan.study)
+        store.begin(name, package_versions(), processor())
+        done, left = self._extent()
+        self.summary = Summary(reused=done, predicted=left)
+        failed = len(self.failures.tasks())
+        status = Status(name, plan.records, done, left, failed)
+        self.status = StatusWriter(result, store.folder, status, self._extent)
+
+    def finish(self, client: Client) -> None:
+        """Compute, collect and write; the status says how it ended, whatever happens."""
+        state = "ended early"
+        try:
+            datasets = self._datasets(client)
+            if datasets:
+                with self.summary.filing():
+                    write_datasets(self.result, datasets)
+                self.summary.written = True
+                for label, dataset in datasets.items():
+                    self.summary.accuracy += accuracy_lines(label, dataset)
+            state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"
+        finally:
+            self.summary.interrupted = self.interrupt() and not self.summary.written
+            self.summary.failures = self.failures.lines()
+            self.status.end(state)
+
+    def _datasets(self, client: Client) -> dict[str, xr.Dataset]:
+        """Compute what is missing, then collect; once more where shards turn out damaged."""
+        collector = Collector(client, self.store, self.plan, self.summary, self.watch)
+        for _ in range(ATTEMPTS):
+            rounds = Rounds(self.plan)
+            try:
+                while True:
+                    self._compute(client, rounds.blocks)
+                    if self._stops():
+                        return {}
+                    if not rounds.go_on(collector):
+                        return collector.datasets(rounds.blocks)
+            except DamagedShard:
+                continue
+        raise UserError(
+            f"{self.store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?"
+        )
+
+    def _compute(self, client: Client, blocks: dict[str, int]) -> None:
+        """Compute and store what is missing of ``blocks`` of each task (by key)."""
+        missing = batches(self.plan, self.failures, blocks=blocks)
+        predicted = sum(batch.seconds for batch in missing)
+        target = self.how.batch_seconds or batch_target(predicted)
+        target = min(target, self.how.place.longest_batch)
+        work = batches(self.plan, self.failures, target, blocks)
+        function = partial(run_batch, expected=versions())
+        with Reporter("computing", predicted) as reporter, Shelf(self.store, target) as shelf:
+            self.reporter, self.shelf = reporter, shelf
+            for batch, done in stream(client, function, work, self.watch, self.failures):
+                with self.summary.filing():
+                    shelf.add(batch, done)
+                self.summary.count(batch, done)
+                reporter.advance(batch.seconds)
+        self.reporter = self.shelf = None
+
+    def _extent(self) -> tuple[int, float]:
+        """Return the number of records that are settled, and the predicted seconds of the rest."""
+        work = batches(self.plan, self.failures)
+        missing = [(len(batch.tasks) * batch.blocks, batch.seconds) for batch in work]
+        records = sum(number for number, _ in missing)
+        return self.plan.records - records, sum(seconds for _, seconds in missing)
+
+    def _stops(self) -> bool:
+        return self.interrupt() or self.failures.too_many()
+
+    def _beat(self, threads: int, in_flight: int) -> None:
+        """Take note of the workers every second."""
+        self.summary.workers = max(self.summary.workers, threads)
+        if self.reporter and self.shelf:
+            if threads:  # or else the watch says that there are none
+                self.reporter.beat(threads, self.failures.fresh)
+            self.shelf.flush_when_due()
+        self.status.write(threads, min(threads, in_flight))

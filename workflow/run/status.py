@@ -1,0 +1,168 @@
+"""How far a study is: written beside its result while it runs, read by the command status.
+
+Reading takes no time per point: the file says how far the journal of the store was, and only
+what the journal has got since is counted.
+"""
+
+import hashlib
+import json
+import os
+import socket
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from datetime import datetime
+from pathlib import Path
+
+from workflow.plan.batches import batches
+from workflow.plan.machine import calibrated
+from workflow.plan.plan import make_plan
+from workflow.simulate.code import CODE
+from workflow.store import journal
+from workflow.store.store import Store
+from workflow.study.study import Study
+from workflow.system.files import holder, write_durably
+
+WRITE_SECONDS = 5.0
+
+
+@dataclass
+class Status:
+    """How far a study is."""
+
+    study: str  # identity
+    total: int  # records, one for each problem and block
+    done: int
+    left: float  # predicted core-seconds
+    failed: int = 0  # problems
+    offset: int = 0  # bytes of the journal that are counted
+    state: str = "not running"
+    running: int = 0  # batches
+    workers: int = 0
+    updated: str = ""
+    host: str = ""
+    pid: int = 0
+
+    def advance(self, folder: Path) -> bool:
+        """Count what the journal has got since; return whether that is all there is to it."""
+        if journal.size(folder) < self.offset:
+            return False
+        for entry, offset in journal.entries(folder, self.offset):
+            self.offset = offset
+            if "shard" in entry:
+                self.done += entry["records"]
+                left = self.left - entry.get("predicted", 0.0)
+                self.left = max(0.0, left) if self.done < self.total else 0.0
+            elif "failed" in entry:
+                self.failed += 1
+            elif "part" not in entry:  # another run has begun, or a shard is damaged
+                return False
+        return True
+
+    def lines(self, result: Path, by: str | None) -> list[str]:
+        """Return what the command prints; ``by`` is who runs something in the folder."""
+        total = max(self.total, self.done)  # rounds may take more than was foreseen
+        alive = by is not None and f"process {self.pid} on {self.host}" in by
+        found = [
+            f"done        {self.done} of {total} records (problem x block)",
+            f"running     {self.running if alive else 0} batches on "
+            f"{self.workers if alive else 0} workers",
+            f"waiting     {total - self.done} records",
+            f"failed      {self.failed} problems",
+            f"remaining   {self.left / 3600.0:.3g} core-hours, predicted",
+        ]
+        if alive:
+            found.append(f"run         {self.state}, by {by}; as of {self.updated}")
+        elif by is not None:
+            found.append(f"run         another study, by {by}")
+        else:
+            ended = "was killed" if self.state == "running" else self.state
+            found.append(f"run         {ended}{', ' + self.updated if self.updated else ''}")
+        return [*found, result_line(result)]
+
+
+def result_line(result: Path) -> str:
+    """Return where the result is, or is going to be."""
+    return f"result      {result}{'' if result.is_file() else ' (not written yet)'}"
+
+
+def identity(study: Study) -> str:
+    """Return what tells a study with its settings, and our code, from any other."""
+    return hashlib.sha256((CODE + study.text).encode()).hexdigest()[:16]
+
+
+def status_file(result: Path) -> Path:
+    """Return where the status of a study stands."""
+    return result.with_suffix(".status.json")
+
+
+class StatusWriter:
+    """Keeps the status of a run on the disk, replaced as a whole every few seconds."""
+
+    def __init__(
+        self, result: Path, folder: Path, status: Status, extent: Callable[[], tuple[int, float]]
+    ) -> None:
+        """``extent`` counts records that are settled, and the predicted seconds of the rest."""
+        self.path, self.folder, self.status, self.extent = (
+            status_file(result),
+            folder,
+            status,
+            extent,
+        )
+        self.status.pid, self.status.host = os.getpid(), socket.gethostname()
+        self.status.offset = journal.size(folder)
+        self.written = -WRITE_SECONDS
+
+    def write(self, workers: int, running: int) -> None:
+        """Write the status if it is time for it."""
+        if time.monotonic() - self.written >= WRITE_SECONDS:
+            self.status.workers, self.status.running = workers, running
+            self._write("running")
+
+    def end(self, state: str) -> None:
+        """Write how the run ended."""
+        self.status.workers = self.status.running = 0
+        self._write(state)
+
+    def _write(self, state: str) -> None:
+        self.written = time.monotonic()
+        if not self.status.advance(self.folder):
+            self.status.done, self.status.left = self.extent()
+            self.status.offset = journal.size(self.folder)
+        self.status.state = state
+        self.status.updated = datetime.now().astimezone().isoformat(" ", "seconds")
+        write_durably(self.path, json.dumps(asdict(self.status), indent=1).encode())
+
+
+def read_status(study: Study, result: Path, folder: Path) -> Status:
+    """Return how far a study is, as its last run left it or counted anew."""
+    found = _written(study, result, folder)
+    if found is None:
+        found = counted(study, folder)
+    return found
+
+
+def counted(study: Study, folder: Path) -> Status:
+    """Return the status counted record by record."""
+    plan, store = make_plan(study, calibrated().rates), Store(folder)
+    missing = [(b.seconds, len(b.tasks) * b.blocks) for b in batches(plan, store)]
+    failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)
+    done = plan.records - sum(records for _, records in missing)
+    left = sum(seconds for seconds, _ in missing)
+    return Status(identity(study), plan.records, done, left, failed)
+
+
+def _written(study: Study, result: Path, folder: Path) -> Status | None:
+    """Return the status that a run wrote, brought up to the end of the journal, or None."""
+    try:
+        status = Status(**json.loads(status_file(result).read_text()))
+    except (OSError, ValueError, TypeError):
+        return None
+    if status.study != identity(study) or not status.advance(folder):
+        return None
+    return status
+
+
+def status_lines(study: Study, result: Path, folder: Path) -> list[str]:
+    """Return what the command ``status`` prints."""
+    return read_status(study, result, folder).lines(result, holder(folder))

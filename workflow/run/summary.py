@@ -1,0 +1,126 @@
+"""What a run did and where its time went. Printed after the run; no result depends on it."""
+
+import time
+from collections import defaultdict
+from collections.abc import Iterator
+from contextlib import contextmanager
+from dataclasses import dataclass, field
+
+import numpy as np
+import xarray as xr
+
+from workflow.plan.plan import Plan
+from workflow.reduce.attained import MET_WHERE_DEFINED, MISSED
+from workflow.simulate.tasks import PHASES, Batch, BatchResult
+from workflow.study.grid import AXES
+from workflow.system.process import peak_bytes
+from workflow.system.progress import duration
+
+COSTLIEST = 3  # points shown
+SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")
+
+
+@dataclass
+class Summary:
+    """What a run did; times in core-seconds of workers unless said otherwise."""
+
+    batches: int = 0
+    reused: int = 0  # records found in the store
+    predicted: float = 0.0
+    used: float = 0.0
+    start: float = 0.0  # s, compiling kernels and starting workers
+    wall: float = 0.0  # s, from the first to the last
+    workers: int = 1
+    files: float = 0.0  # s, reading and writing in the driver, mostly while workers compute
+    peak: int = 0  # bytes, of the largest worker
+    interrupted: bool = False
+    written: bool = False  # the result file
+    failures: list[str] = field(default_factory=list)  # a table
+    accuracy: list[str] = field(default_factory=list)  # what was reached, by variant
+    phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))
+    tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # by key
+
+    def count(self, batch: Batch, done: BatchResult) -> None:
+        """Enter a finished batch."""
+        self.batches += 1
+        self.used += done.seconds
+        self.peak = max(self.peak, done.peak)
+        phases = done.spent.sum(axis=0)
+        for phase, seconds in zip(PHASES, phases, strict=True):
+            self.phases[phase] += float(seconds)
+        self.phases["calls"] += done.seconds - float(phases.sum())
+        for task, seconds in zip(batch.tasks, done.spent.sum(axis=1), strict=True):
+            self.tasks[task.key] += float(seconds)
+
+    @contextmanager
+    def filing(self) -> Iterator[None]:
+        """Book the wall time of this block to reading and writing files."""
+        began = time.monotonic()
+        yield
+        self.files += time.monotonic() - began
+
+    def lines(self, plan: Plan) -> list[str]:
+        """Return the report of a run, line by line."""
+        found = [
+            f"{self.batches} batches computed in {duration(self.wall)}, {self.reused} records "
+            f"reused; {duration(self.used)} of core time used, {duration(self.predicted)} predicted"
+            + (f" (factor {self.used / self.predicted:.2f})" if self.predicted else "")
+        ]
+        if self.batches:
+            found += [self._where(), self._memory(plan), *self._costliest(plan)]
+        return found + self.accuracy
+
+    def _where(self) -> str:
+        """Return the shares of the core time that the workers had once they were there."""
+        whole = max((self.wall - self.start) * self.workers, 1e-9)
+        shares = {**self.phases, "scheduling, waiting": whole - sum(self.phases.values())}
+        shown = ", ".join(f"{name} {max(part, 0.0) / whole:.0%}" for name, part in shares.items())
+        return (
+            f"start {self.start:.0f} s; then {self.workers} workers: {shown}; "
+            f"files {self.files:.1f} s in the driver"
+        )
+
+    def _memory(self, plan: Plan) -> str:
+        return (
+            f"memory: {self.peak / 2**20:.0f} MiB in the largest worker, "
+            f"{plan.predicted_worker_bytes() / 2**20:.0f} MiB predicted; "
+            f"{peak_bytes() / 2**20:.0f} MiB here, "
+            f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB predicted"
+        )
+
+    def _costliest(self, plan: Plan) -> list[str]:
+        first = {}  # a grid point of each task
+        for variant in plan.variants:
+            found = np.unique(plan.point_task, return_index=True)
+            points = dict(zip(*(part.tolist() for part in found), strict=True))
+            for number, task in enumerate(variant.tasks):
+                first[task.key] = (points[number], variant.label, task.steps_per_spacing)
+        top = sorted(self.tasks, key=lambda key: -self.tasks[key])[:COSTLIEST]
+        lines = []
+        for key in top:
+            point, label, steps = first[key]
+            place = np.unravel_index(point, plan.point_task.shape)
+            values = {axis: plan.study.grid[axis][i] for axis, i in zip(AXES, place, strict=True)}
+            said = " ".join(f"{axis}={values[axis]:.4g}" for axis in SHOWN)
+            share = self.tasks[key] / self.used
+            lines.append(f"  {share:4.0%}  {said} m={steps} {label}".rstrip())
+        return ["points that cost most:", *lines]
+
+
+def accuracy_lines(label: str, dataset: xr.Dataset) -> list[str]:
+    """Return in words at how many points a dataset has the accuracy that was asked for."""
+    if "accuracy_status" not in dataset:
+        return []
+    status = dataset.accuracy_status.values
+    wanted = dataset.attrs["accuracy"]
+    line = (
+        f"accuracy {wanted:.3g} {label}: met at {np.sum(status > MISSED)} of {status.size} points"
+        f" ({np.sum(status == MET_WHERE_DEFINED)} of them have no rate, or no jump, to be known)"
+    )
+    missed = dataset.accuracy_reached.where(dataset.accuracy_status == MISSED)
+    if not (status == MISSED).any():
+        return [line]
+    worst = missed.argmax(...)
+    place = dataset.isel(worst)
+    where = " ".join(f"{axis}={float(place[axis]):.4g}" for axis in AXES)
+    return [line, f"  worst: {float(place.accuracy_reached):.2g} at {where}"]

@@ -1,0 +1,83 @@
+"""What a worker process does: it ignores Ctrl-C, compares versions, and runs batches."""
+
+import hashlib
+import platform
+import signal
+import socket
+from functools import cache
+from typing import NamedTuple
+
+from distributed import Client, Worker
+
+from workflow.errors import UserError
+from workflow.simulate.block_means import block_means
+from workflow.simulate.tasks import Batch, BatchResult
+from workflow.system.packages import ROOT, version_of
+
+PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")
+FOLDERS = ("kernels", "workflow")
+
+
+class Versions(NamedTuple):
+    """What a process runs."""
+
+    names: tuple[str, ...]
+    values: tuple[str, ...]
+
+
+@cache
+def versions() -> Versions:
+    """Return what this process runs; the hash of our own sources is last."""
+    digest = hashlib.sha256()
+    for source in sorted(path for name in FOLDERS for path in (ROOT / name).rglob("*.py")):
+        digest.update(source.relative_to(ROOT).as_posix().encode() + source.read_bytes())
+    found = {name: version_of(name) for name in PACKAGES}
+    found |= {"python": platform.python_version(), "our sources": digest.hexdigest()[:16]}
+    return Versions(tuple(found), tuple(found.values()))
+
+
+def require(expected: Versions) -> None:
+    """Raise UserError with a table where this process, a worker, differs from the driver."""
+    if versions() != expected:
+        raise UserError(*_table(expected, {socket.gethostname(): versions()}))
+
+
+def check_versions(client: Client) -> None:
+    """Raise UserError with a table where scheduler or workers differ from this process.
+
+    Workers that come later check by themselves, at their first batch.
+    """
+    others: dict = client.run(versions, on_error="return")
+    try:
+        others["scheduler"] = client.run_on_scheduler(versions)
+    except Exception as error:  # whatever importing our package there may raise
+        others["scheduler"] = error
+    odd = {name: found for name, found in others.items() if found != versions()}
+    if odd:
+        raise UserError(*_table(versions(), odd))
+
+
+def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> list[str]:
+    lines = ["scheduler and workers must run what the driver runs:"]
+    lines.append(f"  {'':28s}{'':14s}{'there':18s}driver")
+    for name, found in sorted(others.items()):
+        if not isinstance(found, Versions):
+            lines.append(f"  {name:28s}cannot import it: {found}")
+            continue
+        there = dict(zip(found.names, found.values, strict=True))
+        for package, value in zip(mine.names, mine.values, strict=True):
+            if there.get(package) != value:
+                lines.append(f"  {name:28s}{package:14s}{there.get(package)!s:18s}{value}")
+    return lines
+
+
+def run_batch(batch: Batch, expected: Versions) -> BatchResult:
+    """Run a batch, if this process runs what the driver runs (else UserError)."""
+    require(expected)
+    return block_means(batch)
+
+
+def dask_setup(worker: Worker) -> None:
+    """Leave Ctrl-C to the driver, which lets running batches finish and be stored."""
+    del worker
+    signal.signal(signal.SIGINT, signal.SIG_IGN)

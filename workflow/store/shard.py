@@ -1,0 +1,108 @@
+"""A shard: the block means of many finished batches as the bytes of one netCDF file.
+
+It tells by itself what it holds. Bytes are built and read in memory, so that HDF5 takes no
+lock and sees no full disk; the name of a shard is the checksum of its bytes.
+"""
+
+import hashlib
+from dataclasses import dataclass
+from functools import cached_property
+from typing import NamedTuple
+
+import netCDF4
+import numpy as np
+
+from workflow.simulate.tasks import SCALARS, Batch, BatchResult, Record
+
+FORMAT = "elastomer-friction shard 2"
+KEY_BYTES = 16
+
+Finished = list[tuple[Batch, BatchResult]]
+
+
+class StoredBatch(NamedTuple):
+    """What a shard holds of a batch: records in the order (task, block)."""
+
+    keys: tuple[str, ...]
+    first_block: int
+    blocks: int
+
+
+@dataclass(frozen=True)
+class Contents:
+    """What a shard holds; records of its batches one after the other."""
+
+    batches: list[StoredBatch]
+    scalars: np.ndarray  # shape (records, len(SCALARS))
+    curves: np.ndarray  # shape (records, samples); NaN beyond the samples of a record
+
+    @cached_property
+    def records(self) -> list[Record]:
+        """Which record each row holds."""
+        return [
+            (key, batch.first_block + block)
+            for batch in self.batches
+            for key in batch.keys
+            for block in range(batch.blocks)
+        ]
+
+    def record_at(self, position: int) -> Record | None:
+        """Return which record a row holds, None where there is no such row."""
+        return self.records[position] if position < len(self.records) else None
+
+
+def digest(content: bytes) -> str:
+    """Return the checksum of a shard (hexadecimal)."""
+    return hashlib.sha256(content).hexdigest()[:32]
+
+
+def stored_batch(batch: Batch) -> StoredBatch:
+    """Return what a shard holds of a batch."""
+    return StoredBatch(tuple(task.key for task in batch.tasks), batch.first_block, batch.blocks)
+
+
+def encode(finished: Finished) -> bytes:
+    """Return the bytes of a shard holding finished batches."""
+    samples = max(result.curves.shape[2] for _, result in finished)
+    scalars = [result.scalars.reshape(-1, len(SCALARS)) for _, result in finished]
+    curves = []
+    for _, result in finished:
+        rows = result.curves.reshape(-1, result.curves.shape[2])
+        missing = samples - rows.shape[1]
+        curves.append(np.pad(rows, ((0, 0), (0, missing)), constant_values=np.nan))
+    stored = [stored_batch(batch) for batch, _ in finished]
+    table = np.array([(len(s.keys), s.first_block, s.blocks) for s in stored], dtype=np.int64)
+    keys = bytes.fromhex("".join(key for batch in stored for key in batch.keys))
+    data = netCDF4.Dataset("shard.nc", "w", memory=4096)
+    data.format = FORMAT
+    for name, dims, values in (
+        ("chunk", ("chunk", "extent"), table),
+        ("key", ("task", "byte"), np.frombuffer(keys, np.uint8).reshape(-1, KEY_BYTES)),
+        ("scalars", ("record", "value"), np.concatenate(scalars)),
+        ("curves", ("record", "sample"), np.concatenate(curves)),
+    ):
+        for dim, size in zip(dims, values.shape, strict=True):
+            if dim not in data.dimensions:
+                data.createDimension(dim, size)
+        data.createVariable(name, values.dtype, dims, fill_value=False)[:] = values
+    return bytes(data.close())
+
+
+def decode(content: bytes) -> Contents:
+    """Return what the bytes of a shard hold. Raises ValueError for anything else."""
+    try:
+        with netCDF4.Dataset("shard.nc", memory=content) as data:
+            data.set_auto_mask(False)
+            if data.getncattr("format") != FORMAT:
+                raise ValueError("not a shard of this program")
+            table, keys = data["chunk"][:].tolist(), bytes(data["key"][:]).hex()
+            scalars, curves = data["scalars"][:], data["curves"][:]
+    except (OSError, RuntimeError, AttributeError, IndexError) as error:
+        raise ValueError(f"not a shard of this program ({error})") from error
+    width = 2 * KEY_BYTES
+    names = [keys[i : i + width] for i in range(0, len(keys), width)]
+    batches = []
+    for tasks, first_block, blocks in table:
+        batches.append(StoredBatch(tuple(names[:tasks]), first_block, blocks))
+        del names[:tasks]
+    return Contents(batches, scalars, curves)

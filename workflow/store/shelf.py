@@ -1,0 +1,57 @@
+"""Finished batches on their way into the store: many to a shard, none kept back for long."""
+
+import time
+from types import TracebackType
+
+from workflow.simulate.tasks import Batch, BatchResult
+from workflow.store.shard import Finished
+from workflow.store.store import Store
+
+SHARE_OF_RUN = 1e-3  # of a run's time that a crash of the driver may cost
+LONGEST_SECONDS = 120.0
+MOST_BYTES = 2**24
+
+
+class Shelf:
+    """Gathers finished batches and stores them together; stores what is left at the end.
+
+    A shard is written every few batch lengths at first, then every thousandth of the time the
+    run has taken: some thousand shards for a run of days, whatever the number of workers.
+    """
+
+    def __init__(self, store: Store, batch_seconds: float) -> None:
+        self.store, self.least = store, 2.0 * batch_seconds
+        self.waiting: Finished = []
+        self.bytes = 0
+        self.began = self.stored = time.monotonic()
+
+    def __enter__(self) -> "Shelf":
+        return self
+
+    def __exit__(
+        self,
+        kind: type[BaseException] | None,
+        error: BaseException | None,
+        trace: TracebackType | None,
+    ) -> None:
+        self.flush()
+
+    def add(self, batch: Batch, result: BatchResult) -> None:
+        """Take a finished batch; it is durable after the next flush."""
+        self.waiting.append((batch, result))
+        self.bytes += result.scalars.nbytes + result.curves.nbytes
+        self.flush_when_due()
+
+    def flush_when_due(self) -> None:
+        """Store what waits if it has waited long enough or is much."""
+        now = time.monotonic()
+        due = min(max(self.least, SHARE_OF_RUN * (now - self.began)), LONGEST_SECONDS)
+        if self.bytes >= MOST_BYTES or now - self.stored >= due:
+            self.flush()
+
+    def flush(self) -> None:
+        """Store whatever waits. Raises UserError when the disk refuses it."""
+        self.stored = time.monotonic()
+        waiting, self.waiting, self.bytes = self.waiting, [], 0
+        if waiting:
+            self.store.add(waiting)

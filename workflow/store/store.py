@@ -1,0 +1,175 @@
+"""Durable store of finished batches: immutable shards and a journal that says what they hold.
+
+A shard is built in memory, written aside, flushed, renamed, its folder flushed; then a line is
+added to the journal. Records are found by (key of the task, block), so that widening a grid,
+another batch size or another study reuses what is there. One process writes, the one that
+holds the lock of the folder; any number may read. Every read compares the keys that the shard
+itself holds with those asked for.
+"""
+
+import contextlib
+import os
+import socket
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from workflow.simulate.tasks import SCALARS, Record
+from workflow.store import journal
+from workflow.store.index import Entry, Index
+from workflow.store.shard import (
+    Contents,
+    Finished,
+    StoredBatch,
+    decode,
+    digest,
+    encode,
+    stored_batch,
+)
+from workflow.system.files import clear_leftovers, write_durably
+
+CACHED_SHARDS = 4
+
+
+def store_folder(result: Path) -> Path:
+    """Return the folder of finished batches beside a result file; studies share it."""
+    return result.parent / "store"
+
+
+class DamagedShard(Exception):
+    """A shard did not hold what the journal says; journal or shard is mended, try again."""
+
+
+class Store:
+    """The shards of a results folder, indexed from the journal alone."""
+
+    def __init__(self, folder: Path) -> None:
+        """Index what the journal of ``folder`` tells; change nothing."""
+        self.folder = folder
+        self.index = Index()
+        self.recent: dict[str, Contents] = {}
+        for entry, _ in journal.entries(folder):
+            self.index.replay(entry)
+
+    @property
+    def failed(self) -> dict[str, str]:
+        """Key of each task that failed for good -> why."""
+        return self.index.failed
+
+    def prepare(self) -> None:
+        """Mend what a crash or a disk left behind; only for the holder of the folder's lock.
+
+        Shards that are missing or damaged are set aside and named, finished shards that the
+        journal does not know are entered.
+        """
+        clear_leftovers(self.folder / "*.nc")
+        journal.end_torn_line(self.folder)
+        found = {path.stem: path.stat().st_size for path in self.folder.glob("*.nc")}
+        known = dict(self.index.sizes)
+        for name, size in known.items():
+            if name not in found:
+                self._set_aside(name, "missing")
+            elif found[name] != size:
+                self._set_aside(name, f"{found[name]} bytes instead of {size}")
+        for name in sorted(found.keys() - known.keys()):
+            if self._path(name).is_file():
+                with contextlib.suppress(DamagedShard):
+                    self._enter(name, found[name], self._load(name).batches)
+
+    def __contains__(self, record: Record) -> bool:
+        """Return whether a record is stored durably."""
+        return record in self.index
+
+    def add(self, finished: Finished) -> None:
+        """Store finished batches durably in one shard. Raises UserError if the disk refuses."""
+        content = encode(finished)
+        name = digest(content)
+        write_durably(self._path(name), content)
+        used = sum(result.seconds for _, result in finished)
+        predicted = sum(batch.seconds for batch, _ in finished)
+        times = {"used": round(used, 3), "predicted": round(predicted, 3)}
+        self._enter(name, len(content), [stored_batch(batch) for batch, _ in finished], times)
+
+    def begin(self, study: str, versions: str, processor: str) -> None:
+        """Note durably that a run of a study begins, and with what it will compute."""
+        process = {"pid": os.getpid(), "host": socket.gethostname()}
+        self._write([{"run": study, **process, "versions": versions, "processor": processor}])
+
+    def record_failure(self, key: str, why: str) -> None:
+        """Note durably that a task failed for good."""
+        self._write([{"failed": key, "why": why}])
+
+    def forget_failures(self, keys: set[str]) -> None:
+        """Let failed tasks be tried again."""
+        self._write([{"retry": key} for key in sorted(keys & self.failed.keys())])
+
+    def read(self, records: list[Record], samples: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return (scalars, curves) of the records, shapes (records, 5) and (records, samples).
+
+        Raises DamagedShard once the shard is set aside, or what the journal says of it is mended.
+        """
+        scalars = np.empty((len(records), len(SCALARS)))
+        curves = np.empty((len(records), samples))
+        wanted: dict[str, list[tuple[int, int]]] = {}
+        for row, record in enumerate(records):
+            shard, position = self.index.find(record)
+            wanted.setdefault(shard, []).append((row, position))
+        for shard, pairs in wanted.items():
+            contents = self._contents(shard)
+            if any(contents.record_at(at) != records[row] for row, at in pairs):
+                self._enter_anew(shard)
+                raise DamagedShard(shard)
+            rows, positions = np.array(pairs).T
+            scalars[rows] = contents.scalars[positions]
+            curves[rows] = contents.curves[positions, :samples]
+        return scalars, curves
+
+    def _path(self, name: str) -> Path:
+        return self.folder / f"{name}.nc"
+
+    def _contents(self, name: str) -> Contents:
+        if name not in self.recent:
+            while len(self.recent) >= CACHED_SHARDS:
+                del self.recent[next(iter(self.recent))]
+            self.recent[name] = self._load(name)
+        return self.recent[name]
+
+    def _load(self, name: str) -> Contents:
+        try:
+            content = self._path(name).read_bytes()
+            if digest(content) != name:
+                raise ValueError("its content does not match the checksum in its name")
+            return decode(content)
+        except (OSError, ValueError) as error:
+            self._set_aside(name, str(error))
+            raise DamagedShard(name) from error
+
+    def _enter_anew(self, name: str) -> None:
+        """Enter every shard by what it holds itself, as the journal was wrong about one."""
+        path = self.folder / journal.NAME
+        print(f"warning: {path} is wrong about {name}: every shard is read anew", file=sys.stderr)
+        for known in list(self.index.sizes):
+            with contextlib.suppress(DamagedShard):
+                contents = self._load(known)
+                self._write([{"dropped": known}])
+                self._enter(known, self._path(known).stat().st_size, contents.batches)
+
+    def _set_aside(self, name: str, why: str) -> None:
+        path = self._path(name)
+        print(f"warning: {path} is damaged ({why}): set aside", file=sys.stderr)
+        with contextlib.suppress(OSError):
+            path.replace(path.with_suffix(".damaged"))
+        if name in self.index.sizes:
+            self._write([{"dropped": name}])
+
+    def _enter(
+        self, name: str, size: int, batches: list[StoredBatch], times: dict | None = None
+    ) -> None:
+        """Enter a durable shard into the journal."""
+        self._write(self.index.entries_of(name, size, batches, times or {}))
+
+    def _write(self, entries: list[Entry]) -> None:
+        journal.append(self.folder, entries)
+        for entry in entries:
+            self.index.replay(entry)

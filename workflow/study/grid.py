@@ -1,0 +1,114 @@
+"""The grid: a number, a list, {linspace = [a, b, n]} or {geomspace = [a, b, n]} on each axis."""
+
+import math
+from collections.abc import Iterator
+
+import numpy as np
+
+from workflow.errors import UserError
+from workflow.study.checks import _required, integer, number, positive
+
+AXES = ("hurst", "normal_force", "spacing", "roughness", "velocity", "velocity_step")
+MOST_VALUES = 10_000  # on one axis
+SPACES = {"linspace": np.linspace, "geomspace": np.geomspace}
+
+
+def axis_values(key: str, spec: object) -> tuple[float, ...]:
+    """Return the values of one grid axis, in the order given, without repetitions.
+
+    Computed values are rounded to 12 digits, so that 0.3 of a linspace is 0.3.
+    """
+    if isinstance(spec, dict):
+        values = _spaced(key, spec)
+    elif isinstance(spec, list):
+        values = tuple(number(f"{key}[{i}]", v) for i, v in enumerate(spec))
+    else:
+        values = (number(key, spec),)
+    if not values:
+        raise UserError(f"{key} = []: must hold at least one value")
+    if len(set(values)) < len(values):
+        raise UserError(f"{key} = {spec!r}: holds a value twice")
+    return values
+
+
+def _spaced(key: str, spec: dict) -> tuple[float, ...]:
+    kind = next(iter(spec)) if len(spec) == 1 else None
+    if kind not in SPACES:
+        raise UserError(f"{key} = {spec!r}: use {{linspace = [a, b, n]}} or {{geomspace = ...}}")
+    args = spec[kind]
+    if not isinstance(args, list) or len(args) != 3:
+        raise UserError(f"{key}.{kind} = {args!r}: must be [first, last, number of values]")
+    first, last = number(f"{key}.{kind}[0]", args[0]), number(f"{key}.{kind}[1]", args[1])
+    count = integer(f"{key}.{kind}[2]", args[2], 1, MOST_VALUES)
+    if kind == "geomspace" and first * last <= 0.0:
+        raise UserError(f"{key}.geomspace = {args!r}: both ends must be of one sign, not zero")
+    return tuple(float(f"{value:.12g}") for value in SPACES[kind](first, last, count))
+
+
+def snapped_spacing(length: float, spacings: tuple[float, ...]) -> tuple[float, ...]:
+    """Return the nearest spacings that divide ``length`` into a number of elements 2^a 3^b 5^c.
+
+    Such numbers are quick for the FFT; two spacings may fall on one.
+    """
+    elements = [_nearest_smooth(length / spacing) for spacing in spacings]
+    return tuple(length / count for count in dict.fromkeys(elements))
+
+
+def _nearest_smooth(target: float) -> int:
+    return min(_smooth_even(2.0 * target + 8.0), key=lambda n: (abs(math.log(n / target)), n))
+
+
+def _smooth_even(limit: float) -> Iterator[int]:
+    fives = 1
+    while 2 * fives <= limit:
+        threes = fives
+        while 2 * threes <= limit:
+            twos = 2 * threes
+            while twos <= limit:
+                yield twos
+                twos *= 2
+            threes *= 3
+        fives *= 5
+
+
+MOST_ELEMENTS = 1e8
+
+
+def _grid(tables: dict, length: float, snap: bool) -> dict[str, tuple[float, ...]]:
+    table = tables.get("grid", {})
+    scene = tables.get("scene", {})
+    if scene.get("quantities") == ["steady"] and "velocity_step" not in table:
+        table = {**table, "velocity_step": 0.0}
+    grid = {}
+    for axis in AXES:
+        grid[axis] = _required({"grid": table}, "grid", axis, axis_values)
+        for value in grid[axis]:
+            _check_range(axis, value)
+    for spacing in grid["spacing"]:
+        if not length / spacing < MOST_ELEMENTS:
+            raise UserError(
+                f"grid.spacing = {spacing!r}: more than {MOST_ELEMENTS:g} elements on "
+                f"surface.length = {length!r}"
+            )
+    if snap:
+        grid["spacing"] = snapped_spacing(length, grid["spacing"])
+    for spacing in grid["spacing"]:
+        elements = length / spacing
+        if round(elements) < 4 or abs(elements / round(elements) - 1.0) > 1e-9:
+            near = length / max(4, round(elements))
+            raise UserError(
+                f"grid.spacing = {spacing:g}: must divide surface.length = {length:g} into at "
+                f"least 4 elements (nearest: {near!r}; or set surface.snap_spacing = true)"
+            )
+    return grid
+
+
+def _check_range(axis: str, value: float) -> None:
+    if axis == "hurst":
+        if not 0.0 <= value <= 1.0:
+            raise UserError(f"grid.hurst = {value!r}: must lie between 0 and 1")
+    elif axis == "velocity_step":
+        if value <= -1.0:
+            raise UserError(f"grid.velocity_step = {value!r}: must be greater than -1 (v2 > 0)")
+    else:
+        positive(f"grid.{axis}", value)

@@ -1,0 +1,31 @@
+"""What this process runs: versions of packages, and the processor."""
+
+import contextlib
+import platform
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
+PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
+
+
+def version_of(package: str) -> str:
+    """Return the version of an installed package."""
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return "not installed"
+
+
+def package_versions() -> str:
+    """Return the versions of the packages that take part, in words."""
+    return ", ".join(f"{name} {version_of(name)}" for name in PACKAGES)
+
+
+def processor() -> str:
+    """Return the name of the processor, on whose kind the last bits of results depend."""
+    with contextlib.suppress(OSError):
+        for line in Path("/proc/cpuinfo").read_text(encoding="utf-8").splitlines():
+            if line.startswith("model name"):
+                return line.partition(":")[2].strip()
+    return platform.processor() or platform.machine()

@@ -1,0 +1,54 @@
+"""This process: when it is to stop, how much memory it has had, how libraries in it behave."""
+
+import contextlib
+import resource
+import signal
+import sys
+import time
+from pathlib import Path
+from types import FrameType
+
+
+class Interrupt:
+    """Whether the user or the batch system wants this process to stop."""
+
+    BOUNCE_SECONDS = 1.0  # one key press or `timeout` may signal process and group
+
+    def __init__(self) -> None:
+        self.asked = 0.0
+
+    def __enter__(self) -> "Interrupt":
+        self.previous = {s: signal.signal(s, self._handle) for s in (signal.SIGINT, signal.SIGTERM)}
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        for number, handler in self.previous.items():
+            signal.signal(number, handler)
+
+    def __call__(self) -> bool:
+        return self.asked > 0.0
+
+    def _handle(self, number: int, frame: FrameType | None) -> None:
+        now = time.monotonic()
+        if self.asked and now - self.asked > self.BOUNCE_SECONDS:
+            raise KeyboardInterrupt
+        if not self.asked:
+            self.asked = now
+            print("stopping: running batches are finished and stored", file=sys.stderr)
+
+
+def peak_bytes() -> int:
+    """Return the largest resident size of this process so far."""
+    # getrusage also counts what the process was before it was given this program.
+    with contextlib.suppress(OSError):
+        for line in Path("/proc/self/status").read_text(encoding="ascii").splitlines():
+            if line.startswith("VmHWM:"):
+                return int(line.split()[1]) * 1024
+    unit = 1 if sys.platform == "darwin" else 1024
+    return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
+
+
+# Kernels allocate the same large arrays again and again: keep them in the process. With
+# dask's own setting (trim at 64 KiB) page faults cost as much time as the kernels.
+MALLOC = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**25)}
+PINNED = ("OMP", "MKL", "OPENBLAS", "NUMBA")  # libraries that must not start threads of their own
