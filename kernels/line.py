@@ -15,10 +15,10 @@ class Line(NamedTuple):
     z: np.ndarray  # shape (N m,)
     slope: np.ndarray  # shape (N m,), in h/dx
     datum: float  # height of the deepest point over the mean line, in h
-    samples_per_spacing: int
+    steps_per_spacing: int
 
     @classmethod
-    def from_samples(cls, z: np.ndarray, slope: np.ndarray, samples_per_spacing: int) -> "Line":
+    def from_samples(cls, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> "Line":
         """Prepare given heights (in h) and slopes (in h/dx) of a periodic line.
 
         Raises ValueError where a sample is not finite, where a height has no slope, and for
@@ -26,7 +26,7 @@ class Line(NamedTuple):
         """
         if not (np.isfinite(z).all() and np.isfinite(slope).all()):
             raise ValueError("the line holds samples that are not finite numbers")
-        if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or samples_per_spacing < 1:
+        if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or steps_per_spacing < 1:
             raise ValueError("a line needs one slope per height, one sample per spacing or more")
         height = float(np.abs(z).max())
         if height > 0.0 and not 1.0 / TALLEST <= height <= TALLEST:
@@ -34,12 +34,12 @@ class Line(NamedTuple):
         top = int(np.argmax(z))
         # Heights over the deepest point keep full precision where light loads touch.
         datum = float(z.min())
-        return cls(np.roll(z, -top) - datum, np.roll(slope, -top), datum, samples_per_spacing)
+        return cls(np.roll(z, -top) - datum, np.roll(slope, -top), datum, steps_per_spacing)
 
     @classmethod
     def self_affine(
-        cls, amplitude: np.ndarray, phases: np.ndarray, elements: int, samples_per_spacing: int
+        cls, amplitude: np.ndarray, phases: np.ndarray, elements: int, steps_per_spacing: int
     ) -> "Line":
         """Sample the random line of surface.py."""
-        z, slope = sample_line(amplitude, phases, elements, samples_per_spacing)
-        return cls.from_samples(z, slope, samples_per_spacing)
+        z, slope = sample_line(amplitude, phases, elements, steps_per_spacing)
+        return cls.from_samples(z, slope, steps_per_spacing)

@@ -35,7 +35,7 @@ class Case(NamedTuple):
     load: float  # Fbar = F_N / (4 G L h)
     speed: float  # vbar = v1 tau / dx
     ratios: tuple[float, ...]  # v2 / v1
-    records: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
+    kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
     scheme: str
 
 
@@ -68,7 +68,7 @@ class _State(NamedTuple):
 
 
 def _steady(line: Line, load: float, speed: float, scheme: str) -> _State:
-    step = SCHEMES[scheme](1.0 / (line.samples_per_spacing * speed))
+    step = SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
     w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
     return _State(w, d, step, sweeps)
 
@@ -79,7 +79,7 @@ def _friction(line: Line, state: _State, speed: float, load: float) -> tuple[flo
     The first has its elastic part corrected as far as a sample lasts longer than tau: by
     measurement the better estimate there, and the worse one beyond.
     """
-    z, slope, w, d, steps = line.z, line.slope, state.w, state.d, line.samples_per_spacing
+    z, slope, w, d, steps = line.z, line.slope, state.w, state.d, line.steps_per_spacing
     mu, rate, contact = quadrature(z, slope, w, d, speed, speed, load)
     share = math.exp(-((steps * speed) ** 2))
     if share < 1e-3:
@@ -97,12 +97,12 @@ def _check(line: Line, case: Case, asked: Quantities) -> None:
         for value in values:
             if not least <= value <= most:
                 raise ValueError(f"{name} = {value:g}: must lie between {least:g} and {most:g}")
-    shortest = 1.0 / (line.samples_per_spacing * max(speeds))
+    shortest = 1.0 / (line.steps_per_spacing * max(speeds))
     if shortest < SHORTEST:
         raise ValueError(f"speed = {max(speeds):g}: steps of {shortest:g} tau are lost in rounding")
-    for record in case.records if asked.relaxation else ():
-        if not (len(record) and record[0] >= 1 and np.all(np.diff(record) > 0)):
-            raise ValueError("records must hold increasing step numbers from 1 on")
+    for kept in case.kept_steps if asked.relaxation else ():
+        if not (len(kept) and kept[0] >= 1 and np.all(np.diff(kept) > 0)):
+            raise ValueError("kept_steps must hold increasing step numbers from 1 on")
 
 
 def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
@@ -137,7 +137,7 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
         clock.lap("steady")
         if asked.relaxation:
             rigid = None if asked.indentation_rate else True
-            curve, updates = _relaxation(line, load, one, two, case.records[k], rigid)
+            curve, updates = _relaxation(line, load, one, two, case.kept_steps[k], rigid)
             curves.append(mu_2[k] + curve)
             work += updates
             clock.lap("marching")
@@ -163,7 +163,7 @@ def _relaxation(
     load: float,
     one: _State,
     two: _State,
-    record: np.ndarray,
+    kept_steps: np.ndarray,
     rigid: bool | None,
 ) -> tuple[np.ndarray, int]:
     """Return the deviation from the steady friction at v2, and the element updates."""
@@ -175,7 +175,7 @@ def _relaxation(
     work = 0
     for cap in (1.02 * max(one.d, two.d), 1.001 * max(one.d, load)):
         mu, _, passes, inside = march(
-            line.z, weight, one.w, one.d, step.decay, step.stiffness, load, record, cap, rigid
+            line.z, weight, one.w, one.d, step.decay, step.stiffness, load, kept_steps, cap, rigid
         )
         work += passes * line.z.size
         if inside:

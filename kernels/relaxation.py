@@ -37,16 +37,16 @@ def touchable(z, cap):
 
 
 @kernel
-def march(z, weight, w, d, decay, stiffness, load, record, cap, rigid=None):
+def march(z, weight, w, d, decay, stiffness, load, kept_steps, cap, rigid=None):
     """March from the steady state (w, d) and return (mu, indentation, passes, inside).
 
     z, weight, w : line, lagged slope and free displacements, shape (n,), z[0] the highest point.
     decay, stiffness : of the step at the new speed. load : n Fbar.
-    record : increasing step numbers (first step = 1) at which mu and d are kept.
+    kept_steps : increasing step numbers (first step = 1) at which mu and d are kept.
     cap : elements above it are taken never to touch; inside tells whether d stayed below.
     rigid : None, or True to drop the indentation rate from the force, as eq. 3 is printed. numba
     compiles a version for each type of it, so that what is not asked for is not in the code.
-    mu : friction averaged over the step (friction.py), in h/dx, shape of record.
+    mu : friction averaged over the step (friction.py), in h/dx, shape of kept_steps.
     """
     start, stop = touchable(z, cap)
     stretches = start.size
@@ -57,12 +57,12 @@ def march(z, weight, w, d, decay, stiffness, load, record, cap, rigid=None):
     z, weight = np.minimum(_gather(z, start, stop), cap), _gather(weight, start, stop)
     c = z - _gather(w, start, stop)
 
-    mu = np.empty(record.size)
-    indentation = np.empty(record.size)
+    mu = np.empty(kept_steps.size)
+    indentation = np.empty(kept_steps.size)
     kept = 0
     passes = 0
     held = np.zeros(c.size if rigid is not None else 0, np.bool_)
-    for step in range(1, record[-1] + 1):
+    for step in range(1, kept_steps[-1] + 1):
         if rigid is not None:
             _mark_held(c, d, first, held)
         _shift(z, c, d, decay, first, ring, ring_at, step)
@@ -77,7 +77,7 @@ def march(z, weight, w, d, decay, stiffness, load, record, cap, rigid=None):
             below = s - 1 if s > 0 else stretches - 1
             slot = ring_at[below] + step % (ring_at[below + 1] - ring_at[below])
             ring[slot] = crossing[below] * (z[first[s]] - max(c[first[s]], d))
-        if step == record[kept]:
+        if step == kept_steps[kept]:
             mu[kept] = step_average(weight, c, d)
             indentation[kept] = d
             kept += 1

@@ -52,13 +52,13 @@ def draw_phases(rng: np.random.Generator, elements: int) -> np.ndarray:
 
 
 def sample_line(
-    amplitude: np.ndarray, phases: np.ndarray, elements: int, samples_per_spacing: int
+    amplitude: np.ndarray, phases: np.ndarray, elements: int, steps_per_spacing: int
 ) -> tuple[np.ndarray, np.ndarray]:
     """Return heights (in h) and slopes (in h/dx) of the line, both of shape (N m,).
 
     Every m samples the same function: sample j of m = 1 is sample j m of any other m.
     """
-    samples = elements * samples_per_spacing
+    samples = elements * steps_per_spacing
     spectrum = np.zeros(samples // 2 + 1, dtype=complex)
     spectrum[1 : amplitude.size + 1] = 0.5 * samples * amplitude * np.exp(1j * phases)
     q = 2.0 * np.pi * np.arange(spectrum.size) / elements

@@ -51,8 +51,8 @@ def outcomes(point: str, asked: Quantities, sampled: list[Line]) -> list[Outcome
     """Run one point on all lines, recording 16 moments up to 1.5 tau/b."""
     hurst, load, x = POINTS[point]
     span = 1.5 / x ** (1.0 - hurst) * 1.2 * x / np.pi  # in dx
-    record = np.unique(np.ceil(np.linspace(span / 16, span, 16) * STEPS).astype(np.int64))
-    case = Case(load, x / np.pi, (1.2,), (record,), "exponential")
+    kept_steps = np.unique(np.ceil(np.linspace(span / 16, span, 16) * STEPS).astype(np.int64))
+    case = Case(load, x / np.pi, (1.2,), (kept_steps,), "exponential")
     return [run_case(line, case, asked) for line in sampled]
 
 

@@ -15,7 +15,7 @@ import numpy as np
 from scipy.stats import t as student
 
 from kernels import Quantities, amplitudes, rms_slope
-from workflow.plan.goal import GROUPS, Goal
+from workflow.plan.goal import JACKKNIFE_GROUPS, Goal
 from workflow.plan.problems import horizon_steps, steps_per_spacing
 from workflow.reduce.attained import attained
 from workflow.reduce.estimates import Blocks, Estimates, reduce_blocks
@@ -35,7 +35,13 @@ POINTS = {  # name: problem, accuracy that takes a few rounds
     "H=0.5 x=3, light": (Problem(0.5, 500, 0.005, 3.0 / np.pi, 1.2), 0.05),
     "H=0 x=3": (Problem(0.0, 500, 0.1, 3.0 / np.pi, 1.2), 0.02),
 }
-SIZES = {10: 10, 20: 20, 50: 50, 128: GROUPS, 256: GROUPS}  # realizations: groups of them
+SIZES = {
+    10: 10,
+    20: 20,
+    50: 50,
+    128: JACKKNIFE_GROUPS,
+    256: JACKKNIFE_GROUPS,
+}  # realizations: groups of them
 NAMES = ("mu_1", "jump", "relaxation_rate")
 LEVELS = (0.68, 0.95)
 SINGLE = 4.0  # binomial errors that one cell may be off
@@ -62,8 +68,8 @@ def compute(problem: Problem, seed: int = SEED) -> Lines:
     done = block_means(batch)
     recorded = record_steps(march, SAMPLES)
     time = np.full(SAMPLES - 1, np.nan)
-    pace = problem.speed * problem.ratio * steps
-    time[: recorded.size] = record_times(recorded, pace, "exponential")
+    steps_per_tau = problem.speed * problem.ratio * steps
+    time[: recorded.size] = record_times(recorded, steps_per_tau, "exponential")
     shape = (STUDIES, LINES, -1)
     slope = rms_slope(amplitudes(problem.hurst, problem.elements), problem.elements)
     return Lines(done.scalars.reshape(shape), done.curves.reshape(shape), time, slope)
@@ -89,19 +95,19 @@ def reference(lines: Lines) -> Estimates:
 def stopped(lines: Lines, problem: Problem, wanted: float) -> tuple[Estimates, np.ndarray]:
     """Return the estimates of studies that took rounds to an accuracy, and the lines they took."""
     goal = Goal(0, dict.fromkeys(NAMES, 0.0), 0.0)
-    size = np.full(STUDIES, GROUPS)
+    size = np.full(STUDIES, JACKKNIFE_GROUPS)
     going = np.arange(STUDIES)
     found: Estimates = {}
     while going.size:
         for count in np.unique(size[going]):
             some = going[size[going] == count]
-            part = estimates(lines, some, int(count), GROUPS)
+            part = estimates(lines, some, int(count), JACKKNIFE_GROUPS)
             for name, values in part.items():
                 found.setdefault(name, np.empty((STUDIES, *values.shape[1:]), values.dtype))
                 found[name][some] = values
         goals, ratios = [goal] * going.size, np.full(going.size, problem.ratio)
         judged = attained({n: v[going] for n, v in found.items()}, goals, ratios, wanted)
-        most = LINES // GROUPS * GROUPS
+        most = LINES // JACKKNIFE_GROUPS * JACKKNIFE_GROUPS
         grown = [
             next_blocks(int(n), float(g), most)
             for n, g in zip(size[going], judged.growth, strict=True)
@@ -158,7 +164,7 @@ def main() -> int:
                 off += row(f"{size} in {groups} blocks", found, truth, groups - 1)
             found, sizes = stopped(lines, problem, wanted)
             what = f"rounds to {wanted:.0%}, {sizes.mean():.0f} on average"
-            off += row(what, found, truth, GROUPS - 1)
+            off += row(what, found, truth, JACKKNIFE_GROUPS - 1)
     mean = np.mean(off, axis=0)
     print(f"mean of all cells: {mean[0]:+.2f}, {mean[1]:+.2f} binomial errors from the claim")
     columns = len(POINTS) * len(NAMES)  # independent of each other, unlike sizes

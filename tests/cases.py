@@ -6,9 +6,9 @@ from kernels import Case, Line, Quantities, amplitudes, draw_phases
 from tests.sizes import size
 
 ELEMENTS, M = size(120, 60), 2
-RECORD = np.array([1, 2, 3, 5, 10, 20, 50, 100])
+KEPT = np.array([1, 2, 3, 5, 10, 20, 50, 100])
 RATIOS = (0.8, 1.2, 1.5)
-CASE = Case(0.1, 0.5, RATIOS, (RECORD,) * 3, "exponential")
+CASE = Case(0.1, 0.5, RATIOS, (KEPT,) * 3, "exponential")
 ALL = Quantities()
 
 

@@ -15,11 +15,11 @@ WANTED = os.environ.get("LAST_BIT")
 exact_line = surface.sample_line
 
 
-def perturbed_line(amplitude, phases, elements, samples_per_spacing):
+def perturbed_line(amplitude, phases, elements, steps_per_spacing):
     """Return a line as surface.sample_line does, rounded otherwise."""
-    seed = [int(WANTED), elements, samples_per_spacing, *phases.view(np.uint64).tolist()[:4]]
+    seed = [int(WANTED), elements, steps_per_spacing, *phases.view(np.uint64).tolist()[:4]]
     rng = np.random.default_rng(seed)
-    found = exact_line(amplitude, phases, elements, samples_per_spacing)
+    found = exact_line(amplitude, phases, elements, steps_per_spacing)
     return tuple(values * (1.0 + rng.choice([-2e-16, 0.0, 2e-16], values.size)) for values in found)
 
 

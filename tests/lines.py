@@ -5,16 +5,16 @@ import numpy as np
 from kernels import amplitudes, draw_phases, sample_line
 
 
-def random_line(elements: int, hurst: float, samples_per_spacing: int, seed: int):
+def random_line(elements: int, hurst: float, steps_per_spacing: int, seed: int):
     """Return heights and slopes of a random line, highest point first, deepest at zero."""
     phases = draw_phases(np.random.default_rng(seed), elements)
-    z, slope = sample_line(amplitudes(hurst, elements), phases, elements, samples_per_spacing)
+    z, slope = sample_line(amplitudes(hurst, elements), phases, elements, steps_per_spacing)
     top = int(np.argmax(z))
     return np.roll(z, -top) - z.min(), np.roll(slope, -top)
 
 
-def parabola(elements: int, samples_per_spacing: int, offset: float, radius: float):
+def parabola(elements: int, steps_per_spacing: int, offset: float, radius: float):
     """Return heights and slopes of z = x^2 / (2 R), its vertex ``offset`` samples off the grid."""
-    samples = elements * samples_per_spacing
-    x = (np.arange(samples) - samples // 2 + offset) / samples_per_spacing
+    samples = elements * steps_per_spacing
+    x = (np.arange(samples) - samples // 2 + offset) / steps_per_spacing
     return x**2 / (2.0 * radius), x / radius

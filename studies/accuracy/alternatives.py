@@ -10,7 +10,7 @@ from kernels import Line
 
 from .marches import MARCHES
 from .points import RATIO, Point, Surface
-from .sampling import Method, Runs, recorded_steps
+from .sampling import Method, Runs, kept_steps_of
 
 SPIN_UP = 10.0  # what is left of the start is e^-10; implicit Euler: a factor 1 + dt a step
 SLOWER = {"tamaas": 10.0}  # than the others, per update: fewer steps per dx in the same time
@@ -32,20 +32,24 @@ def run_march(name: str, point: Point, surfaces: list[Surface], steps: int) -> R
 
     mu_1 and mu_2 are what friction ends at, the jump is its change over the first step.
     """
-    record, moments = recorded_steps(point, surfaces[0].elements, Method("implicit-euler", steps))
-    pace = steps * point.speed  # steps per tau at v1
-    first, second = (math.ceil(SPIN_UP / math.log1p(1.0 / p)) for p in (pace, pace * RATIO))
+    kept_steps, moments = kept_steps_of(
+        point, surfaces[0].elements, Method("implicit-euler", steps)
+    )
+    steps_per_tau = steps * point.speed  # steps per tau at v1
+    first, second = (
+        math.ceil(SPIN_UP / math.log1p(1.0 / p)) for p in (steps_per_tau, steps_per_tau * RATIO)
+    )
     found, cpu = [], []
     for surface in surfaces:
         began = time.process_time()
         line = Line.self_affine(*surface, steps)
         drawn = time.process_time()
         march = MARCHES[name](line, point.load)
-        before = march.advance(first, 1.0 / pace)
+        before = march.advance(first, 1.0 / steps_per_tau)
         steady = time.process_time()
-        after = march.advance(max(second, int(record[-1])), 1.0 / (pace * RATIO))
+        after = march.advance(max(second, int(kept_steps[-1])), 1.0 / (steps_per_tau * RATIO))
         done = time.process_time()
-        found.append((before[-1], after[-1], after[0] - before[-1], after[record - 1]))
+        found.append((before[-1], after[-1], after[0] - before[-1], after[kept_steps - 1]))
         cpu.append((drawn - began, steady - drawn, done - drawn))
     mu_1, mu_2, jump, curves = (np.array(column) for column in zip(*found, strict=True))
     return Runs(mu_1, mu_2, jump, curves, moments, np.array(cpu))

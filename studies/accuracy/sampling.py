@@ -34,17 +34,17 @@ class Runs(NamedTuple):
     cpu: np.ndarray  # shape (lines, 3): drawing and sampling, steady states and jump, all
 
 
-def recorded_steps(point: Point, elements: int, method: Method) -> tuple[np.ndarray, np.ndarray]:
+def kept_steps_of(point: Point, elements: int, method: Method) -> tuple[np.ndarray, np.ndarray]:
     """Return the steps at which the workflow records a relaxation, and their moments in tau."""
     march = horizon_steps(point.problem(elements), NUMERICS, method.steps)
-    record = record_steps(march, NUMERICS.samples)
-    return record, record_times(record, method.steps * point.speed * RATIO, method.scheme)
+    kept_steps = record_steps(march, NUMERICS.samples)
+    return kept_steps, record_times(kept_steps, method.steps * point.speed * RATIO, method.scheme)
 
 
 def run(point: Point, surfaces: list[Surface], method: Method) -> Runs:
     """Run a method on lines as the workflow would, and take the CPU time of each."""
-    record, moments = recorded_steps(point, surfaces[0].elements, method)
-    case = Case(point.load, point.speed, (RATIO,), (record,), method.scheme)
+    kept_steps, moments = kept_steps_of(point, surfaces[0].elements, method)
+    case = Case(point.load, point.speed, (RATIO,), (kept_steps,), method.scheme)
     outcomes, cpu = [], []
     for surface in surfaces:
         outcome, seconds = _run_one(surface, case, method)

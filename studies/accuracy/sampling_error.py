@@ -9,7 +9,7 @@ from .points import Point, Surface
 from .sampling import Method, Runs, run
 
 COUNTS = (10, 20, 50, 100, 200, 500, 1000)
-GROUPS = 40  # at most
+JACKKNIFE_GROUPS = 40  # at most
 
 
 def sampling_errors(point: Point, surfaces: list[Surface], steps: int) -> np.ndarray:
@@ -24,7 +24,7 @@ def sampling_errors(point: Point, surfaces: list[Surface], steps: int) -> np.nda
     whole = _estimate(runs, slice(0, lines), slope)
     found = np.full((len(COUNTS), 3), np.nan)
     for row, count in enumerate(COUNTS):
-        number = min(GROUPS, lines // count)
+        number = min(JACKKNIFE_GROUPS, lines // count)
         if number < 2:
             break
         parts = [_estimate(runs, slice(k * count, (k + 1) * count), slope) for k in range(number)]

@@ -26,10 +26,10 @@ def steady_friction(point: Point, surface: Surface, elements: int, steps: int) -
     samples = max(elements, steps)
     line = Line.self_affine(*surface, samples)
     march = NumbaMarch(line, point.load, samples // elements, samples // steps, SCHEME)
-    pace = steps * point.speed
-    march.advance(math.ceil(SPIN_UP * pace), 1.0 / pace)
-    count = math.ceil(max(2.0 * pace, 8.0 * steps)) if steps > elements else 1
-    mu = march.advance(count, 1.0 / pace)
+    steps_per_tau = steps * point.speed
+    march.advance(math.ceil(SPIN_UP * steps_per_tau), 1.0 / steps_per_tau)
+    count = math.ceil(max(2.0 * steps_per_tau, 8.0 * steps)) if steps > elements else 1
+    mu = march.advance(count, 1.0 / steps_per_tau)
     return mu.mean(), mu.std()
 
 

@@ -41,7 +41,7 @@ def corners(seed: int, lines: int, most_elements: int, steps: int) -> Iterator[C
         line = random_line(hurst, n, m, seed, index)
         yield from _every_motion(f"H = {hurst:g}", n, line, RATIOS, steps)
     for name, line in shapes().items():
-        n = line.z.size // line.samples_per_spacing
+        n = line.z.size // line.steps_per_spacing
         yield from _every_motion(name, n, line, (RATIOS[0], RATIOS[-1]), steps)
     for n in LONG:
         if n <= most_elements:

@@ -87,7 +87,7 @@ def _refinement(motion: Motion, fine: Line) -> float:
         run_case(line, case, Quantities(jump=False, relaxation=False)).mu_1
         for line in (motion.line, fine)
     )
-    elements = fine.z.size // fine.samples_per_spacing
+    elements = fine.z.size // fine.steps_per_spacing
     return abs(two - one) / rms_slope(amplitudes(HURST, elements), elements)
 
 
@@ -100,7 +100,7 @@ def _corners(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.
             {
                 "line": corner.line,
                 "elements": corner.elements,
-                "steps_per_spacing": motion.line.samples_per_spacing,
+                "steps_per_spacing": motion.line.steps_per_spacing,
                 "mean_load": motion.load,
                 "speed_ratio": np.pi * motion.speed,
                 "ratio": motion.ratio,

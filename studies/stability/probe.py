@@ -42,7 +42,7 @@ class Motion(NamedTuple):
 
     def step(self, ratio: float) -> tuple[float, Step]:
         """Return dt and the constants of a step at ``ratio`` times the speed."""
-        dt = 1.0 / (self.line.samples_per_spacing * self.speed * ratio)
+        dt = 1.0 / (self.line.steps_per_spacing * self.speed * ratio)
         return dt, SCHEMES[self.scheme](dt)
 
     def steady(self, step: Step) -> tuple[np.ndarray, float, int]:
@@ -79,9 +79,9 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
 def _march(motion, state, step, cap, steps, worst):
     """Return the indentations after each step by the kernels, marched as run_case does."""
     weight = lagged_slope(motion.line.slope, step.lag)
-    record = np.arange(1, steps + 1)
+    kept_steps = np.arange(1, steps + 1)
     for highest in (cap, 1.001 * max(state[1], motion.total)):
-        constants = (step.decay, step.stiffness, motion.total, record, highest)
+        constants = (step.decay, step.stiffness, motion.total, kept_steps, highest)
         mu, depths, _, inside = march(motion.line.z, weight, *state, *constants)
         if inside:
             break

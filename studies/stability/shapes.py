@@ -5,11 +5,11 @@ import numpy as np
 from kernels import Line
 
 
-def line_through(z, samples_per_spacing: int = 2) -> Line:
+def line_through(z, steps_per_spacing: int = 2) -> Line:
     """Return the periodic line through these heights."""
     z = np.asarray(z, dtype=float)
-    slope = 0.5 * samples_per_spacing * (np.roll(z, -1) - np.roll(z, 1))
-    return Line.from_samples(z, slope, samples_per_spacing)
+    slope = 0.5 * steps_per_spacing * (np.roll(z, -1) - np.roll(z, 1))
+    return Line.from_samples(z, slope, steps_per_spacing)
 
 
 def shapes(n: int = 48) -> dict[str, Line]:

@@ -45,9 +45,9 @@ def test_every_corner_gives_finite_results_within_the_slopes(scheme, hurst, rigi
     """Friction is a mean of slopes (eq. 5), the contact a share of the line."""
     line = random_line(16, hurst, 2)
     steepest = np.abs(line.slope).max() * (1.0 + 1e-9)
-    record = np.array([1, 2, 5, 20])
+    kept_steps = np.array([1, 2, 5, 20])
     for load, x, ratio in corners():
-        case = Case(load, x / np.pi, (ratio,), (record,), scheme)
+        case = Case(load, x / np.pi, (ratio,), (kept_steps,), scheme)
         found = run_case(line, case, Quantities(indentation_rate=not rigid))
         assert np.all(np.abs([found.mu_1, found.mu_2[0]]) <= steepest)
         # Differences of two such means, added to a third.
@@ -83,8 +83,8 @@ def test_the_lightest_load_rests_on_one_asperity(hurst, load):
 def test_full_contact_has_no_edge_and_relaxes_nothing(hurst, speed):
     """mu = vbar grad z^2 / Fbar at any speed: zeta = xi = 1."""
     line = random_line(64, hurst, 2)
-    record = np.array([1, 10, 100])
-    case = Case(1e4, speed, (3.0,), (record,), "exponential")
+    kept_steps = np.array([1, 10, 100])
+    case = Case(1e4, speed, (3.0,), (kept_steps,), "exponential")
     found = run_case(line, case, Quantities())
     # mu is of order v / Fbar, summed from pressures of order Fbar: eps Fbar^2 / v is lost.
     lost = 1e-14 * (1.0 + 1e4 / speed)

@@ -59,7 +59,7 @@ def test_residuals_stay_within_rounding(motion):
 def test_heights_and_load_scale_bit_for_bit(motion, power):
     s = 2.0**power
     line = motion.line
-    scaled = Line(s * line.z, s * line.slope, s * line.datum, line.samples_per_spacing)
+    scaled = Line(s * line.z, s * line.slope, s * line.datum, line.steps_per_spacing)
     mu, one = run(motion)
     scaled_mu, other = run(motion, scaled, s * motion.load)
     np.testing.assert_array_equal(scaled_mu, s * mu)
@@ -73,7 +73,7 @@ def test_lengths_scale_bit_for_bit(motion, power):
     """The same samples on another spacing: speed and slopes change, the problem does not."""
     s = 2**power
     line = motion.line
-    wide = Line(line.z, s * line.slope, line.datum, s * line.samples_per_spacing)
+    wide = Line(line.z, s * line.slope, line.datum, s * line.steps_per_spacing)
     mu, one = run(motion)
     wide_mu, other = run(motion, wide, speed=motion.speed / s)
     np.testing.assert_array_equal(wide_mu, s * mu)
@@ -132,7 +132,7 @@ def test_full_contact_superposes(line, x, scheme, data):
     assert np.all(line.z - w < d)
     lost = MARGIN * EPS * (1.0 + step.stiffness)
     assert d == pytest.approx(load + line.z.mean(), rel=lost)
-    added = Line(2.0 * line.z, 2.0 * line.slope, 0.0, line.samples_per_spacing)
+    added = Line(2.0 * line.z, 2.0 * line.slope, 0.0, line.steps_per_spacing)
     _, both, _ = Motion(added, 3.0 * load, speed, 1.0, scheme).steady(step)
     _, rest, _ = Motion(line, 2.0 * load, speed, 1.0, scheme).steady(step)
     assert both == pytest.approx(d + rest, rel=lost)
@@ -142,7 +142,7 @@ def test_full_contact_superposes(line, x, scheme, data):
 @given(motions())
 def test_refined_samples_lie_on_the_same_line(motion):
     """Twice the samples: d moves by less than the height that lies between two samples."""
-    n, m = motion.line.z.size // motion.line.samples_per_spacing, motion.line.samples_per_spacing
+    n, m = motion.line.z.size // motion.line.steps_per_spacing, motion.line.steps_per_spacing
     fine = motion.line
     coarse = Line.from_samples(fine.z[::m], fine.slope[::m], 1)
     one, other = (Motion(q, motion.load, motion.speed, 1.0, motion.scheme) for q in (coarse, fine))

@@ -76,7 +76,7 @@ def test_ties_give_the_result_of_heights_a_little_apart(name):
     """The balance is continuous in the heights: no choice among equals can matter."""
     line = SHAPES[name]
     noise = 1e-10 * np.random.default_rng(1).uniform(-1.0, 1.0, line.z.size)
-    apart = Line.from_samples(line.z + noise, line.slope, line.samples_per_spacing)
+    apart = Line.from_samples(line.z + noise, line.slope, line.steps_per_spacing)
     for load, speed in itertools.product(LOADS[1:], SPEEDS):
         one, other = run(line, load, speed), run(apart, load, speed)
         depth = one.indentation - line.datum  # the other counts from near the bottom

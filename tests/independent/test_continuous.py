@@ -47,14 +47,14 @@ def after_the_jump(m, scheme, load, speed, ratio):
     start = Start.at(m, scheme, load, speed)
     after = ratio * speed
     step = SCHEMES[scheme](1.0 / (m * after))
-    record = np.arange(1, round(m * after) + 1)
+    kept_steps = np.arange(1, round(m * after) + 1)
     weight = lagged_slope(start.slope, step.lag)
     mu, _, _, _ = march(
         start.z, weight, start.w, start.d, step.decay, step.stiffness,
-        load * start.z.size, record, np.inf,
+        load * start.z.size, kept_steps, np.inf,
     )  # fmt: skip
     sliding = start.sliding(load, after)
-    return mu, np.array([sliding.advance(k / (m * after)) for k in record])
+    return mu, np.array([sliding.advance(k / (m * after)) for k in kept_steps])
 
 
 @pytest.mark.parametrize("name", STEPS)

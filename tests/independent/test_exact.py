@@ -85,15 +85,15 @@ class Both:
 
     def kernels(self):
         """Return the same from the kernels."""
-        record = np.arange(1, STEPS + 1)
-        case = Case(self.load, self.speed, (self.ratio,), (record,), self.scheme)
+        kept_steps = np.arange(1, STEPS + 1)
+        case = Case(self.load, self.speed, (self.ratio,), (kept_steps,), self.scheme)
         found = run_case(self.line, case, Quantities())
         n = self.line.z.size
         w, d, _ = steady_sliding(self.line.z, self.load * n, *self.step(1.0)[:2])
         step = self.step(self.ratio)
         weight = lagged_slope(self.line.slope, step.lag)
         _, depth, _, _ = march(
-            self.line.z, weight, w, d, step.decay, step.stiffness, self.load * n, record, np.inf
+            self.line.z, weight, w, d, step.decay, step.stiffness, self.load * n, kept_steps, np.inf
         )
         return found.mu_1, found.mu_2[0], found.jump[0], found.curves[0], d, depth
 

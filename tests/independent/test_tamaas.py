@@ -65,7 +65,7 @@ def test_a_whole_velocity_step(hurst):
     forces = [foundation.advance(RATIO * SPEED) for _ in range(AFTER)]
     found = [float(f @ slope / f.sum()) for f in forces]
     weight = lagged_slope(slope, two.lag)
-    record = np.arange(1, AFTER + 1)
-    mu, _, _, _ = march(z, weight, w, d, two.decay, two.stiffness, load, record, np.inf)
+    kept_steps = np.arange(1, AFTER + 1)
+    mu, _, _, _ = march(z, weight, w, d, two.decay, two.stiffness, load, kept_steps, np.inf)
     np.testing.assert_allclose(found, mu, rtol=TOLERANCE)
     assert np.ptp(mu) > 1e3 * TOLERANCE * mu[-1]  # there is something to follow

@@ -16,7 +16,7 @@ from kernels import (
 )
 from kernels.friction import elastic_correction
 from kernels.relaxation import march
-from tests.cases import ALL, CASE, ELEMENTS, RATIOS, RECORD, M, line_of
+from tests.cases import ALL, CASE, ELEMENTS, KEPT, RATIOS, M, line_of
 from tests.lines import random_line
 
 
@@ -29,7 +29,7 @@ def test_only_what_is_asked_for_is_computed():
     assert np.all(np.isnan(jump_only.mu_2))
     assert steady_only.curves == jump_only.curves == []
     assert np.all(np.isfinite(everything.jump))
-    assert [curve.shape for curve in everything.curves] == [RECORD.shape] * 3
+    assert [curve.shape for curve in everything.curves] == [KEPT.shape] * 3
     # What is asked does not depend on what else is asked.
     np.testing.assert_array_equal(jump_only.jump, everything.jump)
     np.testing.assert_array_equal(steady_only.mu_2, everything.mu_2)
@@ -37,7 +37,7 @@ def test_only_what_is_asked_for_is_computed():
 
 
 def test_no_ratio_is_the_steady_state_alone():
-    outcome = run_case(line_of(), CASE._replace(ratios=(), records=()), ALL)
+    outcome = run_case(line_of(), CASE._replace(ratios=(), kept_steps=()), ALL)
     assert np.isfinite([outcome.mu_1, outcome.indentation, outcome.contact_fraction]).all()
     assert outcome.mu_2.size == outcome.jump.size == len(outcome.curves) == 0
 
@@ -45,12 +45,12 @@ def test_no_ratio_is_the_steady_state_alone():
 def test_several_ratios_are_separate_runs_bit_for_bit_but_cheaper():
     line = line_of()
     together = run_case(line, CASE, ALL)
-    alone = [run_case(line, CASE._replace(ratios=(r,), records=(RECORD,)), ALL) for r in RATIOS]
+    alone = [run_case(line, CASE._replace(ratios=(r,), kept_steps=(KEPT,)), ALL) for r in RATIOS]
     assert {one.mu_1 for one in alone} == {together.mu_1}
     np.testing.assert_array_equal(together.mu_2, [one.mu_2[0] for one in alone])
     np.testing.assert_array_equal(together.jump, [one.jump[0] for one in alone])
     np.testing.assert_array_equal(together.curves, [one.curves[0] for one in alone])
-    shared = run_case(line, CASE._replace(ratios=(), records=()), ALL).work
+    shared = run_case(line, CASE._replace(ratios=(), kept_steps=()), ALL).work
     assert together.work == sum(one.work for one in alone) - 2 * shared
 
 
@@ -75,7 +75,7 @@ def test_outcome_is_made_of_the_kernels(scheme):
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_curve_is_mu_2_plus_the_deviation_of_the_marched_step_average(scheme):
     line, first = line_of(), np.array([1])
-    case = CASE._replace(speed=3.0, records=(first,) * 3, scheme=scheme)
+    case = CASE._replace(speed=3.0, kept_steps=(first,) * 3, scheme=scheme)
     outcome, load = run_case(line, case, ALL), case.load * line.z.size
     one, two = (SCHEMES[scheme](1.0 / (M * r * case.speed)) for r in (1.0, RATIOS[0]))
     w, d, _ = steady_sliding(line.z, load, one.decay, one.stiffness)
@@ -91,8 +91,8 @@ def test_curve_is_mu_2_plus_the_deviation_of_the_marched_step_average(scheme):
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("load", [1e-3, 0.1, 60.0])
 def test_curve_tends_to_mu_2(scheme, load):
-    record = np.array([1, 2 * ELEMENTS * M + 60])  # two turns and 30 tau
-    case = CASE._replace(load=load, records=(record,) * 3, scheme=scheme)
+    kept_steps = np.array([1, 2 * ELEMENTS * M + 60])  # two turns and 30 tau
+    case = CASE._replace(load=load, kept_steps=(kept_steps,) * 3, scheme=scheme)
     outcome = run_case(line_of(), case, ALL)
     for curve, mu_2 in zip(outcome.curves, outcome.mu_2, strict=True):
         assert curve[-1] == pytest.approx(mu_2, rel=1e-9, abs=1e-10)
@@ -130,9 +130,9 @@ BAD_CASES = [
     ({"ratios": (0.0, 1.2, 1.5)}, "speed"),
     ({"ratios": (1.2, np.inf, 1.5)}, "speed"),
     ({"speed": 5e9}, "rounding"),  # with the ratio 1.5 and M = 2 samples per spacing
-    ({"records": (np.array([0, 1]),) * 3}, "records"),
-    ({"records": (RECORD, np.array([1, 5, 5]), RECORD)}, "records"),
-    ({"records": (RECORD, RECORD, np.array([], int))}, "records"),
+    ({"kept_steps": (np.array([0, 1]),) * 3}, "kept_steps"),
+    ({"kept_steps": (KEPT, np.array([1, 5, 5]), KEPT)}, "kept_steps"),
+    ({"kept_steps": (KEPT, KEPT, np.array([], int))}, "kept_steps"),
 ]
 
 

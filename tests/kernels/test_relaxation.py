@@ -59,11 +59,11 @@ class Jump:
         """Return (w, d) of steady sliding."""
         return steady_sliding(self.z, self.load, step.decay, step.stiffness)[:2]
 
-    def march(self, record, cap=np.inf, rigid=None):
+    def march(self, kept_steps, cap=np.inf, rigid=None):
         """Return (mu, indentation, inside)."""
         constants = (self.after.decay, self.after.stiffness, self.load)
         mu, d, _, inside = march(
-            self.z, self.weight, self.w, self.d, *constants, np.asarray(record), cap, rigid
+            self.z, self.weight, self.w, self.d, *constants, np.asarray(kept_steps), cap, rigid
         )
         return mu, d, inside
 
@@ -95,9 +95,9 @@ def test_march_is_the_reference_march(scene, scheme, cap_factor):
 def test_the_cap_does_not_change_the_march():
     """Leaving out what cannot touch must be exact, whatever the memory."""
     jump = Jump(Scene(0.7, 1, 0.1, 100.0, 1.2), "exponential", elements=600, seed=5)
-    record = np.arange(1, size(300, 60))
-    mu, d, _ = jump.march(record)
-    capped_mu, capped_d, inside = jump.march(record, 1.01 * d.max())
+    kept_steps = np.arange(1, size(300, 60))
+    mu, d, _ = jump.march(kept_steps)
+    capped_mu, capped_d, inside = jump.march(kept_steps, 1.01 * d.max())
     assert inside
     np.testing.assert_allclose(capped_d, d, rtol=1e-12)
     np.testing.assert_allclose(capped_mu, mu, rtol=1e-11)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kernels import SCHEMES, Line, Quantities, amplitudes, draw_phases, run_case
-from tests.cases import ALL, CASE, ELEMENTS, RECORD, M, line_of
+from tests.cases import ALL, CASE, ELEMENTS, KEPT, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
 
 
@@ -63,10 +63,10 @@ def test_mirror_image_moving_the_other_way_is_the_same(scheme, load):
     assert outcome.indentation == pytest.approx(d + line.datum, rel=1e-10, abs=1e-10)
     step = constants(scheme, dt / 1.2)
     elements = Elements(mirrored, falling, u, d, load, step, direction=-1)
-    mu, _, _ = relaxation(elements, RECORD[-1])
+    mu, _, _ = relaxation(elements, KEPT[-1])
     # The curve carries the constant mu_2 - (steady step average): compare its course.
     course = outcome.curves[1] - outcome.curves[1][-1]
-    np.testing.assert_allclose(course, -(mu[RECORD - 1] - mu[-1]), atol=1e-10)
+    np.testing.assert_allclose(course, -(mu[KEPT - 1] - mu[-1]), atol=1e-10)
 
 
 def test_the_indentation_rate_is_an_effect_of_the_relaxation_alone():

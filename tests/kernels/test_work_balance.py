@@ -31,8 +31,8 @@ def work(z, slope, m, scheme):
     load = LOAD * z.size
     w, d, _ = steady_sliding(z, load, before.decay, before.stiffness)
     weight = lagged_slope(slope, after.lag)
-    record = np.arange(1, DURATION * m + 1)
-    mu, depth, _, _ = march(z, weight, w, d, after.decay, after.stiffness, load, record, np.inf)
+    kept_steps = np.arange(1, DURATION * m + 1)
+    mu, depth, _, _ = march(z, weight, w, d, after.decay, after.stiffness, load, kept_steps, np.inf)
     return LOAD * (mu.sum() / m + depth[-1] - d)  # v dt = dx / m
 
 

@@ -22,7 +22,7 @@ TOLERANCE = {"numpy": 1e-8, "numba": 1e-8, "tamaas": 1e-6}
 def kernel_march(line, point, steps):
     """Return steady friction at v1 and that of steps after the jump, by the kernels."""
     load = point.load * line.z.size
-    dt = 1.0 / (line.samples_per_spacing * point.speed)
+    dt = 1.0 / (line.steps_per_spacing * point.speed)
     one, two = SCHEMES["implicit-euler"](dt), SCHEMES["implicit-euler"](dt / 1.2)
     w, d, _ = steady_sliding(line.z, load, one.decay, one.stiffness)
     weight = lagged_slope(line.slope, 0.0)

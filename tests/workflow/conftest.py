@@ -1,5 +1,6 @@
 """One finished run of the small study, and a client of the cluster of all tests."""
 
+import json
 from collections.abc import Iterator
 
 import dask
@@ -7,9 +8,8 @@ import pytest
 from distributed import Client
 
 from tests.workflow.runs import Run, run
-from workflow.cli import main as cli
+from workflow.plan import machine
 from workflow.plan.cost import TYPICAL
-from workflow.plan.machine import Calibration
 from workflow.run import clusters as cluster
 
 
@@ -22,10 +22,13 @@ def no_commit() -> Iterator[None]:
 
 
 @pytest.fixture(scope="session", autouse=True)
-def typical_machine() -> Iterator[None]:
-    """Predict with the rates of a typical machine: nothing is measured."""
+def typical_machine(tmp_path_factory) -> Iterator[None]:
+    """Predict with the timings of a typical machine: nothing is measured."""
+    file = tmp_path_factory.mktemp("machine") / "timings.json"
+    known = {"machine": "a typical machine", "date": "2020-01-01", "timings": TYPICAL._asdict()}
+    file.write_text(json.dumps(known), encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(cli, "calibrated", lambda: Calibration(TYPICAL, "a typical machine"))
+        patch.setattr(machine, "timings_file", lambda: file)
         yield
 
 

@@ -14,7 +14,7 @@ from workflow.plan.plan import Plan
 from workflow.run.run import How, run_plan
 from workflow.run.summary import Summary
 from workflow.store.store import store_folder
-from workflow.study.cluster import Place
+from workflow.study.cluster import Cluster
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE = 120.0  # seconds to wait for a process at most
@@ -43,7 +43,7 @@ def run(
 ) -> Run:
     """Run the small study with --set ``settings`` on the cluster of the tests."""
     plan, path = small_plan(*settings, scale=scale), folder / "small.nc"
-    how = How(Place(scheduler), batch_seconds=batch_seconds, **how)
+    how = How(Cluster(scheduler), batch_seconds=batch_seconds, **how)
     return Run(plan, run_plan(plan, path, how), path)
 
 

@@ -81,7 +81,7 @@ def test_curves_end_where_the_march_ends():
     batch = one_batch("numerics.samples=64", "numerics.horizon=1.0")
     curves = block_means(batch).curves
     for task, curve in zip(batch.tasks, curves, strict=True):
-        assert np.isfinite(curve).sum(axis=1).tolist() == [min(task.march, 63)] * batch.blocks
+        assert np.isfinite(curve).sum(axis=1).tolist() == [min(task.march_steps, 63)] * batch.blocks
 
 
 def numbers(seed=1, hurst=0.3, elements=100, index=0):
@@ -102,9 +102,9 @@ def drawn(monkeypatch):
 
     class Spy:
         @staticmethod
-        def self_affine(amplitude, phases, elements, samples_per_spacing):
-            found.append((samples_per_spacing, phases.tolist()))
-            return Line.self_affine(amplitude, phases, elements, samples_per_spacing)
+        def self_affine(amplitude, phases, elements, steps_per_spacing):
+            found.append((steps_per_spacing, phases.tolist()))
+            return Line.self_affine(amplitude, phases, elements, steps_per_spacing)
 
     monkeypatch.setattr(module, "Line", Spy)
     monkeypatch.setattr(module, "load_kernels", lambda *_: None)  # draws a line of its own

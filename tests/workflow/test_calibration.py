@@ -7,9 +7,9 @@ import pytest
 
 from workflow.plan import machine as calibration
 from workflow.plan.cost import TYPICAL
-from workflow.plan.machine import calibrated, calibration_file
+from workflow.plan.machine import this_machine, timings_file
 
-TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "rates": TYPICAL._asdict()})
+TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "timings": TYPICAL._asdict()})
 
 
 @pytest.fixture
@@ -21,23 +21,24 @@ def measured(tmp_path, monkeypatch):
         calls.append(1)
         return TEXT
 
+    monkeypatch.setattr(calibration, "timings_file", timings_file)  # not that of all tests
     monkeypatch.setattr(calibration, "_measured", measure)
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "cache"))
     return calls
 
 
 def test_it_is_measured_once_and_kept(measured):
-    first, second = calibrated(), calibrated()
+    first, second = this_machine(), this_machine()
     assert len(measured) == 1
     assert first == second == (TYPICAL, "M, 2020-01-01")
-    assert calibration_file().read_text() == TEXT
+    assert timings_file().read_text() == TEXT
 
 
 @pytest.mark.parametrize("name", ["source_hash", "processor"])
 def test_other_kernels_and_another_processor_have_rates_of_their_own(measured, monkeypatch, name):
-    calibrated()
+    this_machine()
     monkeypatch.setattr(calibration, name, lambda: "another")
-    calibrated()
+    this_machine()
     assert len(measured) == 2
 
 
@@ -58,30 +59,30 @@ DAMAGED = [
 @pytest.mark.parametrize("text", DAMAGED)
 def test_a_damaged_file_is_measured_anew(measured, text):
     assert text != TEXT
-    calibrated()
-    calibration_file().write_text(text)
-    assert calibrated().rates == TYPICAL
+    this_machine()
+    timings_file().write_text(text)
+    assert this_machine().timings == TYPICAL
     assert len(measured) == 2
-    assert calibration_file().read_text() == TEXT
+    assert timings_file().read_text() == TEXT
 
 
 def test_a_file_that_is_no_text_is_measured_anew(measured):
-    calibrated()
-    calibration_file().write_bytes(b"\xff\xfe\x00")
-    assert calibrated().rates == TYPICAL
+    this_machine()
+    timings_file().write_bytes(b"\xff\xfe\x00")
+    assert this_machine().timings == TYPICAL
     assert len(measured) == 2
 
 
 def test_a_folder_that_cannot_be_written_is_noted(measured, tmp_path):
     (tmp_path / "cache").write_text("in the way")
-    found = calibrated()
-    assert found.rates == TYPICAL
+    found = this_machine()
+    assert found.timings == TYPICAL
     assert "not kept" in found.note
 
 
 def test_a_machine_that_cannot_be_timed_is_noted(measured, monkeypatch):
     monkeypatch.setattr(calibration, "_measured", lambda: "")
-    found = calibrated()
-    assert found.rates == TYPICAL
+    found = this_machine()
+    assert found.timings == TYPICAL
     assert "another machine" in found.note
-    assert not calibration_file().exists()
+    assert not timings_file().exists()

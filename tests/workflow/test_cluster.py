@@ -11,19 +11,19 @@ import pytest
 
 from tests.workflow.runs import PATIENCE, ROOT
 from workflow.run.clusters import open_client
-from workflow.study.cluster import Place
+from workflow.study.cluster import Cluster
 
 SCRIPT = """
 import json, os, signal, sys
 from workflow.run.clusters import open_client
-from workflow.study.cluster import Place
+from workflow.study.cluster import Cluster
 
 def facts():
     return os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN, dict(os.environ)
 
 if __name__ == "__main__":
     before = signal.getsignal(signal.SIGINT)
-    with open_client(Place(), 2) as client:
+    with open_client(Cluster(), 2) as client:
         workers = list(client.run(facts).values())
         threads = list(client.nthreads().values())
     mine = signal.getsignal(signal.SIGINT) == before
@@ -77,7 +77,7 @@ def test_a_second_run_on_a_machine_starts_in_silence(embedded):
 
 
 def test_a_scheduler_that_is_there_is_used(scheduler):
-    with open_client(Place(scheduler)) as client:
+    with open_client(Cluster(scheduler)) as client:
         assert client.scheduler.address == scheduler
         assert len(client.nthreads()) == 2
 
@@ -85,12 +85,12 @@ def test_a_scheduler_that_is_there_is_used(scheduler):
 ADDRESSES = ["tcp://127.0.0.1:1", "nonsense", "foo://host:1", "tcp://127.0.0.1"]
 PROBE = f"""
 from workflow.run import clusters
-from workflow.study.cluster import Place
+from workflow.study.cluster import Cluster
 from workflow.errors import UserError
 clusters.CONNECT_SECONDS = 0.2
 for address in {ADDRESSES!r}:
     try:
-        clusters.open_client(Place(address)).__enter__()
+        clusters.open_client(Cluster(address)).__enter__()
     except UserError as error:
         print(error)
 """
@@ -108,5 +108,5 @@ def test_no_scheduler_at_the_address():
 
 def test_own_handler_of_ctrl_c_is_put_back(scheduler):
     before = signal.getsignal(signal.SIGINT)
-    with open_client(Place(scheduler)):
+    with open_client(Cluster(scheduler)):
         assert signal.getsignal(signal.SIGINT) is before

@@ -11,11 +11,11 @@ from kernels import Line, amplitudes, draw_phases, rms_slope
 from kernels.relaxation import touchable
 from kernels.schemes import SCHEMES
 from kernels.steady import steady_sliding
-from workflow.plan.cost import TYPICAL, Curve, Load, case_seconds, sweeps, touchable_share
-from workflow.plan.timing import rates
+from workflow.plan.cost import TYPICAL, SecondsBySize, Work, case_seconds, sweeps, touchable_share
+from workflow.plan.timing import timings
 
-CURVE = Curve((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
-WORK = Load(10_000, 2, 1, 100, 0.7, 0.05, 0.5)
+CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
+WORK = Work(10_000, 2, 1, 100, 0.7, 0.05, 0.5)
 
 
 def test_a_curve_passes_through_what_was_measured():
@@ -45,17 +45,17 @@ def test_a_machine_of_half_the_speed_takes_twice_the_time():
 
 def half(curve):
     """Return the curve of a machine of half the speed."""
-    return Curve(curve.sizes, tuple(2.0 * seconds for seconds in curve.seconds))
+    return SecondsBySize(curve.sizes, tuple(2.0 * seconds for seconds in curve.seconds))
 
 
 @given(st.floats(0.0, 1.0), st.floats(1e-6, 1e3), st.floats(1e-4, 1e4))
-def test_a_share_is_a_share(hurst, load, pace):
-    assert 0.0 < touchable_share(hurst, load, pace) <= 1.0
-    assert 1.0 <= sweeps(load, pace) <= 8.0
+def test_a_share_is_a_share(hurst, load, viscous_pressure):
+    assert 0.0 < touchable_share(hurst, load, viscous_pressure) <= 1.0
+    assert 1.0 <= sweeps(load, viscous_pressure) <= 8.0
 
 
 def states(count=40, elements=1000, steps=4):
-    """Yield random problems with what is found for them: (H, Fbar, pace, share, sweeps)."""
+    """Yield (H, Fbar, viscous pressure, touchable share, sweeps) of random problems."""
     rng = np.random.default_rng(8)
     for _ in range(count):
         hurst, load, speed = rng.uniform(0, 1), 10 ** rng.uniform(-3, 0.5), 10 ** rng.uniform(0, 2)
@@ -78,7 +78,7 @@ def test_shares_and_sweeps_are_those_of_the_kernels():
 
 
 def test_every_rate_is_measured():
-    found = rates()
+    found = timings()
     for curve in found[:-1]:
         assert min(curve.seconds) > 0.0
         assert len(curve.sizes) == len(curve.seconds)

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 from tests.workflow.small import small_plan, small_study
 from workflow.errors import UserError
 from workflow.plan.error_laws import LAWS
-from workflow.plan.goal import GROUPS, allowed, goal_of, whole_blocks
+from workflow.plan.goal import JACKKNIFE_GROUPS, allowed, goal_of, whole_blocks
 from workflow.plan.problems import MAX_SAMPLES_PER_LINE
 from workflow.run.rounds import next_blocks
 from workflow.simulate.tasks import Problem
@@ -55,26 +55,27 @@ def test_given_steps_stand_and_their_error_is_not_counted(problem, wanted):
 
 @given(st.integers(1, 20), st.floats(0.0, 1e9), st.integers(1, 500))
 def test_the_next_round_grows_within_the_cap(layers, growth, most):
-    now, most = GROUPS * layers, GROUPS * max(layers, most)
+    now, most = JACKKNIFE_GROUPS * layers, JACKKNIFE_GROUPS * max(layers, most)
     found = next_blocks(now, growth, most)
-    assert found % GROUPS == 0
+    assert found % JACKKNIFE_GROUPS == 0
     assert found <= most
     if growth <= 1.0 or now == most:
         assert found == now
     else:
-        assert now < found <= 4 * now + GROUPS
+        assert now < found <= 4 * now + JACKKNIFE_GROUPS
         assert found == most or found >= min(growth, 4.0) * now - 1e-6
 
 
 def test_an_unknown_error_quadruples_the_realizations():
-    assert next_blocks(GROUPS, float("inf"), 100 * GROUPS) == 4 * GROUPS
+    most = 100 * JACKKNIFE_GROUPS
+    assert next_blocks(JACKKNIFE_GROUPS, float("inf"), most) == 4 * JACKKNIFE_GROUPS
 
 
 def test_blocks_are_whole_and_capped():
     study = small_study("study.realizations=8", "study.realizations_per_block=2")
-    assert whole_blocks(study, 1.0, 1000) == GROUPS
-    assert whole_blocks(study, 2 * GROUPS + 1, 1000) == 2 * GROUPS
-    assert whole_blocks(study, 1e9, 1000) == 15 * GROUPS  # 960 realizations
+    assert whole_blocks(study, 1.0, 1000) == JACKKNIFE_GROUPS
+    assert whole_blocks(study, 2 * JACKKNIFE_GROUPS + 1, 1000) == 2 * JACKKNIFE_GROUPS
+    assert whole_blocks(study, 1e9, 1000) == 15 * JACKKNIFE_GROUPS  # 960 realizations
 
 
 def test_a_cap_below_the_least_is_one_clear_line():
@@ -112,8 +113,8 @@ def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
         t.problem for t in plain.variants[0].tasks
     ]
     for key, blocks in wanted.expected.items():
-        assert blocks % GROUPS == 0
-        assert GROUPS <= wanted.first[key] <= blocks
+        assert blocks % JACKKNIFE_GROUPS == 0
+        assert JACKKNIFE_GROUPS <= wanted.first[key] <= blocks
     assert wanted.records > plain.records
 
 

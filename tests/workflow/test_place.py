@@ -6,7 +6,7 @@ import pytest
 
 from workflow.errors import UserError
 from workflow.run import clusters as slurm
-from workflow.study.cluster import HERE, Place, read_place, walltime_seconds
+from workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
 
 TABLE = {
     "where": "slurm",
@@ -39,16 +39,16 @@ def test_walltimes_are_those_of_slurm(text, seconds):
 
 
 def test_a_study_is_computed_here_unless_it_says_otherwise():
-    assert read_place({}) == HERE == Place(where="local")
+    assert read_cluster({}) == HERE == Cluster(where="local")
     assert HERE.longest_batch == float("inf")
 
 
 def test_every_key_arrives():
-    assert read_place(TABLE) == Place(**TABLE | {"prologue": ("module load python",)})
+    assert read_cluster(TABLE) == Cluster(**TABLE | {"prologue": ("module load python",)})
 
 
 def test_batches_are_far_shorter_than_the_life_of_a_worker():
-    place = read_place(TABLE)
+    place = read_cluster(TABLE)
     assert place.lifetime == pytest.approx(6480.0)
     assert place.longest_batch == pytest.approx(324.0)
 
@@ -70,7 +70,7 @@ def test_batches_are_far_shorter_than_the_life_of_a_worker():
 )
 def test_what_cannot_be_meant_is_one_line(key, value, right):
     with pytest.raises(UserError) as error:
-        read_place({key: value})
+        read_cluster({key: value})
     message = str(error.value)
     assert message.startswith(f"cluster.{key}")
     assert "\n" not in message
@@ -80,7 +80,7 @@ def test_what_cannot_be_meant_is_one_line(key, value, right):
 def test_jobs_are_asked_for_as_the_table_says():
     from dask_jobqueue.slurm import SLURMJob
 
-    settings = slurm._settings(read_place(TABLE), {"MALLOC_X": "1"})
+    settings = slurm._settings(read_cluster(TABLE), {"MALLOC_X": "1"})
     settings.pop("scheduler_options")
     script = SLURMJob("tcp://here:1", "name", **settings).job_script()
     for line in (

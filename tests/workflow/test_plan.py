@@ -123,8 +123,8 @@ def test_batches_grow_with_the_work_within_limits(work, target):
 
 def test_only_a_relaxation_is_marched():
     jump = small_plan('scene.quantities=["jump"]')
-    assert all(task.march == 0 for task in jump.variants[0].tasks)
-    assert all(task.march >= 8 for task in PLAN.variants[0].tasks)
+    assert all(task.march_steps == 0 for task in jump.variants[0].tasks)
+    assert all(task.march_steps >= 8 for task in PLAN.variants[0].tasks)
 
 
 def test_memory_follows_the_longest_line():

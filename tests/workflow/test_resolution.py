@@ -134,9 +134,13 @@ def deviation(moments, steps, lag=None):
     lag : where within a step friction acts, other than by the scheme.
     """
     speed, total = 0.3, 0.0
-    pace = 1.2 * speed * steps
-    recorded = np.arange(1, int(3 * pace))
-    times = record_times(recorded, pace, "exponential") if lag is None else (recorded - lag) / pace
+    steps_per_tau = 1.2 * speed * steps
+    recorded = np.arange(1, int(3 * steps_per_tau))
+    times = (
+        record_times(recorded, steps_per_tau, "exponential")
+        if lag is None
+        else (recorded - lag) / steps_per_tau
+    )
     for seed in range(8):
         phases = draw_phases(np.random.default_rng(seed), 200)
         line = Line.self_affine(amplitudes(0.0, 200), phases, 200, steps)
@@ -158,6 +162,6 @@ def test_recorded_friction_belongs_to_its_times():
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_recorded_times_lie_within_their_steps(scheme):
     recorded = np.array([1, 2, 7])
-    for pace in (0.1, 1.0, 30.0):
-        times = record_times(recorded, pace, scheme) * pace
+    for steps_per_tau in (0.1, 1.0, 30.0):
+        times = record_times(recorded, steps_per_tau, scheme) * steps_per_tau
         assert np.all((times <= recorded) & (times > recorded - 1))

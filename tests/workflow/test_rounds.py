@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.workflow.runs import run, shards
-from workflow.plan.goal import GROUPS
+from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
 from workflow.reduce.attained import MET, MISSED
 from workflow.reduce.jackknife import grouped_means, replicates, standard_error
@@ -33,7 +33,7 @@ def test_points_end_with_what_they_need(reached):
         relative = data[f"{name}_error"] / abs(data[name])
         assert (relative + data.bias_bound >= relative).all()
         assert (relative <= data.accuracy_reached).all()
-    assert (data.realizations % GROUPS == 0).all()
+    assert (data.realizations % JACKKNIFE_GROUPS == 0).all()
     assert data.attrs["accuracy"] == WANTED
 
 
@@ -93,8 +93,8 @@ def test_groups_share_the_blocks_that_two_points_have_in_common():
 
 def test_grouping_keeps_the_mean_and_its_error():
     rng = np.random.default_rng(4)
-    blocks = rng.normal(1.0, 0.3, (GROUPS * 50, 2))
-    grouped = replicates(grouped_means(blocks, GROUPS), 0)
+    blocks = rng.normal(1.0, 0.3, (JACKKNIFE_GROUPS * 50, 2))
+    grouped = replicates(grouped_means(blocks, JACKKNIFE_GROUPS), 0)
     np.testing.assert_allclose(grouped[0], blocks.mean(axis=0))
     expected = 0.3 / np.sqrt(len(blocks))
     assert standard_error(grouped, 0) == pytest.approx(expected, rel=0.5)

@@ -131,7 +131,7 @@ def test_other_settings_are_another_status(place):
 
 def test_where_it_is_computed_is_no_part_of_a_study():
     elsewhere = small_study('cluster.where="slurm"', "cluster.jobs=7")
-    assert elsewhere.place.jobs == 7
+    assert elsewhere.cluster.jobs == 7
     assert identity(elsewhere) == identity(STUDY)
     assert elsewhere.text == STUDY.text
 

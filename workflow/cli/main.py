@@ -7,7 +7,7 @@ from pathlib import Path
 from workflow.cli.outline import outline, plan_measured
 from workflow.cli.run import RESUMABLE, add_run_options, resume_line, run
 from workflow.errors import UserError
-from workflow.plan.machine import calibrated
+from workflow.plan.machine import this_machine
 from workflow.plan.plan import make_plan
 from workflow.report.table import write_measured_table
 from workflow.run.status import result_line, status_lines
@@ -89,8 +89,8 @@ def _plan(options: argparse.Namespace) -> int:
     if isinstance(study, Measured):
         print(plan_measured(study, result))
         return 0
-    speed = calibrated()
-    print("\n".join(outline(make_plan(study, speed.rates), result, speed.note)))
+    speed = this_machine()
+    print("\n".join(outline(make_plan(study, speed.timings), result, speed.note)))
     return 0
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from workflow.plan.batches import batches
-from workflow.plan.goal import GROUPS
+from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import Plan, Variant
 from workflow.study.grid import AXES
 from workflow.study.measured import Measured
@@ -23,7 +23,7 @@ EFFECTS = {
 def outline(plan: Plan, result: Path, speed: str) -> list[str]:
     """Return the description of a plan, line by line.
 
-    speed : says where the rates of the prediction come from.
+    speed : says where the timings of the prediction come from.
     """
     study = plan.study
     lines = [f"study       {study.name}: {study.title}", f"result      {result}"]
@@ -76,7 +76,7 @@ def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
     numerics = variant.numerics
     counts = [plan.expected[task.key] * block for task in variant.tasks]
     steps = [task.steps_per_spacing for task in variant.tasks]
-    capped = sum(n + block * GROUPS > numerics.max_realizations for n in counts)
+    capped = sum(n + block * JACKKNIFE_GROUPS > numerics.max_realizations for n in counts)
     coarse = sum(max(g.bias.values()) > 0.5 * numerics.accuracy for g in variant.goals.values())
     given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
     return [
@@ -100,7 +100,7 @@ def without_similarity(plan: Plan, seconds: float) -> float:
         blocks = np.array([plan.expected[task.key] for task in variant.tasks])
         each = np.array([plan.prices.task(task) for task in variant.tasks])
         extra += float(more @ (blocks * each))
-        for group in variant.groups:  # the lines again for every other roughness
+        for group in variant.by_line:  # the lines again for every other roughness
             most = max(plan.expected[task.key] for task in group)
             lines = {t.problem.elements * t.steps_per_spacing for t in group}
             extra += most * again * sum(plan.prices.line(samples) for samples in lines)

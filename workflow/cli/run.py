@@ -9,10 +9,10 @@ from dataclasses import replace
 from pathlib import Path
 
 from workflow.errors import UserError
-from workflow.plan.machine import calibrated
+from workflow.plan.machine import this_machine
 from workflow.plan.plan import make_plan
 from workflow.run.measured import run_measured
-from workflow.study.cluster import SLURM, Place
+from workflow.study.cluster import SLURM, Cluster
 from workflow.study.measured import Measured
 from workflow.study.study import Study
 
@@ -47,9 +47,9 @@ def run(options: argparse.Namespace, study: Study | Measured, result: Path) -> i
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
     from workflow.run.run import How, run_plan
 
-    plan = make_plan(study, calibrated().rates)
+    plan = make_plan(study, this_machine().timings)
     how = How(
-        place=_place(options, study.place),
+        cluster=_cluster(options, study.cluster),
         workers=options.workers,
         dashboard=options.dashboard,
         batch_seconds=options.batch_seconds,
@@ -70,11 +70,11 @@ def run(options: argparse.Namespace, study: Study | Measured, result: Path) -> i
     return FAILED if summary.failures else DONE
 
 
-def _place(options: argparse.Namespace, place: Place) -> Place:
-    """Return where to compute: the study's place unless the options say otherwise."""
+def _cluster(options: argparse.Namespace, cluster: Cluster) -> Cluster:
+    """Return where to compute: the study's cluster unless the options say otherwise."""
     if options.scheduler:
-        return replace(place, where=options.scheduler)
-    return replace(place, where=SLURM) if options.slurm else place
+        return replace(cluster, where=options.scheduler)
+    return replace(cluster, where=SLURM) if options.slurm else cluster
 
 
 def resume_line(what: str) -> str:

@@ -34,7 +34,7 @@ def batches(
     pieces = [
         (seconds, variant.numerics, tasks, first, count)
         for variant in plan.variants
-        for group in variant.groups
+        for group in variant.by_line
         for missing, first, count in missing_runs(group, blocks or plan.expected, stored)
         for tasks, seconds in parts(plan.prices, block, missing, target)
     ]

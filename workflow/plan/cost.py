@@ -1,6 +1,6 @@
 """Predicted cost of a case: how much work it is (laws below) times how fast a machine works.
 
-The amounts (sweeps, touching samples) belong to the problem, the rates to a machine; those are
+The amounts (sweeps, touching samples) belong to the problem, the timings to a machine; those are
 measured by calibration.py.
 """
 
@@ -8,7 +8,7 @@ import math
 from typing import NamedTuple
 
 from kernels import Quantities
-from workflow.plan.problems import pace
+from workflow.plan.problems import viscous_pressure
 from workflow.simulate.tasks import Task
 
 DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
@@ -21,7 +21,7 @@ BYTES_PER_POINT = 1000  # of the result, all estimates
 BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
 
 
-class Curve(NamedTuple):
+class SecondsBySize(NamedTuple):
     """Seconds per call over the number of samples: a power law between measured sizes."""
 
     sizes: tuple[float, ...]  # increasing
@@ -39,29 +39,29 @@ class Curve(NamedTuple):
         return seconds[-1] * size / sizes[-1]
 
 
-class Rates(NamedTuple):
+class Timings(NamedTuple):
     """How fast a machine is."""
 
-    draw: Curve  # phases, two FFTs, shifts
-    sweep: Curve  # one pass of a steady state
-    quadrature: Curve  # friction of a steady state, or a jump, over the samples that touch
-    setup: Curve  # of a march, over the samples of the line
-    step: Curve  # of a march, over the samples that are marched
+    draw: SecondsBySize  # phases, two FFTs, shifts
+    sweep: SecondsBySize  # one pass of a steady state
+    quadrature: SecondsBySize  # friction of a steady state, or a jump, over the samples that touch
+    setup: SecondsBySize  # of a march, over the samples of the line
+    step: SecondsBySize  # of a march, over the samples that are marched
     case: float  # s, calls from Python
 
 
 # One core of the machine of the first measurements; for tests, and where nothing is measured.
-TYPICAL = Rates(
-    draw=Curve((2e3, 2e4, 2e5), (2.4e-4, 1.1e-3, 1.1e-2)),
-    sweep=Curve((2e3, 2e4, 2e5), (1.2e-5, 8.5e-5, 9.0e-4)),
-    quadrature=Curve((2e3, 2e4, 2e5), (4.5e-5, 4.2e-4, 4.5e-3)),
-    setup=Curve((2e3, 2e4, 2e5), (2.0e-5, 1.7e-4, 1.7e-3)),
-    step=Curve((6e1, 2e3, 2e4, 2e5), (4.0e-7, 8.0e-6, 8.0e-5, 8.5e-4)),
+TYPICAL = Timings(
+    draw=SecondsBySize((2e3, 2e4, 2e5), (2.4e-4, 1.1e-3, 1.1e-2)),
+    sweep=SecondsBySize((2e3, 2e4, 2e5), (1.2e-5, 8.5e-5, 9.0e-4)),
+    quadrature=SecondsBySize((2e3, 2e4, 2e5), (4.5e-5, 4.2e-4, 4.5e-3)),
+    setup=SecondsBySize((2e3, 2e4, 2e5), (2.0e-5, 1.7e-4, 1.7e-3)),
+    step=SecondsBySize((6e1, 2e3, 2e4, 2e5), (4.0e-7, 8.0e-6, 8.0e-5, 8.5e-4)),
     case=1.2e-4,
 )
 
 
-class Load(NamedTuple):
+class Work(NamedTuple):
     """What one case does on one line."""
 
     samples: int
@@ -70,10 +70,10 @@ class Load(NamedTuple):
     steps: int
     hurst: float
     load: float  # Fbar
-    pace: float  # vbar grad z, the viscous pressure on a mean slope in G h
+    viscous_pressure: float  # vbar grad z, the viscous pressure on a mean slope in G h
 
 
-def touchable_share(hurst: float, load: float, pace: float) -> float:
+def touchable_share(hurst: float, load: float, viscous_pressure: float) -> float:
     """Return the share of the line that is marched: what lies below the indentation.
 
     At rest it grows with the load; at speed little area carries it, load over viscous pressure.
@@ -81,27 +81,27 @@ def touchable_share(hurst: float, load: float, pace: float) -> float:
     them within 20 %, nine of ten within a factor of 2.2.
     """
     rest = math.exp(-0.40 + 0.78 * hurst) * load**0.635
-    speed = math.exp(1.58 + 0.44 * hurst) * (load / pace**0.72) ** 1.06
+    speed = math.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
     return (1.0 + rest**-2.8 + speed**-2.8) ** (-1.0 / 2.8)
 
 
-def sweeps(load: float, pace: float) -> float:
+def sweeps(load: float, viscous_pressure: float) -> float:
     """Return the number of sweeps of a steady state, 1 to 8: within 40 %, same problems."""
-    light = min(max(3.8 + 0.9 * math.log10(pace), 2.5), 5.5)
+    light = min(max(3.8 + 0.9 * math.log10(viscous_pressure), 2.5), 5.5)
     return 1.2 + (light - 1.2) / (1.0 + load / 3.0)
 
 
-def case_seconds(rates: Rates, work: Load) -> float:
+def case_seconds(timings: Timings, work: Work) -> float:
     """Return the predicted time of one case on a line that exists."""
     n = work.samples
-    states = work.steady_states * sweeps(work.load, work.pace) * rates.sweep(n)
-    touching = n * touchable_share(work.hurst, work.load, work.pace)
-    look = LOOK * rates.sweep(n)
-    friction = (work.steady_states + work.jumps) * (look + rates.quadrature(touching))
+    states = work.steady_states * sweeps(work.load, work.viscous_pressure) * timings.sweep(n)
+    touching = n * touchable_share(work.hurst, work.load, work.viscous_pressure)
+    look = LOOK * timings.sweep(n)
+    friction = (work.steady_states + work.jumps) * (look + timings.quadrature(touching))
     march = 0.0
     if work.steps:
-        march = rates.setup(n) + work.steps * rates.step(touching)
-    return rates.case + states + friction + march
+        march = timings.setup(n) + work.steps * timings.step(touching)
+    return timings.case + states + friction + march
 
 
 def worker_bytes(samples: int) -> float:
@@ -118,29 +118,29 @@ def driver_bytes(points: int, tasks: int, records: int, samples: int) -> float:
 class Prices:
     """Predicted core-seconds of the tasks of one study, each reckoned once."""
 
-    def __init__(self, rates: Rates, asked: Quantities) -> None:
+    def __init__(self, timings: Timings, asked: Quantities) -> None:
         """``asked`` : what is simulated."""
-        self.rates, self.asked = rates, asked
+        self.timings, self.asked = timings, asked
         self.known: dict[str, float] = {}
 
     def task(self, task: Task) -> float:
         """Return the predicted time of one realization of a task on a line that exists."""
         if task.key not in self.known:
-            self.known[task.key] = case_seconds(self.rates, self._load(task))
+            self.known[task.key] = case_seconds(self.timings, self._load(task))
         return self.known[task.key]
 
     def line(self, samples: int) -> float:
         """Return the predicted time to draw and sample one line."""
-        return self.rates.draw(samples)
+        return self.timings.draw(samples)
 
-    def _load(self, task: Task) -> Load:
+    def _load(self, task: Task) -> Work:
         problem = task.problem
-        return Load(
+        return Work(
             samples=problem.elements * task.steps_per_spacing,
             steady_states=1 + (self.asked.steady or self.asked.relaxation),
             jumps=int(self.asked.jump),
-            steps=task.march,
+            steps=task.march_steps,
             hurst=problem.hurst,
             load=problem.load,
-            pace=pace(problem),
+            viscous_pressure=viscous_pressure(problem),
         )

@@ -10,7 +10,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from workflow.plan.problems import expected_rate, pace, speed_ratio
+from workflow.plan.problems import expected_rate, speed_ratio, viscous_pressure
 from workflow.simulate.tasks import Problem
 
 JUDGED = {"steady": "mu_1", "jump": "jump", "relaxation": "relaxation_rate"}  # what is asked for
@@ -31,7 +31,7 @@ class Error(NamedTuple):
 def mu_1_error(problem: Problem) -> Error:
     """Return the error of mu_1 (and mu_2): second order."""
     _, elements, load, speed, _ = problem
-    contacts = load**-0.32 * (1.0 + pace(problem) / load) ** 0.41
+    contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
     line = (elements / 88.0) ** (-1.22 * problem.hurst)
     return Error(0.0, 0.0, 0.060 * contacts * (1.0 + 1.0 / speed) ** 0.92 * line)
 
@@ -39,7 +39,7 @@ def mu_1_error(problem: Problem) -> Error:
 def jump_error(problem: Problem) -> Error:
     """Return the error of the jump: second order."""
     _, elements, load, speed, _ = problem
-    contacts = load**-0.26 * (1.0 + pace(problem) / load) ** 0.61
+    contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
     line = (elements / 94.0) ** (-1.36 * problem.hurst)
     return Error(0.0, 0.0, 0.158 * contacts * (1.0 + 1.0 / speed) ** 0.68 * line)
 
@@ -55,7 +55,9 @@ def relaxation_rate_error(problem: Problem) -> Error:
 def mu_1_scatter(problem: Problem) -> float:
     """Return the standard deviation of mu_1 (and mu_2) between lines."""
     hurst, elements, load, _, _ = problem
-    contacts = load**-0.09 * (1.0 + load) ** -1.41 * (1.0 + pace(problem) / load) ** 0.08
+    contacts = (
+        load**-0.09 * (1.0 + load) ** -1.41 * (1.0 + viscous_pressure(problem) / load) ** 0.08
+    )
     return 1.04 * contacts * math.exp(-1.54 * hurst) * elements ** (0.30 * hurst - 0.34)
 
 
@@ -64,7 +66,7 @@ def jump_scatter(problem: Problem) -> float:
     hurst, elements, load, speed, _ = problem
     if speed_ratio(speed) < 1.0:
         return mu_1_scatter(problem)
-    contacts = (1.0 + load) ** -1.1 * (1.0 + pace(problem) / load) ** 0.30
+    contacts = (1.0 + load) ** -1.1 * (1.0 + viscous_pressure(problem) / load) ** 0.30
     return 2.6 * contacts * math.exp(-3.35 * hurst) * elements ** (0.633 * hurst - 0.545)
 
 
@@ -74,7 +76,7 @@ def relaxation_rate_scatter(problem: Problem) -> float:
     x = speed_ratio(speed)
     if x < 1.0:  # creep: b is next to 1, but for heavy loads, where hardly anything relaxes
         return 0.6 if load > 0.1 and x > 0.2 else min(0.1, 0.5 * x)
-    contacts = load**0.43 * (1.0 + load) ** -1.32 * (1.0 + pace(problem) / load) ** 0.53
+    contacts = load**0.43 * (1.0 + load) ** -1.32 * (1.0 + viscous_pressure(problem) / load) ** 0.53
     return 0.114 * contacts * math.exp(0.77 * hurst) * elements ** (0.34 * hurst - 0.05)
 
 

@@ -16,13 +16,13 @@ from workflow.plan.problems import (
     check_resolution,
     horizon_steps,
     least_steps,
-    pace,
+    viscous_pressure,
 )
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene, Study
 
-GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it
+JACKKNIFE_GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it
 FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more
 TRIED = 3  # steps, each twice the one before, that are fine enough; finer ones never pay
 STATES = 28.0  # updates of the march that drawing and both steady states of a sample are worth
@@ -58,8 +58,8 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         bias = {name: error.at(steps) for name, error in errors.items()}
         goal = Goal(steps, bias, _need(wanted, bias, scatter))
         if max(bias.values()) <= 0.5 * wanted:
-            cost = max(goal.realizations, GROUPS) * _updates(problem, scene, numerics, steps)
-            found.append((cost, goal))
+            lines = max(goal.realizations, JACKKNIFE_GROUPS)
+            found.append((lines * _updates(problem, scene, numerics, steps), goal))
             if len(found) == TRIED:
                 break
     return min(found, key=lambda one: one[0])[1] if found else goal
@@ -85,17 +85,17 @@ def _updates(problem: Problem, scene: Scene, numerics: Numerics, steps: int) -> 
     """Return the cost of one realization per spacing, in element updates of the march."""
     march = 0.0
     if "relaxation" in scene.quantities:
-        share = touchable_share(problem.hurst, problem.load, pace(problem))
+        share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
         march = share * horizon_steps(problem, numerics, steps)
     return steps * (STATES + march)
 
 
 def most_blocks(study: Study, most: int) -> int:
-    """Return the cap on the blocks of a point, a multiple of GROUPS."""
-    blocks = most // (GROUPS * study.realizations_per_block) * GROUPS
+    """Return the cap on the blocks of a point, a multiple of JACKKNIFE_GROUPS."""
+    blocks = most // (JACKKNIFE_GROUPS * study.realizations_per_block) * JACKKNIFE_GROUPS
     if not blocks:
         raise UserError(
-            f"numerics.max_realizations = {most}: must be at least {GROUPS} blocks of "
+            f"numerics.max_realizations = {most}: must be at least {JACKKNIFE_GROUPS} blocks of "
             f"study.realizations_per_block = {study.realizations_per_block}"
         )
     return blocks
@@ -103,5 +103,5 @@ def most_blocks(study: Study, most: int) -> int:
 
 def whole_blocks(study: Study, realizations: float, most: int) -> int:
     """Return the number of blocks for at least so many realizations, within the cap."""
-    layers = math.ceil(realizations / (GROUPS * study.realizations_per_block) - 1e-9)
-    return min(GROUPS * max(layers, 1), most_blocks(study, most))
+    layers = math.ceil(realizations / (JACKKNIFE_GROUPS * study.realizations_per_block) - 1e-9)
+    return min(JACKKNIFE_GROUPS * max(layers, 1), most_blocks(study, most))

@@ -1,6 +1,6 @@
 """How fast this machine runs the kernels: measured once (timing.py), then kept.
 
-The rates are kept in the cache folder of the compiled kernels, one file per kernels, processor
+The timings are kept in the cache folder of the compiled kernels, one file per kernels, processor
 and packages. Predictions and the size of batches depend on them, results do not.
 """
 
@@ -19,38 +19,38 @@ import numpy as np
 from kernels.jit import source_hash
 from workflow.errors import UserError
 from workflow.plan import timing
-from workflow.plan.cost import TYPICAL, Curve, Rates
+from workflow.plan.cost import TYPICAL, SecondsBySize, Timings
 from workflow.system.files import write_durably
 from workflow.system.packages import ROOT, processor
 
-CURVES = [name for name in Rates._fields if name != "case"]
+CURVES = [name for name in Timings._fields if name != "case"]
 
 
-class Calibration(NamedTuple):
-    """Rates, and a note on where they come from."""
+class Machine(NamedTuple):
+    """Timings, and a note on where they come from."""
 
-    rates: Rates
+    timings: Timings
     note: str
 
 
-def calibration_file() -> Path:
-    """Return where the rates of these kernels on this processor are kept."""
+def timings_file() -> Path:
+    """Return where the timings of these kernels on this processor are kept."""
     method = Path(timing.__file__).read_bytes()
     what = (source_hash(), processor(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
     name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
-    return Path(numba.config.CACHE_DIR) / f"rates-{name}.json"
+    return Path(numba.config.CACHE_DIR) / f"timings-{name}.json"
 
 
-def calibrated() -> Calibration:
-    """Return the rates of this machine, measured now if they are not known yet."""
-    file = calibration_file()
+def this_machine() -> Machine:
+    """Return the timings of this machine, measured now if they are not known yet."""
+    file = timings_file()
     found = _read(file)
     if found is None:
         print("measuring the speed of this machine (once)", file=sys.stderr)
         text = _measured()
         found = text and _parsed(text)
         if not found:
-            return Calibration(TYPICAL, "another machine, as this one could not be timed")
+            return Machine(TYPICAL, "another machine, as this one could not be timed")
         with contextlib.suppress(OSError):
             file.parent.mkdir(parents=True, exist_ok=True)
         try:
@@ -60,26 +60,26 @@ def calibrated() -> Calibration:
     return found
 
 
-def _read(file: Path) -> Calibration | None:
+def _read(file: Path) -> Machine | None:
     try:
         return _parsed(file.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError):
         return None
 
 
-def _parsed(text: str) -> Calibration | None:
+def _parsed(text: str) -> Machine | None:
     """Return the calibration of a JSON text, or None where it is damaged."""
     try:
         data = json.loads(text)
-        curves = {name: Curve(*map(tuple, data["rates"][name])) for name in CURVES}
-        case = float(data["rates"]["case"])
+        curves = {name: SecondsBySize(*map(tuple, data["timings"][name])) for name in CURVES}
+        case = float(data["timings"]["case"])
         seconds = [case, *(s for curve in curves.values() for s in curve.seconds)]
         whole = all(
             len(c.sizes) == len(c.seconds) > 1 and min(c.sizes) > 0 for c in curves.values()
         )
         if not (whole and all(1e-12 < s < 1e3 for s in seconds)):
             return None
-        return Calibration(Rates(**curves, case=case), f"{data['machine']}, {data['date']}")
+        return Machine(Timings(**curves, case=case), f"{data['machine']}, {data['date']}")
     except (ValueError, KeyError, TypeError):
         return None
 

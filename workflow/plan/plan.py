@@ -6,8 +6,8 @@ from dataclasses import dataclass
 import numpy as np
 
 from kernels import Quantities
-from workflow.plan.cost import TYPICAL, Prices, Rates, driver_bytes, worker_bytes
-from workflow.plan.goal import FIRST_SHARE, GROUPS, Goal, goal_of, whole_blocks
+from workflow.plan.cost import TYPICAL, Prices, Timings, driver_bytes, worker_bytes
+from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
 from workflow.plan.problems import distinct_problems, horizon_steps, steps_per_spacing
 from workflow.simulate.code import CODE
 from workflow.simulate.tasks import Problem, Task
@@ -22,7 +22,7 @@ class Variant:
     label: str
     numerics: Numerics
     tasks: list[Task]  # in the order of the distinct problems
-    groups: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
+    by_line: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
     goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
 
 
@@ -52,9 +52,9 @@ class Plan:
         """Number of records (task, block) of the whole study, predicted where there are goals."""
         return sum(self.expected[t.key] for v in self.variants for t in v.tasks)
 
-    def groups(self, variant: Variant) -> int:
+    def jackknife_groups(self, variant: Variant) -> int:
         """Return the number of groups of blocks for the jackknife."""
-        return GROUPS if variant.goals else self.study.blocks
+        return JACKKNIFE_GROUPS if variant.goals else self.study.blocks
 
     def longest_line(self) -> int:
         """Return the largest number of samples of any line."""
@@ -71,10 +71,10 @@ class Plan:
         return driver_bytes(self.points, tasks, self.records, samples)
 
 
-def make_plan(study: Study, rates: Rates = TYPICAL) -> Plan:
+def make_plan(study: Study, timings: Timings = TYPICAL) -> Plan:
     """Return the plan of a study. Raises UserError where a problem would be too large.
 
-    rates : how fast the machine is; the size of batches depends on it, no result does.
+    timings : how fast the machine is; the size of batches depends on it, no result does.
     """
     problems, point_task = distinct_problems(study)
     variants = []
@@ -93,8 +93,8 @@ def make_plan(study: Study, rates: Rates = TYPICAL) -> Plan:
                 most, need = numerics.max_realizations, goal.realizations
                 first[task.key] = whole_blocks(study, FIRST_SHARE * need, most)
                 expected[task.key] = whole_blocks(study, need, most)
-        variants.append(Variant(label, numerics, tasks, _grouped(tasks), goals))
-    prices = Prices(rates, quantities(study))
+        variants.append(Variant(label, numerics, tasks, _by_line(tasks), goals))
+    prices = Prices(timings, quantities(study))
     return Plan(study, point_task, variants, prices, first, expected)
 
 
@@ -110,11 +110,11 @@ def _marches(study: Study) -> bool:
     return "relaxation" in study.scene.quantities
 
 
-def _grouped(tasks: list[Task]) -> list[list[Task]]:
-    groups: dict[tuple[float, int], list[Task]] = {}
+def _by_line(tasks: list[Task]) -> list[list[Task]]:
+    lines: dict[tuple[float, int], list[Task]] = {}
     for task in tasks:
-        groups.setdefault((task.problem.hurst, task.problem.elements), []).append(task)
-    return [sorted(g, key=lambda t: (t.steps_per_spacing, t.problem)) for g in groups.values()]
+        lines.setdefault((task.problem.hurst, task.problem.elements), []).append(task)
+    return [sorted(g, key=lambda t: (t.steps_per_spacing, t.problem)) for g in lines.values()]
 
 
 def quantities(study: Study) -> Quantities:

@@ -48,7 +48,7 @@ def distinct_problems(study: Study) -> tuple[list[Problem], np.ndarray]:
     return list(found), np.array(index).reshape(study.shape)
 
 
-def pace(problem: Problem) -> float:
+def viscous_pressure(problem: Problem) -> float:
     """Return vbar grad z, the viscous pressure on a mean slope in units of G h."""
     return problem.speed * _slope(problem.hurst, problem.elements)
 

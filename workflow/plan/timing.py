@@ -23,7 +23,7 @@ from kernels import (
     quadrature,
     steady_sliding,
 )
-from workflow.plan.cost import Curve, Rates
+from workflow.plan.cost import SecondsBySize, Timings
 from workflow.simulate.block_means import block_means
 from workflow.simulate.tasks import Batch, Problem, Task
 from workflow.system.packages import processor
@@ -64,11 +64,11 @@ def _at(samples: int) -> dict[str, float]:
     w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
 
     def marching(steps: int) -> float:
-        record = np.array([steps])
+        kept_steps = np.array([steps])
 
         def call() -> None:
             weight = lagged_slope(line.slope, step.lag)
-            march(line.z, weight, w, d, step.decay, step.stiffness, load, record, np.inf, None)
+            march(line.z, weight, w, d, step.decay, step.stiffness, load, kept_steps, np.inf, None)
 
         return seconds(call)
 
@@ -99,14 +99,14 @@ def _case(kernels: dict[str, float]) -> float:
     return max(whole - inside, 0.1 * whole)
 
 
-def rates() -> Rates:
-    """Return the rates of this thread of this machine."""
+def timings() -> Timings:
+    """Return the timings of this thread of this machine."""
     sizes = (SHORTEST, *SIZES)
     found = [_at(size) for size in sizes]
-    curves = {name: Curve(sizes, tuple(at[name] for at in found)) for name in found[0]}
-    return Rates(**curves, case=_case(found[0]))
+    curves = {name: SecondsBySize(sizes, tuple(at[name] for at in found)) for name in found[0]}
+    return Timings(**curves, case=_case(found[0]))
 
 
 if __name__ == "__main__":
     today = datetime.now(UTC).date().isoformat()
-    print(json.dumps({"machine": processor(), "date": today, "rates": rates()._asdict()}))
+    print(json.dumps({"machine": processor(), "date": today, "timings": timings()._asdict()}))

@@ -30,7 +30,7 @@ def build_dataset(
     if "mu" in estimates:
         coords["sample"] = np.arange(variant.numerics.samples)
     dataset = xr.Dataset(data, coords, provenance(plan.study, variant.numerics))
-    _annotate(dataset, plan.groups(variant) - 1)
+    _annotate(dataset, plan.jackknife_groups(variant) - 1)
     return dataset
 
 

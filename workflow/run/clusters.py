@@ -15,7 +15,7 @@ import dask
 from distributed import Client, LocalCluster
 
 from workflow.errors import UserError
-from workflow.study.cluster import LOCAL, SLURM, Place, walltime_seconds
+from workflow.study.cluster import LOCAL, SLURM, Cluster, walltime_seconds
 from workflow.system.process import MALLOC, PINNED
 
 CONNECT_SECONDS = 10
@@ -23,9 +23,9 @@ CONNECT_SECONDS = 10
 
 @contextlib.contextmanager
 def open_client(
-    place: Place, workers: int | None = None, dashboard: bool = False
+    cluster: Cluster, workers: int | None = None, dashboard: bool = False
 ) -> Iterator[Client]:
-    """Yield a client of the place; ``workers`` is the number of processes of this machine.
+    """Yield a client of the cluster; ``workers`` is the number of processes of this machine.
 
     Raises UserError when a scheduler does not answer or a batch system refuses.
     """
@@ -42,12 +42,12 @@ def open_client(
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
-        if place.where == LOCAL:
+        if cluster.where == LOCAL:
             client = Client(stack.enter_context(_local_cluster(workers)))
-        elif place.where == SLURM:
-            client = Client(stack.enter_context(slurm_cluster(place, MALLOC)))
+        elif cluster.where == SLURM:
+            client = Client(stack.enter_context(slurm_cluster(cluster, MALLOC)))
         else:
-            client = _connected(place.where)
+            client = _connected(cluster.where)
         stack.enter_context(client)
         if dashboard:
             print(f"dashboard: {client.dashboard_link}", file=sys.stderr)
@@ -87,8 +87,8 @@ STAGGER = 0.1  # of the lifetime, so that workers do not all retire at once
 
 
 @contextlib.contextmanager
-def slurm_cluster(place: Place, environment: dict[str, str]) -> Iterator[Any]:
-    """Yield a cluster whose scheduler is here and whose workers are ``place.jobs`` jobs.
+def slurm_cluster(cluster: Cluster, environment: dict[str, str]) -> Iterator[Any]:
+    """Yield a cluster whose scheduler is here and whose workers are ``cluster.jobs`` jobs.
 
     Raises UserError where SLURM is not there or would refuse the jobs.
     """
@@ -98,28 +98,29 @@ def slurm_cluster(place: Place, environment: dict[str, str]) -> Iterator[Any]:
         raise UserError(
             "--slurm: needs dask-jobqueue (the extra 'slurm' of this package)"
         ) from error
-    Path(place.log_folder).mkdir(parents=True, exist_ok=True)
-    with SLURMCluster(**_settings(place, environment)) as cluster:
-        _try_submitting(cluster.job_script())
-        cluster.adapt(minimum_jobs=place.jobs, maximum_jobs=place.jobs, interval=ADAPT_SECONDS)
-        yield cluster
+    Path(cluster.log_folder).mkdir(parents=True, exist_ok=True)
+    with SLURMCluster(**_settings(cluster, environment)) as jobs:
+        _try_submitting(jobs.job_script())
+        jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_SECONDS)
+        yield jobs
 
 
-def _settings(place: Place, environment: dict[str, str]) -> dict[str, Any]:
-    lifetime = place.lifetime
-    exports = {f"{name}_NUM_THREADS": "1" for name in PINNED} | environment
+def _settings(cluster: Cluster, environment: dict[str, str]) -> dict[str, Any]:
+    lifetime = cluster.lifetime
+    variables = {f"{name}_NUM_THREADS": "1" for name in PINNED} | environment
+    exported = [f"export {name}={value}" for name, value in variables.items()]
     return {
-        "queue": place.queue or None,
-        "account": place.account or None,
-        "cores": place.cores,
-        "processes": place.cores,
-        "memory": place.memory,
-        "walltime": _written(walltime_seconds(place.walltime)),
-        "interface": place.interface or None,
-        "log_directory": place.log_folder,
+        "queue": cluster.queue or None,
+        "account": cluster.account or None,
+        "cores": cluster.cores,
+        "processes": cluster.cores,
+        "memory": cluster.memory,
+        "walltime": _written(walltime_seconds(cluster.walltime)),
+        "interface": cluster.interface or None,
+        "log_directory": cluster.log_folder,
         "python": sys.executable,
         "job_extra_directives": ["--no-requeue"],  # we replace jobs ourselves
-        "job_script_prologue": [f"export {n}={v}" for n, v in exports.items()] + [*place.prologue],
+        "job_script_prologue": [*exported, *cluster.prologue],
         "worker_extra_args": [
             *("--lifetime", f"{lifetime:.0f}s"),
             *("--lifetime-stagger", f"{STAGGER * lifetime:.0f}s"),

@@ -87,7 +87,7 @@ class Collector:
                 yield number, loaded
 
         marched = "relaxation" in self.plan.study.scene.quantities
-        fits = (self.plan.groups(variant) + 1) * marched * SECONDS_PER_FIT
+        fits = (self.plan.jackknife_groups(variant) + 1) * marched * SECONDS_PER_FIT
         found: dict[int, Estimates] = {}
         with Reporter(what, len(tasks) * fits) as reporter:
             work = stream(self.client, _reduce_part, load(), self.watch)
@@ -160,7 +160,7 @@ def _load(
     slopes: dict[tuple[float, int], float],
     blocks: dict[str, int],
 ) -> Blocks:
-    samples, groups = variant.numerics.samples - 1, plan.groups(variant)
+    samples, groups = variant.numerics.samples - 1, plan.jackknife_groups(variant)
     records = [(task.key, block) for task in tasks for block in range(blocks[task.key])]
     ends = np.cumsum([blocks[task.key] for task in tasks])[:-1]
     read = store.read(records, samples)
@@ -170,9 +170,9 @@ def _load(
     time = np.full((len(tasks), samples), np.nan)
     if "relaxation" in plan.study.scene.quantities:
         for row, task in enumerate(tasks):
-            pace = task.problem.speed * task.problem.ratio * task.steps_per_spacing
-            recorded = record_steps(task.march, variant.numerics.samples)
-            times = record_times(recorded, pace, variant.numerics.scheme)
+            steps_per_tau = task.problem.speed * task.problem.ratio * task.steps_per_spacing
+            recorded = record_steps(task.march_steps, variant.numerics.samples)
+            times = record_times(recorded, steps_per_tau, variant.numerics.scheme)
             time[row, : recorded.size] = times
     rms_slopes = np.array([slopes[line_of(task)] for task in tasks])
     return Blocks(scalars, curves, time, rms_slopes, plan.study.scene.quantities)

@@ -63,9 +63,9 @@ class Failures:
         """Return the first grid point of a task in words."""
         numbers = {t.key: i for v in self.plan.variants for i, t in enumerate(v.tasks)}
         point = int(np.argmax(self.plan.point_task.ravel() == numbers[task.key]))
-        place = np.unravel_index(point, self.plan.point_task.shape)
+        index = np.unravel_index(point, self.plan.point_task.shape)
         grid = self.plan.study.grid
-        return " ".join(f"{axis}={grid[axis][i]:.4g}" for axis, i in zip(AXES, place, strict=True))
+        return " ".join(f"{axis}={grid[axis][i]:.4g}" for axis, i in zip(AXES, index, strict=True))
 
     @staticmethod
     def _only(batch: Batch, task: Task) -> Batch:

@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from workflow.plan.goal import GROUPS, most_blocks
+from workflow.plan.goal import JACKKNIFE_GROUPS, most_blocks
 from workflow.plan.plan import Plan, Variant
 from workflow.reduce.attained import attained
 from workflow.run.collect import Collector
@@ -27,7 +27,7 @@ def next_blocks(now: int, growth: float, most: int) -> int:
         return now
     least, largest = GROWTH
     factor = min(max(MARGIN * growth, least), largest)
-    return min(GROUPS * math.ceil(now * factor / GROUPS), most)
+    return min(JACKKNIFE_GROUPS * math.ceil(now * factor / JACKKNIFE_GROUPS), most)
 
 
 class Rounds:

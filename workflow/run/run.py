@@ -23,7 +23,7 @@ from workflow.run.worker import check_versions, run_batch, versions
 from workflow.simulate.block_means import load_kernels
 from workflow.store.shelf import Shelf
 from workflow.store.store import DamagedShard, Store, store_folder
-from workflow.study.cluster import HERE, Place
+from workflow.study.cluster import HERE, Cluster
 from workflow.system.files import clear_leftovers, hold
 from workflow.system.packages import package_versions, processor
 from workflow.system.process import Interrupt
@@ -39,7 +39,7 @@ class How:
     batch_seconds : predicted length of a batch; by default it grows with the study.
     """
 
-    place: Place = HERE
+    cluster: Cluster = HERE
     workers: int | None = None  # processes of this machine; None: one per core
     dashboard: bool = False
     batch_seconds: float | None = None
@@ -60,7 +60,7 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
         if run.summary.predicted:
             for variant in plan.variants:
                 load_kernels(variant.numerics.scheme, quantities(plan.study))
-        with run.interrupt, open_client(how.place, how.workers, how.dashboard) as client:
+        with run.interrupt, open_client(how.cluster, how.workers, how.dashboard) as client:
             check_versions(client)
             run.summary.start = time.monotonic() - began
             run.finish(client)
@@ -78,7 +78,7 @@ class _Run:
         if how.retry_failed:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
         self.interrupt = Interrupt()
-        self.watch = Watch(self._stops, how.place.patience, self._beat)
+        self.watch = Watch(self._stops, how.cluster.patience, self._beat)
         self.reporter: Reporter | None = None
         self.shelf: Shelf | None = None
         name = identity(plan.study)
@@ -129,7 +129,7 @@ class _Run:
         missing = batches(self.plan, self.failures, blocks=blocks)
         predicted = sum(batch.seconds for batch in missing)
         target = self.how.batch_seconds or batch_target(predicted)
-        target = min(target, self.how.place.longest_batch)
+        target = min(target, self.how.cluster.longest_batch)
         work = batches(self.plan, self.failures, target, blocks)
         function = partial(run_batch, expected=versions())
         with Reporter("computing", predicted) as reporter, Shelf(self.store, target) as shelf:

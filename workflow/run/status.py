@@ -15,7 +15,7 @@ from datetime import datetime
 from pathlib import Path
 
 from workflow.plan.batches import batches
-from workflow.plan.machine import calibrated
+from workflow.plan.machine import this_machine
 from workflow.plan.plan import make_plan
 from workflow.simulate.code import CODE
 from workflow.store import journal
@@ -144,7 +144,7 @@ def read_status(study: Study, result: Path, folder: Path) -> Status:
 
 def counted(study: Study, folder: Path) -> Status:
     """Return the status counted record by record."""
-    plan, store = make_plan(study, calibrated().rates), Store(folder)
+    plan, store = make_plan(study, this_machine().timings), Store(folder)
     missing = [(b.seconds, len(b.tasks) * b.blocks) for b in batches(plan, store)]
     failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)
     done = plan.records - sum(records for _, records in missing)

@@ -99,8 +99,8 @@ class Summary:
         lines = []
         for key in top:
             point, label, steps = first[key]
-            place = np.unravel_index(point, plan.point_task.shape)
-            values = {axis: plan.study.grid[axis][i] for axis, i in zip(AXES, place, strict=True)}
+            index = np.unravel_index(point, plan.point_task.shape)
+            values = {axis: plan.study.grid[axis][i] for axis, i in zip(AXES, index, strict=True)}
             said = " ".join(f"{axis}={values[axis]:.4g}" for axis in SHOWN)
             share = self.tasks[key] / self.used
             lines.append(f"  {share:4.0%}  {said} m={steps} {label}".rstrip())
@@ -121,6 +121,6 @@ def accuracy_lines(label: str, dataset: xr.Dataset) -> list[str]:
     if not (status == MISSED).any():
         return [line]
     worst = missed.argmax(...)
-    place = dataset.isel(worst)
-    where = " ".join(f"{axis}={float(place[axis]):.4g}" for axis in AXES)
-    return [line, f"  worst: {float(place.accuracy_reached):.2g} at {where}"]
+    index = dataset.isel(worst)
+    where = " ".join(f"{axis}={float(index[axis]):.4g}" for axis in AXES)
+    return [line, f"  worst: {float(index.accuracy_reached):.2g} at {where}"]

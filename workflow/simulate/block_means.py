@@ -11,21 +11,22 @@ from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
 from workflow.system.process import peak_bytes
 
 
-def record_steps(march: int, samples: int) -> np.ndarray:
-    """Return the recorded step numbers, increasing from 1 to ``march``, at most samples - 1.
+def record_steps(march_steps: int, curve_samples: int) -> np.ndarray:
+    """Return the recorded step numbers, increasing from 1 to ``march_steps``, at most
+    curve_samples - 1.
 
     Sample 0 of a curve is the moment just after the jump and needs no step.
     """
-    return np.unique(np.round(np.linspace(1, march, samples - 1)).astype(np.int64))
+    return np.unique(np.round(np.linspace(1, march_steps, curve_samples - 1)).astype(np.int64))
 
 
-def record_times(recorded: np.ndarray, pace: float, scheme: str) -> np.ndarray:
+def record_times(recorded: np.ndarray, steps_per_tau: float, scheme: str) -> np.ndarray:
     """Return the times since the jump, in tau, to which the friction of recorded steps belongs.
 
     It is a mean over the step and acts ``lag`` of a step before its end (schemes.py); at the end
-    it would be an error of first order. pace : steps per tau.
+    it would be an error of first order. steps_per_tau : of the march.
     """
-    return (recorded - SCHEMES[scheme](1.0 / pace).lag) / pace
+    return (recorded - SCHEMES[scheme](1.0 / steps_per_tau).lag) / steps_per_tau
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
@@ -76,7 +77,7 @@ def _add_realization(
     drawing = 0.0
     for rows in _shared_cases(batch.tasks):
         steps = batch.tasks[rows[0]].steps_per_spacing
-        if line is None or line.samples_per_spacing != steps:
+        if line is None or line.steps_per_spacing != steps:
             line = Line.self_affine(amplitude, phases, elements, steps)
             drawing += time.thread_time() - began
         outcome = run_case(line, _case(batch, rows), batch.quantities)
@@ -102,7 +103,7 @@ def _case(batch: Batch, rows: list[int]) -> Case:
         load=tasks[0].problem.load,
         speed=tasks[0].problem.speed,
         ratios=tuple(task.problem.ratio for task in tasks),
-        records=tuple(record_steps(task.march, batch.samples) for task in tasks),
+        kept_steps=tuple(record_steps(task.march_steps, batch.samples) for task in tasks),
         scheme=batch.scheme,
     )
 

@@ -31,7 +31,7 @@ class Task:
 
     problem: Problem
     steps_per_spacing: int
-    march: int  # steps to march after the jump
+    march_steps: int  # to march after the jump
     key: str
 
 

@@ -9,11 +9,11 @@ from workflow.study.checks import as_text, check_keys, integer, positive
 LOCAL, SLURM = "local", "slurm"
 
 MARGIN = 0.1  # of the walltime, at whose start a worker of a job retires
-CHUNKS_PER_LIFETIME = 20  # a worker that retires loses what it is computing
+BATCHES_PER_LIFETIME = 20  # a worker that retires loses what it is computing
 
 
 @dataclass(frozen=True)
-class Place:
+class Cluster:
     """Processes of this machine, the jobs of a batch system, or a scheduler that is there."""
 
     where: str = LOCAL  # or SLURM or the address of a scheduler, tcp://host:port
@@ -36,7 +36,7 @@ class Place:
     @property
     def longest_batch(self) -> float:
         """Seconds that a batch may take at most."""
-        return self.lifetime / CHUNKS_PER_LIFETIME if self.where == SLURM else float("inf")
+        return self.lifetime / BATCHES_PER_LIFETIME if self.where == SLURM else float("inf")
 
 
 def walltime_seconds(text: str) -> float:
@@ -51,16 +51,16 @@ def walltime_seconds(text: str) -> float:
     return first * 60 + second
 
 
-HERE = Place()
+HERE = Cluster()
 LEAST_WALLTIME = 60.0  # s
 
 
-def read_place(table: dict) -> Place:
-    """Return the place a table [cluster] describes. Raises UserError naming key and value."""
-    names = tuple(field.name for field in fields(Place))
+def read_cluster(table: dict) -> Cluster:
+    """Return what a table [cluster] describes. Raises UserError naming key and value."""
+    names = tuple(field.name for field in fields(Cluster))
     check_keys("cluster.", table, names)
     found = {name: _value(f"cluster.{name}", name, value) for name, value in table.items()}
-    return Place(**found)
+    return Cluster(**found)
 
 
 def _value(key: str, name: str, value: object) -> object:

@@ -18,7 +18,7 @@ from workflow.study.checks import (
     integer,
     positive,
 )
-from workflow.study.cluster import read_place
+from workflow.study.cluster import read_cluster
 from workflow.study.grid import AXES, _grid
 from workflow.study.measured import Measured, read_measured
 from workflow.study.numerics import NUMERICS, read_variants
@@ -120,7 +120,7 @@ def read_study(
 
 def _build(name: str, folder: Path, tables: dict) -> Study:
     check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
-    place = read_place(as_table("cluster", tables.pop("cluster", {})))
+    cluster = read_cluster(as_table("cluster", tables.pop("cluster", {})))
     for table, known in TABLES.items():
         check_keys(f"{table}.", as_table(table, tables.get(table, {})), known)
     head = tables.get("study", {})
@@ -150,5 +150,5 @@ def _build(name: str, folder: Path, tables: dict) -> Study:
         grid=_grid(tables, length, _flag("surface.snap_spacing", surface, False)),
         scene=_scene(tables.get("scene", {})),
         variants=read_variants(tables),
-        place=place,
+        cluster=cluster,
     )

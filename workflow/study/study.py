@@ -5,7 +5,7 @@ from pathlib import Path
 
 from workflow.errors import UserError
 from workflow.study.checks import _flag, choice
-from workflow.study.cluster import HERE, Place
+from workflow.study.cluster import HERE, Cluster
 from workflow.study.grid import AXES
 from workflow.study.numerics import Numerics
 
@@ -39,7 +39,7 @@ class Study:
     grid: dict[str, tuple[float, ...]]
     scene: Scene
     variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
-    place: Place = HERE  # no part of the results' identity
+    cluster: Cluster = HERE  # no part of the results' identity
 
     @property
     def blocks(self) -> int:
