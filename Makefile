@@ -7,7 +7,7 @@ SCALE  ?=
 ARGS   ?=
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench bench-cluster mutation calibration clean
+.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench mutation calibration clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -59,9 +59,6 @@ check: $(READY) ## Lint, formatting and the import contract
 
 bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
 	$(BIN)/python -m tests.bench
-
-bench-cluster: $(READY) ## Print what scheduling costs, and the driver's memory over realizations
-	$(BIN)/python -m tests.cluster.overhead
 
 mutation: $(READY) ## Mutate the contact step, test every mutant (hours; edits it, then restores it)
 	$(BIN)/python -m pip install --quiet 'cosmic-ray>=8.4'

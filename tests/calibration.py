@@ -16,7 +16,7 @@ from scipy.stats import t as student
 
 from kernels import Quantities, amplitudes, rms_slope
 from workflow.plan.goal import JACKKNIFE_GROUPS, Goal
-from workflow.plan.problems import horizon_steps, steps_per_spacing
+from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.reduce.attained import attained
 from workflow.reduce.estimates import Blocks, Estimates, reduce_blocks
 from workflow.reduce.fits import FITTED

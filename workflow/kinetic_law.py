@@ -24,15 +24,18 @@ def normalised_jump(mu_bar: np.ndarray) -> np.ndarray:
     return (1.0 / np.asarray(mu_bar) ** 2 + 1.0 / PLATEAU**2) ** -0.5
 
 
-def relaxation_rate(x: np.ndarray, hurst: float, time_below_one: bool = False) -> np.ndarray:
-    """Return b = x^alpha (eq. 13), alpha = 1 for x < 1 and 1 - H for x > 1.
+def exponent(x: np.ndarray, hurst: float, time_below_one: bool = False) -> np.ndarray:
+    """Return alpha of b = x^alpha (eq. 13): 1 for x < 1 and 1 - H above.
 
     ``time_below_one`` replaces the branch x < 1 by b = 1, which is what the model gives when it
     is converged in time (README, "Where results depart from the paper").
     """
-    x = np.asarray(x, dtype=float)
-    below = np.ones_like(x) if time_below_one else x
-    return np.where(x < 1.0, below, x ** (1.0 - hurst))
+    return np.where(np.asarray(x) < 1.0, 0.0 if time_below_one else 1.0, 1.0 - hurst)
+
+
+def relaxation_rate(x: np.ndarray, hurst: float, time_below_one: bool = False) -> np.ndarray:
+    """Return b = x^alpha (eq. 13); see ``exponent``."""
+    return np.asarray(x, dtype=float) ** exponent(x, hurst, time_below_one)
 
 
 class KineticLaw:

@@ -1,13 +1,13 @@
 """The map of Fbar over x: worst residual, Newton passes, and what halving the samples changes."""
 
-from pathlib import Path
-
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.colors import BoundaryNorm, LogNorm
 from matplotlib.figure import Figure
+
+from workflow.result.dataset import Groups
 
 from .probe import RESIDUALS
 
@@ -19,11 +19,10 @@ TITLES = (
 )
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
-    with xr.open_dataset(result) as data, xr.open_dataset(result, group="corners") as corners:
-        data.load()
-        cases = data.passes.size + corners.sizes["case"]
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    data = groups[""]
+    cases = data.passes.size + groups["corners"].sizes["case"]
     worst = data[list(RESIDUALS)].to_dataarray().max("variable")
     passes = data.passes
     columns = (

@@ -2,13 +2,13 @@
 
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, rms_slope, run_case
+from workflow.result.dataset import Groups
 from workflow.study.checks import integer
 
 from .corners import corners, number_of_corners, random_line
@@ -126,16 +126,13 @@ def _attributes(name: str) -> dict[str, str]:
     return {"long_name": known.get(name, name.replace("_", " ")), "units": "1"}
 
 
-def table(result: Path) -> pd.DataFrame:
+def table(groups: Groups) -> pd.DataFrame:
     """Return the worst of every kind over the map and the corners, and where it was."""
-    frames = []
-    with xr.open_dataset(result) as data:
-        points = data.to_dataframe().reset_index()
-        settings = {"line": f"H = {data.hurst:g}", "elements": data.elements, "ratio": RATIO}
-        frames.append(points.assign(**settings, steps_per_spacing=data.steps_per_spacing))
-    with xr.open_dataset(result, group="corners") as data:
-        frames.append(data.to_dataframe())
-    cases = pd.concat(frames, ignore_index=True)
+    data = groups[""]
+    points = data.to_dataframe().reset_index()
+    settings = {"line": f"H = {data.hurst:g}", "elements": data.elements, "ratio": RATIO}
+    points = points.assign(**settings, steps_per_spacing=data.steps_per_spacing)
+    cases = pd.concat([points, groups["corners"].to_dataframe()], ignore_index=True)
     where = ["line", "elements", "steps_per_spacing", "mean_load", "speed_ratio", "ratio", "scheme"]
     rows = []
     for kind, meaning in KINDS.items():

@@ -2,9 +2,9 @@
 
 import pytest
 
+from workflow.cluster import versions as module
+from workflow.cluster.versions import Versions, check_versions, require, versions
 from workflow.errors import UserError
-from workflow.run import worker as module
-from workflow.run.worker import Versions, check_versions, require, versions
 
 
 def other(name, value):

@@ -10,16 +10,17 @@ from typing import NamedTuple
 
 from workflow.errors import UserError
 from workflow.plan.cost import touchable_share
-from workflow.plan.error_laws import LAWS, judged
-from workflow.plan.problems import (
+from workflow.plan.error_laws import LAWS
+from workflow.plan.problems import viscous_pressure
+from workflow.plan.resolution import (
     MAX_SAMPLES_PER_LINE,
     check_resolution,
     horizon_steps,
     least_steps,
-    viscous_pressure,
 )
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics
+from workflow.study.quantities import judged
 from workflow.study.study import Scene, Study
 
 JACKKNIFE_GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it

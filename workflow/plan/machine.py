@@ -22,6 +22,7 @@ from workflow.plan import timing
 from workflow.plan.cost import TYPICAL, SecondsBySize, Timings
 from workflow.system.files import write_durably
 from workflow.system.packages import ROOT, processor
+from workflow.system.process import WORKER_ENVIRONMENT
 
 CURVES = [name for name in Timings._fields if name != "case"]
 
@@ -86,9 +87,7 @@ def _parsed(text: str) -> Machine | None:
 
 def _measured() -> str:
     """Return what a process with the settings of a worker measures, "" where it fails."""
-    from workflow.system.process import MALLOC
-
-    environment = {**os.environ, **{name: str(value) for name, value in MALLOC.items()}}
+    environment = {**os.environ, **WORKER_ENVIRONMENT}
     command = [sys.executable, "-m", "workflow.plan.timing"]
     done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True)
     return done.stdout if done.returncode == 0 else ""

@@ -3,9 +3,8 @@
 import subprocess
 
 from workflow.simulate.code import CODE
-from workflow.study.measured import Measured
 from workflow.study.numerics import Numerics
-from workflow.study.study import Study
+from workflow.study.study import AnyStudy, Study
 from workflow.system.packages import ROOT, package_versions, processor, version_of
 
 REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
@@ -25,7 +24,7 @@ def commit() -> str:
     return found.stdout.strip()
 
 
-def origin(study: Study | Measured) -> dict[str, str | int | float]:
+def origin(study: AnyStudy) -> dict[str, str | int | float]:
     """Return the global attributes that every result file has, whatever its kind of study."""
     return {
         "Conventions": "CF-1.8",

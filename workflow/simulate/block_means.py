@@ -54,7 +54,7 @@ def block_means(batch: Batch) -> BatchResult:
     load_kernels(batch.scheme, batch.quantities)
     began = time.thread_time()
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
-    curves = np.zeros((len(batch.tasks), batch.blocks, batch.samples - 1))
+    curves = np.zeros((len(batch.tasks), batch.blocks, batch.curve_samples - 1))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     for block in range(batch.blocks):
         first = (batch.first_block + block) * batch.realizations_per_block
@@ -103,7 +103,7 @@ def _case(batch: Batch, rows: list[int]) -> Case:
         load=tasks[0].problem.load,
         speed=tasks[0].problem.speed,
         ratios=tuple(task.problem.ratio for task in tasks),
-        kept_steps=tuple(record_steps(task.march_steps, batch.samples) for task in tasks),
+        kept_steps=tuple(record_steps(task.march_steps, batch.curve_samples) for task in tasks),
         scheme=batch.scheme,
     )
 
@@ -111,14 +111,9 @@ def _case(batch: Batch, rows: list[int]) -> Case:
 def _add_outcome(
     outcome: Outcome, rows: list[int], scalars: np.ndarray, curves: np.ndarray
 ) -> None:
+    for column, name in enumerate(SCALARS):  # one number, or one per velocity jump
+        scalars[rows, column] += getattr(outcome, name)
     for k, row in enumerate(rows):
-        scalars[row] += (
-            outcome.mu_1,
-            outcome.indentation,
-            outcome.contact_fraction,
-            outcome.mu_2[k],
-            outcome.jump[k],
-        )
         curve = outcome.curves[k] if outcome.curves else np.empty(0)
         curves[row, : curve.size] += curve
         curves[row, curve.size :] = np.nan

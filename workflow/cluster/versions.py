@@ -1,17 +1,14 @@
-"""What a worker process does: it ignores Ctrl-C, compares versions, and runs batches."""
+"""The same program everywhere: what results depend on, compared before a worker does work."""
 
 import hashlib
 import platform
-import signal
 import socket
 from functools import cache
 from typing import NamedTuple
 
-from distributed import Client, Worker
+from distributed import Client
 
 from workflow.errors import UserError
-from workflow.simulate.block_means import block_means
-from workflow.simulate.tasks import Batch, BatchResult
 from workflow.system.packages import ROOT, version_of
 
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")
@@ -69,15 +66,3 @@ def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> list[
             if there.get(package) != value:
                 lines.append(f"  {name:28s}{package:14s}{there.get(package)!s:18s}{value}")
     return lines
-
-
-def run_batch(batch: Batch, expected: Versions) -> BatchResult:
-    """Run a batch, if this process runs what the driver runs (else UserError)."""
-    require(expected)
-    return block_means(batch)
-
-
-def dask_setup(worker: Worker) -> None:
-    """Leave Ctrl-C to the driver, which lets running batches finish and be stored."""
-    del worker
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
