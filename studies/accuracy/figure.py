@@ -6,8 +6,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report.figure import COLOURS
-from workflow.result.dataset import Groups
+from workflow.report import COLOURS
+from workflow.result import Groups
 
 from .panels import LIMITS, NAMES, draw_ladders, milliseconds, name_regimes
 

@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from workflow.result.dataset import Groups
-from workflow.study.checks import integer, positive
+from workflow.result import Groups
+from workflow.study import integer, positive
 
 from . import ladders, rivals
 from .points import COMPARED, POINTS

@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import Case, Line, Outcome, Quantities, run_case
-from workflow.plan.resolution import horizon_steps
-from workflow.simulate.block_means import record_steps, record_times
-from workflow.study.numerics import Numerics
+from workflow.plan import horizon_steps
+from workflow.simulate import record_steps, record_times
+from workflow.study import Numerics
 
 from .points import RATIO, Point, Surface
 

@@ -6,9 +6,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.reduce.models import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
-from workflow.report.figure import COLOURS, foot_line, log_bars
-from workflow.result.dataset import Groups
+from workflow.reduce import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
+from workflow.report import COLOURS, foot_line, log_bars
+from workflow.result import Groups
 
 NAMES = {EXPONENTIAL: "eq. 6", STRETCHED: "stretched", TWO_EXPONENTIALS: "two exponentials"}
 X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"

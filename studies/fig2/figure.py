@@ -6,8 +6,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from studies.style import VARIANTS
-from workflow.report.figure import COLOURS, foot_line
-from workflow.result.dataset import Groups
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
 
 def draw(groups: Groups) -> Figure:

@@ -7,8 +7,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report.figure import COLOURS, foot_line
-from workflow.result.dataset import Groups
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
 JUMP_AT = 10.0  # tau
 END = 20.0

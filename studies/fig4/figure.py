@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from studies.style import CONVERGED, VARIANTS
-from workflow.reduce.fits import FITTED
-from workflow.report.figure import COLOURS, foot_line
-from workflow.result.dataset import Groups
+from workflow.reduce import FITTED
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
 PAPER_RATE = 2.4
 

@@ -5,8 +5,8 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from workflow.report.figure import foot_line
-from workflow.result.dataset import Groups
+from workflow.report import foot_line
+from workflow.result import Groups
 
 QUANTITIES = {
     "jump": "$\\Delta\\mu_0 / (\\Delta v/v_1)$",

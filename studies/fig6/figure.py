@@ -7,8 +7,8 @@ from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from workflow.kinetic_law import PLATEAU, normalised_jump
-from workflow.report.figure import foot_line
-from workflow.result.dataset import Groups
+from workflow.report import foot_line
+from workflow.result import Groups
 
 
 def draw(groups: Groups) -> Figure:

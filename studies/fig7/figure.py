@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from studies.style import CONVERGED, PAPER_STEP
-from workflow.reduce.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
-from workflow.report.figure import COLOURS, foot_line, log_bars
-from workflow.result.dataset import Groups
+from workflow.reduce import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
+from workflow.report import COLOURS, foot_line, log_bars
+from workflow.result import Groups
 
 PANELS = {
     PAPER_STEP: "(a) implicit Euler, one step per $\\Delta x$",

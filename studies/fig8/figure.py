@@ -4,8 +4,8 @@ from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from studies.style import CONVERGED, VARIANTS
-from workflow.report.figure import COLOURS, foot_line
-from workflow.result.dataset import Groups
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
 
 def draw(groups: Groups) -> Figure:

@@ -7,9 +7,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from workflow.kinetic_law import normalised_jump
-from workflow.reduce.fits import FITTED
-from workflow.report.figure import COLOURS, foot_line, log_bars
-from workflow.result.dataset import Groups
+from workflow.reduce import FITTED
+from workflow.report import COLOURS, foot_line, log_bars
+from workflow.result import Groups
 
 from .prediction import LIMITS, law_error, shares_within
 

@@ -7,9 +7,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.reduce.fits import FITTED
-from workflow.report.figure import COLOURS, foot_line
-from workflow.result.dataset import Groups
+from workflow.reduce import FITTED
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
 SCHEMES = {"euler": "implicit Euler", "exponential": "exponential"}
 FORCE = 0.1  # N, the nearest is shown

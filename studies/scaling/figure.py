@@ -9,9 +9,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report.figure import COLOURS, FOOT_CHARACTERS_PER_INCH
-from workflow.result.dataset import Groups
-from workflow.system.progress import duration
+from workflow.report import COLOURS, FOOT_CHARACTERS_PER_INCH
+from workflow.result import Groups
+from workflow.system import duration
 
 MARKERS = ("o", "s", "^", "D")
 

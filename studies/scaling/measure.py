@@ -7,12 +7,9 @@ import pandas as pd
 import xarray as xr
 
 from workflow.errors import UserError
-from workflow.plan.batches import batch_target, cut, missing_work, total_seconds
-from workflow.plan.plan import make_plan
-from workflow.result.dataset import Groups
-from workflow.study.checks import integer, positive
-from workflow.study.grid import axis_values
-from workflow.study.read import read_study
+from workflow.plan import batch_target, cut, make_plan, missing_work, total_seconds
+from workflow.result import Groups
+from workflow.study import axis_values, integer, positive, read_study
 
 from .paper import alone
 from .virtual import Costs, durations, simulated

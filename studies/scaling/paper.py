@@ -15,14 +15,11 @@ from typing import Any
 
 import numpy as np
 
-from workflow.plan.batches import batch_target, batches, cut, missing_work, total_seconds
-from workflow.plan.plan import make_plan
-from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
-from workflow.store.journal import size
-from workflow.store.shelf import Shelf
-from workflow.store.store import Store
-from workflow.study.read import read_study
-from workflow.system.process import peak_bytes
+from workflow.plan import batch_target, cut, make_batches, make_plan, missing_work, total_seconds
+from workflow.simulate import PHASES, SCALARS, Batch, BatchResult
+from workflow.store import Shelf, Store, size
+from workflow.study import read_study
+from workflow.system import peak_bytes
 
 from .virtual import Costs, VirtualClient, virtual_stream
 
@@ -42,7 +39,7 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
     plan = make_plan(read_study(study, scale))
     missing = missing_work(plan, ())
     target = batch_target(total_seconds(missing))
-    work = batches(plan, cut(plan, missing, target), target)
+    work = make_batches(plan, cut(plan, missing, target), target)
     planned = time.process_time() - began
     client = VirtualClient(workers, Costs(*costs), attrgetter("seconds"))
     longest = 0.0

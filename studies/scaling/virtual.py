@@ -17,7 +17,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from workflow.cluster.flow import stream
+from workflow.cluster import stream
 
 SPREAD = 0.5  # of a task's time, about its mean, each way
 BEGAN = 1000.0  # s; no clock of a machine starts at zero with a program, and flow looks at once

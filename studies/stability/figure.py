@@ -7,7 +7,7 @@ from matplotlib.axes import Axes
 from matplotlib.colors import BoundaryNorm, LogNorm
 from matplotlib.figure import Figure
 
-from workflow.result.dataset import Groups
+from workflow.result import Groups
 
 from .probe import RESIDUALS
 

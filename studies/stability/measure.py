@@ -8,8 +8,8 @@ import pandas as pd
 import xarray as xr
 
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, rms_slope, run_case
-from workflow.result.dataset import Groups
-from workflow.study.checks import integer
+from workflow.result import Groups
+from workflow.study import integer
 
 from .corners import corners, number_of_corners, random_line
 from .probe import COUNTS, RESIDUALS, Motion, probe

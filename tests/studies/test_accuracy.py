@@ -11,7 +11,7 @@ from studies.accuracy.discretisation import climb, ladder_steps, reference
 from studies.accuracy.marches import MARCHES
 from studies.accuracy.points import COMPARED, POINTS, Point, surface
 from studies.accuracy.recommendation import choose
-from workflow.cli.main import main
+from workflow.cli import main
 
 POINT = Point(0.5, 0.3, 1.5)
 TOLERANCE = {"numpy": 1e-8, "numba": 1e-8, "tamaas": 1e-6}

@@ -7,7 +7,7 @@ import xarray as xr
 from matplotlib import pyplot as plt
 
 from studies.scaling.virtual import Costs, VirtualClient, durations, simulated, virtual_stream
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.cluster.flow import PER_THREAD
 
 COSTS = Costs(scheduler=2e-3, driver=5e-4, latency=1e-3)

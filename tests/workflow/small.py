@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from workflow.plan.batches import batches, cut, missing_work
+from workflow.plan.batches import cut, make_batches, missing_work
 from workflow.plan.plan import make_plan
 from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
 from workflow.study.read import read_study
@@ -63,7 +63,7 @@ def small_plan(*settings, **how):
 
 def cut_batches(plan, stored=(), target=1.0, blocks=None):
     """Yield batches of about ``target`` predicted seconds covering what is not stored."""
-    return batches(plan, cut(plan, missing_work(plan, stored, blocks), target), target)
+    return make_batches(plan, cut(plan, missing_work(plan, stored, blocks), target), target)
 
 
 def keys(plan):

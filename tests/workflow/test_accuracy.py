@@ -5,7 +5,7 @@ import pytest
 
 from kernels import Quantities
 from workflow.plan.error_laws import LAWS, Error
-from workflow.simulate.block_means import block_means
+from workflow.simulate.realizations import block_means
 from workflow.simulate.tasks import SCALARS, Batch, Problem, Task
 from workflow.study.quantities import judged
 

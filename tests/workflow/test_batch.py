@@ -9,8 +9,8 @@ from hypothesis import strategies as st
 
 from kernels import Line
 from tests.workflow.small import cut_batches, small_plan
-from workflow.simulate import block_means as module
-from workflow.simulate.block_means import block_means, line_generator
+from workflow.simulate import realizations as module
+from workflow.simulate.realizations import block_means, line_generator
 from workflow.simulate.tasks import PHASES, SCALARS
 
 PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")

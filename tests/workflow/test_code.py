@@ -7,12 +7,12 @@ from types import FunctionType, ModuleType
 
 import pytest
 
-from workflow.simulate import block_means as work
+from workflow.simulate import realizations as work
 from workflow.simulate.code import CODE, FOLDERS, code_hash
 
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
 # What the hashed files use of ours that no number depends on.
-NO_NUMBERS = {"workflow.system.process.peak_bytes"}
+NO_NUMBERS = {"workflow.system.peak_bytes", "workflow.lazy.public_names"}
 
 
 def imported(path):
@@ -85,7 +85,7 @@ def test_copies_have_the_same_hash(copied):
 
 
 EDITS = {
-    "the steps that a record keeps": ("block_means.py", "np.linspace", "np.geomspace"),
+    "the steps that a record keeps": ("realizations.py", "np.linspace", "np.geomspace"),
     "a number": ("schemes.py", "1e-200", "1e-201"),
     "an operator": ("steady.py", "w[j] = free", "w[j] = -free"),
     "a default": ("surface.py", '= "modal"', '= "integral"'),
@@ -107,7 +107,7 @@ NO_EDITS = {
     "a docstring": ("steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
     "a comment": ("schemes.py", "# What decays below", "# Whatever decays below"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
-    "brackets": ("block_means.py", "return (recorded - ", "return ((recorded) - "),
+    "brackets": ("realizations.py", "return (recorded - ", "return ((recorded) - "),
 }
 
 

@@ -15,7 +15,7 @@ from matplotlib import pyplot as plt
 
 from tests.workflow.small import write_study
 from tests.workflow.synthetic import result, with_alpha
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.result.netcdf import write_datasets
 
 FIGURE = """

@@ -5,7 +5,7 @@ import json
 import pytest
 import xarray as xr
 
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.study.measured import Measured
 from workflow.study.read import read_study
 

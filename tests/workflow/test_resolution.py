@@ -17,7 +17,7 @@ from workflow.plan.resolution import (
     horizon_steps,
     steps_per_spacing,
 )
-from workflow.simulate.block_means import record_steps, record_times
+from workflow.simulate.realizations import record_steps, record_times
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene

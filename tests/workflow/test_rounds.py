@@ -6,7 +6,7 @@ import pytest
 from tests.workflow.runs import run, shards
 from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
-from workflow.reduce.attained import MET, MISSED
+from workflow.reduce.attainment import MET, MISSED
 from workflow.reduce.jackknife import grouped_means, replicates, standard_error
 
 WANTED = 0.08

@@ -4,7 +4,7 @@ import pandas as pd
 import pytest
 
 from tests.workflow.small import small_study, write_study
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.errors import UserError
 from workflow.report.table import write_grid_table
 from workflow.study.grid import AXES

@@ -7,9 +7,9 @@ from typing import Any, NamedTuple
 
 from workflow.cli.outline import outline_grid, outline_measured
 from workflow.cli.run import run_grid, run_measured_study
-from workflow.run.status import result_line, status_lines
-from workflow.store.store import store_folder
-from workflow.study.study import AnyStudy, Study
+from workflow.run import result_line, status_lines
+from workflow.store import store_folder
+from workflow.study import AnyStudy, Study
 
 
 class Kind(NamedTuple):
@@ -31,13 +31,13 @@ def _measured_status(study: AnyStudy, result: Path) -> list[str]:
 
 
 def _grid_table(study: AnyStudy, result: Path) -> Path:
-    from workflow.report.table import write_grid_table
+    from workflow.report import write_grid_table
 
     return write_grid_table(study, result)
 
 
 def _measured_table(study: AnyStudy, result: Path) -> Path:
-    from workflow.report.table import write_measured_table
+    from workflow.report import write_measured_table
 
     return write_measured_table(study, result)
 

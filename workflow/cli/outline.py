@@ -2,15 +2,19 @@
 
 from pathlib import Path
 
-from workflow.plan.batches import batch_target, cut, missing_work, total_seconds
-from workflow.plan.goal import JACKKNIFE_GROUPS
-from workflow.plan.machine import this_machine
-from workflow.plan.plan import Plan, Variant, make_plan
-from workflow.study.grid import AXES
-from workflow.study.measured import Measured
-from workflow.study.quantities import QUANTITIES
-from workflow.study.study import Study
-from workflow.system.progress import duration
+from workflow.plan import (
+    JACKKNIFE_GROUPS,
+    Plan,
+    Variant,
+    batch_target,
+    cut,
+    make_plan,
+    missing_work,
+    this_machine,
+    total_seconds,
+)
+from workflow.study import AXES, QUANTITIES, Measured, Study
+from workflow.system import duration
 
 
 def outline_grid(study: Study, result: Path) -> list[str]:

@@ -9,11 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from workflow.errors import UserError
-from workflow.plan.machine import this_machine
-from workflow.plan.plan import make_plan
-from workflow.study.cluster import BATCH_SYSTEMS, Cluster
-from workflow.study.measured import Measured
-from workflow.study.study import Study
+from workflow.plan import make_plan, this_machine
+from workflow.study import BATCH_SYSTEMS, Cluster, Measured, Study
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
 
@@ -41,7 +38,7 @@ def run_measured_study(options: argparse.Namespace, study: Measured, result: Pat
         if getattr(options, option) is not None:
             name = option.replace("_", "-")
             raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
-    from workflow.run.measured import run_measured
+    from workflow.run import run_measured
 
     print(run_measured(study, result), result, sep="\n")
     return DONE
@@ -52,7 +49,7 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     _check(options)
     # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
-    from workflow.run.run import How, run_plan
+    from workflow.run import How, run_plan
 
     plan = make_plan(study, this_machine().timings)
     how = How(

@@ -14,8 +14,8 @@ from distributed import Client, LocalCluster
 
 from workflow.cluster.jobs import job_cluster
 from workflow.errors import UserError
-from workflow.study.cluster import BATCH_SYSTEMS, LOCAL, Cluster
-from workflow.system.process import WORKER_ENVIRONMENT
+from workflow.study import BATCH_SYSTEMS, LOCAL, Cluster
+from workflow.system import WORKER_ENVIRONMENT
 
 CONNECT_SECONDS = 10
 

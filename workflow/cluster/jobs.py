@@ -8,8 +8,8 @@ from pathlib import Path
 from typing import Any
 
 from workflow.errors import UserError
-from workflow.study.cluster import BATCH_SYSTEMS, Cluster, walltime_seconds
-from workflow.system.process import WORKER_ENVIRONMENT
+from workflow.study import BATCH_SYSTEMS, Cluster, walltime_seconds
+from workflow.system import WORKER_ENVIRONMENT
 
 ADAPT_SECONDS = "5s"  # between looks at whether jobs have to be replaced
 STAGGER = 0.1  # of the lifetime, so that workers do not all retire at once

@@ -9,7 +9,7 @@ from typing import NamedTuple
 from distributed import Client
 
 from workflow.errors import UserError
-from workflow.system.packages import ROOT, version_of
+from workflow.system import ROOT, version_of
 
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")
 FOLDERS = ("kernels", "workflow")
@@ -23,7 +23,7 @@ class Versions(NamedTuple):
 
 
 @cache
-def versions() -> Versions:
+def own_versions() -> Versions:
     """Return what this process runs; the hash of our own sources is last."""
     digest = hashlib.sha256()
     for source in sorted(path for name in FOLDERS for path in (ROOT / name).rglob("*.py")):
@@ -35,8 +35,8 @@ def versions() -> Versions:
 
 def require(expected: Versions) -> None:
     """Raise UserError with a table where this process, a worker, differs from the driver."""
-    if versions() != expected:
-        raise UserError(*_table(expected, {socket.gethostname(): versions()}))
+    if own_versions() != expected:
+        raise UserError(*_table(expected, {socket.gethostname(): own_versions()}))
 
 
 def check_versions(client: Client) -> None:
@@ -44,14 +44,14 @@ def check_versions(client: Client) -> None:
 
     Workers that come later check by themselves, at their first batch.
     """
-    others: dict = client.run(versions, on_error="return")
+    others: dict = client.run(own_versions, on_error="return")
     try:
-        others["scheduler"] = client.run_on_scheduler(versions)
+        others["scheduler"] = client.run_on_scheduler(own_versions)
     except Exception as error:  # whatever importing our package there may raise
         others["scheduler"] = error
-    odd = {name: found for name, found in others.items() if found != versions()}
+    odd = {name: found for name, found in others.items() if found != own_versions()}
     if odd:
-        raise UserError(*_table(versions(), odd))
+        raise UserError(*_table(own_versions(), odd))
 
 
 def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> list[str]:

@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 
 from workflow.errors import UserError
-from workflow.system.progress import duration
+from workflow.system import duration
 
 SILENCE_SECONDS = 10.0  # without workers, before that is said; then twice as long each time
 

@@ -8,8 +8,7 @@ import signal
 from distributed import Worker
 
 from workflow.cluster.versions import Versions, require
-from workflow.simulate.block_means import block_means
-from workflow.simulate.tasks import Batch, BatchResult
+from workflow.simulate import Batch, BatchResult, block_means
 
 
 def dask_setup(worker: Worker) -> None:

@@ -7,8 +7,8 @@ from collections.abc import Container, Iterator
 from typing import NamedTuple
 
 from workflow.plan.plan import Plan
-from workflow.simulate.tasks import Batch, Record, Task
-from workflow.study.numerics import Numerics
+from workflow.simulate import Batch, Record, Task
+from workflow.study import Numerics
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
 MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds
@@ -74,7 +74,7 @@ def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
     return sorted(found, key=lambda piece: -max(piece.seconds, target))
 
 
-def batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[Batch]:
+def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[Batch]:
     """Yield batches of about ``target`` predicted seconds covering the pieces of ``cut``.
 
     Every missing record is in exactly one batch; results do not depend on the cut.

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from kernels import Quantities
 from workflow.plan.problems import viscous_pressure
-from workflow.simulate.tasks import Task
+from workflow.simulate import Task
 
 DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 200e6  # interpreter, libraries, machine code

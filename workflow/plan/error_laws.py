@@ -12,7 +12,7 @@ from typing import NamedTuple
 
 from workflow.plan.problems import speed_ratio, viscous_pressure
 from workflow.plan.resolution import expected_rate
-from workflow.simulate.tasks import Problem
+from workflow.simulate import Problem
 
 
 class Error(NamedTuple):

@@ -18,10 +18,8 @@ from workflow.plan.resolution import (
     horizon_steps,
     least_steps,
 )
-from workflow.simulate.tasks import Problem
-from workflow.study.numerics import Numerics
-from workflow.study.quantities import judged
-from workflow.study.study import Scene, Study
+from workflow.simulate import Problem
+from workflow.study import Numerics, Scene, Study, judged
 
 JACKKNIFE_GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it
 FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more

@@ -20,9 +20,7 @@ from kernels.jit import source_hash
 from workflow.errors import UserError
 from workflow.plan import timing
 from workflow.plan.cost import TYPICAL, SecondsBySize, Timings
-from workflow.system.files import write_durably
-from workflow.system.packages import ROOT, processor
-from workflow.system.process import WORKER_ENVIRONMENT
+from workflow.system import ROOT, WORKER_ENVIRONMENT, processor, write_durably
 
 CURVES = [name for name in Timings._fields if name != "case"]
 

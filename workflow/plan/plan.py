@@ -10,10 +10,8 @@ from workflow.plan.cost import TYPICAL, Timings, driver_bytes, task_seconds, wor
 from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
 from workflow.plan.problems import distinct_problems
 from workflow.plan.resolution import horizon_steps, steps_per_spacing
-from workflow.simulate.code import CODE
-from workflow.simulate.tasks import Problem, Task
-from workflow.study.numerics import Numerics
-from workflow.study.study import Study
+from workflow.simulate import CODE, Problem, Task
+from workflow.study import Numerics, Study
 
 
 @dataclass(frozen=True)

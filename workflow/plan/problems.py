@@ -12,9 +12,8 @@ import numpy as np
 from kernels import amplitudes, rms_slope
 from kernels.realization import LOADS, SPEEDS
 from workflow.errors import UserError
-from workflow.simulate.tasks import Problem
-from workflow.study.grid import AXES
-from workflow.study.study import Study
+from workflow.simulate import Problem
+from workflow.study import AXES, Study
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
 

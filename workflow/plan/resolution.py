@@ -8,9 +8,8 @@ from kernels.schemes import SHORTEST
 from workflow.errors import UserError
 from workflow.kinetic_law import exponent
 from workflow.plan.problems import speed_ratio
-from workflow.simulate.tasks import Problem
-from workflow.study.numerics import Numerics
-from workflow.study.study import Scene
+from workflow.simulate import Problem
+from workflow.study import Numerics, Scene
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8

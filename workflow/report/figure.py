@@ -14,11 +14,9 @@ from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from workflow.errors import UserError
-from workflow.result.dataset import Groups
-from workflow.result.netcdf import BROKEN, broken, open_result
-from workflow.study.scripts import load_script
-from workflow.study.study import AnyStudy
-from workflow.system.files import write_durably
+from workflow.result import BROKEN, Groups, broken, open_result
+from workflow.study import AnyStudy, load_script
+from workflow.system import write_durably
 
 STYLE = {
     "figure.dpi": 150,

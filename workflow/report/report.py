@@ -10,16 +10,13 @@ from typing import NamedTuple
 import xarray as xr
 
 from workflow.errors import UserError
-from workflow.reduce.fits import STATUS_MEANINGS
+from workflow.reduce import STATUS_MEANINGS
 from workflow.report.claims import evaluate, known_claims
 from workflow.report.figure import STYLE, draw_groups
 from workflow.report.page import render
-from workflow.result.dataset import Groups
-from workflow.result.netcdf import ROOT, differing_settings, listed, open_result, result_file
-from workflow.study.grid import AXES
-from workflow.study.read import known_studies, read_study
-from workflow.study.study import AnyStudy
-from workflow.system.files import write_durably
+from workflow.result import ROOT, Groups, differing_settings, listed, open_result, result_file
+from workflow.study import AXES, AnyStudy, known_studies, read_study
+from workflow.system import write_durably
 
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends
 ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}

@@ -7,12 +7,9 @@ from pathlib import Path
 import pandas as pd
 
 from workflow.errors import UserError
-from workflow.result.dataset import Groups
-from workflow.result.netcdf import BROKEN, ROOT, broken, open_result
-from workflow.study.grid import AXES
-from workflow.study.measured import Measured
-from workflow.study.study import AnyStudy, Study
-from workflow.system.files import write_durably
+from workflow.result import BROKEN, ROOT, Groups, broken, open_result
+from workflow.study import AXES, AnyStudy, Measured, Study
+from workflow.system import write_durably
 
 
 def write_grid_table(study: Study, result: Path) -> Path:

@@ -5,11 +5,11 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from workflow.plan.plan import Plan, Variant
-from workflow.reduce.estimates import Estimates
+from workflow.plan import Plan, Variant
+from workflow.reduce import Estimates
 from workflow.result.provenance import provenance
 from workflow.result.variables import AXIS_ATTRIBUTES, HEIGHT, SLOPE, attributes, declared
-from workflow.study.grid import AXES
+from workflow.study import AXES
 
 Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are its comparisons
 

@@ -11,9 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from workflow.errors import UserError
-from workflow.simulate.code import CODE
-from workflow.study.study import AnyStudy
-from workflow.system.files import replacing
+from workflow.simulate import CODE
+from workflow.study import AnyStudy
+from workflow.system import replacing
 
 if TYPE_CHECKING:  # slow to import: plan and status do without
     import xarray as xr

@@ -2,10 +2,9 @@
 
 import subprocess
 
-from workflow.simulate.code import CODE
-from workflow.study.numerics import Numerics
-from workflow.study.study import AnyStudy, Study
-from workflow.system.packages import ROOT, package_versions, processor, version_of
+from workflow.simulate import CODE
+from workflow.study import AnyStudy, Numerics, Study
+from workflow.system import ROOT, package_versions, processor, version_of
 
 REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
 

@@ -8,20 +8,23 @@ import xarray as xr
 from distributed import Client
 
 from kernels import amplitudes, rms_slope
-from workflow.cluster.flow import stream
-from workflow.cluster.watch import Watch
+from workflow.cluster import Watch, stream
 from workflow.errors import UserError
-from workflow.plan.plan import Plan, Variant
-from workflow.plan.problems import speed_ratio
-from workflow.reduce.attained import Attained, attained
-from workflow.reduce.estimates import Blocks, Estimates, fit_exponents, reduce_blocks
-from workflow.reduce.jackknife import grouped_means
-from workflow.result.dataset import build_dataset
+from workflow.plan import Plan, Variant, speed_ratio
+from workflow.reduce import (
+    Attained,
+    Blocks,
+    Estimates,
+    attained,
+    fit_exponents,
+    grouped_means,
+    reduce_blocks,
+)
+from workflow.result import build_dataset
 from workflow.run.summary import Summary
-from workflow.simulate.block_means import record_steps, record_times
-from workflow.simulate.tasks import Task
-from workflow.store.store import Store
-from workflow.system.progress import Reporter
+from workflow.simulate import Task, record_steps, record_times
+from workflow.store import Store
+from workflow.system import Reporter
 
 TASKS_PER_REDUCTION = 32
 SECONDS_PER_FIT = 4e-4

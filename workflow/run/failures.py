@@ -7,10 +7,10 @@ import numpy as np
 from distributed.scheduler import KilledWorker
 
 from workflow.errors import UserError
-from workflow.plan.plan import Plan
-from workflow.simulate.tasks import Batch, Record, Task
-from workflow.store.store import Store
-from workflow.study.grid import AXES
+from workflow.plan import Plan
+from workflow.simulate import Batch, Record, Task
+from workflow.store import Store
+from workflow.study import AXES
 
 
 class Failures:

@@ -4,11 +4,9 @@ import sys
 import time
 from pathlib import Path
 
-from workflow.result.netcdf import write_datasets
-from workflow.result.provenance import origin
-from workflow.study.measured import Measured
-from workflow.system.files import make_folder
-from workflow.system.progress import Reporter, duration
+from workflow.result import origin, write_datasets
+from workflow.study import Measured
+from workflow.system import Reporter, duration, make_folder
 
 
 def run_measured(study: Measured, result: Path) -> str:

@@ -6,8 +6,7 @@ same study takes the same rounds, with the same bits, whatever the workers, and 
 
 import math
 
-from workflow.plan.goal import JACKKNIFE_GROUPS, most_blocks
-from workflow.plan.plan import Plan, Variant
+from workflow.plan import JACKKNIFE_GROUPS, Plan, Variant, most_blocks
 from workflow.run.collect import Collector
 
 MARGIN = 1.1  # over the extrapolated need, or every other point would miss it by a hair

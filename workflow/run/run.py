@@ -9,38 +9,28 @@ from pathlib import Path
 import xarray as xr
 from distributed import Client
 
-from workflow.cluster.client import open_client
-from workflow.cluster.flow import stream
-from workflow.cluster.versions import check_versions, versions
-from workflow.cluster.watch import Watch
-from workflow.cluster.worker import run_batch
+from workflow.cluster import Watch, check_versions, open_client, own_versions, run_batch, stream
 from workflow.errors import UserError
-from workflow.plan.batches import (
+from workflow.plan import (
     Missing,
+    Plan,
     batch_target,
-    batches,
     cut,
+    make_batches,
     missing_work,
     total_records,
     total_seconds,
 )
-from workflow.plan.plan import Plan
-from workflow.result.netcdf import write_datasets
+from workflow.result import write_datasets
 from workflow.run.collect import Collector
 from workflow.run.failures import Failures
 from workflow.run.rounds import Rounds
 from workflow.run.status import Status, StatusWriter, identity, status_file
 from workflow.run.summary import Summary, accuracy_lines
-from workflow.simulate.block_means import load_kernels
-from workflow.simulate.tasks import BatchResult
-from workflow.store.shelf import Shelf
-from workflow.store.store import DamagedShard, Store, store_folder
-from workflow.study.cluster import HERE, Cluster
-from workflow.system.files import clear_leftovers
-from workflow.system.lock import hold
-from workflow.system.packages import package_versions, processor
-from workflow.system.process import Interrupt
-from workflow.system.progress import Reporter
+from workflow.simulate import BatchResult, load_kernels
+from workflow.store import DamagedShard, Shelf, Store, store_folder
+from workflow.study import HERE, Cluster
+from workflow.system import Interrupt, Reporter, clear_leftovers, hold, package_versions, processor
 
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 
@@ -148,8 +138,8 @@ class _Run:
         target = self.how.batch_seconds or batch_target(total_seconds(missing))
         target = min(target, self.how.cluster.longest_batch)
         pieces = cut(self.plan, missing, target)
-        work = batches(self.plan, pieces, target)
-        function = partial(self.how.work, expected=versions())
+        work = make_batches(self.plan, pieces, target)
+        function = partial(self.how.work, expected=own_versions())
         reporter = Reporter("computing", total_seconds(pieces))
         with reporter, Shelf(self.store, target) as shelf:
 

@@ -14,15 +14,11 @@ from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
 
-from workflow.plan.batches import missing_work, total_records, total_seconds
-from workflow.plan.machine import this_machine
-from workflow.plan.plan import make_plan
-from workflow.simulate.code import CODE
-from workflow.store import journal
-from workflow.store.store import Store
-from workflow.study.study import Study
-from workflow.system.files import write_durably
-from workflow.system.lock import holder
+from workflow.plan import make_plan, missing_work, this_machine, total_records, total_seconds
+from workflow.simulate import CODE
+from workflow.store import Store, journal
+from workflow.study import Study
+from workflow.system import holder, write_durably
 
 WRITE_SECONDS = 5.0
 

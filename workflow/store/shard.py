@@ -12,7 +12,7 @@ from typing import NamedTuple
 import netCDF4
 import numpy as np
 
-from workflow.simulate.tasks import SCALARS, Batch, BatchResult, Record
+from workflow.simulate import SCALARS, Batch, BatchResult, Record
 
 FORMAT = "elastomer-friction shard 2"
 KEY_BYTES = 16

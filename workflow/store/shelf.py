@@ -4,7 +4,7 @@ import time
 from collections.abc import Callable
 from types import TracebackType
 
-from workflow.simulate.tasks import Batch, BatchResult
+from workflow.simulate import Batch, BatchResult
 from workflow.store.shard import Finished
 from workflow.store.store import Store
 

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from workflow.simulate.tasks import SCALARS, Record
+from workflow.simulate import SCALARS, Record
 from workflow.store import journal
 from workflow.store.index import Entry, Index
 from workflow.store.shard import (
@@ -27,7 +27,7 @@ from workflow.store.shard import (
     encode,
     stored_batch,
 )
-from workflow.system.files import clear_leftovers, write_durably
+from workflow.system import clear_leftovers, write_durably
 
 CACHED_SHARDS = 4
 

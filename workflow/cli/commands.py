@@ -7,9 +7,8 @@ from pathlib import Path
 from workflow.cli.kinds import KINDS
 from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
 from workflow.errors import UserError
-from workflow.result.netcdf import check_result, result_file
-from workflow.study.read import read_study
-from workflow.study.study import AnyStudy
+from workflow.result import check_result, result_file
+from workflow.study import AnyStudy, read_study
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -96,7 +95,7 @@ def _status(options: argparse.Namespace) -> int:
 
 
 def _figure(options: argparse.Namespace) -> int:
-    from workflow.report.figure import draw_figure
+    from workflow.report import draw_figure
 
     for file in draw_figure(*_checked(options)):
         print(file)
@@ -117,7 +116,7 @@ def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
 
 
 def _report(options: argparse.Namespace) -> int:
-    from workflow.report.report import write_report
+    from workflow.report import write_report
 
     print(write_report(Path(options.out), options.studies))
     return DONE

@@ -8,7 +8,7 @@ import numpy as np
 from kernels import SCHEMES, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
 from kernels.jit import compiling
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
-from workflow.system.process import peak_bytes
+from workflow.system import peak_bytes
 
 
 def record_steps(march_steps: int, curve_samples: int) -> np.ndarray:
