@@ -52,9 +52,10 @@ coverage: $(READY) ## Measure which lines the tests run: kernels as plain Python
 	$(BIN)/coverage combine --quiet
 	$(BIN)/coverage report
 
-check: $(READY) ## Lint, formatting and the import contract
+check: $(READY) ## Lint, formatting, types and the import contracts
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/mypy
 	$(BIN)/lint-imports
 
 bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
@@ -71,5 +72,5 @@ calibration: $(READY) ## Check that stated errors are true, over many small stud
 	$(BIN)/python -m tests.calibration
 
 clean: ## Remove .venv and caches, keep results
-	rm -rf $(VENV) .pytest_cache .ruff_cache .hypothesis .import_linter_cache *.egg-info
+	rm -rf $(VENV) .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -46,12 +46,11 @@ def reference(point: Point, surfaces: list[Surface], most: int) -> Reference:
     """Return the reference of a point, extrapolated from twice the finest m."""
     finest = ladder_steps(point, most)[-1]
     lines = lines_at(2 * finest, len(surfaces))
-    fine, coarse = (
-        run(point, surfaces[:lines], Method("exponential", m)) for m in (2 * finest, finest)
-    )
-    end = float(fine.moments[-1])
-    elements = surfaces[0].elements
-    return extrapolate(*(observe(point, elements, r, lines, end) for r in (fine, coarse)), end)
+    fine = run(point, surfaces[:lines], Method("exponential", 2 * finest))
+    coarse = run(point, surfaces[:lines], Method("exponential", finest))
+    end, elements = float(fine.moments[-1]), surfaces[0].elements
+    limit = observe(point, elements, fine, lines, end)
+    return extrapolate(limit, observe(point, elements, coarse, lines, end), end)
 
 
 def climb(

@@ -133,4 +133,5 @@ class TamaasMarch:
         return mu
 
 
-MARCHES = {"numpy": NumpyMarch, "numba": NumbaMarch, "tamaas": TamaasMarch}
+March = NumpyMarch | NumbaMarch | TamaasMarch
+MARCHES: dict[str, type[March]] = {"numpy": NumpyMarch, "numba": NumbaMarch, "tamaas": TamaasMarch}

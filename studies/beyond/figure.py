@@ -1,5 +1,7 @@
 """Beyond eq. 6: stretched exponent, rates of two exponentials, and which model predicts best."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
@@ -55,7 +57,7 @@ def _rates(ax: Axes, points: xr.Dataset, colour: str) -> None:
         shown = rate > SLOWEST_SHOWN
         bars = log_bars(rate[shown], points[f"{name}_error"].values[shown])
         x = points.speed_ratio.values[shown]
-        style = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
+        style: dict[str, Any] = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
         ax.errorbar(x, rate[shown], bars, fmt="o", color=colour, mfc=face, **style)
 
 

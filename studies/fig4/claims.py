@@ -10,7 +10,7 @@ USUAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typ
 
 
 def example_rate(results: Results) -> Claim | None:
-    """Judge b = 2.4 of figure 4: for which spacing is it found?"""
+    """Judge b = 2.4 of figure 4, by the spacing at which it is found."""
     found, places = [], {}
     for group, label in (("", "converged"), ("/paper_step", "implicit Euler")):
         line = _over_spacing(given(results, f"fig4{group}", "relaxation_rate"))
@@ -33,8 +33,8 @@ def example_rate(results: Results) -> Claim | None:
     if verdict == NOT_FOUND and places:
         verdict = f"{ONLY_COARSE}, {places['/paper_step']}"
     text = "Figure 4: b = 2.4 (its spacing is not printed; N is typically 5000, Δx = 2 µm)"
-    error = per_point(results["fig4"]) if "fig4" in results else "not known"
-    return Claim(text, f"{RATE:g}", "; ".join(found), error, verdict)
+    each = per_point(results["fig4"]) if "fig4" in results else "not known"
+    return Claim(text, f"{RATE:g}", "; ".join(found), each, verdict)
 
 
 def _over_spacing(

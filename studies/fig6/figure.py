@@ -26,8 +26,8 @@ def draw(groups: Groups) -> Figure:
         axes[0].errorbar(mu, jump, error, color=colour, **style)
         law = normalised_jump(mu)
         axes[1].errorbar(mu, jump / law, error / law, color=colour, **style)
-    span = np.geomspace(*axes[0].get_xlim(), 200) if axes[0].get_xlim()[0] > 0 else None
-    span = np.geomspace(1e-4, 3.0, 200) if span is None else span
+    low, high = axes[0].get_xlim()
+    span = np.geomspace(low, high, 200) if low > 0.0 else np.geomspace(1e-4, 3.0, 200)
     axes[0].plot(span, normalised_jump(span), "k-", lw=1, label="eq. 12", zorder=3)
     axes[0].axhline(PLATEAU, color="0.5", ls=":", lw=0.8, label="0.4 (eq. 11)")
     axes[0].set(xscale="log", yscale="log")

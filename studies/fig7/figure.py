@@ -1,5 +1,7 @@
 """Figure 7: relaxation rate b over x = v1 tau q_max, as the paper steps and converged in time."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
@@ -75,7 +77,7 @@ def _points(
         chosen[name].values.ravel()[where]
         for name in ("speed_ratio", "relaxation_rate", "relaxation_rate_error")
     )
-    style = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.8}
+    style: dict[str, Any] = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.8}
     ax.errorbar(x, b, log_bars(b, error), fmt="o", color=colour, mfc=face, label=label, **style)
 
 

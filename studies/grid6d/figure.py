@@ -1,10 +1,13 @@
 """The six-dimensional grid on the paper's scalings, and how well the kinetic law predicts it."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.transforms import Bbox
 
 from workflow.kinetic_law import normalised_jump
 from workflow.reduce import FITTED
@@ -14,7 +17,7 @@ from workflow.result import Groups
 from .prediction import LIMITS, law_error, shares_within
 
 X_LABEL = "$x = v_1\\tau q_\\mathrm{max}$"
-STYLE = {"ms": 2.2, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.7}
+STYLE: dict[str, Any] = {"ms": 2.2, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.7}
 NOISY = 0.5  # relative standard error above which markers are hollow, without bars
 
 
@@ -92,7 +95,7 @@ def _table(ax: Axes, dataset: xr.Dataset) -> None:
         rowLabels=list(rows),
         colLabels=[f"{limit:.0%}" for limit in LIMITS],
         loc="center",
-        bbox=(0.45, 0.3, 0.55, 0.55),
+        bbox=Bbox.from_bounds(0.45, 0.3, 0.55, 0.55),
     )
     table.auto_set_font_size(False)
     table.set_fontsize(7)

@@ -2,6 +2,7 @@
 
 import json
 import textwrap
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -88,7 +89,7 @@ def _memory(ax: Axes, studies: xr.Dataset) -> None:
     for number, name in enumerate(studies.study.values):
         chosen = studies.sel(study=name)
         label = f"{name}, {int(chosen.points[0])} points"
-        style = {"color": COLOURS[number], "ms": 4, "label": label}
+        style: dict[str, Any] = {"color": COLOURS[number], "ms": 4, "label": label}
         ax.plot(chosen.workers, chosen.driver_memory, MARKERS[number] + "-", **style)
     ax.set(xscale="log", xlabel="workers", ylabel="peak memory of the driver (MiB)")
     ax.set_ylim(0.0, 1.25 * ax.get_ylim()[1])

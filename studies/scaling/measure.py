@@ -1,6 +1,7 @@
 """What clusters of 10, 100 and 1000 workers do with the studies of the paper."""
 
 from collections.abc import Callable
+from typing import cast
 
 import numpy as np
 import pandas as pd
@@ -9,7 +10,7 @@ import xarray as xr
 from workflow.errors import UserError
 from workflow.plan import batch_target, cut, make_plan, missing_work, total_seconds
 from workflow.result import Groups
-from workflow.study import axis_values, integer, positive, read_study
+from workflow.study import Study, axis_values, integer, positive, read_study
 
 from .paper import alone
 from .virtual import Costs, durations, simulated
@@ -59,7 +60,7 @@ def outline(settings: dict) -> tuple[list[str], float]:
 
 
 def _study_seconds(name: str, settings: dict) -> float:
-    plan = make_plan(read_study(name, settings["scale"]))
+    plan = make_plan(cast(Study, read_study(name, settings["scale"])))
     missing = missing_work(plan, ())
     target = batch_target(total_seconds(missing))
     number = sum(piece.blocks * piece.seconds / target for piece in cut(plan, missing, target))

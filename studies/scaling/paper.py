@@ -11,14 +11,14 @@ import tempfile
 import time
 from operator import attrgetter
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 
 from workflow.plan import batch_target, cut, make_batches, make_plan, missing_work, total_seconds
 from workflow.simulate import PHASES, SCALARS, Batch, BatchResult
 from workflow.store import Shelf, Store, size
-from workflow.study import read_study
+from workflow.study import Study, read_study
 from workflow.system import peak_bytes
 
 from .virtual import Costs, VirtualClient, virtual_stream
@@ -36,7 +36,7 @@ def alone(**arguments: Any) -> dict[str, float]:
 def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[str, float]:
     """Return what the study takes on so many workers; sizes in MiB, times in s."""
     began = time.process_time()
-    plan = make_plan(read_study(study, scale))
+    plan = make_plan(cast(Study, read_study(study, scale)))
     missing = missing_work(plan, ())
     target = batch_target(total_seconds(missing))
     work = make_batches(plan, cut(plan, missing, target), target)

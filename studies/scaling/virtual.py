@@ -13,9 +13,10 @@ from functools import partial
 from heapq import heappop, heappush
 from itertools import count
 from operator import pos
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
+from distributed import Client
 
 from workflow.cluster import stream
 
@@ -147,7 +148,8 @@ def virtual_stream(
     client: VirtualClient, function: Callable[[Any], Any], items: Iterable[Any]
 ) -> Iterator[tuple[Any, Any]]:
     """Let the workflow stream its work through a virtual cluster, by its clock."""
-    return stream(client, function, items, clock=client, completed=partial(_completed, client))
+    real = cast(Client, client)  # of its interface the stream uses what is above
+    return stream(real, function, items, clock=client, completed=partial(_completed, client))
 
 
 def _completed(client: VirtualClient, *_: Any, **__: Any) -> VirtualCompleted:

@@ -1,9 +1,12 @@
 """The map of Fbar over x: worst residual, Newton passes, and what halving the samples changes."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
 from matplotlib.colors import BoundaryNorm, LogNorm
 from matplotlib.figure import Figure
 
@@ -42,7 +45,7 @@ def draw(groups: Groups) -> Figure:
         bar = figure.colorbar(mesh, ax=axes[:, column], location="top", aspect=30)
         bar.set_label(TITLES[column], fontsize=7.5)
         if column == 1:
-            bar.set_ticks(np.arange(float(passes.min()), float(passes.max()) + 1.0))
+            bar.set_ticks(list(range(int(passes.min()), int(passes.max()) + 1)))
     for ax in axes[-1]:
         ax.set_xlabel("$x = v_1 \\tau q_\\mathrm{max}$")
     for ax in axes[:, 0]:
@@ -63,9 +66,9 @@ def _whole_numbers(values: xr.DataArray) -> BoundaryNorm:
     return BoundaryNorm(edges, 256)
 
 
-def _map(ax: Axes, values: xr.DataArray, colours: dict):
+def _map(ax: Axes, values: xr.DataArray, colours: dict[str, Any]) -> QuadMesh:
     """Colour the map; what is smaller than the scale, or zero, has its lowest colour."""
-    floor = getattr(colours["norm"], "vmin", None)
+    floor = float(colours["norm"].vmin)
     mesh = ax.pcolormesh(
         values.speed_ratio, values.mean_load, np.maximum(values, floor), rasterized=True, **colours
     )

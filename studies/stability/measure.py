@@ -67,12 +67,13 @@ def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Data
     shape = (len(SCHEMES), loads.size, speeds.size)
     found = {kind: np.zeros(shape) for kind in (*KINDS, "refinement")}
     for place in np.ndindex(shape):
-        scheme, load, x = list(SCHEMES)[place[0]], loads[place[1]], speeds[place[2]]
+        scheme = list(SCHEMES)[place[0]]
+        load, x = float(loads[place[1]]), float(speeds[place[2]])
         for line, fine in both:
             motion = Motion(line, load, x / np.pi, RATIO, scheme)
             worst = probe(motion, settings["steps"]) | {"refinement": _refinement(motion, fine)}
             for kind, value in worst.items():
-                found[kind][place] = max(found[kind][place], value)
+                found[kind][place] = max(float(found[kind][place]), value)
         advance(_map_seconds(settings))
     dims = ("scheme", "mean_load", "speed_ratio")
     data = {kind: (dims, values, _attributes(kind)) for kind, values in found.items()}
@@ -136,7 +137,7 @@ def table(groups: Groups) -> pd.DataFrame:
     where = ["line", "elements", "steps_per_spacing", "mean_load", "speed_ratio", "ratio", "scheme"]
     rows = []
     for kind, meaning in KINDS.items():
-        worst = cases.loc[cases[kind].idxmax()]
+        worst = cases.iloc[int(np.nanargmax(cases[kind].to_numpy()))]
         row = {"kind": kind, "meaning": meaning, "cases": len(cases), "worst": worst[kind]}
         rows.append(row | {name: worst[name] for name in where if worst[kind] > 0.0})
     return pd.DataFrame(rows)

@@ -107,7 +107,7 @@ NO_EDITS = {
     "a docstring": ("steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
     "a comment": ("schemes.py", "# What decays below", "# Whatever decays below"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
-    "brackets": ("realizations.py", "return (recorded - ", "return ((recorded) - "),
+    "brackets": ("realizations.py", "return (kept_steps - ", "return ((kept_steps) - "),
 }
 
 

@@ -9,7 +9,7 @@ from workflow.cli.outline import outline_grid, outline_measured
 from workflow.cli.run import run_grid, run_measured_study
 from workflow.run import result_line, status_lines
 from workflow.store import store_folder
-from workflow.study import AnyStudy, Study
+from workflow.study import Measured, Study
 
 
 class Kind(NamedTuple):
@@ -25,18 +25,18 @@ def _grid_status(study: Study, result: Path) -> list[str]:
     return status_lines(study, result, store_folder(result))
 
 
-def _measured_status(study: AnyStudy, result: Path) -> list[str]:
+def _measured_status(study: Measured, result: Path) -> list[str]:
     del study
     return [result_line(result)]
 
 
-def _grid_table(study: AnyStudy, result: Path) -> Path:
+def _grid_table(study: Study, result: Path) -> Path:
     from workflow.report import write_grid_table
 
     return write_grid_table(study, result)
 
 
-def _measured_table(study: AnyStudy, result: Path) -> Path:
+def _measured_table(study: Measured, result: Path) -> Path:
     from workflow.report import write_measured_table
 
     return write_measured_table(study, result)

@@ -87,10 +87,11 @@ def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
     counts = [plan.expected[task.key] * block for task in variant.tasks]
     steps = [task.steps_per_spacing for task in variant.tasks]
     capped = sum(n + block * JACKKNIFE_GROUPS > numerics.max_realizations for n in counts)
-    coarse = sum(max(g.bias.values()) > 0.5 * numerics.accuracy for g in variant.goals.values())
+    wanted = numerics.accuracy or 0.0
+    coarse = sum(max(goal.bias.values()) > 0.5 * wanted for goal in variant.goals.values())
     given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
     return [
-        f"accuracy    {numerics.accuracy:g} {variant.label}",
+        f"accuracy    {wanted:g} {variant.label}",
         f"  steps     {min(steps)} ... {max(steps)} per spacing, elements with them{given}",
         f"  each      {min(counts)} ... {max(counts)} realizations",
         f"  missed    probably at {capped} problems that end at {numerics.max_realizations} "

@@ -1,7 +1,7 @@
 """Stream items through the cluster: a bounded window, refilled in bulk, gathered in batches."""
 
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from itertools import islice
 from typing import Any, Protocol
 
@@ -77,7 +77,7 @@ class _Stream:
         self.source = iter(items)
         self.again: list[Any] = []  # before the rest of the source
         self.alone: list[Any] = []  # after it
-        self.pending: dict[str, tuple[Future, Any]] = {}
+        self.pending: dict[Hashable, tuple[Future, Any]] = {}  # by key
         self.running = completed([], loop=client.loop)
         self.isolated = False  # what is in flight is alone there
         self.window = LEAST
@@ -133,9 +133,9 @@ class _Stream:
                     raise
         done = [(self.pending.pop(f.key)[1], r) for f, r in zip(sound, results, strict=True)]
         for future in failed:
-            item, error = self.pending.pop(future.key)[1], future.exception()
-            killed = isinstance(error, KilledWorker)
-            (self.alone if killed else self.again).extend(self.retry(item, error, self.isolated))
+            item, raised = self.pending.pop(future.key)[1], future.exception()
+            killed = isinstance(raised, KilledWorker)
+            (self.alone if killed else self.again).extend(self.retry(item, raised, self.isolated))
         return done
 
     def _tick(self) -> None:

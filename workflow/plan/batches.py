@@ -3,8 +3,8 @@
 The store is asked once, record by record; what is missing is then cut to any length.
 """
 
-from collections.abc import Container, Iterator
-from typing import NamedTuple
+from collections.abc import Iterator
+from typing import NamedTuple, Protocol
 
 from workflow.plan.plan import Plan
 from workflow.simulate import Batch, Record, Task
@@ -12,6 +12,13 @@ from workflow.study import Numerics
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
 MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds
+
+
+class Stored(Protocol):
+    """What can tell which records need not be computed: a store, or a set."""
+
+    def __contains__(self, record: Record, /) -> bool:
+        """Return whether a record is there."""
 
 
 class Missing(NamedTuple):
@@ -30,9 +37,7 @@ def batch_target(seconds: float) -> float:
     return min(max(shortest, seconds / MANY_BATCHES), longest)
 
 
-def missing_work(
-    plan: Plan, stored: Container[Record], blocks: dict[str, int] | None = None
-) -> list[Missing]:
+def missing_work(plan: Plan, stored: Stored, blocks: dict[str, int] | None = None) -> list[Missing]:
     """Return what of a plan is not stored: every such record is in exactly one entry.
 
     blocks : number of blocks by key of the task, by default those expected.
@@ -99,7 +104,7 @@ def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[B
 
 
 def _missing_runs(
-    line: list[Task], blocks: dict[str, int], stored: Container[Record]
+    line: list[Task], blocks: dict[str, int], stored: Stored
 ) -> Iterator[tuple[list[Task], int, int]]:
     """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
     tasks: list[Task] = []

@@ -47,8 +47,8 @@ def this_machine() -> Machine:
     if found is None:
         print("measuring the speed of this machine (once)", file=sys.stderr)
         text = _measured()
-        found = text and _parsed(text)
-        if not found:
+        found = _parsed(text)
+        if found is None:
             return Machine(TYPICAL, "another machine, as this one could not be timed")
         with contextlib.suppress(OSError):
             file.parent.mkdir(parents=True, exist_ok=True)

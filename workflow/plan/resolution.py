@@ -26,8 +26,9 @@ def _rate(x: float, hurst: float) -> float:
 
 
 def least_steps(problem: Problem, scene: Scene) -> int:
-    """Return the least m for what is asked, a power of two: a relaxation needs two steps per tau
-    and per relaxation time at the slower speed.
+    """Return the least m for what is asked, a power of two.
+
+    A relaxation needs two steps per tau and per relaxation time at the slower speed.
     """
     if "relaxation" not in scene.quantities:
         return 1

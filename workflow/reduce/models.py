@@ -7,7 +7,7 @@ Stat. Soc. B 36, 111 (1974)). All fits take mu_2 as known and use the whole reco
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -93,8 +93,9 @@ def compare_models(
     """
     if not np.isfinite(rate):
         nothing = np.full(len(deviation), np.nan)
-        unknown = dict.fromkeys(GAINS, (np.nan, np.nan))
-        return Comparison(UNDECIDED, **dict.fromkeys(COEFFICIENTS, nothing), **unknown)
+        unknown: dict[str, Any] = dict.fromkeys(COEFFICIENTS, nothing)
+        unknown |= dict.fromkeys(GAINS, (np.nan, np.nan))
+        return Comparison(UNDECIDED, **unknown)
     scale, span = deviation[0, 0], time[-1]
     with np.errstate(all="ignore"):  # far from eq. 6 a fit may run away; it is not decisive then
         fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)

@@ -6,6 +6,7 @@ import io
 import textwrap
 from collections.abc import Callable
 from pathlib import Path
+from typing import Any, cast
 
 import matplotlib as mpl
 import numpy as np
@@ -18,7 +19,7 @@ from workflow.result import BROKEN, Groups, broken, open_result
 from workflow.study import AnyStudy, load_script
 from workflow.system import write_durably
 
-STYLE = {
+STYLE: dict[str, Any] = {
     "figure.dpi": 150,
     "savefig.dpi": 200,
     "font.size": 8.0,
@@ -57,7 +58,7 @@ def draw_groups(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
     """Draw the study's figure from its opened result; as ``draw_figure``."""
     draw = _script(study)
     files = {}
-    with mpl.rc_context(STYLE):
+    with mpl.rc_context(cast(Any, STYLE)):
         try:
             figure = draw(groups)
         except BROKEN as error:

@@ -43,8 +43,9 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
     with replacing(path) as aside, dask.config.set(scheduler="synchronous"):
         # or xarray asks a scheduler for its lock
         for label, dataset in datasets.items():
-            mode = "a" if label else "w"
-            dataset.to_netcdf(aside, mode=mode, group=label or None, encoding=_encoding(dataset))
+            dataset.to_netcdf(
+                aside, "a" if label else "w", group=label or None, encoding=_encoding(dataset)
+            )
 
 
 def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:

@@ -41,7 +41,9 @@ def origin(study: AnyStudy) -> dict[str, str | int | float]:
 
 def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]:
     """Return the global attributes of the result file of a grid study."""
-    wanted = {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
+    wanted: dict[str, int | float] = {}
+    if numerics.accuracy:
+        wanted = {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
     return origin(study) | {
         "realizations_per_block": study.realizations_per_block,
         "quantities": " ".join(study.scene.quantities),
@@ -49,5 +51,5 @@ def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]
         "scheme": numerics.scheme,
         "steps_per_spacing": str(numerics.steps_per_spacing or "auto"),
         "horizon": numerics.horizon,
-        **(wanted if numerics.accuracy else {}),
+        **wanted,
     }

@@ -12,21 +12,21 @@ from workflow.system import peak_bytes
 
 
 def record_steps(march_steps: int, curve_samples: int) -> np.ndarray:
-    """Return the recorded step numbers, increasing from 1 to ``march_steps``, at most
-    curve_samples - 1.
+    """Return the numbers of the steps that the curve of a record keeps.
 
-    Sample 0 of a curve is the moment just after the jump and needs no step.
+    They increase from 1 to ``march_steps``, and are ``curve_samples`` - 1 at most. Sample 0 of a
+    curve is the moment just after the jump and needs no step.
     """
     return np.unique(np.round(np.linspace(1, march_steps, curve_samples - 1)).astype(np.int64))
 
 
-def record_times(recorded: np.ndarray, steps_per_tau: float, scheme: str) -> np.ndarray:
-    """Return the times since the jump, in tau, to which the friction of recorded steps belongs.
+def record_times(kept_steps: np.ndarray, steps_per_tau: float, scheme: str) -> np.ndarray:
+    """Return the times since the jump, in tau, to which the friction of kept steps belongs.
 
     It is a mean over the step and acts ``lag`` of a step before its end (schemes.py); at the end
     it would be an error of first order. steps_per_tau : of the march.
     """
-    return (recorded - SCHEMES[scheme](1.0 / steps_per_tau).lag) / steps_per_tau
+    return (kept_steps - SCHEMES[scheme](1.0 / steps_per_tau).lag) / steps_per_tau
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:

@@ -15,7 +15,10 @@ Grid = dict[str, tuple[float, ...]]
 MOST_VALUES = 10_000  # on one axis
 MOST_ELEMENTS = 1e8
 LEAST_ELEMENTS = 4
-SPACES = {"linspace": np.linspace, "geomspace": np.geomspace}
+SPACES: dict[str, Callable[..., np.ndarray]] = {
+    "linspace": np.linspace,
+    "geomspace": np.geomspace,
+}
 
 
 def axis_values(key: str, spec: object) -> tuple[float, ...]:
@@ -36,8 +39,8 @@ def axis_values(key: str, spec: object) -> tuple[float, ...]:
     return values
 
 
-def _spaced(key: str, spec: dict) -> tuple[float, ...]:
-    kind = next(iter(spec)) if len(spec) == 1 else None
+def _spaced(key: str, spec: dict[str, Any]) -> tuple[float, ...]:
+    kind = next(iter(spec)) if len(spec) == 1 else ""
     if kind not in SPACES:
         raise UserError(f"{key} = {spec!r}: use {{linspace = [a, b, n]}} or {{geomspace = ...}}")
     args = spec[kind]

@@ -26,6 +26,7 @@ class Interrupt:
             signal.signal(number, handler)
 
     def __call__(self) -> bool:
+        """Return whether the process is to stop."""
         return self.asked > 0.0
 
     def _handle(self, number: int, frame: FrameType | None) -> None:
