@@ -62,22 +62,22 @@ def _saturation(ax: Axes, uniform: xr.Dataset) -> None:
 
 def _studies(ax: Axes, studies: xr.Dataset) -> None:
     count = studies.sizes["study"]
-    places = np.arange(studies.sizes["workers"])
+    ticks = np.arange(studies.sizes["workers"])
     for number, name in enumerate(studies.study.values):
         chosen = studies.sel(study=name)
-        x = places + (number - (count - 1) / 2) * 0.8 / count
+        x = ticks + (number - (count - 1) / 2) * 0.8 / count
         ax.bar(x, chosen.efficiency, 0.75 / count, color=COLOURS[number], label=name, alpha=0.8)
-        for k, place in enumerate(x):
+        for k, at_x in enumerate(x):
             at = chosen.isel(workers=k)
             text = (
                 f"{float(at.efficiency):.1%}   {duration(float(at.wall))}   {int(at.shards)} shards"
             )
-            ax.text(place, 0.06, text, rotation=90, ha="center", va="bottom", fontsize=6.5)
+            ax.text(at_x, 0.06, text, rotation=90, ha="center", va="bottom", fontsize=6.5)
     planning = ", ".join(
         f"{name} {float(studies.planning.sel(study=name).max()):.1f} s"
         for name in studies.study.values
     )
-    ax.set_xticks(places, [str(w) for w in studies.workers.values])
+    ax.set_xticks(ticks, [str(w) for w in studies.workers.values])
     ax.set(xlabel="workers", ylabel="busy share of workers", ylim=(0, 1.25))
     ax.legend(loc="upper right", ncols=2)
     text = f"CPU time to plan: {planning}"

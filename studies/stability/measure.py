@@ -66,14 +66,14 @@ def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Data
     ]
     shape = (len(SCHEMES), loads.size, speeds.size)
     found = {kind: np.zeros(shape) for kind in (*KINDS, "refinement")}
-    for place in np.ndindex(shape):
-        scheme = list(SCHEMES)[place[0]]
-        load, x = float(loads[place[1]]), float(speeds[place[2]])
+    for cell in np.ndindex(shape):
+        scheme = list(SCHEMES)[cell[0]]
+        load, x = float(loads[cell[1]]), float(speeds[cell[2]])
         for line, fine in both:
             motion = Motion(line, load, x / np.pi, RATIO, scheme)
             worst = probe(motion, settings["steps"]) | {"refinement": _refinement(motion, fine)}
             for kind, value in worst.items():
-                found[kind][place] = max(float(found[kind][place]), value)
+                found[kind][cell] = max(float(found[kind][cell]), value)
         advance(_map_seconds(settings))
     dims = ("scheme", "mean_load", "speed_ratio")
     data = {kind: (dims, values, _attributes(kind)) for kind, values in found.items()}

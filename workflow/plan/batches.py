@@ -53,12 +53,12 @@ def missing_work(plan: Plan, stored: Stored, blocks: dict[str, int] | None = Non
 
 def total_seconds(missing: list[Missing]) -> float:
     """Return the predicted core-seconds of missing work."""
-    return sum(part.blocks * part.seconds for part in missing)
+    return sum(entry.blocks * entry.seconds for entry in missing)
 
 
 def total_records(missing: list[Missing]) -> int:
     """Return the number of missing records."""
-    return sum(part.blocks * len(part.tasks) for part in missing)
+    return sum(entry.blocks * len(entry.tasks) for entry in missing)
 
 
 def block_seconds(plan: Plan, tasks: list[Task]) -> float:
@@ -75,7 +75,7 @@ def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
     A task that takes longer stays whole. What takes longer than the target comes first, longest
     first: no worker is left alone with it.
     """
-    found = [piece for part in missing for piece in _pieces(plan, part, target)]
+    found = [piece for entry in missing for piece in _pieces(plan, entry, target)]
     return sorted(found, key=lambda piece: -max(piece.seconds, target))
 
 
@@ -120,23 +120,23 @@ def _missing_runs(
         yield tasks, first, last - first
 
 
-def _pieces(plan: Plan, part: Missing, target: float) -> Iterator[Missing]:
+def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
     """Yield the tasks of missing work, as many together as take ``target`` seconds a block."""
     block = plan.study.realizations_per_block
     chosen: list[Task] = []
     lines: set[int] = set()
     total = 0.0
-    for task in part.tasks:
+    for task in whole.tasks:
         samples, own = _line_samples(task), plan.task_seconds[task.key]
         drawing = plan.timings.draw(samples)
         shared = own if samples in lines else own + drawing
         if chosen and total + block * shared > target:
-            yield part._replace(tasks=chosen, seconds=total)
+            yield whole._replace(tasks=chosen, seconds=total)
             chosen, lines, total, shared = [], set(), 0.0, own + drawing
         chosen.append(task)
         lines.add(samples)
         total += block * shared
-    yield part._replace(tasks=chosen, seconds=total)
+    yield whole._replace(tasks=chosen, seconds=total)
 
 
 def _line_samples(task: Task) -> int:

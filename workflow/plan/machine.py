@@ -67,7 +67,7 @@ def _read(file: Path) -> Machine | None:
 
 
 def _parsed(text: str) -> Machine | None:
-    """Return the calibration of a JSON text, or None where it is damaged."""
+    """Return the machine that a JSON text tells of, or None where it is damaged."""
     try:
         data = json.loads(text)
         curves = {name: SecondsBySize(*map(tuple, data["timings"][name])) for name in CURVES}
