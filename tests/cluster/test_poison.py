@@ -5,9 +5,9 @@ import os
 import numpy as np
 import pytest
 
-from tests.workflow.runs import run
-from tests.workflow.shards import held
-from tests.workflow.small import all_records, small_plan
+from tests.support.runs import run
+from tests.support.shards import held
+from tests.support.small import all_records, small_plan
 from workflow.cluster import worker as work
 from workflow.cluster.versions import Versions
 from workflow.simulate.tasks import Batch, BatchResult

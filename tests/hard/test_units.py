@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.workflow.small import small_study
+from tests.support.small import small_study
 from workflow.errors import UserError
 from workflow.plan.plan import make_plan
 from workflow.plan.problems import distinct_problems

@@ -14,8 +14,8 @@ from pathlib import Path
 
 import pytest
 
-from tests.workflow.shards import SAMPLES, WORK, held, records, reopened
-from tests.workflow.small import random_result
+from tests.support.shards import SAMPLES, WORK, held, records, reopened
+from tests.support.small import random_result
 from workflow.errors import UserError
 from workflow.store import journal
 from workflow.store.store import DamagedShard, Store

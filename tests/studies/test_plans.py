@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import studies
-from tests.workflow.small import cut_batches
+from tests.support.small import cut_batches
 from workflow.plan.plan import make_plan
 from workflow.study.measured import Measured
 from workflow.study.read import read_study

@@ -7,7 +7,7 @@ import dask
 import pytest
 from distributed import Client
 
-from tests.workflow.runs import Run, run
+from tests.support.runs import Run, run
 from workflow.cluster import client as opening
 from workflow.plan import machine
 from workflow.plan.cost import TYPICAL

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kernels import Line
-from tests.workflow.small import cut_batches, small_plan
+from tests.support.small import cut_batches, small_plan
 from workflow.simulate import realizations as module
 from workflow.simulate.realizations import block_means, line_generator
 from workflow.simulate.tasks import PHASES, SCALARS

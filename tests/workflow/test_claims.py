@@ -9,7 +9,7 @@ from studies.fig5 import claims as fig5
 from studies.fig6 import claims as fig6
 from studies.fig7 import claims as fig7
 from studies.fig8 import claims as fig8
-from tests.workflow.synthetic import SLOPE, add, result, with_alpha, with_rates
+from tests.support.synthetic import SLOPE, add, result, with_alpha, with_rates
 from workflow.kinetic_law import normalised_jump
 from workflow.report.claims import evaluate, judge, judge_factor, known_claims, mean_error
 

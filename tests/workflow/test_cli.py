@@ -2,8 +2,8 @@
 
 import pytest
 
-from tests.workflow.runs import PATIENCE, start
-from tests.workflow.small import TEXT, write_study
+from tests.support.runs import PATIENCE, start
+from tests.support.small import TEXT, write_study
 from workflow.cli import commands as cli
 from workflow.cli import main
 

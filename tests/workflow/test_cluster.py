@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from tests.workflow.runs import PATIENCE, ROOT
+from tests.support.runs import PATIENCE, ROOT
 from workflow.cluster.client import open_client
 from workflow.study.cluster import Cluster
 

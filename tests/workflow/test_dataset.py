@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 
-from tests.workflow.curves import assembled
+from tests.support.curves import assembled
 from workflow.reduce.fits import FITTED, NOT_FINITE
 from workflow.result.variables import VARIABLES
 from workflow.study.grid import AXES

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from distributed.scheduler import KilledWorker, WorkerState
 
-from tests.workflow.runs import run
-from tests.workflow.shards import held
-from tests.workflow.small import all_records, cut_batches, small_plan
+from tests.support.runs import run
+from tests.support.shards import held
+from tests.support.small import all_records, cut_batches, small_plan
 from workflow.cluster import worker as work
 from workflow.errors import UserError
 from workflow.run.failures import Failures

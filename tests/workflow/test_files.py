@@ -13,8 +13,8 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from tests.workflow.small import write_study
-from tests.workflow.synthetic import result, with_alpha
+from tests.support.small import write_study
+from tests.support.synthetic import result, with_alpha
 from workflow.cli import main
 from workflow.result.netcdf import write_datasets
 

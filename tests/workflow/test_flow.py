@@ -10,7 +10,7 @@ from distributed import Client
 from distributed.comm import CommClosedError
 from distributed.scheduler import KilledWorker
 
-from tests.workflow.runs import PATIENCE
+from tests.support.runs import PATIENCE
 from workflow.cluster.flow import raise_error, stream
 from workflow.cluster.watch import Watch
 from workflow.errors import UserError

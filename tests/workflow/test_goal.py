@@ -4,7 +4,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.workflow.small import small_plan, small_study
+from tests.support.small import small_plan, small_study
 from workflow.errors import UserError
 from workflow.plan.error_laws import LAWS
 from workflow.plan.goal import JACKKNIFE_GROUPS, allowed, goal_of, whole_blocks

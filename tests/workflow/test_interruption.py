@@ -5,9 +5,9 @@ import signal
 
 import pytest
 
-from tests.workflow.runs import PATIENCE, run, shards, start, wait_for_shards
-from tests.workflow.shards import held, reopened
-from tests.workflow.small import write_study
+from tests.support.runs import PATIENCE, run, shards, start, wait_for_shards
+from tests.support.shards import held, reopened
+from tests.support.small import write_study
 from workflow.cli import main
 from workflow.store.store import Store, store_folder
 

@@ -7,7 +7,7 @@ import threading
 import numpy as np
 import xarray as xr
 
-from tests.workflow.curves import assembled
+from tests.support.curves import assembled
 from workflow.result.netcdf import write_datasets
 
 _, _, DATASET = assembled()

@@ -11,7 +11,7 @@ from pathlib import Path
 
 import pytest
 
-from tests.workflow.small import TEXT, small_study
+from tests.support.small import TEXT, small_study
 from tests.workflow.test_reader_fuzz import document
 from workflow.errors import UserError
 from workflow.plan.plan import make_plan

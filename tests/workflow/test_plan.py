@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.workflow.small import all_records, cut_batches, keys, small_plan
+from tests.support.small import all_records, cut_batches, keys, small_plan
 from workflow.plan import plan as planning
 from workflow.plan.batches import batch_target
 

@@ -8,7 +8,7 @@ from importlib.metadata import version
 import netCDF4
 import pytest
 
-from tests.workflow.small import small_study
+from tests.support.small import small_study
 from workflow.result.provenance import commit, provenance
 from workflow.simulate.code import CODE
 from workflow.study.read import read_study

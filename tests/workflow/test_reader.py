@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from tests.workflow.small import TEXT, small_study, write_study
+from tests.support.small import TEXT, small_study, write_study
 from workflow.study.numerics import Numerics
 from workflow.study.read import find_study, read_study
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.workflow.small import TEXT, small_study, write_study
+from tests.support.small import TEXT, small_study, write_study
 from workflow.errors import UserError
 from workflow.study.read import find_study, read_study
 

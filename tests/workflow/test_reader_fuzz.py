@@ -14,7 +14,7 @@ from pathlib import Path
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from tests.workflow.small import TEXT, small_study, write_study
+from tests.support.small import TEXT, small_study, write_study
 from workflow.errors import UserError
 from workflow.plan.plan import make_plan
 from workflow.study.measured import Measured

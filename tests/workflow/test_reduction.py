@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.workflow.curves import RATE, exponential_blocks
+from tests.support.curves import RATE, exponential_blocks
 from workflow.reduce.estimates import reduce_blocks
 from workflow.reduce.fits import FITTED
 from workflow.simulate.tasks import SCALARS

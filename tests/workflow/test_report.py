@@ -7,7 +7,7 @@ import shutil
 import pytest
 from matplotlib import pyplot as plt
 
-from tests.workflow.synthetic import result, with_alpha
+from tests.support.synthetic import result, with_alpha
 from workflow.cli import main
 from workflow.errors import UserError
 from workflow.report.page import formula
@@ -118,7 +118,7 @@ def test_a_figure_that_cannot_be_drawn_leaves_the_rest(tmp_path):
 
 
 def test_a_study_without_a_figure_script(finished, tmp_path):
-    from tests.workflow.small import write_study
+    from tests.support.small import write_study
 
     study = write_study(tmp_path)
     shutil.copy(finished.path, tmp_path)

@@ -7,7 +7,7 @@ import subprocess
 import pytest
 from matplotlib import pyplot as plt
 
-from tests.workflow.synthetic import add, result
+from tests.support.synthetic import add, result
 from tests.workflow.test_report import write_figure_8
 from workflow.report.report import write_report
 from workflow.result.netcdf import write_datasets

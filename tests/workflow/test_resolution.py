@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, draw_phases, run_case
-from tests.workflow.small import small_plan
+from tests.support.small import small_plan
 from workflow.errors import UserError
 from workflow.plan.problems import speed_ratio
 from workflow.plan.resolution import (

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from tests.workflow.runs import run, shards
+from tests.support.runs import run, shards
 from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
 from workflow.reduce.attainment import MET, MISSED

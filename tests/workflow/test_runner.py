@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from tests.workflow.runs import PATIENCE, run, shards, start
-from tests.workflow.shards import held
-from tests.workflow.small import all_records, write_study
+from tests.support.runs import PATIENCE, run, shards, start
+from tests.support.shards import held
+from tests.support.small import all_records, write_study
 from workflow.errors import UserError
 from workflow.store.store import Store, store_folder
 from workflow.system.lock import hold

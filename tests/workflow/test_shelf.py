@@ -2,8 +2,8 @@
 
 import pytest
 
-from tests.workflow.shards import WORK, held
-from tests.workflow.small import random_result
+from tests.support.shards import WORK, held
+from tests.support.small import random_result
 from workflow.store import shelf as module
 from workflow.store.shelf import Shelf
 from workflow.store.store import Store

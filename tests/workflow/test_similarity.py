@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.workflow.small import small_study
+from tests.support.small import small_study
 from workflow.plan.problems import canonical, distinct_problems
 from workflow.study.grid import AXES
 

@@ -7,8 +7,8 @@ import time
 
 import pytest
 
-from tests.workflow.shards import BATCH
-from tests.workflow.small import cut_batches, random_result, small_plan, small_study
+from tests.support.shards import BATCH
+from tests.support.small import cut_batches, random_result, small_plan, small_study
 from workflow.run.status import (
     Status,
     StatusWriter,

@@ -7,7 +7,7 @@ import os
 import numpy as np
 import pytest
 
-from tests.workflow.shards import (
+from tests.support.shards import (
     BATCH,
     ELSEWHERE,
     SAMPLES,
@@ -19,7 +19,7 @@ from tests.workflow.shards import (
     reopened,
     shard_of,
 )
-from tests.workflow.small import random_result
+from tests.support.small import random_result
 from workflow.errors import UserError
 from workflow.store import journal
 from workflow.store.store import Store

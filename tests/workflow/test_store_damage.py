@@ -6,7 +6,7 @@ import dataclasses
 import netCDF4
 import pytest
 
-from tests.workflow.shards import (
+from tests.support.shards import (
     BATCH,
     SAMPLES,
     WORK,
@@ -17,7 +17,7 @@ from tests.workflow.shards import (
     reopened,
     shard_of,
 )
-from tests.workflow.small import random_result
+from tests.support.small import random_result
 from workflow.store import journal, shard
 from workflow.store.store import DamagedShard, Store
 

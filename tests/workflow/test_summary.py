@@ -5,7 +5,7 @@ import dataclasses
 import numpy as np
 import pytest
 
-from tests.workflow.small import cut_batches, small_plan
+from tests.support.small import cut_batches, small_plan
 from workflow.run.summary import Summary
 from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
 

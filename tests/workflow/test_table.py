@@ -3,7 +3,7 @@
 import pandas as pd
 import pytest
 
-from tests.workflow.small import small_study, write_study
+from tests.support.small import small_study, write_study
 from workflow.cli import main
 from workflow.errors import UserError
 from workflow.report.table import write_grid_table

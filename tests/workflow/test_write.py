@@ -6,7 +6,7 @@ import os
 import pytest
 import xarray as xr
 
-from tests.workflow.curves import assembled
+from tests.support.curves import assembled
 from workflow.errors import UserError
 from workflow.result.netcdf import write_datasets
 

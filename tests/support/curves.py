@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from tests.workflow.small import small_plan
+from tests.support.small import small_plan
 from workflow.plan.problems import speed_ratio
 from workflow.reduce.estimates import Blocks, reduce_blocks
 from workflow.result.dataset import build_dataset

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import xarray as xr
 
-from tests.workflow.small import small_plan
+from tests.support.small import small_plan
 from workflow.plan.plan import Plan
 from workflow.run.run import How, run_plan
 from workflow.run.summary import Summary

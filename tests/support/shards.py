@@ -1,6 +1,6 @@
 """Stores filled with random results, and what is in them."""
 
-from tests.workflow.small import cut_batches, random_result, small_plan
+from tests.support.small import cut_batches, random_result, small_plan
 from workflow.store.store import Store
 
 WORK = list(cut_batches(small_plan(), set(), 1e-9))  # one task and block each

@@ -1,0 +1,1 @@
+"""What tests share: small studies, lines, references, and ways to run and to look."""
