@@ -7,7 +7,7 @@ SCALE  ?=
 ARGS   ?=
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench mutation calibration clean
+.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench mutation intervals clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -37,10 +37,10 @@ test-cluster: $(READY) ## Run the tests with real clusters on this machine (SLUR
 	$(BIN)/python -m pytest -m cluster tests/cluster
 
 chaos: $(READY) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
-	$(BIN)/python -m tests.cluster.chaos $(ARGS)
+	$(BIN)/python -m tests.tools.chaos $(ARGS)
 
 fuzz: $(READY) ## Fuzz the reader of studies [FUZZ_SECONDS=600]
-	$(BIN)/python -m tests.fuzz
+	$(BIN)/python -m tests.tools.fuzz
 
 test-nojit: $(READY) ## Run the tests of the kernels as plain Python
 	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)
@@ -59,17 +59,17 @@ check: $(READY) ## Lint, formatting, types and the import contracts
 	$(BIN)/lint-imports
 
 bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
-	$(BIN)/python -m tests.bench
+	$(BIN)/python -m tests.tools.bench
 
 mutation: $(READY) ## Mutate the contact step, test every mutant (hours; edits it, then restores it)
 	$(BIN)/python -m pip install --quiet 'cosmic-ray>=8.4'
-	$(BIN)/cosmic-ray init tests/mutation.toml results/mutation.sqlite
-	$(BIN)/cr-filter-operators results/mutation.sqlite tests/mutation.toml
-	$(BIN)/cosmic-ray exec tests/mutation.toml results/mutation.sqlite
+	$(BIN)/cosmic-ray init tests/tools/mutation.toml results/mutation.sqlite
+	$(BIN)/cr-filter-operators results/mutation.sqlite tests/tools/mutation.toml
+	$(BIN)/cosmic-ray exec tests/tools/mutation.toml results/mutation.sqlite
 	$(BIN)/cr-report --surviving-only results/mutation.sqlite
 
-calibration: $(READY) ## Check that stated errors are true, over many small studies (minutes)
-	$(BIN)/python -m tests.calibration
+intervals: $(READY) ## Check that stated errors are true, over many small studies (minutes)
+	$(BIN)/python -m tests.tools.intervals
 
 clean: ## Remove .venv and caches, keep results
 	rm -rf $(VENV) .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache *.egg-info

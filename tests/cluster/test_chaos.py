@@ -2,7 +2,7 @@
 
 import pytest
 
-from tests.cluster.chaos import run_chaos
+from tests.tools.chaos import run_chaos
 
 pytestmark = pytest.mark.cluster
 

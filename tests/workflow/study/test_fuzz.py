@@ -1,6 +1,6 @@
 """Whatever a TOML file holds, it is read as a study and planned, or refused with one line.
 
-``make fuzz`` runs the same for FUZZ_SECONDS (tests/fuzz.py).
+``make fuzz`` runs the same for FUZZ_SECONDS (tests/tools/fuzz.py).
 """
 
 import copy

@@ -1,4 +1,4 @@
-"""`make calibration`: are the stated errors true? Takes some minutes; exit status 1 where not.
+"""`make intervals`: are the stated errors true? Takes some minutes; exit status 1 where not.
 
 Many small independent studies of the same points: the intervals value +- t * error, with t of
 Student for the degrees of freedom in the file, must hold the reference (the mean of all studies

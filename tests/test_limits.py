@@ -12,11 +12,11 @@ from pathlib import Path
 import pytest
 
 from tests.support.small import TEXT, small_study
-from tests.workflow.test_reader_fuzz import document
+from tests.workflow.study.test_fuzz import document
 from workflow.errors import UserError
 from workflow.plan.plan import make_plan
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[1]
 DOCUMENT = ROOT / "docs" / "limits.md"
 CHECKED = (
     "plan/problems",
@@ -27,7 +27,7 @@ CHECKED = (
     "study/read",
     "study/study",
 )
-ELSEWHERE = {"find_study"}  # its answers name all studies; see test_reader_errors.py
+ELSEWHERE = {"find_study"}  # its answers name all studies; see test_refusals.py
 
 
 def _module(path):

@@ -1,4 +1,4 @@
-"""Fuzz the reader of studies for FUZZ_SECONDS (600): python -m tests.fuzz, or make fuzz."""
+"""Fuzz the reader of studies for FUZZ_SECONDS (600): python -m tests.tools.fuzz, or make fuzz."""
 
 import os
 import sys
@@ -7,7 +7,7 @@ import time
 from hypothesis import seed
 
 os.environ["FUZZ_EXAMPLES"] = "500"  # of each kind in a round
-from tests.workflow import test_reader_fuzz as fuzz
+from tests.workflow.study import test_fuzz as fuzz
 
 
 def main() -> None:

@@ -5,7 +5,7 @@ import json
 import numba
 import pytest
 
-from workflow.plan import machine as calibration
+from workflow.plan import machine
 from workflow.plan.cost import TYPICAL
 from workflow.plan.machine import this_machine, timings_file
 
@@ -14,15 +14,15 @@ TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "timings": TYPICAL._asd
 
 @pytest.fixture
 def measured(tmp_path, monkeypatch):
-    """Keep calibrations in a folder of the test; return the calls of the measurement."""
+    """Keep timings in a folder of the test; return the calls of the measurement."""
     calls = []
 
     def measure():
         calls.append(1)
         return TEXT
 
-    monkeypatch.setattr(calibration, "timings_file", timings_file)  # not that of all tests
-    monkeypatch.setattr(calibration, "_measured", measure)
+    monkeypatch.setattr(machine, "timings_file", timings_file)  # not that of all tests
+    monkeypatch.setattr(machine, "_measured", measure)
     monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "cache"))
     return calls
 
@@ -37,7 +37,7 @@ def test_it_is_measured_once_and_kept(measured):
 @pytest.mark.parametrize("name", ["source_hash", "processor"])
 def test_other_kernels_and_another_processor_have_rates_of_their_own(measured, monkeypatch, name):
     this_machine()
-    monkeypatch.setattr(calibration, name, lambda: "another")
+    monkeypatch.setattr(machine, name, lambda: "another")
     this_machine()
     assert len(measured) == 2
 
@@ -81,7 +81,7 @@ def test_a_folder_that_cannot_be_written_is_noted(measured, tmp_path):
 
 
 def test_a_machine_that_cannot_be_timed_is_noted(measured, monkeypatch):
-    monkeypatch.setattr(calibration, "_measured", lambda: "")
+    monkeypatch.setattr(machine, "_measured", lambda: "")
     found = this_machine()
     assert found.timings == TYPICAL
     assert "another machine" in found.note

@@ -1,6 +1,6 @@
 """Chaos: kill whatever computes a study, again and again, and look at what comes of it.
 
-    python -m tests.cluster.chaos --kills 50 --seed 1
+    python -m tests.tools.chaos --kills 50 --seed 1
 
 One study in one folder of results is computed by a scheduler that stands, then by jobs of a
 private SLURM, then by processes of this machine, while a seeded random plan kills workers,

@@ -15,7 +15,7 @@ _, _, WITH_MODELS = assembled(
     'scene.quantities=["steady", "jump", "relaxation", "models"]', "grid.hurst=0.3"
 )
 ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing"}
-ACCURACY = {"accuracy_reached", "accuracy_status", "bias_bound"}  # test_rounds.py
+ACCURACY = {"accuracy_reached", "accuracy_status", "bias_bound"}  # run/test_rounds.py
 HURST_FITS = {"alpha", "alpha_free", "alpha_prefactor", "alpha_scatter", "alpha_points"}
 
 

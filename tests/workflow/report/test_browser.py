@@ -8,7 +8,7 @@ import pytest
 from matplotlib import pyplot as plt
 
 from tests.support.synthetic import add, result
-from tests.workflow.test_report import write_figure_8
+from tests.workflow.report.test_report import write_figure_8
 from workflow.report.report import write_report
 from workflow.result.netcdf import write_datasets
 

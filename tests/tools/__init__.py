@@ -1,0 +1,1 @@
+"""Tools that one runs by hand: benchmarks, fuzzing, chaos, intervals of confidence, mutation."""
