@@ -51,6 +51,5 @@ def assembled(*settings):
     estimates["speed_ratio"] = np.array([speed_ratio(t.problem) for t in variant.tasks])
     steps = [task.steps_per_spacing for task in variant.tasks]
     estimates["steps_per_spacing"] = np.array(steps, np.int32)
-    kept = dict(estimates)
     exponents = _exponents(plan, variant, estimates)
-    return plan, kept, build_dataset(plan, variant, estimates, exponents)
+    return plan, estimates, build_dataset(plan, variant, estimates, exponents)

@@ -19,7 +19,8 @@ def build_dataset(
 ) -> xr.Dataset:
     """Return the dataset of one variant.
 
-    estimates : arrays over variant.tasks. exponents : arrays over the Hurst exponents.
+    estimates : arrays over variant.tasks. exponents : arrays over the Hurst exponents. Raises
+    KeyError for an estimate that is not declared, TypeError for one that is of another type.
     """
     coords = {axis: np.array(plan.study.grid[axis]) for axis in AXES}
     data = {}
@@ -53,7 +54,11 @@ def _factor(scaling: str, coords: dict[str, np.ndarray]) -> np.ndarray | None:
 
 
 def _annotate(dataset: xr.Dataset, freedom: int) -> None:
+    """Check that every variable is what it is declared to be; say so in its attributes."""
     for name in dataset.data_vars:
+        found, said = dataset[name].dtype, declared(str(name)).dtype
+        if found != said:
+            raise TypeError(f"{name} is of type {found}, but declared as {said}")
         dataset[name].attrs = attributes(str(name))
         if f"{name}_error" in dataset:
             dataset[name].attrs["ancillary_variables"] = f"{name}_error"

@@ -12,6 +12,7 @@ CURVE = (*AXES, "sample")
 PER_HURST = ("hurst",)
 
 SLOPE, HEIGHT, PLAIN = "slope", "height", "plain"  # times h/dx, times h, as it is
+FLAG, COUNT = "int8", "int32"
 
 ERRORS = "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
 
@@ -24,6 +25,7 @@ class Variable(NamedTuple):
     long_name: str
     scaling: str = PLAIN
     comment: str = ""
+    dtype: str = "float64"
 
 
 AXIS_ATTRIBUTES = {
@@ -52,14 +54,16 @@ VARIABLES: dict[str, Variable] = {
         comment="fit with mu_2 free; NaN where the window does not determine rate and offset both",
     ),
     "amplitude": Variable(GRID, "1", "amplitude mu* of eq. 6, with mu_2 known", SLOPE),
-    "fit_status": Variable(GRID, "1", "outcome of the fit of eq. 6", comment=STATUS_COMMENT),
+    "fit_status": Variable(
+        GRID, "1", "outcome of the fit of eq. 6", comment=STATUS_COMMENT, dtype=FLAG
+    ),
     "fit_window": Variable(
         GRID, "1", "end of the fit window in tau", comment="starts at the first step after the jump"
     ),
     "fit_quality": Variable(
         GRID, "1", "1 - residual / total sum of squares of mu - mu_2 in the fit window"
     ),
-    "best_model": Variable(GRID, "1", "model that predicts left-out blocks best"),
+    "best_model": Variable(GRID, "1", "model that predicts left-out blocks best", dtype=FLAG),
     "stretched_rate": Variable(GRID, "1", "rate b of A exp(-(b t)^beta), per tau"),
     "stretched_exponent": Variable(GRID, "1", "exponent beta of A exp(-(b t)^beta)"),
     "fast_rate": Variable(GRID, "1", "faster rate of two exponentials, per tau"),
@@ -77,9 +81,13 @@ VARIABLES: dict[str, Variable] = {
     "rms_slope": Variable(GRID, "1", "spectral rms slope of the line", SLOPE),
     "speed_ratio": Variable(GRID, "1", "x = v1 tau q_max"),
     "realizations": Variable(
-        GRID, "1", "number of realizations averaged", comment="0: the computation failed"
+        GRID,
+        "1",
+        "number of realizations averaged",
+        comment="0: the computation failed",
+        dtype=COUNT,
     ),
-    "steps_per_spacing": Variable(GRID, "1", "steps, and elements, per spacing dx"),
+    "steps_per_spacing": Variable(GRID, "1", "steps, and elements, per spacing dx", dtype=COUNT),
     "accuracy_reached": Variable(
         GRID,
         "1",
@@ -87,7 +95,7 @@ VARIABLES: dict[str, Variable] = {
         "asked for",
         comment="inf: not known; NaN: nothing that was asked for has a relative error here",
     ),
-    "accuracy_status": Variable(GRID, "1", "whether numerics.accuracy was met"),
+    "accuracy_status": Variable(GRID, "1", "whether numerics.accuracy was met", dtype=FLAG),
     "bias_bound": Variable(
         GRID, "1", "bound of the relative discretisation error, the largest of what was asked for"
     ),
@@ -97,7 +105,7 @@ VARIABLES: dict[str, Variable] = {
     "alpha_free": Variable(PER_HURST, "1", "exponent of b = c x^alpha over the same points"),
     "alpha_prefactor": Variable(PER_HURST, "1", "prefactor c of b = c x^alpha"),
     "alpha_scatter": Variable(PER_HURST, "1", "rms of log10(b / x^alpha)"),
-    "alpha_points": Variable(PER_HURST, "1", "number of points in the fit of eq. 13"),
+    "alpha_points": Variable(PER_HURST, "1", "number of points in the fit of eq. 13", dtype=COUNT),
 }
 
 FLAGS = {
@@ -123,6 +131,6 @@ def attributes(name: str) -> dict[str, object]:
         found["comment"] = variable.comment
     if name in FLAGS:
         meanings = FLAGS[name]
-        flags = np.arange(len(meanings.split()), dtype=np.int8)
+        flags = np.arange(len(meanings.split()), dtype=FLAG)
         found |= {"flag_values": flags, "flag_meanings": meanings}
     return found

@@ -1,0 +1,51 @@
+"""Every variable of a result: declared, described, its error beside it."""
+
+from workflow.reduce.fits import NOT_FINITE
+from workflow.result.variables import FLAGS, VARIABLES, declared
+
+ACCURACY = {"accuracy_reached", "accuracy_status", "bias_bound"}  # run/test_rounds.py
+
+
+def test_every_name_is_declared_and_every_declared_name_is_there(with_models):
+    names = {str(name).removesuffix("_error") for name in with_models.data_vars}
+    assert names == set(VARIABLES) - ACCURACY
+
+
+def test_every_variable_is_of_the_type_it_is_declared_to_be(with_models):
+    for name, variable in with_models.data_vars.items():
+        assert variable.dtype == declared(name).dtype, name
+        assert variable.dims == declared(name).dims, name
+    whole = {name for name, variable in VARIABLES.items() if variable.dtype != "float64"}
+    assert set(FLAGS) < whole
+
+
+def test_every_variable_has_units_and_a_long_name(with_models):
+    for variable in with_models.variables.values():
+        assert variable.attrs["units"]
+        assert variable.attrs["long_name"]
+
+
+def test_every_estimate_points_to_its_error(with_models):
+    for name, variable in with_models.data_vars.items():
+        error = f"{name}_error"
+        expected = error if error in with_models else None
+        assert variable.attrs.get("ancillary_variables") == expected
+
+
+def test_every_error_is_described_like_its_estimate(with_models):
+    errors = [name for name in with_models.data_vars if str(name).endswith("_error")]
+    assert len(errors) > 10
+    for name in errors:
+        error, estimate = with_models[name], with_models[name.removesuffix("_error")]
+        assert error.attrs["units"] == estimate.attrs["units"]
+        assert error.attrs["long_name"] == f"standard error of {estimate.attrs['long_name']}"
+
+
+def test_fit_status_explains_its_codes(dataset):
+    attributes = dataset["fit_status"].attrs
+    meanings = attributes["flag_meanings"].split()
+    assert meanings[:3] == ["fitted", "no_relaxation", "not_exponential"]
+    assert list(attributes["flag_values"]) == list(range(NOT_FINITE + 1))
+    assert len(meanings) == NOT_FINITE + 1
+    for meaning in meanings[1:]:
+        assert f"{meaning}: " in attributes["comment"]
