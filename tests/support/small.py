@@ -4,7 +4,9 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
+import pytest
 
+from workflow.errors import UserError
 from workflow.plan.batches import cut, make_batches, missing_work
 from workflow.plan.plan import make_plan
 from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
@@ -54,6 +56,15 @@ def small_study(*settings, text=TEXT, scale=None):
     """Return the small study with --set ``settings``."""
     with tempfile.TemporaryDirectory() as folder:
         return read_study(write_study(folder, text), scale, list(settings))
+
+
+def complaint(*settings, **how):
+    """Return the one line the small study with ``settings`` is refused with, read or planned."""
+    with pytest.raises(UserError) as error:
+        small_plan(*settings, **how)
+    message = str(error.value)
+    assert "\n" not in message
+    return message
 
 
 def small_plan(*settings, **how):

@@ -4,6 +4,7 @@ import numpy as np
 import xarray as xr
 
 from workflow.reduce.fits import FITTED
+from workflow.result.netcdf import write_datasets
 from workflow.result.provenance import provenance
 from workflow.result.variables import AXIS_ATTRIBUTES
 from workflow.study.grid import AXES
@@ -57,3 +58,11 @@ def with_alpha(dataset, alpha, error=0.01):
     fitted = {"alpha": alpha, "alpha_error": 0.0 * alpha + error, "alpha_free": alpha}
     fitted |= {"alpha_free_error": fitted["alpha_error"], "alpha_points": 0 * alpha + 10}
     return dataset.assign(fitted)
+
+
+def write_figure_8(folder):
+    """Write a result of figure 8, alpha = 1 - H + 0.05, with its comparison."""
+    velocity = [1e-3] + [0.1 * k for k in range(1, 8)]
+    dataset = result("fig8", hurst=[0.0, 0.5, 1.0], velocity=velocity)
+    dataset = with_alpha(dataset, 1.05 - dataset.hurst)
+    write_datasets(folder / "fig8.nc", {"": dataset, "paper_step": dataset})

@@ -1,12 +1,16 @@
 """One finished run of the small study, and a client of the cluster of all tests."""
 
 import json
+import time
 from collections.abc import Iterator
+from pathlib import Path
 
 import dask
 import pytest
 from distributed import Client
 
+from tests.support.powers import write_powers
+from tests.support.results import write_result
 from tests.support.runs import Run, run
 from workflow.cluster import client as opening
 from workflow.plan import machine
@@ -33,6 +37,21 @@ def typical_machine(tmp_path_factory) -> Iterator[None]:
 
 
 @pytest.fixture
+def clock(monkeypatch) -> list[float]:
+    """Return the time, which passes when it is told to: clock[0] += seconds."""
+    now = [100.0]
+    monkeypatch.setattr(time, "monotonic", lambda: now[0])
+    return now
+
+
+@pytest.fixture
+def powers(tmp_path, monkeypatch) -> Path:
+    """Return the folder of a measured study, under studies/ of the working folder."""
+    monkeypatch.chdir(tmp_path)
+    return write_powers(tmp_path)
+
+
+@pytest.fixture
 def impatient(monkeypatch) -> Iterator[None]:
     """Give up soon where no scheduler answers."""
     monkeypatch.setattr(opening, "CONNECT_SECONDS", 0.2)
@@ -52,3 +71,9 @@ def client(scheduler) -> Iterator[Client]:
 def finished(scheduler, tmp_path_factory) -> Run:
     """Return the small study run on two workers. Leave its folder as it is."""
     return run(scheduler, tmp_path_factory.mktemp("finished"))
+
+
+@pytest.fixture
+def shown(finished, tmp_path) -> Path:
+    """Return a folder with the small study, its figure script and its finished result."""
+    return write_result(tmp_path, finished.path)

@@ -74,3 +74,25 @@ def test_rooms_are_of_a_size_to_know():
 def test_modules_are_of_a_size_to_read():
     for path in FOLDER.parent.glob("[ksw]*/**/*.py"):
         assert len(path.read_text(encoding="utf-8").splitlines()) <= 200, path
+
+
+BY_ROOMS = ("__init__", "__main__", "lazy")  # what this file tests itself
+
+
+@pytest.mark.parametrize("package", ["kernels", "workflow"])
+def test_every_module_has_its_test_file(package):
+    top = FOLDER.parent
+    modules = [path.relative_to(top) for path in (top / package).rglob("*.py")]
+    assert modules
+    missing = [
+        module.as_posix()
+        for module in modules
+        if module.stem not in BY_ROOMS
+        and not (top / "tests" / module.parent / f"test_{module.name}").is_file()
+    ]
+    assert not missing
+
+
+def test_tests_are_of_a_size_to_read():
+    for path in (FOLDER.parent / "tests").rglob("*.py"):
+        assert len(path.read_text(encoding="utf-8").splitlines()) <= 200, path

@@ -2,17 +2,8 @@
 
 import pytest
 
-from workflow.cluster import watch as module
 from workflow.cluster.watch import Watch
 from workflow.errors import UserError
-
-
-@pytest.fixture
-def clock(monkeypatch):
-    """Return a clock that moves when it is told to."""
-    now = [100.0]
-    monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
-    return now
 
 
 def waited(watch, clock, seconds):

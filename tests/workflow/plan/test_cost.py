@@ -12,9 +12,10 @@ from kernels.relaxation import touchable
 from kernels.schemes import SCHEMES
 from kernels.steady import steady_sliding
 from workflow.plan.cost import TYPICAL, SecondsBySize, Work, case_seconds, sweeps, touchable_share
-from workflow.plan.timing import timings
 
 CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
+
+
 WORK = Work(10_000, 2, 1, 100, 0.7, 0.05, 0.5)
 
 
@@ -75,12 +76,3 @@ def test_shares_and_sweeps_are_those_of_the_kernels():
     assert np.median(np.abs(share)) < np.log(1.5)
     assert abs(np.mean(share)) < np.log(1.3)
     assert np.median(np.abs(sweep)) < np.log(1.4)
-
-
-def test_every_rate_is_measured():
-    found = timings()
-    for curve in found[:-1]:
-        assert min(curve.seconds) > 0.0
-        assert len(curve.sizes) == len(curve.seconds)
-    assert found.case > 0.0
-    assert found.draw.seconds[-1] > found.draw.seconds[0]  # 100 times the samples

@@ -7,7 +7,6 @@ from kernels import Quantities
 from workflow.plan.error_laws import LAWS, Error
 from workflow.simulate.realizations import block_means
 from workflow.simulate.tasks import SCALARS, Batch, Problem, Task
-from workflow.study.quantities import judged
 
 POINTS = [
     Problem(0.3, 600, 0.05, 5.0, 1.2),
@@ -16,7 +15,11 @@ POINTS = [
     Problem(0.0, 600, 0.2, 10.0, 1.2),
     Problem(1.0, 600, 0.02, 0.5, 1.2),
 ]
+
+
 LINES = 24
+
+
 FINE = 64
 
 
@@ -56,8 +59,3 @@ def test_an_error_falls_with_the_steps():
     error = Error(0.001, 0.1, 0.4)
     assert error.at(2) == pytest.approx(0.001 + 0.05 + 0.1)
     assert np.all(np.diff([error.at(m) for m in (1, 2, 4, 8)]) < 0)
-
-
-def test_what_is_asked_for_is_judged():
-    assert judged(("steady", "jump", "relaxation", "models")) == ("mu_1", "jump", "relaxation_rate")
-    assert judged(("jump",)) == ("jump",)

@@ -9,7 +9,6 @@ from workflow.errors import UserError
 from workflow.plan.error_laws import LAWS
 from workflow.plan.goal import JACKKNIFE_GROUPS, allowed, goal_of, whole_blocks
 from workflow.plan.resolution import MAX_SAMPLES_PER_LINE
-from workflow.run.rounds import next_blocks
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene
@@ -22,7 +21,11 @@ PROBLEMS = st.builds(
     st.floats(0.03, 100.0),
     st.floats(0.5, 2.0),
 )
+
+
 WANTED = st.floats(0.003, 0.3)
+
+
 SCENES = st.sampled_from([("steady",), ("steady", "jump"), ("steady", "jump", "relaxation")])
 
 
@@ -53,24 +56,6 @@ def test_given_steps_stand_and_their_error_is_not_counted(problem, wanted):
     assert set(goal.bias.values()) == {0.0}
 
 
-@given(st.integers(1, 20), st.floats(0.0, 1e9), st.integers(1, 500))
-def test_the_next_round_grows_within_the_cap(layers, growth, most):
-    now, most = JACKKNIFE_GROUPS * layers, JACKKNIFE_GROUPS * max(layers, most)
-    found = next_blocks(now, growth, most)
-    assert found % JACKKNIFE_GROUPS == 0
-    assert found <= most
-    if growth <= 1.0 or now == most:
-        assert found == now
-    else:
-        assert now < found <= 4 * now + JACKKNIFE_GROUPS
-        assert found == most or found >= min(growth, 4.0) * now - 1e-6
-
-
-def test_an_unknown_error_quadruples_the_realizations():
-    most = 100 * JACKKNIFE_GROUPS
-    assert next_blocks(JACKKNIFE_GROUPS, float("inf"), most) == 4 * JACKKNIFE_GROUPS
-
-
 def test_blocks_are_whole_and_capped():
     study = small_study("study.realizations=8", "study.realizations_per_block=2")
     assert whole_blocks(study, 1.0, 1000) == JACKKNIFE_GROUPS
@@ -81,28 +66,6 @@ def test_blocks_are_whole_and_capped():
 def test_a_cap_below_the_least_is_one_clear_line():
     with pytest.raises(UserError, match=r"^numerics.max_realizations = 31: must be at least 32 "):
         small_plan("numerics.accuracy=0.1", "numerics.max_realizations=31")
-
-
-BAD = {
-    "numerics.accuracy=0": "must lie between 0.0001 and 0.3",
-    "numerics.accuracy=1": "must lie between",
-    "numerics.accuracy=nan": "must be a finite number",
-    'numerics.accuracy="high"': "must be a finite number",
-    "numerics.max_realizations=0": "must be a whole number",
-    "compare.coarse.accuracy=-1": "compare.coarse.accuracy = -1.0: must lie",
-}
-
-
-@pytest.mark.parametrize("setting", BAD)
-def test_bad_accuracy_names_the_key(setting):
-    with pytest.raises(UserError) as error:
-        small_plan(setting)
-    assert BAD[setting] in str(error.value)
-
-
-def test_a_scheme_of_first_order_is_refused_where_the_steps_are_chosen():
-    with pytest.raises(UserError, match=r"numerics.scheme = 'implicit-euler'"):
-        small_plan("numerics.accuracy=0.1", "numerics.scheme=implicit-euler")
 
 
 def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
@@ -116,11 +79,3 @@ def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
         assert blocks % JACKKNIFE_GROUPS == 0
         assert JACKKNIFE_GROUPS <= wanted.first[key] <= blocks
     assert wanted.records > plain.records
-
-
-def test_below_one_percent_the_march_is_longer_unless_a_horizon_is_given():
-    settings = (), ("numerics.accuracy=0.01",), ("numerics.accuracy=0.005",)
-    horizons = [small_study(*some).variants[""].horizon for some in settings]
-    assert horizons == [4.0, 4.0, 6.0]
-    given = small_study("numerics.accuracy=0.005", "numerics.horizon=3")
-    assert given.variants[""].horizon == 3.0

@@ -1,6 +1,7 @@
 """Exact similarity: copies of one dimensionless problem are found, and nothing else is merged."""
 
 import itertools
+import math
 
 import numpy as np
 import pytest
@@ -8,7 +9,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.small import small_study
-from workflow.plan.problems import canonical, distinct_problems
+from workflow.plan.problems import canonical, distinct_problems, speed_ratio
+from workflow.simulate.tasks import Problem
 from workflow.study.grid import AXES
 
 NORMAL = st.floats(1e-100, 1e100)
@@ -95,3 +97,11 @@ def test_every_point_is_mapped_to_its_own_problem():
 def test_every_problem_belongs_to_a_point():
     found, index = distinct_problems(small_study("grid.roughness=[1e-5, 2e-5]"))
     assert set(index.ravel()) == set(range(len(found)))
+
+
+def test_speed_ratio_is_the_abscissa_of_figure_7():
+    velocity, tau, spacing = 0.05, 1e-3, 1e-5
+    q_max = math.pi / spacing
+    assert speed_ratio(Problem(0.7, 100, 0.1, velocity * tau / spacing, 1.2)) == pytest.approx(
+        velocity * tau * q_max
+    )

@@ -6,7 +6,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
-from workflow.reduce.jackknife import replicates, significant, standard_error
+from workflow.plan.goal import JACKKNIFE_GROUPS
+from workflow.reduce.jackknife import grouped_means, replicates, significant, standard_error
 
 BLOCKS = arrays(float, array_shapes(min_dims=2, max_dims=3, min_side=2), elements=st.floats(-9, 9))
 
@@ -84,3 +85,18 @@ def test_zero_and_no_number_are_not_significant():
     assert not significant(np.zeros(21))
     assert not significant(np.array([1.0, 1.0, np.nan, 1.1]))
     assert not significant(np.array([np.inf, 1.0, 1.2, 1.1]))
+
+
+def test_groups_share_the_blocks_that_two_points_have_in_common():
+    blocks = np.arange(12.0)
+    assert grouped_means(blocks, 4).tolist() == [4.0, 5.0, 6.0, 7.0]
+    assert grouped_means(blocks[:4], 4).tolist() == [0.0, 1.0, 2.0, 3.0]
+
+
+def test_grouping_keeps_the_mean_and_its_error():
+    rng = np.random.default_rng(4)
+    blocks = rng.normal(1.0, 0.3, (JACKKNIFE_GROUPS * 50, 2))
+    grouped = replicates(grouped_means(blocks, JACKKNIFE_GROUPS), 0)
+    np.testing.assert_allclose(grouped[0], blocks.mean(axis=0))
+    expected = 0.3 / np.sqrt(len(blocks))
+    assert standard_error(grouped, 0) == pytest.approx(expected, rel=0.5)

@@ -1,5 +1,7 @@
 """Models beyond eq. 6: the true one is chosen and its coefficients are found."""
 
+from concurrent.futures import ThreadPoolExecutor
+
 import numpy as np
 import pytest
 
@@ -122,3 +124,28 @@ def test_coefficients_that_ran_away_are_refused_even_where_replicates_agree(monk
     assert found.best == EXPONENTIAL
     for name in ("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"):
         assert np.isnan(getattr(found, name)).all()
+
+
+FEW = np.linspace(0.02, 4.0, 9)
+
+
+def after_others(value, seed):
+    """Compare the models on few samples of an exponential, in memory that held ``value`` before."""
+    taken = [np.empty(4 * FEW.size) for _ in range(32)]  # a Jacobian is to be new in memory,
+    freed = [np.full(4 * FEW.size + 1, value) for _ in range(64)]  # where there was something else
+    del freed
+    rng = np.random.default_rng(seed)
+    blocks = (1.0 + 0.05 * rng.standard_normal((8, 1))) * np.exp(-1.3 * FEW)
+    blocks += 0.01 * rng.standard_normal(blocks.shape)
+    found = compare_models(FEW, replicates(blocks, 0), blocks, 1.3)
+    del taken
+    return [np.asarray(number).tobytes() for number in found]
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_thread_finds_the_same_bits_as_the_main_thread(seed):
+    """And whatever lay in memory before: docs/decisions/own-least-squares.md."""
+    expected = after_others(0.0, seed)
+    assert after_others(1e300, seed) == expected
+    with ThreadPoolExecutor(1) as pool:
+        assert pool.submit(after_others, 1e300, seed).result() == expected

@@ -5,12 +5,6 @@ import shutil
 import subprocess
 
 import pytest
-from matplotlib import pyplot as plt
-
-from tests.support.synthetic import add, result
-from tests.workflow.report.test_report import write_figure_8
-from workflow.report.report import write_report
-from workflow.result.netcdf import write_datasets
 
 BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("chrome")
 QUIET = (
@@ -37,19 +31,6 @@ document.getElementById("frame").onload = (event) => {{
     images.filter((image) => image.naturalWidth > 0).length, Math.min(...small)].join(" ");
 }};
 </script></body></html>"""
-
-
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    """Return a folder with a report of a narrow figure and one wider than a phone."""
-    folder = tmp_path_factory.mktemp("results")
-    write_figure_8(folder)
-    wide = result("fig5", hurst=[0.7])
-    wide = add(wide, mu_1=wide.velocity, mu_2=1.2 * wide.velocity, jump=0.2 * wide.velocity)
-    write_datasets(folder / "fig5.nc", {"": wide})
-    write_report(folder, [])
-    plt.close("all")
-    return folder
 
 
 @pytest.mark.skipif(BROWSER is None, reason="no chromium on the path")

@@ -3,11 +3,10 @@
 import pandas as pd
 import pytest
 
-from tests.support.small import small_study, write_study
-from workflow.cli import main
 from workflow.errors import UserError
-from workflow.report.table import write_grid_table
+from workflow.report.table import write_grid_table, write_measured_table
 from workflow.study.grid import AXES
+from workflow.study.read import read_study
 
 
 @pytest.fixture(scope="module")
@@ -33,8 +32,8 @@ def test_numbers_are_those_of_the_result(table, finished):
             assert row[name] == pytest.approx(point[name].item(), rel=1e-9, nan_ok=True)
 
 
-def test_table_before_the_run_is_refused(tmp_path, capsys):
-    with pytest.raises(UserError, match=r"small\.nc: not found; first run: python"):
-        write_grid_table(small_study(), tmp_path / "small.nc")
-    assert main(["table", write_study(tmp_path), "--out", str(tmp_path)]) == 2
-    assert capsys.readouterr().err.startswith("error: ")
+def test_a_measured_study_without_a_table_says_so(powers, tmp_path):
+    measure = powers / "measure.py"
+    measure.write_text(measure.read_text().partition("def table")[0])
+    with pytest.raises(UserError, match=r"^study 'powers': has no table$"):
+        write_measured_table(read_study("powers"), tmp_path / "powers.nc")

@@ -5,80 +5,74 @@ import sys
 import threading
 
 import numpy as np
+import pytest
 import xarray as xr
 
-from tests.support.curves import assembled
 from workflow.result.netcdf import write_datasets
 
-_, _, DATASET = assembled()
+LAST = 4  # of the runs that replace the result
+# Says on every line it gets: two numbers of the file it opened first, read only now, and the
+# largest mu_1 of the study and of its comparison in the file that is there now.
 READER = """
 import sys, dask, xarray as xr
 with dask.config.set(scheduler="synchronous"), xr.open_dataset(sys.argv[1], chunks={}) as data:
     lazy = (data.mu - data.mu_2).sum()
     for _ in sys.stdin:
-        print(float(lazy.compute()), float(data.mu_1.max()), flush=True)
+        groups = xr.open_groups(sys.argv[1])
+        now = [float(abs(groups[g].mu_1).max()) for g in ("/", "/coarse")]
+        print(float(lazy.compute()), float(data.mu_1.max()), *now, flush=True)
+        for group in groups.values():
+            group.close()
 """
 
 
-def numbered(number):
-    """Return the result of a run that differs from all others."""
-    return {"": DATASET * float(number), "coarse": DATASET * -float(number)}
+@pytest.fixture
+def ask(tmp_path, dataset):
+    """Return a function that asks a reader in another process, which opened the result of run 1."""
+    write_datasets(tmp_path / "small.nc", numbered(dataset, 1))
+    words = [sys.executable, "-c", READER, str(tmp_path / "small.nc")]
+    with subprocess.Popen(
+        words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as reader:
 
-
-def told(dataset):
-    """Return what the reader computes of a dataset."""
-    return float((dataset.mu - dataset.mu_2).sum()), float(dataset.mu_1.max())
-
-
-def test_reader_in_another_process_keeps_the_file_it_opened(tmp_path):
-    path = tmp_path / "small.nc"
-    write_datasets(path, numbered(1))
-    words = [sys.executable, "-c", READER, str(path)]
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
-    with subprocess.Popen(words, **pipes) as reader:
-        for number in range(2, 7):
+        def answer():
             reader.stdin.write("\n")
             reader.stdin.flush()
-            found = [float(word) for word in reader.stdout.readline().split()]
-            np.testing.assert_allclose(found, told(DATASET), rtol=1e-12)
-            write_datasets(path, numbered(number))  # raises where a reader blocks it
+            return [float(word) for word in reader.stdout.readline().split()]
+
+        yield answer
         reader.stdin.close()
     assert reader.returncode == 0
-    with xr.open_dataset(path) as last:
-        xr.testing.assert_equal(last.load(), numbered(6)[""])
 
 
-def test_every_reader_sees_one_run_whole(tmp_path):
-    path = tmp_path / "small.nc"
-    write_datasets(path, numbered(1))
-    done = threading.Event()
-    script = (
-        "import sys, xarray as xr\n"
-        "for _ in sys.stdin:\n"
-        "    groups = xr.open_groups(sys.argv[1])\n"
-        "    sums = [float(abs(groups[g].mu_1).max()) for g in ('/', '/coarse')]\n"
-        "    print(*sums, flush=True)\n"
-        "    [group.close() for group in groups.values()]\n"
-    )
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "text": True}
+def numbered(dataset, number):
+    """Return the result of a run that differs from all others."""
+    return {"": dataset * float(number), "coarse": dataset * -float(number)}
+
+
+def test_a_reader_keeps_the_file_it_opened_and_sees_one_run_whole(tmp_path, dataset, ask):
+    done, path = threading.Event(), tmp_path / "small.nc"
 
     def write():
-        for number in range(2, 14):
-            write_datasets(path, numbered(number))
-        done.set()
+        try:
+            for number in range(2, LAST + 1):
+                write_datasets(path, numbered(dataset, number))  # raises where a reader blocks it
+        finally:
+            done.set()
 
-    largest = float(abs(DATASET.mu_1).max())
+    largest = float(abs(dataset.mu_1).max())
+    first = [float((dataset.mu - dataset.mu_2).sum()), float(dataset.mu_1.max())]
     seen = []
-    with subprocess.Popen([sys.executable, "-c", script, str(path)], **pipes) as reader:
-        writer = threading.Thread(target=write)
-        writer.start()
-        while not done.is_set() or not seen:
-            reader.stdin.write("\n")
-            reader.stdin.flush()
-            root, coarse = map(float, reader.stdout.readline().split())
-            assert root == coarse  # of one and the same run
-            seen.append(root / largest)
-        writer.join()
-        reader.stdin.close()
+    ask()  # it has begun
+    writer = threading.Thread(target=write)
+    writer.start()
+    while not done.is_set() or not seen:
+        *lazy, study, coarse = ask()
+        np.testing.assert_allclose(lazy, first, rtol=1e-12)
+        assert study == coarse  # of one and the same run
+        seen.append(study / largest)
+    writer.join()
     assert np.allclose(seen, np.round(seen), rtol=1e-12)
     assert seen == sorted(seen)
+    with xr.open_dataset(path) as last:
+        xr.testing.assert_equal(last.load(), numbered(dataset, LAST)[""])

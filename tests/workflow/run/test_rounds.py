@@ -1,15 +1,18 @@
 """Rounds: the same bits whatever workers and crashes, and a file that says what was reached."""
 
-import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from tests.support.runs import run, shards
 from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
 from workflow.reduce.attainment import MET, MISSED
-from workflow.reduce.jackknife import grouped_means, replicates, standard_error
+from workflow.run.rounds import next_blocks
 
 WANTED = 0.08
+
+
 SETTINGS = (
     f"numerics.accuracy={WANTED}",
     "grid.hurst=0.7",
@@ -84,16 +87,19 @@ def test_the_speed_of_the_machine_plays_no_part(reached):
     assert [v.tasks for v in plan.variants] == [v.tasks for v in reached.plan.variants]
 
 
-def test_groups_share_the_blocks_that_two_points_have_in_common():
-    blocks = np.arange(12.0)
-    assert grouped_means(blocks, 4).tolist() == [4.0, 5.0, 6.0, 7.0]
-    assert grouped_means(blocks[:4], 4).tolist() == [0.0, 1.0, 2.0, 3.0]
+@given(st.integers(1, 20), st.floats(0.0, 1e9), st.integers(1, 500))
+def test_the_next_round_grows_within_the_cap(layers, growth, most):
+    now, most = JACKKNIFE_GROUPS * layers, JACKKNIFE_GROUPS * max(layers, most)
+    found = next_blocks(now, growth, most)
+    assert found % JACKKNIFE_GROUPS == 0
+    assert found <= most
+    if growth <= 1.0 or now == most:
+        assert found == now
+    else:
+        assert now < found <= 4 * now + JACKKNIFE_GROUPS
+        assert found == most or found >= min(growth, 4.0) * now - 1e-6
 
 
-def test_grouping_keeps_the_mean_and_its_error():
-    rng = np.random.default_rng(4)
-    blocks = rng.normal(1.0, 0.3, (JACKKNIFE_GROUPS * 50, 2))
-    grouped = replicates(grouped_means(blocks, JACKKNIFE_GROUPS), 0)
-    np.testing.assert_allclose(grouped[0], blocks.mean(axis=0))
-    expected = 0.3 / np.sqrt(len(blocks))
-    assert standard_error(grouped, 0) == pytest.approx(expected, rel=0.5)
+def test_an_unknown_error_quadruples_the_realizations():
+    most = 100 * JACKKNIFE_GROUPS
+    assert next_blocks(JACKKNIFE_GROUPS, float("inf"), most) == 4 * JACKKNIFE_GROUPS

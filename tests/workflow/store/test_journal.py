@@ -1,8 +1,15 @@
 """The journal: every sound line is read, no other, whatever a crash or a disk did to it."""
 
+import dataclasses
+
 import pytest
 
+from tests.support.shards import (
+    BATCH,
+    filled,
+)
 from workflow.store import journal
+from workflow.store.store import Store
 
 ENTRIES = [{"part": "ab", "keys": "00" * 16}, {"shard": "x\n", "bytes": 17}, {"dropped": "ü"}]
 
@@ -70,3 +77,29 @@ def test_a_whole_journal_is_left_as_it_is(folder):
     content = (folder / journal.NAME).read_bytes()
     journal.end_torn_line(folder)
     assert (folder / journal.NAME).read_bytes() == content
+
+
+def test_the_keys_of_tasks_that_stay_together_are_written_once(tmp_path):
+    later = [dataclasses.replace(BATCH, first_block=4 * i) for i in range(5)]
+    filled(tmp_path, later)
+    entries = [entry for entry, _ in journal.entries(tmp_path)]
+    assert sum("part" in entry for entry in entries) == 1
+    assert sum("shard" in entry for entry in entries) == 5
+
+
+def test_the_journal_tells_records_and_core_time(tmp_path):
+    filled(tmp_path, [BATCH])
+    (shard,) = [entry for entry, _ in journal.entries(tmp_path) if "shard" in entry]
+    assert shard["records"] == 16
+    assert shard["used"] == 0.1  # of random_result
+    assert shard["predicted"] == round(BATCH.seconds, 3)
+
+
+def test_the_journal_tells_with_what_a_run_computes(tmp_path):
+    Store(tmp_path).begin("a study", "numpy 2.4", "a processor")
+    (run,) = [entry for entry, _ in journal.entries(tmp_path)]
+    assert (run["run"], run["versions"], run["processor"]) == (
+        "a study",
+        "numpy 2.4",
+        "a processor",
+    )

@@ -9,12 +9,6 @@ from workflow.store.shelf import Shelf
 from workflow.store.store import Store
 
 
-@pytest.fixture
-def clock():
-    """Return a time that passes when it is told to."""
-    return [100.0]
-
-
 def shelf_of(store, clock):
     """Return a shelf for batches of three seconds that goes by the clock."""
     return Shelf(store, 3.0, lambda: clock[0])

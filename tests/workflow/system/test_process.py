@@ -4,16 +4,7 @@ import signal
 
 import pytest
 
-from workflow.system import process as module
 from workflow.system.process import Interrupt
-
-
-@pytest.fixture
-def clock(monkeypatch):
-    """Return a clock that moves when it is told to."""
-    now = [100.0]
-    monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
-    return now
 
 
 def test_first_signal_asks_and_a_later_one_aborts(clock, capsys):

@@ -6,7 +6,6 @@ import sys
 
 import pytest
 
-from workflow.system import progress
 from workflow.system.progress import Reporter, duration
 
 
@@ -26,14 +25,6 @@ from workflow.system.progress import Reporter, duration
 )
 def test_duration_in_words(seconds, text):
     assert duration(seconds) == text
-
-
-@pytest.fixture
-def clock(monkeypatch):
-    """Return a clock that moves when it is told to."""
-    now = [100.0]
-    monkeypatch.setattr(progress.time, "monotonic", lambda: now[0])
-    return now
 
 
 def lines(capsys):

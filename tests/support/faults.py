@@ -1,0 +1,101 @@
+"""Contents of files that are damaged, and stores to try them on: read true, or missing."""
+
+import contextlib
+import shutil
+from collections.abc import Callable, Iterator
+from pathlib import Path
+
+import netCDF4
+
+from tests.support.shards import SAMPLES, WORK, held, records, reopened
+from tests.support.small import random_result
+from workflow.errors import UserError
+from workflow.simulate.tasks import Record
+from workflow.store.store import DamagedShard, Store
+
+Damage = Callable[[bytes], bytes]
+
+SHARDS = (WORK[:2], WORK[2:3], WORK[3:4])  # batches of each shard
+TRUTH = {
+    record: random_result(batch, seed)
+    for seed, batch in enumerate(WORK[:4])
+    for record in records(batch)
+}
+
+
+def foreign(_: bytes) -> bytes:
+    """Return a netCDF file of another program."""
+    data = netCDF4.Dataset("foreign.nc", "w", memory=1024)
+    data.createDimension("x", 3)
+    return bytes(data.close())
+
+
+DAMAGE: dict[str, Damage] = {
+    "empty": lambda _: b"",
+    "a tenth": lambda content: content[: len(content.rstrip(b"\0")) // 10],
+    "half": lambda content: content[: len(content.rstrip(b"\0")) // 2],
+    "all but the last bytes": lambda content: content.rstrip(b"\0")[:-100],
+    "zeros": lambda content: bytes(len(content)),
+    "text": lambda _: b"not netCDF at all\n",
+    "of another program": foreign,
+}
+
+
+def flipped(content: bytes, place: int, mask: int = 1) -> bytes:
+    """Return the content with some bits of one byte flipped."""
+    return content[:place] + bytes([content[place] ^ mask]) + content[place + 1 :]
+
+
+def prefixes(content: bytes, stride: int) -> list[bytes]:
+    """Return the content cut at every so many bytes."""
+    return [content[:length] for length in range(0, len(content), stride)]
+
+
+def flips(content: bytes, stride: int) -> list[bytes]:
+    """Return the content with one byte in so many spoilt, in one bit or in all, by turns."""
+    return [
+        flipped(content, place, 0xFF if place // stride % 2 else 1 << place % 8)
+        for place in range(0, len(content), stride)
+    ]
+
+
+def fill(store: Store) -> None:
+    """Store all shards, in order."""
+    for work in SHARDS:
+        store.add([(batch, TRUTH[records(batch)[0]]) for batch in work])
+
+
+def checked(store: Store) -> set[Record]:
+    """Assert that every record of a store is true; return those that are there."""
+    found = set()
+    for record in held(store):
+        with contextlib.suppress(DamagedShard, UserError):
+            if record not in store:
+                continue  # it went with the shard that was found damaged just before
+            scalars, curves = store.read([record], SAMPLES)
+            assert scalars.tobytes() == TRUTH[record].scalars.tobytes()
+            assert curves.tobytes() == TRUTH[record].curves.tobytes()
+            found.add(record)
+    return found
+
+
+def readable(folder: Path) -> set[Record]:
+    """Check a store as a reader finds it, then as the next run does; return what that finds."""
+    untouched = folder.with_name("untouched")
+    shutil.rmtree(untouched, ignore_errors=True)
+    shutil.copytree(folder, untouched)
+    checked(Store(untouched))
+    mended = reopened(folder)
+    found = checked(mended)
+    assert checked(Store(folder)) == found  # and so does the one after
+    return found
+
+
+def copies(sound: Path, path: Path, contents: list[bytes]) -> Iterator[Path]:
+    """Yield a copy of a store for each of the contents of one of its files."""
+    for content in contents:
+        folder = sound.with_name("spoilt")
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(sound, folder)
+        (folder / path.name).write_bytes(content)
+        yield folder

@@ -1,0 +1,63 @@
+"""A finished result of the small study with a figure, and commands that show it or refuse."""
+
+import shutil
+from pathlib import Path
+
+import xarray as xr
+from matplotlib import pyplot as plt
+
+from tests.support.small import write_study
+from workflow.cli import main
+from workflow.result.netcdf import write_datasets
+
+FIGURE = """
+from matplotlib.figure import Figure
+
+
+def draw(groups):
+    figure = Figure()
+    figure.subplots().plot(groups[""].mu_1.values.ravel())
+    return figure
+"""
+READERS = ("figure", "table")
+WRITTEN = ("png", "pdf", "csv")  # by them
+FILES = ("small.nc", "small.toml", "figure.py")
+OLD = b"what was there before"
+
+
+def write_result(folder: Path, result: Path) -> Path:
+    """Write the small study, its figure script and its finished result into a folder."""
+    write_study(folder)
+    (folder / "figure.py").write_text(FIGURE)
+    shutil.copy(result, folder / "small.nc")
+    return folder
+
+
+def call(capsys, command: str, folder: Path, *more: str) -> tuple[int, str, str]:
+    """Run a command on the small study; return (exit status, stdout, stderr)."""
+    status = main([command, str(folder / "small.toml"), "--out", str(folder), *more])
+    plt.close("all")
+    return (status, *capsys.readouterr())
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Return name -> bytes of all files of a folder but its store."""
+    return {path.name: path.read_bytes() for path in folder.iterdir() if path.is_file()}
+
+
+def assert_refused(capsys, command: str, folder: Path, *more: str) -> str:
+    """Assert exit status 2, one line, and that no file has changed; return the line."""
+    before = contents(folder)
+    status, out, err = call(capsys, command, folder, *more)
+    assert (status, out) == (2, "")
+    assert err.startswith("error: ")
+    assert err.count("\n") == 1
+    assert contents(folder) == before
+    return err
+
+
+def rewritten(folder: Path, change) -> None:
+    """Write the result again as ``change`` makes it of the dataset."""
+    with xr.open_dataset(folder / "small.nc") as dataset:
+        changed = change(dataset.load())
+    write_datasets(folder / "small.nc", {"": changed})

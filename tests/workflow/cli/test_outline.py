@@ -1,0 +1,44 @@
+"""What `plan` prints: points, problems, effects, costs; it computes and writes nothing."""
+
+from tests.support.commands import facts, output
+
+
+def test_plan_prints_points_problems_and_realizations(capsys, study):
+    settings = ["--set", "grid.roughness=[1e-5, 1e-6]", "--set", "grid.normal_force=[0.04, 0.4]"]
+    found = facts(output(capsys, "plan", study, *settings))
+    assert found["points"].split() == ["points", "16"]
+    assert found["problems"].startswith("problems    12 distinct dimensionless problems (1.33 ")
+    assert found["realizations"] == "realizations 4 each, 96 in all"
+    assert found["variants"].split(maxsplit=1)[1] == "study, coarse"
+
+
+def test_plan_prints_the_axes(capsys, study):
+    found = facts(output(capsys, "plan", study, "--scale", "wide"))
+    assert found["normal_force"].split() == ["normal_force", "3", "0.04", "...", "4"]
+    assert found["spacing"].split() == ["spacing", "1", "0.0001"]
+
+
+def test_plan_says_which_effects_are_simulated(capsys, study):
+    everything = output(capsys, "plan", study)
+    assert everything.count("not simulated") == 1  # models
+    assert "indentation rate in the force: kept" in everything
+    settings = ["--set", 'scene.quantities=["steady"]', "--set", "scene.indentation_rate=false"]
+    steady = output(capsys, "plan", study, *settings)
+    assert "simulated     steady sliding" in steady
+    assert "not simulated jump at t0+" in steady
+    assert "not simulated relaxation after the jump" in steady
+    assert "indentation rate in the force: dropped" in steady
+
+
+def test_plan_predicts_time_and_memory(capsys, study):
+    found = facts(output(capsys, "plan", study, "--set", "study.realizations=100000"))
+    assert "of one core" in found["predicted"]
+    assert found["predicted"].split()[2] in ("min", "h")
+    assert int(found["memory"].split()[1]) > 100
+    assert found["memory"].endswith("samples")
+
+
+def test_plan_computes_and_writes_nothing(capsys, study, tmp_path):
+    found = facts(output(capsys, "plan", study, "--out", str(tmp_path / "out")))
+    assert found["result"].split()[1] == str(tmp_path / "out" / "small.nc")
+    assert not (tmp_path / "out").exists()

@@ -1,0 +1,61 @@
+"""The command run: its options, what it prints, its exit status."""
+
+import pytest
+
+from tests.support.commands import refusal
+from workflow.cli import main
+from workflow.cli.run import resume_line
+
+
+def test_run_reports_what_it_did(capsys, study, scheduler, tmp_path):
+    arguments = ["run", study, "--out", str(tmp_path / "mine.nc"), "--scheduler", scheduler]
+    assert main(arguments) == 0
+    out, err = capsys.readouterr()
+    assert out.splitlines()[-1] == str(tmp_path / "mine.nc")
+    assert "batches computed" in out
+    assert "0 records reused" in out
+    assert "core time used" in out
+    assert any(line.startswith("fitting: 100%") for line in err.splitlines())
+    assert (tmp_path / "mine.nc").is_file()
+
+
+def test_a_dead_scheduler_is_one_line(capsys, study, tmp_path, impatient):
+    address = ("--scheduler", "tcp://127.0.0.1:1", "--out", str(tmp_path))
+    assert "tcp://127.0.0.1:1: no scheduler answers" in refusal(capsys, "run", study, *address)
+
+
+@pytest.mark.parametrize(
+    ("option", "value"),
+    [
+        ("--workers", "0"),
+        ("--workers", "-2"),
+        ("--max-failures", "-1"),
+        ("--batch-seconds", "0.0"),
+        ("--batch-seconds", "-1.0"),
+        ("--batch-seconds", "nan"),
+        ("--batch-seconds", "inf"),
+    ],
+)
+def test_bad_option_of_run_names_it(capsys, study, tmp_path, option, value):
+    message = refusal(capsys, "run", study, f"{option}={value}", "--out", str(tmp_path))
+    assert message.startswith(f"error: {option} {value}: must ")
+
+
+def test_a_scheduler_and_a_batch_system_are_one_too_many(capsys, study):
+    said = refusal(capsys, "run", study, "--slurm", "--scheduler", "tcp://127.0.0.1:1")
+    assert said == "error: --scheduler and --slurm: only one of them\n"
+
+
+@pytest.mark.parametrize("option", ["--workers=2", "--batch-seconds=1", "--scheduler=tcp://x:1"])
+def test_options_of_the_cluster_are_refused_where_there_is_none(powers, capsys, option):
+    assert "is measured in one process" in refusal(capsys, "run", "powers", option)
+
+
+def test_results_below_a_file_are_refused(capsys, study):
+    message = refusal(capsys, "run", study, "--out", f"{study}/results")
+    assert "cannot be used for results" in message
+
+
+def test_how_to_go_on_can_be_typed_again(monkeypatch):
+    monkeypatch.setattr("sys.argv", ["workflow", "run", "fig7", "--set", "grid.hurst=[0.3, 0.7]"])
+    assert resume_line("interrupted").endswith("run fig7 --set 'grid.hurst=[0.3, 0.7]'")

@@ -1,0 +1,67 @@
+"""Jobs of a batch system: asked for as the table [cluster] says; what is refused is one line."""
+
+import subprocess
+
+import pytest
+
+from workflow.cluster import jobs as slurm
+from workflow.errors import UserError
+from workflow.study.cluster import read_cluster
+
+TABLE = {
+    "where": "slurm",
+    "queue": "normal",
+    "cores": 4,
+    "memory": "8GB",
+    "walltime": "02:00:00",
+    "account": "friction",
+    "prologue": ["module load python"],
+    "jobs": 25,
+    "interface": "ib0",
+    "log_folder": "logs",
+    "patience": 86400,
+}
+
+
+def test_jobs_are_asked_for_as_the_table_says():
+    from dask_jobqueue.slurm import SLURMJob
+
+    settings = slurm._settings(read_cluster(TABLE))
+    settings.pop("scheduler_options")
+    script = SLURMJob("tcp://here:1", "name", **settings).job_script()
+    for line in (
+        "#SBATCH -p normal",
+        "#SBATCH -A friction",
+        "#SBATCH --cpus-per-task=4",
+        "#SBATCH -t 02:00:00",
+        "#SBATCH --no-requeue",
+        "export OMP_NUM_THREADS=1",
+        "export NUMBA_NUM_THREADS=1",
+        "export MALLOC_TRIM_THRESHOLD_=268435456",
+        "module load python",
+    ):
+        assert line in script.splitlines()
+    for option in (
+        "--nthreads 1",
+        "--nworkers 4",
+        "--interface ib0",
+        "--lifetime 6480s",
+        "--lifetime-stagger 648s",
+        "--preload workflow.cluster.worker",
+    ):
+        assert option in script
+
+
+def test_without_slurm_one_line_says_so(monkeypatch):
+    monkeypatch.setenv("PATH", "/nowhere")
+    with pytest.raises(UserError, match="sbatch is not found on this machine"):
+        slurm._try_submitting("slurm", "")
+
+
+def test_what_slurm_refuses_is_passed_on(monkeypatch):
+    def refuse(command, **_):
+        return subprocess.CompletedProcess(command, 1, "", "sbatch: error: invalid partition\n")
+
+    monkeypatch.setattr(slurm.subprocess, "run", refuse)
+    with pytest.raises(UserError, match="SLURM refuses the jobs: sbatch: error: invalid partition"):
+        slurm._try_submitting("slurm", "")

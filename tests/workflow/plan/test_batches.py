@@ -1,0 +1,100 @@
+"""Batches: every missing record exactly once, about as long as asked, additive prediction."""
+
+import random
+from collections import Counter
+
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from tests.support.small import all_records, cut_batches, small_plan
+from workflow.plan.batches import batch_target
+
+GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
+
+
+PLAN = small_plan(*GRID)
+
+
+BLOCKED = small_plan(*GRID, "study.realizations=12", "study.realizations_per_block=3")
+
+
+def covered(plan, stored, target):
+    """Return how often each record is computed."""
+    found = Counter()
+    for batch in cut_batches(plan, stored, target):
+        blocks = range(batch.first_block, batch.first_block + batch.blocks)
+        found.update((task.key, block) for task in batch.tasks for block in blocks)
+    return found
+
+
+def seconds(plan, stored=frozenset(), target=3.0):
+    """Return the predicted core-seconds of what is not stored."""
+    return sum(batch.seconds for batch in cut_batches(plan, set(stored), target))
+
+
+@settings(max_examples=60, deadline=None)
+@given(
+    st.sampled_from([PLAN, BLOCKED]),
+    st.randoms(use_true_random=False),
+    st.floats(0.0, 1.0),
+    st.sampled_from([1e-9, 1e-4, 1e-3, 1e-2, 3.0, 1e9]),
+)
+def test_every_missing_record_is_computed_exactly_once(plan, rng: random.Random, share, target):
+    records = all_records(plan)
+    stored = {record for record in records if rng.random() < share}
+    assert covered(plan, stored, target) == Counter(set(records) - stored)
+
+
+def test_records_of_other_studies_in_the_store_do_not_matter():
+    strangers = set(all_records(BLOCKED)) | {("0" * 32, 0)}
+    assert covered(PLAN, strangers, 1.0) == Counter(all_records(PLAN))
+
+
+def test_a_batch_stays_on_one_set_of_random_lines():
+    for batch in cut_batches(PLAN, set(), 1e9):
+        assert len({(task.problem.hurst, task.problem.elements) for task in batch.tasks}) == 1
+
+
+@pytest.mark.parametrize("target", [1e-3, 1e-2, 0.1])
+def test_batches_last_about_as_long_as_asked(target):
+    for batch in cut_batches(PLAN, set(), target):
+        assert batch.seconds <= 1.5 * target or (batch.blocks == 1 and len(batch.tasks) == 1)
+
+
+def test_what_cannot_be_cut_to_size_comes_first_and_longest_first():
+    found = [batch.seconds for batch in cut_batches(PLAN, set(), 1e-9)]
+    assert found[0] > found[-1]
+    assert found == sorted(found, reverse=True)
+
+
+def test_a_longer_target_gives_fewer_batches():
+    counts = [len(list(cut_batches(PLAN, set(), target))) for target in (1e-5, 1e-3, 1e3)]
+    assert counts == sorted(counts, reverse=True)
+    assert counts[0] > counts[1] > counts[2]
+
+
+def test_predicted_time_of_two_halves_adds_up():
+    records = all_records(PLAN)
+    late, early = ({r for r in records if (r[1] < 2) == half} for half in (True, False))
+    assert seconds(PLAN, late) + seconds(PLAN, early) == pytest.approx(seconds(PLAN))
+
+
+def test_predicted_time_grows_with_the_realizations():
+    twice = small_plan(*GRID, "study.realizations=8")
+    assert seconds(twice) == pytest.approx(2 * seconds(PLAN))
+
+
+def test_nothing_is_predicted_where_all_is_stored():
+    assert seconds(PLAN, all_records(PLAN)) == 0
+
+
+def test_less_is_predicted_where_less_is_asked():
+    steady = small_plan(*GRID, 'scene.quantities=["steady"]')
+    jump = small_plan(*GRID, 'scene.quantities=["steady", "jump"]')
+    assert seconds(steady) < seconds(jump)
+
+
+@pytest.mark.parametrize(("work", "target"), [(1.0, 1.0), (600.0, 3.0), (1e9, 10.0)])
+def test_batches_grow_with_the_work_within_limits(work, target):
+    assert batch_target(work) == pytest.approx(target)

@@ -1,0 +1,90 @@
+"""Collecting: stored block means become estimates, those of a task once, however they lie."""
+
+import numpy as np
+import pytest
+
+from tests.support.small import cut_batches, random_result, small_plan
+from workflow.cluster.watch import Watch
+from workflow.errors import UserError
+from workflow.run import collect
+from workflow.run.collect import Collector, Fitted
+from workflow.run.summary import Summary
+from workflow.simulate.tasks import SCALARS
+from workflow.store.store import Store
+
+PLAN = small_plan()
+VARIANT = PLAN.variants[0]
+BLOCKS = {task.key: 4 for variant in PLAN.variants for task in variant.tasks}
+
+
+@pytest.fixture
+def store(tmp_path):
+    """Return a store of random block means for the whole plan."""
+    store = Store(tmp_path)
+    work = list(cut_batches(PLAN, set(), 1e9))
+    store.add([(batch, random_result(batch, seed)) for seed, batch in enumerate(work)])
+    return store
+
+
+@pytest.fixture
+def collector(client, store):
+    """Return a collector of that store."""
+    return Collector(client, store, PLAN, Summary(), Watch())
+
+
+def stored(store, task):
+    """Return the block means of a task, shape (blocks, scalars)."""
+    return store.read([(task.key, block) for block in range(4)], 15)[0]
+
+
+def test_estimates_of_every_point_are_the_means_of_its_own_blocks(collector, store):
+    data = collector.datasets(BLOCKS)[""]
+    task = PLAN.point_task
+    h_over_dx = 1e-5 / 1e-4
+    for place in np.ndindex(task.shape):
+        means = stored(store, VARIANT.tasks[task[place]])[:, SCALARS.index("mu_1")]
+        assert data.mu_1.values[place] == pytest.approx(means.mean() * h_over_dx, rel=1e-12)
+        error = means.std(ddof=1) / 2.0 * h_over_dx
+        assert data.mu_1_error.values[place] == pytest.approx(error, rel=1e-9)
+
+
+def test_portions_do_not_show(collector, monkeypatch):
+    whole = collector.datasets(BLOCKS)
+    monkeypatch.setattr(collect, "TASKS_PER_REDUCTION", 1)
+    collector.fitted = {variant.label: Fitted(variant) for variant in PLAN.variants}
+    for label, data in collector.datasets(BLOCKS).items():
+        assert data.identical(whole[label])
+
+
+def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector, monkeypatch):
+    rows = [0, 2]
+    collector.fit(VARIANT, rows, BLOCKS, "fitting")
+    assert collector.fitted[""].blocks.tolist() == [4, 0, 4, 0, 0, 0, 0, 0]
+    monkeypatch.setattr(collector, "_load", pytest.fail)
+    assert collector.fit(VARIANT, rows, BLOCKS, "fitting")
+
+
+def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):
+    for task in VARIANT.tasks[1:]:
+        store.record_failure(task.key, "why")
+    data = collector.datasets(BLOCKS)[""]
+    sound = PLAN.point_task == 0
+    assert np.array_equal(data.realizations.values > 0, sound)
+    assert np.array_equal(np.isfinite(data.mu_1.values), sound)
+    assert (data.fit_status.values[~sound] == -1).all()
+    store.record_failure(VARIANT.tasks[0].key, "why")
+    with pytest.raises(UserError, match="nothing is left of the study: every problem failed"):
+        collector.datasets(BLOCKS)
+
+
+def test_after_a_stop_there_is_no_dataset(client, store):
+    stopped = Collector(client, store, PLAN, Summary(), Watch(lambda: True))
+    assert stopped.datasets(BLOCKS) == {}
+
+
+def test_replicates_of_the_rates_are_for_the_power_law_and_not_written(collector):
+    collector.fit(VARIANT, [0, 1], BLOCKS, "fitting")
+    assert collector.fitted[""].at([0, 1])["rate_replicates"].shape == (2, 5)
+    data = collector.datasets(BLOCKS)[""]
+    assert "rate_replicates" not in data
+    assert data.alpha.dims == ("hurst",)

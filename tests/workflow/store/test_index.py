@@ -1,0 +1,96 @@
+"""The index follows from the lines of the journal alone: lost, repeated, joined and wrong ones."""
+
+import dataclasses
+
+import pytest
+
+from tests.support.shards import (
+    BATCH,
+    SAMPLES,
+    WORK,
+    assert_holds,
+    filled,
+    held,
+    records,
+    reopened,
+)
+from tests.support.small import random_result
+from workflow.store import journal
+from workflow.store.store import DamagedShard, Store
+
+
+@pytest.mark.parametrize("lost", [None, 0, 1, 2, 3])
+def test_lost_lines_of_the_journal_are_found_again_in_the_shards(tmp_path, lost):
+    _, results = filled(tmp_path, WORK[:3])
+    path = tmp_path / journal.NAME
+    lines = path.read_bytes().splitlines(keepends=True)
+    assert len(lines) == 4  # the keys of the one task, then three shards
+    path.write_bytes(b"".join(line for i, line in enumerate(lines) if lost not in (None, i)))
+    for store in (reopened(tmp_path), Store(tmp_path)):
+        for batch, result in zip(WORK[:3], results, strict=True):
+            assert_holds(store, batch, result)
+
+
+def repeated_lines(folder, repeats):
+    """Write every line of a journal so many times, as joined journals may hold it."""
+    path = folder / journal.NAME
+    lines = path.read_bytes().splitlines(keepends=True)
+    path.write_bytes(b"".join(line for line in lines for _ in range(repeats)))
+
+
+COMPANIES = [
+    dataclasses.replace(BATCH, tasks=tasks) for tasks in (BATCH.tasks[:1], BATCH.tasks[1:])
+]
+
+
+@pytest.mark.parametrize("repeats", [2, 3])
+def test_a_line_told_twice_hands_no_problem_the_numbers_of_another(tmp_path, repeats):
+    filled(tmp_path, COMPANIES[:1])
+    repeated_lines(tmp_path, repeats)  # once the keys were numbered by their place in the journal
+    store = reopened(tmp_path)
+    store.add([(COMPANIES[1], random_result(COMPANIES[1], 1))])
+    for again in (store, Store(tmp_path), reopened(tmp_path)):
+        for seed, batch in enumerate(COMPANIES):
+            assert_holds(again, batch, random_result(batch, seed))
+
+
+def test_two_joined_journals_are_one_store(tmp_path):
+    folders = tmp_path / "one", tmp_path / "two"
+    for folder, work in zip(folders, ([BATCH, WORK[5]], [WORK[5], BATCH, WORK[2]]), strict=True):
+        filled(folder, work)
+    joined = b"".join((folder / journal.NAME).read_bytes() for folder in folders)
+    for path in folders[1].glob("*.nc"):
+        path.replace(folders[0] / path.name)
+    (folders[0] / journal.NAME).write_bytes(joined)
+    store = reopened(folders[0])
+    assert held(store) == {*records(BATCH), *records(WORK[5]), *records(WORK[2])}
+    store.read(sorted(held(store)), SAMPLES)
+
+
+def test_a_journal_that_is_wrong_about_a_sound_shard_is_mended(tmp_path, capsys):
+    store, results = filled(tmp_path, COMPANIES)
+    entries = [entry for entry, _ in journal.entries(tmp_path)]
+    entries.sort(key=lambda entry: "part" not in entry)
+    tables = [entry["chunks"] for entry in entries if "shard" in entry]
+    swapped = iter(tables[::-1])
+    for entry in entries:
+        if "shard" in entry:
+            entry["chunks"] = next(swapped)
+    (tmp_path / journal.NAME).write_bytes(journal.lines_of(entries))
+    store = reopened(tmp_path)
+    with pytest.raises(DamagedShard):
+        store.read(records(COMPANIES[1]), SAMPLES)
+    assert "every shard is read anew" in capsys.readouterr().err
+    for again in (store, Store(tmp_path)):
+        for batch, result in zip(COMPANIES, results, strict=True):
+            assert_holds(again, batch, result)
+    assert len(list(tmp_path.glob("*.nc"))) == 2  # none is set aside
+
+
+def test_a_part_whose_keys_do_not_match_its_checksum_is_not_taken_up(tmp_path):
+    filled(tmp_path, [BATCH])
+    entries = [entry for entry, _ in journal.entries(tmp_path)]
+    entries[0]["keys"] = entries[0]["keys"][32:] + entries[0]["keys"][:32]  # two tasks exchanged
+    (tmp_path / journal.NAME).write_bytes(journal.lines_of(entries))
+    assert held(Store(tmp_path)) == set()
+    assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))

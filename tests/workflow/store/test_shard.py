@@ -1,0 +1,40 @@
+"""A shard: many batches as the bytes of one file, which tells by itself what it holds."""
+
+import dataclasses
+
+from tests.support.shards import (
+    BATCH,
+    WORK,
+    assert_holds,
+    filled,
+    records,
+    shard_of,
+)
+from tests.support.small import random_result
+from workflow.store.store import Store
+
+
+def test_one_shard_holds_many_batches(tmp_path):
+    store = Store(tmp_path)
+    work = [(batch, random_result(batch, seed)) for seed, batch in enumerate(WORK[:9])]
+    store.add(work)
+    assert len(list(tmp_path.glob("*.nc"))) == 1
+    for again in (store, Store(tmp_path)):
+        for batch, result in work:
+            assert_holds(again, batch, result)
+
+
+def test_batches_of_different_length_share_a_shard(tmp_path):
+    longer = dataclasses.replace(WORK[1], curve_samples=40)
+    work = [(batch, random_result(batch)) for batch in (WORK[0], longer)]
+    store = Store(tmp_path)
+    store.add(work)
+    assert_holds(store, *work[0])
+    _, curves = store.read(records(longer), 39)
+    assert curves.tobytes() == work[1][1].curves.tobytes()
+
+
+def test_same_result_gives_the_same_file(tmp_path):
+    one, _ = filled(tmp_path / "one", [BATCH])
+    two, _ = filled(tmp_path / "two", [BATCH])
+    assert shard_of(one, BATCH).read_bytes() == shard_of(two, BATCH).read_bytes()

@@ -1,0 +1,26 @@
+"""What this process runs: versions of packages, and the processor."""
+
+import platform
+from importlib.metadata import version
+from pathlib import Path
+
+from workflow.system.packages import PACKAGES, package_versions, processor, version_of
+
+
+def test_versions_of_all_packages_are_told():
+    found = package_versions().split(", ")
+    assert found == [f"{name} {version(name)}" for name in PACKAGES]
+
+
+def test_a_package_that_is_not_there_is_said_to_be_missing():
+    assert version_of("no-such-package-as-this") == "not installed"
+
+
+def test_the_processor_is_named_wherever_it_can_be_asked(monkeypatch):
+    assert processor()
+
+    def refuse(*_, **__):
+        raise OSError
+
+    monkeypatch.setattr(Path, "read_text", refuse)
+    assert processor() == (platform.processor() or platform.machine())
