@@ -1,13 +1,40 @@
-"""One local cluster for all tests that compute."""
+"""How tests are spread over processes, and one local cluster for all that compute in one."""
 
+import os
 from collections.abc import Iterator
 
 import pytest
 from distributed import LocalCluster
+from hypothesis import settings
 
 from tests.last_bit import perturb
 
 perturb()
+settings.register_profile("exhaustive", max_examples=1000)
+
+# What takes longest comes first, so that no process is left alone with it in the end.
+ORDER = ("studies", "workflow/run", "workflow/cluster", "hard", "workflow", "independent")
+
+
+def pytest_xdist_auto_num_workers() -> int:
+    """Return the number of processes: as many as there are cores for us, two at least."""
+    cores = os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else (os.cpu_count(),)
+    return max(2, len(cores))
+
+
+@pytest.hookimpl(tryfirst=True)
+def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
+    """Keep the tests of a file, or of a group, in one process: they share their fixtures."""
+    folder = config.rootpath / "tests"
+
+    def place(item: pytest.Item) -> int:
+        path = item.path.relative_to(folder).as_posix()
+        return next((i for i, name in enumerate(ORDER) if path.startswith(name)), len(ORDER))
+
+    for item in items:
+        if item.get_closest_marker("xdist_group") is None:
+            item.add_marker(pytest.mark.xdist_group(f"{item.path.parent.name}/{item.path.stem}"))
+    items.sort(key=place)
 
 
 @pytest.fixture(scope="session")

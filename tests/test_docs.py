@@ -1,0 +1,51 @@
+"""What the documents name is there: files of ours, links between pages, targets of make."""
+
+import re
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[1]
+PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
+NAMES = [page.relative_to(ROOT).as_posix() for page in PAGES]
+FOLDERS = r"(?:kernels|workflow|studies|tests|docs|\.ci)"
+# A path is written from the top of the repository; `NAME`, `<room>` and `*` stand for any name.
+PATH = re.compile(rf"(?<![\w./~-])({FOLDERS}/[\w./*<>-]*[\w*>/])")
+LINK = re.compile(r"\]\((?!https?://|mailto:|#)([^)\s#]+)(?:#[^)]*)?\)")
+TARGET = re.compile(r"(?:`|^ {4}|\()make ([a-z%-][\w%-]*)", re.MULTILINE)
+
+
+def found(pattern: re.Pattern, page: str) -> set[str]:
+    """Return what a pattern matches on a page."""
+    return set(pattern.findall((ROOT / page).read_text(encoding="utf-8")))
+
+
+@pytest.mark.parametrize("page", NAMES)
+def test_every_path_of_ours_is_there(page):
+    missing = []
+    for path in found(PATH, page):
+        pattern = re.sub(r"<\w+>|\bNAME\b|\bfigN\b", "*", path)
+        if not any(ROOT.glob(pattern.rstrip("/"))):
+            missing.append(path)
+    assert not missing
+
+
+@pytest.mark.parametrize("page", NAMES)
+def test_every_link_leads_somewhere(page):
+    folder = (ROOT / page).parent
+    assert not [link for link in found(LINK, page) if not (folder / link).exists()]
+
+
+@pytest.mark.parametrize("page", NAMES)
+def test_every_target_of_make_is_there(page):
+    makefile = (ROOT / "Makefile").read_text(encoding="utf-8")
+    known = set(re.findall(r"^([a-z%-]+):", makefile, re.MULTILINE))
+    for target in found(TARGET, page) - known:
+        study = target.removeprefix("study-")
+        assert (ROOT / "studies" / study / "study.toml").is_file() or study.isupper(), target
+
+
+def test_the_patterns_find_what_they_are_for():
+    assert len(set().union(*(found(PATH, page) for page in NAMES))) > 20
+    assert len(set().union(*(found(LINK, page) for page in NAMES))) > 20
+    assert {"setup", "test", "check"} <= set().union(*(found(TARGET, page) for page in NAMES))
