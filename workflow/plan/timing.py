@@ -51,15 +51,16 @@ def seconds(call: Callable[[], object]) -> float:
     return median(found)
 
 
-def _line(samples: int) -> Line:
-    elements = samples // STEPS
+def _line(amplitude: np.ndarray, elements: int) -> Line:
     phases = draw_phases(np.random.default_rng(1), elements)
-    return Line.self_affine(amplitudes(HURST, elements), phases, elements, STEPS)
+    return Line.self_affine(amplitude, phases, elements, STEPS)
 
 
 def _at(samples: int) -> dict[str, float]:
     """Return the seconds of every kernel on a line of this size, all of which is marched."""
-    line, load = _line(samples), LOAD * samples
+    elements = samples // STEPS
+    amplitude = amplitudes(HURST, elements)  # the lines of a batch share it
+    line, load = _line(amplitude, elements), LOAD * samples
     step = SCHEMES["exponential"](1.0 / (STEPS * SPEED))
     w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
 
@@ -78,7 +79,7 @@ def _at(samples: int) -> dict[str, float]:
     each = max(many - few, 0.1 * many) / (MANY - FEW)
     steady = seconds(lambda: steady_sliding(line.z, load, step.decay, step.stiffness))
     return {
-        "draw": seconds(lambda: _line(samples)),
+        "draw": seconds(lambda: _line(amplitude, elements)),
         "sweep": steady / sweeps,
         "quadrature": seconds(
             lambda: quadrature(line.z, line.slope, touching, deep, SPEED, 1.2 * SPEED, whole)

@@ -56,22 +56,28 @@ def block_means(batch: Batch) -> BatchResult:
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
     curves = np.zeros((len(batch.tasks), batch.blocks, batch.samples - 1))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
+    problem = batch.tasks[0].problem  # all tasks are of its H and N
+    amplitude = amplitudes(problem.hurst, problem.elements, batch.normalisation)
     for block in range(batch.blocks):
         first = (batch.first_block + block) * batch.realizations_per_block
         for index in range(first, first + batch.realizations_per_block):
-            _add_realization(batch, index, scalars[:, block], curves[:, block], spent)
+            sums = scalars[:, block], curves[:, block]
+            _add_realization(batch, amplitude, index, sums, spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
     return BatchResult(scalars, curves, spent, time.thread_time() - began, peak_bytes())
 
 
 def _add_realization(
-    batch: Batch, index: int, scalars: np.ndarray, curves: np.ndarray, spent: np.ndarray
+    batch: Batch,
+    amplitude: np.ndarray,
+    index: int,
+    sums: tuple[np.ndarray, np.ndarray],
+    spent: np.ndarray,
 ) -> None:
-    """Add one realization of every task to the sums, one row per task."""
+    """Add one realization of every task to the sums of scalars and curves, one row per task."""
     began = time.thread_time()
     hurst, elements = batch.tasks[0].problem.hurst, batch.tasks[0].problem.elements
-    amplitude = amplitudes(hurst, elements, batch.normalisation)
     phases = draw_phases(line_generator(batch.seed, hurst, elements, index), elements)
     line = None
     drawing = 0.0
@@ -81,7 +87,7 @@ def _add_realization(
             line = Line.self_affine(amplitude, phases, elements, steps)
             drawing += time.thread_time() - began
         outcome = run_case(line, _case(batch, rows), batch.quantities)
-        _add_outcome(outcome, rows, scalars, curves)
+        _add_outcome(outcome, rows, *sums)
         spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
         began = time.thread_time()
     spent[:, 0] += drawing / len(batch.tasks)
