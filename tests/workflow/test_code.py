@@ -89,7 +89,7 @@ EDITS = {
     "a number": ("schemes.py", "1e-200", "1e-201"),
     "an operator": ("steady.py", "w[j] = free", "w[j] = -free"),
     "a default": ("surface.py", '= "modal"', '= "integral"'),
-    "a flag of the compiler": ("jit.py", 'error_model="numpy"', 'error_model="python"'),
+    "a flag of the compiler": ("jit.py", '"numpy"', '"python"'),
 }
 
 

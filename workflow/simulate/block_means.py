@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from kernels import SCHEMES, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
-from kernels.jit import compiling
+from kernels.cache import compiling
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
 from workflow.system.process import peak_bytes
 

@@ -55,7 +55,7 @@ def test_sound_machine_code_is_used(cold):
 
 TOGETHER = """
 from kernels import contact
-from kernels.jit import compiling
+from kernels.cache import compiling
 import numpy as np
 with compiling():
     contact.solve_indentation(np.array([0.0, 0.5, 1.0]), 1.0, 0.0)
