@@ -12,12 +12,12 @@ Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 
 from kernels.contact import solve_indentation
 from kernels.friction import lagged_slope, quadrature, step_average
-from kernels.line import Line
+from kernels.march import march
 from kernels.realization import Case, Outcome, Quantities, Seconds, run_case
-from kernels.relaxation import march
-from kernels.schemes import SCHEMES, Step
+from kernels.rheology.kelvin import SCHEMES, Step
 from kernels.steady import steady_sliding
-from kernels.surface import amplitudes, draw_phases, rms_slope, sample_line
+from kernels.surfaces.line import Line
+from kernels.surfaces.self_affine import amplitudes, draw_phases, rms_slope, sample_line
 
 __all__ = [
     "SCHEMES",

@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.friction import elastic_correction, lagged_slope, quadrature, step_average
-from kernels.line import Line
-from kernels.relaxation import march
-from kernels.schemes import SCHEMES, SHORTEST, Step
+from kernels.march import march
+from kernels.rheology.kelvin import SCHEMES, SHORTEST, Step
 from kernels.steady import steady_sliding
+from kernels.surfaces.line import Line
 
 LOADS = (1e-100, 1e100)  # Fbar; the rounding of d does not depend on it
 SPEEDS = (1e-12, 1e12)  # vbar; slower, rounding would show in the jump, which falls with v

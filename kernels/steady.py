@@ -15,7 +15,7 @@ import numpy as np
 
 from kernels.contact import solve_indentation
 from kernels.jit import kernel
-from kernels.schemes import NEGLIGIBLE
+from kernels.rheology.kelvin import NEGLIGIBLE
 
 
 @kernel
@@ -51,7 +51,7 @@ def sweep(z, d, decay, deepest, w):
 def steady_sliding(z, load, decay, stiffness):
     """Return (w, d, sweeps) of the steady state under the load sum_i f_i = load.
 
-    z : heights (in h), shape (n,). load : n Fbar. decay, stiffness : of the step (schemes.py).
+    z : heights (in h), shape (n,). load : n Fbar. decay, stiffness : of the step (kelvin.py).
     w : displacements that elements without force would have, shape (n,); element i touches
     where z_i - w_i < d, its displacement is min(w_i, z_i - d). d : indentation.
     """

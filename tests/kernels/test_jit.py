@@ -3,7 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels import contact, friction, relaxation, steady
+from kernels import contact, friction, steady
+from kernels.march import march, touchable
 from tests.lines import random_line
 from tests.sizes import PLAIN_PYTHON
 
@@ -13,8 +14,8 @@ KERNELS = (
     friction.quadrature,
     friction.lagged_slope,
     friction.step_average,
-    relaxation.touchable,
-    relaxation.march,
+    touchable,
+    march,
     steady.sweep,
     steady.steady_sliding,
 )

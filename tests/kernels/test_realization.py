@@ -15,7 +15,7 @@ from kernels import (
     step_average,
 )
 from kernels.friction import elastic_correction
-from kernels.relaxation import march
+from kernels.march import march
 from tests.cases import ALL, CASE, ELEMENTS, KEPT, RATIOS, M, line_of
 from tests.lines import random_line
 

@@ -86,9 +86,9 @@ def test_copies_have_the_same_hash(copied):
 
 EDITS = {
     "the steps that a record keeps": ("block_means.py", "np.linspace", "np.geomspace"),
-    "a number": ("schemes.py", "1e-200", "1e-201"),
+    "a number": ("kelvin.py", "1e-200", "1e-201"),
     "an operator": ("steady.py", "w[j] = free", "w[j] = -free"),
-    "a default": ("surface.py", '= "modal"', '= "integral"'),
+    "a default": ("self_affine.py", '= "modal"', '= "integral"'),
     "a flag of the compiler": ("jit.py", '"numpy"', '"python"'),
 }
 
@@ -105,7 +105,7 @@ def test_a_file_more_or_less_changes_the_hash(copied):
 
 NO_EDITS = {
     "a docstring": ("steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
-    "a comment": ("schemes.py", "# What decays below", "# Whatever decays below"),
+    "a comment": ("kelvin.py", "# What decays below", "# Whatever decays below"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
     "brackets": ("block_means.py", "return (recorded - ", "return ((recorded) - "),
 }

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kernels import Line, amplitudes, draw_phases, rms_slope
-from kernels.relaxation import touchable
-from kernels.schemes import SCHEMES
+from kernels.march import touchable
+from kernels.rheology.kelvin import SCHEMES
 from kernels.steady import steady_sliding
 from workflow.plan.cost import TYPICAL, SecondsBySize, Work, case_seconds, sweeps, touchable_share
 from workflow.plan.timing import timings

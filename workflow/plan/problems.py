@@ -11,7 +11,7 @@ import numpy as np
 
 from kernels import amplitudes, rms_slope
 from kernels.realization import LOADS, SPEEDS
-from kernels.schemes import SHORTEST
+from kernels.rheology.kelvin import SHORTEST
 from workflow.errors import UserError
 from workflow.simulate.tasks import Problem
 from workflow.study.grid import AXES

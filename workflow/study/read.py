@@ -6,7 +6,7 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from kernels.surface import NORMALISATIONS
+from kernels.surfaces.self_affine import NORMALISATIONS
 from workflow.errors import UserError
 from workflow.study.checks import (
     _flag,

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from kernels import SCHEMES, lagged_slope, march, steady_sliding, step_average
-from kernels.relaxation import SHORT_GAP, touchable
+from kernels.march import SHORT_GAP, touchable
 from tests.lines import random_line
 from tests.reference_march import Elements, RigidElements, constants, relaxation, steady
 from tests.sizes import size

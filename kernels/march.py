@@ -11,7 +11,7 @@ import numpy as np
 from kernels.contact import solve_indentation
 from kernels.friction import step_average
 from kernels.jit import kernel
-from kernels.schemes import NEGLIGIBLE
+from kernels.rheology.kelvin import NEGLIGIBLE
 
 SHORT_GAP = 16  # gaps up to this many samples are cheaper to carry along than to skip
 
