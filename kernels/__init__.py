@@ -11,10 +11,13 @@ Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 """
 
 from kernels.contact import solve_indentation
+from kernels.control.force import ConstantForce
+from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import lagged_slope, quadrature, step_average
 from kernels.march import march
 from kernels.realization import Case, Outcome, Quantities, Seconds, run_case
-from kernels.rheology.kelvin import SCHEMES, Step
+from kernels.rheology.kelvin import SCHEMES, Kelvin
+from kernels.rheology.law import State
 from kernels.steady import steady_sliding
 from kernels.surfaces.line import Line
 from kernels.surfaces.self_affine import amplitudes, draw_phases, rms_slope, sample_line
@@ -22,11 +25,14 @@ from kernels.surfaces.self_affine import amplitudes, draw_phases, rms_slope, sam
 __all__ = [
     "SCHEMES",
     "Case",
+    "ConstantForce",
+    "Kelvin",
     "Line",
     "Outcome",
+    "PrintedForce",
     "Quantities",
     "Seconds",
-    "Step",
+    "State",
     "amplitudes",
     "draw_phases",
     "lagged_slope",

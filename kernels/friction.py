@@ -111,7 +111,7 @@ def _covered(z, slope, w, d, formed, j):
 
 @kernel
 def lagged_slope(slope, lag):
-    """Return the slope read ``lag`` of a step before its end, shape (n,): see kelvin.py."""
+    """Return the slope read ``lag`` of a step before its end, shape (n,): see rheology/law.py."""
     n = slope.size
     weight = np.empty(n)
     for j in range(n):

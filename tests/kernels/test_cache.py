@@ -38,7 +38,7 @@ def test_an_edit_in_a_room_opens_a_new_folder_and_so_does_a_move_between_rooms(s
     assert len({HASH, added, edited, cache.source_hash()}) == 4
 
 
-@pytest.mark.parametrize("name", ["contact.py", "cache.py", "__init__.py"])
+@pytest.mark.parametrize("name", ["contact.py", "rheology/kelvin.py", "motion/__init__.py"])
 def test_any_edit_opens_a_new_folder(sources, name, monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     before, folder = cache.source_hash(), cache._cache_folder()

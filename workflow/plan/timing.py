@@ -14,6 +14,7 @@ import numpy as np
 
 from kernels import (
     SCHEMES,
+    ConstantForce,
     Line,
     Quantities,
     amplitudes,
@@ -61,28 +62,28 @@ def _at(samples: int) -> dict[str, float]:
     elements = samples // STEPS
     amplitude = amplitudes(HURST, elements)  # the lines of a batch share it
     line, load = _line(amplitude, elements), LOAD * samples
-    step = SCHEMES["exponential"](1.0 / (STEPS * SPEED))
-    w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
+    law, control = SCHEMES["exponential"](1.0 / (STEPS * SPEED)), ConstantForce(load)
+    state, sweeps = steady_sliding(law, line.z, load)
 
     def marching(steps: int) -> float:
         kept_steps = np.array([steps])
 
         def call() -> None:
-            weight = lagged_slope(line.slope, step.lag)
-            march(line.z, weight, w, d, step.decay, step.stiffness, load, kept_steps, np.inf, None)
+            weight = lagged_slope(line.slope, law.lag)
+            march(law, control, line.z, weight, state, kept_steps, np.inf)
 
         return seconds(call)
 
     few, many = marching(FEW), marching(MANY)
     whole = ALL_TOUCHING * samples
-    touching, deep, *_ = steady_sliding(line.z, whole, step.decay, step.stiffness)
+    touching, _ = steady_sliding(law, line.z, whole)
     each = max(many - few, 0.1 * many) / (MANY - FEW)
-    steady = seconds(lambda: steady_sliding(line.z, load, step.decay, step.stiffness))
+    steady = seconds(lambda: steady_sliding(law, line.z, load))
     return {
         "draw": seconds(lambda: _line(amplitude, elements)),
         "sweep": steady / sweeps,
         "quadrature": seconds(
-            lambda: quadrature(line.z, line.slope, touching, deep, SPEED, 1.2 * SPEED, whole)
+            lambda: quadrature(line.z, line.slope, *touching, SPEED, 1.2 * SPEED, whole)
         ),
         "setup": max(few - FEW * each, 0.1 * few),
         "step": each,

@@ -23,8 +23,8 @@ def record_steps(march_steps: int, curve_samples: int) -> np.ndarray:
 def record_times(recorded: np.ndarray, steps_per_tau: float, scheme: str) -> np.ndarray:
     """Return the times since the jump, in tau, to which the friction of recorded steps belongs.
 
-    It is a mean over the step and acts ``lag`` of a step before its end (kelvin.py); at the end
-    it would be an error of first order. steps_per_tau : of the march.
+    It is a mean over the step and acts ``lag`` of a step before its end (rheology/law.py). At
+    the end it would be an error of first order. steps_per_tau : of the march.
     """
     return (recorded - SCHEMES[scheme](1.0 / steps_per_tau).lag) / steps_per_tau
 

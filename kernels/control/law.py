@@ -1,0 +1,23 @@
+"""What a control must provide: the functions declared here are reached by its type.
+
+A control is a NamedTuple of what it prescribes; a file beside this one holds one control.
+"""
+
+from kernels.jit import by_type
+
+
+@by_type
+def note(control, c, d, first):
+    """Return what ``balance`` needs to know of the step before, or None.
+
+    c, d, first : as the march leaves them at its end (motion/slide.py). They change next.
+    """
+
+
+@by_type
+def balance(control, law, z, c, noted, d):
+    """Return (d, passes): the new indentation, and the number of passes over c it took.
+
+    law : of the elastomer (rheology/law.py). z : line, c : contact thresholds before the new d
+    is known, both at the samples that are marched; c may be changed. d : the old indentation.
+    """
