@@ -10,7 +10,7 @@ import numpy as np
 from kernels.control.law import balance, note
 from kernels.friction import step_average
 from kernels.jit import kernel
-from kernels.motion.slide import depart, shift, start_rings
+from kernels.motion.slide import shift, start_rings
 from kernels.motion.stretches import bounds, gather, touchable
 
 
@@ -46,7 +46,6 @@ def march(law, control, z, weight, state, kept_steps, cap):
         passes += used
         if d > cap:
             return mu, indentation, passes, False
-        depart(z, c, d, first, rings, step)
         if step == kept_steps[kept]:
             mu[kept] = step_average(weight, c, d)
             indentation[kept] = d

@@ -46,7 +46,13 @@ def start_rings(law, z, state, start, stop):
 
 @kernel
 def shift(law, z, c, d, first, rings, step):
-    """Move every element to the next sample: thresholds c of the step before contact."""
+    """Move every element to the next sample: thresholds c of the step before contact.
+
+    z : line, c : thresholds of the step before, both at the samples of the stretches, stretch s
+    from first[s] on. d : the indentation that step ended with. step : number, from 1 on.
+    """
+    if step > 1:  # the rings start with all that has left before
+        _depart(z, c, d, first, rings, step - 1)
     for s in range(first.size - 1):
         for i in range(first[s], first[s + 1] - 1):
             c[i] = z[i] - reach(law, z[i + 1] - max(c[i + 1], d))
@@ -55,8 +61,8 @@ def shift(law, z, c, d, first, rings, step):
 
 
 @kernel
-def depart(z, c, d, first, rings, step):
-    """Send the elements that leave their stretches over the gaps."""
+def _depart(z, c, d, first, rings, step):
+    """Send the elements that leave their stretches over the gaps, at the end of a step."""
     for s in range(first.size - 1):
         below = s - 1 if s > 0 else first.size - 2
         leaving = z[first[s]] - max(c[first[s]], d)

@@ -24,7 +24,7 @@ KERNELS = (
     friction.step_average,
     march,
     slide.shift,
-    slide.depart,
+    slide.start_rings,
     steady.sweep,
     steady.steady_sliding,
     stretches.touchable,

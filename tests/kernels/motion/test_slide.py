@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kernels import Kelvin, State
-from kernels.motion.slide import depart, shift, start_rings
+from kernels.motion.slide import shift, start_rings
 from kernels.motion.stretches import bounds, gather, touchable
 from tests.lines import random_line
 
@@ -23,7 +23,6 @@ def sliding(z, state, cap, depth):
         shift(LAW, low, c, d, first, rings, step)
         d = depth(step)
         yield c.copy(), low
-        depart(low, c, d, first, rings, step)
 
 
 def where(z, cap):
