@@ -8,6 +8,9 @@ Then a problem is given by the Hurst exponent H, the number of elements N = L/dx
 
 slopes come out in units of h/dx, and so do friction coefficients.
 Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
+
+``run_case`` is one realization. An effect is a file of surfaces, rheology, control or motion;
+what a scene does not ask for is not in its machine code.
 """
 
 from kernels.contact import solve_indentation

@@ -1,4 +1,4 @@
-"""How the line moves over the elements: which of its samples are carried along, and who is where.
+"""How the line moves: which of its samples are carried along, and which element comes to which.
 
-A motion is a file here; the march takes its steps in the order in which it is written.
+A motion of another kind is a file here that starts and shifts as slide.py does.
 """

@@ -40,6 +40,10 @@ class Line(NamedTuple):
     def self_affine(
         cls, amplitude: np.ndarray, phases: np.ndarray, elements: int, steps_per_spacing: int
     ) -> "Line":
-        """Sample the random line of self_affine.py."""
+        """Sample the random line of self_affine.py.
+
+        amplitude (in h), phases : of its modes, shape (N/2,), as from amplitudes and draw_phases.
+        elements : N. Raises ValueError as from_samples does.
+        """
         z, slope = sample_line(amplitude, phases, elements, steps_per_spacing)
         return cls.from_samples(z, slope, steps_per_spacing)

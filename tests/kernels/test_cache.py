@@ -34,7 +34,7 @@ def test_an_edit_in_a_room_opens_a_new_folder_and_so_does_a_move_between_rooms(s
     added = cache.source_hash()
     (sources / "room" / "law.py").write_text("a = 2\n")
     edited = cache.source_hash()
-    (sources / "room").rename(sources / "other")
+    (sources / "room").rename(sources / "rooms")
     assert len({HASH, added, edited, cache.source_hash()}) == 4
 
 

@@ -128,8 +128,13 @@ def test_a_type_without_a_body_is_refused():
 
 
 @compiled_only
-def test_bodies_are_compiled_with_the_flags_of_kernels():
-    assert changed_twice(Scaled(2.0), 0.0) == 0.0  # 2 / (2 / 0): no error but inf between
+@pytest.mark.parametrize("compiled", [kernel, numba.njit])
+def test_bodies_are_compiled_with_the_flags_of_kernels_whoever_calls(compiled):
+    @compiled
+    def caller(law, u):
+        return change(law, u)
+
+    assert caller(Scaled(2.0), 0.0) == float("inf")
 
 
 def test_a_declared_function_keeps_its_name_and_words():
