@@ -42,7 +42,7 @@ def march(law, control, z, weight, state, kept_steps, cap):
     for step in range(1, kept_steps[-1] + 1):
         noted = note(control, c, d, first)
         shift(law, z, c, d, first, rings, step)
-        d, used = balance(control, law, z, c, noted, d)
+        d, used = balance(control, law, z, c, noted, d, step)
         passes += used
         if d > cap:
             return mu, indentation, passes, False

@@ -18,5 +18,5 @@ def _note(control, c, d, first):
 
 
 @balance.of(ConstantForce)
-def _balance(control, law, z, c, noted, d):
+def _balance(control, law, z, c, noted, d, step):
     return solve_indentation(c, control.load / law.stiffness, d)

@@ -15,9 +15,10 @@ def note(control, c, d, first):
 
 
 @by_type
-def balance(control, law, z, c, noted, d):
+def balance(control, law, z, c, noted, d, step):
     """Return (d, passes): the new indentation, and the number of passes over c it took.
 
     law : of the elastomer (rheology/law.py). z : line, c : contact thresholds before the new d
     is known, both at the samples that are marched; c may be changed. d : the old indentation.
+    step : number, from 1 on; what is prescribed may change with it.
     """

@@ -29,7 +29,7 @@ def _held(control, c, d, first):
 
 
 @balance.of(PrintedForce)
-def _balance(control, law, z, c, noted, d):
+def _balance(control, law, z, c, noted, d, step):
     """Balance the load where held elements move with the line but not with the indentation.
 
     Their last displacement counts as z - d with the new d: the rate of d costs no force. The

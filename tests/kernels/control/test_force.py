@@ -17,7 +17,7 @@ def test_the_forces_of_the_step_carry_the_load(scheme, load):
     z, c = np.random.default_rng(1).normal(size=(2, 50))
     before = c.copy()
     noted = note(control, c, 0.3, FIRST)
-    d, passes = balance(control, law, z, c, noted, 0.3)
+    d, passes = balance(control, law, z, c, noted, 0.3, 1)
     assert d == pytest.approx(sorted_root(before, load / law.stiffness), rel=1e-13)
     assert law.stiffness * np.sum(np.maximum(0.0, d - before)) == pytest.approx(load, rel=1e-11)
     assert passes >= 2

@@ -46,7 +46,7 @@ def test_held_elements_press_with_their_height_and_the_motion_of_the_line_alone(
         return law.stiffness * np.maximum(0.0, d - threshold)
 
     expected = brentq(lambda d: forces(d).sum() - load, -20.0, 200.0, xtol=1e-14, rtol=1e-14)
-    d, _ = balance(control, law, z, c, held, d_old)
+    d, _ = balance(control, law, z, c, held, d_old, 1)
     assert d == pytest.approx(expected, rel=1e-11, abs=1e-12)
     # The march goes on from the thresholds of these forces.
     found = law.stiffness * np.maximum(0.0, d - c)
