@@ -31,7 +31,8 @@ def by_type(declared: Callable) -> Callable:
     ``declared`` gives the name, the arguments and what the function is for, ``.of(type)``
     decorates a body. Kernels are compiled for the types they are called with: a body of another
     type is not in their machine code. A jitted function as an argument would do the same, but
-    numba finds no kernel with one in its cache. Raises TypeError for a type without a body.
+    numba finds no kernel with one in its cache. Bodies belong in files of this package, whose
+    hash tells states of the cache apart. Raises TypeError for a type without a body.
     """
     bodies: dict[type, Callable] = {}
 

@@ -2,12 +2,12 @@
 
 Which samples are carried along and where elements are next is told by motion, what an element
 does in a step by rheology, which indentation follows by control. Laws and controls are reached
-by their types: numba compiles a version for each pair, without a trace of what it has not.
+by their types: numba compiles a version for each pair, in which no other has left a trace.
 """
 
 import numpy as np
 
-from kernels.control.law import balance, note
+from kernels.control.balance import balance, note
 from kernels.friction import step_average
 from kernels.jit import kernel
 from kernels.motion.slide import shift, start_rings

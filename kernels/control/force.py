@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from kernels.contact import solve_indentation
-from kernels.control.law import balance, note
+from kernels.control.balance import balance, note
 
 
 class ConstantForce(NamedTuple):

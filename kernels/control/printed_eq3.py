@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.contact import solve_indentation
-from kernels.control.law import balance, note
+from kernels.control.balance import balance, note
 
 
 class PrintedForce(NamedTuple):

@@ -1,7 +1,7 @@
 """The stretches of a line that can touch: only they are carried along.
 
-Heights above a cap that the indentation never reaches cannot touch, nor can elements below them
-be touched: between two stretches they merely decay (slide.py).
+A sample above a cap that the indentation never reaches cannot touch the element under it:
+between two stretches elements merely decay (slide.py).
 """
 
 import numpy as np

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kernels import SCHEMES, ConstantForce
-from kernels.control.law import balance, note
+from kernels.control.balance import balance, note
 from tests.references import sorted_root
 
 FIRST = np.array([0, 50])

@@ -6,7 +6,7 @@ import pytest
 from scipy.optimize import brentq
 
 from kernels import SCHEMES, ConstantForce, PrintedForce, steady_sliding
-from kernels.control.law import balance, note
+from kernels.control.balance import balance, note
 from kernels.jit import FLAGS
 from kernels.march import march
 from tests.lines import random_line

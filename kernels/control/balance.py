@@ -1,6 +1,7 @@
-"""What a control must provide: the functions declared here are reached by its type.
+"""What a control must provide. A file beside this one holds one control.
 
-A control is a NamedTuple of what it prescribes; a file beside this one holds one control.
+A control is a NamedTuple of what it prescribes. The functions declared here are reached by its
+type.
 """
 
 from kernels.jit import by_type
