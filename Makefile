@@ -7,7 +7,7 @@ SCALE  ?=
 ARGS   ?=
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench bench-cluster mutation calibration clean
+.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench mutation calibration clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -52,16 +52,14 @@ coverage: $(READY) ## Measure which lines the tests run: kernels as plain Python
 	$(BIN)/coverage combine --quiet
 	$(BIN)/coverage report
 
-check: $(READY) ## Lint, formatting and the import contract
+check: $(READY) ## Lint, formatting, types and the import contracts
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
+	$(BIN)/mypy
 	$(BIN)/lint-imports
 
 bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
 	$(BIN)/python -m tests.bench
-
-bench-cluster: $(READY) ## Print what scheduling costs, and the driver's memory over realizations
-	$(BIN)/python -m tests.cluster.overhead
 
 mutation: $(READY) ## Mutate the contact step, test every mutant (hours; edits it, then restores it)
 	$(BIN)/python -m pip install --quiet 'cosmic-ray>=8.4'
@@ -74,5 +72,5 @@ calibration: $(READY) ## Check that stated errors are true, over many small stud
 	$(BIN)/python -m tests.calibration
 
 clean: ## Remove .venv and caches, keep results
-	rm -rf $(VENV) .pytest_cache .ruff_cache .hypothesis .import_linter_cache *.egg-info
+	rm -rf $(VENV) .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

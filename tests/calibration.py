@@ -16,13 +16,13 @@ from scipy.stats import t as student
 
 from kernels import Quantities, amplitudes, rms_slope
 from workflow.plan.goal import JACKKNIFE_GROUPS, Goal
-from workflow.plan.problems import horizon_steps, steps_per_spacing
-from workflow.reduce.attained import attained
+from workflow.plan.resolution import horizon_steps, steps_per_spacing
+from workflow.reduce.attainment import attained
 from workflow.reduce.estimates import Blocks, Estimates, reduce_blocks
 from workflow.reduce.fits import FITTED
 from workflow.reduce.jackknife import grouped_means
 from workflow.run.rounds import next_blocks
-from workflow.simulate.block_means import block_means, record_steps, record_times
+from workflow.simulate.realizations import block_means, record_steps, record_times
 from workflow.simulate.tasks import Batch, Problem, Task
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene

@@ -1,8 +1,8 @@
-"""``python -m workflow``: see workflow/cli.py."""
+"""``python -m workflow``: see workflow/cli/commands.py."""
 
 import sys
 
-from workflow.cli.main import main
+from workflow.cli import main
 
 if __name__ == "__main__":
     sys.exit(main())

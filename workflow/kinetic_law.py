@@ -15,24 +15,28 @@ printed eqs. 10 to 15 have dz, read the rms slope grad z.
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import ArrayLike
 
 PLATEAU = 0.4  # eq. 11
 
 
-def normalised_jump(mu_bar: np.ndarray) -> np.ndarray:
+def normalised_jump(mu_bar: ArrayLike) -> np.ndarray:
     """Return the jump (dmu_0/grad z)/(dv/v1) for mu_bar = mu_1/grad z (eq. 12)."""
     return (1.0 / np.asarray(mu_bar) ** 2 + 1.0 / PLATEAU**2) ** -0.5
 
 
-def relaxation_rate(x: np.ndarray, hurst: float, time_below_one: bool = False) -> np.ndarray:
-    """Return b = x^alpha (eq. 13), alpha = 1 for x < 1 and 1 - H for x > 1.
+def exponent(x: ArrayLike, hurst: float, time_below_one: bool = False) -> np.ndarray:
+    """Return alpha of b = x^alpha (eq. 13): 1 for x < 1 and 1 - H above.
 
     ``time_below_one`` replaces the branch x < 1 by b = 1, which is what the model gives when it
     is converged in time (README, "Where results depart from the paper").
     """
-    x = np.asarray(x, dtype=float)
-    below = np.ones_like(x) if time_below_one else x
-    return np.where(x < 1.0, below, x ** (1.0 - hurst))
+    return np.where(np.asarray(x) < 1.0, 0.0 if time_below_one else 1.0, 1.0 - hurst)
+
+
+def relaxation_rate(x: ArrayLike, hurst: float, time_below_one: bool = False) -> np.ndarray:
+    """Return b = x^alpha (eq. 13); see ``exponent``."""
+    return np.asarray(x, dtype=float) ** exponent(x, hurst, time_below_one)
 
 
 class KineticLaw:
@@ -68,7 +72,7 @@ class KineticLaw:
         self.rms_slope = rms_slope
         self.time_below_one = time_below_one
 
-    def steady(self, v: np.ndarray) -> np.ndarray:
+    def steady(self, v: ArrayLike) -> np.ndarray:
         """Return the steady friction mu(v); v in m/s, any shape."""
         v = np.asarray(v, dtype=float)
         inside = np.interp(
@@ -76,21 +80,21 @@ class KineticLaw:
         )
         return inside * np.minimum(v / self.velocity[0], 1.0)
 
-    def jump(self, v1: np.ndarray, v2: np.ndarray) -> np.ndarray:
+    def jump(self, v1: ArrayLike, v2: ArrayLike) -> np.ndarray:
         """Return the instantaneous change of mu when v1 becomes v2 (eq. 12)."""
         mu_bar = self.steady(v1) / self.rms_slope
         return self.rms_slope * normalised_jump(mu_bar) * (v2 / np.asarray(v1) - 1.0)
 
-    def relaxation_times(self, v: np.ndarray) -> np.ndarray:
+    def relaxation_times(self, v: ArrayLike) -> np.ndarray:
         """Return the relaxation time tau/b in s; above v tau q_max = 1 it is eq. 16."""
         x = np.asarray(v, dtype=float) * self.relaxation_time * self.q_max
         return self.relaxation_time / relaxation_rate(x, self.hurst, self.time_below_one)
 
-    def relaxation_length(self, v: np.ndarray) -> np.ndarray:
+    def relaxation_length(self, v: ArrayLike) -> np.ndarray:
         """Return the distance slid in a relaxation time, in m: D_c = 1/q_max below x = 1."""
         return np.asarray(v) * self.relaxation_times(v)
 
-    def after_jump(self, v1: float, v2: float, time: np.ndarray) -> np.ndarray:
+    def after_jump(self, v1: float, v2: float, time: ArrayLike) -> np.ndarray:
         """Return mu(t) for a jump from v1 to v2 at t = 0; time in s, mu(v1) for t < 0.
 
         Eqs. 14 and 15 with mu(v2) for its linearisation mu(v1) + mu'(v1) dv, which eq. 8 has.
@@ -101,7 +105,7 @@ class KineticLaw:
         decay = np.exp(-np.maximum(time, 0.0) / self.relaxation_times(v1))
         return np.where(time < 0.0, mu_1, mu_2 + amplitude * decay)
 
-    def response(self, time: np.ndarray, velocity: np.ndarray) -> np.ndarray:
+    def response(self, time: ArrayLike, velocity: ArrayLike) -> np.ndarray:
         """Return mu at sampled times (s, increasing) for sampled velocities (m/s, positive).
 
         v(t) is a sequence of small jumps, one per sample; what each leaves over its steady value

@@ -53,18 +53,3 @@ def run_march(name: str, point: Point, surfaces: list[Surface], steps: int) -> R
         cpu.append((drawn - began, steady - drawn, done - drawn))
     mu_1, mu_2, jump, curves = (np.array(column) for column in zip(*found, strict=True))
     return Runs(mu_1, mu_2, jump, curves, moments, np.array(cpu))
-
-
-def seconds_at(error: np.ndarray, seconds: np.ndarray, target: float) -> float:
-    """Return the time at which a method reaches ``target``, between its runs by power laws.
-
-    error, seconds : per m, ascending. The coarsest run where that is enough; NaN if none is.
-    """
-    best = np.minimum.accumulate(np.where(np.isfinite(error), error, np.inf))
-    if not best[-1] <= target:
-        return np.nan
-    k = int(np.argmax(best <= target))
-    if k == 0 or not np.isfinite(best[k - 1]):
-        return float(seconds[k])
-    share = np.log(best[k - 1] / target) / np.log(best[k - 1] / best[k])
-    return float(seconds[k - 1] * (seconds[k] / seconds[k - 1]) ** share)

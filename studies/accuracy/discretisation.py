@@ -6,7 +6,6 @@ from typing import NamedTuple
 import numpy as np
 
 from .errors import (
-    QUANTITIES,
     Errors,
     Observed,
     Reference,
@@ -16,12 +15,10 @@ from .errors import (
     observe,
     order,
 )
-from .levels import influence, multilevel_gain
 from .points import Point, Surface
 from .sampling import Method, run, seconds
 
 SCHEMES = ("exponential", "implicit-euler")
-PART = {"mu_1": 0, "jump": 0, "rate": 1, "curve": 1}  # which of the two times a quantity costs
 LEAST_LINES = 20  # a rate is claimed from 18 on
 
 
@@ -49,12 +46,11 @@ def reference(point: Point, surfaces: list[Surface], most: int) -> Reference:
     """Return the reference of a point, extrapolated from twice the finest m."""
     finest = ladder_steps(point, most)[-1]
     lines = lines_at(2 * finest, len(surfaces))
-    fine, coarse = (
-        run(point, surfaces[:lines], Method("exponential", m)) for m in (2 * finest, finest)
-    )
-    end = float(fine.moments[-1])
-    elements = surfaces[0].elements
-    return extrapolate(*(observe(point, elements, r, lines, end) for r in (fine, coarse)), end)
+    fine = run(point, surfaces[:lines], Method("exponential", 2 * finest))
+    coarse = run(point, surfaces[:lines], Method("exponential", finest))
+    end, elements = float(fine.moments[-1]), surfaces[0].elements
+    limit = observe(point, elements, fine, lines, end)
+    return extrapolate(limit, observe(point, elements, coarse, lines, end), end)
 
 
 def climb(
@@ -78,46 +74,8 @@ def orders(ladder: Ladder, limit: Reference) -> np.ndarray:
     return np.array([order(steps, rms[:, q], 2.0 * limit.error[q]) for q in range(4)])
 
 
-def bias_bound(errors: Errors) -> np.ndarray:
-    """Return what the bias may be: its estimate and one standard error."""
-    return np.abs(errors.bias) + errors.bias_error
-
-
 def spread(ladder: Ladder) -> np.ndarray:
     """Return the relative standard deviation of one realization, at a middle m."""
     found = np.array([deviations(o) for o in ladder.observed])
     middle = next((k for k, row in enumerate(found) if k >= 2 and np.isfinite(row).all()), 2)
     return found[middle]
-
-
-def gains(ladder: Ladder, targets: tuple[float, ...]) -> np.ndarray:
-    """Return the gain of multilevel Monte Carlo, shape (targets, 3): mu_1, jump, rate."""
-    found = np.empty((len(targets), 3))
-    each = [influence(o) for o in ladder.observed]
-    bound = np.array([bias_bound(error) for error in ladder.errors])
-    for q, name in enumerate(QUANTITIES[:3]):
-        values = {m: each[k][name] for k, m in enumerate(ladder.steps)}
-        bias = dict(zip(ladder.steps, bound[:, q], strict=True))
-        cost = dict(zip(ladder.steps, ladder.seconds[:, PART[name]], strict=True))
-        found[:, q] = [multilevel_gain(values, bias, cost, target) for target in targets]
-    return found
-
-
-def single_precision(
-    point: Point,
-    surfaces: list[Surface],
-    ladder: Ladder,
-    limit: Reference,
-    steps: tuple[int, ...],
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return errors (steps, QUANTITIES) with lines in float32, and times over those of float64.
-
-    Sums and marches stay in float64: numba types them so; only what is stored is shorter.
-    """
-    paired, elements = limit.limit.mu_1.size, surfaces[0].elements
-    errors, times = [], []
-    for m in steps:
-        runs = run(point, surfaces[:paired], Method("exponential", m, single=True))
-        errors.append(compare(observe(point, elements, runs, paired, limit.end), limit).rms)
-        times.append(seconds(runs) / ladder.seconds[ladder.steps.index(m)])
-    return np.array(errors), np.array(times)

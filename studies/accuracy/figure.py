@@ -1,35 +1,31 @@
 """Work and precision: error against CPU time, and what follows from it."""
 
-from pathlib import Path
-
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report.figure import COLOURS
+from workflow.report import COLOURS
+from workflow.result import Groups
 
 from .panels import LIMITS, NAMES, draw_ladders, milliseconds, name_regimes
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
-    with xr.open_dataset(result) as data:
-        figure, axes = plt.subplots(3, 3, figsize=(7.4, 7.8), layout="constrained")
-        for ax, (name, label) in zip(axes.flat, NAMES.items(), strict=False):
-            draw_ladders(ax, data, name)
-            letter = "abcd"[list(NAMES).index(name)]
-            ax.set_title(f"({letter}) discretisation error of {label}", loc="left")
-        name_regimes(axes[0, 0])
-        _balance(axes[1, 2], data)
-        _multilevel(axes[2, 2], data)
-    with xr.open_dataset(result, group="sampling") as sampling:
-        _sampling(axes[1, 1], sampling)
-    with xr.open_dataset(result, group="alternatives") as found:
-        _alternatives(axes[2, 0], found, "mu_1", "(g)")
-        _alternatives(axes[2, 1], found, "rate", "(h)")
-    figure.supxlabel(_foot(result), fontsize=6, color="0.35")
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    figure, axes = plt.subplots(2, 4, figsize=(9.6, 5.4), layout="constrained")
+    data, found = groups[""], groups["alternatives"]
+    for ax, (name, label) in zip(axes.flat, NAMES.items(), strict=False):
+        draw_ladders(ax, data, name)
+        letter = "abcd"[list(NAMES).index(name)]
+        ax.set_title(f"({letter}) discretisation error of {label}", loc="left")
+    name_regimes(axes[0, 0])
+    _sampling(axes[1, 0], groups["sampling"])
+    _balance(axes[1, 1], data)
+    _alternatives(axes[1, 2], found, "mu_1", "(g)")
+    _alternatives(axes[1, 3], found, "rate", "(h)")
+    figure.supxlabel(_foot(data), fontsize=6, color="0.35")
     return figure
 
 
@@ -108,38 +104,12 @@ def _alternatives(ax: Axes, data: xr.Dataset, name: str, letter: str) -> None:
         ax.legend(loc="lower left", ncols=2, columnspacing=0.8)
 
 
-def _multilevel(ax: Axes, data: xr.Dataset) -> None:
-    """Draw the gain of multilevel Monte Carlo over the wanted error."""
-    for k, name in enumerate(data.sampled.values):
-        gain = data.multilevel_gain.sel(sampled=name)
-        colour = COLOURS[k + 3]
-        shift = 1.12 ** (k - 1)
-        for point in range(data.sizes["point"]):
-            ax.plot(shift * data.target, gain.isel(point=point), ".", color=colour, ms=2, alpha=0.5)
-        ax.plot(
-            shift * data.target,
-            gain.median("point", skipna=True),
-            "o-",
-            color=colour,
-            label=NAMES[str(name)],
-        )
-    ax.axhline(2.0, color="0.4", lw=0.8, ls="--")
-    ax.annotate("worth it above", (1.3e-3, 2.08), ha="right", fontsize=6.5, color="0.35")
-    ax.set(xscale="log", yscale="log", xlabel="wanted relative error", ylim=(0.8, 20.0))
-    ax.set_yticks([1, 2, 5, 10, 20], ["1", "2", "5", "10", "20"])
-    ax.minorticks_off()
-    ax.invert_xaxis()
-    ax.set_title("(i) gain of multilevel MC", loc="left")
-    ax.legend(loc="upper left")
-
-
-def _foot(result: Path) -> str:
-    with xr.open_dataset(result) as data:
-        worst = float(data.reference_error.sel(quantity="mu_1").max())
-        return (
-            f"{data.sizes['point']} points (H, Fbar, x), every marker one m = 1, 2, 4, ...; rms "
-            "over lines; references: Richardson extrapolation,\n"
-            "numbers: m of the Pareto front of the medians (black); "
-            f"error of mu_1 at most {worst:.0e}; curve relative to the jump; "
-            f"process time, medians; seed {data.attrs['seed']}"
-        )
+def _foot(data: xr.Dataset) -> str:
+    worst = float(data.reference_error.sel(quantity="mu_1").max())
+    return (
+        f"{data.sizes['point']} points (H, Fbar, x), every marker one m = 1, 2, 4, ...; rms "
+        "over lines; references: Richardson extrapolation,\n"
+        "numbers: m of the Pareto front of the medians (black); "
+        f"error of mu_1 at most {worst:.0e}; curve relative to the jump; "
+        f"process time, medians; seed {data.attrs['seed']}"
+    )

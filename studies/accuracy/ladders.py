@@ -1,4 +1,4 @@
-"""Both schemes over m at all points, float32, multilevel gains, sampling errors: as datasets."""
+"""Both schemes over m at all points, and sampling errors: as datasets."""
 
 from collections.abc import Callable
 
@@ -12,7 +12,6 @@ from .sampling import Method, run
 from .sampling_error import COUNTS, sampling_errors
 
 TARGETS = (0.1, 0.03, 0.01, 0.003, 0.001)
-SINGLE_STEPS = (1, 2, 4, 8, 16)
 PARTS = ("mu_1 and jump", "everything")
 
 
@@ -20,8 +19,7 @@ def warm_up() -> None:
     """Compile everything that is timed."""
     point = Point(0.5, 0.1, 3.0)
     for scheme in disc.SCHEMES:
-        for single in (False, True):
-            run(point, [surface(point, 64, 0, 0)], Method(scheme, 2, single))
+        run(point, [surface(point, 64, 0, 0)], Method(scheme, 2))
 
 
 # name: (dimensions, long_name, unit)
@@ -33,9 +31,6 @@ DECLARED = {
     "order": ("point scheme quantity", "measured order of convergence in 1/m", "1"),
     "reference_error": ("point quantity", "stated error of the reference", "1"),
     "deviation": ("point quantity", "standard deviation of one realization", "1"),
-    "multilevel_gain": ("point target sampled", "cost of plain over multilevel Monte Carlo", "1"),
-    "single_error": ("point single_steps quantity", "error with the line in float32", "1"),
-    "single_time": ("point single_steps part", "CPU time with float32 over float64", "1"),
 }
 
 
@@ -53,8 +48,6 @@ def discretisations(
         "quantity": list(QUANTITIES),
         "part": list(PARTS),
         "target": list(TARGETS),
-        "sampled": list(QUANTITIES[:3]),
-        "single_steps": list(SINGLE_STEPS),
     }
     data = xr.Dataset(coords=coords)
     for name, (dims, text, unit) in DECLARED.items():
@@ -81,9 +74,6 @@ def _fill(data: xr.Dataset, k: int, point: Point, surfaces: list[Surface], fines
         data["seconds"][k, s, rows] = ladder.seconds
         data["order"][k, s] = disc.orders(ladder, limit)
     data["deviation"][k] = disc.spread(ladders[0])
-    data["multilevel_gain"][k] = disc.gains(ladders[0], TARGETS)
-    found = disc.single_precision(point, surfaces, ladders[0], limit, SINGLE_STEPS)
-    data["single_error"][k], data["single_time"][k] = found
 
 
 def point_coords(points: tuple[Point, ...]) -> dict:

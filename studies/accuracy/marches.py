@@ -42,46 +42,28 @@ class NumpyMarch:
 
 
 class NumbaMarch:
-    """A plain compiled loop with bisection for d.
+    """A plain compiled loop with bisection for d."""
 
-    stride : samples from one element to the next. shift : samples by which a step moves the line.
-    With 1 and 1 it is the discretisation of the kernels; others part space from time.
-    """
-
-    def __init__(
-        self,
-        line: Line,
-        load: float,
-        stride: int = 1,
-        shift: int = 1,
-        scheme: str = "implicit-euler",
-    ) -> None:
-        self.line, self.load, self.stride, self.shift = line, load, stride, shift
-        self.scheme = SCHEMES[scheme]
-        self.u = np.zeros(line.z.size // stride)  # element by element: they stay in place
+    def __init__(self, line: Line, load: float) -> None:
+        self.line, self.load = line, load
+        self.u = np.zeros(line.z.size)  # element by element: they stay in place
         self.at = 0  # samples by which the line has moved
 
     def advance(self, steps: int, dt: float) -> np.ndarray:
-        """Move the line by ``steps`` shifts in steps of dt (tau); return mu of each, in h/dx."""
-        step = self.scheme(dt)
-        samples = np.arange(self.line.z.size)
-        weight = np.interp(
-            samples + step.lag * self.shift, samples, self.line.slope, period=samples.size
-        )
-        mu, self.at = _bisecting(
-            self.line.z, weight, self.u, self.at, step, self.load, steps, self.stride, self.shift
-        )
+        """Move the line by ``steps`` samples in steps of dt (tau); return mu of each, in h/dx."""
+        line, step = self.line, SCHEMES["implicit-euler"](dt)
+        mu, self.at = _bisecting(line.z, line.slope, self.u, self.at, step, self.load, steps)
         return mu
 
 
 @numba.njit(error_model="numpy")
-def _bisecting(z, weight, u, at, constants, load, steps, stride, shift):
+def _bisecting(z, slope, u, at, constants, load, steps):
     """March; u is changed in place. Returns (mu, at)."""
     target = load / constants.stiffness * u.size
     reach = np.empty(u.size)
     mu = np.empty(steps)
     for step in range(steps):
-        at = (at + shift) % z.size
+        at = (at + 1) % z.size
         start = (z.size - at) % z.size  # the sample that element 0 sits under
         highest = -np.inf
         j = start
@@ -89,7 +71,7 @@ def _bisecting(z, weight, u, at, constants, load, steps, stride, shift):
             u[i] *= constants.decay
             reach[i] = u[i] - z[j]
             highest = max(highest, reach[i])
-            j = j + stride if j + stride < z.size else j + stride - z.size
+            j = j + 1 if j + 1 < z.size else 0
         low, high = -highest, target - highest
         while high - low > SEARCH:
             d = 0.5 * (low + high)
@@ -105,9 +87,9 @@ def _bisecting(z, weight, u, at, constants, load, steps, stride, shift):
         for i in range(u.size):
             force = max(reach[i] + high, 0.0)
             normal += force
-            tangential += force * weight[j]
+            tangential += force * slope[j]
             u[i] -= force
-            j = j + stride if j + stride < z.size else j + stride - z.size
+            j = j + 1 if j + 1 < z.size else 0
         mu[step] = tangential / normal
     return mu, at
 
@@ -151,4 +133,5 @@ class TamaasMarch:
         return mu
 
 
-MARCHES = {"numpy": NumpyMarch, "numba": NumbaMarch, "tamaas": TamaasMarch}
+March = NumpyMarch | NumbaMarch | TamaasMarch
+MARCHES: dict[str, type[March]] = {"numpy": NumpyMarch, "numba": NumbaMarch, "tamaas": TamaasMarch}

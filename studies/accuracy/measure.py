@@ -2,13 +2,13 @@
 
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
-from workflow.study.checks import integer, positive
+from workflow.result import Groups
+from workflow.study import integer, positive
 
 from . import ladders, rivals
 from .points import COMPARED, POINTS
@@ -53,8 +53,7 @@ def outline(settings: dict) -> tuple[list[str], float]:
     lines = [
         f"points      {len(chosen)} (H, Fbar, x): {', '.join(p.name for p in chosen[:3])}, ...",
         f"lines       {settings['elements']} elements, {settings['lines']} lines at m <= 8",
-        f"m           1 ... {settings['finest']} and finer where tau asks for it, both schemes, "
-        "float64 and float32",
+        f"m           1 ... {settings['finest']} and finer where tau asks for it, both schemes",
         f"realizations {settings['realizations']} for the sampling error",
         f"alternatives numpy, numba, tamaas at {min(len(chosen), COMPARED)} points",
     ]
@@ -79,18 +78,16 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
         "": root,
         "sampling": sampling,
         "alternatives": found,
-        "space": rivals.space(compared, settings, seed),
         "recommendation": recommend(root),
     }
 
 
-def summary(datasets: dict[str, xr.Dataset]) -> list[str]:
+def summary(groups: Groups) -> list[str]:
     """Return the table "for this accuracy take ... ; it costs ..." by regime of x."""
-    return table_lines(datasets["recommendation"])
+    return table_lines(groups["recommendation"])
 
 
-def table(result: Path) -> pd.DataFrame:
+def table(groups: Groups) -> pd.DataFrame:
     """Return what to take for which accuracy, one row per point, quantity and wanted error."""
-    with xr.open_dataset(result, group="recommendation") as data:
-        frame = data.drop_dims("regime").to_dataframe().reset_index()
+    frame = groups["recommendation"].drop_dims("regime").to_dataframe().reset_index()
     return frame[np.isfinite(frame.seconds)]

@@ -1,10 +1,12 @@
 """Panels of error over CPU time, with measured orders and the Pareto front of the medians."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
 
-from workflow.report.figure import COLOURS
+from workflow.report import COLOURS
 
 NAMES = {"mu_1": "$\\mu_1$", "jump": "$\\Delta\\mu_0$", "rate": "$b$", "curve": "$\\mu(t)$"}
 REGIMES = ((0.0, 1.0, "$x < 1$"), (1.0, 10.5, "$1 \\leq x \\leq 10$"), (10.5, np.inf, "$x > 10$"))
@@ -24,7 +26,7 @@ def draw_ladders(ax: Axes, data: xr.Dataset, name: str) -> None:
         for scheme, line in zip(data.scheme.values, ("-", ":"), strict=True):
             error = one.error.sel(scheme=scheme, quantity=name)
             time = 1e3 * one.seconds.sel(scheme=scheme).isel(part=part)
-            style = {"color": colour, "lw": 0.7, "ms": 1.6, "alpha": 0.8}
+            style: dict[str, Any] = {"color": colour, "lw": 0.7, "ms": 1.6, "alpha": 0.8}
             ax.plot(time, error, line, marker="o" if line == "-" else None, **style)
     _front(ax, data, name, part)
     orders = data.order.sel(quantity=name).median("point", skipna=True)

@@ -6,8 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import amplitudes, draw_phases
-from workflow.simulate.block_means import line_generator
-from workflow.simulate.tasks import Problem
+from workflow.simulate import Problem, line_generator
 
 RATIO = 1.2  # v2 / v1
 

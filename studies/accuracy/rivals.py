@@ -1,4 +1,4 @@
-"""The common alternatives and the separation of space and time, as datasets."""
+"""The common alternatives, as a dataset."""
 
 from collections.abc import Callable
 
@@ -12,11 +12,8 @@ from .ladders import PARTS, point_coords
 from .marches import MARCHES
 from .points import Point, Surface, surface
 from .sampling import seconds
-from .space import separate
 
 SOLVERS = ("kernels", *MARCHES)
-LEVELS = (1, 2, 4, 8, 16)
-SPACE_LINES = 4
 WARM = Point(0.5, 0.3, 1.0)
 
 
@@ -74,23 +71,3 @@ def _marched(
         return np.full(4, np.nan), np.full(2, np.nan)
     found = observe(point, surfaces[0].elements, runs, limit.limit.mu_1.size, limit.end)
     return compare(found, limit).rms, seconds(runs)
-
-
-def space(points: tuple[Point, ...], settings: dict, seed: int) -> xr.Dataset:
-    """Return errors and fluctuations with elements and steps per dx refined apart."""
-    found = []
-    for point in points:
-        elements = max(64, settings["elements"] // 4)
-        surfaces = [surface(point, elements, seed, i) for i in range(SPACE_LINES)]
-        found.append(separate(point, surfaces, LEVELS))
-    dims = ("point", "elements_per_spacing", "steps")
-    coords = point_coords(points) | {"elements_per_spacing": list(LEVELS), "steps": list(LEVELS)}
-    error = {"long_name": "rms error of mu_1 as a step average, relative", "units": "1"}
-    noise = {"long_name": "rms fluctuation of steady friction in time, relative", "units": "1"}
-    return xr.Dataset(
-        {
-            "error": (dims, np.array([f[0] for f in found]), error),
-            "noise": (dims, np.array([f[1] for f in found]), noise),
-        },
-        coords,
-    )

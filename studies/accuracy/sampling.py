@@ -6,9 +6,9 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import Case, Line, Outcome, Quantities, run_case
-from workflow.plan.problems import horizon_steps
-from workflow.simulate.block_means import record_steps, record_times
-from workflow.study.numerics import Numerics
+from workflow.plan import horizon_steps
+from workflow.simulate import record_steps, record_times
+from workflow.study import Numerics
 
 from .points import RATIO, Point, Surface
 
@@ -20,7 +20,6 @@ class Method(NamedTuple):
 
     scheme: str
     steps: int  # m, samples and time steps per dx
-    single: bool = False  # samples of the line in float32
 
 
 class Runs(NamedTuple):
@@ -36,8 +35,8 @@ class Runs(NamedTuple):
 
 def kept_steps_of(point: Point, elements: int, method: Method) -> tuple[np.ndarray, np.ndarray]:
     """Return the steps at which the workflow records a relaxation, and their moments in tau."""
-    march = horizon_steps(point.problem(elements), NUMERICS, method.steps)
-    kept_steps = record_steps(march, NUMERICS.samples)
+    march_steps = horizon_steps(point.problem(elements), NUMERICS, method.steps)
+    kept_steps = record_steps(march_steps, NUMERICS.curve_samples)
     return kept_steps, record_times(kept_steps, method.steps * point.speed * RATIO, method.scheme)
 
 
@@ -63,8 +62,6 @@ def run(point: Point, surfaces: list[Surface], method: Method) -> Runs:
 def _run_one(surface: Surface, case: Case, method: Method) -> tuple[Outcome, tuple]:
     began = time.process_time()
     line = Line.self_affine(*surface, method.steps)
-    if method.single:
-        line = line._replace(z=line.z.astype(np.float32), slope=line.slope.astype(np.float32))
     drawn = time.process_time()
     run_case(line, case, Quantities(relaxation=False))
     steady = time.process_time()

@@ -2,14 +2,13 @@
 
 import numpy as np
 
-from kernels import amplitudes, rms_slope
-from workflow.reduce.fits import fit_relaxation
+from workflow.reduce import fit_exponential
 
 from .points import Point, Surface
 from .sampling import Method, Runs, run
 
 COUNTS = (10, 20, 50, 100, 200, 500, 1000)
-JACKKNIFE_GROUPS = 40  # at most
+MOST_GROUPS = 40
 
 
 def sampling_errors(point: Point, surfaces: list[Surface], steps: int) -> np.ndarray:
@@ -19,15 +18,14 @@ def sampling_errors(point: Point, surfaces: list[Surface], steps: int) -> np.nda
     than two groups, or where the rate can be fitted in fewer than half of them.
     """
     runs = run(point, surfaces, Method("exponential", steps))
-    slope = rms_slope(amplitudes(point.hurst, surfaces[0].elements), surfaces[0].elements)
     lines = len(surfaces)
-    whole = _estimate(runs, slice(0, lines), slope)
+    whole = _estimate(runs, slice(0, lines))
     found = np.full((len(COUNTS), 3), np.nan)
     for row, count in enumerate(COUNTS):
-        number = min(JACKKNIFE_GROUPS, lines // count)
+        number = min(MOST_GROUPS, lines // count)
         if number < 2:
             break
-        parts = [_estimate(runs, slice(k * count, (k + 1) * count), slope) for k in range(number)]
+        parts = [_estimate(runs, slice(k * count, (k + 1) * count)) for k in range(number)]
         apart = np.array(parts) / whole - 1.0
         for q in range(3):
             there = apart[np.isfinite(apart[:, q]), q]
@@ -36,9 +34,8 @@ def sampling_errors(point: Point, surfaces: list[Surface], steps: int) -> np.nda
     return found
 
 
-def _estimate(runs: Runs, rows: slice, slope: float) -> np.ndarray:
+def _estimate(runs: Runs, rows: slice) -> np.ndarray:
     """Return (mu_1, jump, b) of the mean over some lines."""
     deviation = (runs.curves[rows] - runs.mu_2[rows, None]).mean(axis=0)
-    # Without replicates that differ the fit asks for no significance: here every b counts.
-    rate = fit_relaxation(runs.moments, np.tile(deviation, (3, 1)), slope).rate[0]
+    rate = fit_exponential(runs.moments, deviation)[1]  # here every b counts, significant or not
     return np.array([runs.mu_1[rows].mean(), runs.jump[rows].mean(), rate])

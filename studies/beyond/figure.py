@@ -1,6 +1,6 @@
 """Beyond eq. 6: stretched exponent, rates of two exponentials, and which model predicts best."""
 
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -8,31 +8,32 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.reduce.models import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
-from workflow.report.figure import COLOURS, foot_line, log_bars
+from workflow.reduce import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
+from workflow.report import COLOURS, foot_line, log_bars
+from workflow.result import Groups
 
 NAMES = {EXPONENTIAL: "eq. 6", STRETCHED: "stretched", TWO_EXPONENTIALS: "two exponentials"}
 X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"
 SLOWEST_SHOWN = 1e-2  # rates far below the horizon are lines, not rates
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 3, figsize=(7.2, 2.9), layout="constrained")
-    with xr.open_dataset(result) as dataset:
-        for number, hurst in enumerate(dataset.hurst.values):
-            points = dataset.sel(hurst=hurst).stack(point=dataset.mu_1.dims[1:])
-            colour = COLOURS[number % len(COLOURS)]
-            _exponents(axes[0], points, colour, f"$H = {hurst:g}$")
-            _rates(axes[1], points, colour)
-        _label(axes)
-        _shares(axes[2], dataset)
-        foot_line(
-            figure,
-            dataset,
-            "(a, b): points where the model beats eq. 6 by two standard errors; squared error on "
-            "blocks left out",
-        )
+    dataset = groups[""]
+    for number, hurst in enumerate(dataset.hurst.values):
+        points = dataset.sel(hurst=hurst).stack(point=dataset.mu_1.dims[1:])
+        colour = COLOURS[number % len(COLOURS)]
+        _exponents(axes[0], points, colour, f"$H = {hurst:g}$")
+        _rates(axes[1], points, colour)
+    _label(axes)
+    _shares(axes[2], dataset)
+    foot_line(
+        figure,
+        dataset,
+        "(a, b): points where the model beats eq. 6 by two standard errors; squared error on "
+        "blocks left out",
+    )
     return figure
 
 
@@ -56,7 +57,7 @@ def _rates(ax: Axes, points: xr.Dataset, colour: str) -> None:
         shown = rate > SLOWEST_SHOWN
         bars = log_bars(rate[shown], points[f"{name}_error"].values[shown])
         x = points.speed_ratio.values[shown]
-        style = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
+        style: dict[str, Any] = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
         ax.errorbar(x, rate[shown], bars, fmt="o", color=colour, mfc=face, **style)
 
 

@@ -1,30 +1,27 @@
 """Figure 2: friction before, during and after a jump of the sliding velocity, up and down."""
 
-from pathlib import Path
-
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report.figure import COLOURS, foot_line
+from studies.style import VARIANTS
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
-VARIANTS = {None: "converged", "paper_step": "implicit Euler, one step per $\\Delta x$"}
 
-
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 2, figsize=(6.9, 2.8), layout="constrained")
     for number, (group, label) in enumerate(VARIANTS.items()):
-        with xr.open_dataset(result, group=group) as dataset:
-            for ax, step in zip(axes, dataset.velocity_step.values, strict=True):
-                _history(ax, dataset.sel(velocity_step=step).squeeze(), COLOURS[number], label)
-                ax.set_title(f"({'ab'[int(step < 0)]}) $v_2 = {1.0 + step:g}\\,v_1$", loc="left")
-                ax.set_xlabel("time after the jump $(t - t_0)/\\tau$")
+        dataset = groups[group]
+        for ax, step in zip(axes, dataset.velocity_step.values, strict=True):
+            _history(ax, dataset.sel(velocity_step=step).squeeze(), COLOURS[number], label)
+            ax.set_title(f"({'ab'[int(step < 0)]}) $v_2 = {1.0 + step:g}\\,v_1$", loc="left")
+            ax.set_xlabel("time after the jump $(t - t_0)/\\tau$")
     axes[0].set_ylabel("coefficient of friction $\\mu$")
     axes[0].legend(loc="lower right")
-    with xr.open_dataset(result) as dataset:
-        foot_line(figure, dataset, "bands: one standard error of the deviation from $\\mu_2$")
+    foot_line(figure, groups[""], "bands: one standard error of the deviation from $\\mu_2$")
     return figure
 
 

@@ -1,7 +1,5 @@
 """Figure 3: steady friction over velocity, and friction over time with a jump at t = 10 tau."""
 
-from pathlib import Path
-
 import matplotlib as mpl
 import numpy as np
 import xarray as xr
@@ -9,7 +7,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report.figure import COLOURS, foot_line
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
 JUMP_AT = 10.0  # tau
 END = 20.0
@@ -17,18 +16,17 @@ LINEAR = 0.9  # region I: local exponent of mu(v) above this
 FLAT = 0.1  # region III: local exponent below this
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 2, figsize=(6.9, 3.0), layout="constrained")
-    with xr.open_dataset(result) as dataset:
-        points = dataset.squeeze()
-        _steady(axes[0], points)
-        _kinetics(axes[1], points)
-        colours = plt.cm.ScalarMappable(
-            mpl.colors.LogNorm(points.velocity.min(), points.velocity.max()), "viridis"
-        )
-        figure.colorbar(colours, ax=axes[1], label="velocity $v_1$ (m/s)")
-        foot_line(figure, dataset)
+    points = groups[""].squeeze()
+    _steady(axes[0], points)
+    _kinetics(axes[1], points)
+    colours = plt.cm.ScalarMappable(
+        mpl.colors.LogNorm(points.velocity.min(), points.velocity.max()), "viridis"
+    )
+    figure.colorbar(colours, ax=axes[1], label="velocity $v_1$ (m/s)")
+    foot_line(figure, groups[""])
     return figure
 
 

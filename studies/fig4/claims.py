@@ -3,23 +3,15 @@
 import numpy as np
 import xarray as xr
 
-from workflow.report.claims import (
-    HOLDS,
-    NOT_FOUND,
-    ONLY_COARSE,
-    Claim,
-    Results,
-    given,
-    per_point,
-)
+from workflow.report import HOLDS, NOT_FOUND, ONLY_COARSE, Claim, Results, given, per_point
 
 RATE = 2.4  # of figure 4
 USUAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typical
 
 
 def example_rate(results: Results) -> Claim | None:
-    """Judge b = 2.4 of figure 4: for which spacing is it found?"""
-    found, places = [], {}
+    """Judge b = 2.4 of figure 4, by the spacing at which it is found."""
+    found, spacings = [], {}
     for group, label in (("", "converged"), ("/paper_step", "implicit Euler")):
         line = _over_spacing(given(results, f"fig4{group}", "relaxation_rate"))
         if line is None:
@@ -34,15 +26,15 @@ def example_rate(results: Results) -> Claim | None:
         at = _crossing(np.log(spacing), np.log(rate / RATE), error / rate)
         if at is not None:
             micrometres = 1e6 * np.exp(at[0])
-            places[group] = f"Δx = {micrometres:.2g} ± {micrometres * at[1]:.1g} µm"
+            spacings[group] = f"Δx = {micrometres:.2g} ± {micrometres * at[1]:.1g} µm"
     if not found:
         return None
-    verdict = f"{HOLDS} if {places['']}" if "" in places else NOT_FOUND
-    if verdict == NOT_FOUND and places:
-        verdict = f"{ONLY_COARSE}, {places['/paper_step']}"
+    verdict = f"{HOLDS} if {spacings['']}" if "" in spacings else NOT_FOUND
+    if verdict == NOT_FOUND and spacings:
+        verdict = f"{ONLY_COARSE}, {spacings['/paper_step']}"
     text = "Figure 4: b = 2.4 (its spacing is not printed; N is typically 5000, Δx = 2 µm)"
-    error = per_point(results["fig4"]) if "fig4" in results else "not known"
-    return Claim(text, f"{RATE:g}", "; ".join(found), error, verdict)
+    each = per_point(results["fig4"]) if "fig4" in results else "not known"
+    return Claim(text, f"{RATE:g}", "; ".join(found), each, verdict)
 
 
 def _over_spacing(

@@ -1,30 +1,28 @@
 """Figure 4: fit of eq. 6 to the relaxation, and the rate b over the spacing."""
 
-from pathlib import Path
-
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.reduce.fits import FITTED
-from workflow.report.figure import COLOURS, foot_line
+from studies.style import CONVERGED, VARIANTS
+from workflow.reduce import FITTED
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
 PAPER_RATE = 2.4
-VARIANTS = {None: "converged", "paper_step": "implicit Euler, one step per $\\Delta x$"}
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 2, figsize=(6.9, 2.8), layout="constrained")
     for number, (group, label) in enumerate(VARIANTS.items()):
-        with xr.open_dataset(result, group=group) as dataset:
-            points = dataset.squeeze()
-            _rates(axes[1], points, COLOURS[number], label)
-            if group is None:
-                _fit(axes[0], points.isel(spacing=nearest_to_paper(points)))
-                foot_line(figure, dataset, "the caption of the paper gives no spacing")
+        points = groups[group].squeeze()
+        _rates(axes[1], points, COLOURS[number], label)
+        if group == CONVERGED:
+            _fit(axes[0], points.isel(spacing=nearest_to_paper(points)))
+            foot_line(figure, groups[group], "the caption of the paper gives no spacing")
     axes[1].axhline(PAPER_RATE, color="k", ls="--", lw=0.8, label="paper, $b = 2.4$")
     axes[1].set(xscale="log", xlabel="spacing $\\Delta x$ (m)", ylim=(0, None))
     axes[1].set_ylabel("relaxation rate $b$ (per $\\tau$)")

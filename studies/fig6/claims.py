@@ -3,7 +3,7 @@
 import numpy as np
 
 from workflow.kinetic_law import PLATEAU, normalised_jump
-from workflow.report.claims import TOLERANCE, Claim, Results, given, judge, mean_error, percent
+from workflow.report import TOLERANCE, Claim, Results, given, judge, mean_error, percent
 
 FLAT = 0.9  # share of its largest value from which mu_1 counts as on the plateau
 MIDDLE = (0.3, 0.7)  # Hurst exponents of the plateau claim

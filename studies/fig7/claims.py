@@ -4,8 +4,8 @@ import numpy as np
 import xarray as xr
 
 from workflow.kinetic_law import relaxation_rate
-from workflow.reduce.fits import FITTED, NOT_EXPONENTIAL
-from workflow.report.claims import (
+from workflow.reduce import FITTED, NOT_EXPONENTIAL
+from workflow.report import (
     FACTOR,
     HOLDS,
     NOT_FOUND,

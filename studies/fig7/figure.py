@@ -1,6 +1,6 @@
 """Figure 7: relaxation rate b over x = v1 tau q_max, as the paper steps and converged in time."""
 
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -8,26 +8,27 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.reduce.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
-from workflow.report.figure import COLOURS, foot_line, log_bars
+from studies.style import CONVERGED, PAPER_STEP
+from workflow.reduce import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
+from workflow.report import COLOURS, foot_line, log_bars
+from workflow.result import Groups
 
 PANELS = {
-    "paper_step": "(a) implicit Euler, one step per $\\Delta x$",
-    None: "(b) converged in time",
+    PAPER_STEP: "(a) implicit Euler, one step per $\\Delta x$",
+    CONVERGED: "(b) converged in time",
 }
 NEARLY_FULL = 0.8  # contact fraction above which markers are hollow
 MARKS = {NO_RELAXATION: "|", NOT_EXPONENTIAL: "x", UNDETERMINED: "+"}
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
     figure, axes = plt.subplots(
         1, 3, figsize=(7.2, 3.3), width_ratios=(1.0, 1.0, 0.62), layout="constrained"
     )
     for ax, (group, title) in zip(axes, PANELS.items(), strict=False):
-        with xr.open_dataset(result, group=group) as dataset:
-            _rates(ax, dataset)
-            _exponents(axes[2], dataset, group)
+        _rates(ax, groups[group])
+        _exponents(axes[2], groups[group], group)
         ax.set_title(title, loc="left")
     axes[0].set_ylabel("relaxation rate $b$ (per $\\tau$)")
     axes[1].tick_params(labelleft=False)
@@ -38,13 +39,12 @@ def draw(result: Path) -> Figure:
     axes[2].set_xlabel("Hurst exponent $H$")
     axes[2].set_ylabel("$\\alpha$ of $b = x^\\alpha$")
     axes[2].legend(loc="lower left")
-    with xr.open_dataset(result) as dataset:
-        foot_line(
-            figure,
-            dataset,
-            "lines: eq. 13; hollow: over 80 % in contact; below the axis line, by $H$: | nothing "
-            "to relax, x not exponential, + lost in noise",
-        )
+    foot_line(
+        figure,
+        groups[CONVERGED],
+        "lines: eq. 13; hollow: over 80 % in contact; below the axis line, by $H$: | nothing "
+        "to relax, x not exponential, + lost in noise",
+    )
     return figure
 
 
@@ -77,7 +77,7 @@ def _points(
         chosen[name].values.ravel()[where]
         for name in ("speed_ratio", "relaxation_rate", "relaxation_rate_error")
     )
-    style = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.8}
+    style: dict[str, Any] = {"ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.8}
     ax.errorbar(x, b, log_bars(b, error), fmt="o", color=colour, mfc=face, label=label, **style)
 
 
@@ -88,7 +88,7 @@ def _unfitted(ax: Axes, x: np.ndarray, status: np.ndarray, colour: str, row: flo
         ax.plot(there, np.full_like(there, row), marker, color=colour, ms=2.5, mew=0.6)
 
 
-def _exponents(ax: Axes, dataset: xr.Dataset, group: str | None) -> None:
+def _exponents(ax: Axes, dataset: xr.Dataset, group: str) -> None:
     ax.errorbar(
         dataset.hurst,
         dataset.alpha,

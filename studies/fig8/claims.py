@@ -4,14 +4,7 @@ import math
 
 import numpy as np
 
-from workflow.report.claims import (
-    HOLDS,
-    Claim,
-    Results,
-    given,
-    judge,
-    reworded,
-)
+from workflow.report import HOLDS, Claim, Results, given, judge, reworded
 
 ALPHA_TOLERANCE = 0.2
 

@@ -1,36 +1,33 @@
 """Figure 8: exponent alpha of eq. 13 over the Hurst exponent, for x > 1."""
 
-from pathlib import Path
-
-import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from workflow.report.figure import COLOURS, foot_line
+from studies.style import CONVERGED, VARIANTS
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
-VARIANTS = {None: "converged", "paper_step": "implicit Euler, one step per $\\Delta x$"}
 
-
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
     figure, ax = plt.subplots(figsize=(3.6, 3.0), layout="constrained")
     for number, (group, label) in enumerate(VARIANTS.items()):
-        with xr.open_dataset(result, group=group) as dataset:
-            for name, marker, law in (
-                ("alpha", "o", "x^\\alpha"),
-                ("alpha_free", "^", "c\\,x^\\alpha"),
-            ):
-                ax.errorbar(
-                    dataset.hurst,
-                    dataset[name],
-                    dataset[f"{name}_error"],
-                    fmt=marker,
-                    color=COLOURS[number],
-                    mfc=COLOURS[number] if name == "alpha" else "none",
-                    label=f"{label}, $b = {law}$",
-                )
-            if group is None:
-                foot_line(figure, dataset, "")
+        dataset = groups[group]
+        for name, marker, law in (
+            ("alpha", "o", "x^\\alpha"),
+            ("alpha_free", "^", "c\\,x^\\alpha"),
+        ):
+            ax.errorbar(
+                dataset.hurst,
+                dataset[name],
+                dataset[f"{name}_error"],
+                fmt=marker,
+                color=COLOURS[number],
+                mfc=COLOURS[number] if name == "alpha" else "none",
+                label=f"{label}, $b = {law}$",
+            )
+        if group == CONVERGED:
+            foot_line(figure, dataset, "")
     ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")
     ax.set(xlabel="Hurst exponent $H$", ylabel="exponent $\\alpha$ for $x > 1$", ylim=(-0.1, 1.45))
     ax.legend(loc="upper right", fontsize=6)

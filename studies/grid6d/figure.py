@@ -1,34 +1,37 @@
 """The six-dimensional grid on the paper's scalings, and how well the kinetic law predicts it."""
 
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.transforms import Bbox
 
-from studies.grid6d.prediction import LIMITS, law_error, shares_within
 from workflow.kinetic_law import normalised_jump
-from workflow.reduce.fits import FITTED
-from workflow.report.figure import COLOURS, foot_line, log_bars
+from workflow.reduce import FITTED
+from workflow.report import COLOURS, foot_line, log_bars
+from workflow.result import Groups
+
+from .prediction import LIMITS, law_error, shares_within
 
 X_LABEL = "$x = v_1\\tau q_\\mathrm{max}$"
-STYLE = {"ms": 2.2, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.7}
+STYLE: dict[str, Any] = {"ms": 2.2, "mew": 0.5, "lw": 0.5, "capsize": 0, "alpha": 0.7}
 NOISY = 0.5  # relative standard error above which markers are hollow, without bars
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
     figure, axes = plt.subplots(2, 3, figsize=(7.2, 5.0), layout="constrained")
     flat = axes.ravel()
-    with xr.open_dataset(result) as dataset:
-        for number, hurst in enumerate(dataset.hurst.values):
-            points = dataset.sel(hurst=hurst).stack(point=dataset.mu_1.dims[1:])
-            _scalings(flat, points, COLOURS[number % len(COLOURS)], f"$H = {hurst:g}$")
-        _cumulative(flat[4], dataset)
-        _table(flat[5], dataset)
-        foot_line(figure, dataset, "hollow: standard error over 50 %")
+    dataset = groups[""]
+    for number, hurst in enumerate(dataset.hurst.values):
+        points = dataset.sel(hurst=hurst).stack(point=dataset.mu_1.dims[1:])
+        _scalings(flat, points, COLOURS[number % len(COLOURS)], f"$H = {hurst:g}$")
+    _cumulative(flat[4], dataset)
+    _table(flat[5], dataset)
+    foot_line(figure, dataset, "hollow: standard error over 50 %")
     span = np.geomspace(1e-6, 2.0, 100)
     flat[1].plot(span, normalised_jump(span), "k-", lw=1, label="eq. 12", zorder=0)
     _label(flat)
@@ -92,7 +95,7 @@ def _table(ax: Axes, dataset: xr.Dataset) -> None:
         rowLabels=list(rows),
         colLabels=[f"{limit:.0%}" for limit in LIMITS],
         loc="center",
-        bbox=(0.45, 0.3, 0.55, 0.55),
+        bbox=Bbox.from_bounds(0.45, 0.3, 0.55, 0.55),
     )
     table.auto_set_font_size(False)
     table.set_fontsize(7)

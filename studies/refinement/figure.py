@@ -1,8 +1,5 @@
 """Refinement of figure 7 in time: what of its left branch is physics, and what the time step."""
 
-import json
-from pathlib import Path
-
 import matplotlib as mpl
 import numpy as np
 import xarray as xr
@@ -10,8 +7,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.reduce.fits import FITTED
-from workflow.report.figure import COLOURS, foot_line
+from workflow.reduce import FITTED
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
 
 SCHEMES = {"euler": "implicit Euler", "exponential": "exponential"}
 FORCE = 0.1  # N, the nearest is shown
@@ -26,9 +24,8 @@ PHYSICS = (
 )
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
-    groups = _load(result)
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
     hursts = groups[""].hurst.values[[0, -1]] if groups[""].hurst.size > 2 else groups[""].hurst
     figure, axes = plt.subplots(
         2, 3, figsize=(7.4, 5.4), sharex=True, layout="constrained", squeeze=False
@@ -55,16 +52,6 @@ def draw(result: Path) -> Figure:
     return figure
 
 
-def _load(result: Path) -> dict[str, xr.Dataset]:
-    """Return group -> dataset; "" is the study itself, the others are its comparisons."""
-    with xr.open_dataset(result) as data:
-        groups = {"": data.load()}
-    for name in json.loads(groups[""].attrs["study"])["compare"]:
-        with xr.open_dataset(result, group=name) as data:
-            groups[name] = data.load()
-    return groups
-
-
 def _at(data: xr.Dataset, hurst: float) -> xr.Dataset:
     """Return one Hurst exponent at the force that is shown, over velocity alone."""
     chosen = data.sel(hurst=hurst).sel(normal_force=FORCE, method="nearest")
@@ -80,11 +67,11 @@ def decay_rate(data: xr.Dataset, steps: int) -> xr.DataArray:
     return np.log1p(dt) / dt
 
 
-def _steps(groups: dict[str, xr.Dataset], scheme: str) -> list[int]:
+def _steps(groups: Groups, scheme: str) -> list[int]:
     return sorted(int(name.rpartition("_")[2]) for name in groups if name.startswith(scheme))
 
 
-def _rates(ax: Axes, groups: dict[str, xr.Dataset], scheme: str, hurst: float) -> None:
+def _rates(ax: Axes, groups: Groups, scheme: str, hurst: float) -> None:
     steps = _steps(groups, scheme)
     colours = mpl.colormaps["viridis"](np.linspace(0.9, 0.15, len(steps)))
     for m, colour in zip(steps, colours, strict=True):
@@ -120,7 +107,7 @@ def _rates(ax: Axes, groups: dict[str, xr.Dataset], scheme: str, hurst: float) -
     ax.set(xscale="log", yscale="log", ylim=(0.02, 40.0))
 
 
-def _amplitudes(ax: Axes, groups: dict[str, xr.Dataset], hurst: float) -> None:
+def _amplitudes(ax: Axes, groups: Groups, hurst: float) -> None:
     shown = {"": ("converged", "k"), "euler_1": ("implicit Euler, $m = 1$", COLOURS[4])}
     for name, (label, colour) in shown.items():
         if name not in groups:

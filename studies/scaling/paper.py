@@ -1,41 +1,53 @@
 """A whole study on a virtual cluster: real plan, flow, shelf, store and journal, no kernels.
 
-Runs in a process of its own (processes.alone), so that its memory is that of a driver.
+`python -m studies.scaling.paper ARGUMENTS` runs it in a process of its own, so that its memory is
+that of a driver.
 """
 
+import json
+import subprocess
+import sys
 import tempfile
 import time
 from operator import attrgetter
 from pathlib import Path
+from typing import Any, cast
 
-from workflow.plan.batches import batch_target, batches
-from workflow.plan.plan import make_plan
-from workflow.run.flow import stream
-from workflow.store.journal import size
-from workflow.store.shelf import Shelf
-from workflow.store.store import Store
-from workflow.study.read import read_study
-from workflow.system.process import peak_bytes
+import numpy as np
 
-from .pretend import pretend
-from .virtual import Costs, VirtualClient, virtual_time
+from workflow.plan import batch_target, cut, make_batches, make_plan, missing_work, total_seconds
+from workflow.simulate import PHASES, SCALARS, Batch, BatchResult
+from workflow.store import Shelf, Store, size
+from workflow.study import Study, read_study
+from workflow.system import peak_bytes
+
+from .virtual import Costs, VirtualClient, virtual_stream
 
 MEBIBYTE = 2**20
+
+
+def alone(**arguments: Any) -> dict[str, float]:
+    """Return what ``measured(**arguments)`` returns in a process of its own."""
+    command = [sys.executable, "-m", "studies.scaling.paper", json.dumps(arguments)]
+    done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
+    return json.loads(done.stdout.splitlines()[-1])
 
 
 def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[str, float]:
     """Return what the study takes on so many workers; sizes in MiB, times in s."""
     began = time.process_time()
-    plan = make_plan(read_study(study, scale))
-    target = batch_target(sum(batch.seconds for batch in batches(plan, ())))
+    plan = make_plan(cast(Study, read_study(study, scale)))
+    missing = missing_work(plan, ())
+    target = batch_target(total_seconds(missing))
+    work = make_batches(plan, cut(plan, missing, target), target)
     planned = time.process_time() - began
     client = VirtualClient(workers, Costs(*costs), attrgetter("seconds"))
     longest = 0.0
     began = time.process_time()
     with tempfile.TemporaryDirectory() as folder:
         store = Store(Path(folder))
-        with virtual_time(client), Shelf(store, target) as shelf:
-            for batch, done in stream(client, pretend, batches(plan, store, target)):
+        with Shelf(store, target, client.monotonic) as shelf:
+            for batch, done in virtual_stream(client, pretend, work):
                 shelf.add(batch, done)
                 longest = max(longest, batch.seconds)
         spent = time.process_time() - began
@@ -64,3 +76,19 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
         "driver_seconds": spent / client.tasks,  # measured: flow, index, shards; no network
         "indexing": indexing,
     }
+
+
+def pretend(batch: Batch) -> BatchResult:
+    """Return a result of zeros that claims the predicted time."""
+    shape = (len(batch.tasks), batch.blocks)
+    return BatchResult(
+        scalars=np.zeros((*shape, len(SCALARS))),
+        curves=np.zeros((*shape, batch.curve_samples - 1)),
+        spent=np.zeros((len(batch.tasks), len(PHASES))),
+        seconds=batch.seconds,
+        peak=0,
+    )
+
+
+if __name__ == "__main__":
+    print(json.dumps(measured(**json.loads(sys.argv[1]))))

@@ -9,15 +9,18 @@ from its last task until the scheduler's next message has reached it. This is th
 import math
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from contextlib import contextmanager
+from functools import partial
 from heapq import heappop, heappush
 from itertools import count
-from typing import Any, NamedTuple
-from unittest.mock import patch
+from operator import pos
+from typing import Any, NamedTuple, cast
 
-from workflow.run import flow
-from workflow.store import shelf
+import numpy as np
+from distributed import Client
 
+from workflow.cluster import stream
+
+SPREAD = 0.5  # of a task's time, about its mean, each way
 BEGAN = 1000.0  # s; no clock of a machine starts at zero with a program, and flow looks at once
 
 
@@ -141,13 +144,27 @@ class VirtualCompleted:
         return self.client.finished()
 
 
-@contextmanager
-def virtual_time(client: VirtualClient) -> Iterator[VirtualClient]:
-    """Let flow and shelf of the workflow run on a virtual cluster and by its clock."""
+def virtual_stream(
+    client: VirtualClient, function: Callable[[Any], Any], items: Iterable[Any]
+) -> Iterator[tuple[Any, Any]]:
+    """Let the workflow stream its work through a virtual cluster, by its clock."""
+    real = cast(Client, client)  # of its interface the stream uses what is above
+    return stream(real, function, items, clock=client, completed=partial(_completed, client))
 
-    with (
-        patch.object(flow, "as_completed", lambda *_, **__: VirtualCompleted(client)),
-        patch.object(flow, "time", client),
-        patch.object(shelf, "time", client),
-    ):
-        yield client
+
+def _completed(client: VirtualClient, *_: Any, **__: Any) -> VirtualCompleted:
+    return VirtualCompleted(client)
+
+
+def simulated(workers: int, items: list[float], costs: Costs) -> VirtualClient:
+    """Return a virtual cluster that has done tasks of these durations (s)."""
+    client = VirtualClient(workers, costs, pos)
+    for _ in virtual_stream(client, pos, items):
+        pass
+    return client
+
+
+def durations(seconds: float, tasks: int, seed: int) -> list[float]:
+    """Return times of tasks (s), uniform about their mean."""
+    spread = np.random.default_rng(seed).uniform(1.0 - SPREAD, 1.0 + SPREAD, tasks)
+    return (seconds * spread).tolist()

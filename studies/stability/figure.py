@@ -1,13 +1,16 @@
 """The map of Fbar over x: worst residual, Newton passes, and what halving the samples changes."""
 
-from pathlib import Path
+from typing import Any
 
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
+from matplotlib.collections import QuadMesh
 from matplotlib.colors import BoundaryNorm, LogNorm
 from matplotlib.figure import Figure
+
+from workflow.result import Groups
 
 from .probe import RESIDUALS
 
@@ -19,11 +22,10 @@ TITLES = (
 )
 
 
-def draw(result: Path) -> Figure:
-    """Return the figure of a result file of this study."""
-    with xr.open_dataset(result) as data, xr.open_dataset(result, group="corners") as corners:
-        data.load()
-        cases = data.passes.size + corners.sizes["case"]
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    data = groups[""]
+    cases = data.passes.size + groups["corners"].sizes["case"]
     worst = data[list(RESIDUALS)].to_dataarray().max("variable")
     passes = data.passes
     columns = (
@@ -43,7 +45,7 @@ def draw(result: Path) -> Figure:
         bar = figure.colorbar(mesh, ax=axes[:, column], location="top", aspect=30)
         bar.set_label(TITLES[column], fontsize=7.5)
         if column == 1:
-            bar.set_ticks(np.arange(float(passes.min()), float(passes.max()) + 1.0))
+            bar.set_ticks(list(range(int(passes.min()), int(passes.max()) + 1)))
     for ax in axes[-1]:
         ax.set_xlabel("$x = v_1 \\tau q_\\mathrm{max}$")
     for ax in axes[:, 0]:
@@ -64,9 +66,9 @@ def _whole_numbers(values: xr.DataArray) -> BoundaryNorm:
     return BoundaryNorm(edges, 256)
 
 
-def _map(ax: Axes, values: xr.DataArray, colours: dict):
+def _map(ax: Axes, values: xr.DataArray, colours: dict[str, Any]) -> QuadMesh:
     """Colour the map; what is smaller than the scale, or zero, has its lowest colour."""
-    floor = getattr(colours["norm"], "vmin", None)
+    floor = float(colours["norm"].vmin)
     mesh = ax.pcolormesh(
         values.speed_ratio, values.mean_load, np.maximum(values, floor), rasterized=True, **colours
     )

@@ -2,14 +2,14 @@
 
 from collections.abc import Callable
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 import pandas as pd
 import xarray as xr
 
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, rms_slope, run_case
-from workflow.study.checks import integer
+from workflow.result import Groups
+from workflow.study import integer
 
 from .corners import corners, number_of_corners, random_line
 from .probe import COUNTS, RESIDUALS, Motion, probe
@@ -66,13 +66,14 @@ def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Data
     ]
     shape = (len(SCHEMES), loads.size, speeds.size)
     found = {kind: np.zeros(shape) for kind in (*KINDS, "refinement")}
-    for place in np.ndindex(shape):
-        scheme, load, x = list(SCHEMES)[place[0]], loads[place[1]], speeds[place[2]]
+    for cell in np.ndindex(shape):
+        scheme = list(SCHEMES)[cell[0]]
+        load, x = float(loads[cell[1]]), float(speeds[cell[2]])
         for line, fine in both:
             motion = Motion(line, load, x / np.pi, RATIO, scheme)
             worst = probe(motion, settings["steps"]) | {"refinement": _refinement(motion, fine)}
             for kind, value in worst.items():
-                found[kind][place] = max(found[kind][place], value)
+                found[kind][cell] = max(float(found[kind][cell]), value)
         advance(_map_seconds(settings))
     dims = ("scheme", "mean_load", "speed_ratio")
     data = {kind: (dims, values, _attributes(kind)) for kind, values in found.items()}
@@ -126,20 +127,17 @@ def _attributes(name: str) -> dict[str, str]:
     return {"long_name": known.get(name, name.replace("_", " ")), "units": "1"}
 
 
-def table(result: Path) -> pd.DataFrame:
+def table(groups: Groups) -> pd.DataFrame:
     """Return the worst of every kind over the map and the corners, and where it was."""
-    frames = []
-    with xr.open_dataset(result) as data:
-        points = data.to_dataframe().reset_index()
-        settings = {"line": f"H = {data.hurst:g}", "elements": data.elements, "ratio": RATIO}
-        frames.append(points.assign(**settings, steps_per_spacing=data.steps_per_spacing))
-    with xr.open_dataset(result, group="corners") as data:
-        frames.append(data.to_dataframe())
-    cases = pd.concat(frames, ignore_index=True)
+    data = groups[""]
+    points = data.to_dataframe().reset_index()
+    settings = {"line": f"H = {data.hurst:g}", "elements": data.elements, "ratio": RATIO}
+    points = points.assign(**settings, steps_per_spacing=data.steps_per_spacing)
+    cases = pd.concat([points, groups["corners"].to_dataframe()], ignore_index=True)
     where = ["line", "elements", "steps_per_spacing", "mean_load", "speed_ratio", "ratio", "scheme"]
     rows = []
     for kind, meaning in KINDS.items():
-        worst = cases.loc[cases[kind].idxmax()]
+        worst = cases.iloc[int(np.nanargmax(cases[kind].to_numpy()))]
         row = {"kind": kind, "meaning": meaning, "cases": len(cases), "worst": worst[kind]}
         rows.append(row | {name: worst[name] for name in where if worst[kind] > 0.0})
     return pd.DataFrame(rows)

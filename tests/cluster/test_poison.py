@@ -8,8 +8,8 @@ import pytest
 from tests.workflow.runs import run
 from tests.workflow.shards import held
 from tests.workflow.small import all_records, small_plan
-from workflow.run import worker as work
-from workflow.run.worker import Versions
+from workflow.cluster import worker as work
+from workflow.cluster.versions import Versions
 from workflow.simulate.tasks import Batch, BatchResult
 from workflow.store.store import Store, store_folder
 
@@ -27,9 +27,8 @@ def poisonous(batch: Batch, expected: Versions) -> BatchResult:
 @pytest.fixture(scope="module")
 def poisoned(standing, tmp_path_factory):
     """Return a run of the small study with a poisonous problem, and its result."""
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("workflow.run.run.run_batch", poisonous)
-        done = run(standing.address, tmp_path_factory.mktemp("poisoned"), max_failures=1)
+    folder = tmp_path_factory.mktemp("poisoned")
+    done = run(standing.address, folder, max_failures=1, work=poisonous)
     return done, done.load()
 
 

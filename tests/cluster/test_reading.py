@@ -5,7 +5,7 @@ import xarray as xr
 
 from tests.cluster.processes import PATIENCE, start
 from workflow.store import journal
-from workflow.system.files import holder
+from workflow.system.lock import holder
 
 pytestmark = pytest.mark.cluster
 STUDY = ("fig7", "--scale", "smoke")

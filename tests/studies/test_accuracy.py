@@ -6,14 +6,12 @@ import xarray as xr
 from matplotlib import pyplot as plt
 
 from kernels import SCHEMES, ConstantForce, Line, lagged_slope, march, steady_sliding, step_average
-from studies.accuracy.alternatives import available, seconds_at
+from studies.accuracy.alternatives import available
 from studies.accuracy.discretisation import climb, ladder_steps, reference
-from studies.accuracy.levels import multilevel_gain
-from studies.accuracy.marches import MARCHES, NumbaMarch
+from studies.accuracy.marches import MARCHES
 from studies.accuracy.points import COMPARED, POINTS, Point, surface
 from studies.accuracy.recommendation import choose
-from studies.accuracy.space import separate
-from workflow.cli.main import main
+from workflow.cli import main
 
 POINT = Point(0.5, 0.3, 1.5)
 TOLERANCE = {"numpy": 1e-8, "numba": 1e-8, "tamaas": 1e-6}
@@ -43,22 +41,6 @@ def test_alternatives_agree_with_the_kernels_at_equal_m(name, m):
     before = one.advance(int(np.ceil(25.0 / np.log1p(dt))), dt)
     assert before[-1] == pytest.approx(steady, rel=TOLERANCE[name])
     np.testing.assert_allclose(one.advance(10, dt / 1.2), mu, rtol=TOLERANCE[name])
-
-
-def test_elements_apart_carry_the_same_load_and_nearly_the_same_friction():
-    line = Line.self_affine(*surface(POINT, 100, 1, 0), 16)
-    dt = 1.0 / (16 * POINT.speed)
-    every = NumbaMarch(line, POINT.load).advance(500, dt)
-    some = NumbaMarch(line, POINT.load, stride=2).advance(500, dt)
-    assert np.ptp(every[-100:]) < 1e-6 * every[-1]
-    assert np.ptp(some[-100:]) > 1e-5 * every[-1]  # the lattice shows
-    assert some[-100:].mean() == pytest.approx(every[-1], rel=0.02)
-
-
-def test_more_steps_than_elements_fluctuate_and_more_elements_do_not():
-    _, noise = separate(POINT, [surface(POINT, 64, 1, 0)], (1, 2, 4))
-    assert np.all(noise[np.tril_indices(3)] < 1e-4)
-    assert np.all(noise[np.triu_indices(3, 1)] > 1e-3)
 
 
 @pytest.fixture(scope="module")
@@ -102,26 +84,6 @@ def test_choice_balances_bias_and_realizations():
     assert choose(steps, bias, 1e-6, seconds, 0.2).realizations == 10
 
 
-def test_gain_of_multilevel_is_that_of_the_formula():
-    rng = np.random.default_rng(1)
-    coarse = rng.standard_normal(4000)
-    values = {1: coarse, 8: coarse + 0.01 * rng.standard_normal(4000)}
-    bias, cost = {1: 0.1, 8: 0.0}, {1: 1.0, 8: 100.0}
-    plain = values[8].var(ddof=1) * 100.0
-    levels = (coarse.std(ddof=1) + np.sqrt((values[8] - coarse).var(ddof=1) * 101.0)) ** 2
-    assert multilevel_gain(values, bias, cost, 0.05) == pytest.approx(plain / levels, rel=1e-12)
-    assert multilevel_gain(values, bias, cost, 0.2) < 2.0  # the coarse level alone will do
-    assert np.isnan(multilevel_gain({1: coarse}, bias, cost, 0.05))
-
-
-def test_time_to_an_accuracy_is_between_the_runs_around_it():
-    error, seconds = np.array([0.1, 0.01, 0.001]), np.array([1.0, 4.0, 16.0])
-    assert seconds_at(error, seconds, 0.01) == pytest.approx(4.0)
-    assert seconds_at(error, seconds, np.sqrt(1e-3)) == pytest.approx(2.0)
-    assert seconds_at(error, seconds, 0.5) == 1.0
-    assert np.isnan(seconds_at(error, seconds, 1e-4))
-
-
 @pytest.fixture(scope="module")
 def result(tmp_path_factory):
     """Run the study at smoke scale."""
@@ -135,13 +97,6 @@ def test_errors_fall_with_m(result):
         error = data.error.sel(scheme="exponential", quantity="mu_1", steps=[2, 16])
         assert (error.isel(steps=1) < 0.1 * error.isel(steps=0)).all()
         assert (data.seconds.dropna("steps", how="all") > 0.0).any()
-
-
-def test_single_precision_shows_only_where_m_is_fine(result):
-    with xr.open_dataset(result) as data:
-        double = data.error.sel(scheme="exponential", quantity="mu_1", steps=[1, 2, 4])
-        single = data.single_error.sel(quantity="mu_1", single_steps=[1, 2, 4])
-        np.testing.assert_allclose(single, double, rtol=0.05)
 
 
 def test_sampling_error_falls_as_the_root_of_the_number(result):

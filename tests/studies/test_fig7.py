@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.reduce.fits import FITTED, NO_RELAXATION
 
 ROOT = Path(__file__).resolve().parents[2]

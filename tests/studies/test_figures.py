@@ -6,7 +6,7 @@ import xarray as xr
 from matplotlib import pyplot as plt
 
 from studies.grid6d.prediction import law_error
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.kinetic_law import normalised_jump
 from workflow.reduce.fits import FITTED
 

@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 import studies
-from workflow.plan.batches import batches
+from tests.workflow.small import cut_batches
 from workflow.plan.plan import make_plan
 from workflow.study.measured import Measured
 from workflow.study.read import read_study
@@ -49,7 +49,7 @@ def test_smoke_scale_is_small(folder):
     if isinstance(study, Measured):
         seconds = study.script.outline(study.settings)[1]
     else:
-        seconds = sum(batch.seconds for batch in batches(make_plan(study), set()))
+        seconds = sum(batch.seconds for batch in cut_batches(make_plan(study), set()))
     assert seconds < 30.0  # predicted
 
 

@@ -6,10 +6,9 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from studies.scaling.real import durations, simulated
-from studies.scaling.virtual import Costs, VirtualClient, virtual_time
-from workflow.cli.main import main
-from workflow.run.flow import PER_THREAD, stream
+from studies.scaling.virtual import Costs, VirtualClient, durations, simulated, virtual_stream
+from workflow.cli import main
+from workflow.cluster.flow import PER_THREAD
 
 COSTS = Costs(scheduler=2e-3, driver=5e-4, latency=1e-3)
 FREE = Costs(scheduler=0.0, driver=0.0, latency=0.0)
@@ -18,8 +17,8 @@ FREE = Costs(scheduler=0.0, driver=0.0, latency=0.0)
 @pytest.mark.parametrize("workers", [1, 7, 300])
 def test_every_task_is_done_once_and_no_work_is_lost(workers):
     items = durations(0.5, 1000, 1)
-    with virtual_time(VirtualClient(workers, COSTS, pos)) as client:
-        done = [item for item, _ in stream(client, pos, items)]
+    client = VirtualClient(workers, COSTS, pos)
+    done = [item for item, _ in virtual_stream(client, pos, items)]
     assert sorted(done) == sorted(items)
     assert client.tasks == len(items)
     assert client.busy == pytest.approx(sum(items), rel=1e-12)
@@ -64,9 +63,9 @@ def test_no_more_is_in_flight_than_the_window():
             sent.append(number)
             yield 1.0
 
-    with virtual_time(VirtualClient(10, COSTS, pos)) as client:
-        for count, _ in enumerate(stream(client, pos, source())):
-            assert len(sent) - count <= PER_THREAD * 10 + 10  # and the results not yet yielded
+    client = VirtualClient(10, COSTS, pos)
+    for count, _ in enumerate(virtual_stream(client, pos, source())):
+        assert len(sent) - count <= PER_THREAD * 10 + 10  # and the results not yet yielded
 
 
 @pytest.fixture(scope="module")
@@ -95,11 +94,3 @@ def test_the_same_work_is_done_by_any_number_of_workers(result):
         assert (studies.wall * studies.workers >= studies.work).all()
         assert (studies.efficiency.diff("workers") < 0.0).all()
         assert (studies.shards <= studies.batches).all()
-
-
-def test_real_workers_are_busy_no_more_than_always(result):
-    with xr.open_dataset(result, group="real") as real:
-        assert ((real.efficiency >= 0.0) & (real.efficiency < 1.0)).all()
-        assert (real.scheduler_cpu > 0.0).all()
-    with xr.open_dataset(result) as uniform:
-        assert 0.0 < uniform.overhead < 1.0

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from workflow.cli.main import main
+from workflow.cli import main
 
 
 @pytest.fixture(scope="module")

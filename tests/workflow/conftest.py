@@ -8,9 +8,9 @@ import pytest
 from distributed import Client
 
 from tests.workflow.runs import Run, run
+from workflow.cluster import client as opening
 from workflow.plan import machine
 from workflow.plan.cost import TYPICAL
-from workflow.run import clusters as cluster
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -35,7 +35,7 @@ def typical_machine(tmp_path_factory) -> Iterator[None]:
 @pytest.fixture
 def impatient(monkeypatch) -> Iterator[None]:
     """Give up soon where no scheduler answers."""
-    monkeypatch.setattr(cluster, "CONNECT_SECONDS", 0.2)
+    monkeypatch.setattr(opening, "CONNECT_SECONDS", 0.2)
     # A client of dask that cannot connect leaves itself behind as the one to compute with.
     with dask.config.set(scheduler=None):
         yield

@@ -7,7 +7,7 @@ from workflow.plan.problems import speed_ratio
 from workflow.reduce.estimates import Blocks, reduce_blocks
 from workflow.result.dataset import build_dataset
 from workflow.run.collect import _exponents
-from workflow.study.study import QUANTITIES
+from workflow.study.quantities import QUANTITIES
 
 RATE, JUMP, STEP = 1.5, 0.3, 0.2  # b, dmu_0, mu_2 - mu_1
 
@@ -43,12 +43,12 @@ def assembled(*settings):
     """Return the plan of the small study, made-up estimates, and the dataset of both."""
     plan = small_plan(*GRID, *settings)
     variant = plan.variants[0]
-    samples = variant.numerics.samples - 1
+    samples = variant.numerics.curve_samples - 1
     blocks = exponential_blocks(len(variant.tasks), 4, samples, plan.study.scene.quantities)
     estimates = reduce_blocks(blocks)
     estimates["rms_slope"] = np.arange(1.0, len(variant.tasks) + 1)
     estimates["realizations"] = np.full(len(variant.tasks), 4, np.int32)
-    estimates["speed_ratio"] = np.array([speed_ratio(t.problem.speed) for t in variant.tasks])
+    estimates["speed_ratio"] = np.array([speed_ratio(t.problem) for t in variant.tasks])
     steps = [task.steps_per_spacing for task in variant.tasks]
     estimates["steps_per_spacing"] = np.array(steps, np.int32)
     kept = dict(estimates)

@@ -1,12 +1,11 @@
 """Stores filled with random results, and what is in them."""
 
-from tests.workflow.small import random_result, small_plan
-from workflow.plan.batches import batches
+from tests.workflow.small import cut_batches, random_result, small_plan
 from workflow.store.store import Store
 
-WORK = list(batches(small_plan(), set(), 1e-9))  # one task and block each
-BATCH = next(batches(small_plan(), set(), 1e9))  # four tasks, four blocks
-SAMPLES = BATCH.samples - 1
+WORK = list(cut_batches(small_plan(), set(), 1e-9))  # one task and block each
+BATCH = next(cut_batches(small_plan(), set(), 1e9))  # four tasks, four blocks
+SAMPLES = BATCH.curve_samples - 1
 
 
 def records(batch):

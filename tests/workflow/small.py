@@ -5,6 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
+from workflow.plan.batches import cut, make_batches, missing_work
 from workflow.plan.plan import make_plan
 from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
 from workflow.study.read import read_study
@@ -60,6 +61,11 @@ def small_plan(*settings, **how):
     return make_plan(small_study(*settings, **how))
 
 
+def cut_batches(plan, stored=(), target=1.0, blocks=None):
+    """Yield batches of about ``target`` predicted seconds covering what is not stored."""
+    return make_batches(plan, cut(plan, missing_work(plan, stored, blocks), target), target)
+
+
 def keys(plan):
     """Return the keys of the tasks of the study itself, in order."""
     return [task.key for task in plan.variants[0].tasks]
@@ -75,7 +81,7 @@ def random_result(batch, seed=0):
     """Return a result of the right shape with random numbers and a NaN tail."""
     rng = np.random.default_rng(seed)
     shape = (len(batch.tasks), batch.blocks)
-    curves = rng.standard_normal((*shape, batch.samples - 1))
+    curves = rng.standard_normal((*shape, batch.curve_samples - 1))
     curves[..., -2:] = np.nan
     spent = np.full((len(batch.tasks), len(PHASES)), 0.01)
     return BatchResult(rng.standard_normal((*shape, len(SCALARS))), curves, spent, 0.1, 2**28)

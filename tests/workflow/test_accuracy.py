@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from kernels import Quantities
-from workflow.plan.error_laws import LAWS, Error, judged
-from workflow.simulate.block_means import block_means
+from workflow.plan.error_laws import LAWS, Error
+from workflow.simulate.realizations import block_means
 from workflow.simulate.tasks import SCALARS, Batch, Problem, Task
+from workflow.study.quantities import judged
 
 POINTS = [
     Problem(0.3, 600, 0.05, 5.0, 1.2),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from workflow.plan.goal import Goal
-from workflow.reduce.attained import MET, MET_WHERE_DEFINED, MISSED, attained
+from workflow.reduce.attainment import MET, MET_WHERE_DEFINED, MISSED, attained
 from workflow.reduce.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE, UNDETERMINED
 
 WANTED = 0.1

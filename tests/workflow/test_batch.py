@@ -8,10 +8,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kernels import Line
-from tests.workflow.small import small_plan
-from workflow.plan.batches import batches
-from workflow.simulate import block_means as module
-from workflow.simulate.block_means import block_means, line_generator
+from tests.workflow.small import cut_batches, small_plan
+from workflow.simulate import realizations as module
+from workflow.simulate.realizations import block_means, line_generator
 from workflow.simulate.tasks import PHASES, SCALARS
 
 PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")
@@ -19,7 +18,7 @@ PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")
 
 def one_batch(*settings):
     """Return the first batch of the small study: all tasks of one H, all blocks."""
-    return next(batches(small_plan(*settings), set(), 1e9))
+    return next(cut_batches(small_plan(*settings), set(), 1e9))
 
 
 def by_record(work):
@@ -36,9 +35,9 @@ def by_record(work):
 
 @pytest.mark.parametrize("target", [1e-9, 2e-3, 6e-3])
 def test_numbers_do_not_depend_on_the_cut(target):
-    whole = by_record(batches(PLAN, set(), 1e9))
+    whole = by_record(cut_batches(PLAN, set(), 1e9))
     assert len(whole) == PLAN.records
-    assert by_record(batches(PLAN, set(), target)) == whole
+    assert by_record(cut_batches(PLAN, set(), target)) == whole
 
 
 WHOLE = one_batch("grid.velocity_step=[0.2, -0.2]", "grid.velocity=[0.03, 0.05, 0.1]")

@@ -4,8 +4,8 @@ import pytest
 
 from tests.workflow.runs import PATIENCE, start
 from tests.workflow.small import TEXT, write_study
-from workflow.cli import main as cli
-from workflow.cli.main import main
+from workflow.cli import commands as cli
+from workflow.cli import main
 
 
 @pytest.fixture

@@ -10,12 +10,12 @@ import sys
 import pytest
 
 from tests.workflow.runs import PATIENCE, ROOT
-from workflow.run.clusters import open_client
+from workflow.cluster.client import open_client
 from workflow.study.cluster import Cluster
 
 SCRIPT = """
 import json, os, signal, sys
-from workflow.run.clusters import open_client
+from workflow.cluster.client import open_client
 from workflow.study.cluster import Cluster
 
 def facts():
@@ -84,7 +84,7 @@ def test_a_scheduler_that_is_there_is_used(scheduler):
 
 ADDRESSES = ["tcp://127.0.0.1:1", "nonsense", "foo://host:1", "tcp://127.0.0.1"]
 PROBE = f"""
-from workflow.run import clusters
+from workflow.cluster import client as clusters
 from workflow.study.cluster import Cluster
 from workflow.errors import UserError
 clusters.CONNECT_SECONDS = 0.2

@@ -8,12 +8,12 @@ from types import FunctionType, ModuleType
 import pytest
 
 from kernels.rheology.law import reach
-from workflow.simulate import block_means as work
+from workflow.simulate import realizations as work
 from workflow.simulate.code import CODE, FOLDERS, code_hash
 
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
 # What the hashed files use of ours that no number depends on.
-NO_NUMBERS = {"workflow.system.process.peak_bytes"}
+NO_NUMBERS = {"workflow.system.peak_bytes", "workflow.lazy.public_names"}
 
 
 def imported(path):
@@ -88,7 +88,7 @@ def test_copies_have_the_same_hash(copied):
 
 
 EDITS = {
-    "the steps that a record keeps": ("block_means.py", "np.linspace", "np.geomspace"),
+    "the steps that a record keeps": ("realizations.py", "np.linspace", "np.geomspace"),
     "a number": ("kelvin.py", "1e-10", "1e-11"),
     "an operator": ("steady.py", "w[j] = free", "w[j] = -free"),
     "a body chosen by type": ("kelvin.py", "@reach.of(Kelvin)", "@reach.of(State)"),
@@ -111,7 +111,7 @@ NO_EDITS = {
     "a docstring": ("steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
     "a comment": ("kelvin.py", "# Shortest step", "# The shortest step"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
-    "brackets": ("block_means.py", "return (recorded - ", "return ((recorded) - "),
+    "brackets": ("realizations.py", "return (kept_steps - ", "return ((kept_steps) - "),
 }
 
 

@@ -30,7 +30,7 @@ def test_more_samples_never_take_less_time(size, factor):
     assert CURVE(size * factor) >= CURVE(size) * (1.0 - 1e-12)
 
 
-@pytest.mark.parametrize("name", ["samples", "steady_states", "jumps", "steps"])
+@pytest.mark.parametrize("name", ["line_samples", "steady_states", "jumps", "march_steps"])
 def test_more_work_takes_more_time(name):
     more = WORK._replace(**{name: 2 * getattr(WORK, name)})
     assert case_seconds(TYPICAL, more) > case_seconds(TYPICAL, WORK)

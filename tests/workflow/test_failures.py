@@ -6,15 +6,14 @@ from distributed.scheduler import KilledWorker, WorkerState
 
 from tests.workflow.runs import run
 from tests.workflow.shards import held
-from tests.workflow.small import all_records, small_plan
+from tests.workflow.small import all_records, cut_batches, small_plan
+from workflow.cluster import worker as work
 from workflow.errors import UserError
-from workflow.plan.batches import batches
-from workflow.run import worker as work
 from workflow.run.failures import Failures
 from workflow.store.store import Store, store_folder
 
 PLAN = small_plan()
-BATCH = next(batches(PLAN, set(), 1e9))  # four tasks, four blocks
+BATCH = next(cut_batches(PLAN, set(), 1e9))  # four tasks, four blocks
 KILLED = KilledWorker("key", WorkerState.__new__(WorkerState), 3)
 
 
@@ -84,9 +83,7 @@ def broken(scheduler, tmp_path_factory):
     """Return a run in which one problem raises on the worker, and that problem's key."""
     folder = tmp_path_factory.mktemp("broken")
     bad = PLAN.variants[0].tasks[1].key
-    with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("workflow.run.run.run_batch", _Raising(bad))
-        return run(scheduler, folder, max_failures=1), bad
+    return run(scheduler, folder, max_failures=1, work=_Raising(bad)), bad
 
 
 class _Raising:
@@ -133,9 +130,9 @@ def test_a_failure_is_tried_again_when_asked_and_only_then(broken, finished, sch
     assert retried.path.read_bytes() == finished.path.read_bytes()
 
 
-def test_no_result_is_written_after_too_many_failures(scheduler, tmp_path, monkeypatch):
-    monkeypatch.setattr("workflow.run.run.run_batch", _Raising(PLAN.variants[0].tasks[1].key))
-    stopped = run(scheduler, tmp_path, max_failures=0)
+def test_no_result_is_written_after_too_many_failures(scheduler, tmp_path):
+    bad = PLAN.variants[0].tasks[1].key
+    stopped = run(scheduler, tmp_path, max_failures=0, work=_Raising(bad))
     assert not stopped.summary.written
     assert not stopped.path.exists()
     assert len(stopped.summary.failures) == 2

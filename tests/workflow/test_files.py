@@ -15,7 +15,7 @@ from matplotlib import pyplot as plt
 
 from tests.workflow.small import write_study
 from tests.workflow.synthetic import result, with_alpha
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.result.netcdf import write_datasets
 
 FIGURE = """
@@ -23,11 +23,14 @@ import xarray as xr
 from matplotlib.figure import Figure
 
 
-def draw(result):
-    with xr.open_dataset(result) as dataset:
-        figure = Figure()
-        figure.subplots().plot(dataset.mu_1.values.ravel())
+def draw(groups):
+    figure = Figure()
+    figure.subplots().plot(groups[""].mu_1.values.ravel())
     return figure
+"""
+OLD_FORM = """
+def draw(result):
+    raise AssertionError("is not called")
 """
 READERS = ("figure", "table")
 OLD = b"what was there before"
@@ -221,6 +224,13 @@ def test_a_full_disk_is_one_line_and_what_was_there_stays(capsys, place, tmp_pat
             (disk / f"small.{kind}").write_bytes(OLD)
         fill(disk)
         assert "cannot be written: No space left" in assert_refused(capsys, command, disk)
+
+
+def test_a_figure_script_of_the_old_form_is_told_what_to_change(capsys, place):
+    (place / "figure.py").write_text(OLD_FORM)
+    said = assert_refused(capsys, "figure", place)
+    assert f"{place}/figure.py: draw takes the path of a result; write draw(groups)" in said
+    assert 'groups[""] is the study' in said
 
 
 @pytest.mark.parametrize("command", [*READERS, "run"])

@@ -11,8 +11,9 @@ from distributed.comm import CommClosedError
 from distributed.scheduler import KilledWorker
 
 from tests.workflow.runs import PATIENCE
+from workflow.cluster.flow import raise_error, stream
+from workflow.cluster.watch import Watch
 from workflow.errors import UserError
-from workflow.run.flow import Watch, raise_error, stream
 
 
 def test_each_item_comes_back_once_with_its_result(client):

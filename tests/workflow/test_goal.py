@@ -8,7 +8,7 @@ from tests.workflow.small import small_plan, small_study
 from workflow.errors import UserError
 from workflow.plan.error_laws import LAWS
 from workflow.plan.goal import JACKKNIFE_GROUPS, allowed, goal_of, whole_blocks
-from workflow.plan.problems import MAX_SAMPLES_PER_LINE
+from workflow.plan.resolution import MAX_SAMPLES_PER_LINE
 from workflow.run.rounds import next_blocks
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics

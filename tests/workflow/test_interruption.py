@@ -8,7 +8,7 @@ import pytest
 from tests.workflow.runs import PATIENCE, run, shards, start, wait_for_shards
 from tests.workflow.shards import held, reopened
 from tests.workflow.small import write_study
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.store.store import Store, store_folder
 
 LONG = "study.realizations=20"  # 320 batches

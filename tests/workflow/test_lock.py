@@ -11,12 +11,12 @@ import pytest
 
 from tests.workflow.runs import PATIENCE, ROOT
 from workflow.errors import UserError
-from workflow.system.files import hold, holder
+from workflow.system.lock import hold, holder
 
 HOLDER = """
 import sys, time
 from pathlib import Path
-from workflow.system.files import hold
+from workflow.system.lock import hold
 with hold(Path(sys.argv[1])):
     print("held", flush=True)
     time.sleep(600)

@@ -5,7 +5,7 @@ import json
 import pytest
 import xarray as xr
 
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.study.measured import Measured
 from workflow.study.read import read_study
 
@@ -38,22 +38,19 @@ def measure(settings, seed, advance):
         advance(0.5)
     return {"": xr.Dataset({"found": ("n", found)}), "seed": xr.Dataset({"seed": seed})}
 
-def summary(datasets):
-    return [f"largest {float(datasets[''].found.max()):g}"]
+def summary(groups):
+    return [f"largest {float(groups[''].found.max()):g}"]
 
-def table(result):
-    with xr.open_dataset(result) as data:
-        return pd.DataFrame({"found": data.found.values})
+def table(groups):
+    return pd.DataFrame({"found": groups[""].found.values})
 """
 FIGURE = """
 from matplotlib import pyplot as plt
-import xarray as xr
 from .helper import power
 
-def draw(result):
+def draw(groups):
     figure, ax = plt.subplots()
-    with xr.open_dataset(result) as data:
-        ax.plot(data.found)
+    ax.plot(groups[""].found)
     return figure
 """
 

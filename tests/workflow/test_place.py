@@ -4,8 +4,8 @@ import subprocess
 
 import pytest
 
+from workflow.cluster import jobs as slurm
 from workflow.errors import UserError
-from workflow.run import clusters as slurm
 from workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
 
 TABLE = {
@@ -80,7 +80,7 @@ def test_what_cannot_be_meant_is_one_line(key, value, right):
 def test_jobs_are_asked_for_as_the_table_says():
     from dask_jobqueue.slurm import SLURMJob
 
-    settings = slurm._settings(read_cluster(TABLE), {"MALLOC_X": "1"})
+    settings = slurm._settings(read_cluster(TABLE))
     settings.pop("scheduler_options")
     script = SLURMJob("tcp://here:1", "name", **settings).job_script()
     for line in (
@@ -91,7 +91,7 @@ def test_jobs_are_asked_for_as_the_table_says():
         "#SBATCH --no-requeue",
         "export OMP_NUM_THREADS=1",
         "export NUMBA_NUM_THREADS=1",
-        "export MALLOC_X=1",
+        "export MALLOC_TRIM_THRESHOLD_=268435456",
         "module load python",
     ):
         assert line in script.splitlines()
@@ -101,7 +101,7 @@ def test_jobs_are_asked_for_as_the_table_says():
         "--interface ib0",
         "--lifetime 6480s",
         "--lifetime-stagger 648s",
-        "--preload workflow.run.worker",
+        "--preload workflow.cluster.worker",
     ):
         assert option in script
 
@@ -109,7 +109,7 @@ def test_jobs_are_asked_for_as_the_table_says():
 def test_without_slurm_one_line_says_so(monkeypatch):
     monkeypatch.setenv("PATH", "/nowhere")
     with pytest.raises(UserError, match="sbatch is not found on this machine"):
-        slurm._try_submitting("")
+        slurm._try_submitting("slurm", "")
 
 
 def test_what_slurm_refuses_is_passed_on(monkeypatch):
@@ -118,4 +118,4 @@ def test_what_slurm_refuses_is_passed_on(monkeypatch):
 
     monkeypatch.setattr(slurm.subprocess, "run", refuse)
     with pytest.raises(UserError, match="SLURM refuses the jobs: sbatch: error: invalid partition"):
-        slurm._try_submitting("")
+        slurm._try_submitting("slurm", "")

@@ -7,10 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from tests.workflow.small import all_records, keys, small_plan
-from workflow.cli.outline import without_similarity
+from tests.workflow.small import all_records, cut_batches, keys, small_plan
 from workflow.plan import plan as planning
-from workflow.plan.batches import batch_target, batches
+from workflow.plan.batches import batch_target
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 PLAN = small_plan(*GRID)
@@ -20,7 +19,7 @@ BLOCKED = small_plan(*GRID, "study.realizations=12", "study.realizations_per_blo
 def covered(plan, stored, target):
     """Return how often each record is computed."""
     found = Counter()
-    for batch in batches(plan, stored, target):
+    for batch in cut_batches(plan, stored, target):
         blocks = range(batch.first_block, batch.first_block + batch.blocks)
         found.update((task.key, block) for task in batch.tasks for block in blocks)
     return found
@@ -28,7 +27,7 @@ def covered(plan, stored, target):
 
 def seconds(plan, stored=frozenset(), target=3.0):
     """Return the predicted core-seconds of what is not stored."""
-    return sum(batch.seconds for batch in batches(plan, set(stored), target))
+    return sum(batch.seconds for batch in cut_batches(plan, set(stored), target))
 
 
 @settings(max_examples=60, deadline=None)
@@ -55,24 +54,24 @@ def test_records_are_counted_and_have_keys_of_their_own():
 
 
 def test_a_batch_stays_on_one_set_of_random_lines():
-    for batch in batches(PLAN, set(), 1e9):
+    for batch in cut_batches(PLAN, set(), 1e9):
         assert len({(task.problem.hurst, task.problem.elements) for task in batch.tasks}) == 1
 
 
 @pytest.mark.parametrize("target", [1e-3, 1e-2, 0.1])
 def test_batches_last_about_as_long_as_asked(target):
-    for batch in batches(PLAN, set(), target):
+    for batch in cut_batches(PLAN, set(), target):
         assert batch.seconds <= 1.5 * target or (batch.blocks == 1 and len(batch.tasks) == 1)
 
 
 def test_what_cannot_be_cut_to_size_comes_first_and_longest_first():
-    found = [batch.seconds for batch in batches(PLAN, set(), 1e-9)]
+    found = [batch.seconds for batch in cut_batches(PLAN, set(), 1e-9)]
     assert found[0] > found[-1]
     assert found == sorted(found, reverse=True)
 
 
 def test_a_longer_target_gives_fewer_batches():
-    counts = [len(list(batches(PLAN, set(), target))) for target in (1e-5, 1e-3, 1e3)]
+    counts = [len(list(cut_batches(PLAN, set(), target))) for target in (1e-5, 1e-3, 1e3)]
     assert counts == sorted(counts, reverse=True)
     assert counts[0] > counts[1] > counts[2]
 
@@ -96,24 +95,6 @@ def test_less_is_predicted_where_less_is_asked():
     steady = small_plan(*GRID, 'scene.quantities=["steady"]')
     jump = small_plan(*GRID, 'scene.quantities=["steady", "jump"]')
     assert seconds(steady) < seconds(jump)
-
-
-def test_without_the_similarity_every_copy_costs():
-    scaled = ("grid.roughness=[1e-5, 2e-5]", "grid.normal_force=[0.04, 0.08]")
-    copied, single = small_plan(*scaled), small_plan("grid.normal_force=[0.04, 0.08]")
-    own = seconds(single, target=1e9)
-    assert without_similarity(single, own) == pytest.approx(own, rel=1e-12)
-    shared = seconds(copied, target=1e9)
-    assert without_similarity(copied, shared) == pytest.approx(2.0 * own, rel=0.05)
-    assert shared < 0.85 * without_similarity(copied, shared)
-
-
-def test_the_similarity_never_costs_time():
-    plan = small_plan(
-        *("surface.length=1.0", "grid.spacing=1e-5"),
-        *("study.realizations=80", "study.realizations_per_block=40"),
-    )
-    assert without_similarity(plan, seconds(plan)) >= seconds(plan)
 
 
 @pytest.mark.parametrize(("work", "target"), [(1.0, 1.0), (600.0, 3.0), (1e9, 10.0)])

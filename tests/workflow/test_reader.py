@@ -23,7 +23,7 @@ def test_what_is_left_out_takes_its_default():
     assert (study.seed, study.title, study.normalisation) == (0, "small", "modal")
     assert study.scene.quantities == ("steady", "jump", "relaxation")
     assert study.scene.indentation_rate
-    assert study.variants[""] == Numerics(samples=16)
+    assert study.variants[""] == Numerics(curve_samples=16)
 
 
 def test_quantities_come_in_their_own_order():

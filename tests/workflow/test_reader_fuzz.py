@@ -18,8 +18,8 @@ from tests.workflow.small import TEXT, small_study, write_study
 from workflow.errors import UserError
 from workflow.plan.plan import make_plan
 from workflow.study.measured import Measured
-from workflow.study.read import TABLES, known_studies, read_study
-from workflow.study.study import Study
+from workflow.study.read import known_studies, read_study
+from workflow.study.study import TABLES, Study
 
 EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "80"))  # of each kind
 MOST_POINTS = 100  # of a study to plan

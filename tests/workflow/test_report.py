@@ -8,7 +8,7 @@ import pytest
 from matplotlib import pyplot as plt
 
 from tests.workflow.synthetic import result, with_alpha
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.errors import UserError
 from workflow.report.page import formula
 from workflow.report.report import study_names, write_report

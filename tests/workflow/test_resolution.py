@@ -10,14 +10,14 @@ from hypothesis import strategies as st
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, draw_phases, run_case
 from tests.workflow.small import small_plan
 from workflow.errors import UserError
-from workflow.plan.problems import (
+from workflow.plan.problems import speed_ratio
+from workflow.plan.resolution import (
     MAX_SAMPLES_PER_LINE,
     expected_rate,
     horizon_steps,
-    speed_ratio,
     steps_per_spacing,
 )
-from workflow.simulate.block_means import record_steps, record_times
+from workflow.simulate.realizations import record_steps, record_times
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene
@@ -125,7 +125,9 @@ def test_every_step_is_recorded_where_there_are_few():
 def test_speed_ratio_is_the_abscissa_of_figure_7():
     velocity, tau, spacing = 0.05, 1e-3, 1e-5
     q_max = math.pi / spacing
-    assert speed_ratio(velocity * tau / spacing) == pytest.approx(velocity * tau * q_max)
+    assert speed_ratio(problem(speed=velocity * tau / spacing)) == pytest.approx(
+        velocity * tau * q_max
+    )
 
 
 def deviation(moments, steps, lag=None):

@@ -6,7 +6,7 @@ import pytest
 from tests.workflow.runs import run, shards
 from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
-from workflow.reduce.attained import MET, MISSED
+from workflow.reduce.attainment import MET, MISSED
 from workflow.reduce.jackknife import grouped_means, replicates, standard_error
 
 WANTED = 0.08
@@ -78,8 +78,7 @@ def test_a_second_run_computes_nothing(reached, scheduler):
 
 
 def test_the_speed_of_the_machine_plays_no_part(reached):
-    rates = reached.plan.prices.rates
-    slow = rates._replace(case=1.0)
+    slow = reached.plan.timings._replace(case=1.0)
     plan = make_plan(reached.plan.study, slow)
     assert (plan.first, plan.expected) == (reached.plan.first, reached.plan.expected)
     assert [v.tasks for v in plan.variants] == [v.tasks for v in reached.plan.variants]

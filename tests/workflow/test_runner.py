@@ -8,7 +8,7 @@ from tests.workflow.shards import held
 from tests.workflow.small import all_records, write_study
 from workflow.errors import UserError
 from workflow.store.store import Store, store_folder
-from workflow.system.files import hold
+from workflow.system.lock import hold
 
 
 def test_a_run_computes_everything_and_says_so(finished):

@@ -10,11 +10,14 @@ from workflow.store.store import Store
 
 
 @pytest.fixture
-def clock(monkeypatch):
-    """Return a clock that moves when it is told to."""
-    now = [100.0]
-    monkeypatch.setattr(module.time, "monotonic", lambda: now[0])
-    return now
+def clock():
+    """Return a time that passes when it is told to."""
+    return [100.0]
+
+
+def shelf_of(store, clock):
+    """Return a shelf for batches of three seconds that goes by the clock."""
+    return Shelf(store, 3.0, lambda: clock[0])
 
 
 @pytest.fixture
@@ -30,7 +33,7 @@ def put(shelf, *numbers):
 
 
 def test_batches_of_two_batch_lengths_share_a_shard(store, clock):
-    with Shelf(store, 3.0) as shelf:
+    with shelf_of(store, clock) as shelf:
         put(shelf, 0, 1, 2)
         assert held(store) == set()
         clock[0] += 6.0
@@ -43,7 +46,7 @@ def test_batches_of_two_batch_lengths_share_a_shard(store, clock):
 
 
 def test_the_last_batch_does_not_wait_for_the_next(store, clock):
-    with Shelf(store, 3.0) as shelf:
+    with shelf_of(store, clock) as shelf:
         put(shelf, 0)
         clock[0] += 6.0
         shelf.flush_when_due()
@@ -51,7 +54,7 @@ def test_the_last_batch_does_not_wait_for_the_next(store, clock):
 
 
 def test_a_long_run_writes_a_shard_every_thousandth_of_its_time(store, clock):
-    with Shelf(store, 3.0) as shelf:
+    with shelf_of(store, clock) as shelf:
         clock[0] += 30_000.0
         put(shelf, 0)
         clock[0] += 29.0
@@ -64,14 +67,14 @@ def test_a_long_run_writes_a_shard_every_thousandth_of_its_time(store, clock):
 
 def test_much_is_stored_at_once(store, clock, monkeypatch):
     monkeypatch.setattr(module, "MOST_BYTES", 1000)
-    with Shelf(store, 3.0) as shelf:
+    with shelf_of(store, clock) as shelf:
         put(shelf, *range(10))
         assert len(held(store)) >= 6
 
 
 def test_what_waits_is_stored_whatever_ends_the_run(store, clock):
     def aborted():
-        with Shelf(store, 3.0) as shelf:
+        with shelf_of(store, clock) as shelf:
             put(shelf, 0, 1)
             raise KeyboardInterrupt
 

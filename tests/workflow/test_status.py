@@ -8,8 +8,7 @@ import time
 import pytest
 
 from tests.workflow.shards import BATCH
-from tests.workflow.small import random_result, small_plan, small_study
-from workflow.plan.batches import batches
+from tests.workflow.small import cut_batches, random_result, small_plan, small_study
 from workflow.run.status import (
     Status,
     StatusWriter,
@@ -19,7 +18,7 @@ from workflow.run.status import (
     status_lines,
 )
 from workflow.store.store import Store, store_folder
-from workflow.system.files import hold
+from workflow.system.lock import hold
 
 STUDY = small_study()
 PLAN = small_plan()
@@ -112,7 +111,7 @@ def test_without_a_status_that_holds_records_are_counted(place, spoil):
     spoil(result, store)
     found = read(place)
     assert found.done == 0
-    expected = sum(batch.seconds for batch in batches(PLAN, set()))
+    expected = sum(batch.seconds for batch in cut_batches(PLAN, set()))
     assert 0.0 < found.left < 100.0 * expected  # rates are those of this machine
 
 

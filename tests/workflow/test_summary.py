@@ -5,13 +5,12 @@ import dataclasses
 import numpy as np
 import pytest
 
-from tests.workflow.small import small_plan
-from workflow.plan.batches import batches
+from tests.workflow.small import cut_batches, small_plan
 from workflow.run.summary import Summary
 from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
 
 PLAN = small_plan("grid.velocity=[0.03, 0.05, 0.1]")
-BATCH = next(batches(PLAN, set(), 1e9))
+BATCH = next(cut_batches(PLAN, set(), 1e9))
 
 
 def spent(weights):

@@ -4,9 +4,9 @@ import pandas as pd
 import pytest
 
 from tests.workflow.small import small_study, write_study
-from workflow.cli.main import main
+from workflow.cli import main
 from workflow.errors import UserError
-from workflow.report.table import write_table
+from workflow.report.table import write_grid_table
 from workflow.study.grid import AXES
 
 
@@ -15,7 +15,7 @@ def table(finished, tmp_path_factory):
     """Return the table of the small study."""
     copy = tmp_path_factory.mktemp("table") / "small.nc"
     copy.write_bytes(finished.path.read_bytes())
-    return pd.read_csv(write_table(finished.plan.study, copy))
+    return pd.read_csv(write_grid_table(finished.plan.study, copy))
 
 
 def test_one_row_per_point_and_one_column_per_estimate(table, finished):
@@ -35,6 +35,6 @@ def test_numbers_are_those_of_the_result(table, finished):
 
 def test_table_before_the_run_is_refused(tmp_path, capsys):
     with pytest.raises(UserError, match=r"small\.nc: not found; first run: python"):
-        write_table(small_study(), tmp_path / "small.nc")
+        write_grid_table(small_study(), tmp_path / "small.nc")
     assert main(["table", write_study(tmp_path), "--out", str(tmp_path)]) == 2
     assert capsys.readouterr().err.startswith("error: ")

@@ -2,26 +2,26 @@
 
 import pytest
 
+from workflow.cluster import versions as module
+from workflow.cluster.versions import Versions, check_versions, own_versions, require
 from workflow.errors import UserError
-from workflow.run import worker as module
-from workflow.run.worker import Versions, check_versions, require, versions
 
 
 def other(name, value):
     """Return our versions with one changed."""
-    found = dict(zip(versions().names, versions().values, strict=True)) | {name: value}
+    found = dict(zip(own_versions().names, own_versions().values, strict=True)) | {name: value}
     return Versions(tuple(found), tuple(found.values()))
 
 
 def test_same_versions_are_accepted(client):
-    require(versions())
+    require(own_versions())
     check_versions(client)
 
 
 def test_packages_python_and_our_own_sources_are_compared():
-    names = set(versions().names)
+    names = set(own_versions().names)
     assert names == {*module.PACKAGES, "python", "our sources"}
-    assert all("not installed" not in value for value in versions().values)
+    assert all("not installed" not in value for value in own_versions().values)
 
 
 def test_an_edit_is_another_version(tmp_path, monkeypatch):
@@ -29,9 +29,9 @@ def test_an_edit_is_another_version(tmp_path, monkeypatch):
         (tmp_path / name / "room").mkdir(parents=True)
         (tmp_path / name / "room" / "a.py").write_text("x = 1\n")
     monkeypatch.setattr(module, "ROOT", tmp_path)
-    before = versions.__wrapped__()
+    before = own_versions.__wrapped__()
     (tmp_path / "kernels" / "room" / "a.py").write_text("x = 2\n")
-    after = versions.__wrapped__()
+    after = own_versions.__wrapped__()
     assert before.values[:-1] == after.values[:-1]
     assert before.values[-1] != after.values[-1]
 
@@ -44,11 +44,11 @@ def test_a_worker_that_differs_refuses_with_a_table(name):
     assert len(lines) == 3
     assert name in lines[2]
     assert lines[2].endswith("0.1")
-    assert dict(zip(versions().names, versions().values, strict=True))[name] in lines[2]
+    assert dict(zip(own_versions().names, own_versions().values, strict=True))[name] in lines[2]
 
 
 def test_all_who_differ_are_named(client, monkeypatch):
-    monkeypatch.setattr(module, "versions", _Pretended(other("numpy", "1.0")))
+    monkeypatch.setattr(module, "own_versions", _Pretended(other("numpy", "1.0")))
     with pytest.raises(UserError) as error:
         check_versions(client)
     lines = str(error.value).splitlines()[2:]  # the scheduler of the tests is in this process
@@ -56,7 +56,7 @@ def test_all_who_differ_are_named(client, monkeypatch):
 
 
 class _Pretended:
-    """Stands in for versions() here; elsewhere it is the real one, imported by name."""
+    """Stands in for own_versions() here; elsewhere it is the real one, imported by name."""
 
     def __init__(self, found):
         self.found = found
@@ -65,4 +65,4 @@ class _Pretended:
         return self.found
 
     def __reduce__(self):
-        return getattr, (module, "versions")
+        return getattr, (module, "own_versions")

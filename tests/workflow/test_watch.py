@@ -2,9 +2,9 @@
 
 import pytest
 
+from workflow.cluster import watch as module
+from workflow.cluster.watch import Watch
 from workflow.errors import UserError
-from workflow.run import flow as module
-from workflow.run.flow import Watch
 
 
 @pytest.fixture
@@ -43,9 +43,11 @@ def test_patience_begins_anew_with_every_worker(clock, capsys):
 
 def test_a_watch_tells_what_it_sees_and_when_to_stop():
     seen = []
-    watch = Watch(lambda: len(seen) > 1, beat=lambda *what: seen.append(what))
-    watch.look(2, 7)
-    assert not watch()
-    watch.look(1, 5)
+    watch = Watch(lambda: len(seen) > 1)
+    with watch.telling(lambda *what: seen.append(what)):
+        watch.look(2, 7)
+        assert not watch()
+        watch.look(1, 5)
     assert watch()
+    watch.look(3, 1)  # to nobody
     assert seen == [(2, 7), (1, 5)]

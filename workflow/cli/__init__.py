@@ -1,0 +1,13 @@
+"""The command line: python -m workflow plan|run|status|figure|table STUDY, and report.
+
+Knows all rooms; no room knows it.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.cli.commands import main
+
+__all__, __getattr__ = public_names(__name__, __file__)

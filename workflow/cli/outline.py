@@ -2,22 +2,32 @@
 
 from pathlib import Path
 
-import numpy as np
+from workflow.plan import (
+    JACKKNIFE_GROUPS,
+    Plan,
+    Variant,
+    batch_target,
+    cut,
+    make_plan,
+    missing_work,
+    this_machine,
+    total_seconds,
+)
+from workflow.study import AXES, QUANTITIES, Measured, Study
+from workflow.system import duration
 
-from workflow.plan.batches import batches
-from workflow.plan.goal import JACKKNIFE_GROUPS
-from workflow.plan.plan import Plan, Variant
-from workflow.study.grid import AXES
-from workflow.study.measured import Measured
-from workflow.study.study import QUANTITIES
-from workflow.system.progress import duration
 
-EFFECTS = {
-    "steady": "steady sliding at v1 and v2 (no time marching)",
-    "jump": "jump at t0+ (no time marching)",
-    "relaxation": "relaxation after the jump (time marching)",
-    "models": "fits beyond eq. 6 (no further simulation)",
-}
+def outline_grid(study: Study, result: Path) -> list[str]:
+    """Return what a study of a grid would do and cost, line by line; computes nothing."""
+    machine = this_machine()
+    return outline(make_plan(study, machine.timings), result, machine.note)
+
+
+def outline_measured(study: Measured, result: Path) -> list[str]:
+    """Return what a study would measure and how long it would take; measures nothing."""
+    lines, seconds = study.script.outline(study.settings)
+    head = [f"study       {study.name}: {study.title}", f"result      {result}"]
+    return [*head, *lines, f"predicted   {duration(seconds)} of one core"]
 
 
 def outline(plan: Plan, result: Path, speed: str) -> list[str]:
@@ -38,19 +48,19 @@ def outline(plan: Plan, result: Path, speed: str) -> list[str]:
         f"variants    {', '.join(v.label or 'study' for v in plan.variants)}",
         *_realizations(plan),
     ]
-    for quantity in QUANTITIES:
-        asked = "simulated" if quantity in study.scene.quantities else "not simulated"
-        lines.append(f"{asked:14s}{EFFECTS[quantity]}")
+    for name, quantity in QUANTITIES.items():
+        asked = "simulated" if name in study.scene.quantities else "not simulated"
+        lines.append(f"{asked:14s}{quantity.effect}")
     rate = "kept" if study.scene.indentation_rate else "dropped, as eq. 3 is printed"
     lines.append(f"indentation rate in the force: {rate}")
     return lines + _costs(plan, speed)
 
 
 def _costs(plan: Plan, speed: str) -> list[str]:
-    seconds = sum(batch.seconds for batch in batches(plan, set()))
+    missing = missing_work(plan, ())
+    pieces = cut(plan, missing, batch_target(total_seconds(missing)))
     return [
-        f"predicted   {duration(seconds)} of one core; without the similarity "
-        f"{duration(without_similarity(plan, seconds))}",
+        f"predicted   {duration(total_seconds(pieces))} of one core",
         f"speed       as measured on {speed}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
@@ -77,38 +87,13 @@ def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
     counts = [plan.expected[task.key] * block for task in variant.tasks]
     steps = [task.steps_per_spacing for task in variant.tasks]
     capped = sum(n + block * JACKKNIFE_GROUPS > numerics.max_realizations for n in counts)
-    coarse = sum(max(g.bias.values()) > 0.5 * numerics.accuracy for g in variant.goals.values())
+    wanted = numerics.accuracy or 0.0
+    coarse = sum(max(goal.bias.values()) > 0.5 * wanted for goal in variant.goals.values())
     given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
     return [
-        f"accuracy    {numerics.accuracy:g} {variant.label}",
+        f"accuracy    {wanted:g} {variant.label}",
         f"  steps     {min(steps)} ... {max(steps)} per spacing, elements with them{given}",
         f"  each      {min(counts)} ... {max(counts)} realizations",
         f"  missed    probably at {capped} problems that end at {numerics.max_realizations} "
         f"realizations, at {coarse} that no line in reach resolves",
     ]
-
-
-def without_similarity(plan: Plan, seconds: float) -> float:
-    """Return the predicted time were every grid point computed, on a line of its own (h, dx).
-
-    seconds : the predicted time of the plan as it is.
-    """
-    more = np.bincount(plan.point_task.ravel(), minlength=plan.problems) - 1
-    again = len(plan.study.grid["roughness"]) - 1
-    extra = 0.0
-    for variant in plan.variants:
-        blocks = np.array([plan.expected[task.key] for task in variant.tasks])
-        each = np.array([plan.prices.task(task) for task in variant.tasks])
-        extra += float(more @ (blocks * each))
-        for group in variant.by_line:  # the lines again for every other roughness
-            most = max(plan.expected[task.key] for task in group)
-            lines = {t.problem.elements * t.steps_per_spacing for t in group}
-            extra += most * again * sum(plan.prices.line(samples) for samples in lines)
-    return seconds + plan.study.realizations_per_block * extra
-
-
-def plan_measured(study: Measured, result: Path) -> str:
-    """Return what a run would measure and how long it would take; measures nothing."""
-    lines, seconds = study.script.outline(study.settings)
-    head = [f"study       {study.name}: {study.title}", f"result      {result}"]
-    return "\n".join([*head, *lines, f"predicted   {duration(seconds)} of one core"])

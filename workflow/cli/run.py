@@ -9,12 +9,8 @@ from dataclasses import replace
 from pathlib import Path
 
 from workflow.errors import UserError
-from workflow.plan.machine import this_machine
-from workflow.plan.plan import make_plan
-from workflow.run.measured import run_measured
-from workflow.study.cluster import SLURM, Cluster
-from workflow.study.measured import Measured
-from workflow.study.study import Study
+from workflow.plan import make_plan, this_machine
+from workflow.study import BATCH_SYSTEMS, Cluster, Measured, Study
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
 
@@ -25,7 +21,9 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
     """Add the options that only ``run`` has."""
     add = command.add_argument
     add("--scheduler", help="address of a dask scheduler, tcp://host:port")
-    add("--slurm", action="store_true", help="compute in jobs of SLURM, see the table [cluster]")
+    for name in BATCH_SYSTEMS:
+        text = f"compute in jobs of {name.upper()}, see the table [cluster]"
+        add(f"--{name}", action="store_const", const=name, dest="batch_system", help=text)
     add("--dashboard", action="store_true", help="start dask's dashboard and say where it is")
     add("--workers", type=int, help="local worker processes (all cores)")
     add("--batch-seconds", type=float, help="predicted length of a batch (1 to 10)")
@@ -33,19 +31,25 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
     add("--retry-failed", action="store_true", help="try what failed in earlier runs again")
 
 
-def run(options: argparse.Namespace, study: Study | Measured, result: Path) -> int:
-    """Run a study; return the exit status."""
+def run_measured_study(options: argparse.Namespace, study: Measured, result: Path) -> int:
+    """Run a measured study; return the exit status."""
     _check(options)
-    if isinstance(study, Measured):
-        for option in OF_A_CLUSTER:
-            if getattr(options, option) is not None:
-                name = option.replace("_", "-")
-                raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
-        print(run_measured(study, result), result, sep="\n")
-        return DONE
+    for option in OF_A_CLUSTER:
+        if getattr(options, option) is not None:
+            name = option.replace("_", "-")
+            raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
+    from workflow.run import run_measured
+
+    print(run_measured(study, result), result, sep="\n")
+    return DONE
+
+
+def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
+    """Run a study of a grid; return the exit status."""
+    _check(options)
     # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
-    from workflow.run.run import How, run_plan
+    from workflow.run import How, run_plan
 
     plan = make_plan(study, this_machine().timings)
     how = How(
@@ -72,9 +76,8 @@ def run(options: argparse.Namespace, study: Study | Measured, result: Path) -> i
 
 def _cluster(options: argparse.Namespace, cluster: Cluster) -> Cluster:
     """Return where to compute: the study's cluster unless the options say otherwise."""
-    if options.scheduler:
-        return replace(cluster, where=options.scheduler)
-    return replace(cluster, where=SLURM) if options.slurm else cluster
+    where = options.scheduler or options.batch_system or cluster.where
+    return replace(cluster, where=where)
 
 
 def resume_line(what: str) -> str:
@@ -84,8 +87,8 @@ def resume_line(what: str) -> str:
 
 
 def _check(options: argparse.Namespace) -> None:
-    if options.scheduler and options.slurm:
-        raise UserError("--scheduler and --slurm: only one of them")
+    if options.scheduler and options.batch_system:
+        raise UserError(f"--scheduler and --{options.batch_system}: only one of them")
     if options.workers is not None and options.workers < 1:
         raise UserError(f"--workers {options.workers}: must be at least 1")
     if options.batch_seconds is not None and not 0.0 < options.batch_seconds < math.inf:

@@ -1,0 +1,27 @@
+"""What will be done and at what cost: distinct problems, steps, goals, batches.
+
+Plain data: it computes no realization and opens no store.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.plan.batches import (
+        Missing,
+        batch_target,
+        cut,
+        make_batches,
+        missing_work,
+        total_records,
+        total_seconds,
+    )
+    from workflow.plan.cost import Timings
+    from workflow.plan.goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
+    from workflow.plan.machine import this_machine
+    from workflow.plan.plan import Plan, Variant, make_plan
+    from workflow.plan.problems import speed_ratio
+    from workflow.plan.resolution import horizon_steps
+
+__all__, __getattr__ = public_names(__name__, __file__)

@@ -1,15 +1,34 @@
-"""Cut the work of a plan into batches: which tasks lack which blocks, and what makes up a batch."""
+"""Batches: what of a plan is not stored yet, cut into work of about equal length.
 
-from collections.abc import Container, Iterator
+The store is asked once, record by record; what is missing is then cut to any length.
+"""
 
-from workflow.plan.cost import Prices
-from workflow.plan.plan import Plan, quantities
-from workflow.simulate.tasks import Batch, Record, Task
-from workflow.study.numerics import Numerics
-from workflow.study.study import Study
+from collections.abc import Iterator
+from typing import NamedTuple, Protocol
+
+from workflow.plan.plan import Plan
+from workflow.simulate import Batch, Record, Task
+from workflow.study import Numerics
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
 MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds
+
+
+class Stored(Protocol):
+    """What can tell which records need not be computed: a store, or a set."""
+
+    def __contains__(self, record: Record, /) -> bool:
+        """Return whether a record is there."""
+
+
+class Missing(NamedTuple):
+    """Tasks on the same random lines that lack the same blocks."""
+
+    numerics: Numerics
+    tasks: list[Task]
+    first_block: int
+    blocks: int
+    seconds: float  # predicted, per block
 
 
 def batch_target(seconds: float) -> float:
@@ -18,93 +37,107 @@ def batch_target(seconds: float) -> float:
     return min(max(shortest, seconds / MANY_BATCHES), longest)
 
 
-def batches(
-    plan: Plan,
-    stored: Container[Record],
-    target: float = BATCH_SECONDS[0],
-    blocks: dict[str, int] | None = None,
-) -> Iterator[Batch]:
-    """Yield batches of about ``target`` predicted seconds covering every record not stored.
+def missing_work(plan: Plan, stored: Stored, blocks: dict[str, int] | None = None) -> list[Missing]:
+    """Return what of a plan is not stored: every such record is in exactly one entry.
 
-    Every missing record is in exactly one batch; results do not depend on the cut. What takes
-    longer than the target comes first, longest first: no worker is left alone with it.
     blocks : number of blocks by key of the task, by default those expected.
     """
-    block = plan.study.realizations_per_block
-    pieces = [
-        (seconds, variant.numerics, tasks, first, count)
+    wanted = blocks or plan.expected
+    return [
+        Missing(variant.numerics, tasks, first, count, block_seconds(plan, tasks))
         for variant in plan.variants
-        for group in variant.by_line
-        for missing, first, count in missing_runs(group, blocks or plan.expected, stored)
-        for tasks, seconds in parts(plan.prices, block, missing, target)
+        for line in variant.by_line
+        for tasks, first, count in _missing_runs(line, wanted, stored)
     ]
-    pieces.sort(key=lambda piece: -max(piece[0], target))
+
+
+def total_seconds(missing: list[Missing]) -> float:
+    """Return the predicted core-seconds of missing work."""
+    return sum(entry.blocks * entry.seconds for entry in missing)
+
+
+def total_records(missing: list[Missing]) -> int:
+    """Return the number of missing records."""
+    return sum(entry.blocks * len(entry.tasks) for entry in missing)
+
+
+def block_seconds(plan: Plan, tasks: list[Task]) -> float:
+    """Return the predicted time of one block of tasks that share their lines."""
+    lines = {_line_samples(task) for task in tasks}
+    drawing = sum(plan.timings.draw(samples) for samples in sorted(lines))
+    each = drawing + sum(plan.task_seconds[task.key] for task in tasks)
+    return plan.study.realizations_per_block * each
+
+
+def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
+    """Return missing work whose blocks take about ``target`` seconds each at most.
+
+    A task that takes longer stays whole. What takes longer than the target comes first, longest
+    first: no worker is left alone with it.
+    """
+    found = [piece for entry in missing for piece in _pieces(plan, entry, target)]
+    return sorted(found, key=lambda piece: -max(piece.seconds, target))
+
+
+def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[Batch]:
+    """Yield batches of about ``target`` predicted seconds covering the pieces of ``cut``.
+
+    Every missing record is in exactly one batch; results do not depend on the cut.
+    """
     for piece in pieces:
-        yield from _cut(plan.study, target, *piece)
+        blocks = max(1, round(target / piece.seconds))
+        end = piece.first_block + piece.blocks
+        for start in range(piece.first_block, end, blocks):
+            number = min(blocks, end - start)
+            yield Batch(
+                seed=plan.study.seed,
+                normalisation=plan.study.normalisation,
+                quantities=plan.asked,
+                scheme=piece.numerics.scheme,
+                curve_samples=piece.numerics.curve_samples,
+                tasks=tuple(piece.tasks),
+                first_block=start,
+                blocks=number,
+                realizations_per_block=plan.study.realizations_per_block,
+                seconds=number * piece.seconds,
+            )
 
 
-def _cut(
-    study: Study,
-    target: float,
-    seconds: float,
-    numerics: Numerics,
-    tasks: list[Task],
-    first: int,
-    count: int,
-) -> Iterator[Batch]:
-    blocks = max(1, round(target / seconds))
-    for start in range(first, first + count, blocks):
-        number = min(blocks, first + count - start)
-        yield Batch(
-            seed=study.seed,
-            normalisation=study.normalisation,
-            quantities=quantities(study),
-            scheme=numerics.scheme,
-            samples=numerics.samples,
-            tasks=tuple(tasks),
-            first_block=start,
-            blocks=number,
-            realizations_per_block=study.realizations_per_block,
-            seconds=number * seconds,
-        )
-
-
-def missing_runs(
-    group: list[Task], blocks: dict[str, int], stored: Container[Record]
+def _missing_runs(
+    line: list[Task], blocks: dict[str, int], stored: Stored
 ) -> Iterator[tuple[list[Task], int, int]]:
     """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
-    run: tuple[list[Task], int, int] | None = None
-    for block in range(max(blocks[task.key] for task in group)):
-        tasks = [t for t in group if block < blocks[t.key] and (t.key, block) not in stored]
-        if run and run[0] == tasks:
-            run = (tasks, run[1], run[2] + 1)
-        else:
-            if run and run[0]:
-                yield run
-            run = (tasks, block, 1)
-    if run and run[0]:
-        yield run
+    tasks: list[Task] = []
+    first = 0
+    last = max(blocks[task.key] for task in line)
+    for block in range(last):
+        lacking = [t for t in line if block < blocks[t.key] and (t.key, block) not in stored]
+        if lacking != tasks:
+            if tasks:
+                yield tasks, first, block - first
+            tasks, first = lacking, block
+    if tasks:
+        yield tasks, first, last - first
 
 
-def parts(
-    prices: Prices, block: int, tasks: list[Task], target: float
-) -> Iterator[tuple[list[Task], float]]:
-    """Yield (tasks, predicted seconds of a block) of about ``target`` seconds at most.
-
-    block : realizations per block. A task that takes longer is a part by itself.
-    """
-    part: list[Task] = []
+def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
+    """Yield the tasks of missing work, as many together as take ``target`` seconds a block."""
+    block = plan.study.realizations_per_block
+    chosen: list[Task] = []
+    lines: set[int] = set()
     total = 0.0
-    steps = -1
-    for task in tasks:
-        cost = block * prices.task(task)
-        if part and total + cost > target:
-            yield part, total
-            part, total, steps = [], 0.0, -1
-        if task.steps_per_spacing != steps:  # a line of its own
-            steps = task.steps_per_spacing
-            total += block * prices.line(task.problem.elements * steps)
-        part.append(task)
-        total += cost
-    if part:
-        yield part, total
+    for task in whole.tasks:
+        samples, own = _line_samples(task), plan.task_seconds[task.key]
+        drawing = plan.timings.draw(samples)
+        shared = own if samples in lines else own + drawing
+        if chosen and total + block * shared > target:
+            yield whole._replace(tasks=chosen, seconds=total)
+            chosen, lines, total, shared = [], set(), 0.0, own + drawing
+        chosen.append(task)
+        lines.add(samples)
+        total += block * shared
+    yield whole._replace(tasks=chosen, seconds=total)
+
+
+def _line_samples(task: Task) -> int:
+    return task.problem.elements * task.steps_per_spacing

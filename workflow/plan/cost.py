@@ -1,7 +1,7 @@
 """Predicted cost of a case: how much work it is (laws below) times how fast a machine works.
 
 The amounts (sweeps, touching samples) belong to the problem, the timings to a machine; those are
-measured by calibration.py.
+measured by timing.py.
 """
 
 import math
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 from kernels import Quantities
 from workflow.plan.problems import viscous_pressure
-from workflow.simulate.tasks import Task
+from workflow.simulate import Task
 
 DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 200e6  # interpreter, libraries, machine code
@@ -64,10 +64,10 @@ TYPICAL = Timings(
 class Work(NamedTuple):
     """What one case does on one line."""
 
-    samples: int
+    line_samples: int
     steady_states: int
     jumps: int
-    steps: int
+    march_steps: int
     hurst: float
     load: float  # Fbar
     viscous_pressure: float  # vbar grad z, the viscous pressure on a mean slope in G h
@@ -93,54 +93,38 @@ def sweeps(load: float, viscous_pressure: float) -> float:
 
 def case_seconds(timings: Timings, work: Work) -> float:
     """Return the predicted time of one case on a line that exists."""
-    n = work.samples
+    n = work.line_samples
     states = work.steady_states * sweeps(work.load, work.viscous_pressure) * timings.sweep(n)
     touching = n * touchable_share(work.hurst, work.load, work.viscous_pressure)
     look = LOOK * timings.sweep(n)
     friction = (work.steady_states + work.jumps) * (look + timings.quadrature(touching))
     march = 0.0
-    if work.steps:
-        march = timings.setup(n) + work.steps * timings.step(touching)
+    if work.march_steps:
+        march = timings.setup(n) + work.march_steps * timings.step(touching)
     return timings.case + states + friction + march
 
 
-def worker_bytes(samples: int) -> float:
-    """Return the predicted peak memory of a worker whose longest line has ``samples``."""
-    return WORKER_BYTES + BYTES_PER_SAMPLE * samples
+def worker_bytes(line_samples: int) -> float:
+    """Return the predicted peak memory of a worker whose longest line has so many samples."""
+    return WORKER_BYTES + BYTES_PER_SAMPLE * line_samples
 
 
-def driver_bytes(points: int, tasks: int, records: int, samples: int) -> float:
+def driver_bytes(points: int, tasks: int, records: int, curve_samples: int) -> float:
     """Return the predicted peak memory of the driver: plan, index of the store, result."""
-    estimates = points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * samples)
+    estimates = points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * curve_samples)
     return DRIVER_BYTES + tasks * BYTES_PER_TASK + records * BYTES_PER_RECORD + estimates
 
 
-class Prices:
-    """Predicted core-seconds of the tasks of one study, each reckoned once."""
-
-    def __init__(self, timings: Timings, asked: Quantities) -> None:
-        """``asked`` : what is simulated."""
-        self.timings, self.asked = timings, asked
-        self.known: dict[str, float] = {}
-
-    def task(self, task: Task) -> float:
-        """Return the predicted time of one realization of a task on a line that exists."""
-        if task.key not in self.known:
-            self.known[task.key] = case_seconds(self.timings, self._load(task))
-        return self.known[task.key]
-
-    def line(self, samples: int) -> float:
-        """Return the predicted time to draw and sample one line."""
-        return self.timings.draw(samples)
-
-    def _load(self, task: Task) -> Work:
-        problem = task.problem
-        return Work(
-            samples=problem.elements * task.steps_per_spacing,
-            steady_states=1 + (self.asked.steady or self.asked.relaxation),
-            jumps=int(self.asked.jump),
-            steps=task.march_steps,
-            hurst=problem.hurst,
-            load=problem.load,
-            viscous_pressure=viscous_pressure(problem),
-        )
+def task_seconds(timings: Timings, asked: Quantities, task: Task) -> float:
+    """Return the predicted time of one realization of a task on a line that exists."""
+    problem = task.problem
+    work = Work(
+        line_samples=problem.elements * task.steps_per_spacing,
+        steady_states=1 + (asked.steady or asked.relaxation),
+        jumps=int(asked.jump),
+        march_steps=task.march_steps,
+        hurst=problem.hurst,
+        load=problem.load,
+        viscous_pressure=viscous_pressure(problem),
+    )
+    return case_seconds(timings, work)

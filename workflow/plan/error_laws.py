@@ -10,10 +10,9 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from workflow.plan.problems import expected_rate, speed_ratio, viscous_pressure
-from workflow.simulate.tasks import Problem
-
-JUDGED = {"steady": "mu_1", "jump": "jump", "relaxation": "relaxation_rate"}  # what is asked for
+from workflow.plan.problems import speed_ratio, viscous_pressure
+from workflow.plan.resolution import expected_rate
+from workflow.simulate import Problem
 
 
 class Error(NamedTuple):
@@ -47,7 +46,7 @@ def jump_error(problem: Problem) -> Error:
 def relaxation_rate_error(problem: Problem) -> Error:
     """Return the error of b: first order in the share of a relaxation time that a step takes."""
     share = expected_rate(problem) / (problem.speed * min(1.0, problem.ratio))  # at m = 1
-    if speed_ratio(problem.speed) < 1.0:
+    if speed_ratio(problem) < 1.0:
         return Error(0.003, 0.1 * share, 0.0)
     return Error(0.0, 0.3 * share, jump_error(problem).second)
 
@@ -63,8 +62,8 @@ def mu_1_scatter(problem: Problem) -> float:
 
 def jump_scatter(problem: Problem) -> float:
     """Return the standard deviation of the jump between lines; heavy tails at light loads."""
-    hurst, elements, load, speed, _ = problem
-    if speed_ratio(speed) < 1.0:
+    hurst, elements, load, _, _ = problem
+    if speed_ratio(problem) < 1.0:
         return mu_1_scatter(problem)
     contacts = (1.0 + load) ** -1.1 * (1.0 + viscous_pressure(problem) / load) ** 0.30
     return 2.6 * contacts * math.exp(-3.35 * hurst) * elements ** (0.633 * hurst - 0.545)
@@ -72,8 +71,8 @@ def jump_scatter(problem: Problem) -> float:
 
 def relaxation_rate_scatter(problem: Problem) -> float:
     """Return the error of b from a mean curve, times the root of the number of lines."""
-    hurst, elements, load, speed, _ = problem
-    x = speed_ratio(speed)
+    hurst, elements, load, _, _ = problem
+    x = speed_ratio(problem)
     if x < 1.0:  # creep: b is next to 1, but for heavy loads, where hardly anything relaxes
         return 0.6 if load > 0.1 and x > 0.2 else min(0.1, 0.5 * x)
     contacts = load**0.43 * (1.0 + load) ** -1.32 * (1.0 + viscous_pressure(problem) / load) ** 0.53
@@ -92,8 +91,3 @@ LAWS = {
     "jump": Laws(jump_error, jump_scatter),
     "relaxation_rate": Laws(relaxation_rate_error, relaxation_rate_scatter),
 }
-
-
-def judged(quantities: tuple[str, ...]) -> tuple[str, ...]:
-    """Return the estimates whose accuracy is asked for with the quantities of a scene."""
-    return tuple(JUDGED[quantity] for quantity in quantities if quantity in JUDGED)

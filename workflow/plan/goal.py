@@ -10,17 +10,16 @@ from typing import NamedTuple
 
 from workflow.errors import UserError
 from workflow.plan.cost import touchable_share
-from workflow.plan.error_laws import LAWS, judged
-from workflow.plan.problems import (
+from workflow.plan.error_laws import LAWS
+from workflow.plan.problems import viscous_pressure
+from workflow.plan.resolution import (
     MAX_SAMPLES_PER_LINE,
     check_resolution,
     horizon_steps,
     least_steps,
-    viscous_pressure,
 )
-from workflow.simulate.tasks import Problem
-from workflow.study.numerics import Numerics
-from workflow.study.study import Scene, Study
+from workflow.simulate import Problem
+from workflow.study import Numerics, Scene, Study, judged
 
 JACKKNIFE_GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it
 FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more

@@ -20,8 +20,7 @@ from kernels.cache import source_hash
 from workflow.errors import UserError
 from workflow.plan import timing
 from workflow.plan.cost import TYPICAL, SecondsBySize, Timings
-from workflow.system.files import write_durably
-from workflow.system.packages import ROOT, processor
+from workflow.system import ROOT, WORKER_ENVIRONMENT, processor, write_durably
 
 CURVES = [name for name in Timings._fields if name != "case"]
 
@@ -48,8 +47,8 @@ def this_machine() -> Machine:
     if found is None:
         print("measuring the speed of this machine (once)", file=sys.stderr)
         text = _measured()
-        found = text and _parsed(text)
-        if not found:
+        found = _parsed(text)
+        if found is None:
             return Machine(TYPICAL, "another machine, as this one could not be timed")
         with contextlib.suppress(OSError):
             file.parent.mkdir(parents=True, exist_ok=True)
@@ -68,7 +67,7 @@ def _read(file: Path) -> Machine | None:
 
 
 def _parsed(text: str) -> Machine | None:
-    """Return the calibration of a JSON text, or None where it is damaged."""
+    """Return the machine that a JSON text tells of, or None where it is damaged."""
     try:
         data = json.loads(text)
         curves = {name: SecondsBySize(*map(tuple, data["timings"][name])) for name in CURVES}
@@ -86,9 +85,7 @@ def _parsed(text: str) -> Machine | None:
 
 def _measured() -> str:
     """Return what a process with the settings of a worker measures, "" where it fails."""
-    from workflow.system.process import MALLOC
-
-    environment = {**os.environ, **{name: str(value) for name, value in MALLOC.items()}}
+    environment = {**os.environ, **WORKER_ENVIRONMENT}
     command = [sys.executable, "-m", "workflow.plan.timing"]
     done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True)
     return done.stdout if done.returncode == 0 else ""

@@ -6,13 +6,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from kernels import Quantities
-from workflow.plan.cost import TYPICAL, Prices, Timings, driver_bytes, worker_bytes
+from workflow.plan.cost import TYPICAL, Timings, driver_bytes, task_seconds, worker_bytes
 from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
-from workflow.plan.problems import distinct_problems, horizon_steps, steps_per_spacing
-from workflow.simulate.code import CODE
-from workflow.simulate.tasks import Problem, Task
-from workflow.study.numerics import Numerics
-from workflow.study.study import Study
+from workflow.plan.problems import distinct_problems
+from workflow.plan.resolution import horizon_steps, steps_per_spacing
+from workflow.simulate import CODE, Problem, Task
+from workflow.study import Numerics, Study
 
 
 @dataclass(frozen=True)
@@ -33,7 +32,9 @@ class Plan:
     study: Study
     point_task: np.ndarray  # index into Variant.tasks per grid point, shape of the grid
     variants: list[Variant]
-    prices: Prices
+    asked: Quantities  # of the kernels
+    timings: Timings  # of the machine that the prediction is for
+    task_seconds: dict[str, float]  # predicted, of one realization, by key of the task
     first: dict[str, int]  # blocks of the first round by key of the task, all where no goals are
     expected: dict[str, int]  # blocks that the goals are predicted to need
 
@@ -67,8 +68,8 @@ class Plan:
     def predicted_driver_bytes(self) -> float:
         """Return the predicted peak memory of the process that plans, stores and collects."""
         tasks = sum(len(v.tasks) for v in self.variants)
-        samples = max(v.numerics.samples for v in self.variants)
-        return driver_bytes(self.points, tasks, self.records, samples)
+        curve_samples = max(v.numerics.curve_samples for v in self.variants)
+        return driver_bytes(self.points, tasks, self.records, curve_samples)
 
 
 def make_plan(study: Study, timings: Timings = TYPICAL) -> Plan:
@@ -77,47 +78,52 @@ def make_plan(study: Study, timings: Timings = TYPICAL) -> Plan:
     timings : how fast the machine is; the size of batches depends on it, no result does.
     """
     problems, point_task = distinct_problems(study)
-    variants = []
-    first: dict[str, int] = {}
-    expected: dict[str, int] = {}
-    for label, numerics in study.variants.items():
-        tasks, goals = [], {}
-        for problem in problems:
-            goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
-            steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
-            task = _task(study, problem, numerics, steps)
-            tasks.append(task)
-            first[task.key] = expected[task.key] = study.blocks
-            if goal:
-                goals[task.key] = goal
-                most, need = numerics.max_realizations, goal.realizations
-                first[task.key] = whole_blocks(study, FIRST_SHARE * need, most)
-                expected[task.key] = whole_blocks(study, need, most)
-        variants.append(Variant(label, numerics, tasks, _by_line(tasks), goals))
-    prices = Prices(timings, quantities(study))
-    return Plan(study, point_task, variants, prices, first, expected)
+    asked = _asked(study)
+    variants = [_variant(study, problems, asked, *held) for held in study.variants.items()]
+    tasks = [task for variant in variants for task in variant.tasks]
+    first = {task.key: study.blocks for task in tasks}
+    expected = dict(first)
+    for variant in variants:
+        most = variant.numerics.max_realizations
+        for key, goal in variant.goals.items():
+            first[key] = whole_blocks(study, FIRST_SHARE * goal.realizations, most)
+            expected[key] = whole_blocks(study, goal.realizations, most)
+    seconds = {task.key: task_seconds(timings, asked, task) for task in tasks}
+    return Plan(study, point_task, variants, asked, timings, seconds, first, expected)
 
 
-def _task(study: Study, problem: Problem, numerics: Numerics, steps: int) -> Task:
-    march = horizon_steps(problem, numerics, steps) if _marches(study) else 0
+def _variant(
+    study: Study, problems: list[Problem], asked: Quantities, label: str, numerics: Numerics
+) -> Variant:
+    tasks, goals = [], {}
+    for problem in problems:
+        goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
+        steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
+        task = _task(study, problem, asked, numerics, steps)
+        tasks.append(task)
+        if goal:
+            goals[task.key] = goal
+    return Variant(label, numerics, tasks, _by_line(tasks), goals)
+
+
+def _task(
+    study: Study, problem: Problem, asked: Quantities, numerics: Numerics, steps: int
+) -> Task:
+    march_steps = horizon_steps(problem, numerics, steps) if asked.relaxation else 0
     what = (CODE, study.seed, study.normalisation, *problem, numerics.scheme, steps)
-    how = (march, numerics.samples, quantities(study), study.realizations_per_block)
+    how = (march_steps, numerics.curve_samples, asked, study.realizations_per_block)
     key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
-    return Task(problem, steps, march, key)
-
-
-def _marches(study: Study) -> bool:
-    return "relaxation" in study.scene.quantities
+    return Task(problem, steps, march_steps, key)
 
 
 def _by_line(tasks: list[Task]) -> list[list[Task]]:
     lines: dict[tuple[float, int], list[Task]] = {}
     for task in tasks:
         lines.setdefault((task.problem.hurst, task.problem.elements), []).append(task)
-    return [sorted(g, key=lambda t: (t.steps_per_spacing, t.problem)) for g in lines.values()]
+    return [sorted(some, key=lambda t: (t.steps_per_spacing, t.problem)) for some in lines.values()]
 
 
-def quantities(study: Study) -> Quantities:
+def _asked(study: Study) -> Quantities:
     """Return what the kernels are asked for; a relaxation starts from the jump."""
     asked = study.scene.quantities
     return Quantities(

@@ -25,9 +25,8 @@ from kernels import (
     steady_sliding,
 )
 from workflow.plan.cost import SecondsBySize, Timings
-from workflow.simulate.block_means import block_means
-from workflow.simulate.tasks import Batch, Problem, Task
-from workflow.system.packages import processor
+from workflow.simulate import Batch, Problem, Task, block_means
+from workflow.system import processor
 
 SIZES = (2_000, 20_000, 200_000)  # samples: in the first, second, third cache
 SHORTEST = 60

@@ -1,0 +1,39 @@
+"""From block means to estimates: jackknife, fits, and whether an accuracy is met.
+
+Plain arrays in and out; runs on the workers.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.reduce.attainment import (
+        ACCURACY_MEANINGS,
+        MET_WHERE_DEFINED,
+        MISSED,
+        Attained,
+        attained,
+    )
+    from workflow.reduce.estimates import Blocks, Estimates, fit_exponents, reduce_blocks
+    from workflow.reduce.fits import (
+        FITTED,
+        NO_RELAXATION,
+        NOT_EXPONENTIAL,
+        STATUS_COMMENT,
+        STATUS_MEANINGS,
+        UNDETERMINED,
+        fit_exponential,
+        fit_power_law,
+        fit_relaxation,
+    )
+    from workflow.reduce.jackknife import grouped_means, replicates, significant, standard_error
+    from workflow.reduce.models import (
+        EXPONENTIAL,
+        MODEL_MEANINGS,
+        STRETCHED,
+        TWO_EXPONENTIALS,
+        compare_models,
+    )
+
+__all__, __getattr__ = public_names(__name__, __file__)

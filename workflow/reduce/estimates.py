@@ -6,8 +6,9 @@ import numpy as np
 
 from workflow.reduce.fits import FITTED, RelaxationFit, fit_power_law, fit_relaxation
 from workflow.reduce.jackknife import replicates, standard_error
-from workflow.reduce.models import Comparison, compare_models
-from workflow.simulate.tasks import SCALARS
+from workflow.reduce.models import COEFFICIENTS, GAINS, Comparison, compare_models
+from workflow.simulate import SCALARS
+from workflow.study import QUANTITIES
 
 Estimates = dict[str, np.ndarray]
 
@@ -30,11 +31,9 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
     asked = blocks.quantities
     values = dict(zip(SCALARS, np.moveaxis(replicates(blocks.scalars, 1), 2, 0), strict=True))
     estimates: Estimates = {}
-    if "steady" in asked:
-        for name in ("mu_1", "mu_2", "indentation", "contact_fraction"):
+    for quantity in asked:
+        for name in QUANTITIES[quantity].means:
             _estimate(estimates, name, values[name])
-    if "jump" in asked:
-        _estimate(estimates, "jump", values["jump"])
     if "relaxation" in asked:
         start = values["mu_1"] + values["jump"]
         curves = np.concatenate([start[..., None], replicates(blocks.curves, 1)], axis=2)
@@ -78,9 +77,9 @@ def _models(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None
         rate = estimates["relaxation_rate"][task]
         found.append(compare_models(time[kept], deviation[task][:, kept], each, rate))
     estimates["best_model"] = np.array([c.best for c in found], dtype=np.int8)
-    for name in ("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"):
+    for name in COEFFICIENTS:
         _estimate(estimates, name, np.array([getattr(c, name) for c in found]))
-    for name in ("gain_stretched", "gain_two_exponentials"):
+    for name in GAINS:
         gains = np.array([getattr(c, name) for c in found])
         estimates[name], estimates[f"{name}_error"] = gains.T
 

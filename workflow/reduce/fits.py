@@ -58,9 +58,9 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
     if start is None:
         return _unfitted(NOT_EXPONENTIAL, size)
     known = _fit_all(time, deviation, np.array(start))
-    residual = np.sum((deviation[0] - known[0, 0] * np.exp(-known[0, 1] * time)) ** 2)
-    quality = 1.0 - residual / np.sum(deviation[0] ** 2)
+    quality = _quality(time, deviation[0], known[0])
     if not quality >= LEAST_QUALITY:  # NaN where the mean curve has no fit
+        residual = (1.0 - quality) * np.sum(deviation[0] ** 2)
         noise = LARGEST_NOISE * np.sum(standard_error(deviation, 0) ** 2)
         return _unfitted(UNDETERMINED if residual <= noise else NOT_EXPONENTIAL, size)
     if not significant(known[:, 1]):
@@ -70,7 +70,23 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
         free = _fit_all(time, deviation, np.array([*known[0], 0.0]))[:, 1]
         if not significant(free):
             free[:] = np.nan
-    return RelaxationFit(FITTED, known[:, 1], known[:, 0], free, float(time[-1]), float(quality))
+    return RelaxationFit(FITTED, known[:, 1], known[:, 0], free, float(time[-1]), quality)
+
+
+def fit_exponential(time: np.ndarray, deviation: np.ndarray) -> np.ndarray:
+    """Return (amplitude, rate) of eq. 6 fitted to one curve, significant or not.
+
+    time, deviation : as for ``fit_relaxation``, of shape (samples,). NaN where no exponential
+    fits.
+    """
+    nothing = np.full(2, np.nan)
+    end = fit_window(deviation)
+    time, deviation = time[:end], deviation[:end]
+    start = _start(time, deviation)
+    if start is None:
+        return nothing
+    found = _least_squares(time, deviation, np.array(start))
+    return found if _quality(time, deviation, found) >= LEAST_QUALITY else nothing
 
 
 def fit_window(deviation: np.ndarray) -> int:
@@ -78,6 +94,12 @@ def fit_window(deviation: np.ndarray) -> int:
     low = np.flatnonzero(np.abs(deviation) < WINDOW_END * abs(deviation[0]))
     end = low[0] + 1 if low.size else deviation.size
     return int(min(max(end, WINDOW_LEAST), deviation.size))
+
+
+def _quality(time: np.ndarray, deviation: np.ndarray, fit: np.ndarray) -> float:
+    """Return 1 - residual sum of squares / sum of squares, NaN where there is no fit."""
+    residual = np.sum((deviation - fit[0] * np.exp(-fit[1] * time)) ** 2)
+    return float(1.0 - residual / np.sum(deviation**2))
 
 
 def _start(time: np.ndarray, deviation: np.ndarray) -> tuple[float, float] | None:

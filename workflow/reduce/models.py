@@ -7,12 +7,12 @@ Stat. Soc. B 36, 111 (1974)). All fits take mu_2 as known and use the whole reco
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
-from scipy.optimize import leastsq
 
 from workflow.reduce.jackknife import errors_needed, significant
+from workflow.reduce.least_squares import Model, fit_curves
 
 EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
 
@@ -28,33 +28,35 @@ FALL = 58.0  # exp(-s) falls from 95 % to 5 % while s grows by this factor
 LEAST_CHANGE = 0.1  # of log (b t)^beta over the samples: below, the curve is a constant
 
 
-class Model(NamedTuple):
-    """A law for (mu - mu_2)/scale over t/span, its parameters being free of bounds."""
-
-    value: Callable[[np.ndarray, np.ndarray], np.ndarray]
-    start: Callable[[float], np.ndarray]  # from b span of eq. 6
+def exponential(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return A exp(-b t) (eq. 6) and its derivatives; p = (A, log b) along the last axis."""
+    return stretched(np.column_stack([p, np.zeros(len(p))]), t, 2)
 
 
-def exponential(p: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Return A exp(-b t) (eq. 6); p = (A, log b)."""
-    return p[0] * np.exp(-np.exp(p[1]) * t)
+def stretched(p: np.ndarray, t: np.ndarray, count: int = 3) -> tuple[np.ndarray, np.ndarray]:
+    """Return A exp(-(b t)^beta) and its first ``count`` derivatives; p = (A, log b, log beta)."""
+    amplitude, beta = p[:, :1], np.exp(p[:, 2:])
+    log_phase = beta * (p[:, 1:2] + np.log(t))
+    phase = np.exp(log_phase)
+    decay = np.exp(-phase)
+    fall = -amplitude * phase * decay
+    slopes = [decay, fall * beta, np.where(phase > 0.0, fall * log_phase, 0.0)]
+    return amplitude * decay, np.stack(slopes[:count], axis=2)
 
 
-def stretched(p: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Return A exp(-(b t)^beta); p = (A, log b, log beta)."""
-    return p[0] * np.exp(-((np.exp(p[1]) * t) ** np.exp(p[2])))
+def two_exponentials(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return A exp(-b t) + B exp(-c t) and its derivatives; p = (A, log b, B, log c)."""
+    (one, first), (two, second) = exponential(p[:, :2], t), exponential(p[:, 2:], t)
+    return one + two, np.concatenate([first, second], axis=2)
 
 
-def two_exponentials(p: np.ndarray, t: np.ndarray) -> np.ndarray:
-    """Return A exp(-b t) + B exp(-c t); p = (A, log b, B, log c)."""
-    return p[0] * np.exp(-np.exp(p[1]) * t) + p[2] * np.exp(-np.exp(p[3]) * t)
-
-
-MODELS = {
-    EXPONENTIAL: Model(exponential, lambda b: np.array([1.0, np.log(b)])),
-    STRETCHED: Model(stretched, lambda b: np.array([1.0, np.log(b), 0.0])),
-    TWO_EXPONENTIALS: Model(
-        two_exponentials, lambda b: np.array([0.6, np.log(2.0 * b), 0.4, np.log(0.5 * b)])
+# model -> (law for (mu - mu_2)/scale over t/span, first guess from b span of eq. 6)
+MODELS: dict[int, tuple[Model, Callable[[float], np.ndarray]]] = {
+    EXPONENTIAL: (exponential, lambda b: np.array([1.0, np.log(b)])),
+    STRETCHED: (stretched, lambda b: np.array([1.0, np.log(b), 0.0])),
+    TWO_EXPONENTIALS: (
+        two_exponentials,
+        lambda b: np.array([0.6, np.log(2.0 * b), 0.4, np.log(0.5 * b)]),
     ),
 }
 
@@ -76,6 +78,10 @@ class Comparison(NamedTuple):
     gain_two_exponentials: tuple[float, float]
 
 
+GAINS = tuple(name for name in Comparison._fields if name.startswith("gain_"))
+COEFFICIENTS = tuple(name for name in Comparison._fields if name not in ("best", *GAINS))
+
+
 def compare_models(
     time: np.ndarray, deviation: np.ndarray, blocks: np.ndarray, rate: float
 ) -> Comparison:
@@ -87,7 +93,9 @@ def compare_models(
     """
     if not np.isfinite(rate):
         nothing = np.full(len(deviation), np.nan)
-        return Comparison(UNDECIDED, *[nothing] * 5, (np.nan, np.nan), (np.nan, np.nan))
+        unknown: dict[str, Any] = dict.fromkeys(COEFFICIENTS, nothing)
+        unknown |= dict.fromkeys(GAINS, (np.nan, np.nan))
+        return Comparison(UNDECIDED, **unknown)
     scale, span = deviation[0, 0], time[-1]
     with np.errstate(all="ignore"):  # far from eq. 6 a fit may run away; it is not decisive then
         fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)
@@ -137,23 +145,12 @@ def _fits_and_gains(
 ) -> tuple[dict[int, np.ndarray], dict[int, tuple[float, float]]]:
     """Return per model the fits to all curves, and what it gains on eq. 6 on blocks left out."""
     fits, scores = {}, {}
-    for code, model in MODELS.items():
-        fits[code] = _fit_all(model, t, curves, rate)
-        predicted = np.array([model.value(p, t) for p in fits[code][1:]])
+    for code, (model, start) in MODELS.items():
+        mean = fit_curves(model, t, curves[:1], start(rate))
+        fits[code] = np.concatenate([mean, fit_curves(model, t, curves[1:], mean[0])])
+        predicted, _ = model(fits[code][1:], t)
         scores[code] = np.mean((blocks - predicted) ** 2, axis=1)
     return fits, {code: _gain(scores[EXPONENTIAL], scores[code]) for code in MODELS}
-
-
-def _fit_all(model: Model, t: np.ndarray, curves: np.ndarray, rate: float) -> np.ndarray:
-    """Fit every row of curves, each replicate from the fit of the mean."""
-    start = model.start(rate)
-    fits = np.empty((len(curves), start.size))
-    for row, curve in enumerate(curves):
-        guess = fits[0] if row else start
-        fits[row] = leastsq(
-            lambda p, y=curve: model.value(p, t) - y, guess, full_output=True, maxfev=300
-        )[0]
-    return fits
 
 
 def _gain(reference: np.ndarray, score: np.ndarray) -> tuple[float, float]:

@@ -1,0 +1,39 @@
+"""What is shown of results: figures, tables, the claims of the paper, one page.
+
+Reads result files alone; knows no run.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.report.claims import (
+        FACTOR,
+        HOLDS,
+        NOT_FOUND,
+        ONLY_COARSE,
+        TOLERANCE,
+        Claim,
+        Results,
+        given,
+        judge,
+        judge_factor,
+        mean_error,
+        per_point,
+        percent,
+        reworded,
+        spread,
+        typical_factor,
+    )
+    from workflow.report.figure import (
+        COLOURS,
+        FOOT_CHARACTERS_PER_INCH,
+        draw_figure,
+        foot_line,
+        log_bars,
+    )
+    from workflow.report.report import write_report
+    from workflow.report.table import write_grid_table, write_measured_table
+
+__all__, __getattr__ = public_names(__name__, __file__)

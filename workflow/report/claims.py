@@ -14,8 +14,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from workflow.study.read import known_studies
-from workflow.study.scripts import load_script
+from workflow.study import known_studies, load_script
 
 Results = Mapping[str, xr.Dataset]  # "fig7", and "fig7/paper_step" for its comparison
 

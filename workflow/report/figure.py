@@ -1,8 +1,12 @@
-"""Draw the figure of a study: its folder's figure.py reads the result file and draws."""
+"""Draw the figure of a study: its folder's figure.py is handed the opened result and draws."""
 
+import contextlib
+import inspect
 import io
 import textwrap
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any, cast
 
 import matplotlib as mpl
 import numpy as np
@@ -11,13 +15,11 @@ from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from workflow.errors import UserError
-from workflow.result.netcdf import BROKEN, broken
-from workflow.study.measured import Measured
-from workflow.study.scripts import load_script
-from workflow.study.study import Study
-from workflow.system.files import write_durably
+from workflow.result import BROKEN, Groups, broken, open_result
+from workflow.study import AnyStudy, load_script
+from workflow.system import write_durably
 
-STYLE = {
+STYLE: dict[str, Any] = {
     "figure.dpi": 150,
     "savefig.dpi": 200,
     "font.size": 8.0,
@@ -42,19 +44,23 @@ FOOT_CHARACTERS_PER_INCH = 21
 COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
 
 
-def draw_figure(study: Study | Measured, result: Path) -> list[Path]:
+def draw_figure(study: AnyStudy, result: Path) -> list[Path]:
     """Draw the study's figure beside its result, as PNG and PDF; return the files.
 
-    Raises UserError where the study has no figure script, the script cannot use the result, or
-    the disk refuses the files.
+    Raises UserError where there is no result, the study has no figure script, the script cannot
+    use the result, or the disk refuses the files.
     """
-    script = study.folder / "figure.py"
-    if not script.is_file():
-        raise UserError(f"{script}: not found; the study has no figure script")
+    with contextlib.ExitStack() as stack:
+        return draw_groups(study, open_result(study, result, stack), result)
+
+
+def draw_groups(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
+    """Draw the study's figure from its opened result; as ``draw_figure``."""
+    draw = _script(study)
     files = {}
-    with mpl.rc_context(STYLE):
+    with mpl.rc_context(cast(Any, STYLE)):
         try:
-            figure = load_script(script).draw(result)
+            figure = draw(groups)
         except BROKEN as error:
             plt.close("all")
             raise broken(study, result, error) from error
@@ -68,6 +74,20 @@ def draw_figure(study: Study | Measured, result: Path) -> list[Path]:
     for file, content in files.items():
         write_durably(file, content)
     return list(files)
+
+
+def _script(study: AnyStudy) -> Callable[[Groups], Figure]:
+    """Return the function that draws. Raises UserError where there is none, or one of old."""
+    script = study.folder / "figure.py"
+    if not script.is_file():
+        raise UserError(f"{script}: not found; the study has no figure script")
+    draw = load_script(script).draw
+    if [*inspect.signature(draw).parameters][:1] != ["groups"]:
+        raise UserError(
+            f"{script}: draw takes the path of a result; write draw(groups) instead, which is "
+            'handed the opened datasets: groups[""] is the study, groups["NAME"] a comparison'
+        )
+    return draw
 
 
 def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:

@@ -10,16 +10,13 @@ from typing import NamedTuple
 import xarray as xr
 
 from workflow.errors import UserError
-from workflow.reduce.fits import STATUS_MEANINGS
+from workflow.reduce import STATUS_MEANINGS
 from workflow.report.claims import evaluate, known_claims
-from workflow.report.figure import STYLE, draw_figure
+from workflow.report.figure import STYLE, draw_groups
 from workflow.report.page import render
-from workflow.result.netcdf import ROOT, differing_settings, listed, open_result
-from workflow.study.grid import AXES
-from workflow.study.measured import Measured
-from workflow.study.read import known_studies, read_study
-from workflow.study.study import Study
-from workflow.system.files import write_durably
+from workflow.result import ROOT, Groups, differing_settings, listed, open_result, result_file
+from workflow.study import AXES, AnyStudy, known_studies, read_study
+from workflow.system import write_durably
 
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends
 ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
@@ -63,17 +60,15 @@ def write_report(folder: Path, names: list[str]) -> Path:
     names : studies to report on, all by default. Raises UserError where none has a result.
     """
     studies = [read_study(name) for name in names or study_names()]
-    present = [study for study in studies if _result(folder, study).is_file()]
+    present = [study for study in studies if result_file(folder, study.name).is_file()]
     if not present:
         wanted = ", ".join(study.name for study in studies)
         raise UserError(f"{folder}: holds no result of {wanted}; first run: make study-NAME")
-    # netCDF does not survive a file opened again while several of its groups are open: draw first.
-    drawn = {study.name: _drawn(study, _result(folder, study)) for study in present}
     with contextlib.ExitStack() as stack:
-        groups = {s.name: open_result(s, _result(folder, s), stack) for s in present}
-        named = {f"{n}{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
+        groups = {s.name: open_result(s, result_file(folder, s.name), stack) for s in present}
+        named = {f"{n}/{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
         try:
-            sections = [_section(s, groups[s.name], *drawn[s.name]) for s in present]
+            sections = [_section(s, groups[s.name], folder) for s in present]
             judges = known_claims()
             claims = evaluate(judges, named)
         except (OSError, RuntimeError) as error:  # of netCDF, which reads late
@@ -91,22 +86,17 @@ def write_report(folder: Path, names: list[str]) -> Path:
     return path
 
 
-def _result(folder: Path, study: Study | Measured) -> Path:
-    return folder / f"{study.name}.nc"
-
-
-def _drawn(study: Study | Measured, result: Path) -> tuple[Image | None, str]:
+def _drawn(study: AnyStudy, groups: Groups, folder: Path) -> tuple[Image | None, str]:
     """Return the figure of a result, or what is wrong with it."""
     try:
-        return _image(draw_figure(study, result)[0]), ""
+        return _image(draw_groups(study, groups, result_file(folder, study.name))[0]), ""
     except UserError as error:
         return None, str(error)
 
 
-def _section(
-    study: Study | Measured, groups: dict[str, xr.Dataset], image: Image | None, trouble: str
-) -> Section:
+def _section(study: AnyStudy, groups: Groups, folder: Path) -> Section:
     data = groups[ROOT]
+    image, trouble = _drawn(study, groups, folder)
     return Section(
         name=study.name,
         title=str(data.attrs["title"]),
@@ -162,11 +152,11 @@ def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
         counts = [int((data.fit_status == k).sum()) for k in range(len(meanings))]
         pairs = zip(counts, meanings, strict=True)
         fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for n, meaning in pairs if n)
-    label = "the study itself" if group == ROOT else group.strip("/")
+    label = group or "the study itself"
     return label, str(data.attrs["scheme"]), str(data.attrs["steps_per_spacing"]), fits
 
 
-def _changes(study: Study | Measured, data: xr.Dataset) -> list[tuple[str, str]]:
+def _changes(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str]]:
     """Return which settings are not those of study.toml without a scale, if any."""
     settings = differing_settings(study, data.attrs)
     return [("Not as in study.toml", listed(settings))] if settings else []

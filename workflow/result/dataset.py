@@ -1,13 +1,17 @@
 """Assemble estimates of tasks into one labelled xarray Dataset."""
 
+from collections.abc import Mapping
+
 import numpy as np
 import xarray as xr
 
-from workflow.plan.plan import Plan, Variant
-from workflow.reduce.estimates import Estimates
+from workflow.plan import Plan, Variant
+from workflow.reduce import Estimates
 from workflow.result.provenance import provenance
 from workflow.result.variables import AXIS_ATTRIBUTES, HEIGHT, SLOPE, attributes, declared
-from workflow.study.grid import AXES
+from workflow.study import AXES
+
+Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are its comparisons
 
 
 def build_dataset(
@@ -28,7 +32,7 @@ def build_dataset(
         data[name] = (variable.dims, on_grid)
     data |= {name: (declared(name).dims, values) for name, values in exponents.items()}
     if "mu" in estimates:
-        coords["sample"] = np.arange(variant.numerics.samples)
+        coords["sample"] = np.arange(variant.numerics.curve_samples)
     dataset = xr.Dataset(data, coords, provenance(plan.study, variant.numerics))
     _annotate(dataset, plan.jackknife_groups(variant) - 1)
     return dataset

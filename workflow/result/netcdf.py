@@ -1,86 +1,88 @@
-"""Result files: written durably, opened, checked, and compared with the study asked for."""
+"""Result files: named, written durably, opened, checked, and compared with the study asked for.
+
+The one place that knows that a result is netCDF.
+"""
 
 import contextlib
 import json
-import os
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-
-import dask
-import xarray as xr
+from typing import TYPE_CHECKING, Any
 
 from workflow.errors import UserError
-from workflow.simulate.code import CODE
-from workflow.study.grid import AXES
-from workflow.study.measured import Measured
-from workflow.study.study import Study
+from workflow.simulate import CODE
+from workflow.study import AnyStudy
+from workflow.system import replacing
 
+if TYPE_CHECKING:  # slow to import: plan and status do without
+    import xarray as xr
 
-def write_datasets(path: Path, datasets: dict[str, xr.Dataset]) -> None:
-    """Write the study at the root of a netCDF file and each comparison as a group of it.
-
-    The file is written aside and renamed: readers keep the old one until then.
-    """
-    aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        with dask.config.set(scheduler="synchronous"):  # or xarray asks a scheduler for its lock
-            for label, dataset in datasets.items():
-                mode = "a" if label else "w"
-                dataset.to_netcdf(aside, mode, group=label or None, encoding=_encoding(dataset))
-        with aside.open("rb+") as file:
-            os.fsync(file.fileno())
-        aside.replace(path)
-    except (OSError, RuntimeError) as error:  # HDF5 reports a full disk as RuntimeError
-        with contextlib.suppress(OSError):
-            aside.unlink()
-        raise UserError(f"{path}: cannot be written: {error}") from error
-
-
-def _encoding(dataset: xr.Dataset) -> dict:
-    """Return how variables are stored: with a checksum each, curves compressed."""
-    curve = {"zlib": True, "complevel": 1}
-    return {
-        name: {"fletcher32": variable.ndim > 0, **(curve if variable.ndim > 6 else {})}
-        for name, variable in dataset.variables.items()
-    }
-
-
-ROOT = "/"  # group of the study itself
+SUFFIX = ".nc"
+ROOT = ""  # the study itself among its groups; the others are its comparisons
 MARKS = {"study", "code", "seed", "source"}  # attributes that every result has
-
-
 # What a script raises that reads a result it was not made for, or one with a damaged variable.
 BROKEN = (AttributeError, LookupError, OSError, RuntimeError, TypeError, ValueError)
 NO_MATTER = ("cluster.",)  # settings that no number depends on
 SHOWN = 5  # differing settings
 
 
+def result_file(out: Path, name: str) -> Path:
+    """Return the result file of a study: ``out`` itself, or in the folder ``out``."""
+    return out if out.suffix == SUFFIX else out / f"{name}{SUFFIX}"
+
+
+def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
+    """Write the study at the root of a netCDF file and each comparison as a group of it.
+
+    Durably: readers keep the old file until the new one is whole. Raises UserError where the disk
+    refuses it.
+    """
+    import dask
+
+    with replacing(path) as aside, dask.config.set(scheduler="synchronous"):
+        # or xarray asks a scheduler for its lock
+        for label, dataset in datasets.items():
+            dataset.to_netcdf(
+                aside, "a" if label else "w", group=label or None, encoding=_encoding(dataset)
+            )
+
+
+def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:
+    """Return how variables are stored: with a checksum each, curves compressed."""
+    curve = {"zlib": True, "complevel": 1}
+    return {
+        str(name): {"fletcher32": variable.ndim > 0, **(curve if variable.ndim > 6 else {})}
+        for name, variable in dataset.variables.items()
+    }
+
+
 def open_result(
-    study: Study | Measured, path: Path, stack: contextlib.ExitStack
-) -> dict[str, xr.Dataset]:
+    study: AnyStudy, path: Path, stack: contextlib.ExitStack
+) -> dict[str, "xr.Dataset"]:
     """Return group -> dataset of a study's result, open until the stack is left.
 
     Raises UserError where the file is missing, damaged, or no result of such a study.
     """
+    import xarray as xr
+
     if not path.is_file():
         raise UserError(f"{path}: not found; first run: python -m workflow run {study.name}")
     try:
-        groups = xr.open_groups(path, engine="netcdf4")
+        opened = xr.open_groups(path, engine="netcdf4")
     except (AttributeError, OSError, RuntimeError, ValueError) as error:
         raise UserError(f"{path}: cannot be read as netCDF: {error}") from error
-    for dataset in groups.values():
-        stack.enter_context(dataset)
+    groups = {name.strip("/"): stack.enter_context(data) for name, data in opened.items()}
     root = groups[ROOT]
     if not root.attrs.keys() >= MARKS or _flat(root.attrs["study"]) is None:
         raise UserError(f"{path}: is not a result of this program")
-    axes = AXES if isinstance(study, Study) else ()
-    lacking = [axis for axis in axes if axis not in root.coords]
+    lacking = [axis for axis in study.axes if axis not in root.coords]
     if lacking:
         raise UserError(f"{path}: is no result of a grid: it has no axis {', '.join(lacking)}")
     return groups
 
 
-def check_result(study: Study | Measured, path: Path, *, asked: bool) -> None:
+def check_result(study: AnyStudy, path: Path, *, asked: bool) -> None:
     """Refuse a result that cannot be read; say where it is not that of the study as it stands.
 
     asked : whether the settings were given with the command, which a file of others contradicts.
@@ -98,13 +100,13 @@ def check_result(study: Study | Measured, path: Path, *, asked: bool) -> None:
         print(f"note: {path}: was computed by another version of the program", file=sys.stderr)
 
 
-def broken(study: Study | Measured, path: Path, error: Exception) -> UserError:
+def broken(study: AnyStudy, path: Path, error: Exception) -> UserError:
     """Return what to raise where a script of the study cannot use its result."""
     reason = str(error).splitlines()[0] if str(error) else type(error).__name__
     return UserError(f"{path}: cannot be used by {study.name} ({reason:.200}); run the study again")
 
 
-def differing_settings(study: Study | Measured, attributes: dict) -> list[str]:
+def differing_settings(study: AnyStudy, attributes: dict[str, Any]) -> list[str]:
     """Return the settings, as table.key, in which a result differs from a study."""
     ours, theirs = _flat(study.text) or {}, _flat(attributes["study"]) or {}
     keys = [key for key in sorted({*ours, *theirs}) if not key.startswith(NO_MATTER)]

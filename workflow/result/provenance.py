@@ -2,11 +2,9 @@
 
 import subprocess
 
-from workflow.simulate.code import CODE
-from workflow.study.measured import Measured
-from workflow.study.numerics import Numerics
-from workflow.study.study import Study
-from workflow.system.packages import ROOT, package_versions, processor, version_of
+from workflow.simulate import CODE
+from workflow.study import AnyStudy, Numerics, Study
+from workflow.system import ROOT, package_versions, processor, version_of
 
 REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
 
@@ -25,7 +23,7 @@ def commit() -> str:
     return found.stdout.strip()
 
 
-def origin(study: Study | Measured) -> dict[str, str | int | float]:
+def origin(study: AnyStudy) -> dict[str, str | int | float]:
     """Return the global attributes that every result file has, whatever its kind of study."""
     return {
         "Conventions": "CF-1.8",
@@ -43,7 +41,9 @@ def origin(study: Study | Measured) -> dict[str, str | int | float]:
 
 def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]:
     """Return the global attributes of the result file of a grid study."""
-    wanted = {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
+    wanted: dict[str, int | float] = {}
+    if numerics.accuracy:
+        wanted = {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
     return origin(study) | {
         "realizations_per_block": study.realizations_per_block,
         "quantities": " ".join(study.scene.quantities),
@@ -51,5 +51,5 @@ def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]
         "scheme": numerics.scheme,
         "steps_per_spacing": str(numerics.steps_per_spacing or "auto"),
         "horizon": numerics.horizon,
-        **(wanted if numerics.accuracy else {}),
+        **wanted,
     }

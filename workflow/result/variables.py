@@ -4,10 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.reduce.attained import ACCURACY_MEANINGS
-from workflow.reduce.fits import STATUS_COMMENT, STATUS_MEANINGS
-from workflow.reduce.models import MODEL_MEANINGS
-from workflow.study.grid import AXES
+from workflow.reduce import ACCURACY_MEANINGS, MODEL_MEANINGS, STATUS_COMMENT, STATUS_MEANINGS
+from workflow.study import AXES
 
 GRID = AXES
 CURVE = (*AXES, "sample")

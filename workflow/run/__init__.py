@@ -1,0 +1,15 @@
+"""The driver of a run: rounds, failures, collection, status and summary.
+
+Computes what is missing, stores it as it finishes, reduces, writes the result.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.run.measured import run_measured
+    from workflow.run.run import How, run_plan
+    from workflow.run.status import read_status, result_line, status_lines
+
+__all__, __getattr__ = public_names(__name__, __file__)

@@ -8,26 +8,30 @@ import xarray as xr
 from distributed import Client
 
 from kernels import amplitudes, rms_slope
+from workflow.cluster import Watch, stream
 from workflow.errors import UserError
-from workflow.plan.plan import Plan, Variant
-from workflow.plan.problems import speed_ratio
-from workflow.reduce.attained import attained
-from workflow.reduce.estimates import Blocks, Estimates, fit_exponents, reduce_blocks
-from workflow.reduce.jackknife import grouped_means
-from workflow.result.dataset import build_dataset
-from workflow.run.flow import Watch, stream
+from workflow.plan import Plan, Variant, speed_ratio
+from workflow.reduce import (
+    Attained,
+    Blocks,
+    Estimates,
+    attained,
+    fit_exponents,
+    grouped_means,
+    reduce_blocks,
+)
+from workflow.result import build_dataset
 from workflow.run.summary import Summary
-from workflow.simulate.block_means import record_steps, record_times
-from workflow.simulate.tasks import Task
-from workflow.store.store import Store
-from workflow.system.progress import Reporter
+from workflow.simulate import Task, record_steps, record_times
+from workflow.store import Store
+from workflow.system import Reporter
 
 TASKS_PER_REDUCTION = 32
 SECONDS_PER_FIT = 4e-4
 
 
 class Collector:
-    """Reduces stored block means on the workers."""
+    """Reduces stored block means on the workers, those of a task once."""
 
     def __init__(
         self, client: Client, store: Store, plan: Plan, summary: Summary, watch: Watch
@@ -35,6 +39,10 @@ class Collector:
         """``watch`` : tells when to give up."""
         self.client, self.store, self.plan = client, store, plan
         self.summary, self.watch = summary, watch
+        self.fitted = {variant.label: Fitted(variant) for variant in plan.variants}
+        lines = {_line_of(task) for variant in plan.variants for task in variant.tasks}
+        normalisation = plan.study.normalisation
+        self.slopes = {(h, n): rms_slope(amplitudes(h, n, normalisation), n) for h, n in lines}
 
     def datasets(self, blocks: dict[str, int]) -> dict[str, xr.Dataset]:
         """Return label -> dataset of every variant, from ``blocks`` of each task (by key).
@@ -44,60 +52,113 @@ class Collector:
         """
         datasets = {}
         for variant in self.plan.variants:
-            estimates = self._variant(variant, blocks)
-            if not estimates:
+            sound = [row for row, t in enumerate(variant.tasks) if t.key not in self.store.failed]
+            if not sound:
+                where = variant.label or "the study"
+                raise UserError(f"nothing is left of {where}: every problem failed")
+            if not self.fit(variant, sound, blocks, "fitting"):
                 return {}
+            estimates = self._complete(variant, np.array(sound), blocks)
             exponents = _exponents(self.plan, variant, estimates)
             datasets[variant.label] = build_dataset(self.plan, variant, estimates, exponents)
         return datasets
 
-    def _variant(self, variant: Variant, blocks: dict[str, int]) -> Estimates:
-        tasks = [task for task in variant.tasks if task.key not in self.store.failed]
-        if not tasks:
-            where = variant.label or "the study"
-            raise UserError(f"nothing is left of {where}: every problem failed")
-        sound = np.array([task.key not in self.store.failed for task in variant.tasks])
-        estimates = self.estimates(variant, tasks, blocks, "fitting")
-        if not estimates:
-            return {}
-        estimates |= accuracy_reached(variant, tasks, estimates)
-        spread = {name: _spread(values, sound) for name, values in estimates.items()}
-        each = self.plan.study.realizations_per_block
-        counts = [blocks[task.key] * each for task in variant.tasks]
-        spread["realizations"] = np.where(sound, counts, 0).astype(np.int32)
-        slopes = _rms_slopes(self.plan, variant)
-        spread["rms_slope"] = np.array([slopes[line_of(task)] for task in variant.tasks])
-        spread["speed_ratio"] = np.array([speed_ratio(t.problem.speed) for t in variant.tasks])
-        steps = [task.steps_per_spacing for task in variant.tasks]
-        spread["steps_per_spacing"] = np.array(steps, np.int32)
-        return spread
+    def fit(self, variant: Variant, rows: list[int], blocks: dict[str, int], what: str) -> bool:
+        """Fit the tasks at some rows of a variant, from ``blocks`` of each.
 
-    def estimates(
-        self, variant: Variant, tasks: list[Task], blocks: dict[str, int], what: str
-    ) -> Estimates:
-        """Return the estimates of some tasks from ``blocks`` of each; empty if stopped."""
+        Those that are fitted from so many blocks already stay as they are. Returns whether all
+        are fitted now: not where ``watch()`` turned true meanwhile.
+        """
+        fitted = self.fitted[variant.label]
+        counts = [blocks[task.key] for task in variant.tasks]
+        open_rows = [row for row in rows if fitted.blocks[row] != counts[row]]
         size = TASKS_PER_REDUCTION
-        parts = [tasks[i : i + size] for i in range(0, len(tasks), size)]
-        slopes = _rms_slopes(self.plan, variant)
+        portions = [open_rows[i : i + size] for i in range(0, len(open_rows), size)]
 
-        def load() -> Iterator[tuple[int, Blocks]]:
-            for number, part in enumerate(parts):
+        def load() -> Iterator[tuple[list[int], Blocks]]:
+            for portion in portions:
                 with self.summary.filing():
-                    loaded = _load(self.store, self.plan, variant, part, slopes, blocks)
-                yield number, loaded
+                    loaded = self._load(variant, [variant.tasks[row] for row in portion], blocks)
+                yield portion, loaded
 
         marched = "relaxation" in self.plan.study.scene.quantities
-        fits = (self.plan.jackknife_groups(variant) + 1) * marched * SECONDS_PER_FIT
-        found: dict[int, Estimates] = {}
-        with Reporter(what, len(tasks) * fits) as reporter:
-            work = stream(self.client, _reduce_part, load(), self.watch)
-            for (number, _), (estimates, seconds) in work:
-                found[number] = estimates
+        each = (self.plan.jackknife_groups(variant) + 1) * marched * SECONDS_PER_FIT
+        with Reporter(what, len(open_rows) * each) as reporter:
+            work = stream(self.client, _reduce_portion, load(), self.watch)
+            for (portion, _), (estimates, seconds) in work:
+                fitted.enter(portion, estimates, [counts[row] for row in portion])
                 self.summary.phases["fits"] += seconds
-                reporter.advance(len(parts[number]) * fits)
-        if self.watch():
-            return {}
-        return {n: np.concatenate([found[i][n] for i in range(len(parts))]) for n in found[0]}
+                reporter.advance(len(portion) * each)
+        return not self.watch()
+
+    def attained(self, variant: Variant, rows: list[int]) -> Attained:
+        """Return which accuracy the fitted tasks at some rows have; for a variant with goals."""
+        tasks = [variant.tasks[row] for row in rows]
+        estimates = self.fitted[variant.label].at(rows)
+        goals = [variant.goals[task.key] for task in tasks]
+        ratios = np.array([task.problem.ratio for task in tasks])
+        return attained(estimates, goals, ratios, variant.numerics.accuracy or 0.0)
+
+    def _complete(self, variant: Variant, sound: np.ndarray, blocks: dict[str, int]) -> Estimates:
+        """Return all that the result says of each task, sound rows from their fits."""
+        rows, tasks = sound.tolist(), variant.tasks
+        estimates = self.fitted[variant.label].at(rows)
+        if variant.goals:
+            found = self.attained(variant, rows)
+            bias = [max(variant.goals[tasks[row].key].bias.values()) for row in rows]
+            estimates["accuracy_reached"] = found.reached
+            estimates["accuracy_status"] = found.status
+            estimates["bias_bound"] = np.array(bias)
+        spread = {name: _spread(v, sound, len(tasks)) for name, v in estimates.items()}
+        each = self.plan.study.realizations_per_block
+        counts = np.zeros(len(tasks), np.int32)
+        counts[sound] = [blocks[tasks[row].key] * each for row in rows]
+        return spread | {
+            "realizations": counts,
+            "rms_slope": np.array([self.slopes[_line_of(task)] for task in tasks]),
+            "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
+            "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
+        }
+
+    def _load(self, variant: Variant, tasks: list[Task], blocks: dict[str, int]) -> Blocks:
+        numerics = variant.numerics
+        samples = numerics.curve_samples - 1
+        groups = self.plan.jackknife_groups(variant)
+        records = [(task.key, block) for task in tasks for block in range(blocks[task.key])]
+        ends = np.cumsum([blocks[task.key] for task in tasks])[:-1]
+        read = self.store.read(records, samples)
+        scalars, curves = (
+            np.stack([grouped_means(own, groups) for own in np.split(whole, ends)])
+            for whole in read
+        )
+        time = np.full((len(tasks), samples), np.nan)
+        if "relaxation" in self.plan.study.scene.quantities:
+            for row, task in enumerate(tasks):
+                steps_per_tau = task.problem.speed * task.problem.ratio * task.steps_per_spacing
+                kept = record_steps(task.march_steps, numerics.curve_samples)
+                time[row, : kept.size] = record_times(kept, steps_per_tau, numerics.scheme)
+        slopes = np.array([self.slopes[_line_of(task)] for task in tasks])
+        return Blocks(scalars, curves, time, slopes, self.plan.study.scene.quantities)
+
+
+class Fitted:
+    """Estimates of the tasks of a variant, as far as they are fitted."""
+
+    def __init__(self, variant: Variant) -> None:
+        self.blocks = np.zeros(len(variant.tasks), int)  # from how many; 0: not fitted
+        self.arrays: Estimates = {}
+
+    def enter(self, rows: list[int], estimates: Estimates, blocks: list[int]) -> None:
+        """Take the estimates of some tasks."""
+        for name, values in estimates.items():
+            if name not in self.arrays:
+                self.arrays[name] = np.empty((self.blocks.size, *values.shape[1:]), values.dtype)
+            self.arrays[name][rows] = values
+        self.blocks[rows] = blocks
+
+    def at(self, rows: list[int]) -> Estimates:
+        """Return the estimates of some tasks, all fitted."""
+        return {name: values[rows] for name, values in self.arrays.items()}
 
 
 def _exponents(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:
@@ -110,69 +171,20 @@ def _exponents(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:
     return fit_exponents(plan.study.grid["hurst"], hurst, x, status, rates)
 
 
-def accuracy_reached(variant: Variant, tasks: list[Task], estimates: Estimates) -> Estimates:
-    """Return what a wanted accuracy adds to the estimates of some tasks; nothing without one."""
-    if not variant.goals:
-        return {}
-    goals = [variant.goals[task.key] for task in tasks]
-    ratios = np.array([task.problem.ratio for task in tasks])
-    found = attained(estimates, goals, ratios, variant.numerics.accuracy or 0.0)
-    bias = np.array([max(goal.bias.values()) for goal in goals])
-    return {
-        "accuracy_reached": found.reached,
-        "accuracy_status": found.status,
-        "bias_bound": bias,
-    }
-
-
-def _spread(values: np.ndarray, sound: np.ndarray) -> np.ndarray:
+def _spread(values: np.ndarray, sound: np.ndarray, count: int) -> np.ndarray:
     """Return estimates of the sound tasks as an array over all tasks, NaN or -1 elsewhere."""
     nothing = np.nan if values.dtype.kind == "f" else -1
-    spread = np.full((sound.size, *values.shape[1:]), nothing, values.dtype)
+    spread = np.full((count, *values.shape[1:]), nothing, values.dtype)
     spread[sound] = values
     return spread
 
 
-def _reduce_part(part: tuple[int, Blocks]) -> tuple[Estimates, float]:
+def _reduce_portion(portion: tuple[list[int], Blocks]) -> tuple[Estimates, float]:
     began = time.thread_time()
-    estimates = reduce_blocks(part[1])
+    estimates = reduce_blocks(portion[1])
     return estimates, time.thread_time() - began
 
 
-def line_of(task: Task) -> tuple[float, int]:
+def _line_of(task: Task) -> tuple[float, int]:
     """Return what identifies the random lines of a task: (H, N)."""
     return task.problem.hurst, task.problem.elements
-
-
-def _rms_slopes(plan: Plan, variant: Variant) -> dict[tuple[float, int], float]:
-    lines = {line_of(task) for task in variant.tasks}
-    return {
-        (hurst, n): rms_slope(amplitudes(hurst, n, plan.study.normalisation), n)
-        for hurst, n in lines
-    }
-
-
-def _load(
-    store: Store,
-    plan: Plan,
-    variant: Variant,
-    tasks: list[Task],
-    slopes: dict[tuple[float, int], float],
-    blocks: dict[str, int],
-) -> Blocks:
-    samples, groups = variant.numerics.samples - 1, plan.jackknife_groups(variant)
-    records = [(task.key, block) for task in tasks for block in range(blocks[task.key])]
-    ends = np.cumsum([blocks[task.key] for task in tasks])[:-1]
-    read = store.read(records, samples)
-    scalars, curves = (
-        np.stack([grouped_means(part, groups) for part in np.split(whole, ends)]) for whole in read
-    )
-    time = np.full((len(tasks), samples), np.nan)
-    if "relaxation" in plan.study.scene.quantities:
-        for row, task in enumerate(tasks):
-            steps_per_tau = task.problem.speed * task.problem.ratio * task.steps_per_spacing
-            recorded = record_steps(task.march_steps, variant.numerics.samples)
-            times = record_times(recorded, steps_per_tau, variant.numerics.scheme)
-            time[row, : recorded.size] = times
-    rms_slopes = np.array([slopes[line_of(task)] for task in tasks])
-    return Blocks(scalars, curves, time, rms_slopes, plan.study.scene.quantities)

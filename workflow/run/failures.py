@@ -1,4 +1,4 @@
-"""What to do with chunks that fail: split, tried alone, then recorded, so that the rest goes on."""
+"""What to do with batches that fail: split, tried alone, then recorded; the rest goes on."""
 
 import dataclasses
 import sys
@@ -7,16 +7,16 @@ import numpy as np
 from distributed.scheduler import KilledWorker
 
 from workflow.errors import UserError
-from workflow.plan.plan import Plan
-from workflow.simulate.tasks import Batch, Record, Task
-from workflow.store.store import Store
-from workflow.study.grid import AXES
+from workflow.plan import Plan
+from workflow.simulate import Batch, Record, Task
+from workflow.store import Store
+from workflow.study import AXES
 
 
 class Failures:
     """The retry policy of a run, and the tasks that failed for good.
 
-    A chunk that fails is split into its tasks. One that raises again, or kills its workers while
+    A batch that fails is split into its tasks. One that raises again, or kills its workers while
     nothing else runs, is recorded in the journal; no run takes it up until it is asked to.
     """
 

@@ -4,10 +4,9 @@ import sys
 import time
 from pathlib import Path
 
-from workflow.errors import UserError
-from workflow.result.provenance import origin
-from workflow.study.measured import Measured
-from workflow.system.progress import Reporter, duration
+from workflow.result import origin, write_datasets
+from workflow.study import Measured
+from workflow.system import Reporter, duration, make_folder
 
 
 def run_measured(study: Measured, result: Path) -> str:
@@ -15,27 +14,17 @@ def run_measured(study: Measured, result: Path) -> str:
 
     An interrupted measurement writes nothing: an earlier result stays as it was.
     """
-    from workflow.result.netcdf import write_datasets
-
     lines, seconds = study.script.outline(study.settings)
     print("\n".join(lines), file=sys.stderr)
     began = time.process_time()
     with Reporter("measuring", seconds) as reporter:
-        datasets = study.script.measure(study.settings, study.seed, reporter.advance)
+        groups = study.script.measure(study.settings, study.seed, reporter.advance)
     used = time.process_time() - began
     origins = origin(study)
-    _make_folder(result.parent)
-    write_datasets(
-        result, {name: data.assign_attrs(origins | data.attrs) for name, data in datasets.items()}
-    )
-    summary = study.script.summary(datasets) if hasattr(study.script, "summary") else []
+    make_folder(result.parent)
+    marked = {name: data.assign_attrs(origins | data.attrs) for name, data in groups.items()}
+    write_datasets(result, marked)
+    summary = study.script.summary(groups) if hasattr(study.script, "summary") else []
     return "\n".join(
         [*summary, f"{duration(used)} of core time used, {duration(seconds)} predicted"]
     )
-
-
-def _make_folder(folder: Path) -> None:
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-    except OSError as error:
-        raise UserError(f"{folder}: cannot be made: {error}") from error

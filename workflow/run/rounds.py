@@ -6,13 +6,8 @@ same study takes the same rounds, with the same bits, whatever the workers, and 
 
 import math
 
-import numpy as np
-
-from workflow.plan.goal import JACKKNIFE_GROUPS, most_blocks
-from workflow.plan.plan import Plan, Variant
-from workflow.reduce.attained import attained
+from workflow.plan import JACKKNIFE_GROUPS, Plan, Variant, most_blocks
 from workflow.run.collect import Collector
-from workflow.simulate.tasks import Task
 
 MARGIN = 1.1  # over the extrapolated need, or every other point would miss it by a hair
 GROWTH = (1.25, 4.0)  # of the realizations from one round to the next
@@ -37,7 +32,7 @@ class Rounds:
         """Begin with the first round of the plan."""
         self.plan = plan
         self.blocks = dict(plan.first)  # by key of the task
-        self.open = {v.label: list(v.tasks) for v in plan.variants if v.goals}
+        self.open = {v.label: list(range(len(v.tasks))) for v in plan.variants if v.goals}
         self.number = 1
 
     def go_on(self, collector: Collector) -> bool:
@@ -48,23 +43,18 @@ class Rounds:
         self.number += 1
         return any(self.open.values())
 
-    def _short(self, collector: Collector, variant: Variant) -> list[Task]:
-        """Return the tasks that go on, with their blocks raised."""
-        failed = collector.store.failed
-        tasks = [task for task in self.open[variant.label] if task.key not in failed]
-        if not tasks:
-            return []
-        estimates = collector.estimates(variant, tasks, self.blocks, f"round {self.number}")
-        if not estimates:
-            return []  # stopped
-        goals = [variant.goals[task.key] for task in tasks]
-        ratios = np.array([task.problem.ratio for task in tasks])
-        found = attained(estimates, goals, ratios, variant.numerics.accuracy or 0.0)
+    def _short(self, collector: Collector, variant: Variant) -> list[int]:
+        """Return the rows of the tasks that go on, with their blocks raised."""
+        failed, tasks = collector.store.failed, variant.tasks
+        rows = [row for row in self.open[variant.label] if tasks[row].key not in failed]
+        if not (rows and collector.fit(variant, rows, self.blocks, f"round {self.number}")):
+            return []  # all failed, or stopped
         most = most_blocks(self.plan.study, variant.numerics.max_realizations)
         going = []
-        for task, growth in zip(tasks, found.growth, strict=True):
-            blocks = next_blocks(self.blocks[task.key], float(growth), most)
-            if blocks > self.blocks[task.key]:
-                self.blocks[task.key] = blocks
-                going.append(task)
+        for row, growth in zip(rows, collector.attained(variant, rows).growth, strict=True):
+            key = tasks[row].key
+            blocks = next_blocks(self.blocks[key], float(growth), most)
+            if blocks > self.blocks[key]:
+                self.blocks[key] = blocks
+                going.append(row)
         return going

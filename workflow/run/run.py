@@ -1,6 +1,7 @@
 """Run a plan: compute what is missing, store it as it finishes, reduce, write the result."""
 
 import time
+from collections.abc import Callable
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
@@ -8,26 +9,28 @@ from pathlib import Path
 import xarray as xr
 from distributed import Client
 
+from workflow.cluster import Watch, check_versions, open_client, own_versions, run_batch, stream
 from workflow.errors import UserError
-from workflow.plan.batches import batch_target, batches
-from workflow.plan.plan import Plan, quantities
-from workflow.result.netcdf import write_datasets
-from workflow.run.clusters import open_client
+from workflow.plan import (
+    Missing,
+    Plan,
+    batch_target,
+    cut,
+    make_batches,
+    missing_work,
+    total_records,
+    total_seconds,
+)
+from workflow.result import write_datasets
 from workflow.run.collect import Collector
 from workflow.run.failures import Failures
-from workflow.run.flow import Watch, stream
 from workflow.run.rounds import Rounds
 from workflow.run.status import Status, StatusWriter, identity, status_file
 from workflow.run.summary import Summary, accuracy_lines
-from workflow.run.worker import check_versions, run_batch, versions
-from workflow.simulate.block_means import load_kernels
-from workflow.store.shelf import Shelf
-from workflow.store.store import DamagedShard, Store, store_folder
-from workflow.study.cluster import HERE, Cluster
-from workflow.system.files import clear_leftovers, hold
-from workflow.system.packages import package_versions, processor
-from workflow.system.process import Interrupt
-from workflow.system.progress import Reporter
+from workflow.simulate import BatchResult, load_kernels
+from workflow.store import DamagedShard, Shelf, Store, store_folder
+from workflow.study import HERE, Cluster
+from workflow.system import Interrupt, Reporter, clear_leftovers, hold, package_versions, processor
 
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 
@@ -37,6 +40,7 @@ class How:
     """How to run a plan; no number of the result depends on it.
 
     batch_seconds : predicted length of a batch; by default it grows with the study.
+    work : what a worker does with a batch; a test may let it do something else.
     """
 
     cluster: Cluster = HERE
@@ -45,6 +49,7 @@ class How:
     batch_seconds: float | None = None
     max_failures: int = 0
     retry_failed: bool = False
+    work: Callable[..., BatchResult] = run_batch
 
 
 def run_plan(plan: Plan, result: Path, how: How) -> Summary:
@@ -57,9 +62,9 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
     folder = store_folder(result)
     with hold(folder):
         run = _Run(plan, result, Store(folder), how)
-        if run.summary.predicted:
+        if run.missing:
             for variant in plan.variants:
-                load_kernels(variant.numerics.scheme, quantities(plan.study))
+                load_kernels(variant.numerics.scheme, plan.asked)
         with run.interrupt, open_client(how.cluster, how.workers, how.dashboard) as client:
             check_versions(client)
             run.summary.start = time.monotonic() - began
@@ -78,12 +83,11 @@ class _Run:
         if how.retry_failed:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
         self.interrupt = Interrupt()
-        self.watch = Watch(self._stops, how.cluster.patience, self._beat)
-        self.reporter: Reporter | None = None
-        self.shelf: Shelf | None = None
+        self.watch = Watch(self._stops, how.cluster.patience)
         name = identity(plan.study)
         store.begin(name, package_versions(), processor())
-        done, left = self._extent()
+        self.missing = missing_work(plan, self.failures)
+        done, left = self._extent(self.missing)
         self.summary = Summary(reused=done, predicted=left)
         failed = len(self.failures.tasks())
         status = Status(name, plan.records, done, left, failed)
@@ -93,7 +97,8 @@ class _Run:
         """Compute, collect and write; the status says how it ended, whatever happens."""
         state = "ended early"
         try:
-            datasets = self._datasets(client)
+            with self.watch.telling(self._look):
+                datasets = self._datasets(client)
             if datasets:
                 with self.summary.filing():
                     write_datasets(self.result, datasets)
@@ -109,11 +114,15 @@ class _Run:
     def _datasets(self, client: Client) -> dict[str, xr.Dataset]:
         """Compute what is missing, then collect; once more where shards turn out damaged."""
         collector = Collector(client, self.store, self.plan, self.summary, self.watch)
+        missing = self.missing if self.plan.first == self.plan.expected else None
         for _ in range(ATTEMPTS):
             rounds = Rounds(self.plan)
             try:
                 while True:
-                    self._compute(client, rounds.blocks)
+                    if missing is None:
+                        missing = missing_work(self.plan, self.failures, rounds.blocks)
+                    self._compute(client, missing)
+                    missing = None
                     if self._stops():
                         return {}
                     if not rounds.go_on(collector):
@@ -124,38 +133,38 @@ class _Run:
             f"{self.store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?"
         )
 
-    def _compute(self, client: Client, blocks: dict[str, int]) -> None:
-        """Compute and store what is missing of ``blocks`` of each task (by key)."""
-        missing = batches(self.plan, self.failures, blocks=blocks)
-        predicted = sum(batch.seconds for batch in missing)
-        target = self.how.batch_seconds or batch_target(predicted)
+    def _compute(self, client: Client, missing: list[Missing]) -> None:
+        """Compute and store what is missing."""
+        target = self.how.batch_seconds or batch_target(total_seconds(missing))
         target = min(target, self.how.cluster.longest_batch)
-        work = batches(self.plan, self.failures, target, blocks)
-        function = partial(run_batch, expected=versions())
-        with Reporter("computing", predicted) as reporter, Shelf(self.store, target) as shelf:
-            self.reporter, self.shelf = reporter, shelf
-            for batch, done in stream(client, function, work, self.watch, self.failures):
-                with self.summary.filing():
-                    shelf.add(batch, done)
-                self.summary.count(batch, done)
-                reporter.advance(batch.seconds)
-        self.reporter = self.shelf = None
+        pieces = cut(self.plan, missing, target)
+        work = make_batches(self.plan, pieces, target)
+        function = partial(self.how.work, expected=own_versions())
+        reporter = Reporter("computing", total_seconds(pieces))
+        with reporter, Shelf(self.store, target) as shelf:
 
-    def _extent(self) -> tuple[int, float]:
+            def look(threads: int, in_flight: int) -> None:
+                del in_flight
+                if threads:  # or else the watch says that there are none
+                    reporter.beat(threads, self.failures.fresh)
+                shelf.flush_when_due()
+
+            with self.watch.telling(look):
+                for batch, done in stream(client, function, work, self.watch, self.failures):
+                    with self.summary.filing():
+                        shelf.add(batch, done)
+                    self.summary.count(batch, done)
+                    reporter.advance(batch.seconds)
+
+    def _extent(self, missing: list[Missing] | None = None) -> tuple[int, float]:
         """Return the number of records that are settled, and the predicted seconds of the rest."""
-        work = batches(self.plan, self.failures)
-        missing = [(len(batch.tasks) * batch.blocks, batch.seconds) for batch in work]
-        records = sum(number for number, _ in missing)
-        return self.plan.records - records, sum(seconds for _, seconds in missing)
+        found = missing_work(self.plan, self.failures) if missing is None else missing
+        return self.plan.records - total_records(found), total_seconds(found)
 
     def _stops(self) -> bool:
         return self.interrupt() or self.failures.too_many()
 
-    def _beat(self, threads: int, in_flight: int) -> None:
+    def _look(self, threads: int, in_flight: int) -> None:
         """Take note of the workers every second."""
         self.summary.workers = max(self.summary.workers, threads)
-        if self.reporter and self.shelf:
-            if threads:  # or else the watch says that there are none
-                self.reporter.beat(threads, self.failures.fresh)
-            self.shelf.flush_when_due()
         self.status.write(threads, min(threads, in_flight))

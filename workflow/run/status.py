@@ -14,14 +14,11 @@ from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
 
-from workflow.plan.batches import batches
-from workflow.plan.machine import this_machine
-from workflow.plan.plan import make_plan
-from workflow.simulate.code import CODE
-from workflow.store import journal
-from workflow.store.store import Store
-from workflow.study.study import Study
-from workflow.system.files import holder, write_durably
+from workflow.plan import make_plan, missing_work, this_machine, total_records, total_seconds
+from workflow.simulate import CODE
+from workflow.store import Store, journal
+from workflow.study import Study
+from workflow.system import holder, write_durably
 
 WRITE_SECONDS = 5.0
 
@@ -145,11 +142,10 @@ def read_status(study: Study, result: Path, folder: Path) -> Status:
 def counted(study: Study, folder: Path) -> Status:
     """Return the status counted record by record."""
     plan, store = make_plan(study, this_machine().timings), Store(folder)
-    missing = [(b.seconds, len(b.tasks) * b.blocks) for b in batches(plan, store)]
+    missing = missing_work(plan, store)
     failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)
-    done = plan.records - sum(records for _, records in missing)
-    left = sum(seconds for seconds, _ in missing)
-    return Status(identity(study), plan.records, done, left, failed)
+    done = plan.records - total_records(missing)
+    return Status(identity(study), plan.records, done, total_seconds(missing), failed)
 
 
 def _written(study: Study, result: Path, folder: Path) -> Status | None:

@@ -9,12 +9,11 @@ from dataclasses import dataclass, field
 import numpy as np
 import xarray as xr
 
-from workflow.plan.plan import Plan
-from workflow.reduce.attained import MET_WHERE_DEFINED, MISSED
-from workflow.simulate.tasks import PHASES, Batch, BatchResult
-from workflow.study.grid import AXES
-from workflow.system.process import peak_bytes
-from workflow.system.progress import duration
+from workflow.plan import Plan
+from workflow.reduce import MET_WHERE_DEFINED, MISSED
+from workflow.simulate import PHASES, Batch, BatchResult
+from workflow.study import AXES
+from workflow.system import duration, peak_bytes
 
 COSTLIEST = 3  # points shown
 SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")

@@ -1,1 +1,21 @@
-"""All that a stored number depends on: the work of a worker, from a batch to its block means."""
+"""What a worker computes: all that a stored number depends on, beside the kernels.
+
+Imports numpy and the kernels alone; its code is part of the key of every record.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.simulate.code import CODE
+    from workflow.simulate.realizations import (
+        block_means,
+        line_generator,
+        load_kernels,
+        record_steps,
+        record_times,
+    )
+    from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Problem, Record, Task
+
+__all__, __getattr__ = public_names(__name__, __file__)

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import Quantities, Seconds
+from kernels import Outcome, Quantities, Seconds
 
 
 class Problem(NamedTuple):
@@ -20,7 +20,8 @@ class Problem(NamedTuple):
 
 Record = tuple[str, int]  # (key of a task, block of realizations)
 
-SCALARS = ("mu_1", "indentation", "contact_fraction", "mu_2", "jump")
+# Block means of these are stored: all that a case gives but its curves and what it cost.
+SCALARS = tuple(f for f in Outcome._fields if f not in ("curves", "work", "seconds"))
 
 PHASES = ("surfaces", *Seconds._fields)  # of the work on a line; the rest is calls
 
@@ -43,7 +44,7 @@ class Batch:
     normalisation: str
     quantities: Quantities
     scheme: str
-    samples: int
+    curve_samples: int
     tasks: tuple[Task, ...]
     first_block: int
     blocks: int

@@ -8,7 +8,7 @@ as by two joined journals, change nothing.
 
 from typing import Any
 
-from workflow.simulate.tasks import Record
+from workflow.simulate import Record
 from workflow.store.shard import KEY_BYTES, StoredBatch, digest
 
 KEY_LENGTH = 2 * KEY_BYTES

@@ -10,7 +10,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from workflow.system.files import append_durably
+from workflow.system import append_durably
 
 NAME = "journal"
 

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import netCDF4
 import numpy as np
 
-from workflow.simulate.tasks import SCALARS, Batch, BatchResult, Record
+from workflow.simulate import SCALARS, Batch, BatchResult, Record
 
 FORMAT = "elastomer-friction shard 2"
 KEY_BYTES = 16
@@ -34,7 +34,7 @@ class Contents:
 
     batches: list[StoredBatch]
     scalars: np.ndarray  # shape (records, len(SCALARS))
-    curves: np.ndarray  # shape (records, samples); NaN beyond the samples of a record
+    curves: np.ndarray  # shape (records, curve_samples); NaN beyond the samples of a record
 
     @cached_property
     def records(self) -> list[Record]:
@@ -63,12 +63,12 @@ def stored_batch(batch: Batch) -> StoredBatch:
 
 def encode(finished: Finished) -> bytes:
     """Return the bytes of a shard holding finished batches."""
-    samples = max(result.curves.shape[2] for _, result in finished)
+    curve_samples = max(result.curves.shape[2] for _, result in finished)
     scalars = [result.scalars.reshape(-1, len(SCALARS)) for _, result in finished]
     curves = []
     for _, result in finished:
         rows = result.curves.reshape(-1, result.curves.shape[2])
-        missing = samples - rows.shape[1]
+        missing = curve_samples - rows.shape[1]
         curves.append(np.pad(rows, ((0, 0), (0, missing)), constant_values=np.nan))
     stored = [stored_batch(batch) for batch, _ in finished]
     table = np.array([(len(s.keys), s.first_block, s.blocks) for s in stored], dtype=np.int64)
@@ -76,7 +76,7 @@ def encode(finished: Finished) -> bytes:
     data = netCDF4.Dataset("shard.nc", "w", memory=4096)
     data.format = FORMAT
     for name, dims, values in (
-        ("chunk", ("chunk", "extent"), table),
+        ("chunk", ("chunk", "extent"), table),  # of batches: the word of earlier stores
         ("key", ("task", "byte"), np.frombuffer(keys, np.uint8).reshape(-1, KEY_BYTES)),
         ("scalars", ("record", "value"), np.concatenate(scalars)),
         ("curves", ("record", "sample"), np.concatenate(curves)),

@@ -1,9 +1,10 @@
 """Finished batches on their way into the store: many to a shard, none kept back for long."""
 
 import time
+from collections.abc import Callable
 from types import TracebackType
 
-from workflow.simulate.tasks import Batch, BatchResult
+from workflow.simulate import Batch, BatchResult
 from workflow.store.shard import Finished
 from workflow.store.store import Store
 
@@ -19,11 +20,14 @@ class Shelf:
     run has taken: some thousand shards for a run of days, whatever the number of workers.
     """
 
-    def __init__(self, store: Store, batch_seconds: float) -> None:
-        self.store, self.least = store, 2.0 * batch_seconds
+    def __init__(
+        self, store: Store, batch_seconds: float, now: Callable[[], float] = time.monotonic
+    ) -> None:
+        """``now`` : tells the time (s), another one in a simulation."""
+        self.store, self.least, self.now = store, 2.0 * batch_seconds, now
         self.waiting: Finished = []
         self.bytes = 0
-        self.began = self.stored = time.monotonic()
+        self.began = self.stored = now()
 
     def __enter__(self) -> "Shelf":
         return self
@@ -44,14 +48,14 @@ class Shelf:
 
     def flush_when_due(self) -> None:
         """Store what waits if it has waited long enough or is much."""
-        now = time.monotonic()
+        now = self.now()
         due = min(max(self.least, SHARE_OF_RUN * (now - self.began)), LONGEST_SECONDS)
         if self.bytes >= MOST_BYTES or now - self.stored >= due:
             self.flush()
 
     def flush(self) -> None:
         """Store whatever waits. Raises UserError when the disk refuses it."""
-        self.stored = time.monotonic()
+        self.stored = self.now()
         waiting, self.waiting, self.bytes = self.waiting, [], 0
         if waiting:
             self.store.add(waiting)

@@ -15,7 +15,7 @@ from pathlib import Path
 
 import numpy as np
 
-from workflow.simulate.tasks import SCALARS, Record
+from workflow.simulate import SCALARS, Record
 from workflow.store import journal
 from workflow.store.index import Entry, Index
 from workflow.store.shard import (
@@ -27,7 +27,7 @@ from workflow.store.shard import (
     encode,
     stored_batch,
 )
-from workflow.system.files import clear_leftovers, write_durably
+from workflow.system import clear_leftovers, write_durably
 
 CACHED_SHARDS = 4
 
@@ -104,13 +104,13 @@ class Store:
         """Let failed tasks be tried again."""
         self._write([{"retry": key} for key in sorted(keys & self.failed.keys())])
 
-    def read(self, records: list[Record], samples: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return (scalars, curves) of the records, shapes (records, 5) and (records, samples).
+    def read(self, records: list[Record], curve_samples: int) -> tuple[np.ndarray, np.ndarray]:
+        """Return scalars (records, 5) and curves (records, curve_samples) of the records.
 
         Raises DamagedShard once the shard is set aside, or what the journal says of it is mended.
         """
         scalars = np.empty((len(records), len(SCALARS)))
-        curves = np.empty((len(records), samples))
+        curves = np.empty((len(records), curve_samples))
         wanted: dict[str, list[tuple[int, int]]] = {}
         for row, record in enumerate(records):
             shard, position = self.index.find(record)
@@ -122,7 +122,7 @@ class Store:
                 raise DamagedShard(shard)
             rows, positions = np.array(pairs).T
             scalars[rows] = contents.scalars[positions]
-            curves[rows] = contents.curves[positions, :samples]
+            curves[rows] = contents.curves[positions, :curve_samples]
         return scalars, curves
 
     def _path(self, name: str) -> Path:

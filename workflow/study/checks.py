@@ -1,36 +1,81 @@
-"""Checks of single settings: each returns the value or raises one line that names the key."""
+"""Checks of settings: each returns the value or raises one line that names key and value.
+
+A table of a study is declared as name -> Key: how its value is checked, and what it is where it
+is left out. There is one way to read any of them, ``read_table``.
+"""
 
 import math
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, NamedTuple
 
 from workflow.errors import UserError
+
+REQUIRED = object()
+UNBOUNDED = 10**9  # whole numbers have no limit that a user would meet
+
+
+class Key(NamedTuple):
+    """One setting: check(key, value) returns what is meant by a value or raises UserError."""
+
+    check: Callable[[str, object], Any]
+    default: Any = REQUIRED
+
+
+def read_table(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, Any]:
+    """Return name -> checked value for all ``keys`` of a table; ``where`` is its name.
+
+    Raises UserError for what is no table, an unknown key, a missing one and a refused value.
+    """
+    given = as_table(where, table)
+    check_keys(f"{where}.", given, keys)
+    return {name: read_key(where, given, name, key) for name, key in keys.items()}
+
+
+def read_key(where: str, table: Mapping[str, Any], name: str, key: Key) -> Any:
+    """Return the checked value of one key of a table. Raises UserError."""
+    if name in table:
+        return key.check(f"{where}.{name}", table[name])
+    if key.default is REQUIRED:
+        raise UserError(f"{where}.{name}: missing")
+    return key.default
+
+
+def check_keys(where: str, table: Mapping[str, Any], known: Iterable[str]) -> None:
+    """Raise UserError where a table holds a key that is not known; ``where`` goes before it."""
+    for key in table:
+        if key not in known:
+            raise UserError(f"{where}{key}: unknown key; known are {', '.join(known)}")
+
+
+def as_table(key: str, value: object) -> dict[str, Any]:
+    """Return ``value`` if it is a table, or raise UserError naming the key."""
+    if not isinstance(value, dict):
+        raise UserError(f"{key} = {value!r}: must be a table")
+    return value
+
+
+def as_text(key: str, value: object) -> str:
+    """Return ``value`` if it is a string, or raise UserError naming the key."""
+    if not isinstance(value, str):
+        raise UserError(f"{key} = {value}: must be a string")
+    return value
+
+
+def flag(key: str, value: object) -> bool:
+    """Return ``value`` if it is true or false, or raise UserError naming the key."""
+    if not isinstance(value, bool):
+        raise UserError(f"{key} = {value!r}: must be true or false")
+    return value
 
 
 def number(key: str, value: object) -> float:
     """Return ``value`` as a finite float or raise UserError naming the key."""
     try:
-        known = isinstance(value, int | float) and not isinstance(value, bool)
-        if known and math.isfinite(value):
+        if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
             return float(value)
     except OverflowError:  # a whole number beyond every float
         pass
     raise UserError(f"{key} = {value!r:.40}: must be a finite number")
-
-
-def integer(key: str, value: object, least: int, most: int = 10**9) -> int:
-    """Return ``value`` as an int from ``least`` to ``most`` or raise UserError naming the key."""
-    if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
-        limits = f"at least {least}" if most == 10**9 else f"from {least} to {most}"
-        raise UserError(f"{key} = {value!r:.40}: must be a whole number, {limits}")
-    return value
-
-
-def choice(key: str, value: object, known: tuple[str, ...]) -> str:
-    """Return ``value`` if it is one of ``known`` or raise UserError naming the key."""
-    if value not in known:
-        raise UserError(f"{key} = {value!r}: must be one of {', '.join(known)}")
-    return str(value)
 
 
 def positive(key: str, value: object) -> float:
@@ -41,36 +86,24 @@ def positive(key: str, value: object) -> float:
     return checked
 
 
-def as_table(key: str, value: Any) -> dict:
-    """Return ``value`` if it is a table, or raise UserError naming the key."""
-    if not isinstance(value, dict):
-        raise UserError(f"{key} = {value!r}: must be a table")
+def within(key: str, value: object, least: float, most: float, hint: str = "") -> float:
+    """Return ``value`` as a float from ``least`` to ``most`` or raise UserError naming the key."""
+    checked = number(key, value)
+    if not least <= checked <= most:
+        raise UserError(f"{key} = {checked!r}: must lie between {least:g} and {most:g}{hint}")
+    return checked
+
+
+def integer(key: str, value: object, least: int, most: int = UNBOUNDED) -> int:
+    """Return ``value`` as an int from ``least`` to ``most`` or raise UserError naming the key."""
+    if isinstance(value, bool) or not isinstance(value, int) or not least <= value <= most:
+        limits = f"at least {least}" if most == UNBOUNDED else f"from {least} to {most}"
+        raise UserError(f"{key} = {value!r:.40}: must be a whole number, {limits}")
     return value
 
 
-def as_text(key: str, value: Any) -> str:
-    """Return ``value`` if it is a string, or raise UserError naming the key."""
-    if not isinstance(value, str):
-        raise UserError(f"{key} = {value}: must be a string")
-    return value
-
-
-def check_keys(where: str, table: dict, known: tuple[str, ...]) -> None:
-    """Raise UserError where a table holds a key that is not known; ``where`` goes before it."""
-    for key in table:
-        if key not in known:
-            raise UserError(f"{where}{key}: unknown key; known are {', '.join(known)}")
-
-
-def _required(tables: dict, table: str, key: str, check: Callable[[str, object], Any]) -> Any:
-    values = tables.get(table, {})
-    if key not in values:
-        raise UserError(f"{table}.{key}: missing")
-    return check(f"{table}.{key}", values[key])
-
-
-def _flag(key: str, table: dict, default: bool) -> bool:
-    value = table.get(key.rpartition(".")[2], default)
-    if not isinstance(value, bool):
-        raise UserError(f"{key} = {value!r}: must be true or false")
-    return value
+def choice(key: str, value: object, known: Iterable[str]) -> str:
+    """Return ``value`` if it is one of ``known`` or raise UserError naming the key."""
+    if value not in tuple(known):
+        raise UserError(f"{key} = {value!r}: must be one of {', '.join(known)}")
+    return str(value)

@@ -1,22 +1,35 @@
 """Where a study is computed: the table [cluster]. No number depends on it."""
 
 import re
-from dataclasses import dataclass, fields
+from dataclasses import dataclass
+from functools import partial
+from typing import NamedTuple
 
 from workflow.errors import UserError
-from workflow.study.checks import as_text, check_keys, integer, positive
+from workflow.study.checks import Key, as_text, integer, positive, read_table
 
-LOCAL, SLURM = "local", "slurm"
-
+LOCAL = "local"
 MARGIN = 0.1  # of the walltime, at whose start a worker of a job retires
 BATCHES_PER_LIFETIME = 20  # a worker that retires loses what it is computing
+LEAST_WALLTIME = 60.0  # s
+
+
+class BatchSystem(NamedTuple):
+    """A batch system whose jobs can be workers, through dask-jobqueue."""
+
+    jobqueue: str  # class of dask_jobqueue
+    directives: tuple[str, ...]  # in every job script: we replace lost jobs ourselves
+    trial: tuple[str, ...] = ()  # command that says of a job script whether it would be taken
+
+
+BATCH_SYSTEMS = {"slurm": BatchSystem("SLURMCluster", ("--no-requeue",), ("sbatch", "--test-only"))}
 
 
 @dataclass(frozen=True)
 class Cluster:
     """Processes of this machine, the jobs of a batch system, or a scheduler that is there."""
 
-    where: str = LOCAL  # or SLURM or the address of a scheduler, tcp://host:port
+    where: str = LOCAL  # or a batch system, or the address of a scheduler, tcp://host:port
     patience: float = 600.0  # s to wait while there is no worker
     jobs: int = 1
     cores: int = 1  # of each job
@@ -36,7 +49,11 @@ class Cluster:
     @property
     def longest_batch(self) -> float:
         """Seconds that a batch may take at most."""
-        return self.lifetime / BATCHES_PER_LIFETIME if self.where == SLURM else float("inf")
+        in_jobs = self.where in BATCH_SYSTEMS
+        return self.lifetime / BATCHES_PER_LIFETIME if in_jobs else float("inf")
+
+
+HERE = Cluster()
 
 
 def walltime_seconds(text: str) -> float:
@@ -51,40 +68,51 @@ def walltime_seconds(text: str) -> float:
     return first * 60 + second
 
 
-HERE = Cluster()
-LEAST_WALLTIME = 60.0  # s
-
-
-def read_cluster(table: dict) -> Cluster:
-    """Return what a table [cluster] describes. Raises UserError naming key and value."""
-    names = tuple(field.name for field in fields(Cluster))
-    check_keys("cluster.", table, names)
-    found = {name: _value(f"cluster.{name}", name, value) for name, value in table.items()}
-    return Cluster(**found)
-
-
-def _value(key: str, name: str, value: object) -> object:
-    if name in ("jobs", "cores"):
-        return integer(key, value, 1)
-    if name == "patience":
-        return positive(key, value)
-    if name == "prologue":
-        lines = value if isinstance(value, list) else [value]
-        return tuple(as_text(key, line) for line in lines)
+def _where(key: str, value: object) -> str:
     text = as_text(key, value)
-    if name == "where" and text not in (LOCAL, SLURM) and "://" not in text:
-        raise UserError(f"{key} = {text!r}: must be local, slurm or tcp://host:port")
-    if name == "memory" and not re.fullmatch(r"[0-9.]+ ?[kMGT]i?B", text):
-        raise UserError(f'{key} = {text!r}: must be a size, as "4GB"')
-    if name == "walltime":
-        _check_walltime(key, text)
+    if text != LOCAL and text not in BATCH_SYSTEMS and "://" not in text:
+        known = ", ".join((LOCAL, *BATCH_SYSTEMS))
+        raise UserError(f"{key} = {text!r}: must be {known} or tcp://host:port")
     return text
 
 
-def _check_walltime(key: str, text: str) -> None:
+def _memory(key: str, value: object) -> str:
+    text = as_text(key, value)
+    if not re.fullmatch(r"[0-9.]+ ?[kMGT]i?B", text):
+        raise UserError(f'{key} = {text!r}: must be a size, as "4GB"')
+    return text
+
+
+def _walltime(key: str, value: object) -> str:
+    text = as_text(key, value)
     try:
         seconds = walltime_seconds(text)
     except ValueError:
         raise UserError(f'{key} = {text!r}: must be a time, as "12:00:00"') from None
     if seconds < LEAST_WALLTIME:
         raise UserError(f"{key} = {text!r}: must be at least {LEAST_WALLTIME:.0f} s")
+    return text
+
+
+def _prologue(key: str, value: object) -> tuple[str, ...]:
+    return tuple(as_text(key, line) for line in (value if isinstance(value, list) else [value]))
+
+
+CLUSTER = {
+    "where": Key(_where, HERE.where),
+    "patience": Key(positive, HERE.patience),
+    "jobs": Key(partial(integer, least=1), HERE.jobs),
+    "cores": Key(partial(integer, least=1), HERE.cores),
+    "memory": Key(_memory, HERE.memory),
+    "walltime": Key(_walltime, HERE.walltime),
+    "queue": Key(as_text, HERE.queue),
+    "account": Key(as_text, HERE.account),
+    "interface": Key(as_text, HERE.interface),
+    "log_folder": Key(as_text, HERE.log_folder),
+    "prologue": Key(_prologue, HERE.prologue),
+}
+
+
+def read_cluster(table: object) -> Cluster:
+    """Return what a table [cluster] describes. Raises UserError naming key and value."""
+    return Cluster(**read_table("cluster", table, CLUSTER))

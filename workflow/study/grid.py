@@ -1,16 +1,24 @@
 """The grid: a number, a list, {linspace = [a, b, n]} or {geomspace = [a, b, n]} on each axis."""
 
 import math
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
+from functools import partial
+from typing import Any
 
 import numpy as np
 
 from workflow.errors import UserError
-from workflow.study.checks import _required, integer, number, positive
+from workflow.study.checks import Key, integer, number, positive, read_table, within
 
-AXES = ("hurst", "normal_force", "spacing", "roughness", "velocity", "velocity_step")
+Grid = dict[str, tuple[float, ...]]
+
 MOST_VALUES = 10_000  # on one axis
-SPACES = {"linspace": np.linspace, "geomspace": np.geomspace}
+MOST_ELEMENTS = 1e8
+LEAST_ELEMENTS = 4
+SPACES: dict[str, Callable[..., np.ndarray]] = {
+    "linspace": np.linspace,
+    "geomspace": np.geomspace,
+}
 
 
 def axis_values(key: str, spec: object) -> tuple[float, ...]:
@@ -31,8 +39,8 @@ def axis_values(key: str, spec: object) -> tuple[float, ...]:
     return values
 
 
-def _spaced(key: str, spec: dict) -> tuple[float, ...]:
-    kind = next(iter(spec)) if len(spec) == 1 else None
+def _spaced(key: str, spec: dict[str, Any]) -> tuple[float, ...]:
+    kind = next(iter(spec)) if len(spec) == 1 else ""
     if kind not in SPACES:
         raise UserError(f"{key} = {spec!r}: use {{linspace = [a, b, n]}} or {{geomspace = ...}}")
     args = spec[kind]
@@ -71,19 +79,41 @@ def _smooth_even(limit: float) -> Iterator[int]:
         fives *= 5
 
 
-MOST_ELEMENTS = 1e8
+def _step(key: str, value: object) -> float:
+    checked = number(key, value)
+    if checked <= -1.0:
+        raise UserError(f"{key} = {checked!r}: must be greater than -1 (v2 > 0)")
+    return checked
 
 
-def _grid(tables: dict, length: float, snap: bool) -> dict[str, tuple[float, ...]]:
-    table = tables.get("grid", {})
-    scene = tables.get("scene", {})
-    if scene.get("quantities") == ["steady"] and "velocity_step" not in table:
-        table = {**table, "velocity_step": 0.0}
-    grid = {}
-    for axis in AXES:
-        grid[axis] = _required({"grid": table}, "grid", axis, axis_values)
-        for value in grid[axis]:
-            _check_range(axis, value)
+def _axis(check: Callable[[str, object], float]) -> Key:
+    """Return the key of an axis each of whose values passes a check."""
+
+    def values(key: str, spec: object) -> tuple[float, ...]:
+        return tuple(check(key, value) for value in axis_values(key, spec))
+
+    return Key(values)
+
+
+GRID = {
+    "hurst": _axis(partial(within, least=0.0, most=1.0)),
+    "normal_force": _axis(positive),
+    "spacing": _axis(positive),
+    "roughness": _axis(positive),
+    "velocity": _axis(positive),
+    "velocity_step": _axis(_step),
+}
+AXES = tuple(GRID)
+
+
+def read_grid(table: Any, length: float, snap: bool, steady_alone: bool) -> Grid:
+    """Return axis -> values of the table [grid]. Raises UserError.
+
+    length : of the line (m), which every spacing must divide; ``snap`` moves spacings so that
+    they do. steady_alone : whether a velocity step may be left out.
+    """
+    keys = {**GRID, "velocity_step": Key(GRID["velocity_step"].check, (0.0,))}
+    grid: Grid = read_table("grid", table, keys if steady_alone else GRID)
     for spacing in grid["spacing"]:
         if not length / spacing < MOST_ELEMENTS:
             raise UserError(
@@ -93,22 +123,17 @@ def _grid(tables: dict, length: float, snap: bool) -> dict[str, tuple[float, ...
     if snap:
         grid["spacing"] = snapped_spacing(length, grid["spacing"])
     for spacing in grid["spacing"]:
-        elements = length / spacing
-        if round(elements) < 4 or abs(elements / round(elements) - 1.0) > 1e-9:
-            near = length / max(4, round(elements))
-            raise UserError(
-                f"grid.spacing = {spacing:g}: must divide surface.length = {length:g} into at "
-                f"least 4 elements (nearest: {near!r}; or set surface.snap_spacing = true)"
-            )
+        _check_division(spacing, length)
     return grid
 
 
-def _check_range(axis: str, value: float) -> None:
-    if axis == "hurst":
-        if not 0.0 <= value <= 1.0:
-            raise UserError(f"grid.hurst = {value!r}: must lie between 0 and 1")
-    elif axis == "velocity_step":
-        if value <= -1.0:
-            raise UserError(f"grid.velocity_step = {value!r}: must be greater than -1 (v2 > 0)")
-    else:
-        positive(f"grid.{axis}", value)
+def _check_division(spacing: float, length: float) -> None:
+    """Raise UserError where a spacing does not divide the length into elements."""
+    elements = length / spacing
+    if round(elements) < LEAST_ELEMENTS or abs(elements / round(elements) - 1.0) > 1e-9:
+        near = length / max(LEAST_ELEMENTS, round(elements))
+        raise UserError(
+            f"grid.spacing = {spacing:g}: must divide surface.length = {length:g} into at "
+            f"least {LEAST_ELEMENTS} elements (nearest: {near!r}; or set "
+            "surface.snap_spacing = true)"
+        )

@@ -1,50 +1,41 @@
-"""Measured studies: no grid of problems; the folder's measure.py says what is measured."""
+"""Measured studies: no grid of problems; the folder's measure.py says what is measured.
 
-import json
+study.toml holds [study] with title and seed, [measure] with the settings that measure.py
+declares, and [scales.NAME]. measure.py holds
+
+    SETTINGS   name -> check(key, value), which returns the value or raises UserError
+    outline(settings) -> (lines that say what would be measured, predicted core-seconds)
+    measure(settings, seed, advance) -> group -> xarray.Dataset; "" is the root. It calls
+               advance(seconds) with the predicted seconds of each part that is done
+    table(groups) -> pandas.DataFrame of a finished result, if the study has one
+    summary(groups) -> lines to print after a run, if the study has any
+"""
+
 from dataclasses import dataclass
 from pathlib import Path
 from types import ModuleType
+from typing import Any, ClassVar
 
-from workflow.errors import UserError
-from workflow.study.checks import as_table, as_text, check_keys, integer
+from workflow.study.checks import Key, check_keys, read_table
 from workflow.study.scripts import load_script
+from workflow.study.study import HEAD, AnyStudy, study_head
 
 
-@dataclass(frozen=True)
-class Measured:
-    """A checked measured study: no grid; its measure.py says what is measured (measured.py)."""
+@dataclass(frozen=True, kw_only=True)
+class Measured(AnyStudy):
+    """A checked measured study."""
 
-    name: str
-    folder: Path  # where study.toml, measure.py and figure.py are
-    text: str  # the settings in force, after scale and --set, as JSON
-    title: str
-    seed: int
+    kind: ClassVar[str] = "measured"
+    axes: ClassVar[tuple[str, ...]] = ()
     settings: dict[str, object]  # of the table [measure]
     script: ModuleType  # measure.py
 
 
-TABLES = ("study", "measure")
-
-
-def read_measured(name: str, folder: Path, tables: dict) -> Measured:
+def read_measured(name: str, folder: Path, tables: dict[str, Any]) -> Measured:
     """Return the checked study. Raises UserError, one line, for what a user can get wrong."""
-    check_keys("", tables, TABLES)
-    head = as_table("study", tables.get("study", {}))
-    check_keys("study.", head, ("title", "seed"))
+    check_keys("", tables, ("study", "measure"))
+    head = read_table("study", tables.get("study", {}), HEAD)
     script = load_script(folder / "measure.py")
-    given = as_table("measure", tables["measure"])
-    check_keys("measure.", given, tuple(script.SETTINGS))
-    settings = {}
-    for key, check in script.SETTINGS.items():
-        if key not in given:
-            raise UserError(f"measure.{key}: missing")
-        settings[key] = check(f"measure.{key}", given[key])
-    return Measured(
-        name=name,
-        folder=folder,
-        text=json.dumps(tables, indent=1, sort_keys=True, default=str),
-        title=as_text("study.title", head.get("title", name)),
-        seed=integer("study.seed", head.get("seed", 0), 0),
-        settings=settings,
-        script=script,
-    )
+    keys = {key: Key(check) for key, check in script.SETTINGS.items()}
+    settings = read_table("measure", tables["measure"], keys)
+    return Measured(**study_head(name, folder, tables, head), settings=settings, script=script)

@@ -2,10 +2,17 @@
 
 import re
 from dataclasses import dataclass
+from functools import partial
+from typing import Any
 
 from kernels import SCHEMES
 from workflow.errors import UserError
-from workflow.study.checks import as_table, check_keys, choice, integer, number
+from workflow.study.checks import Key, as_table, choice, integer, read_table, within
+
+LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
+LONG_BELOW = 0.01
+ACCURACIES = (1e-4, 0.3)  # beyond the one nothing is in reach, beyond the other no law holds
+AUTO = "auto"
 
 
 @dataclass(frozen=True)
@@ -14,67 +21,49 @@ class Numerics:
 
     scheme: str = "exponential"
     steps_per_spacing: int | None = None
-    samples: int = 64
+    curve_samples: int = 64
     horizon: float = 4.0
     accuracy: float | None = None  # wanted relative error of what is asked for
     max_realizations: int = 10_000  # per point, on the way to the accuracy
 
 
-NUMERICS = (
-    *("scheme", "steps_per_spacing", "samples", "horizon"),
-    *("accuracy", "max_realizations"),
-)
-
-LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
-ACCURACIES = (1e-4, 0.3)  # beyond the one nothing is in reach, beyond the other no law holds
+def _steps(key: str, value: object) -> int | None:
+    return None if value == AUTO else integer(key, value, 1)
 
 
-def read_variants(tables: dict) -> dict[str, Numerics]:
+NUMERICS = {
+    "scheme": Key(partial(choice, known=SCHEMES), Numerics.scheme),
+    "steps_per_spacing": Key(_steps, None),
+    "samples": Key(partial(integer, least=8, most=10_000), Numerics.curve_samples),
+    "horizon": Key(partial(within, least=1.0, most=100.0), None),
+    "accuracy": Key(
+        partial(within, least=ACCURACIES[0], most=ACCURACIES[1], hint=" (0.01 is 1 %)"), None
+    ),
+    "max_realizations": Key(partial(integer, least=1), Numerics.max_realizations),
+}
+
+
+def read_variants(tables: dict[str, Any]) -> dict[str, Numerics]:
     """Return label -> numerics of the study ("") and of its comparisons. Raises UserError."""
-    own = tables.get("numerics", {})
+    own = as_table("numerics", tables.get("numerics", {}))
     variants = {"": _numerics("numerics", own)}
     for label, extra in as_table("compare", tables.get("compare", {})).items():
         where = f"compare.{label}"
         if not re.fullmatch(r"[A-Za-z]\w*", label):
             raise UserError(f'compare."{label}": name it by letters, digits and underscores')
-        check_keys(f"{where}.", as_table(where, extra), NUMERICS)
-        variants[label] = _numerics(where, {**own, **extra})
+        variants[label] = _numerics(where, {**own, **as_table(where, extra)})
     return variants
 
 
-def _numerics(where: str, table: dict) -> Numerics:
-    default = Numerics()
-    steps = table.get("steps_per_spacing", "auto")
-    accuracy = _accuracy(where, table)
-    usual = LONG_HORIZON if accuracy and accuracy < 0.01 else default.horizon
-    horizon = number(f"{where}.horizon", table.get("horizon", usual))
-    if not 1.0 <= horizon <= 100.0:
-        raise UserError(f"{where}.horizon = {horizon!r}: must lie between 1 and 100")
-    most = table.get("max_realizations", default.max_realizations)
-    found = Numerics(
-        scheme=choice(f"{where}.scheme", table.get("scheme", default.scheme), tuple(SCHEMES)),
-        steps_per_spacing=(
-            None if steps == "auto" else integer(f"{where}.steps_per_spacing", steps, 1)
-        ),
-        samples=integer(f"{where}.samples", table.get("samples", default.samples), 8, 10_000),
-        horizon=horizon,
-        accuracy=accuracy,
-        max_realizations=integer(f"{where}.max_realizations", most, 1),
-    )
-    if found.accuracy and found.scheme != default.scheme and not found.steps_per_spacing:
+def _numerics(where: str, table: dict[str, Any]) -> Numerics:
+    values = read_table(where, table, NUMERICS)
+    if values["horizon"] is None:
+        fine = values["accuracy"] is not None and values["accuracy"] < LONG_BELOW
+        values["horizon"] = LONG_HORIZON if fine else Numerics.horizon
+    found = Numerics(curve_samples=values.pop("samples"), **values)
+    if found.accuracy and found.scheme != Numerics.scheme and not found.steps_per_spacing:
         raise UserError(
             f"{where}.scheme = {found.scheme!r}: where the accuracy chooses the steps it takes "
-            f"{default.scheme}, never dearer; leave scheme out or give steps_per_spacing too"
+            f"{Numerics.scheme}, never dearer; leave scheme out or give steps_per_spacing too"
         )
     return found
-
-
-def _accuracy(where: str, table: dict) -> float | None:
-    if "accuracy" not in table:
-        return None
-    key = f"{where}.accuracy"
-    value = number(key, table["accuracy"])
-    least, most = ACCURACIES
-    if not least <= value <= most:
-        raise UserError(f"{key} = {value!r}: must lie between {least:g} and {most:g} (0.01 is 1 %)")
-    return value

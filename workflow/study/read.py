@@ -6,23 +6,11 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from kernels.surfaces.self_affine import NORMALISATIONS
 from workflow.errors import UserError
-from workflow.study.checks import (
-    _flag,
-    _required,
-    as_table,
-    as_text,
-    check_keys,
-    choice,
-    integer,
-    positive,
-)
-from workflow.study.cluster import read_cluster
-from workflow.study.grid import AXES, _grid
-from workflow.study.measured import Measured, read_measured
-from workflow.study.numerics import NUMERICS, read_variants
-from workflow.study.study import Study, _scene
+from workflow.study.checks import as_table
+from workflow.study.grid import AXES
+from workflow.study.measured import read_measured
+from workflow.study.study import AnyStudy, read_grid_study
 
 
 def load_tables(path: Path, scale: str | None, settings: list[str]) -> dict:
@@ -66,18 +54,6 @@ def _setting(text: str) -> dict:
         raise UserError(f"--set {text}: use table.key=value") from None
 
 
-TABLES: dict[str, tuple[str, ...]] = {
-    "study": ("title", "seed", "realizations", "realizations_per_block"),
-    "material": ("shear_modulus", "relaxation_time"),
-    "surface": ("length", "normalisation", "snap_spacing"),
-    "grid": AXES,
-    "scene": ("quantities", "indentation_rate"),
-    "numerics": NUMERICS,
-}
-
-BY_NAME = ("compare", "scales")  # tables of tables, named by the user
-
-
 def find_study(study: str) -> Path:
     """Return the path of study.toml for a name under studies/ or a path to a TOML file."""
     if study.endswith(".toml"):
@@ -98,9 +74,7 @@ def known_studies() -> dict[str, Path]:
     return {path.parent.name: path for root in roots for path in root.glob("*/study.toml")}
 
 
-def read_study(
-    study: str, scale: str | None = None, settings: list[str] | None = None
-) -> Study | Measured:
+def read_study(study: str, scale: str | None = None, settings: list[str] | None = None) -> AnyStudy:
     """Return the checked study, measured where it has a table [measure], else of a grid.
 
     settings : "table.key=value" overrides.
@@ -111,44 +85,7 @@ def read_study(
     name = path.parent.name if path.name == "study.toml" else path.stem
     try:
         tables = load_tables(path, scale, settings or [])
-        if "measure" in tables:
-            return read_measured(name, path.parent, tables)
-        return _build(name, path.parent, tables)
+        read = read_measured if "measure" in tables else read_grid_study
+        return read(name, path.parent, tables)
     except RecursionError:
         raise UserError(f"{path}: holds brackets within brackets too deep to read") from None
-
-
-def _build(name: str, folder: Path, tables: dict) -> Study:
-    check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
-    cluster = read_cluster(as_table("cluster", tables.pop("cluster", {})))
-    for table, known in TABLES.items():
-        check_keys(f"{table}.", as_table(table, tables.get(table, {})), known)
-    head = tables.get("study", {})
-    realizations = _required(tables, "study", "realizations", lambda k, v: integer(k, v, 2))
-    block = integer("study.realizations_per_block", head.get("realizations_per_block", 1), 1)
-    if realizations % block or realizations // block < 2:
-        raise UserError(
-            f"study.realizations_per_block = {block}: must divide realizations = {realizations} "
-            "into at least 2 blocks, from which standard errors are estimated"
-        )
-    length = _required(tables, "surface", "length", positive)
-    surface = tables["surface"]
-    return Study(
-        name=name,
-        folder=folder,
-        text=json.dumps(tables, indent=1, sort_keys=True, default=str),
-        title=as_text("study.title", head.get("title", name)),
-        seed=integer("study.seed", head.get("seed", 0), 0),
-        realizations=realizations,
-        realizations_per_block=block,
-        shear_modulus=_required(tables, "material", "shear_modulus", positive),
-        relaxation_time=_required(tables, "material", "relaxation_time", positive),
-        length=length,
-        normalisation=choice(
-            "surface.normalisation", surface.get("normalisation", "modal"), NORMALISATIONS
-        ),
-        grid=_grid(tables, length, _flag("surface.snap_spacing", surface, False)),
-        scene=_scene(tables.get("scene", {})),
-        variants=read_variants(tables),
-        cluster=cluster,
-    )

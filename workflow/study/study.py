@@ -1,42 +1,86 @@
 """The study: everything a user says in study.toml, checked once and then immutable."""
 
+import json
 from dataclasses import dataclass
+from functools import partial
 from pathlib import Path
+from typing import Any, ClassVar
 
+from kernels.surfaces.self_affine import NORMALISATIONS
 from workflow.errors import UserError
-from workflow.study.checks import _flag, choice
-from workflow.study.cluster import HERE, Cluster
-from workflow.study.grid import AXES
-from workflow.study.numerics import Numerics
+from workflow.study.checks import (
+    Key,
+    as_table,
+    as_text,
+    check_keys,
+    choice,
+    flag,
+    integer,
+    positive,
+    read_table,
+)
+from workflow.study.cluster import HERE, Cluster, read_cluster
+from workflow.study.grid import AXES, GRID, Grid, read_grid
+from workflow.study.numerics import NUMERICS, Numerics, read_variants
+from workflow.study.quantities import USUAL, asked_for
 
-QUANTITIES = ("steady", "jump", "relaxation", "models")
-DEFAULT_QUANTITIES = QUANTITIES[:3]
+HEAD = {"title": Key(as_text, ""), "seed": Key(partial(integer, least=0), 0)}
+STUDY = HEAD | {
+    "realizations": Key(partial(integer, least=2)),
+    "realizations_per_block": Key(partial(integer, least=1), 1),
+}
+MATERIAL = {"shear_modulus": Key(positive), "relaxation_time": Key(positive)}
+SURFACE = {
+    "length": Key(positive),
+    "normalisation": Key(partial(choice, known=NORMALISATIONS), "modal"),
+    "snap_spacing": Key(flag, False),
+}
+SCENE = {"quantities": Key(asked_for, USUAL), "indentation_rate": Key(flag, True)}
+TABLES = {
+    "study": STUDY,
+    "material": MATERIAL,
+    "surface": SURFACE,
+    "grid": GRID,
+    "scene": SCENE,
+    "numerics": NUMERICS,
+}
+BY_NAME = ("compare", "scales")  # tables of tables, named by the user
+
+
+@dataclass(frozen=True, kw_only=True)
+class AnyStudy:
+    """What studies of every kind have."""
+
+    kind: ClassVar[str]
+    axes: ClassVar[tuple[str, ...]]  # that every result of this kind has
+    name: str
+    folder: Path  # where study.toml and its figure script are
+    text: str  # the settings in force, after scale and --set, as JSON
+    title: str
+    seed: int
 
 
 @dataclass(frozen=True)
 class Scene:
     """What is simulated."""
 
-    quantities: tuple[str, ...] = DEFAULT_QUANTITIES
+    quantities: tuple[str, ...] = USUAL
     indentation_rate: bool = True
 
 
-@dataclass(frozen=True)
-class Study:
-    """A checked study in SI units."""
+@dataclass(frozen=True, kw_only=True)
+class Study(AnyStudy):
+    """A checked study of a grid, in SI units."""
 
-    name: str
-    folder: Path  # where study.toml and its figure script are
-    text: str  # the settings in force, after scale and --set, as JSON
-    title: str
-    seed: int
+    kind: ClassVar[str] = "grid"
+    axes: ClassVar[tuple[str, ...]] = AXES
     realizations: int
     realizations_per_block: int
     shear_modulus: float  # Pa
     relaxation_time: float  # s
     length: float  # m
     normalisation: str
-    grid: dict[str, tuple[float, ...]]
+    grid: Grid
     scene: Scene
     variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
     cluster: Cluster = HERE  # no part of the results' identity
@@ -56,15 +100,41 @@ class Study:
         return round(self.length / spacing)
 
 
-def _scene(table: dict) -> Scene:
-    asked = table.get("quantities", list(DEFAULT_QUANTITIES))
-    if not isinstance(asked, list) or not asked:
-        raise UserError(f"scene.quantities = {asked!r}: must be a list out of {QUANTITIES}")
-    for quantity in asked:
-        choice("scene.quantities", quantity, QUANTITIES)
-    if "models" in asked and "relaxation" not in asked:
-        raise UserError(f'scene.quantities = {asked!r}: "models" needs "relaxation" too')
-    return Scene(
-        quantities=tuple(q for q in QUANTITIES if q in asked),
-        indentation_rate=_flag("scene.indentation_rate", table, True),
+def read_grid_study(name: str, folder: Path, tables: dict[str, Any]) -> Study:
+    """Return the checked study. Raises UserError, one line, for what a user can get wrong."""
+    check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
+    cluster = read_cluster(tables.pop("cluster", {}))
+    given = {table: as_table(table, tables.get(table, {})) for table in TABLES}
+    head = read_table("study", given["study"], STUDY)
+    _check_blocks(head["realizations"], head["realizations_per_block"])
+    surface = read_table("surface", given["surface"], SURFACE)
+    length, snap = surface["length"], surface.pop("snap_spacing")
+    steady_alone = given["scene"].get("quantities") == ["steady"]
+    return Study(
+        **study_head(name, folder, tables, head),
+        realizations=head["realizations"],
+        realizations_per_block=head["realizations_per_block"],
+        **read_table("material", given["material"], MATERIAL),
+        **surface,
+        grid=read_grid(given["grid"], length, snap, steady_alone),
+        scene=Scene(**read_table("scene", given["scene"], SCENE)),
+        variants=read_variants(tables),
+        cluster=cluster,
     )
+
+
+def study_head(
+    name: str, folder: Path, tables: dict[str, Any], head: dict[str, Any]
+) -> dict[str, Any]:
+    """Return the fields that studies of every kind have, from the checked table [study]."""
+    text = json.dumps(tables, indent=1, sort_keys=True, default=str)
+    title = head["title"] or name
+    return {"name": name, "folder": folder, "text": text, "title": title, "seed": head["seed"]}
+
+
+def _check_blocks(realizations: int, block: int) -> None:
+    if realizations % block or realizations // block < 2:
+        raise UserError(
+            f"study.realizations_per_block = {block}: must divide realizations = {realizations} "
+            "into at least 2 blocks, from which standard errors are estimated"
+        )

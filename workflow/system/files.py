@@ -1,41 +1,37 @@
-"""Files that survive a crash, and a lock for the folder they are in.
-
-A file is written whole or not at all and flushed to the disk. One process writes per folder of
-results: it holds a lock of the operating system that dies with its holder.
-"""
+"""Files that survive a crash: written whole or not at all, and flushed to the disk."""
 
 import contextlib
-import fcntl
-import json
 import os
-import socket
-import sys
 from collections.abc import Iterator
-from datetime import datetime
 from pathlib import Path
 
 from workflow.errors import UserError
 
 
-def aside_of(path: Path) -> Path:
-    """Return the hidden name under which this process writes ``path`` before renaming it."""
-    return path.with_name(f".{path.name}.{os.getpid()}.tmp")
+@contextlib.contextmanager
+def replacing(path: Path) -> Iterator[Path]:
+    """Yield a hidden name beside ``path`` to write to; then flush it, rename it, flush the folder.
+
+    Readers see the old file until the new one is whole. Raises UserError where the disk refuses,
+    once nothing of the new file is left; HDF5 reports a full disk as RuntimeError.
+    """
+    aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+    try:
+        yield aside
+        with aside.open("rb+") as file:
+            os.fsync(file.fileno())
+        aside.replace(path)
+        _flush_folder(path.parent)
+    except (OSError, RuntimeError) as error:
+        with contextlib.suppress(OSError):
+            aside.unlink()
+        raise UserError(f"{path}: cannot be written: {_reason(error)}") from error
 
 
 def write_durably(path: Path, content: bytes) -> None:
-    """Write a file whole or not at all: aside, flushed, renamed, the folder flushed."""
-    aside = aside_of(path)
-    try:
-        with aside.open("wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-        aside.replace(path)
-        flush_folder(path.parent)
-    except OSError as error:
-        with contextlib.suppress(OSError):
-            aside.unlink()
-        raise UserError(f"{path}: cannot be written: {error.strerror}") from error
+    """Write a file whole or not at all. Raises UserError where the disk refuses."""
+    with replacing(path) as aside:
+        aside.write_bytes(content)
 
 
 def append_durably(path: Path, content: bytes) -> None:
@@ -45,18 +41,17 @@ def append_durably(path: Path, content: bytes) -> None:
             file.write(content)
             file.flush()
             os.fsync(file.fileno())
-        flush_folder(path.parent)
+        _flush_folder(path.parent)
     except OSError as error:
-        raise UserError(f"{path}: cannot be written: {error.strerror}") from error
+        raise UserError(f"{path}: cannot be written: {_reason(error)}") from error
 
 
-def flush_folder(folder: Path) -> None:
-    """Make the names in a folder durable."""
-    descriptor = os.open(folder, os.O_RDONLY)
+def make_folder(folder: Path) -> None:
+    """Make a folder with its parents. Raises UserError where that is refused."""
     try:
-        os.fsync(descriptor)
-    finally:
-        os.close(descriptor)
+        folder.mkdir(parents=True, exist_ok=True)
+    except OSError as error:
+        raise UserError(f"{folder}: cannot be made: {_reason(error)}") from error
 
 
 def clear_leftovers(path: Path) -> None:
@@ -66,56 +61,14 @@ def clear_leftovers(path: Path) -> None:
             aside.unlink()
 
 
-NAME = "lock"
-
-
-@contextlib.contextmanager
-def hold(folder: Path) -> Iterator[None]:
-    """Hold the lock of a folder, made if need be. Raises UserError naming who has it."""
+def _flush_folder(folder: Path) -> None:
+    """Make the names in a folder durable."""
+    descriptor = os.open(folder, os.O_RDONLY)
     try:
-        folder.mkdir(parents=True, exist_ok=True)
-        file = (folder / NAME).open("a+")
-    except OSError as error:
-        raise UserError(f"{folder}: cannot be used for results: {error.strerror}") from error
-    with file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise UserError(f"{folder}: in use by {_words(folder)}; one run at a time") from None
-        except OSError as error:  # a file system without locks
-            print(
-                f"warning: {folder}: cannot be locked ({error.strerror}); "
-                "see to it that no other run uses it",
-                file=sys.stderr,
-            )
-        _sign(file)
-        yield
+        os.fsync(descriptor)
+    finally:
+        os.close(descriptor)
 
 
-def holder(folder: Path) -> str | None:
-    """Return who holds the lock of a folder, in words, or None."""
-    try:
-        with (folder / NAME).open() as file:
-            fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return _words(folder)
-    except OSError:
-        pass
-    return None
-
-
-def _sign(file) -> None:
-    """Write into the lock who holds it; a full disk may prevent that, but not the lock."""
-    with contextlib.suppress(OSError):
-        since = datetime.now().astimezone().isoformat(" ", "seconds")
-        file.truncate(0)
-        text = json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": since})
-        os.write(file.fileno(), text.encode())  # no buffer, which would fail again when closed
-
-
-def _words(folder: Path) -> str:
-    try:
-        signed = json.loads((folder / NAME).read_text())
-        return f"process {signed['pid']} on {signed['host']} since {signed['since']}"
-    except (OSError, ValueError, KeyError, TypeError):
-        return "an unknown process"
+def _reason(error: OSError | RuntimeError) -> str:
+    return getattr(error, "strerror", None) or str(error)

@@ -26,6 +26,7 @@ class Interrupt:
             signal.signal(number, handler)
 
     def __call__(self) -> bool:
+        """Return whether the process is to stop."""
         return self.asked > 0.0
 
     def _handle(self, number: int, frame: FrameType | None) -> None:
@@ -48,7 +49,11 @@ def peak_bytes() -> int:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
 
 
-# Kernels allocate the same large arrays again and again: keep them in the process. With
-# dask's own setting (trim at 64 KiB) page faults cost as much time as the kernels.
-MALLOC = {"MALLOC_TRIM_THRESHOLD_": str(2**28), "MALLOC_MMAP_THRESHOLD_": str(2**25)}
-PINNED = ("OMP", "MKL", "OPENBLAS", "NUMBA")  # libraries that must not start threads of their own
+# How a worker process is set up. Kernels allocate the same large arrays again and again: keep them
+# in the process. With dask's own setting (trim at 64 KiB) page faults cost as much time as the
+# kernels. Libraries must not start threads of their own.
+WORKER_ENVIRONMENT = {
+    "MALLOC_TRIM_THRESHOLD_": str(2**28),
+    "MALLOC_MMAP_THRESHOLD_": str(2**25),
+    **{f"{library}_NUM_THREADS": "1" for library in ("OMP", "MKL", "OPENBLAS", "NUMBA")},
+}

@@ -4,17 +4,11 @@ import argparse
 import sys
 from pathlib import Path
 
-from workflow.cli.outline import outline, plan_measured
-from workflow.cli.run import RESUMABLE, add_run_options, resume_line, run
+from workflow.cli.kinds import KINDS
+from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
 from workflow.errors import UserError
-from workflow.plan.machine import this_machine
-from workflow.plan.plan import make_plan
-from workflow.report.table import write_measured_table
-from workflow.run.status import result_line, status_lines
-from workflow.store.store import store_folder
-from workflow.study.measured import Measured
-from workflow.study.read import read_study
-from workflow.study.study import Study
+from workflow.result import check_result, result_file
+from workflow.study import AnyStudy, read_study
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -67,13 +61,12 @@ def _parser() -> argparse.ArgumentParser:
     return parser
 
 
-def _study(options: argparse.Namespace) -> tuple[Study | Measured, Path]:
+def _study(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
     settings = list(options.set)
     if options.accuracy is not None:
         settings.append(f"numerics.accuracy={_share(options.accuracy)!r}")
     study = read_study(options.study, options.scale, settings)
-    out = Path(options.out)
-    return study, out if out.suffix == ".nc" else out / f"{study.name}.nc"
+    return study, result_file(Path(options.out), study.name)
 
 
 def _share(text: str) -> float:
@@ -86,59 +79,47 @@ def _share(text: str) -> float:
 
 def _plan(options: argparse.Namespace) -> int:
     study, result = _study(options)
-    if isinstance(study, Measured):
-        print(plan_measured(study, result))
-        return 0
-    speed = this_machine()
-    print("\n".join(outline(make_plan(study, speed.timings), result, speed.note)))
-    return 0
+    print("\n".join(KINDS[study.kind].outline(study, result)))
+    return DONE
 
 
 def _run(options: argparse.Namespace) -> int:
-    return run(options, *_study(options))
+    study, result = _study(options)
+    return KINDS[study.kind].run(options, study, result)
 
 
 def _status(options: argparse.Namespace) -> int:
     study, result = _study(options)
-    if isinstance(study, Measured):
-        print(result_line(result))
-    else:
-        print("\n".join(status_lines(study, result, store_folder(result))))
-    return 0
+    print("\n".join(KINDS[study.kind].status(study, result)))
+    return DONE
 
 
 def _figure(options: argparse.Namespace) -> int:
-    from workflow.report.figure import draw_figure
+    from workflow.report import draw_figure
 
-    study, result = _checked(options)
-    for file in draw_figure(study, result):
+    for file in draw_figure(*_checked(options)):
         print(file)
-    return 0
+    return DONE
 
 
 def _table(options: argparse.Namespace) -> int:
-    from workflow.report.table import write_table
-
     study, result = _checked(options)
-    measured = isinstance(study, Measured)
-    print(write_measured_table(study, result) if measured else write_table(study, result))
-    return 0
+    print(KINDS[study.kind].table(study, result))
+    return DONE
 
 
-def _checked(options: argparse.Namespace) -> tuple[Study | Measured, Path]:
+def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
     """Return the study and its result, which has been found to be one."""
-    from workflow.result.netcdf import check_result
-
     study, result = _study(options)
     check_result(study, result, asked=bool(options.scale or options.set or options.accuracy))
     return study, result
 
 
 def _report(options: argparse.Namespace) -> int:
-    from workflow.report.report import write_report
+    from workflow.report import write_report
 
     print(write_report(Path(options.out), options.studies))
-    return 0
+    return DONE
 
 
 COMMANDS = {

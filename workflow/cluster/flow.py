@@ -1,59 +1,30 @@
 """Stream items through the cluster: a bounded window, refilled in bulk, gathered in batches."""
 
-import math
-import sys
 import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Hashable, Iterable, Iterator
 from itertools import islice
-from typing import Any
+from typing import Any, Protocol
 
 from distributed import Client, Future, as_completed
 from distributed.client import FutureCancelledError
 from distributed.scheduler import KilledWorker
 
+from workflow.cluster.watch import Watch
 from workflow.errors import UserError
-from workflow.system.progress import duration
-
-SILENCE_SECONDS = 10.0  # without workers, before that is said; then twice as long each time
-
-
-class Watch:
-    """What a stream of work asks while it goes on."""
-
-    def __init__(
-        self,
-        stop: Callable[[], bool] = lambda: False,
-        patience: float = math.inf,
-        beat: Callable[[int, int], None] = lambda threads, in_flight: None,
-    ) -> None:
-        """``patience`` : seconds to wait without workers; ``beat`` is told (threads, in flight)."""
-        self.stop, self.patience, self.beat = stop, patience, beat
-        self.idle_since: float | None = None
-        self.next_line = SILENCE_SECONDS
-
-    def __call__(self) -> bool:
-        """Return whether no more work is to be taken up."""
-        return self.stop()
-
-    def look(self, threads: int, in_flight: int) -> None:
-        """Note how many worker threads there are. Raises UserError when patience ends."""
-        self.beat(threads, in_flight)
-        now = time.monotonic()
-        if threads:
-            self.idle_since, self.next_line = None, SILENCE_SECONDS
-            return
-        self.idle_since = now if self.idle_since is None else self.idle_since
-        waited = now - self.idle_since
-        if waited > self.patience:
-            raise UserError(f"no worker for {duration(waited)}: given up; run again to resume")
-        if waited >= self.next_line:
-            until = f", at most {duration(self.patience)}" if self.patience < math.inf else ""
-            print(f"no worker for {duration(waited)}: waiting{until}", file=sys.stderr, flush=True)
-            self.next_line *= 2.0
-
 
 # What to do instead of an item that failed with an error, alone in the cluster or not.
 Retry = Callable[[Any, Exception, bool], list[Any]]
+
+
+class Clock(Protocol):
+    """What tells the time: the module time, or a simulation."""
+
+    def monotonic(self) -> float:
+        """Return the time in s."""
+
+    def sleep(self, seconds: float, /) -> None:
+        """Let time pass."""
+
 
 LOST = "the scheduler was lost; run again to resume"
 POLL_SECONDS = 0.02
@@ -75,15 +46,19 @@ def stream(
     items: Iterable[Any],
     watch: Watch | None = None,
     retry: Retry = raise_error,
+    *,
+    clock: Clock = time,
+    completed: Callable[..., Any] = as_completed,
 ) -> Iterator[tuple[Any, Any]]:
     """Yield (item, function(item)) as they finish; once watch() is true, only what is running.
 
     At most a few items per worker thread are in flight, so memory does not grow with the
     study. ``retry`` returns what to do instead of an item that failed; what follows a killed
     worker is done last, one item at a time, so that the item to blame is certain. Raises
-    UserError when the scheduler is lost.
+    UserError when the scheduler is lost. ``clock`` and ``completed`` (distributed.as_completed)
+    are others in a simulation.
     """
-    return iter(_Stream(client, function, items, watch or Watch(), retry))
+    return iter(_Stream(client, function, items, watch or Watch(), retry, clock, completed))
 
 
 class _Stream:
@@ -94,13 +69,16 @@ class _Stream:
         items: Iterable[Any],
         watch: Watch,
         retry: Retry,
+        clock: Clock,
+        completed: Callable[..., Any],
     ) -> None:
         self.client, self.function, self.watch, self.retry = client, function, watch, retry
+        self.clock = clock
         self.source = iter(items)
         self.again: list[Any] = []  # before the rest of the source
         self.alone: list[Any] = []  # after it
-        self.pending: dict[str, tuple[Future, Any]] = {}
-        self.running = as_completed([], loop=client.loop)
+        self.pending: dict[Hashable, tuple[Future, Any]] = {}  # by key
+        self.running = completed([], loop=client.loop)
         self.isolated = False  # what is in flight is alone there
         self.window = LEAST
         self.shedding = False
@@ -114,7 +92,7 @@ class _Stream:
             finished = self.running.next_batch(block=False)
             done = self._take([future for future in finished if future.key in self.pending])
             if not finished:
-                time.sleep(POLL_SECONDS)
+                self.clock.sleep(POLL_SECONDS)
             del finished
             self._tick()
             if not self.watch():
@@ -155,15 +133,15 @@ class _Stream:
                     raise
         done = [(self.pending.pop(f.key)[1], r) for f, r in zip(sound, results, strict=True)]
         for future in failed:
-            item, error = self.pending.pop(future.key)[1], future.exception()
-            killed = isinstance(error, KilledWorker)
-            (self.alone if killed else self.again).extend(self.retry(item, error, self.isolated))
+            item, raised = self.pending.pop(future.key)[1], future.exception()
+            killed = isinstance(raised, KilledWorker)
+            (self.alone if killed else self.again).extend(self.retry(item, raised, self.isolated))
         return done
 
     def _tick(self) -> None:
         """Now and then look at the workers; shed what no worker has begun after a stop."""
         stopping = self.watch()
-        if self.shedding == stopping and time.monotonic() - self.last_beat < BEAT_SECONDS:
+        if self.shedding == stopping and self.clock.monotonic() - self.last_beat < BEAT_SECONDS:
             return
         self.shedding = stopping
         try:
@@ -174,7 +152,7 @@ class _Stream:
             raise UserError(LOST) from error
         self.window = max(PER_THREAD * threads, LEAST)
         self.watch.look(threads, len(self.pending))
-        self.last_beat = time.monotonic()
+        self.last_beat = self.clock.monotonic()
 
     def _shed(self) -> None:
         """Take back what no worker has yet, so that an interrupted run ends soon."""

@@ -1,18 +1,15 @@
-"""What a worker process does: it ignores Ctrl-C, compares versions, and runs batches."""
+"""The same program everywhere: what results depend on, compared before a worker does work."""
 
 import hashlib
 import platform
-import signal
 import socket
 from functools import cache
 from typing import NamedTuple
 
-from distributed import Client, Worker
+from distributed import Client
 
 from workflow.errors import UserError
-from workflow.simulate.block_means import block_means
-from workflow.simulate.tasks import Batch, BatchResult
-from workflow.system.packages import ROOT, version_of
+from workflow.system import ROOT, version_of
 
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")
 FOLDERS = ("kernels", "workflow")
@@ -26,7 +23,7 @@ class Versions(NamedTuple):
 
 
 @cache
-def versions() -> Versions:
+def own_versions() -> Versions:
     """Return what this process runs; the hash of our own sources is last."""
     digest = hashlib.sha256()
     for source in sorted(path for name in FOLDERS for path in (ROOT / name).rglob("*.py")):
@@ -38,8 +35,8 @@ def versions() -> Versions:
 
 def require(expected: Versions) -> None:
     """Raise UserError with a table where this process, a worker, differs from the driver."""
-    if versions() != expected:
-        raise UserError(*_table(expected, {socket.gethostname(): versions()}))
+    if own_versions() != expected:
+        raise UserError(*_table(expected, {socket.gethostname(): own_versions()}))
 
 
 def check_versions(client: Client) -> None:
@@ -47,14 +44,14 @@ def check_versions(client: Client) -> None:
 
     Workers that come later check by themselves, at their first batch.
     """
-    others: dict = client.run(versions, on_error="return")
+    others: dict = client.run(own_versions, on_error="return")
     try:
-        others["scheduler"] = client.run_on_scheduler(versions)
+        others["scheduler"] = client.run_on_scheduler(own_versions)
     except Exception as error:  # whatever importing our package there may raise
         others["scheduler"] = error
-    odd = {name: found for name, found in others.items() if found != versions()}
+    odd = {name: found for name, found in others.items() if found != own_versions()}
     if odd:
-        raise UserError(*_table(versions(), odd))
+        raise UserError(*_table(own_versions(), odd))
 
 
 def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> list[str]:
@@ -69,15 +66,3 @@ def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> list[
             if there.get(package) != value:
                 lines.append(f"  {name:28s}{package:14s}{there.get(package)!s:18s}{value}")
     return lines
-
-
-def run_batch(batch: Batch, expected: Versions) -> BatchResult:
-    """Run a batch, if this process runs what the driver runs (else UserError)."""
-    require(expected)
-    return block_means(batch)
-
-
-def dask_setup(worker: Worker) -> None:
-    """Leave Ctrl-C to the driver, which lets running batches finish and be stored."""
-    del worker
-    signal.signal(signal.SIGINT, signal.SIG_IGN)

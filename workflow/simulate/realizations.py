@@ -8,25 +8,25 @@ import numpy as np
 from kernels import SCHEMES, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
 from kernels.cache import compiling
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
-from workflow.system.process import peak_bytes
+from workflow.system import peak_bytes
 
 
 def record_steps(march_steps: int, curve_samples: int) -> np.ndarray:
-    """Return the recorded step numbers, increasing from 1 to ``march_steps``, at most
-    curve_samples - 1.
+    """Return the numbers of the steps that the curve of a record keeps.
 
-    Sample 0 of a curve is the moment just after the jump and needs no step.
+    They increase from 1 to ``march_steps``, and are ``curve_samples`` - 1 at most. Sample 0 of a
+    curve is the moment just after the jump and needs no step.
     """
     return np.unique(np.round(np.linspace(1, march_steps, curve_samples - 1)).astype(np.int64))
 
 
-def record_times(recorded: np.ndarray, steps_per_tau: float, scheme: str) -> np.ndarray:
-    """Return the times since the jump, in tau, to which the friction of recorded steps belongs.
+def record_times(kept_steps: np.ndarray, steps_per_tau: float, scheme: str) -> np.ndarray:
+    """Return the times since the jump, in tau, to which the friction of kept steps belongs.
 
     It is a mean over the step and acts ``lag`` of a step before its end (rheology/law.py). At
     the end it would be an error of first order. steps_per_tau : of the march.
     """
-    return (recorded - SCHEMES[scheme](1.0 / steps_per_tau).lag) / steps_per_tau
+    return (kept_steps - SCHEMES[scheme](1.0 / steps_per_tau).lag) / steps_per_tau
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
@@ -54,7 +54,7 @@ def block_means(batch: Batch) -> BatchResult:
     load_kernels(batch.scheme, batch.quantities)
     began = time.thread_time()
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
-    curves = np.zeros((len(batch.tasks), batch.blocks, batch.samples - 1))
+    curves = np.zeros((len(batch.tasks), batch.blocks, batch.curve_samples - 1))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     problem = batch.tasks[0].problem  # all tasks are of its H and N
     amplitude = amplitudes(problem.hurst, problem.elements, batch.normalisation)
@@ -109,7 +109,7 @@ def _case(batch: Batch, rows: list[int]) -> Case:
         load=tasks[0].problem.load,
         speed=tasks[0].problem.speed,
         ratios=tuple(task.problem.ratio for task in tasks),
-        kept_steps=tuple(record_steps(task.march_steps, batch.samples) for task in tasks),
+        kept_steps=tuple(record_steps(task.march_steps, batch.curve_samples) for task in tasks),
         scheme=batch.scheme,
     )
 
@@ -117,14 +117,9 @@ def _case(batch: Batch, rows: list[int]) -> Case:
 def _add_outcome(
     outcome: Outcome, rows: list[int], scalars: np.ndarray, curves: np.ndarray
 ) -> None:
+    for column, name in enumerate(SCALARS):  # one number, or one per velocity jump
+        scalars[rows, column] += getattr(outcome, name)
     for k, row in enumerate(rows):
-        scalars[row] += (
-            outcome.mu_1,
-            outcome.indentation,
-            outcome.contact_fraction,
-            outcome.mu_2[k],
-            outcome.jump[k],
-        )
         curve = outcome.curves[k] if outcome.curves else np.empty(0)
         curves[row, : curve.size] += curve
         curves[row, curve.size :] = np.nan

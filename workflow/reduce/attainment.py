@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.plan.goal import Goal, allowed
+from workflow.plan import Goal, allowed
 from workflow.reduce.fits import NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE
 
 MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2

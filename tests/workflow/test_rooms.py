@@ -1,0 +1,76 @@
+"""The rooms of the workflow: entered by their public names, light to import, of a size to know."""
+
+import ast
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import workflow
+
+FOLDER = Path(workflow.__file__).parent
+ROOMS = sorted(path.parent.name for path in FOLDER.glob("*/__init__.py"))
+HEAVY = ("distributed", "dask", "xarray", "netCDF4", "pandas", "matplotlib", "scipy")
+KERNELS = FOLDER.parent / "kernels"
+
+
+def imports(path):
+    """Return (module, names) of every import of ours in a file."""
+    nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
+    ours = [n for n in nodes if isinstance(n, ast.ImportFrom) and str(n.module).startswith("work")]
+    return [(node.module, [alias.name for alias in node.names]) for node in ours]
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_a_room_is_entered_by_its_public_names_alone(room):
+    strangers = [p for p in FOLDER.parent.glob("[ksw]*/**/*.py") if p.parent != FOLDER / room]
+    assert strangers
+    deep = {
+        f"{path.relative_to(FOLDER.parent)}: {module}"
+        for path in strangers
+        for module, _ in imports(path)
+        if module.startswith(f"workflow.{room}.")
+    }
+    assert deep <= {"workflow/__main__.py: workflow.cli.commands"}
+
+
+@pytest.mark.parametrize("room", ROOMS)
+def test_every_public_name_is_there_and_documented(room):
+    package = __import__(f"workflow.{room}", fromlist=["room"])
+    assert len(package.__doc__.strip().splitlines()) == 3  # a line, an empty one, a line
+    for name in package.__all__:
+        value = getattr(package, name)
+        assert not callable(value) or value.__doc__, name
+    with pytest.raises(AttributeError, match=f"'workflow.{room}' has no attribute 'nothing'"):
+        _ = package.nothing
+
+
+def test_no_public_name_is_that_of_a_file_of_its_room():
+    """Or the file, once imported, would hide the name."""
+    for room in ROOMS:
+        files = {path.stem for path in (FOLDER / room).glob("*.py")}
+        assert files.isdisjoint(__import__(f"workflow.{room}", fromlist=["room"]).__all__)
+
+
+def test_importing_rooms_loads_nothing_heavy():
+    names = ", ".join(f"workflow.{room}" for room in ROOMS)
+    code = f"import {names}, sys; print([m for m in {HEAVY!r} if m in sys.modules])"
+    done = subprocess.run(
+        [sys.executable, "-c", code], cwd=FOLDER.parent, capture_output=True, text=True, check=True
+    )
+    assert done.stdout.strip() == "[]"
+
+
+def test_rooms_are_of_a_size_to_know():
+    packages = [FOLDER / room for room in ROOMS]
+    packages += [path.parent for path in KERNELS.glob("*/__init__.py")]
+    for folder in packages:
+        files = [path for path in folder.glob("*.py") if path.name != "__init__.py"]
+        assert 2 <= len(files) <= 10, folder
+    assert len(list(FOLDER.glob("*.py"))) <= 7
+
+
+def test_modules_are_of_a_size_to_read():
+    for path in FOLDER.parent.glob("[ksw]*/**/*.py"):
+        assert len(path.read_text(encoding="utf-8").splitlines()) <= 200, path

@@ -1,0 +1,79 @@
+"""Workers as jobs of a batch system, through dask-jobqueue: lost and expired ones are replaced."""
+
+import contextlib
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+from workflow.errors import UserError
+from workflow.study import BATCH_SYSTEMS, Cluster, walltime_seconds
+from workflow.system import WORKER_ENVIRONMENT
+
+ADAPT_SECONDS = "5s"  # between looks at whether jobs have to be replaced
+STAGGER = 0.1  # of the lifetime, so that workers do not all retire at once
+
+
+@contextlib.contextmanager
+def job_cluster(cluster: Cluster) -> Iterator[Any]:
+    """Yield a cluster whose scheduler is here and whose workers are ``cluster.jobs`` jobs.
+
+    Raises UserError where the batch system is not there or would refuse the jobs.
+    """
+    name = cluster.where
+    try:
+        import dask_jobqueue
+    except ImportError as error:
+        raise UserError(
+            f"--{name}: needs dask-jobqueue (the extra '{name}' of this package)"
+        ) from error
+    Path(cluster.log_folder).mkdir(parents=True, exist_ok=True)
+    start = getattr(dask_jobqueue, BATCH_SYSTEMS[name].jobqueue)
+    with start(**_settings(cluster)) as jobs:
+        _try_submitting(name, jobs.job_script())
+        jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_SECONDS)
+        yield jobs
+
+
+def _settings(cluster: Cluster) -> dict[str, Any]:
+    lifetime = cluster.lifetime
+    exported = [f"export {name}={value}" for name, value in WORKER_ENVIRONMENT.items()]
+    return {
+        "queue": cluster.queue or None,
+        "account": cluster.account or None,
+        "cores": cluster.cores,
+        "processes": cluster.cores,
+        "memory": cluster.memory,
+        "walltime": _written(walltime_seconds(cluster.walltime)),
+        "interface": cluster.interface or None,
+        "log_directory": cluster.log_folder,
+        "python": sys.executable,
+        "job_extra_directives": [*BATCH_SYSTEMS[cluster.where].directives],
+        "job_script_prologue": [*exported, *cluster.prologue],
+        "worker_extra_args": [
+            *("--lifetime", f"{lifetime:.0f}s"),
+            *("--lifetime-stagger", f"{STAGGER * lifetime:.0f}s"),
+            *("--preload", "workflow.cluster.worker"),
+        ],
+        "scheduler_options": {"dashboard_address": ":0"},
+    }
+
+
+def _written(seconds: float) -> str:
+    minutes, second = divmod(int(seconds), 60)
+    return f"{minutes // 60:02d}:{minutes % 60:02d}:{second:02d}"
+
+
+def _try_submitting(name: str, script: str) -> None:
+    """Let the batch system say now what it would otherwise say to nobody, once for every job."""
+    command = BATCH_SYSTEMS[name].trial
+    if not command:
+        return
+    try:
+        done = subprocess.run(command, input=script, capture_output=True, text=True)
+    except FileNotFoundError as error:
+        raise UserError(f"--{name}: {command[0]} is not found on this machine") from error
+    if done.returncode:
+        said = " ".join(done.stderr.split()) or f"exit status {done.returncode}"
+        raise UserError(f"--{name}: {name.upper()} refuses the jobs: {said}")

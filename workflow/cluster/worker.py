@@ -1,0 +1,23 @@
+"""What a worker process does with a batch; loaded by every worker when it starts.
+
+Imported by name; needs nothing set up beforehand.
+"""
+
+import signal
+
+from distributed import Worker
+
+from workflow.cluster.versions import Versions, require
+from workflow.simulate import Batch, BatchResult, block_means
+
+
+def dask_setup(worker: Worker) -> None:
+    """Leave Ctrl-C to the driver, which lets running batches finish and be stored."""
+    del worker
+    signal.signal(signal.SIGINT, signal.SIG_IGN)
+
+
+def run_batch(batch: Batch, expected: Versions) -> BatchResult:
+    """Run a batch, if this process runs what the driver runs (else UserError)."""
+    require(expected)
+    return block_means(batch)
