@@ -25,34 +25,37 @@ def kernel(function: Callable) -> Callable:
     return compiled
 
 
-def by_type(declared: Callable) -> Callable:
-    """Make a function of which every NamedTuple type of its first argument has its own body.
+class by_type:
+    """A function of which every NamedTuple type of its first argument has its own body.
 
-    ``declared`` gives the name, the arguments and what the function is for, ``.of(type)``
-    decorates a body. Kernels are compiled for the types they are called with: a body of another
-    type is not in their machine code. A jitted function as an argument would do the same, but
-    numba finds no kernel with one in its cache. Bodies belong in files of this package, whose
-    hash tells states of the cache apart. Raises TypeError for a type without a body.
+    It decorates a declaration, which gives the name, the arguments and what the function is
+    for; ``.of(type)`` decorates a body. Kernels are compiled for the types they are called with:
+    a body of another type is not in their machine code. A jitted function as an argument would
+    do the same, but numba finds no kernel with one in its cache. Bodies belong in files of this
+    package, whose hash tells states of the cache apart. Raises TypeError for a type without one.
     """
-    bodies: dict[type, Callable] = {}
 
-    @functools.wraps(declared)
-    def plain(first: Any, *others: Any) -> Any:
-        if type(first) not in bodies:
-            raise TypeError(f"{declared.__name__} is not defined for {type(first).__name__}")
-        return bodies[type(first)](first, *others)
+    def __init__(self, declared: Callable) -> None:
+        functools.update_wrapper(self, declared)
+        self.name = declared.__name__
+        self.bodies: dict[Any, Callable] = {}
 
-    @overload(plain, jit_options=FLAGS)
-    @functools.wraps(declared)
-    def compiled(first: Any, *others: Any) -> Callable | None:
-        return bodies.get(getattr(first, "instance_class", None))
+        @overload(self, jit_options=FLAGS)
+        @functools.wraps(declared)
+        def compiled(first: Any, *others: Any) -> Callable | None:
+            return self.bodies.get(getattr(first, "instance_class", None))
 
-    def of(kind: type) -> Callable:
+    def __call__(self, first: Any, *others: Any) -> Any:
+        """Run the body for the type of ``first``, as compiled kernels do by themselves."""
+        if type(first) not in self.bodies:
+            raise TypeError(f"{self.name} is not defined for {type(first).__name__}")
+        return self.bodies[type(first)](first, *others)
+
+    def of(self, kind: type) -> Callable[[Callable], Callable]:
+        """Return a decorator that makes a function the body for a type."""
+
         def register(body: Callable) -> Callable:
-            bodies[kind] = body
+            self.bodies[kind] = body
             return body
 
         return register
-
-    plain.bodies, plain.of = bodies, of
-    return plain
