@@ -8,25 +8,34 @@ Then a problem is given by the Hurst exponent H, the number of elements N = L/dx
 
 slopes come out in units of h/dx, and so do friction coefficients.
 Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
+
+``run_case`` is one realization. An effect is a file of surfaces, rheology, control or motion;
+what a scene does not ask for is not in its machine code.
 """
 
 from kernels.contact import solve_indentation
+from kernels.control.force import ConstantForce
+from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import lagged_slope, quadrature, step_average
-from kernels.line import Line
+from kernels.march import march
 from kernels.realization import Case, Outcome, Quantities, Seconds, run_case
-from kernels.relaxation import march
-from kernels.schemes import SCHEMES, Step
+from kernels.rheology.kelvin import SCHEMES, Kelvin
+from kernels.rheology.law import State
 from kernels.steady import steady_sliding
-from kernels.surface import amplitudes, draw_phases, rms_slope, sample_line
+from kernels.surfaces.line import Line
+from kernels.surfaces.self_affine import amplitudes, draw_phases, rms_slope, sample_line
 
 __all__ = [
     "SCHEMES",
     "Case",
+    "ConstantForce",
+    "Kelvin",
     "Line",
     "Outcome",
+    "PrintedForce",
     "Quantities",
     "Seconds",
-    "Step",
+    "State",
     "amplitudes",
     "draw_phases",
     "lagged_slope",

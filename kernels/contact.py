@@ -75,8 +75,9 @@ def weighted_overlap(c, stiffness, d):
 def solve_indentation(c, load, guess, stiffness=None):
     """Return (d, passes) with sum_i s_i max(0, d - c_i) = load > 0, from any starting ``guess``.
 
-    c : float array of the contact thresholds z_i - w_i. stiffness : s_i > 0, or None where all
-    are 1: numba compiles a version for each type of it.
+    c : contact thresholds z_i - w_i, shape (n,), n > 0, in h. stiffness : s_i > 0, shape (n,), or
+    None where all are 1: numba compiles a version for each type of it. d is NaN where the load
+    or the guess is.
     passes : number of passes over c (2 to 4 when the guess is good).
     """
     d = guess

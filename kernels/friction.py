@@ -1,4 +1,7 @@
-"""Friction of a contact state: eq. 5 by quadrature at an instant, or as mean over a step."""
+"""Friction of a contact state: eq. 5 by quadrature at an instant, or as mean over a step.
+
+Source: Li et al. (2014), eqs. 3 to 5, doi:10.1038/srep05795.
+"""
 
 import numpy as np
 
@@ -111,7 +114,10 @@ def _covered(z, slope, w, d, formed, j):
 
 @kernel
 def lagged_slope(slope, lag):
-    """Return the slope read ``lag`` of a step before its end, shape (n,): see schemes.py."""
+    """Return the slope where the force of a step acts, shape (n,), periodic, linear in between.
+
+    slope : at the samples, shape (n,), in h/dx. lag : of the law (rheology/law.py), in steps.
+    """
     n = slope.size
     weight = np.empty(n)
     for j in range(n):
@@ -121,9 +127,10 @@ def lagged_slope(slope, lag):
 
 @kernel
 def step_average(weight, c, d):
-    """Return the friction averaged over a step: its forces times the slope where they act.
+    """Return mu averaged over a step, in h/dx: eq. 5 with its forces, and the slope they act at.
 
-    weight : lagged slope, c : contact thresholds, both of shape (n,). mu in h/dx.
+    weight : lagged slope, in h/dx, c : contact thresholds, in h, both of shape (n,).
+    d : indentation, in h.
     """
     total = 0.0
     friction = 0.0

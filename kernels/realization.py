@@ -10,11 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kernels.control.force import ConstantForce
+from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import elastic_correction, lagged_slope, quadrature, step_average
-from kernels.line import Line
-from kernels.relaxation import march
-from kernels.schemes import SCHEMES, SHORTEST, Step
+from kernels.march import march
+from kernels.rheology.kelvin import SCHEMES, SHORTEST, Kelvin
+from kernels.rheology.law import State
 from kernels.steady import steady_sliding
+from kernels.surfaces.line import Line
 
 LOADS = (1e-100, 1e100)  # Fbar; the rounding of d does not depend on it
 SPEEDS = (1e-12, 1e12)  # vbar; slower, rounding would show in the jump, which falls with v
@@ -60,20 +63,7 @@ class Outcome(NamedTuple):
     seconds: Seconds
 
 
-class _State(NamedTuple):
-    w: np.ndarray
-    d: float
-    step: Step
-    sweeps: int
-
-
-def _steady(line: Line, load: float, speed: float, scheme: str) -> _State:
-    step = SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
-    w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
-    return _State(w, d, step, sweeps)
-
-
-def _friction(line: Line, state: _State, speed: float, load: float) -> tuple[float, float, float]:
+def _friction(line: Line, state: State, speed: float, load: float) -> tuple[float, float, float]:
     """Return mu of the steady state, mu as quadrature gives it, and the share in contact.
 
     The first has its elastic part corrected as far as a sample lasts longer than tau: by
@@ -116,33 +106,39 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     n = line.z.size
     load = case.load * n
     clock = _Clock()
-    one = _steady(line, load, case.speed, case.scheme)
+    one, sweeps = steady_sliding(_law(line, case, 1.0), line.z, load)
     mu_1, summed, contact = _friction(line, one, case.speed, load)
     clock.lap("steady")
-    work = one.sweeps * n
+    work = sweeps * n
     mu_2 = np.full(len(case.ratios), np.nan)
     jump = np.full(len(case.ratios), np.nan)
     curves = []
     for k, ratio in enumerate(case.ratios):
         speed = ratio * case.speed
         if asked.jump:
-            mu_0, _, _ = quadrature(line.z, line.slope, one.w, one.d, case.speed, speed, load)
+            mu_0, _, _ = quadrature(line.z, line.slope, *one, case.speed, speed, load)
             jump[k] = mu_0 - summed  # errors of the elastic part cancel
             clock.lap("jump")
         if not (asked.steady or asked.relaxation):
             continue
-        two = one if ratio == 1.0 else _steady(line, load, speed, case.scheme)
-        work += two.sweeps * n if two is not one else 0
+        law = _law(line, case, ratio)
+        two, sweeps = (one, 0) if ratio == 1.0 else steady_sliding(law, line.z, load)
         mu_2[k], _, _ = _friction(line, two, speed, load)
+        work += sweeps * n
         clock.lap("steady")
         if asked.relaxation:
-            rigid = None if asked.indentation_rate else True
-            curve, updates = _relaxation(line, load, one, two, case.kept_steps[k], rigid)
+            control = (ConstantForce if asked.indentation_rate else PrintedForce)(load)
+            curve, updates = _relaxation(line, law, control, (one, two), case.kept_steps[k])
             curves.append(mu_2[k] + curve)
             work += updates
             clock.lap("marching")
     seconds = Seconds(**clock.spent)
     return Outcome(mu_1, one.d + line.datum, contact, mu_2, jump, curves, work, seconds)
+
+
+def _law(line: Line, case: Case, ratio: float) -> Kelvin:
+    """Return the law of the elastomer for steps of one sample at ``ratio`` times the speed."""
+    return SCHEMES[case.scheme](1.0 / (line.steps_per_spacing * (ratio * case.speed)))
 
 
 class _Clock:
@@ -160,23 +156,23 @@ class _Clock:
 
 def _relaxation(
     line: Line,
-    load: float,
-    one: _State,
-    two: _State,
+    law: Kelvin,
+    control: ConstantForce | PrintedForce,
+    states: tuple[State, State],
     kept_steps: np.ndarray,
-    rigid: bool | None,
 ) -> tuple[np.ndarray, int]:
-    """Return the deviation from the steady friction at v2, and the element updates."""
-    step = two.step
-    weight = lagged_slope(line.slope, step.lag)
+    """Return the deviation from the steady friction at v2, and the element updates.
+
+    states : of steady sliding at v1 and at v2.
+    """
+    one, two = states
+    weight = lagged_slope(line.slope, law.lag)
     final = step_average(weight, line.z - two.w, two.d)
     # d stays between its steady values but for a transient. It never exceeds what one element
     # needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.
     work = 0
-    for cap in (1.02 * max(one.d, two.d), 1.001 * max(one.d, load)):
-        mu, _, passes, inside = march(
-            line.z, weight, one.w, one.d, step.decay, step.stiffness, load, kept_steps, cap, rigid
-        )
+    for cap in (1.02 * max(one.d, two.d), 1.001 * max(one.d, control.load)):
+        mu, _, passes, inside = march(law, control, line.z, weight, one, kept_steps, cap)
         work += passes * line.z.size
         if inside:
             break

@@ -9,14 +9,14 @@ import os
 import numpy as np
 
 import kernels
-from kernels import line, surface
+from kernels.surfaces import line, self_affine
 
 WANTED = os.environ.get("LAST_BIT")
-exact_line = surface.sample_line
+exact_line = self_affine.sample_line
 
 
 def perturbed_line(amplitude, phases, elements, steps_per_spacing):
-    """Return a line as surface.sample_line does, rounded otherwise."""
+    """Return a line as self_affine.sample_line does, rounded otherwise."""
     seed = [int(WANTED), elements, steps_per_spacing, *phases.view(np.uint64).tolist()[:4]]
     rng = np.random.default_rng(seed)
     found = exact_line(amplitude, phases, elements, steps_per_spacing)
@@ -26,5 +26,5 @@ def perturbed_line(amplitude, phases, elements, steps_per_spacing):
 def perturb():
     """Let all lines of this process be rounded otherwise, where that is asked for."""
     if WANTED:
-        for module in (kernels, line, surface):
+        for module in (kernels, line, self_affine):
             module.sample_line = perturbed_line

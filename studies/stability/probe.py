@@ -8,7 +8,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import SCHEMES, Line, Step, lagged_slope, march, solve_indentation, steady_sliding
+from kernels import (
+    SCHEMES,
+    ConstantForce,
+    Kelvin,
+    Line,
+    State,
+    lagged_slope,
+    march,
+    solve_indentation,
+    steady_sliding,
+)
 from kernels.steady import sweep
 
 TINY = np.finfo(float).tiny  # the smallest normal number
@@ -40,14 +50,14 @@ class Motion(NamedTuple):
     ratio: float  # after / before
     scheme: str
 
-    def step(self, ratio: float) -> tuple[float, Step]:
-        """Return dt and the constants of a step at ``ratio`` times the speed."""
+    def step(self, ratio: float) -> tuple[float, Kelvin]:
+        """Return dt and the law for a step at ``ratio`` times the speed."""
         dt = 1.0 / (self.line.steps_per_spacing * self.speed * ratio)
         return dt, SCHEMES[self.scheme](dt)
 
-    def steady(self, step: Step) -> tuple[np.ndarray, float, int]:
-        """Return (w, d, sweeps) of steady sliding."""
-        return steady_sliding(self.line.z, self.total, step.decay, step.stiffness)
+    def steady(self, law: Kelvin) -> tuple[State, int]:
+        """Return the state of steady sliding, and the sweeps it took."""
+        return steady_sliding(law, self.line.z, self.total)
 
     @property
     def total(self) -> float:
@@ -60,44 +70,46 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
     worst = dict.fromkeys((*RESIDUALS, *COUNTS), 0.0)
     starts = []
     for ratio in (1.0, motion.ratio):
-        dt, step = motion.step(ratio)
-        w, d, sweeps = motion.steady(step)
-        starts.append((w, d))
+        dt, law = motion.step(ratio)
+        state, sweeps = motion.steady(law)
+        starts.append(state)
+        w, d = state
         u = np.minimum(w, motion.line.z - d)
-        _raise(worst, sweeps=sweeps, falling=_falling(motion.line.z, d, step))
+        _raise(worst, sweeps=sweeps, falling=_falling(motion.line.z, d, law))
         _raise(worst, subnormal=_subnormal(w), not_finite=np.sum(~np.isfinite(w)))
-        depths = _march(motion, (w, d), step, 1.02 * d, STAY, worst)
+        depths = _march(motion, state, law, 1.02 * d, STAY, worst)
         _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
-        _follow(motion, u, d, dt, step, depths, worst)
+        _follow(motion, u, d, dt, law, depths, worst)
         if ratio == 1.0:
             first = u
-    depths = _march(motion, starts[0], step, 1.02 * max(d for _, d in starts), steps, worst)
-    _follow(motion, first, starts[0][1], dt, step, depths, worst)
+    depths = _march(motion, starts[0], law, 1.02 * max(d for _, d in starts), steps, worst)
+    _follow(motion, first, starts[0].d, dt, law, depths, worst)
     return worst
 
 
-def _march(motion, state, step, cap, steps, worst):
+def _march(motion, state, law, cap, steps, worst):
     """Return the indentations after each step by the kernels, marched as run_case does."""
-    weight = lagged_slope(motion.line.slope, step.lag)
+    weight, control = lagged_slope(motion.line.slope, law.lag), ConstantForce(motion.total)
     kept_steps = np.arange(1, steps + 1)
-    for highest in (cap, 1.001 * max(state[1], motion.total)):
-        constants = (step.decay, step.stiffness, motion.total, kept_steps, highest)
-        mu, depths, _, inside = march(motion.line.z, weight, *state, *constants)
+    for highest in (cap, 1.001 * max(state.d, motion.total)):
+        mu, depths, _, inside = march(
+            law, control, motion.line.z, weight, state, kept_steps, highest
+        )
         if inside:
             break
     _raise(worst, not_finite=np.sum(~np.isfinite(mu)) + np.sum(~np.isfinite(depths)))
     return depths
 
 
-def _follow(motion, u, d, dt, step, depths, worst):
+def _follow(motion, u, d, dt, law, depths, worst):
     """Let every element follow the given indentations, raising the worst residuals."""
     z, total = motion.line.z, motion.total
     for depth in depths:
         old = np.roll(u, -1)
-        free = step.decay * old
-        d, passes = solve_indentation(z - free, total / step.stiffness, d)
+        free = law.decay * old
+        d, passes = solve_indentation(z - free, total / law.stiffness, d)
         u = np.minimum(free, z - depth)
-        force = step.stiffness * (free - u)
+        force = law.stiffness * (free - u)
         _raise(
             worst,
             balance=abs(np.sum(force) / total - 1.0),
@@ -133,11 +145,11 @@ def _energy(scheme, dt, old, new, force):
     return abs(np.sum(work - elastic - dissipated)) / size
 
 
-def _falling(z, d, step):
+def _falling(z, d, law):
     """Return how often the force of steady sliding fails to rise with the indentation."""
     w = np.empty_like(z)
     depths = d * np.geomspace(0.01, 100.0, 25)
-    force = [sweep(z, depth, step.decay, int(np.argmin(z)), w)[0] for depth in depths]
+    force = [sweep(law, z, depth, int(np.argmin(z)), w)[0] for depth in depths]
     return int(np.sum(np.diff(force) <= 0.0))
 
 

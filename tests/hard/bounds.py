@@ -17,9 +17,9 @@ def bounds(motion) -> dict[str, float]:
     """
     stiffness, deepest, highest, touching = 1.0, np.inf, 0.0, 1
     for ratio in (1.0, motion.ratio):
-        _, step = motion.step(ratio)
-        w, d, _ = motion.steady(step)
-        stiffness = max(stiffness, step.stiffness)
+        _, law = motion.step(ratio)
+        (w, d), _ = motion.steady(law)
+        stiffness = max(stiffness, law.stiffness)
         deepest, highest = min(deepest, d), max(highest, d)
         touching = max(touching, np.sum(motion.line.z - w < d))
     height = min(motion.line.z.max(), max(highest, motion.total))

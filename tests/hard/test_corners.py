@@ -72,7 +72,8 @@ def test_a_line_of_a_million_elements_is_stable(load, scheme):
 def test_the_lightest_load_rests_on_one_asperity(hurst, load):
     """There d is small against the heights, and the touching elements are neighbours."""
     line = random_line(64, hurst, 4)
-    w, d, _ = Motion(line, load, 1e-4, 1.0, "exponential").steady(SCHEMES["exponential"](1e3))
+    motion = Motion(line, load, 1e-4, 1.0, "exponential")
+    (w, d), _ = motion.steady(SCHEMES["exponential"](1e3))
     touching = np.flatnonzero(line.z - w < d)
     assert touching.size == touching[-1] - touching[0] + 1
     assert touching.size <= 8

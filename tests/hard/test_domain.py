@@ -83,10 +83,10 @@ def test_lengths_scale_bit_for_bit(motion, power):
 @FEW
 @given(motions(), st.integers(1, 71))
 def test_cyclic_shifts_change_nothing_but_rounding(motion, shift):
-    _, step = motion.step(1.0)
-    w, d, _ = motion.steady(step)
+    _, law = motion.step(1.0)
+    (w, d), _ = motion.steady(law)
     rolled = motion._replace(line=motion.line._replace(z=np.roll(motion.line.z, shift)))
-    w_rolled, d_rolled, _ = rolled.steady(step)
+    (w_rolled, d_rolled), _ = rolled.steady(law)
     assert abs(d_rolled / d - 1.0) <= bounds(motion)["steady"]
     lost = MARGIN * EPS * (motion.line.z.max() + d) + abs(d_rolled - d)
     assert np.max(np.abs(w_rolled - np.roll(w, shift))) <= lost
@@ -98,8 +98,8 @@ def test_cyclic_shifts_change_nothing_but_rounding(motion, shift):
 @FEW
 @given(motions())
 def test_the_mirror_image_moving_the_other_way_is_the_same(motion):
-    dt, step = motion.step(1.0)
-    _, d, _ = motion.steady(step)
+    dt, law = motion.step(1.0)
+    (_, d), _ = motion.steady(law)
     mirrored = motion.line.z[::-1].copy()
     _, _, expected = steady(mirrored, motion.load, constants(motion.scheme, dt)[0], direction=-1)
     # The reference takes the load from mean(-u): eps K of it is lost, as K (1 - E) = 1.
@@ -109,10 +109,10 @@ def test_the_mirror_image_moving_the_other_way_is_the_same(motion):
 @FEW
 @given(motions(), st.floats(1.0001, 1e3))
 def test_more_load_presses_deeper(motion, factor):
-    _, step = motion.step(1.0)
-    w, d, _ = motion.steady(step)
+    _, law = motion.step(1.0)
+    (w, d), _ = motion.steady(law)
     z, heavier = motion.line.z, motion._replace(load=factor * motion.load)
-    w_more, deeper, _ = heavier.steady(step)
+    (w_more, deeper), _ = heavier.steady(law)
     assert deeper > d
     # d grows at most as fast as the load: the force is convex and vanishes at the bottom.
     assert deeper <= factor * d * (1.0 + bounds(heavier)["steady"])
@@ -127,14 +127,14 @@ def test_full_contact_superposes(line, x, scheme, data):
     steep = line.z.max() + speed * np.abs(line.slope).max()
     load = data.draw(st.floats(3.0, 10.0)) * steep  # every pressure is positive
     motion = Motion(line, load, speed, 1.0, scheme)
-    _, step = motion.step(1.0)
-    w, d, _ = motion.steady(step)
+    _, law = motion.step(1.0)
+    (w, d), _ = motion.steady(law)
     assert np.all(line.z - w < d)
-    lost = MARGIN * EPS * (1.0 + step.stiffness)
+    lost = MARGIN * EPS * (1.0 + law.stiffness)
     assert d == pytest.approx(load + line.z.mean(), rel=lost)
     added = Line(2.0 * line.z, 2.0 * line.slope, 0.0, line.steps_per_spacing)
-    _, both, _ = Motion(added, 3.0 * load, speed, 1.0, scheme).steady(step)
-    _, rest, _ = Motion(line, 2.0 * load, speed, 1.0, scheme).steady(step)
+    (_, both), _ = Motion(added, 3.0 * load, speed, 1.0, scheme).steady(law)
+    (_, rest), _ = Motion(line, 2.0 * load, speed, 1.0, scheme).steady(law)
     assert both == pytest.approx(d + rest, rel=lost)
 
 
@@ -147,7 +147,7 @@ def test_refined_samples_lie_on_the_same_line(motion):
     coarse = Line.from_samples(fine.z[::m], fine.slope[::m], 1)
     one, other = (Motion(q, motion.load, motion.speed, 1.0, motion.scheme) for q in (coarse, fine))
     assert coarse.z.size == n
-    _, d_one, _ = one.steady(one.step(1.0)[1])
-    _, d_other, _ = other.steady(other.step(1.0)[1])
+    (_, d_one), _ = one.steady(one.step(1.0)[1])
+    (_, d_other), _ = other.steady(other.step(1.0)[1])
     between = np.abs(fine.slope).max()
     assert abs((d_one + coarse.datum) - d_other) <= between + 1e-9 * (d_one + d_other)

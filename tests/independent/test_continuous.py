@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, lagged_slope, march, quadrature, steady_sliding
+from kernels import SCHEMES, ConstantForce, State, lagged_slope, march, quadrature, steady_sliding
 from tests.convergence import observed_order
 from tests.independent.continuous import Modes, Sliding
 
@@ -32,8 +32,7 @@ class Start(NamedTuple):
         top = int(np.argmax(LINE(x)[0]))
         x = np.roll(x, -top)
         z, slope = LINE(x)
-        step = SCHEMES[scheme](1.0 / (m * speed))
-        w, d, _ = steady_sliding(z, load * z.size, step.decay, step.stiffness)
+        (w, d), _ = steady_sliding(SCHEMES[scheme](1.0 / (m * speed)), z, load * z.size)
         return cls(x, z, slope, w, d)
 
     def sliding(self, load, speed):
@@ -46,13 +45,11 @@ def after_the_jump(m, scheme, load, speed, ratio):
     """Return mu averaged over each step of one tau after the jump: of the kernels, continuous."""
     start = Start.at(m, scheme, load, speed)
     after = ratio * speed
-    step = SCHEMES[scheme](1.0 / (m * after))
+    law = SCHEMES[scheme](1.0 / (m * after))
     kept_steps = np.arange(1, round(m * after) + 1)
-    weight = lagged_slope(start.slope, step.lag)
-    mu, _, _, _ = march(
-        start.z, weight, start.w, start.d, step.decay, step.stiffness,
-        load * start.z.size, kept_steps, np.inf,
-    )  # fmt: skip
+    weight = lagged_slope(start.slope, law.lag)
+    control, state = ConstantForce(load * start.z.size), State(start.w, start.d)
+    mu, _, _, _ = march(law, control, start.z, weight, state, kept_steps, np.inf)
     sliding = start.sliding(load, after)
     return mu, np.array([sliding.advance(k / (m * after)) for k in kept_steps])
 

@@ -8,7 +8,17 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, Case, Line, Quantities, lagged_slope, march, run_case, steady_sliding
+from kernels import (
+    SCHEMES,
+    Case,
+    ConstantForce,
+    Line,
+    Quantities,
+    lagged_slope,
+    march,
+    run_case,
+    steady_sliding,
+)
 from tests.independent.exact import (
     Exponential,
     ImplicitEuler,
@@ -89,16 +99,15 @@ class Both:
         case = Case(self.load, self.speed, (self.ratio,), (kept_steps,), self.scheme)
         found = run_case(self.line, case, Quantities())
         n = self.line.z.size
-        w, d, _ = steady_sliding(self.line.z, self.load * n, *self.step(1.0)[:2])
-        step = self.step(self.ratio)
-        weight = lagged_slope(self.line.slope, step.lag)
-        _, depth, _, _ = march(
-            self.line.z, weight, w, d, step.decay, step.stiffness, self.load * n, kept_steps, np.inf
-        )
-        return found.mu_1, found.mu_2[0], found.jump[0], found.curves[0], d, depth
+        state, _ = steady_sliding(self.law(1.0), self.line.z, self.load * n)
+        law = self.law(self.ratio)
+        weight = lagged_slope(self.line.slope, law.lag)
+        control = ConstantForce(self.load * n)
+        _, depth, _, _ = march(law, control, self.line.z, weight, state, kept_steps, np.inf)
+        return found.mu_1, found.mu_2[0], found.jump[0], found.curves[0], state.d, depth
 
-    def step(self, ratio):
-        """Return the constants of a step of the kernels."""
+    def law(self, ratio):
+        """Return the law of the elastomer of the kernels."""
         return SCHEMES[self.scheme](1.0 / (M * self.speed * ratio))
 
 

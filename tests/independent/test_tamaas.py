@@ -10,7 +10,7 @@ the half-space a foundation of independent springs. tamaas pushes a surface upwa
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, lagged_slope, march, steady_sliding, step_average
+from kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding, step_average
 from tests.lines import random_line
 from tests.sizes import size
 
@@ -56,7 +56,8 @@ def test_a_whole_velocity_step(hurst):
     foundation = Foundation(z)
     for _ in range(TO_STEADY):
         forces = foundation.advance(SPEED)
-    w, d, _ = steady_sliding(z, load, one.decay, one.stiffness)
+    state, _ = steady_sliding(one, z, load)
+    w, d = state
     expected = one.stiffness * np.maximum(0.0, d - (z - w))
     np.testing.assert_allclose(forces, expected, rtol=0.0, atol=TOLERANCE * expected.max())
     mu_1 = float(forces @ slope / forces.sum())
@@ -66,6 +67,6 @@ def test_a_whole_velocity_step(hurst):
     found = [float(f @ slope / f.sum()) for f in forces]
     weight = lagged_slope(slope, two.lag)
     kept_steps = np.arange(1, AFTER + 1)
-    mu, _, _, _ = march(z, weight, w, d, two.decay, two.stiffness, load, kept_steps, np.inf)
+    mu, _, _, _ = march(two, ConstantForce(load), z, weight, state, kept_steps, np.inf)
     np.testing.assert_allclose(found, mu, rtol=TOLERANCE)
     assert np.ptp(mu) > 1e3 * TOLERANCE * mu[-1]  # there is something to follow

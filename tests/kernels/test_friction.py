@@ -24,8 +24,7 @@ OFFSETS = (0.0, 0.17, 0.31, 0.5, 0.73, 0.9)
 
 def steady_state(z, load, speed, m, scheme="exponential"):
     """Return (w, d); load = Fbar."""
-    step = SCHEMES[scheme](1.0 / (m * speed))
-    return steady_sliding(z, load * z.size, step.decay, step.stiffness)[:2]
+    return steady_sliding(SCHEMES[scheme](1.0 / (m * speed)), z, load * z.size)[0]
 
 
 def jump(z, slope, load, speed, m, ratio):

@@ -5,6 +5,7 @@ import pytest
 
 from kernels import (
     SCHEMES,
+    Kelvin,
     amplitudes,
     lagged_slope,
     quadrature,
@@ -30,9 +31,10 @@ CASES = [
 
 
 def solved(z, load, speed, m, scheme):
-    """Return the step and the steady state (w, d, sweeps); load = Fbar."""
-    step = SCHEMES[scheme](1.0 / (m * speed))
-    return step, *steady_sliding(z, load * z.size, step.decay, step.stiffness)
+    """Return the law and the steady state as w, d, sweeps; load = Fbar."""
+    law = SCHEMES[scheme](1.0 / (m * speed))
+    (w, d), sweeps = steady_sliding(law, z, load * z.size)
+    return law, w, d, sweeps
 
 
 def sinusoid(elements, m, amplitude):
@@ -62,8 +64,8 @@ def test_step_average_of_the_sinusoid_is_second_order(scheme):
     refinements, errors = np.array([16, 32, 64, 128, 256]), []
     for m in refinements:
         z, slope, rms = sinusoid(32, m, 1.3)
-        step, w, d, _ = solved(z, 3.0, 2.0, m, scheme)
-        mu = step_average(lagged_slope(slope, step.lag), z - w, d)
+        law, w, d, _ = solved(z, 3.0, 2.0, m, scheme)
+        mu = step_average(lagged_slope(slope, law.lag), z - w, d)
         errors.append([mu / full_contact_friction(rms, 2.0, 3.0) - 1.0])
     assert observed_order(refinements, np.array(errors)) == pytest.approx(2.0, abs=0.01)
     assert abs(errors[-1][0]) < 1e-6
@@ -99,16 +101,16 @@ def test_state_is_that_of_an_element_carried_round_the_line(scheme, hurst, m, lo
 @pytest.mark.parametrize(("hurst", "m", "load", "speed"), CASES)
 def test_balance_and_contact_conditions(scheme, hurst, m, load, speed):
     z, _ = random_line(60, hurst, m, seed=4)
-    step, w, d, sweeps = solved(z, load, speed, m, scheme)
+    law, w, d, sweeps = solved(z, load, speed, m, scheme)
     u = np.minimum(w, z - d)
-    force = step.stiffness * (w - u)
-    rounding = 1e-15 * step.stiffness * d / load  # of w - u, relative to the mean force
+    force = law.stiffness * (w - u)
+    rounding = 1e-15 * law.stiffness * d / load  # of w - u, relative to the mean force
     assert force.mean() == pytest.approx(load, rel=1e-14 + rounding)
     assert -u.mean() == pytest.approx(load, rel=1e-14 + rounding)  # the steady mean of eq. 2
     assert np.all(force >= 0.0)
     assert np.all(u <= z - d + 1e-15 * d)  # nothing passes through the line
     assert np.all((force == 0.0) | (np.abs(u - (z - d)) <= 4e-16 * (z + d)))  # complementarity
-    np.testing.assert_allclose(w, step.decay * np.roll(u, -1), atol=1e-14 * max(1.0, d))
+    np.testing.assert_allclose(w, law.decay * np.roll(u, -1), atol=1e-14 * max(1.0, d))
     assert sweeps <= 10
 
 
@@ -117,21 +119,21 @@ def test_balance_and_contact_conditions(scheme, hurst, m, load, speed):
 @pytest.mark.parametrize("speed", [1e-4, 1.0, 1e3])
 def test_extreme_loads_and_speeds_need_few_sweeps(scheme, load, speed):
     z, slope = random_line(100, 0.7, 1, seed=5)
-    step, w, d, sweeps = solved(z, load, speed, 1, scheme)
+    law, w, d, sweeps = solved(z, load, speed, 1, scheme)
     assert sweeps <= 20  # convex Newton: about 5; rounding may creep by ulps at high speed
-    force = step.stiffness * np.maximum(0.0, d - (z - w)).mean()
+    force = law.stiffness * np.maximum(0.0, d - (z - w)).mean()
     # The overlap is known to eps times the heights (1 here) or d, and multiplied by the stiffness.
-    assert force == pytest.approx(load, rel=1e-12 + 1e-15 * step.stiffness * (1 + d / load))
+    assert force == pytest.approx(load, rel=1e-12 + 1e-15 * law.stiffness * (1 + d / load))
     assert np.isfinite(quadrature(z, slope, w, d, speed, speed, load * z.size)).all()
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_force_increases_convexly_with_the_indentation(scheme):
     z, _ = random_line(80, 0.7, 2, seed=6)
-    step = SCHEMES[scheme](0.2)
+    law = SCHEMES[scheme](0.2)
     depths = np.linspace(0.05, 6.0, 40)
     w = np.empty_like(z)
-    found = [sweep(z, d, step.decay, np.argmin(z), w)[:2] for d in depths]
+    found = [sweep(law, z, d, np.argmin(z), w)[:2] for d in depths]
     force, slope = np.array(found).T
     assert np.all(np.diff(force) > 0.0)
     assert np.all(np.diff(slope) >= -1e-12)
@@ -158,7 +160,7 @@ def test_decay_never_leaves_subnormal_numbers():
     z = np.full(3000, 5.0)
     z[2998] = 0.0  # one element touches, all others decay for almost the whole period
     w = np.empty_like(z)
-    total, slope, touching = plain(sweep)(z, 1.0, Watched(0.7), 2998, w)
+    total, slope, touching = plain(sweep)(Kelvin(Watched(0.7), 1.0, 0.0), z, 1.0, 2998, w)
     assert (total, slope, touching) == (1.0, 1.0, 1)
     assert len(products) > 2000
     assert min(p for p in products if p > 0.0) > 1e-300
@@ -169,7 +171,7 @@ def test_one_sweep_visits_every_sample_once_wherever_it_starts(deepest):
     z = 2.0 + np.cos(np.arange(80) * 0.31)
     z[deepest] = 0.0
     w = np.full_like(z, np.nan)
-    total, _, touching = sweep(z, 1.4, 0.8, deepest, w)
+    total, _, touching = sweep(Kelvin(0.8, 5.0, 0.0), z, 1.4, deepest, w)
     u = z[deepest] - 1.4
     expected = 0.0
     for k in range(1, 81):  # upstream, so that the deepest sample comes last
@@ -195,11 +197,11 @@ def test_cyclic_shifts_change_nothing(scheme):
 @pytest.mark.parametrize(("hurst", "m", "load", "speed"), CASES)
 def test_mirror_image_moving_the_other_way_is_the_same(scheme, hurst, m, load, speed):
     z, slope = random_line(60, hurst, m, seed=8)
-    step, w, d, _ = solved(z, load, speed, m, scheme)
-    mu = step_average(lagged_slope(slope, step.lag), z - w, d)
+    law, w, d, _ = solved(z, load, speed, m, scheme)
+    mu = step_average(lagged_slope(slope, law.lag), z - w, d)
     mirrored, falling = z[::-1], -slope[::-1]
-    u, free, d_mirrored = steady(mirrored, load, step.decay, direction=-1)
-    acting = (1.0 - step.lag) * falling + step.lag * np.roll(falling, 1)
+    u, free, d_mirrored = steady(mirrored, load, law.decay, direction=-1)
+    acting = (1.0 - law.lag) * falling + law.lag * np.roll(falling, 1)
     force = np.maximum(0.0, free - u)
     assert d == pytest.approx(d_mirrored, rel=1e-12)
     # Friction points the other way; one ulp of w - u against the force, as above.
@@ -208,15 +210,14 @@ def test_mirror_image_moving_the_other_way_is_the_same(scheme, hurst, m, load, s
 
 def test_vanishing_decay_is_the_elastic_contact():
     z, _ = random_line(90, 0.7, 1, seed=9)
-    w, d, _ = steady_sliding(z, 5.0, 0.0, 1.0)
+    (w, d), _ = steady_sliding(Kelvin(0.0, 1.0, 0.0), z, 5.0)
     np.testing.assert_array_equal(w, 0.0)
     assert d == pytest.approx(sorted_root(z, 5.0), rel=1e-13)
 
 
 def test_flat_line_carries_its_load_evenly():
     z = np.zeros(12)
-    step = SCHEMES["exponential"](0.3)
-    w, d, _ = steady_sliding(z, 0.25 * 12, step.decay, step.stiffness)
+    (w, d), _ = steady_sliding(SCHEMES["exponential"](0.3), z, 0.25 * 12)
     assert d == pytest.approx(0.25, rel=1e-14)
     mu, rate, contact = quadrature(z, z, w, d, 2.0, 2.0, 0.25 * 12)
     assert (mu, contact) == (0.0, 1.0)

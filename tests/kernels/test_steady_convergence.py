@@ -19,10 +19,10 @@ OFFSETS = (0.0, 0.17, 0.31, 0.5, 0.73, 0.9)
 
 def estimates(z, slope, load, speed, m, scheme):
     """Return d, mu by quadrature and mu by step average; load = Fbar."""
-    step = SCHEMES[scheme](1.0 / (m * speed))
-    w, d, _ = steady_sliding(z, load * z.size, step.decay, step.stiffness)
+    law = SCHEMES[scheme](1.0 / (m * speed))
+    (w, d), _ = steady_sliding(law, z, load * z.size)
     mu, _, _ = quadrature(z, slope, w, d, speed, speed, load * z.size)
-    return d, mu, step_average(lagged_slope(slope, step.lag), z - w, d)
+    return d, mu, step_average(lagged_slope(slope, law.lag), z - w, d)
 
 
 @pytest.fixture(scope="module", params=SCHEMES)

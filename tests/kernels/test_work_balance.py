@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, lagged_slope, march, steady_sliding
+from kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
 from tests.convergence import observed_order
 from tests.lines import random_line
 from tests.reference_march import Elements, constants, steady
@@ -29,11 +29,11 @@ def work(z, slope, m, scheme):
     """Return the work done on the line per element, from mu and d of the kernels."""
     before, after = (SCHEMES[scheme](1.0 / (m * SPEED * r)) for r in (1.0, RATIO))
     load = LOAD * z.size
-    w, d, _ = steady_sliding(z, load, before.decay, before.stiffness)
+    state, _ = steady_sliding(before, z, load)
     weight = lagged_slope(slope, after.lag)
     kept_steps = np.arange(1, DURATION * m + 1)
-    mu, depth, _, _ = march(z, weight, w, d, after.decay, after.stiffness, load, kept_steps, np.inf)
-    return LOAD * (mu.sum() / m + depth[-1] - d)  # v dt = dx / m
+    mu, depth, _, _ = march(after, ConstantForce(load), z, weight, state, kept_steps, np.inf)
+    return LOAD * (mu.sum() / m + depth[-1] - state.d)  # v dt = dx / m
 
 
 def imbalance(m, seed, scheme):

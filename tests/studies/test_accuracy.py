@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from kernels import SCHEMES, Line, lagged_slope, march, steady_sliding, step_average
+from kernels import SCHEMES, ConstantForce, Line, lagged_slope, march, steady_sliding, step_average
 from studies.accuracy.alternatives import available
 from studies.accuracy.discretisation import climb, ladder_steps, reference
 from studies.accuracy.marches import MARCHES
@@ -22,11 +22,11 @@ def kernel_march(line, point, steps):
     load = point.load * line.z.size
     dt = 1.0 / (line.steps_per_spacing * point.speed)
     one, two = SCHEMES["implicit-euler"](dt), SCHEMES["implicit-euler"](dt / 1.2)
-    w, d, _ = steady_sliding(line.z, load, one.decay, one.stiffness)
+    state, _ = steady_sliding(one, line.z, load)
     weight = lagged_slope(line.slope, 0.0)
-    steady = step_average(weight, line.z - w, d)
+    steady = step_average(weight, line.z - state.w, state.d)
     record = np.arange(1, steps + 1)
-    mu, *_ = march(line.z, weight, w, d, two.decay, two.stiffness, load, record, np.inf)
+    mu, *_ = march(two, ConstantForce(load), line.z, weight, state, record, np.inf)
     return steady, mu, dt
 
 

@@ -16,7 +16,7 @@ from typing import NamedTuple
 import numba
 import numpy as np
 
-from kernels.jit import source_hash
+from kernels.cache import source_hash
 from workflow.errors import UserError
 from workflow.plan import timing
 from workflow.plan.cost import TYPICAL, SecondsBySize, Timings

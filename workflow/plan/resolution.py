@@ -4,7 +4,7 @@ import math
 from functools import lru_cache
 
 from kernels.realization import SPEEDS
-from kernels.schemes import SHORTEST
+from kernels.rheology.kelvin import SHORTEST
 from workflow.errors import UserError
 from workflow.kinetic_law import exponent
 from workflow.plan.problems import speed_ratio

@@ -14,6 +14,7 @@ import numpy as np
 
 from kernels import (
     SCHEMES,
+    ConstantForce,
     Line,
     Quantities,
     amplitudes,
@@ -50,37 +51,38 @@ def seconds(call: Callable[[], object]) -> float:
     return median(found)
 
 
-def _line(samples: int) -> Line:
-    elements = samples // STEPS
+def _line(amplitude: np.ndarray, elements: int) -> Line:
     phases = draw_phases(np.random.default_rng(1), elements)
-    return Line.self_affine(amplitudes(HURST, elements), phases, elements, STEPS)
+    return Line.self_affine(amplitude, phases, elements, STEPS)
 
 
 def _at(samples: int) -> dict[str, float]:
     """Return the seconds of every kernel on a line of this size, all of which is marched."""
-    line, load = _line(samples), LOAD * samples
-    step = SCHEMES["exponential"](1.0 / (STEPS * SPEED))
-    w, d, sweeps = steady_sliding(line.z, load, step.decay, step.stiffness)
+    elements = samples // STEPS
+    amplitude = amplitudes(HURST, elements)  # the lines of a batch share it
+    line, load = _line(amplitude, elements), LOAD * samples
+    law, control = SCHEMES["exponential"](1.0 / (STEPS * SPEED)), ConstantForce(load)
+    state, sweeps = steady_sliding(law, line.z, load)
 
     def marching(steps: int) -> float:
         kept_steps = np.array([steps])
 
         def call() -> None:
-            weight = lagged_slope(line.slope, step.lag)
-            march(line.z, weight, w, d, step.decay, step.stiffness, load, kept_steps, np.inf, None)
+            weight = lagged_slope(line.slope, law.lag)
+            march(law, control, line.z, weight, state, kept_steps, np.inf)
 
         return seconds(call)
 
     few, many = marching(FEW), marching(MANY)
     whole = ALL_TOUCHING * samples
-    touching, deep, *_ = steady_sliding(line.z, whole, step.decay, step.stiffness)
+    touching, _ = steady_sliding(law, line.z, whole)
     each = max(many - few, 0.1 * many) / (MANY - FEW)
-    steady = seconds(lambda: steady_sliding(line.z, load, step.decay, step.stiffness))
+    steady = seconds(lambda: steady_sliding(law, line.z, load))
     return {
-        "draw": seconds(lambda: _line(samples)),
+        "draw": seconds(lambda: _line(amplitude, elements)),
         "sweep": steady / sweeps,
         "quadrature": seconds(
-            lambda: quadrature(line.z, line.slope, touching, deep, SPEED, 1.2 * SPEED, whole)
+            lambda: quadrature(line.z, line.slope, *touching, SPEED, 1.2 * SPEED, whole)
         ),
         "setup": max(few - FEW * each, 0.1 * few),
         "step": each,

@@ -6,7 +6,7 @@ from functools import lru_cache
 import numpy as np
 
 from kernels import SCHEMES, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
-from kernels.jit import compiling
+from kernels.cache import compiling
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
 from workflow.system import peak_bytes
 
@@ -23,8 +23,8 @@ def record_steps(march_steps: int, curve_samples: int) -> np.ndarray:
 def record_times(kept_steps: np.ndarray, steps_per_tau: float, scheme: str) -> np.ndarray:
     """Return the times since the jump, in tau, to which the friction of kept steps belongs.
 
-    It is a mean over the step and acts ``lag`` of a step before its end (schemes.py); at the end
-    it would be an error of first order. steps_per_tau : of the march.
+    It is a mean over the step and acts ``lag`` of a step before its end (rheology/law.py). At
+    the end it would be an error of first order. steps_per_tau : of the march.
     """
     return (kept_steps - SCHEMES[scheme](1.0 / steps_per_tau).lag) / steps_per_tau
 
@@ -56,22 +56,28 @@ def block_means(batch: Batch) -> BatchResult:
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
     curves = np.zeros((len(batch.tasks), batch.blocks, batch.curve_samples - 1))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
+    problem = batch.tasks[0].problem  # all tasks are of its H and N
+    amplitude = amplitudes(problem.hurst, problem.elements, batch.normalisation)
     for block in range(batch.blocks):
         first = (batch.first_block + block) * batch.realizations_per_block
         for index in range(first, first + batch.realizations_per_block):
-            _add_realization(batch, index, scalars[:, block], curves[:, block], spent)
+            sums = scalars[:, block], curves[:, block]
+            _add_realization(batch, amplitude, index, sums, spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
     return BatchResult(scalars, curves, spent, time.thread_time() - began, peak_bytes())
 
 
 def _add_realization(
-    batch: Batch, index: int, scalars: np.ndarray, curves: np.ndarray, spent: np.ndarray
+    batch: Batch,
+    amplitude: np.ndarray,
+    index: int,
+    sums: tuple[np.ndarray, np.ndarray],
+    spent: np.ndarray,
 ) -> None:
-    """Add one realization of every task to the sums, one row per task."""
+    """Add one realization of every task to the sums of scalars and curves, one row per task."""
     began = time.thread_time()
     hurst, elements = batch.tasks[0].problem.hurst, batch.tasks[0].problem.elements
-    amplitude = amplitudes(hurst, elements, batch.normalisation)
     phases = draw_phases(line_generator(batch.seed, hurst, elements, index), elements)
     line = None
     drawing = 0.0
@@ -81,7 +87,7 @@ def _add_realization(
             line = Line.self_affine(amplitude, phases, elements, steps)
             drawing += time.thread_time() - began
         outcome = run_case(line, _case(batch, rows), batch.quantities)
-        _add_outcome(outcome, rows, scalars, curves)
+        _add_outcome(outcome, rows, *sums)
         spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
         began = time.thread_time()
     spent[:, 0] += drawing / len(batch.tasks)

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
-from kernels.surface import NORMALISATIONS
+from kernels.surfaces.self_affine import NORMALISATIONS
 from workflow.errors import UserError
 from workflow.study.checks import (
     Key,

@@ -8,8 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kernels import Line, amplitudes, draw_phases, rms_slope
-from kernels.relaxation import touchable
-from kernels.schemes import SCHEMES
+from kernels.motion.stretches import touchable
+from kernels.rheology.kelvin import SCHEMES
 from kernels.steady import steady_sliding
 from workflow.plan.cost import TYPICAL, SecondsBySize, Work, case_seconds, sweeps, touchable_share
 
@@ -62,8 +62,8 @@ def states(count=40, elements=1000, steps=4):
         hurst, load, speed = rng.uniform(0, 1), 10 ** rng.uniform(-3, 0.5), 10 ** rng.uniform(0, 2)
         amplitude = amplitudes(hurst, elements)
         line = Line.self_affine(amplitude, draw_phases(rng, elements), elements, steps)
-        step = SCHEMES["exponential"](1.0 / (steps * speed))
-        _, d, number = steady_sliding(line.z, load * line.z.size, step.decay, step.stiffness)
+        law = SCHEMES["exponential"](1.0 / (steps * speed))
+        (_, d), number = steady_sliding(law, line.z, load * line.z.size)
         start, stop = touchable(line.z, 1.02 * d)
         share = np.sum(stop - start) / line.z.size
         yield hurst, load, speed * rms_slope(amplitude, elements), share, number

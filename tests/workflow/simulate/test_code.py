@@ -7,6 +7,7 @@ from types import FunctionType, ModuleType
 
 import pytest
 
+from kernels.rheology.law import reach
 from workflow.simulate import realizations as work
 from workflow.simulate.code import CODE, FOLDERS, code_hash
 
@@ -48,18 +49,20 @@ def reachable(function, found):
             for member in members:
                 plain = getattr(member, "__func__", member)
                 reachable(getattr(plain, "__wrapped__", getattr(plain, "py_func", plain)), found)
+                for body in getattr(plain, "bodies", {}).values():  # chosen by type
+                    reachable(body, found)
     return found
 
 
 def test_every_function_that_block_means_reaches_is_hashed():
     found = reachable(work.block_means, set())
-    assert {work.record_steps, work.line_generator} <= found
+    assert {work.record_steps, work.line_generator, *reach.bodies.values()} <= found
     files = {Path(function.__code__.co_filename) for function in found}
     root = FOLDERS[0].parent
     ours = {path for path in files if root in path.parents and ".venv" not in path.parts}
     outside = {path.relative_to(root).as_posix() for path in ours - set(HASHED)}
     assert outside <= {"workflow/system/process.py"}
-    assert len(ours) > 8  # contact, friction, line, relaxation, steady, surface ...
+    assert len(ours) > 12  # contact, force, friction, kelvin, line, march, slide, steady ...
 
 
 @pytest.fixture
@@ -86,10 +89,11 @@ def test_copies_have_the_same_hash(copied):
 
 EDITS = {
     "the steps that a record keeps": ("realizations.py", "np.linspace", "np.geomspace"),
-    "a number": ("schemes.py", "1e-200", "1e-201"),
+    "a number": ("kelvin.py", "1e-10", "1e-11"),
     "an operator": ("steady.py", "w[j] = free", "w[j] = -free"),
-    "a default": ("surface.py", '= "modal"', '= "integral"'),
-    "a flag of the compiler": ("jit.py", 'error_model="numpy"', 'error_model="python"'),
+    "a body chosen by type": ("kelvin.py", "@reach.of(Kelvin)", "@reach.of(State)"),
+    "a default": ("self_affine.py", '= "modal"', '= "integral"'),
+    "a flag of the compiler": ("jit.py", '"numpy"', '"python"'),
 }
 
 
@@ -105,7 +109,7 @@ def test_a_file_more_or_less_changes_the_hash(copied):
 
 NO_EDITS = {
     "a docstring": ("steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
-    "a comment": ("schemes.py", "# What decays below", "# Whatever decays below"),
+    "a comment": ("kelvin.py", "# Shortest step", "# The shortest step"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
     "brackets": ("realizations.py", "return (kept_steps - ", "return ((kept_steps) - "),
 }

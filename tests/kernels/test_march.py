@@ -5,8 +5,16 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, lagged_slope, march, steady_sliding, step_average
-from kernels.relaxation import SHORT_GAP, touchable
+from kernels import (
+    SCHEMES,
+    ConstantForce,
+    PrintedForce,
+    lagged_slope,
+    march,
+    steady_sliding,
+    step_average,
+)
+from kernels.motion.stretches import touchable
 from tests.lines import random_line
 from tests.reference_march import Elements, RigidElements, constants, relaxation, steady
 from tests.sizes import size
@@ -52,18 +60,19 @@ class Jump:
         self.before, self.after = (
             SCHEMES[scheme](1.0 / (scene.m * scene.speed * ratio)) for ratio in (1, scene.ratio)
         )
-        self.w, self.d = self.steady(self.before)
+        self.state = self.steady(self.before)
+        self.d = self.state.d
         self.weight = lagged_slope(self.slope, self.after.lag)
 
-    def steady(self, step):
+    def steady(self, law):
         """Return (w, d) of steady sliding."""
-        return steady_sliding(self.z, self.load, step.decay, step.stiffness)[:2]
+        return steady_sliding(law, self.z, self.load)[0]
 
-    def march(self, kept_steps, cap=np.inf, rigid=None):
+    def march(self, kept_steps, cap=np.inf, control=ConstantForce):
         """Return (mu, indentation, inside)."""
-        constants = (self.after.decay, self.after.stiffness, self.load)
+        steps = np.asarray(kept_steps)
         mu, d, _, inside = march(
-            self.z, self.weight, self.w, self.d, *constants, np.asarray(kept_steps), cap, rigid
+            self.after, control(self.load), self.z, self.weight, self.state, steps, cap
         )
         return mu, d, inside
 
@@ -108,7 +117,7 @@ def test_the_cap_does_not_change_the_march():
 def test_march_without_indentation_rate_is_the_reference_march(scene, scheme):
     jump = Jump(scene, scheme, elements=60)
     mu, d, _ = jump.reference(100, RigidElements)
-    found_mu, found_d, _ = jump.march(np.arange(1, 101), rigid=True)
+    found_mu, found_d, _ = jump.march(np.arange(1, 101), control=PrintedForce)
     # Brent's method ends within 1e-15 of d; slopes of the balance near 1, levers near 1.
     np.testing.assert_allclose(found_d, d, rtol=1e-11)
     np.testing.assert_allclose(found_mu, mu, rtol=1e-9, atol=1e-9)
@@ -123,21 +132,6 @@ def test_scenes_cover_many_stretches_one_and_none_left_out():
     assert min(counts) == 1
 
 
-def test_stretches_cover_exactly_what_can_touch():
-    z, _ = random_line(400, 0.2, 1, seed=2)
-    for cap in np.quantile(z, [0.005, 0.02, 0.3, 0.9]):
-        start, stop = touchable(z, cap)
-        inside = np.zeros(z.size, bool)
-        for a, b in zip(start, stop, strict=True):
-            inside[a:b] = True
-            assert z[a] < cap
-            assert z[b - 1] < cap
-        assert np.all(z[~inside] >= cap)
-        assert np.all(start[1:] - stop[:-1] > SHORT_GAP)
-    start, stop = touchable(z, np.inf)
-    assert (start.tolist(), stop.tolist()) == ([0], [z.size])
-
-
 @pytest.mark.parametrize("scheme", SCHEMES)
 @pytest.mark.parametrize("m", [1, 4])
 @pytest.mark.parametrize(
@@ -149,7 +143,7 @@ def test_steady_sliding_stays_steady(scheme, m, hurst, load, speed):
     mu, d, inside = jump.march(np.arange(1, size(1000, 150) + 1), 1.01 * jump.d)
     assert inside
     np.testing.assert_allclose(d, jump.d, rtol=1e-12)
-    expected = step_average(jump.weight, jump.z - jump.w, jump.d)
+    expected = step_average(jump.weight, jump.z - jump.state.w, jump.d)
     np.testing.assert_allclose(mu, expected, rtol=1e-10, atol=1e-11)
 
 
@@ -176,9 +170,9 @@ def test_only_the_recorded_steps_are_kept():
 
 def test_arguments_are_left_alone():
     jump = Jump(SCENES[3], "exponential", elements=60)
-    kept = [a.copy() for a in (jump.z, jump.weight, jump.w)]
+    kept = [a.copy() for a in (jump.z, jump.weight, jump.state.w)]
     jump.march([50])
-    for before, now in zip(kept, (jump.z, jump.weight, jump.w), strict=True):
+    for before, now in zip(kept, (jump.z, jump.weight, jump.state.w), strict=True):
         np.testing.assert_array_equal(before, now)
 
 

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.surface import sample_line
+from kernels.surfaces.self_affine import sample_line
 
 TALLEST = 1e50  # and its inverse: heights far above numbers that count as zero
 
@@ -40,6 +40,10 @@ class Line(NamedTuple):
     def self_affine(
         cls, amplitude: np.ndarray, phases: np.ndarray, elements: int, steps_per_spacing: int
     ) -> "Line":
-        """Sample the random line of surface.py."""
+        """Sample the random line of self_affine.py.
+
+        amplitude (in h), phases : of its modes, shape (N/2,), as from amplitudes and draw_phases.
+        elements : N. Raises ValueError as from_samples does.
+        """
         z, slope = sample_line(amplitude, phases, elements, steps_per_spacing)
         return cls.from_samples(z, slope, steps_per_spacing)

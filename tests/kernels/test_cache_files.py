@@ -53,9 +53,62 @@ def test_sound_machine_code_is_used(cold):
     assert solve(cold[0]) == (cold[1], 1, "")
 
 
+LAW = """
+from typing import NamedTuple
+from kernels.rheology.law import reach
+
+class Squared(NamedTuple):
+    root: float  # of the decay
+    stiffness: float
+    lag: float
+
+@reach.of(Squared)
+def _reach(law, u):
+    return law.root * (law.root * u)
+"""
+EVERY = """
+import sys
+import numpy as np
+from numba.core.dispatcher import Dispatcher
+from kernels import ConstantForce, Kelvin, PrintedForce, State, march, steady_sliding
+from kernels.steady import sweep
+from law_of_another_file import Squared
+z = 1.0 + np.cos(0.3 * np.arange(40))
+for law in (Kelvin(0.25, 4.0 / 3.0, 0.5), Squared(0.5, 4.0 / 3.0, 0.5)):
+    state, _ = steady_sliding(law, z, 4.0)
+    sweep(law, z, state.d, 10, state.w)
+    start = State(0.5 * state.w, state.d)  # it has to settle
+    for control in (ConstantForce, PrintedForce)[: 2 if law[0] == 0.25 else 1]:
+        mu, *_ = march(law, control(4.0), z, np.sin(z), start, np.array([2]), 3.0)
+        print(state.d.hex(), float(mu[0]).hex())
+modules = [module for name, module in sys.modules.items() if name.startswith("kernels")]
+found = {id(v): v for m in modules for v in vars(m).values() if isinstance(v, Dispatcher)}
+print(sum(sum(kernel.stats.cache_misses.values()) for kernel in found.values()))
+print(sum(len(kernel.stats.cache_hits) for kernel in (steady_sliding, sweep, march)))
+"""
+
+
+def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_path):
+    """Also a law of a new file, which no file of kernels knows; its numbers are Kelvin's."""
+    (tmp_path / "law_of_another_file.py").write_text(LAW)
+    path = os.pathsep.join([str(tmp_path), str(ROOT)])
+    environment = {**os.environ, "PYTHONPATH": path, "NUMBA_CACHE_DIR": str(tmp_path / "cache")}
+    command = [sys.executable, "-c", EVERY]
+    first, second = (
+        subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+        for _ in range(2)
+    )
+    *numbers, misses, hits = first.stdout.splitlines()
+    assert int(misses) > 8
+    assert int(hits) == 0
+    assert numbers[0] == numbers[2]  # Kelvin under a constant force, and the other law
+    assert numbers[0] != numbers[1]
+    assert second.stdout.splitlines() == [*numbers, "0", "7"]
+
+
 TOGETHER = """
 from kernels import contact
-from kernels.jit import compiling
+from kernels.cache import compiling
 import numpy as np
 with compiling():
     contact.solve_indentation(np.array([0.0, 0.5, 1.0]), 1.0, 0.0)

@@ -1,11 +1,11 @@
-"""Time schemes: identities of their three constants and their limits."""
+"""The Kelvin element in both time schemes: identities of its constants, and their limits."""
 
 import math
 
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, Step
+from kernels import SCHEMES, Kelvin
 from tests.reference_march import constants
 
 STEPS = tuple(np.geomspace(1e-6, 30.0, 15))
@@ -64,7 +64,7 @@ def test_implicit_euler_reads_the_slope_at_the_end_of_the_step():
 def test_extreme_steps_stay_finite(scheme):
     for dt in (1e-12, 1e4, 1e12):
         step = SCHEMES[scheme](dt)
-        assert isinstance(step, Step)
+        assert isinstance(step, Kelvin)
         assert np.all(np.isfinite(step))
         assert 0.0 <= step.decay < 1.0
         assert step.stiffness >= 1.0

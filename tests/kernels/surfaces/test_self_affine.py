@@ -15,7 +15,7 @@ def drawn(hurst, elements, seed=1):
 
 
 def cosine_sum(amplitude, phases, elements, m):
-    """Return heights and slopes by the sum that defines the line (surface.py)."""
+    """Return heights and slopes by the sum that defines the line (self_affine.py)."""
     x = np.arange(elements * m) / m
     q = 2.0 * np.pi * np.arange(1, amplitude.size + 1) / elements
     angle = np.outer(x, q) + phases

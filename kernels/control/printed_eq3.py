@@ -1,0 +1,50 @@
+"""Constant normal force with eq. 3 as it is printed: the indentation rate costs no force.
+
+For comparison with Li et al. (2014), doi:10.1038/srep05795: eq. 3 has v z' for the rate of an
+element in contact, where u = z - d moves at v z' - d'. Defined for the Kelvin element alone.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.contact import solve_indentation
+from kernels.control.balance import balance, note
+
+
+class PrintedForce(NamedTuple):
+    """The elements carry the load together, without the indentation rate in their forces."""
+
+    load: float  # sum of the forces of all elements, n Fbar
+
+
+@note.of(PrintedForce)
+def _held(control, c, d, first):
+    """Return which samples an element reaches straight from contact one sample upstream."""
+    held = np.zeros(c.size, np.bool_)
+    for s in range(first.size - 1):
+        for i in range(first[s], first[s + 1] - 1):
+            held[i] = c[i + 1] < d
+    return held
+
+
+@balance.of(PrintedForce)
+def _balance(control, law, z, c, noted, d, step):
+    """Balance the load where held elements move with the line but not with the indentation.
+
+    Their last displacement counts as z - d with the new d: the rate of d costs no force. The
+    force of a held element is then d - (z_i - E z_(i+1)) / (1 - E), E the decay, as K (1 - E)
+    is 1. c is left consistent with the new d.
+    """
+    held = noted
+    threshold = c.copy()
+    weight = np.full(c.size, law.stiffness)
+    for i in range(c.size):
+        if held[i]:
+            threshold[i] = (z[i] - law.decay * z[i + 1]) / (1.0 - law.decay)
+            weight[i] = 1.0
+    d, passes = solve_indentation(threshold, control.load, d, weight)
+    for i in range(c.size):
+        if held[i]:
+            c[i] = z[i] - law.decay * (z[i + 1] - d)
+    return d, passes

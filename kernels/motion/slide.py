@@ -1,0 +1,75 @@
+"""Sliding by whole samples: with an element at every sample nothing is interpolated.
+
+A step moves each element to the next sample of the line, against the motion. State and
+thresholds are kept at the samples of the stretches that can touch (stretches.py). Elements in
+the gaps between them just decay; a ring per gap hands them from one stretch to the next.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.jit import kernel
+from kernels.motion.stretches import bounds
+from kernels.rheology.law import NEGLIGIBLE, reach
+
+
+class Rings(NamedTuple):
+    """Displacements with which elements cross the gaps.
+
+    Ring s covers the gap above stretch s. The element to arrive in t steps is in slot
+    t % (gap + 1), decayed to its arrival.
+    """
+
+    slots: np.ndarray  # of all rings
+    at: np.ndarray  # where each ring begins, and the end of the last
+    crossing: np.ndarray  # decay over each whole gap
+
+
+@kernel
+def start_rings(law, z, state, start, stop):
+    """Return the Rings at the start: elements in flight decay anew from where they are."""
+    n = z.size
+    gap = np.append(start[1:], start[0] + n) - stop
+    at = bounds(gap + 1)
+    slots = np.empty(at[-1])
+    crossing = np.ones(start.size)
+    for s in range(start.size):
+        for t in range(1, gap[s] + 2):
+            crossing[s] = reach(law, crossing[s])
+            if crossing[s] < NEGLIGIBLE:
+                crossing[s] = 0.0
+            j = (stop[s] - 1 + t) % n
+            slots[at[s] + t % (gap[s] + 1)] = crossing[s] * min(state.w[j], z[j] - state.d)
+    return Rings(slots, at, crossing)
+
+
+@kernel
+def shift(law, z, c, d, first, rings, step):
+    """Move every element to the next sample: thresholds c of the step before contact.
+
+    z : line, c : thresholds of the step before, both at the samples of the stretches, stretch s
+    from first[s] on. d : the indentation that step ended with. step : number, from 1 on.
+    """
+    if step > 1:  # the rings start with all that has left before
+        _depart(z, c, d, first, rings, step - 1)
+    for s in range(first.size - 1):
+        for i in range(first[s], first[s + 1] - 1):
+            c[i] = z[i] - reach(law, z[i + 1] - max(c[i + 1], d))
+        last = first[s + 1] - 1
+        c[last] = z[last] - rings.slots[_slot(rings, s, step)]
+
+
+@kernel
+def _depart(z, c, d, first, rings, step):
+    """Send the elements that leave their stretches over the gaps, at the end of a step."""
+    for s in range(first.size - 1):
+        below = s - 1 if s > 0 else first.size - 2
+        leaving = z[first[s]] - max(c[first[s]], d)
+        rings.slots[_slot(rings, below, step)] = rings.crossing[below] * leaving
+
+
+@kernel
+def _slot(rings, s, step):
+    """Return the slot of ring s whose element arrives in this step."""
+    return rings.at[s] + step % (rings.at[s + 1] - rings.at[s])

@@ -1,0 +1,52 @@
+"""The stretches of a line that can touch: only they are carried along.
+
+A sample above a cap that the indentation never reaches cannot touch the element under it:
+between two stretches elements merely decay (slide.py).
+"""
+
+import numpy as np
+
+from kernels.jit import kernel
+
+SHORT_GAP = 16  # gaps up to this many samples are cheaper to carry along than to skip
+
+
+@kernel
+def touchable(z, cap):
+    """Return (start, stop) of the stretches of z < cap, in line order, both int64 arrays.
+
+    z : heights, shape (n,); z[0] must not be below cap unless all of z is.
+    """
+    start = np.empty(z.size // 2 + 1, np.int64)
+    stop = np.empty(z.size // 2 + 1, np.int64)
+    count = 0
+    for j in range(z.size):
+        if z[j] < cap:
+            if count > 0 and j - stop[count - 1] <= SHORT_GAP:
+                stop[count - 1] = j + 1
+            else:
+                start[count] = j
+                stop[count] = j + 1
+                count += 1
+    return start[:count].copy(), stop[:count].copy()
+
+
+@kernel
+def gather(values, start, stop):
+    """Return the values of all stretches [start, stop) one after the other."""
+    out = np.empty(np.sum(stop - start))
+    a = 0
+    for s in range(start.size):
+        b = a + stop[s] - start[s]
+        out[a:b] = values[start[s] : stop[s]]
+        a = b
+    return out
+
+
+@kernel
+def bounds(lengths):
+    """Return where each of consecutive pieces begins, and the end of the last."""
+    out = np.zeros(lengths.size + 1, np.int64)
+    for s in range(lengths.size):
+        out[s + 1] = out[s] + lengths[s]
+    return out

@@ -1,0 +1,1 @@
+"""Tests of kernels/motion, one module per module."""
