@@ -5,9 +5,12 @@ BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
 SCALE  ?=
 ARGS   ?=
+PYTEST := $(BIN)/python -m pytest -n auto
+USUAL  := not cluster and not exhaustive
+NUMERICAL := tests/kernels tests/hard tests/independent tests/workflow/reduce
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-cluster chaos fuzz coverage test-nojit check bench mutation intervals clean
+.PHONY: help setup studies report test test-all test-cluster test-nojit test-processors chaos fuzz coverage check bench mutation intervals clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
@@ -30,11 +33,23 @@ studies: $(READY) ## Run all studies one after the other, then the report [SCALE
 report: $(READY) ## Write results/report.html from the results that are there
 	$(BIN)/python -m workflow report
 
-test: $(READY) ## Run the test-suite, but for the tests with clusters
-	$(BIN)/python -m pytest -m "not cluster"
+test: $(READY) ## Run the tests on all cores: all but those with clusters and the exhaustive ones
+	$(PYTEST) -m "$(USUAL)"
+
+test-all: $(READY) ## Run the tests on all cores, the exhaustive ones as well
+	$(PYTEST) -m "not cluster" --hypothesis-profile exhaustive
 
 test-cluster: $(READY) ## Run the tests with real clusters on this machine (SLURM if it is installed)
 	$(BIN)/python -m pytest -m cluster tests/cluster
+
+test-nojit: $(READY) ## Run the tests of the kernels as plain Python
+	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)
+
+test-processors: $(READY) ## Run the numerical tests as other processors do: plain instructions, other rounding
+	NUMBA_CPU_NAME=generic NUMBA_CPU_FEATURES= NPY_DISABLE_CPU_FEATURES="$$($(BIN)/python -c \
+	  'import numpy; print(*numpy.show_config(mode="dicts")["SIMD Extensions"].get("found", []))')" \
+	  $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
+	LAST_BIT=1 $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
 
 chaos: $(READY) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
 	$(BIN)/python -m tests.tools.chaos $(ARGS)
@@ -42,13 +57,10 @@ chaos: $(READY) ## Kill what computes a study 50 times, compare the result [ARGS
 fuzz: $(READY) ## Fuzz the reader of studies [FUZZ_SECONDS=600]
 	$(BIN)/python -m tests.tools.fuzz
 
-test-nojit: $(READY) ## Run the tests of the kernels as plain Python
-	NUMBA_DISABLE_JIT=1 $(BIN)/python -m pytest tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)
-
-coverage: $(READY) ## Measure which lines the tests run: kernels as plain Python, workers too
+coverage: $(READY) ## Measure which lines make test runs: kernels as plain Python, workers too
 	$(BIN)/coverage erase
-	NUMBA_DISABLE_JIT=1 $(BIN)/coverage run -m pytest -q tests/kernels
-	$(BIN)/coverage run -m pytest -q tests/workflow tests/studies/test_plans.py
+	NUMBA_DISABLE_JIT=1 $(BIN)/coverage run -m pytest -q -m "$(USUAL)" tests/kernels
+	$(BIN)/coverage run -m pytest -q -n auto -m "$(USUAL)"
 	$(BIN)/coverage combine --quiet
 	$(BIN)/coverage report
 
