@@ -6,27 +6,19 @@ The examples are changes of the small study (small.py): settings as for --set, `
 
 import ast
 import re
-import tomllib
 from pathlib import Path
 
 import pytest
 
+from tests.support.documents import without
 from tests.support.small import TEXT, small_study
-from tests.workflow.study.test_fuzz import document
 from workflow.errors import UserError
 from workflow.plan.plan import make_plan
 
 ROOT = Path(__file__).resolve().parents[1]
+STUDY = ("checks", "cluster", "grid", "numerics", "read", "study")
 DOCUMENT = ROOT / "docs" / "limits.md"
-CHECKED = (
-    "plan/problems",
-    "study/checks",
-    "study/cluster",
-    "study/grid",
-    "study/numerics",
-    "study/read",
-    "study/study",
-)
+CHECKED = ("plan/problems", *(f"study/{name}" for name in STUDY))
 ELSEWHERE = {"find_study"}  # its answers name all studies; see test_refusals.py
 
 
@@ -49,10 +41,7 @@ def refuse(example):
     """Return (message, places where it was raised) of a refused example."""
     text, settings, scale = TEXT, [], None
     if example.startswith("without "):
-        table, key = example.removeprefix("without ").split(".")
-        tables = tomllib.loads(TEXT)
-        del tables[table][key]
-        text = document(tables)
+        text = without(example.removeprefix("without "))
     elif example.startswith("file "):
         text = example.removeprefix("file ").replace("[ x 5000", "[" * 5000)
     elif example.startswith("--scale "):

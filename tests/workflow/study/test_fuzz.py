@@ -4,7 +4,6 @@
 """
 
 import copy
-import json
 import math
 import os
 import tempfile
@@ -14,6 +13,7 @@ from pathlib import Path
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from tests.support.documents import document
 from tests.support.small import TEXT, small_study, write_study
 from workflow.errors import UserError
 from workflow.plan.plan import make_plan
@@ -62,21 +62,8 @@ VALUES = st.one_of(
 PLACES = st.tuples(st.sampled_from(TABLE_NAMES), st.sampled_from(NAMES))
 PIECES = st.one_of(
     st.text(max_size=3),
-    st.sampled_from(
-        [
-            *("[", "]", "[[", "{", "}", "=", '"', '"""', "'''", "\n", "#", ",", "nan", "-inf"),
-            *(
-                "1e400",
-                "1_0",
-                "0x1F",
-                "1979-05-27T07:32:00Z",
-                "\\u0000",
-                "\ufeff",
-                "[grid]",
-                "a.b=1",
-            ),
-        ]
-    ),
+    st.sampled_from([*'[]{}="\n#,', "[[", '"""', "'''", "nan", "-inf", "1e400", "1_0", "0x1F"]),
+    st.sampled_from(["1979-05-27T07:32:00Z", "\\u0000", "\ufeff", "[grid]", "a.b=1"]),
 )
 EDITS = st.lists(st.tuples(st.floats(0.0, 1.0), st.integers(0, 8), PIECES), min_size=1, max_size=4)
 SETTINGS = st.one_of(
@@ -88,24 +75,6 @@ SETTINGS = st.one_of(
         st.one_of(st.text(max_size=8), NUMBERS.map(str), PIECES),
     ),
 )
-
-
-def toml(value):
-    """Return ``value`` as inline TOML."""
-    if isinstance(value, dict):
-        return "{" + ", ".join(f"{json.dumps(k)} = {toml(v)}" for k, v in value.items()) + "}"
-    if isinstance(value, list):
-        return "[" + ", ".join(toml(entry) for entry in value) + "]"
-    if isinstance(value, bool | str):
-        return json.dumps(value)
-    if isinstance(value, int | float):
-        return repr(value)
-    return value.isoformat()
-
-
-def document(tables):
-    """Return the tables as text."""
-    return "\n".join(f"{json.dumps(key)} = {toml(value)}" for key, value in tables.items())
 
 
 def outcome(text, *given_settings, scale=None):

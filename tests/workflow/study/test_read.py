@@ -18,13 +18,9 @@ def test_scale_replaces_a_generated_axis_whole():
     assert small_study(text=text, scale="wide").grid["normal_force"] == (1.0, 2.0)
 
 
-def test_settings_override_the_scale():
-    study = small_study("grid.normal_force=7", scale="wide")
-    assert study.grid["normal_force"] == (7.0,)
-
-
-def test_the_last_of_two_settings_holds():
-    assert small_study("study.seed=7", "study.seed=8").seed == 8
+def test_settings_override_the_scale_and_the_last_of_them_holds():
+    study = small_study("grid.normal_force=7", "grid.normal_force=8", scale="wide")
+    assert study.grid["normal_force"] == (8.0,)
 
 
 @pytest.mark.parametrize("text", ["exponential", '"exponential"', " exponential "])
@@ -45,14 +41,8 @@ def test_studies_of_the_current_folder_come_first(tmp_path, monkeypatch):
     assert find_study("fig7") == mine
 
 
-def test_study_is_found_by_path(tmp_path):
-    path = write_study(tmp_path)
-    study = read_study(path)
+def test_a_study_is_named_after_its_file_or_its_folder(tmp_path):
+    study = read_study(write_study(tmp_path))
     assert (study.name, study.folder) == ("small", tmp_path)
-
-
-def test_study_toml_is_named_after_its_folder(tmp_path):
-    path = tmp_path / "mine" / "study.toml"
-    path.parent.mkdir()
-    path.write_text(TEXT)
-    assert read_study(str(path)).name == "mine"
+    (tmp_path / "study.toml").write_text(TEXT)
+    assert read_study(str(tmp_path / "study.toml")).name == tmp_path.name

@@ -1,0 +1,32 @@
+"""Tables written as TOML."""
+
+import json
+import tomllib
+
+from tests.support.small import TEXT
+
+
+def toml(value):
+    """Return ``value`` as inline TOML."""
+    if isinstance(value, dict):
+        return "{" + ", ".join(f"{json.dumps(k)} = {toml(v)}" for k, v in value.items()) + "}"
+    if isinstance(value, list):
+        return "[" + ", ".join(toml(entry) for entry in value) + "]"
+    if isinstance(value, bool | str):
+        return json.dumps(value)
+    if isinstance(value, int | float):
+        return repr(value)
+    return value.isoformat()
+
+
+def document(tables):
+    """Return the tables as text."""
+    return "\n".join(f"{json.dumps(key)} = {toml(value)}" for key, value in tables.items())
+
+
+def without(where):
+    """Return the text of the small study without the setting TABLE.KEY."""
+    tables = tomllib.loads(TEXT)
+    table, key = where.split(".")
+    del tables[table][key]
+    return document(tables)
