@@ -8,7 +8,7 @@ import xarray as xr
 from workflow.plan import Plan, Variant
 from workflow.reduce import Estimates
 from workflow.result.provenance import provenance
-from workflow.result.variables import AXIS_ATTRIBUTES, HEIGHT, SLOPE, attributes, declared
+from workflow.result.variables import AXIS_ATTRIBUTES, Powers, attributes, declared
 from workflow.study import AXES
 
 Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are its comparisons
@@ -26,12 +26,11 @@ def build_dataset(
     data = {}
     for name, values in estimates.items():
         variable = declared(name)
-        on_grid = values[plan.point_task]
-        factor = _factor(variable.scaling, coords)
-        if factor is not None:
-            on_grid = on_grid * factor.reshape(factor.shape + (1,) * (on_grid.ndim - factor.ndim))
-        data[name] = (variable.dims, on_grid)
-    data |= {name: (declared(name).dims, values) for name, values in exponents.items()}
+        data[name] = xr.DataArray(values[plan.point_task], dims=variable.dims)
+        if variable.scaling:  # or a flag would become a float
+            data[name] = data[name] * _factor(variable.scaling, coords)
+    for name, values in exponents.items():
+        data[name] = xr.DataArray(values, dims=declared(name).dims)
     if "mu" in estimates:
         coords["sample"] = np.arange(variant.numerics.curve_samples)
     dataset = xr.Dataset(data, coords, provenance(plan.study, variant.numerics))
@@ -39,18 +38,13 @@ def build_dataset(
     return dataset
 
 
-def _factor(scaling: str, coords: dict[str, np.ndarray]) -> np.ndarray | None:
-    """Return what turns a dimensionless value into SI, on the six-dimensional grid."""
-    shape = [1] * len(AXES)
-    shape[AXES.index("roughness")] = -1
-    roughness = coords["roughness"].reshape(shape)
-    if scaling == HEIGHT:
-        return roughness
-    if scaling == SLOPE:
-        shape = [1] * len(AXES)
-        shape[AXES.index("spacing")] = -1
-        return roughness / coords["spacing"].reshape(shape)
-    return None
+def _factor(scaling: Powers, coords: dict[str, np.ndarray]) -> xr.DataArray:
+    """Return what turns a dimensionless value into SI, over the axes that it depends on."""
+    factor = xr.DataArray(1.0)
+    for axis, power in scaling.items():
+        values = xr.DataArray(coords[axis], dims=axis)
+        factor = factor * values**power if power > 0 else factor / values**-power
+    return factor
 
 
 def _annotate(dataset: xr.Dataset, freedom: int) -> None:

@@ -1,4 +1,4 @@
-"""Every variable of a result file, declared once: dims, units, meaning, how it scales."""
+"""Every variable of a result file, declared once: meaning, how it scales, units, dims."""
 
 from typing import NamedTuple
 
@@ -11,7 +11,11 @@ GRID = AXES
 CURVE = (*AXES, "sample")
 PER_HURST = ("hurst",)
 
-SLOPE, HEIGHT, PLAIN = "slope", "height", "plain"  # times h/dx, times h, as it is
+Powers = dict[str, int]  # of axes of the grid, by which a dimensionless value is multiplied
+
+PLAIN: Powers = {}
+HEIGHT: Powers = {"roughness": 1}
+SLOPE: Powers = {"roughness": 1, "spacing": -1}
 FLAG, COUNT = "int8", "int32"
 
 ERRORS = "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
@@ -20,10 +24,10 @@ ERRORS = "value +- t * error, t of Student with degrees_of_freedom, is an interv
 class Variable(NamedTuple):
     """Declaration of one variable."""
 
-    dims: tuple[str, ...]
-    units: str
     long_name: str
-    scaling: str = PLAIN
+    scaling: Powers = PLAIN  # from the plan's units to SI
+    units: str = "1"
+    dims: tuple[str, ...] = GRID
     comment: str = ""
     dtype: str = "float64"
 
@@ -38,74 +42,62 @@ AXIS_ATTRIBUTES = {
     "sample": ("1", "sample of the relaxation curve; 0 is just after the jump"),
 }
 
-VARIABLES: dict[str, Variable] = {
-    "mu_1": Variable(GRID, "1", "steady coefficient of friction at v1", SLOPE),
-    "mu_2": Variable(GRID, "1", "steady coefficient of friction at v2", SLOPE),
-    "indentation": Variable(GRID, "m", "steady indentation d at v1", HEIGHT),
-    "contact_fraction": Variable(GRID, "1", "share of the line in contact at v1"),
-    "jump": Variable(GRID, "1", "instantaneous jump of the coefficient of friction", SLOPE),
+VARIABLES = {
+    "mu_1": Variable("steady coefficient of friction at v1", SLOPE),
+    "mu_2": Variable("steady coefficient of friction at v2", SLOPE),
+    "indentation": Variable("steady indentation d at v1", HEIGHT, "m"),
+    "contact_fraction": Variable("share of the line in contact at v1"),
+    "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE),
     "relaxation_rate": Variable(
-        GRID, "1", "relaxation rate b of eq. 6, per tau", comment="fit with mu_2 known"
+        "relaxation rate b of eq. 6, per tau", comment="fit with mu_2 known"
     ),
     "relaxation_rate_free": Variable(
-        GRID,
-        "1",
         "relaxation rate b of eq. 6, per tau",
         comment="fit with mu_2 free; NaN where the window does not determine rate and offset both",
     ),
-    "amplitude": Variable(GRID, "1", "amplitude mu* of eq. 6, with mu_2 known", SLOPE),
-    "fit_status": Variable(
-        GRID, "1", "outcome of the fit of eq. 6", comment=STATUS_COMMENT, dtype=FLAG
-    ),
+    "amplitude": Variable("amplitude mu* of eq. 6, with mu_2 known", SLOPE),
+    "fit_status": Variable("outcome of the fit of eq. 6", comment=STATUS_COMMENT, dtype=FLAG),
     "fit_window": Variable(
-        GRID, "1", "end of the fit window in tau", comment="starts at the first step after the jump"
+        "end of the fit window in tau", comment="starts at the first step after the jump"
     ),
-    "fit_quality": Variable(
-        GRID, "1", "1 - residual / total sum of squares of mu - mu_2 in the fit window"
-    ),
-    "best_model": Variable(GRID, "1", "model that predicts left-out blocks best", dtype=FLAG),
-    "stretched_rate": Variable(GRID, "1", "rate b of A exp(-(b t)^beta), per tau"),
-    "stretched_exponent": Variable(GRID, "1", "exponent beta of A exp(-(b t)^beta)"),
-    "fast_rate": Variable(GRID, "1", "faster rate of two exponentials, per tau"),
-    "slow_rate": Variable(GRID, "1", "slower rate of two exponentials, per tau"),
-    "fast_share": Variable(GRID, "1", "share of the faster exponential in the amplitude"),
+    "fit_quality": Variable("1 - residual / total sum of squares of mu - mu_2 in the fit window"),
+    "best_model": Variable("model that predicts left-out blocks best", dtype=FLAG),
+    "stretched_rate": Variable("rate b of A exp(-(b t)^beta), per tau"),
+    "stretched_exponent": Variable("exponent beta of A exp(-(b t)^beta)"),
+    "fast_rate": Variable("faster rate of two exponentials, per tau"),
+    "slow_rate": Variable("slower rate of two exponentials, per tau"),
+    "fast_share": Variable("share of the faster exponential in the amplitude"),
     "gain_stretched": Variable(
-        GRID, "1", "squared prediction error that a stretched exponential saves against eq. 6"
+        "squared prediction error that a stretched exponential saves against eq. 6"
     ),
     "gain_two_exponentials": Variable(
-        GRID, "1", "squared prediction error that two exponentials save against eq. 6"
+        "squared prediction error that two exponentials save against eq. 6"
     ),
-    "deviation": Variable(CURVE, "1", "mu - mu_2 after the jump", SLOPE),
-    "mu": Variable(CURVE, "1", "coefficient of friction after the jump", SLOPE),
-    "time": Variable(CURVE, "1", "time since the jump, (t - t0)/tau"),
-    "rms_slope": Variable(GRID, "1", "spectral rms slope of the line", SLOPE),
-    "speed_ratio": Variable(GRID, "1", "x = v1 tau q_max"),
+    "deviation": Variable("mu - mu_2 after the jump", SLOPE, dims=CURVE),
+    "mu": Variable("coefficient of friction after the jump", SLOPE, dims=CURVE),
+    "time": Variable("time since the jump, (t - t0)/tau", dims=CURVE),
+    "rms_slope": Variable("spectral rms slope of the line", SLOPE),
+    "speed_ratio": Variable("x = v1 tau q_max"),
     "realizations": Variable(
-        GRID,
-        "1",
-        "number of realizations averaged",
-        comment="0: the computation failed",
-        dtype=COUNT,
+        "number of realizations averaged", comment="0: the computation failed", dtype=COUNT
     ),
-    "steps_per_spacing": Variable(GRID, "1", "steps, and elements, per spacing dx", dtype=COUNT),
+    "steps_per_spacing": Variable("steps, and elements, per spacing dx", dtype=COUNT),
     "accuracy_reached": Variable(
-        GRID,
-        "1",
         "relative standard error plus bound of the discretisation error, the largest of what was "
         "asked for",
         comment="inf: not known; NaN: nothing that was asked for has a relative error here",
     ),
-    "accuracy_status": Variable(GRID, "1", "whether numerics.accuracy was met", dtype=FLAG),
+    "accuracy_status": Variable("whether numerics.accuracy was met", dtype=FLAG),
     "bias_bound": Variable(
-        GRID, "1", "bound of the relative discretisation error, the largest of what was asked for"
+        "bound of the relative discretisation error, the largest of what was asked for"
     ),
     "alpha": Variable(
-        PER_HURST, "1", "exponent of eq. 13, b = x^alpha, over fitted points with x > 1"
+        "exponent of eq. 13, b = x^alpha, over fitted points with x > 1", dims=PER_HURST
     ),
-    "alpha_free": Variable(PER_HURST, "1", "exponent of b = c x^alpha over the same points"),
-    "alpha_prefactor": Variable(PER_HURST, "1", "prefactor c of b = c x^alpha"),
-    "alpha_scatter": Variable(PER_HURST, "1", "rms of log10(b / x^alpha)"),
-    "alpha_points": Variable(PER_HURST, "1", "number of points in the fit of eq. 13", dtype=COUNT),
+    "alpha_free": Variable("exponent of b = c x^alpha over the same points", dims=PER_HURST),
+    "alpha_prefactor": Variable("prefactor c of b = c x^alpha", dims=PER_HURST),
+    "alpha_scatter": Variable("rms of log10(b / x^alpha)", dims=PER_HURST),
+    "alpha_points": Variable("number of points in the fit of eq. 13", dims=PER_HURST, dtype=COUNT),
 }
 
 FLAGS = {

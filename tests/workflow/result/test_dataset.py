@@ -4,10 +4,12 @@ import json
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from tests.support.curves import assembled
 from workflow.reduce.fits import FITTED
 from workflow.result.dataset import build_dataset
+from workflow.result.variables import VARIABLES
 from workflow.study.grid import AXES
 
 ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing"}
@@ -83,6 +85,17 @@ def test_indentation_scales_with_h(made, dataset, name, point):
 def test_rates_shares_and_times_are_dimensionless(made, dataset, name, point):
     value, _, _ = expected_at(made, name, point)
     assert np.array_equal(dataset[name].sel(point).values, value, equal_nan=True)
+
+
+def test_a_variable_may_scale_with_any_axes(made, monkeypatch):
+    plan, estimates, _ = made
+    power = VARIABLES["mu_1"]._replace(scaling={"normal_force": 1, "velocity": 2, "spacing": -1})
+    monkeypatch.setitem(VARIABLES, "mu_1", power)
+    found = build_dataset(plan, plan.variants[0], estimates, {})
+    for name in ("mu_1", "mu_1_error"):
+        plain = xr.DataArray(estimates[name][plan.point_task], dims=AXES)
+        expected = plain * (found.normal_force * found.velocity**2 / found.spacing)
+        np.testing.assert_allclose(found[name], expected)
 
 
 def test_speed_ratio_is_that_of_the_point(dataset):
