@@ -10,7 +10,9 @@ from hypothesis import settings
 from tests.last_bit import perturb
 
 perturb()
-settings.register_profile("exhaustive", max_examples=1000)
+settings.register_profile("usual", deadline=None)  # no test depends on the speed of the machine
+settings.register_profile("exhaustive", settings.get_profile("usual"), max_examples=1000)
+settings.load_profile("usual")
 
 # What takes longest comes first, so that no process is left alone with it in the end.
 ORDER = ("studies", "workflow/run", "workflow/cluster", "hard", "workflow", "independent")

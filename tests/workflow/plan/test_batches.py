@@ -33,7 +33,7 @@ def seconds(plan, stored=frozenset(), target=3.0):
     return sum(batch.seconds for batch in cut_batches(plan, set(stored), target))
 
 
-@settings(max_examples=60, deadline=None)
+@settings(max_examples=60)
 @given(
     st.sampled_from([PLAN, BLOCKED]),
     st.randoms(use_true_random=False),

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.curves import RATE, exponential_blocks
-from workflow.reduce.estimates import reduce_blocks
+from workflow.reduce.estimates import Blocks, reduce_blocks
 from workflow.reduce.fits import FITTED
 from workflow.simulate.tasks import SCALARS
 
@@ -13,35 +13,23 @@ FOUND = reduce_blocks(BLOCKS)
 COUNT = BLOCKS.scalars.shape[1]
 
 
-@pytest.mark.parametrize("name", SCALARS)
+VALUES = dict(zip(SCALARS, np.moveaxis(BLOCKS.scalars, 2, 0), strict=True))
+START = VALUES["mu_1"] + VALUES["jump"]  # just after the jump
+VALUES["mu"] = np.concatenate([START[..., None], BLOCKS.curves], axis=2)
+VALUES["deviation"] = VALUES["mu"] - VALUES["mu_2"][..., None]
+
+
+@pytest.mark.parametrize("name", VALUES)
 def test_estimate_is_the_mean_and_its_error_the_classical_one(name):
-    values = BLOCKS.scalars[:, :, SCALARS.index(name)]
-    np.testing.assert_allclose(FOUND[name], values.mean(axis=1), rtol=1e-12)
+    values = VALUES[name]
+    np.testing.assert_allclose(FOUND[name], values.mean(axis=1), rtol=1e-12, atol=1e-14)
     classical = values.std(axis=1, ddof=1) / np.sqrt(COUNT)
-    np.testing.assert_allclose(FOUND[f"{name}_error"], classical, rtol=1e-6, atol=1e-15)
+    np.testing.assert_allclose(FOUND[f"{name}_error"], classical, rtol=1e-6, atol=1e-14)
 
 
 def test_curve_starts_just_after_the_jump():
-    start = BLOCKS.scalars[:, :, SCALARS.index("mu_1")] + BLOCKS.scalars[:, :, -1]
-    np.testing.assert_allclose(FOUND["mu"][:, 0], start.mean(axis=1))
-    error = start.std(axis=1, ddof=1) / np.sqrt(COUNT)
-    np.testing.assert_allclose(FOUND["mu_error"][:, 0], error)
     assert FOUND["time"][:, 0].tolist() == [0.0] * 3
-
-
-def test_curve_is_the_mean_over_blocks_with_its_error():
-    np.testing.assert_allclose(FOUND["mu"][:, 1:], BLOCKS.curves.mean(axis=1))
-    error = BLOCKS.curves.std(axis=1, ddof=1) / np.sqrt(COUNT)
-    np.testing.assert_allclose(FOUND["mu_error"][:, 1:], error)
     assert np.array_equal(FOUND["time"][:, 1:], BLOCKS.time, equal_nan=True)
-
-
-def test_deviation_is_the_curve_over_the_steady_value_of_each_block():
-    mu_2 = BLOCKS.scalars[:, :, SCALARS.index("mu_2"), None]
-    deviation = BLOCKS.curves - mu_2
-    np.testing.assert_allclose(FOUND["deviation"][:, 1:], deviation.mean(axis=1), atol=1e-14)
-    error = deviation.std(axis=1, ddof=1) / np.sqrt(COUNT)
-    np.testing.assert_allclose(FOUND["deviation_error"][:, 1:], error, rtol=1e-6, atol=1e-14)
 
 
 def test_rate_of_each_task_is_found_with_mu_2_known_and_free():
@@ -52,9 +40,7 @@ def test_rate_of_each_task_is_found_with_mu_2_known_and_free():
 
 
 def test_amplitude_varies_as_the_curves_do():
-    decay = np.exp(-RATE * BLOCKS.time[0])
-    mu_2 = BLOCKS.scalars[0, :, SCALARS.index("mu_2")]
-    shares = ((BLOCKS.curves[0] - mu_2[:, None]) / decay)[:, 0]
+    shares = VALUES["deviation"][0, :, 1] * np.exp(RATE * BLOCKS.time[0, 0])
     assert FOUND["amplitude"][0] == pytest.approx(shares.mean(), rel=1e-6)
     error = shares.std(ddof=1) / np.sqrt(COUNT)
     assert FOUND["amplitude_error"][0] == pytest.approx(error, rel=1e-4)
@@ -69,14 +55,12 @@ NAMES = {
     "steady": {"mu_1", "mu_2", "indentation", "contact_fraction"},
     "jump": {"jump"},
     "relaxation": {"mu", "deviation", "relaxation_rate", "relaxation_rate_free", "amplitude"},
+    "models": {
+        *("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"),
+        *("gain_stretched", "gain_two_exponentials"),
+    },
 }
 WITHOUT_ERROR = {"time", "fit_status", "fit_window", "fit_quality", "rate_replicates"}
-
-
-NAMES["models"] = {
-    *("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"),
-    *("gain_stretched", "gain_two_exponentials"),
-}
 SCENES = [("steady",), ("jump",), ("relaxation",), ("steady", "jump"), tuple(NAMES)]
 
 
@@ -92,11 +76,7 @@ def test_only_what_was_asked_for_is_there(asked):
 
 
 def test_reduction_does_not_depend_on_the_company_of_a_task():
-    alone = reduce_blocks(exponential_blocks()._replace(**_rows(1)))
+    *arrays, quantities = BLOCKS
+    alone = reduce_blocks(Blocks(*(array[1:2] for array in arrays), quantities))
     for name, values in alone.items():
         assert values.tobytes() == FOUND[name][1:2].tobytes()
-
-
-def _rows(task):
-    arrays = ("scalars", "curves", "time", "rms_slope")
-    return {name: getattr(BLOCKS, name)[task : task + 1] for name in arrays}

@@ -1,4 +1,4 @@
-"""Fits of eq. 6: exact on exact curves, honest on noisy ones, silent where nothing relaxes."""
+"""Fits of eq. 6: exact on exact curves, silent where nothing relaxes; noise: tests/hard."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ from workflow.reduce.fits import (
     fit_relaxation,
     fit_window,
 )
-from workflow.reduce.jackknife import replicates, standard_error
+from workflow.reduce.jackknife import replicates
 
 SHARE = np.linspace(0.0, 4.0, 63)
 
@@ -29,13 +29,6 @@ def spread(deviation, blocks=4):
     noise = np.random.default_rng(3).standard_normal((blocks + 1, len(deviation)))
     noise[0] = 0.0
     return deviation * (1.0 + 1e-10 * noise)
-
-
-def noisy(rng, rate, amplitude, noise, blocks=40):
-    """Return block curves: an amplitude that varies by 20 %, and white noise."""
-    share = amplitude * (1.0 + 0.2 * rng.standard_normal((blocks, 1)))
-    curves = share * np.exp(-rate * SHARE)
-    return curves + noise * abs(amplitude) * rng.standard_normal((blocks, SHARE.size))
 
 
 @given(st.floats(-3.0, 3.0), st.floats(-6.0, 2.0), st.sampled_from([-1.0, 1.0]))
@@ -55,12 +48,9 @@ def test_amplitude_is_that_at_the_jump_not_at_the_first_sample():
     assert found.amplitude[0] == pytest.approx(2.0)
 
 
-def test_window_ends_where_five_percent_are_left():
-    found = fit(np.exp(-2.0 * SHARE))
-    assert found.window == SHARE[np.argmax(np.exp(-2.0 * SHARE) < 0.05)]
-
-
-def test_curve_that_stays_above_five_percent_is_fitted_whole():
+def test_window_ends_where_five_percent_are_left_or_with_the_curve():
+    curve = np.exp(-2.0 * SHARE)
+    assert fit(curve).window == SHARE[np.argmax(curve < 0.05)]
     assert fit(np.exp(-0.1 * SHARE)).window == SHARE[-1]
 
 
@@ -89,27 +79,6 @@ def test_free_asymptote_finds_the_rate_over_an_offset():
     assert found.rate[0] < 1.3  # with mu_2 known to be zero
 
 
-@pytest.mark.parametrize(("rate", "amplitude"), [(1.0, 3.0), (0.3, -2e-3), (3.0, 1e4)])
-def test_noise_leaves_the_rate_within_its_stated_error(rate, amplitude):
-    rng = np.random.default_rng(7)
-    hits = 0
-    for _ in range(50):
-        deviation = replicates(noisy(rng, rate, amplitude, 0.1), 0)
-        found = fit_relaxation(SHARE, deviation, 1.0)
-        assert found.status == FITTED
-        hits += abs(found.rate[0] - rate) < 2.0 * standard_error(found.rate, 0)
-    assert 41 <= hits <= 50  # 95 % expected; 4 standard deviations
-
-
-def test_noise_leaves_the_amplitude_within_its_stated_error():
-    rng = np.random.default_rng(8)
-    deviation = replicates(noisy(rng, 1.0, 5.0, 0.1), 0)
-    found = fit_relaxation(SHARE, deviation, 1.0)
-    error = standard_error(found.amplitude, 0)
-    assert 0.0 < error < 0.5
-    assert abs(found.amplitude[0] - 5.0) < 3.0 * error
-
-
 def test_pure_noise_is_no_relaxation():
     found = []
     for seed in range(100):
@@ -119,50 +88,40 @@ def test_pure_noise_is_no_relaxation():
     assert FITTED not in found
 
 
-@pytest.mark.parametrize("size", [0.0, 3e-15, -3e-15])
-def test_rounding_noise_is_no_relaxation(size):
-    found = fit(size * np.exp(-SHARE))
-    assert found.status == NO_RELAXATION
-    assert np.isnan([*found.rate, *found.amplitude, *found.rate_free, found.window]).all()
-
-
 def test_rounding_is_judged_against_the_slope():
     curve = 3e-15 * np.exp(-SHARE)
     assert fit(curve, slope=0.1).status == FITTED
     assert fit(1e3 * curve, slope=1e3).status == NO_RELAXATION
 
 
-NOT_DECAYING = {
-    "growing": np.exp(SHARE),
-    "constant": np.ones(63),
-    "turning its sign": np.where(np.arange(63) < 1, 1.0, -1.0),
-    "oscillating": np.cos(40.0 * SHARE),
-    "oscillating in growth": np.cos(10.0 * SHARE) * np.exp(SHARE),
+SIZES = np.array([1.0, 0.9, 1.1, 1.05, 0.95])
+ONE_GROWS = spread(np.exp(-SHARE))
+ONE_GROWS[3] = np.exp(SHARE)
+REFUSED = {
+    "nothing": (spread(0.0 * SHARE), NO_RELAXATION),
+    "rounding": (spread(3e-15 * np.exp(-SHARE)), NO_RELAXATION),
+    "negative rounding": (spread(-3e-15 * np.exp(-SHARE)), NO_RELAXATION),
+    "equal replicates": (np.tile(np.exp(-SHARE), (5, 1)), NO_RELAXATION),
+    "replicates of one rate": (np.outer(SIZES, np.exp(-1.5 * SHARE)), UNDETERMINED),
+    "one replicate without a fit": (ONE_GROWS, UNDETERMINED),
+    "growing": (spread(np.exp(SHARE)), NOT_EXPONENTIAL),
+    "constant": (spread(np.ones(63)), NOT_EXPONENTIAL),
+    "turning its sign": (spread(np.where(np.arange(63) < 1, 1.0, -1.0)), NOT_EXPONENTIAL),
+    "oscillating": (spread(np.cos(40.0 * SHARE)), NOT_EXPONENTIAL),
+    "oscillating in growth": (spread(np.cos(10.0 * SHARE) * np.exp(SHARE)), NOT_EXPONENTIAL),
 }
 
 
-@pytest.mark.parametrize("name", NOT_DECAYING)
-def test_what_does_not_decay_is_not_exponential(name):
-    found = fit(NOT_DECAYING[name])
-    assert found.status == NOT_EXPONENTIAL
-    assert np.isnan([*found.rate, *found.amplitude, *found.rate_free, found.quality]).all()
+def assert_refused(deviation, status):
+    """Assert that there is no fit but a status."""
+    found = fit_relaxation(SHARE, deviation, 1.0)
+    assert found.status == status
+    assert np.isnan(np.concatenate([np.ravel(values) for values in found[1:]])).all()
 
 
-def test_a_curve_whose_replicates_are_all_equal_is_not_fitted():
-    equal = np.tile(np.exp(-SHARE), (5, 1))
-    assert fit_relaxation(SHARE, equal, 1.0).status == NO_RELAXATION
-
-
-def test_a_rate_whose_replicates_are_all_equal_is_undetermined():
-    amplitude = np.array([1.0, 0.9, 1.1, 1.05, 0.95])
-    scaled = np.multiply.outer(amplitude, np.exp(-1.5 * SHARE))
-    assert fit_relaxation(SHARE, scaled, 1.0).status == UNDETERMINED
-
-
-def test_one_replicate_without_a_fit_leaves_the_rate_undetermined():
-    deviation = spread(np.exp(-SHARE))
-    deviation[3] = np.exp(SHARE)
-    assert fit_relaxation(SHARE, deviation, 1.0).status == UNDETERMINED
+@pytest.mark.parametrize("name", REFUSED)
+def test_what_does_not_relax_has_a_status_and_no_number(name):
+    assert_refused(*REFUSED[name])
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf])
@@ -170,9 +129,7 @@ def test_one_replicate_without_a_fit_leaves_the_rate_undetermined():
 def test_a_number_that_is_not_finite_is_said(value, place):
     deviation = np.tile(np.exp(-SHARE), (5, 1))
     deviation[place] = value
-    found = fit_relaxation(SHARE, deviation, 1.0)
-    assert found.status == NOT_FINITE
-    assert np.isnan([*found.rate, *found.amplitude, *found.rate_free, found.quality]).all()
+    assert_refused(deviation, NOT_FINITE)
 
 
 def test_quality_says_how_exponential_a_curve_is():

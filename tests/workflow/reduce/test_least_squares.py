@@ -12,25 +12,11 @@ from workflow.reduce.models import exponential, stretched
 TIME = np.linspace(0.02, 4.0, 63)
 
 
-def line(p, t):
-    """Return a + b t and its derivatives."""
-    slopes = np.stack([np.ones_like(t), t], axis=1)
-    return p @ slopes.T, np.broadcast_to(slopes, (len(p), t.size, 2))
-
-
 def noisy(rows, seed=1):
     """Return decaying curves with noise."""
     rng = np.random.default_rng(seed)
     rate = rng.uniform(0.5, 2.0, (rows, 1))
     return np.exp(-rate * TIME) + 0.02 * rng.standard_normal((rows, TIME.size))
-
-
-def test_a_straight_line_is_that_of_linear_algebra():
-    curves = np.random.default_rng(2).standard_normal((5, TIME.size)) + 3.0 * TIME
-    expected = np.linalg.lstsq(np.stack([np.ones_like(TIME), TIME], axis=1), curves.T)[0].T
-    found = fit_curves(line, TIME, curves, np.zeros(2))
-    # The sum of squares is the least to 1e-14: parameters to its root.
-    np.testing.assert_allclose(found, expected, rtol=0.0, atol=1e-7)
 
 
 @given(st.floats(-3.0, 3.0), st.floats(0.3, 3.0), st.floats(0.4, 1.5))

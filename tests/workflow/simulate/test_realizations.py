@@ -43,7 +43,7 @@ def test_numbers_do_not_depend_on_the_cut(target):
 WHOLE = one_batch("grid.velocity_step=[0.2, -0.2]", "grid.velocity=[0.03, 0.05, 0.1]")
 
 
-@settings(max_examples=15, deadline=None)
+@settings(max_examples=15)
 @given(st.permutations(range(len(WHOLE.tasks))), st.integers(1, 6))
 def test_numbers_do_not_depend_on_the_company_or_order_of_tasks(order, count):
     part = sorted(order[:count], key=lambda i: WHOLE.tasks[i].steps_per_spacing)

@@ -22,6 +22,7 @@ from workflow.study.read import known_studies, read_study
 from workflow.study.study import TABLES, Study
 
 EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "80"))  # of each kind
+FUZZ = settings(max_examples=EXAMPLES, deadline=None)
 MOST_POINTS = 100  # of a study to plan
 MOST_ELEMENTS = 10_000
 TEXTS = [TEXT, *(path.read_text() for path in sorted(known_studies().values()))]
@@ -98,7 +99,7 @@ def check(found):
     assert isinstance(found, Study | Measured) or (found and found.isprintable()), found
 
 
-@settings(max_examples=EXAMPLES, deadline=None)
+@FUZZ
 @given(st.lists(st.tuples(PLACES, VALUES), min_size=1, max_size=3), st.booleans())
 def test_a_study_with_random_changes_is_read_or_refused(changes, scaled):
     tables = copy.deepcopy(tomllib.loads(TEXT))
@@ -107,13 +108,13 @@ def test_a_study_with_random_changes_is_read_or_refused(changes, scaled):
     check(outcome(document(tables), scale="wide" if scaled else None))
 
 
-@settings(max_examples=EXAMPLES, deadline=None)
+@FUZZ
 @given(st.dictionaries(st.sampled_from(TABLE_NAMES), VALUES, max_size=4))
 def test_random_tables_are_read_or_refused(tables):
     check(outcome(document(tables)))
 
 
-@settings(max_examples=EXAMPLES, deadline=None)
+@FUZZ
 @given(st.sampled_from(TEXTS), EDITS)
 def test_an_edited_text_is_read_or_refused(text, edits):
     for at, length, piece in edits:
@@ -122,13 +123,13 @@ def test_an_edited_text_is_read_or_refused(text, edits):
     check(outcome(text))
 
 
-@settings(max_examples=EXAMPLES, deadline=None)
+@FUZZ
 @given(st.lists(SETTINGS, min_size=1, max_size=3), st.one_of(st.none(), st.text(max_size=6)))
 def test_random_settings_are_read_or_refused(given_settings, scale):
     check(outcome(TEXT, *given_settings, scale=scale))
 
 
-@settings(max_examples=EXAMPLES, deadline=None)
+@FUZZ
 @given(st.binary(max_size=60))
 @example(b"\xef\xbb\xbf" + TEXT.encode())
 @example(TEXT.encode("utf-16"))
