@@ -41,8 +41,11 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 @pytest.fixture(scope="session")
 def scheduler() -> Iterator[str]:
-    """Return the address of a scheduler with two worker processes."""
+    """Return the address of a scheduler with two workers, threads that need no start of their own.
+
+    They talk as processes do; what processes alone can show, starts its own.
+    """
     with LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=True, dashboard_address=":0"
+        n_workers=2, threads_per_worker=1, processes=False, protocol="tcp", dashboard_address=":0"
     ) as local:
         yield local.scheduler_address
