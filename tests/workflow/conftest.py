@@ -5,14 +5,12 @@ import time
 from collections.abc import Iterator
 from pathlib import Path
 
-import dask
 import pytest
 from distributed import Client
 
 from tests.support.powers import write_powers
 from tests.support.results import write_result
 from tests.support.runs import Run, run
-from workflow.cluster import client as opening
 from workflow.plan import machine
 from workflow.plan.cost import TYPICAL
 
@@ -49,15 +47,6 @@ def powers(tmp_path, monkeypatch) -> Path:
     """Return the folder of a measured study, under studies/ of the working folder."""
     monkeypatch.chdir(tmp_path)
     return write_powers(tmp_path)
-
-
-@pytest.fixture
-def impatient(monkeypatch) -> Iterator[None]:
-    """Give up soon where no scheduler answers."""
-    monkeypatch.setattr(opening, "CONNECT_SECONDS", 0.2)
-    # A client of dask that cannot connect leaves itself behind as the one to compute with.
-    with dask.config.set(scheduler=None):
-        yield
 
 
 @pytest.fixture(scope="session")

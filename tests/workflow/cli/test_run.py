@@ -19,26 +19,14 @@ def test_run_reports_what_it_did(capsys, study, scheduler, tmp_path):
     assert (tmp_path / "mine.nc").is_file()
 
 
-def test_a_dead_scheduler_is_one_line(capsys, study, tmp_path, impatient):
-    address = ("--scheduler", "tcp://127.0.0.1:1", "--out", str(tmp_path))
-    assert "tcp://127.0.0.1:1: no scheduler answers" in refusal(capsys, "run", study, *address)
+BAD = "workers=0 workers=-2 max-failures=-1"
+BAD += " batch-seconds=0.0 batch-seconds=-1.0 batch-seconds=nan batch-seconds=inf"
 
 
-@pytest.mark.parametrize(
-    ("option", "value"),
-    [
-        ("--workers", "0"),
-        ("--workers", "-2"),
-        ("--max-failures", "-1"),
-        ("--batch-seconds", "0.0"),
-        ("--batch-seconds", "-1.0"),
-        ("--batch-seconds", "nan"),
-        ("--batch-seconds", "inf"),
-    ],
-)
-def test_bad_option_of_run_names_it(capsys, study, tmp_path, option, value):
-    message = refusal(capsys, "run", study, f"{option}={value}", "--out", str(tmp_path))
-    assert message.startswith(f"error: {option} {value}: must ")
+@pytest.mark.parametrize("option", BAD.split())
+def test_bad_option_of_run_names_it(capsys, study, tmp_path, option):
+    message = refusal(capsys, "run", study, f"--{option}", "--out", str(tmp_path))
+    assert message.startswith(f"error: --{option.replace('=', ' ')}: must ")
 
 
 def test_a_scheduler_and_a_batch_system_are_one_too_many(capsys, study):

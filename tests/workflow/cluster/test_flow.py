@@ -16,46 +16,38 @@ from workflow.cluster.watch import Watch
 from workflow.errors import UserError
 
 
-def test_each_item_comes_back_once_with_its_result(client):
-    found = list(stream(client, math.sqrt, range(100)))
-    assert sorted(found) == [(i, math.sqrt(i)) for i in range(100)]
+@pytest.mark.parametrize("items", [range(100), [4, 4, 4], []], ids=["many", "equal", "none"])
+def test_each_item_comes_back_once_with_its_result(client, items):
+    found = list(stream(client, math.sqrt, items))
+    assert sorted(found) == [(i, math.sqrt(i)) for i in items]
 
 
-def test_equal_items_are_computed_each(client):
-    assert list(stream(client, abs, [-1, -1, -1])) == [(-1, 1)] * 3
-
-
-def test_nothing_comes_of_nothing(client):
-    assert list(stream(client, math.sqrt, [])) == []
-
-
-def test_few_items_are_in_flight(client):
-    drawn, ahead = [0], []
+@pytest.fixture
+def counted():
+    """Return a hundred items, and a list of those that were drawn."""
+    drawn = []
 
     def items():
-        for i in range(200):
-            drawn[0] += 1
+        for i in range(100):
+            drawn.append(i)
             yield i
 
-    for count, _ in enumerate(stream(client, abs, items()), start=1):
-        ahead.append(drawn[0] - count)
-    assert drawn[0] == 200
+    return items(), drawn
+
+
+def test_few_items_are_in_flight(client, counted):
+    items, drawn = counted
+    ahead = [len(drawn) - count for count, _ in enumerate(stream(client, abs, items), start=1)]
+    assert len(ahead) == len(drawn) == 100
     assert max(ahead) <= 16  # eight in flight for two workers, eight being handed over
 
 
-def test_after_a_stop_only_what_is_running_is_awaited(client):
-    drawn, stopped = [0], [False]
-
-    def items():
-        for i in range(1000):
-            drawn[0] += 1
-            yield i
-
+def test_after_a_stop_only_what_is_running_is_awaited(client, counted):
+    items, drawn = counted
     found = []
-    for item, _ in stream(client, abs, items(), Watch(lambda: stopped[0])):
+    for item, _ in stream(client, abs, items, Watch(lambda: bool(found))):
         found.append(item)
-        stopped[0] = True
-    assert 1 <= len(set(found)) == len(found) <= drawn[0] <= 24
+    assert 1 <= len(set(found)) == len(found) <= len(drawn) <= 24
 
 
 def test_an_error_on_a_worker_is_raised_here(client):

@@ -32,17 +32,13 @@ def collector(client, store):
     return Collector(client, store, PLAN, Summary(), Watch())
 
 
-def stored(store, task):
-    """Return the block means of a task, shape (blocks, scalars)."""
-    return store.read([(task.key, block) for block in range(4)], 15)[0]
-
-
 def test_estimates_of_every_point_are_the_means_of_its_own_blocks(collector, store):
     data = collector.datasets(BLOCKS)[""]
     task = PLAN.point_task
     h_over_dx = 1e-5 / 1e-4
     for place in np.ndindex(task.shape):
-        means = stored(store, VARIANT.tasks[task[place]])[:, SCALARS.index("mu_1")]
+        records = [(VARIANT.tasks[task[place]].key, block) for block in range(4)]
+        means = store.read(records, 15)[0][:, SCALARS.index("mu_1")]
         assert data.mu_1.values[place] == pytest.approx(means.mean() * h_over_dx, rel=1e-12)
         error = means.std(ddof=1) / 2.0 * h_over_dx
         assert data.mu_1_error.values[place] == pytest.approx(error, rel=1e-9)

@@ -66,73 +66,51 @@ def test_too_many_failures_end_the_run(failures, capsys):
     assert capsys.readouterr().err.count("\n") == 2
 
 
-def test_failures_can_be_forgotten(failures):
-    (first, *_) = failures(BATCH, ValueError(), False)
-    failures(first, ValueError(), False)
-    failures.store.forget_failures({first.tasks[0].key, "unknown"})
-    assert Store(failures.store.folder).failed == {}
-
-
 def test_a_worker_that_cannot_import_us_ends_the_run(failures):
     with pytest.raises(UserError, match="a worker cannot work: No module named 'workflow'"):
         failures(BATCH, ModuleNotFoundError("No module named 'workflow'"), False)
 
 
+BAD = PLAN.variants[0].tasks[1].key
+
+
+def failing(batch, expected):
+    """Stand in for run_batch: raise where a batch holds the bad problem."""
+    if any(task.key == BAD for task in batch.tasks):
+        raise ArithmeticError("no root")
+    return work.run_batch(batch, expected)
+
+
 @pytest.fixture(scope="module")
 def broken(scheduler, tmp_path_factory):
-    """Return a run in which one problem raises on the worker, and that problem's key."""
-    folder = tmp_path_factory.mktemp("broken")
-    bad = PLAN.variants[0].tasks[1].key
-    return run(scheduler, folder, max_failures=1, work=_Raising(bad)), bad
+    """Return a run in which one problem raises on the worker."""
+    return run(scheduler, tmp_path_factory.mktemp("broken"), max_failures=1, work=failing)
 
 
-class _Raising:
-    """Stands in for run_batch: raises where a batch holds one task."""
-
-    def __init__(self, key):
-        self.key = key
-
-    def __call__(self, batch, expected):
-        if any(task.key == self.key for task in batch.tasks):
-            raise ArithmeticError("no root")
-        return work.run_batch(batch, expected)
-
-
-def test_the_rest_of_the_study_is_finished(broken):
-    (_, summary, path), bad = broken
-    assert summary.written
-    assert len(summary.failures) == 2
-    assert "ArithmeticError: no root" in summary.failures[1]
-    others = {record for record in all_records(PLAN) if record[0] != bad}
-    assert held(Store(store_folder(path))) == others
-
-
-def test_the_failed_point_is_marked_in_the_result(broken, finished):
-    (whole, part), task = (finished.load(), broken[0].load()), 1
-    place = np.unravel_index(np.argmax(PLAN.point_task == task), PLAN.point_task.shape)
-    assert part.realizations.values[place] == 0
-    assert part.fit_status.values[place] == -1
-    assert np.isnan(part.mu_1.values[place])
-    assert np.isnan(part.mu.values[place]).all()
-    sound = np.ones(PLAN.point_task.shape, dtype=bool)
-    sound[place] = False
+def test_the_rest_of_the_study_is_finished_and_the_failed_point_marked(broken, finished):
+    assert broken.summary.written
+    assert len(broken.summary.failures) == 2
+    assert "ArithmeticError: no root" in broken.summary.failures[1]
+    others = {record for record in all_records(PLAN) if record[0] != BAD}
+    assert held(Store(store_folder(broken.path))) == others
+    whole, part, sound = finished.load(), broken.load(), PLAN.point_task != 1
+    assert np.array_equal(part.realizations > 0, sound)
+    assert np.isnan(part.mu.values[~sound]).all()
     for name in ("mu_1", "jump", "mu", "fit_status", "realizations", "relaxation_rate_error"):
         values, expected = part[name].values[sound], whole[name].values[sound]
         assert np.array_equal(values, expected, equal_nan=True)
 
 
 def test_a_failure_is_tried_again_when_asked_and_only_then(broken, finished, scheduler):
-    (_, summary, path), _ = broken
-    again = run(scheduler, path.parent)
-    assert (again.summary.batches, again.summary.failures) == (0, summary.failures)
-    retried = run(scheduler, path.parent, retry_failed=True)
+    again = run(scheduler, broken.path.parent)
+    assert (again.summary.batches, again.summary.failures) == (0, broken.summary.failures)
+    retried = run(scheduler, broken.path.parent, retry_failed=True)
     assert (retried.summary.batches, retried.summary.failures) == (1, [])
     assert retried.path.read_bytes() == finished.path.read_bytes()
 
 
 def test_no_result_is_written_after_too_many_failures(scheduler, tmp_path):
-    bad = PLAN.variants[0].tasks[1].key
-    stopped = run(scheduler, tmp_path, max_failures=0, work=_Raising(bad))
+    stopped = run(scheduler, tmp_path, max_failures=0, work=failing)
     assert not stopped.summary.written
     assert not stopped.path.exists()
     assert len(stopped.summary.failures) == 2

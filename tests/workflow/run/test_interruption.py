@@ -14,21 +14,17 @@ from workflow.store.store import Store, store_folder
 LONG = "study.realizations=20"  # 320 batches
 
 
-def launch(folder):
-    """Start a run of many small batches in ``folder``."""
-    options = ["--out", str(folder), "--set", LONG, "--workers", "1", "--batch-seconds", "1e-4"]
-    return start("run", write_study(folder), *options)
-
-
-def interrupted(folder, number, whole_group):
-    """Return a run that got a signal after its first batches: exit status, stdout, stderr."""
-    process = launch(folder)
+def ended(folder, number, *options):
+    """Return a long run whose process group got a signal early: exit status, stdout, stderr."""
+    options = ["--out", str(folder), "--set", LONG, "--batch-seconds", "1e-4", *options]
+    process = start("run", write_study(folder), *options)
     try:
         wait_for_shards(process, folder, 2)
-        (os.killpg if whole_group else os.kill)(process.pid, number)
+        os.killpg(process.pid, number)
         out, err = process.communicate(timeout=PATIENCE)
     finally:
         process.kill()
+    assert not (folder / "small.nc").exists()
     return process.returncode, out, err
 
 
@@ -51,18 +47,16 @@ def assert_resumes(scheduler, folder, expected):
 
 
 def test_a_killed_run_resumes(scheduler, tmp_path, expected):
-    status, _, _ = interrupted(tmp_path, signal.SIGKILL, whole_group=False)
+    status, _, _ = ended(tmp_path, signal.SIGKILL, "--scheduler", scheduler)
     assert status == -signal.SIGKILL
-    assert not (tmp_path / "small.nc").exists()
     assert_resumes(scheduler, tmp_path, expected)
 
 
 def test_ctrl_c_stops_a_run_that_resumes(scheduler, tmp_path, expected, capsys):
-    status, out, err = interrupted(tmp_path, signal.SIGINT, whole_group=True)
+    status, out, err = ended(tmp_path, signal.SIGINT, "--workers", "1")
     assert status == 130
     assert "to resume run again: python -m workflow run" in err.splitlines()[-1]
     assert "Traceback" not in err
-    assert not (tmp_path / "small.nc").exists()
     finished = len(held(Store(store_folder(tmp_path / "small.nc"))))  # a record per batch
     assert f"{finished} batches computed" in out
     done = f"done        {finished} of 320 records"

@@ -1,5 +1,8 @@
 """Rounds: the same bits whatever workers and crashes, and a file that says what was reached."""
 
+import math
+import shutil
+
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -11,8 +14,6 @@ from workflow.reduce.attainment import MET, MISSED
 from workflow.run.rounds import next_blocks
 
 WANTED = 0.08
-
-
 SETTINGS = (
     f"numerics.accuracy={WANTED}",
     "grid.hurst=0.7",
@@ -27,17 +28,17 @@ def reached(scheduler, tmp_path_factory):
     return run(scheduler, tmp_path_factory.mktemp("rounds"), *SETTINGS)
 
 
-def test_points_end_with_what_they_need(reached):
+def test_points_end_with_what_they_need_after_more_than_one_round(reached):
     data = reached.load()
     assert (data.accuracy_status == MET).all()
     assert (data.accuracy_reached <= WANTED).all()
     assert (data.bias_bound <= 0.5 * WANTED).all()
     for name in ("mu_1", "jump", "relaxation_rate"):
-        relative = data[f"{name}_error"] / abs(data[name])
-        assert (relative + data.bias_bound >= relative).all()
-        assert (relative <= data.accuracy_reached).all()
+        assert (data[f"{name}_error"] / abs(data[name]) <= data.accuracy_reached).all()
     assert (data.realizations % JACKKNIFE_GROUPS == 0).all()
     assert data.attrs["accuracy"] == WANTED
+    first = sum(reached.plan.first[task.key] for task in reached.plan.variants[0].tasks)
+    assert data.realizations.sum() > first
 
 
 def test_points_that_hit_the_cap_are_named(reached):
@@ -52,25 +53,16 @@ def test_points_that_hit_the_cap_are_named(reached):
     assert f"{float(data.accuracy_reached.max()):.2g}" in worst
 
 
-def test_more_than_one_round_was_taken(reached):
-    first = reached.plan.first
-    counts = {t.key: first[t.key] for v in reached.plan.variants for t in v.tasks}
-    data = reached.load()
-    assert int(data.realizations.sum()) > sum(counts[t.key] for t in reached.plan.variants[0].tasks)
-
-
-def test_other_batches_give_the_same_bytes(reached, scheduler, tmp_path):
-    again = run(scheduler, tmp_path, *SETTINGS, batch_seconds=0.05)
-    assert again.summary.batches > reached.summary.batches
-    assert again.path.read_bytes() == reached.path.read_bytes()
-
-
-def test_a_store_that_holds_more_or_less_gives_the_same_bytes(reached, scheduler, tmp_path):
+def test_other_batches_and_a_store_that_holds_more_or_less_give_the_same_bytes(
+    reached, scheduler, tmp_path
+):
     fine = (f"numerics.accuracy={WANTED / 1.3}", *SETTINGS[1:])
-    run(scheduler, tmp_path, *fine)
-    for victim in sorted((tmp_path / "store").glob("*.nc"))[::2]:
+    folder = shutil.copytree(reached.path.parent, tmp_path / "copy")
+    run(scheduler, folder, *fine)
+    for victim in sorted((folder / "store").glob("*.nc"))[::2]:
         victim.unlink()  # a crash of the disk
-    again = run(scheduler, tmp_path, *SETTINGS)
+    again = run(scheduler, folder, *SETTINGS, batch_seconds=0.01)
+    assert again.summary.batches > reached.summary.batches
     assert again.path.read_bytes() == reached.path.read_bytes()
 
 
@@ -87,7 +79,7 @@ def test_the_speed_of_the_machine_plays_no_part(reached):
     assert [v.tasks for v in plan.variants] == [v.tasks for v in reached.plan.variants]
 
 
-@given(st.integers(1, 20), st.floats(0.0, 1e9), st.integers(1, 500))
+@given(st.integers(1, 20), st.floats(0.0, 1e9) | st.just(math.inf), st.integers(1, 500))
 def test_the_next_round_grows_within_the_cap(layers, growth, most):
     now, most = JACKKNIFE_GROUPS * layers, JACKKNIFE_GROUPS * max(layers, most)
     found = next_blocks(now, growth, most)
@@ -98,8 +90,3 @@ def test_the_next_round_grows_within_the_cap(layers, growth, most):
     else:
         assert now < found <= 4 * now + JACKKNIFE_GROUPS
         assert found == most or found >= min(growth, 4.0) * now - 1e-6
-
-
-def test_an_unknown_error_quadruples_the_realizations():
-    most = 100 * JACKKNIFE_GROUPS
-    assert next_blocks(JACKKNIFE_GROUPS, float("inf"), most) == 4 * JACKKNIFE_GROUPS

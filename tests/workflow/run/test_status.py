@@ -3,7 +3,6 @@
 import json
 import os
 import socket
-import time
 
 import pytest
 
@@ -41,6 +40,11 @@ def read(place):
     return read_status(STUDY, place[0], place[1].folder)
 
 
+def written(place):
+    """Return the status as it stands on the disk."""
+    return json.loads(status_file(place[0]).read_text())
+
+
 def test_a_run_says_how_far_it_is(place):
     result, store, writer = place
     with hold(store.folder):
@@ -56,7 +60,7 @@ def test_a_run_says_how_far_it_is(place):
     assert f"running, by process {os.getpid()} on {socket.gethostname()} since" in lines[5]
 
 
-def test_what_the_journal_got_since_is_counted(place):
+def test_what_the_journal_got_since_is_counted_by_the_reader_and_the_writer(place):
     _, store, writer = place
     writer.write(3, 2)
     store.add([(BATCH, random_result(BATCH))])
@@ -64,14 +68,9 @@ def test_what_the_journal_got_since_is_counted(place):
     found = read(place)
     assert (found.done, found.failed) == (16, 1)
     assert found.left == pytest.approx(7200.0 - BATCH.seconds)
-    assert json.loads(status_file(place[0]).read_text())["done"] == 0
-
-
-def test_the_writer_counts_the_same_way(place):
-    _, store, writer = place
-    store.add([(BATCH, random_result(BATCH))])
+    assert written(place)["done"] == 0
     writer.end("interrupted")
-    found = json.loads(status_file(place[0]).read_text())
+    found = written(place)
     assert (found["done"], found["state"], found["workers"]) == (16, "interrupted", 0)
 
 
@@ -89,21 +88,20 @@ def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):
     store._set_aside(next(iter(store.index.sizes)), "test")
     assert read(place).done == 0
     writer.write(1, 1)
-    assert json.loads(status_file(place[0]).read_text())["done"] == 5
+    assert written(place)["done"] == 5
     assert "set aside" in capsys.readouterr().err
 
 
-@pytest.mark.parametrize(
-    "spoil",
-    [
-        lambda result, store: status_file(result).unlink(),
-        lambda result, store: status_file(result).write_text('{"study": 1'),
-        lambda result, store: status_file(result).write_text("{}"),
-        lambda result, store: store.begin("another study", "numpy 2", "a processor"),
-        lambda result, store: (store.folder / "journal").write_bytes(b""),
-    ],
-    ids=["no file", "half a file", "another file", "another run", "no journal"],
-)
+SPOILT = {
+    "no file": lambda result, store: status_file(result).unlink(),
+    "half a file": lambda result, store: status_file(result).write_text('{"study": 1'),
+    "another file": lambda result, store: status_file(result).write_text("{}"),
+    "another run": lambda result, store: store.begin("another study", "numpy 2", "a processor"),
+    "no journal": lambda result, store: (store.folder / "journal").write_bytes(b""),
+}
+
+
+@pytest.mark.parametrize("spoil", SPOILT.values(), ids=SPOILT)
 def test_without_a_status_that_holds_records_are_counted(place, spoil):
     result, store, writer = place
     writer.status.done = 999
@@ -121,26 +119,20 @@ def test_rounds_may_take_more_than_was_foreseen(tmp_path):
     assert lines[2] == "waiting     0 records"
 
 
-def test_other_settings_are_another_status(place):
+def test_other_settings_are_another_status_and_another_cluster_is_not(place):
     place[2].write(1, 1)
     other = small_study("study.seed=2")
     assert identity(other) != identity(STUDY)
     assert read_status(other, place[0], place[1].folder).study == identity(other)
-
-
-def test_where_it_is_computed_is_no_part_of_a_study():
     elsewhere = small_study('cluster.where="slurm"', "cluster.jobs=7")
     assert elsewhere.cluster.jobs == 7
-    assert identity(elsewhere) == identity(STUDY)
-    assert elsewhere.text == STUDY.text
+    assert (identity(elsewhere), elsewhere.text) == (identity(STUDY), STUDY.text)
 
 
-def test_it_is_written_every_few_seconds_only(place, monkeypatch):
-    writer, now = place[2], [time.monotonic()]
-    monkeypatch.setattr("workflow.run.status.time.monotonic", lambda: now[0])
+def test_it_is_written_every_few_seconds_only(place, clock, monkeypatch):
+    writer, written = place[2], []
+    monkeypatch.setattr("workflow.run.status.write_durably", lambda *_: written.append(clock[0]))
     for _ in range(20):
         writer.write(1, 1)
-        now[0] += 1.0
-    monkeypatch.setattr("workflow.run.status.write_durably", pytest.fail)
-    now[0] = writer.written + 4.9
-    writer.write(1, 1)
+        clock[0] += 1.0
+    assert written == [100.0, 105.0, 110.0, 115.0]
