@@ -13,9 +13,6 @@ def records(batch):
     return [(t.key, batch.first_block + b) for t in batch.tasks for b in range(batch.blocks)]
 
 
-ELSEWHERE = next(batch for batch in WORK if not set(records(batch)) & set(records(BATCH)))
-
-
 def held(store):
     """Return all records of a store."""
     index = store.index

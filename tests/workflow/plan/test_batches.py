@@ -14,8 +14,6 @@ GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 
 
 PLAN = small_plan(*GRID)
-
-
 BLOCKED = small_plan(*GRID, "study.realizations=12", "study.realizations_per_block=3")
 
 
@@ -64,13 +62,11 @@ def test_batches_last_about_as_long_as_asked(target):
 
 def test_what_cannot_be_cut_to_size_comes_first_and_longest_first():
     found = [batch.seconds for batch in cut_batches(PLAN, set(), 1e-9)]
-    assert found[0] > found[-1]
-    assert found == sorted(found, reverse=True)
+    assert found == sorted(found, reverse=True) != sorted(found)
 
 
 def test_a_longer_target_gives_fewer_batches():
     counts = [len(list(cut_batches(PLAN, set(), target))) for target in (1e-5, 1e-3, 1e3)]
-    assert counts == sorted(counts, reverse=True)
     assert counts[0] > counts[1] > counts[2]
 
 
@@ -78,15 +74,7 @@ def test_predicted_time_of_two_halves_adds_up():
     records = all_records(PLAN)
     late, early = ({r for r in records if (r[1] < 2) == half} for half in (True, False))
     assert seconds(PLAN, late) + seconds(PLAN, early) == pytest.approx(seconds(PLAN))
-
-
-def test_predicted_time_grows_with_the_realizations():
-    twice = small_plan(*GRID, "study.realizations=8")
-    assert seconds(twice) == pytest.approx(2 * seconds(PLAN))
-
-
-def test_nothing_is_predicted_where_all_is_stored():
-    assert seconds(PLAN, all_records(PLAN)) == 0
+    assert seconds(PLAN, late) == pytest.approx(seconds(PLAN, early))  # as many realizations
 
 
 def test_less_is_predicted_where_less_is_asked():

@@ -14,8 +14,6 @@ from kernels.steady import steady_sliding
 from workflow.plan.cost import TYPICAL, SecondsBySize, Work, case_seconds, sweeps, touchable_share
 
 CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
-
-
 WORK = Work(10_000, 2, 1, 100, 0.7, 0.05, 0.5)
 
 
@@ -38,15 +36,11 @@ def test_more_work_takes_more_time(name):
 
 
 def test_a_machine_of_half_the_speed_takes_twice_the_time():
-    slow = [part * 2.0 if isinstance(part, float) else half(part) for part in TYPICAL]
-    assert case_seconds(type(TYPICAL)(*slow), WORK) == pytest.approx(
+    *curves, case = TYPICAL
+    slow = [c._replace(seconds=tuple(2.0 * s for s in c.seconds)) for c in curves]
+    assert case_seconds(type(TYPICAL)(*slow, 2.0 * case), WORK) == pytest.approx(
         2.0 * case_seconds(TYPICAL, WORK)
     )
-
-
-def half(curve):
-    """Return the curve of a machine of half the speed."""
-    return SecondsBySize(curve.sizes, tuple(2.0 * seconds for seconds in curve.seconds))
 
 
 @given(st.floats(0.0, 1.0), st.floats(1e-6, 1e3), st.floats(1e-4, 1e4))

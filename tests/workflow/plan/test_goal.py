@@ -21,11 +21,7 @@ PROBLEMS = st.builds(
     st.floats(0.03, 100.0),
     st.floats(0.5, 2.0),
 )
-
-
 WANTED = st.floats(0.003, 0.3)
-
-
 SCENES = st.sampled_from([("steady",), ("steady", "jump"), ("steady", "jump", "relaxation")])
 
 
@@ -43,9 +39,8 @@ def test_half_of_the_accuracy_at_most_is_discretisation(problem, wanted, asked):
 
 @given(PROBLEMS, WANTED, SCENES)
 def test_twice_the_accuracy_never_takes_fewer_realizations(problem, wanted, asked):
-    once, twice = (
-        goal_of(problem, Scene(asked), Numerics(accuracy=value)) for value in (wanted, wanted / 2)
-    )
+    once = goal_of(problem, Scene(asked), Numerics(accuracy=wanted))
+    twice = goal_of(problem, Scene(asked), Numerics(accuracy=wanted / 2))
     assert twice.realizations >= once.realizations
 
 
@@ -72,9 +67,8 @@ def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
     plain, wanted = small_plan(), small_plan("numerics.accuracy=0.05")
     assert not plain.variants[0].goals
     assert set(plain.first.values()) == set(plain.expected.values()) == {4}
-    assert [t.problem for t in wanted.variants[0].tasks] == [
-        t.problem for t in plain.variants[0].tasks
-    ]
+    problems = [[task.problem for task in plan.variants[0].tasks] for plan in (plain, wanted)]
+    assert problems[0] == problems[1]
     for key, blocks in wanted.expected.items():
         assert blocks % JACKKNIFE_GROUPS == 0
         assert JACKKNIFE_GROUPS <= wanted.first[key] <= blocks

@@ -6,8 +6,6 @@ from tests.support.small import all_records, keys, small_plan
 from workflow.plan import plan as planning
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
-
-
 PLAN = small_plan(*GRID)
 
 

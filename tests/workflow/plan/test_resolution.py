@@ -8,25 +8,14 @@ from hypothesis import strategies as st
 
 from tests.support.small import small_plan
 from workflow.errors import UserError
-from workflow.plan.resolution import (
-    MAX_SAMPLES_PER_LINE,
-    expected_rate,
-    horizon_steps,
-    steps_per_spacing,
-)
+from workflow.plan.resolution import MAX_SAMPLES_PER_LINE, horizon_steps, steps_per_spacing
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene
 
 HURST = st.floats(0.0, 1.0)
-
-
 SPEED = st.floats(1e-3, 1e3)
-
-
 RATIO = st.floats(0.1, 10.0)
-
-
 ALL = Scene()
 
 
@@ -36,32 +25,16 @@ def problem(hurst=0.7, elements=100, speed=1.0, ratio=1.2):
 
 
 @given(HURST, SPEED, RATIO)
-def test_automatic_steps_are_a_power_of_two_of_at_least_four(hurst, speed, ratio):
+def test_automatic_steps_resolve_tau_and_the_relaxation_and_are_not_twice_as_many(
+    hurst, speed, ratio
+):
     steps = steps_per_spacing(problem(hurst, 100, speed, ratio), ALL, Numerics())
     assert steps >= 4
-    assert steps & (steps - 1) == 0
-
-
-@given(HURST, SPEED, RATIO)
-def test_automatic_steps_resolve_tau_before_and_after_the_jump(hurst, speed, ratio):
-    steps = steps_per_spacing(problem(hurst, 100, speed, ratio), ALL, Numerics())
-    for v in (speed, ratio * speed):
-        assert 1.0 / (steps * v) <= 0.5 * (1 + 1e-6)  # dt in tau
-
-
-@given(HURST, SPEED, RATIO)
-def test_automatic_steps_resolve_the_relaxation(hurst, speed, ratio):
-    steps = steps_per_spacing(problem(hurst, 100, speed, ratio), ALL, Numerics())
+    assert steps & (steps - 1) == 0  # a power of two
     rate = max(1.0, (math.pi * speed) ** (1.0 - hurst))
-    assert rate / (steps * speed * min(1.0, ratio)) <= 0.5 * (1 + 1e-6)
-
-
-@given(HURST, SPEED, RATIO)
-def test_automatic_steps_are_not_twice_what_is_needed(hurst, speed, ratio):
-    one = problem(hurst, 100, speed, ratio)
-    steps = steps_per_spacing(one, ALL, Numerics())
-    dt = 1.0 / (steps / 2 * speed)
-    assert steps == 4 or dt / min(1.0, ratio) * expected_rate(one) > 0.5
+    dt = rate / (steps * speed * min(1.0, ratio))  # in tau or relaxation times, at the slower speed
+    assert dt <= 0.5 * (1 + 1e-6)
+    assert steps == 4 or 2.0 * dt > 0.5
 
 
 @given(HURST, SPEED, RATIO)
@@ -83,10 +56,9 @@ def test_given_steps_are_taken_as_they_are():
 
 
 def test_a_line_too_long_names_the_setting_and_the_way_out():
-    with pytest.raises(UserError, match=r"^numerics.steps_per_spacing = auto: ") as error:
+    words = r"^numerics.steps_per_spacing = auto: 100000 elements .* higher velocity"
+    with pytest.raises(UserError, match=words):
         steps_per_spacing(problem(elements=100_000, speed=1e-4), ALL, Numerics())
-    assert "100000 elements" in str(error.value)
-    assert "higher velocity" in str(error.value)
 
 
 def test_the_longest_line_allowed_is_allowed():

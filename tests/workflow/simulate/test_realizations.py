@@ -54,10 +54,8 @@ def test_numbers_do_not_depend_on_the_company_or_order_of_tasks(order, count):
 
 
 def test_a_block_is_the_mean_of_its_realizations():
-    pairs, single = (
-        block_means(one_batch("study.realizations_per_block=2")),
-        block_means(one_batch()),
-    )
+    pairs = block_means(one_batch("study.realizations_per_block=2"))
+    single = block_means(one_batch())
     for pair, one in zip(pairs[:2], single[:2], strict=True):
         expected = (one[:, ::2] + one[:, 1::2]) / 2
         assert np.array_equal(pair, expected, equal_nan=True)

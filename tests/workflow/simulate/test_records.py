@@ -29,11 +29,9 @@ def deviation(moments, steps, lag=None):
     speed, total = 0.3, 0.0
     steps_per_tau = 1.2 * speed * steps
     recorded = np.arange(1, int(3 * steps_per_tau))
-    times = (
-        record_times(recorded, steps_per_tau, "exponential")
-        if lag is None
-        else (recorded - lag) / steps_per_tau
-    )
+    times = record_times(recorded, steps_per_tau, "exponential")
+    if lag is not None:
+        times = (recorded - lag) / steps_per_tau
     for seed in range(8):
         phases = draw_phases(np.random.default_rng(seed), 200)
         line = Line.self_affine(amplitudes(0.0, 200), phases, 200, steps)

@@ -4,16 +4,7 @@ import dataclasses
 
 import pytest
 
-from tests.support.shards import (
-    BATCH,
-    SAMPLES,
-    WORK,
-    assert_holds,
-    filled,
-    held,
-    records,
-    reopened,
-)
+from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import random_result
 from workflow.store import journal
 from workflow.store.store import DamagedShard, Store

@@ -4,10 +4,7 @@ import dataclasses
 
 import pytest
 
-from tests.support.shards import (
-    BATCH,
-    filled,
-)
+from tests.support.shards import BATCH, filled
 from workflow.store import journal
 from workflow.store.store import Store
 
@@ -27,10 +24,6 @@ def read(folder, offset=0):
     return [entry for entry, _ in journal.entries(folder, offset)]
 
 
-def test_entries_come_back_in_order(folder):
-    assert read(folder) == ENTRIES
-
-
 def test_no_journal_has_no_entries(tmp_path):
     assert read(tmp_path) == []
     assert list(tmp_path.iterdir()) == []
@@ -39,12 +32,7 @@ def test_no_journal_has_no_entries(tmp_path):
 def test_one_can_go_on_reading_where_one_stopped(folder):
     offsets = [offset for _, offset in journal.entries(folder)]
     assert offsets[-1] == (folder / journal.NAME).stat().st_size
-    assert [read(folder, offset) for offset in (0, *offsets)] == [
-        ENTRIES,
-        ENTRIES[1:],
-        ENTRIES[2:],
-        [],
-    ]
+    assert [read(folder, offset) for offset in (0, *offsets)] == [ENTRIES[i:] for i in range(4)]
 
 
 def test_any_prefix_is_read_up_to_its_last_whole_line(folder):
@@ -82,14 +70,13 @@ def test_a_whole_journal_is_left_as_it_is(folder):
 def test_the_keys_of_tasks_that_stay_together_are_written_once(tmp_path):
     later = [dataclasses.replace(BATCH, first_block=4 * i) for i in range(5)]
     filled(tmp_path, later)
-    entries = [entry for entry, _ in journal.entries(tmp_path)]
-    assert sum("part" in entry for entry in entries) == 1
-    assert sum("shard" in entry for entry in entries) == 5
+    for kind, count in (("part", 1), ("shard", 5)):
+        assert sum(kind in entry for entry in read(tmp_path)) == count
 
 
 def test_the_journal_tells_records_and_core_time(tmp_path):
     filled(tmp_path, [BATCH])
-    (shard,) = [entry for entry, _ in journal.entries(tmp_path) if "shard" in entry]
+    (shard,) = [entry for entry in read(tmp_path) if "shard" in entry]
     assert shard["records"] == 16
     assert shard["used"] == 0.1  # of random_result
     assert shard["predicted"] == round(BATCH.seconds, 3)
@@ -97,9 +84,6 @@ def test_the_journal_tells_records_and_core_time(tmp_path):
 
 def test_the_journal_tells_with_what_a_run_computes(tmp_path):
     Store(tmp_path).begin("a study", "numpy 2.4", "a processor")
-    (run,) = [entry for entry, _ in journal.entries(tmp_path)]
-    assert (run["run"], run["versions"], run["processor"]) == (
-        "a study",
-        "numpy 2.4",
-        "a processor",
-    )
+    (run,) = read(tmp_path)
+    assert run.items() >= {"run": "a study", "versions": "numpy 2.4"}.items()
+    assert run["processor"] == "a processor"

@@ -2,14 +2,7 @@
 
 import dataclasses
 
-from tests.support.shards import (
-    BATCH,
-    WORK,
-    assert_holds,
-    filled,
-    records,
-    shard_of,
-)
+from tests.support.shards import BATCH, WORK, assert_holds, filled, records, shard_of
 from tests.support.small import random_result
 from workflow.store.store import Store
 
