@@ -28,10 +28,11 @@ if TYPE_CHECKING:
     )
     from workflow.report.figure import (
         COLOURS,
-        FOOT_CHARACTERS_PER_INCH,
         draw_figure,
+        error_bars,
         foot_line,
         log_bars,
+        write_below,
     )
     from workflow.report.report import write_report
     from workflow.report.table import write_grid_table, write_measured_table

@@ -12,6 +12,7 @@ import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from workflow.errors import UserError
@@ -25,6 +26,9 @@ STYLE: dict[str, Any] = {
     "font.size": 8.0,
     "axes.labelsize": 8.5,
     "axes.titlesize": 8.5,
+    "axes.titlelocation": "left",
+    "figure.labelsize": 6.0,  # notes below a figure
+    "figure.constrained_layout.use": True,
     "legend.fontsize": 7.0,
     "legend.frameon": False,
     "lines.linewidth": 1.0,
@@ -38,7 +42,6 @@ STYLE: dict[str, Any] = {
 }
 
 FOOT_CHARACTERS_PER_INCH = 21
-
 
 # Okabe and Ito: distinguishable with any colour vision.
 COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
@@ -97,9 +100,25 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
         f"{points} grid points, {int(dataset.realizations.max())} realizations each, "
         f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"
     )
+    write_below(figure, text, note)
+
+
+def write_below(figure: Figure, *notes: str) -> None:
+    """Write small lines under the figure, each note wrapped to its width."""
     width = int(FOOT_CHARACTERS_PER_INCH * figure.get_figwidth())
-    lines = [line for part in (text, note) if part for line in textwrap.wrap(part, width)]
-    figure.supxlabel("\n".join(lines), fontsize=6, color="0.35")
+    lines = [line for note in notes for line in textwrap.wrap(note, width)]
+    figure.supxlabel("\n".join(lines), color="0.35")
+
+
+def error_bars(
+    ax: Axes, points: xr.Dataset, name: str, over: str, log: bool = False, **style: Any
+) -> None:
+    """Draw an estimate with its standard errors over another variable of a result.
+
+    ``log`` : bars as of ``log_bars``. ``style`` : as for matplotlib's errorbar.
+    """
+    value, error = points[name].values, points[f"{name}_error"].values
+    ax.errorbar(points[over], value, log_bars(value, error) if log else error, **style)
 
 
 def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
