@@ -6,6 +6,7 @@ from pathlib import Path
 import xarray as xr
 from matplotlib import pyplot as plt
 
+from tests.support.commands import refusal
 from tests.support.small import write_study
 from workflow.cli import main
 from workflow.result.netcdf import write_datasets
@@ -48,12 +49,9 @@ def contents(folder: Path) -> dict[str, bytes]:
 def assert_refused(capsys, command: str, folder: Path, *more: str) -> str:
     """Assert exit status 2, one line, and that no file has changed; return the line."""
     before = contents(folder)
-    status, out, err = call(capsys, command, folder, *more)
-    assert (status, out) == (2, "")
-    assert err.startswith("error: ")
-    assert err.count("\n") == 1
+    said = refusal(capsys, command, str(folder / "small.toml"), "--out", str(folder), *more)
     assert contents(folder) == before
-    return err
+    return said
 
 
 def rewritten(folder: Path, change) -> None:

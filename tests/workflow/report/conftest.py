@@ -1,9 +1,11 @@
-"""One report for all tests that look at one: figures take long to draw."""
+"""One report for all tests that look at one."""
 
 import pytest
 from matplotlib import pyplot as plt
+from matplotlib.figure import Figure
 
 from tests.support.synthetic import add, result, write_figure_8
+from workflow.report import figure
 from workflow.report.report import write_report
 from workflow.result.netcdf import write_datasets
 
@@ -14,14 +16,31 @@ def _closed_figures():
     plt.close("all")
 
 
+def draw(groups):
+    """Return an empty figure, which is quick to draw: 3 inches wide for each H."""
+    return Figure(figsize=(3.0 * groups[""].hurst.size, 2.0))
+
+
 @pytest.fixture(scope="package")
-def folder(tmp_path_factory):
-    """Return a folder with a narrow figure, 8, and one wider than a phone, 5, and their report."""
+def report():
+    """Return a function that writes the report of a folder, with quick figures."""
+
+    def write(folder):
+        with pytest.MonkeyPatch.context() as patch:
+            patch.setattr(figure, "_script", lambda _: draw)
+            return write_report(folder, [])
+
+    return write
+
+
+@pytest.fixture(scope="package")
+def folder(tmp_path_factory, report):
+    """Return a folder with a narrow figure, 5, and one wider than a phone, 8, and their report."""
     folder = tmp_path_factory.mktemp("results")
     write_figure_8(folder)
-    wide = result("fig5", hurst=[0.7])
-    wide = add(wide, mu_1=wide.velocity, mu_2=1.2 * wide.velocity, jump=0.2 * wide.velocity)
-    write_datasets(folder / "fig5.nc", {"": wide})
-    write_report(folder, [])
-    plt.close("all")
+    narrow = result("fig5", hurst=[0.7])
+    velocity = narrow.velocity
+    narrow = add(narrow, mu_1=velocity, mu_2=1.2 * velocity, jump=0.2 * velocity)
+    write_datasets(folder / "fig5.nc", {"": narrow})
+    report(folder)
     return folder

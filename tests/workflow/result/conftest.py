@@ -21,4 +21,5 @@ def dataset(made):
 def with_models():
     """Return a dataset of everything that can be asked for."""
     asked = 'scene.quantities=["steady", "jump", "relaxation", "models"]'
-    return assembled(asked, "grid.hurst=0.3")[2]
+    few = ("grid.hurst=0.3", "grid.spacing=1e-4", "grid.normal_force=0.4")
+    return assembled(asked, *few)[2]

@@ -13,23 +13,23 @@ from tests.support.synthetic import result
 from workflow.result.netcdf import write_datasets
 
 
-@pytest.mark.parametrize("name", DAMAGE)
-@pytest.mark.parametrize("command", READERS)
-def test_a_result_that_is_none_is_refused(capsys, shown, command, name):
+@pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
+def test_a_result_that_is_none_is_refused(capsys, shown, damage):
     path = shown / "small.nc"
-    path.write_bytes(DAMAGE[name](path.read_bytes()))
+    path.write_bytes(damage(path.read_bytes()))
     for kind in WRITTEN:
         (shown / f"small.{kind}").write_bytes(OLD)
-    message = assert_refused(capsys, command, shown)
-    assert "small.nc: cannot be read as netCDF" in message or "is not a result" in message
+    for command in READERS:
+        message = assert_refused(capsys, command, shown)
+        assert "small.nc: cannot be read as netCDF" in message or "is not a result" in message
 
 
-@pytest.mark.parametrize("command", READERS)
-def test_no_result_and_a_folder_in_its_place_are_refused(capsys, shown, command):
+def test_no_result_and_a_folder_in_its_place_are_refused(capsys, shown):
     (shown / "small.nc").unlink()
-    assert "small.nc: not found; first run: python -m" in assert_refused(capsys, command, shown)
+    for command in READERS:
+        assert "small.nc: not found; first run: python -m" in assert_refused(capsys, command, shown)
     (shown / "small.nc").mkdir()
-    assert "not found" in assert_refused(capsys, command, shown)
+    assert "not found" in assert_refused(capsys, "table", shown)
 
 
 def test_a_flipped_bit_in_a_variable_is_noticed(capsys, shown):
@@ -60,27 +60,27 @@ def test_a_result_of_an_older_program_without_a_variable_says_so(capsys, shown):
     assert contents(shown) == before
 
 
-@pytest.mark.parametrize("command", READERS)
-def test_a_result_of_other_settings_is_said_or_refused(capsys, shown, command):
-    elsewhere = ("--set", "cluster.jobs=3")  # where it is computed makes no difference
-    assert call(capsys, command, shown, *elsewhere)[::2] == (0, "")
+def test_a_result_of_other_settings_is_said_or_refused(capsys, shown):
     asked = ("--set", "grid.hurst=0.5", "--set", "study.seed=2")
-    message = assert_refused(capsys, command, shown, *asked)
-    assert "was computed with other settings than asked for: grid.hurst, study.seed;" in message
+    for command in READERS:
+        message = assert_refused(capsys, command, shown, *asked)
+        assert "computed with other settings than asked for: grid.hurst, study.seed;" in message
+    elsewhere = ("--set", "cluster.jobs=3")  # where it is computed makes no difference
+    assert call(capsys, "table", shown, *elsewhere)[::2] == (0, "")
     text = (shown / "small.toml").read_text()
     (shown / "small.toml").write_text(text.replace("hurst = [0.3, 0.7]", "hurst = 0.5"))
-    status, out, err = call(capsys, command, shown)
+    status, out, err = call(capsys, "table", shown)
     assert status == 0
     assert out
     assert err.startswith("note: ")
     assert err.endswith("other settings than asked for: grid.hurst; shown is the file\n")
 
 
-@pytest.mark.parametrize("name", DAMAGE)
-def test_the_report_names_the_file_it_cannot_read(capsys, tmp_path, name):
+@pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)
+def test_the_report_names_the_file_it_cannot_read(capsys, tmp_path, damage):
     write_datasets(tmp_path / "fig8.nc", {"": result("fig8")})
     path, page = tmp_path / "fig8.nc", tmp_path / "report.html"
-    path.write_bytes(DAMAGE[name](path.read_bytes()))
+    path.write_bytes(damage(path.read_bytes()))
     page.write_bytes(OLD)
-    assert "fig8.nc: " in refusal(capsys, "report", "--out", str(tmp_path))
+    assert "fig8.nc: " in refusal(capsys, "report", "fig8", "--out", str(tmp_path))
     assert page.read_bytes() == OLD
