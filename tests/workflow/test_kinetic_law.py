@@ -79,15 +79,10 @@ def test_slow_change_stays_steady_and_a_quick_one_does_not():
     assert quick[-1] > 1.05 * law().steady(velocity[-1])
 
 
+TABLES = [([1.0], [0.1]), ([1.0, 2.0], [0.1]), ([2.0, 1.0], [0.1, 0.2]), ([0.0, 1.0], [0.1, 0.2])]
 BAD = [
-    {"velocity": [1.0], "friction": [0.1]},
-    {"velocity": [1.0, 2.0], "friction": [0.1]},
-    {"velocity": [2.0, 1.0], "friction": [0.1, 0.2]},
-    {"velocity": [0.0, 1.0], "friction": [0.1, 0.2]},
-    {"hurst": 1.2},
-    {"relaxation_time": 0.0},
-    {"q_max": -1.0},
-    {"rms_slope": 0.0},
+    *({"velocity": velocity, "friction": friction} for velocity, friction in TABLES),
+    *({"hurst": 1.2}, {"relaxation_time": 0.0}, {"q_max": -1.0}, {"rms_slope": 0.0}),
 ]
 
 

@@ -8,6 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from tests.support.small import all_records, cut_batches, small_plan
+from tests.support.sweeps import examples
 from workflow.plan.batches import batch_target
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
@@ -31,7 +32,7 @@ def seconds(plan, stored=frozenset(), target=3.0):
     return sum(batch.seconds for batch in cut_batches(plan, set(stored), target))
 
 
-@settings(max_examples=60)
+@settings(max_examples=examples(30))
 @given(
     st.sampled_from([PLAN, BLOCKED]),
     st.randoms(use_true_random=False),

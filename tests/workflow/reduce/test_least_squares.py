@@ -2,10 +2,11 @@
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import curve_fit
 
+from tests.support.sweeps import examples
 from workflow.reduce.least_squares import fit_curves
 from workflow.reduce.models import exponential, stretched
 
@@ -19,6 +20,7 @@ def noisy(rows, seed=1):
     return np.exp(-rate * TIME) + 0.02 * rng.standard_normal((rows, TIME.size))
 
 
+@settings(max_examples=examples(40))
 @given(st.floats(-3.0, 3.0), st.floats(0.3, 3.0), st.floats(0.4, 1.5))
 def test_exact_curves_give_their_parameters(size, rate, exponent):
     truth = np.array([[10.0**size, np.log(rate), np.log(exponent)]])

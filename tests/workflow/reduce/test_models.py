@@ -5,6 +5,7 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
+from tests.support.sweeps import mostly_exhaustive
 from workflow.reduce import models
 from workflow.reduce.jackknife import replicates, standard_error
 from workflow.reduce.models import (
@@ -123,7 +124,7 @@ def after_others(value, seed):
     return [np.asarray(number).tobytes() for number in found]
 
 
-@pytest.mark.parametrize("seed", range(4))
+@mostly_exhaustive("seed", [0, 1], [2, 3])
 def test_a_thread_finds_the_same_bits_as_the_main_thread(seed):
     """And whatever lay in memory before: docs/decisions/own-least-squares.md."""
     expected = after_others(0.0, seed)

@@ -15,13 +15,14 @@ from hypothesis import strategies as st
 
 from tests.support.documents import document
 from tests.support.small import TEXT, small_study, write_study
+from tests.support.sweeps import examples
 from workflow.errors import UserError
 from workflow.plan.plan import make_plan
 from workflow.study.measured import Measured
 from workflow.study.read import known_studies, read_study
 from workflow.study.study import TABLES, Study
 
-EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", "80"))  # of each kind
+EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", examples(50)))  # of each kind
 FUZZ = settings(max_examples=EXAMPLES, deadline=None)
 MOST_POINTS = 100  # of a study to plan
 MOST_ELEMENTS = 10_000
@@ -82,15 +83,12 @@ def outcome(text, *given_settings, scale=None):
     """Return the study that a text makes, or the message it is refused with."""
     try:
         study = small_study(*given_settings, text=text, scale=scale)
+        if isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS:
+            longest = max(map(study.elements, study.grid["spacing"]))
+            if longest <= MOST_ELEMENTS:
+                make_plan(study)
     except UserError as error:
         return str(error)
-    if isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS:
-        if max(study.elements(spacing) for spacing in study.grid["spacing"]) > MOST_ELEMENTS:
-            return study
-        try:
-            make_plan(study)
-        except UserError as error:
-            return str(error)
     return study
 
 
