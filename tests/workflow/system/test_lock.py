@@ -46,25 +46,20 @@ def test_a_second_holder_is_refused_and_told_who_has_it(tmp_path, other):
     assert re.fullmatch(who, holder(tmp_path))
 
 
-def test_the_lock_dies_with_its_holder(tmp_path, other):
+def test_the_lock_dies_with_its_holder_and_is_free_after_an_error(tmp_path, other):
     other.send_signal(signal.SIGKILL)
     other.wait(timeout=PATIENCE)
     assert holder(tmp_path) is None
     with hold(tmp_path):
         assert f"process {os.getpid()} on " in holder(tmp_path)
+    with pytest.raises(KeyError), hold(tmp_path):
+        raise KeyError
     assert holder(tmp_path) is None
 
 
 def test_asking_who_holds_it_makes_nothing(tmp_path):
     assert holder(tmp_path / "store") is None
     assert list(tmp_path.iterdir()) == []
-
-
-def test_the_lock_is_free_after_an_error(tmp_path):
-    with pytest.raises(KeyError), hold(tmp_path):
-        raise KeyError
-    with hold(tmp_path):
-        pass
 
 
 def test_a_file_system_without_locks_is_warned_of(tmp_path, monkeypatch, capsys):
@@ -79,8 +74,6 @@ def test_a_file_system_without_locks_is_warned_of(tmp_path, monkeypatch, capsys)
 
 def test_folder_that_cannot_be_made_is_reported(tmp_path):
     (tmp_path / "file").write_text("")
-    with (
-        pytest.raises(UserError, match=r"cannot be used for results: Not a directory$"),
-        hold(tmp_path / "file" / "store"),
-    ):
+    expected = pytest.raises(UserError, match=r"cannot be used for results: Not a directory$")
+    with expected, hold(tmp_path / "file" / "store"):
         pass

@@ -8,23 +8,21 @@ import pytest
 
 from workflow.system.progress import Reporter, duration
 
+WORDS = {
+    0.0: "0 s",
+    0.4: "0 s",
+    12.3: "12 s",
+    119.0: "119 s",
+    120.0: "2.0 min",
+    204.0: "3.4 min",
+    7199.0: "120.0 min",
+    20160.0: "5.6 h",
+    674000.0: "7.8 d",
+}
 
-@pytest.mark.parametrize(
-    ("seconds", "text"),
-    [
-        (0.0, "0 s"),
-        (0.4, "0 s"),
-        (12.3, "12 s"),
-        (119.0, "119 s"),
-        (120.0, "2.0 min"),
-        (204.0, "3.4 min"),
-        (7199.0, "120.0 min"),
-        (20160.0, "5.6 h"),
-        (674000.0, "7.8 d"),
-    ],
-)
-def test_duration_in_words(seconds, text):
-    assert duration(seconds) == text
+
+def test_duration_in_words():
+    assert {seconds: duration(seconds) for seconds in WORDS} == WORDS
 
 
 def lines(capsys):
@@ -46,16 +44,13 @@ def test_a_log_gets_plain_lines_with_share_and_time_left(capsys, clock):
     assert lines(capsys) == ["computing: 100%, 0 s left"]
 
 
-def test_lines_are_sparse(capsys, clock):
+def test_lines_are_sparse_and_slow_work_is_reported_all_the_same(capsys, clock):
     with Reporter("computing", 1000.0) as reporter:
         for _ in range(1000):
             reporter.advance(1.0)
     found = lines(capsys)
     assert 15 <= len(found) <= 21
     assert found[-1] == "computing: 100%, 0 s left"
-
-
-def test_slow_work_is_reported_all_the_same(capsys, clock):
     reporter = Reporter("computing", 1e6)
     for _ in range(10):
         clock[0] += 10.0
@@ -63,17 +58,14 @@ def test_slow_work_is_reported_all_the_same(capsys, clock):
     assert len(lines(capsys)) == 3
 
 
-def test_nothing_to_do_says_nothing(capsys):
-    with Reporter("computing", 0.0):
-        pass
-    assert lines(capsys) == []
-
-
-def test_more_work_than_predicted_stays_at_all_of_it(capsys, clock):
-    reporter = Reporter("computing", 1.0)
-    clock[0] += 3.0
-    reporter.advance(5.0)
-    assert lines(capsys) == ["computing: 100%, 0 s left"]
+@pytest.mark.parametrize(("predicted", "said"), [(0.0, []), (1.0, ["computing: 100%, 0 s left"])])
+def test_nothing_to_do_says_nothing_and_more_than_predicted_is_all_of_it(
+    capsys, clock, predicted, said
+):
+    with Reporter("computing", predicted) as reporter:
+        clock[0] += 3.0
+        reporter.advance(5.0 * predicted)
+    assert lines(capsys) == said
 
 
 def test_a_terminal_gets_a_bar(monkeypatch):
