@@ -1,9 +1,11 @@
 """Running the small study: on the cluster of the tests, or as a user would, in a process."""
 
+import contextlib
 import os
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -64,6 +66,18 @@ def start(*arguments: str) -> subprocess.Popen:
         text=True,
         start_new_session=True,
     )
+
+
+@contextlib.contextmanager
+def standing(script: str, *arguments: str) -> Iterator[tuple[subprocess.Popen, str]]:
+    """Yield a process that runs a script, once it has said a line, and that line; then kill it."""
+    words = [sys.executable, "-c", script, *arguments]
+    process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, text=True)
+    try:
+        yield process, process.stdout.readline().strip()
+    finally:
+        process.kill()
+        process.communicate(timeout=PATIENCE)
 
 
 def wait_for_shards(process: subprocess.Popen, folder: Path, count: int) -> None:

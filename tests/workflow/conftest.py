@@ -11,6 +11,7 @@ from distributed import Client
 from tests.support.powers import write_powers
 from tests.support.results import write_result
 from tests.support.runs import Run, run
+from tests.support.small import write_study
 from workflow.plan import machine
 from workflow.plan.cost import TYPICAL
 
@@ -40,6 +41,12 @@ def clock(monkeypatch) -> list[float]:
     now = [100.0]
     monkeypatch.setattr(time, "monotonic", lambda: now[0])
     return now
+
+
+@pytest.fixture
+def study(tmp_path) -> str:
+    """Return the path of the small study."""
+    return write_study(tmp_path)
 
 
 @pytest.fixture

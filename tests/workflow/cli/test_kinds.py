@@ -40,10 +40,8 @@ def test_a_measured_study_is_planned_run_and_shown_by_the_same_commands(capsys, 
     assert (out.splitlines()[0], out.splitlines()[-1]) == ("largest 4", "results/powers.nc")
     assert "measuring: 100%" in err
     assert "not written yet" not in output(capsys, "status", "powers")
-    assert output(capsys, "figure", "powers").split() == [
-        "results/powers.png",
-        "results/powers.pdf",
-    ]
+    drawn = output(capsys, "figure", "powers").split()
+    assert drawn == ["results/powers.png", "results/powers.pdf"]
     output(capsys, "table", "powers")
     assert (results / "powers.csv").read_text() == "found\n1\n2\n4\n"
 

@@ -1,8 +1,6 @@
 """Streaming: each item once, a bounded number in flight, and no silent end."""
 
 import math
-import subprocess
-import sys
 import time
 
 import pytest
@@ -10,7 +8,7 @@ from distributed import Client
 from distributed.comm import CommClosedError
 from distributed.scheduler import KilledWorker
 
-from tests.support.runs import PATIENCE
+from tests.support.runs import PATIENCE, standing
 from workflow.cluster.flow import raise_error, stream
 from workflow.cluster.watch import Watch
 from workflow.errors import UserError
@@ -91,20 +89,11 @@ with LocalCluster(n_workers=1, threads_per_worker=2, processes=False, **options)
 """
 
 
-@pytest.fixture
-def mortal():
-    """Return a process that runs a scheduler with workers, and the address of that."""
-    process = subprocess.Popen([sys.executable, "-c", SCHEDULER], stdout=subprocess.PIPE, text=True)
-    try:
-        yield process, process.stdout.readline().strip()
-    finally:
-        process.kill()
-        process.communicate(timeout=PATIENCE)
-
-
-def test_a_scheduler_that_dies_is_no_end_of_the_work(mortal):
-    process, address = mortal
-    with Client(address, timeout=PATIENCE) as client:
+def test_a_scheduler_that_dies_is_no_end_of_the_work():
+    with (
+        standing(SCHEDULER) as (process, address),
+        Client(address, timeout=PATIENCE) as client,
+    ):
         results = stream(client, time.sleep, [0.01] + [600.0] * 15)
         assert next(results) == (0.01, None)
         process.kill()

@@ -1,19 +1,12 @@
 """One report for all tests that look at one."""
 
 import pytest
-from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from tests.support.synthetic import add, result, write_figure_8
 from workflow.report import figure
 from workflow.report.report import write_report
 from workflow.result.netcdf import write_datasets
-
-
-@pytest.fixture(autouse=True)
-def _closed_figures():
-    yield
-    plt.close("all")
 
 
 def draw(groups):

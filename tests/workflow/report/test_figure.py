@@ -34,22 +34,20 @@ def test_the_same_result_gives_the_same_figure_as_png_and_pdf(capsys, shown):
     assert drawn[0][1].startswith(b"%PDF")
 
 
-def test_a_study_without_a_script_says_so(capsys, shown):
+@pytest.mark.parametrize(
+    ("script", "said"),
+    [
+        (None, "figure.py: not found; the study has no figure script"),
+        (OLD_FORM, "figure.py: draw takes the path of a result; write draw(groups) instead"),
+        (BROKEN, "small.nc: cannot be used by small ('there is no such group')"),
+    ],
+    ids=["none", "of the old form", "broken"],
+)
+def test_a_script_that_cannot_draw_says_why_and_leaves_no_figure_open(capsys, shown, script, said):
     (shown / "figure.py").unlink()
-    said = assert_refused(capsys, "figure", shown)
-    assert f"{shown}/figure.py: not found; the study has no figure script" in said
-
-
-def test_a_script_of_the_old_form_is_told_what_to_change(capsys, shown):
-    (shown / "figure.py").write_text(OLD_FORM)
-    said = assert_refused(capsys, "figure", shown)
-    assert f"{shown}/figure.py: draw takes the path of a result; write draw(groups)" in said
-    assert 'groups[""] is the study' in said
-
-
-def test_a_script_that_cannot_use_the_result_leaves_no_figure_open(capsys, shown):
-    (shown / "figure.py").write_text(BROKEN)
-    assert "cannot be used by small ('there is no" in assert_refused(capsys, "figure", shown)
+    if script:
+        (shown / "figure.py").write_text(script)
+    assert f"{shown}/{said}" in assert_refused(capsys, "figure", shown)
     assert plt.get_fignums() == []
 
 

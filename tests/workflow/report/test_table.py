@@ -17,15 +17,12 @@ def table(finished, tmp_path_factory):
     return pd.read_csv(write_grid_table(finished.plan.study, copy))
 
 
-def test_one_row_per_point_and_one_column_per_estimate(table, finished):
+def test_every_point_is_a_row_of_the_estimates_of_the_result(table, finished):
     dataset = finished.load()
     assert len(table) == finished.plan.points
     names = {name for name in dataset.data_vars if dataset[name].dims == AXES}
     assert set(table.columns) == names | set(AXES)
 
-
-def test_numbers_are_those_of_the_result(table, finished):
-    dataset = finished.load()
     for _, row in table.iterrows():
         point = dataset.sel({axis: row[axis] for axis in AXES}, method="nearest")
         for name in ("mu_1", "jump", "indentation", "relaxation_rate_error"):

@@ -4,7 +4,6 @@ import json
 import re
 import subprocess
 
-import netCDF4
 import pytest
 
 from tests.support.small import small_study, write_study
@@ -69,9 +68,3 @@ def test_nothing_depends_on_when_or_where():
     again = provenance(STUDY, STUDY.variants[""])
     assert {**again, "commit": FOUND["commit"]} == FOUND
     assert not {"date", "history", "host", "user", "folder"} & set(FOUND)
-
-
-def test_attributes_can_be_written_to_a_file():
-    with netCDF4.Dataset("attributes.nc", "w", memory=1024) as data:
-        data.setncatts(FOUND)
-        assert {name: data.getncattr(name) for name in data.ncattrs()} == FOUND

@@ -5,15 +5,14 @@ import pytest
 from distributed.scheduler import KilledWorker, WorkerState
 
 from tests.support.runs import run
-from tests.support.shards import held
-from tests.support.small import all_records, cut_batches, small_plan
+from tests.support.shards import BATCH, held
+from tests.support.small import all_records, small_plan
 from workflow.cluster import worker as work
 from workflow.errors import UserError
 from workflow.run.failures import Failures
 from workflow.store.store import Store, store_folder
 
 PLAN = small_plan()
-BATCH = next(cut_batches(PLAN, set(), 1e9))  # four tasks, four blocks
 KILLED = KilledWorker("key", WorkerState.__new__(WorkerState), 3)
 
 
@@ -23,15 +22,11 @@ def failures(tmp_path):
     return Failures(Store(tmp_path), PLAN, 1)
 
 
-def parts(retried):
-    """Return what batches compute: (key, first block, blocks)."""
-    return [(b.tasks[0].key, b.first_block, b.blocks) for b in retried if len(b.tasks) == 1]
-
-
 @pytest.mark.parametrize("error", [ValueError("no"), KILLED])
 def test_a_chunk_is_split_into_its_tasks(failures, error):
     retried = failures(BATCH, error, False)
-    assert parts(retried) == [(task.key, 0, 4) for task in BATCH.tasks]
+    parts = [(batch.tasks, batch.first_block, batch.blocks) for batch in retried]
+    assert parts == [((task,), 0, 4) for task in BATCH.tasks]
     assert sum(batch.seconds for batch in retried) == pytest.approx(BATCH.seconds)
     assert failures.lines() == []
 

@@ -22,8 +22,6 @@ def test_without_the_indentation_rate_little_is_left_to_relax(scheduler, tmp_pat
 
 def test_steady_sliding_alone_leaves_the_rest_out(scheduler, tmp_path):
     steady = run(scheduler, tmp_path, 'scene.quantities=["steady"]').load()
-    kept = {"mu_1", "mu_2", "indentation", "contact_fraction"}
-    errors = {f"{name}_error" for name in kept}
-    always = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing"}
-    assert set(steady.data_vars) == kept | errors | always
+    assert {"mu_1", "mu_2"} < set(steady.data_vars)
+    assert not {"jump", "mu", "fit_status", "alpha"} & set(steady.data_vars)
     assert "sample" not in steady.dims

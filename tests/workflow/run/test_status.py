@@ -45,7 +45,7 @@ def written(place):
     return json.loads(status_file(place[0]).read_text())
 
 
-def test_a_run_says_how_far_it_is(place):
+def test_a_run_says_how_far_it_is_and_whether_it_was_killed(place):
     result, store, writer = place
     with hold(store.folder):
         writer.write(3, 2)
@@ -58,6 +58,9 @@ def test_a_run_says_how_far_it_is(place):
         "remaining   2 core-hours, predicted",
     ]
     assert f"running, by process {os.getpid()} on {socket.gethostname()} since" in lines[5]
+    killed = status_lines(STUDY, result, store.folder)
+    assert killed[1] == "running     0 batches on 0 workers"
+    assert killed[5].startswith("run         was killed, 20")
 
 
 def test_what_the_journal_got_since_is_counted_by_the_reader_and_the_writer(place):
@@ -72,14 +75,6 @@ def test_what_the_journal_got_since_is_counted_by_the_reader_and_the_writer(plac
     writer.end("interrupted")
     found = written(place)
     assert (found["done"], found["state"], found["workers"]) == (16, "interrupted", 0)
-
-
-def test_a_run_that_was_killed_is_no_longer_running(place):
-    writer = place[2]
-    writer.write(3, 2)
-    lines = status_lines(STUDY, place[0], place[1].folder)
-    assert lines[1] == "running     0 batches on 0 workers"
-    assert lines[5].startswith("run         was killed, 20")
 
 
 def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):

@@ -4,12 +4,10 @@ import fcntl
 import os
 import re
 import signal
-import subprocess
-import sys
 
 import pytest
 
-from tests.support.runs import PATIENCE, ROOT
+from tests.support.runs import PATIENCE, standing
 from workflow.errors import UserError
 from workflow.system.lock import hold, holder
 
@@ -26,15 +24,9 @@ with hold(Path(sys.argv[1])):
 @pytest.fixture
 def other(tmp_path):
     """Return another process that holds the lock of tmp_path."""
-    process = subprocess.Popen(
-        [sys.executable, "-c", HOLDER, str(tmp_path)], cwd=ROOT, stdout=subprocess.PIPE, text=True
-    )
-    try:
-        assert process.stdout.readline() == "held\n"
+    with standing(HOLDER, str(tmp_path)) as (process, said):
+        assert said == "held"
         yield process
-    finally:
-        process.kill()
-        process.communicate(timeout=PATIENCE)
 
 
 def test_a_second_holder_is_refused_and_told_who_has_it(tmp_path, other):
