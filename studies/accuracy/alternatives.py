@@ -1,6 +1,5 @@
 """The alternatives at the points of the study: errors and times as those of the kernels."""
 
-import importlib.util
 import math
 import time
 
@@ -10,21 +9,16 @@ from kernels import Line
 
 from .marches import MARCHES
 from .points import RATIO, Point, Surface
-from .sampling import Method, Runs, kept_steps_of
+from .sampling import Method, Runs, collected, kept_steps_of
 
 SPIN_UP = 10.0  # what is left of the start is e^-10; implicit Euler: a factor 1 + dt a step
 SLOWER = {"tamaas": 10.0}  # than the others, per update: fewer steps per dx in the same time
 
 
-def available(name: str) -> bool:
-    """Tell whether an alternative can be run here; tamaas is optional."""
-    return name != "tamaas" or importlib.util.find_spec("tamaas") is not None
-
-
-def affordable(name: str, point: Point, elements: int, updates: float) -> list[int]:
-    """Return the powers of two of m for which a march takes at most ``updates`` updates."""
+def affordable(name: str, point: Point, elements: int, updates: float) -> float:
+    """Return up to which m a march takes at most ``updates`` updates; at least 1."""
     most = math.sqrt(updates / SLOWER.get(name, 1.0) / (2.0 * SPIN_UP * point.speed * elements))
-    return [2**k for k in range(int(math.log2(max(most, 1.0))) + 1)]
+    return max(most, 1.0)
 
 
 def run_march(name: str, point: Point, surfaces: list[Surface], steps: int) -> Runs:
@@ -39,7 +33,7 @@ def run_march(name: str, point: Point, surfaces: list[Surface], steps: int) -> R
     first, second = (
         math.ceil(SPIN_UP / math.log1p(1.0 / p)) for p in (steps_per_tau, steps_per_tau * RATIO)
     )
-    found, cpu = [], []
+    rows = []
     for surface in surfaces:
         began = time.process_time()
         line = Line.self_affine(*surface, steps)
@@ -48,8 +42,7 @@ def run_march(name: str, point: Point, surfaces: list[Surface], steps: int) -> R
         before = march.advance(first, 1.0 / steps_per_tau)
         steady = time.process_time()
         after = march.advance(max(second, int(kept_steps[-1])), 1.0 / (steps_per_tau * RATIO))
-        done = time.process_time()
-        found.append((before[-1], after[-1], after[0] - before[-1], after[kept_steps - 1]))
-        cpu.append((drawn - began, steady - drawn, done - drawn))
-    mu_1, mu_2, jump, curves = (np.array(column) for column in zip(*found, strict=True))
-    return Runs(mu_1, mu_2, jump, curves, moments, np.array(cpu))
+        cpu = np.array([drawn - began, steady - drawn, time.process_time() - drawn])
+        mu_1 = before[-1]
+        rows.append((mu_1, after[-1], after[0] - mu_1, after[kept_steps - 1], cpu))
+    return collected(rows, moments)

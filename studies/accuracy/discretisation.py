@@ -1,34 +1,17 @@
 """Errors and times of all discretisations of one point, against its reference."""
 
 import math
-from typing import NamedTuple
 
 import numpy as np
+import xarray as xr
 
-from .errors import (
-    Errors,
-    Observed,
-    Reference,
-    compare,
-    deviations,
-    extrapolate,
-    observe,
-    order,
-)
+from .errors import Reference, compare, deviations, extrapolate, observe, order
 from .points import Point, Surface
 from .sampling import Method, run, seconds
 
 SCHEMES = ("exponential", "implicit-euler")
 LEAST_LINES = 20  # a rate is claimed from 18 on
-
-
-class Ladder(NamedTuple):
-    """One scheme at one point over m = 1, 2, 4, ..."""
-
-    steps: list[int]
-    errors: list[Errors]
-    seconds: np.ndarray  # shape (steps, 2): mu_1 and jump, everything
-    observed: list[Observed]  # on all lines of each m
+PARTS = ("mu_1 and jump", "everything")  # of the time
 
 
 def ladder_steps(point: Point, most: int) -> list[int]:
@@ -55,27 +38,29 @@ def reference(point: Point, surfaces: list[Surface], most: int) -> Reference:
 
 def climb(
     point: Point, surfaces: list[Surface], scheme: str, steps: list[int], limit: Reference
-) -> Ladder:
-    """Run a scheme over all m; errors are those on the lines of the reference."""
+) -> xr.Dataset:
+    """Return what a scheme gives over m; errors are those on the lines of the reference.
+
+    The deviation of one realization is that at a middle m, on all lines.
+    """
     paired, elements = limit.limit.mu_1.size, surfaces[0].elements
-    errors, times, observed = [], [], []
+    rows, apart = [], []
     for m in steps:
         runs = run(point, surfaces[: lines_at(m, len(surfaces))], Method(scheme, m))
-        errors.append(compare(observe(point, elements, runs, paired, limit.end), limit))
-        observed.append(observe(point, elements, runs, runs.mu_1.size, limit.end))
-        times.append(seconds(runs))
-    return Ladder(steps, errors, np.array(times), observed)
-
-
-def orders(ladder: Ladder, limit: Reference) -> np.ndarray:
-    """Return the measured order of convergence per quantity."""
-    steps = np.array(ladder.steps)
-    rms = np.array([error.rms for error in ladder.errors])
-    return np.array([order(steps, rms[:, q], 2.0 * limit.error[q]) for q in range(4)])
-
-
-def spread(ladder: Ladder) -> np.ndarray:
-    """Return the relative standard deviation of one realization, at a middle m."""
-    found = np.array([deviations(o) for o in ladder.observed])
-    middle = next((k for k, row in enumerate(found) if k >= 2 and np.isfinite(row).all()), 2)
-    return found[middle]
+        found = compare(observe(point, elements, runs, paired, limit.end), limit)
+        rows.append((*found, seconds(runs)))
+        apart.append(deviations(observe(point, elements, runs, runs.mu_1.size, limit.end)))
+    rms, bias, bias_error, cpu = (np.array(column) for column in zip(*rows, strict=True))
+    middle = next((k for k in range(2, len(steps)) if np.isfinite(apart[k]).all()), 2)
+    orders = [order(np.array(steps), rms[:, q], 2.0 * limit.error[q]) for q in range(4)]
+    return xr.Dataset(
+        {
+            "error": (("steps", "quantity"), rms),
+            "bias": (("steps", "quantity"), bias),
+            "bias_error": (("steps", "quantity"), bias_error),
+            "seconds": (("steps", "part"), cpu),
+            "order": ("quantity", orders),
+            "deviation": ("quantity", apart[middle]),
+        },
+        {"steps": steps},
+    )

@@ -67,26 +67,13 @@ def compare(found: Observed, reference: Reference) -> Errors:
     """Return the errors of what was found on the lines of the reference."""
     limit = reference.limit
     scale = limit.jump.mean()
-    relative = {
-        "mu_1": (found.mu_1 - limit.mu_1) / limit.mu_1.mean(),
-        "jump": (found.jump - limit.jump) / scale,
-        "curve": (found.curve - limit.curve) / scale,
-    }
+    mu_1 = (found.mu_1 - limit.mu_1) / limit.mu_1.mean()
+    jump, curve = (found.jump - limit.jump) / scale, (found.curve - limit.curve) / scale
     rate = found.rate / limit.rate - 1.0
-    rms, bias, error = [], [], []
-    for name in QUANTITIES:
-        if name == "rate":
-            rms.append(abs(rate[0]))
-            bias.append(rate[0])
-            error.append(standard_error(rate, 0))
-            continue
-        each = relative[name]
-        mean = replicates(each, 0)
-        rms.append(np.sqrt(np.mean(each**2)))
-        if name == "curve":
-            mean = np.sqrt(np.mean(mean**2, axis=1))
-        bias.append(mean[0])
-        error.append(standard_error(mean, 0))
+    rms = [np.sqrt(np.mean(each**2)) for each in (mu_1, jump, rate[:1], curve)]
+    curves = np.sqrt(np.mean(replicates(curve, 0) ** 2, axis=1))
+    means = (replicates(mu_1, 0), replicates(jump, 0), rate, curves)
+    bias, error = [mean[0] for mean in means], [standard_error(mean, 0) for mean in means]
     return Errors(np.array(rms), np.array(bias), np.array(error))
 
 

@@ -7,12 +7,20 @@ import xarray as xr
 
 from . import discretisation as disc
 from .errors import QUANTITIES
-from .points import Point, Surface, surface
+from .points import Point, surface
 from .sampling import Method, run
 from .sampling_error import COUNTS, sampling_errors
 
 TARGETS = (0.1, 0.03, 0.01, 0.003, 0.001)
-PARTS = ("mu_1 and jump", "everything")
+TEXTS = {  # name: long_name, units
+    "error": ("rms error over lines; rate: of the mean curve", "1"),
+    "bias": ("error of the mean over lines, signed", "1"),
+    "bias_error": ("standard error of the bias", "1"),
+    "seconds": ("CPU time per realization, median", "s"),
+    "order": ("measured order of convergence in 1/m", "1"),
+    "reference_error": ("stated error of the reference", "1"),
+    "deviation": ("standard deviation of one realization", "1"),
+}
 
 
 def warm_up() -> None:
@@ -22,58 +30,38 @@ def warm_up() -> None:
         run(point, [surface(point, 64, 0, 0)], Method(scheme, 2))
 
 
-# name: (dimensions, long_name, unit)
-DECLARED = {
-    "error": ("point scheme steps quantity", "rms error over lines; rate: of the mean curve", "1"),
-    "bias": ("point scheme steps quantity", "error of the mean over lines, signed", "1"),
-    "bias_error": ("point scheme steps quantity", "standard error of the bias", "1"),
-    "seconds": ("point scheme steps part", "CPU time per realization, median", "s"),
-    "order": ("point scheme quantity", "measured order of convergence in 1/m", "1"),
-    "reference_error": ("point quantity", "stated error of the reference", "1"),
-    "deviation": ("point quantity", "standard deviation of one realization", "1"),
-}
-
-
 def discretisations(
     points: tuple[Point, ...], settings: dict, seed: int, advance: Callable[[], None]
 ) -> xr.Dataset:
     """Return errors, times, orders and what follows from them for all points.
 
-    Errors are relative, those of curves to the jump.
+    Errors are relative, those of curves to the jump; missing at m that a point does not need.
     """
-    steps = max((disc.ladder_steps(p, settings["finest"]) for p in points), key=len)
-    coords = point_coords(points) | {
-        "scheme": list(disc.SCHEMES),
-        "steps": ("steps", steps, {"long_name": "m, steps and samples per spacing"}),
-        "quantity": list(QUANTITIES),
-        "part": list(PARTS),
-        "target": list(TARGETS),
-    }
-    data = xr.Dataset(coords=coords)
-    for name, (dims, text, unit) in DECLARED.items():
-        empty = np.full([data.sizes[dim] for dim in dims.split()], np.nan)
-        data[name] = (dims.split(), empty, {"long_name": text, "units": unit})
-    for k, point in enumerate(points):
+    found = []
+    for point in points:
         surfaces = [surface(point, settings["elements"], seed, i) for i in range(settings["lines"])]
-        _fill(data, k, point, surfaces, settings["finest"])
+        limit = disc.reference(point, surfaces, settings["finest"])
+        steps = disc.ladder_steps(point, settings["finest"])
+        ladders = [disc.climb(point, surfaces, scheme, steps, limit) for scheme in disc.SCHEMES]
+        both = xr.concat(ladders, "scheme")
+        both["reference_error"] = ("quantity", limit.error)
+        found.append(both.assign(deviation=ladders[0].deviation))
         advance()
+    data = together(found, points, TEXTS).assign_coords(
+        scheme=list(disc.SCHEMES), target=list(TARGETS)
+    )
+    data.steps.attrs["long_name"] = "m, steps and samples per spacing"
     return data
 
 
-def _fill(data: xr.Dataset, k: int, point: Point, surfaces: list[Surface], finest: int) -> None:
-    """Measure point number k and enter it."""
-    limit = disc.reference(point, surfaces, finest)
-    data["reference_error"][k] = limit.error
-    steps = disc.ladder_steps(point, finest)
-    rows = slice(0, len(steps))
-    ladders = [disc.climb(point, surfaces, scheme, steps, limit) for scheme in disc.SCHEMES]
-    for s, ladder in enumerate(ladders):
-        data["error"][k, s, rows] = [e.rms for e in ladder.errors]
-        data["bias"][k, s, rows] = [e.bias for e in ladder.errors]
-        data["bias_error"][k, s, rows] = [e.bias_error for e in ladder.errors]
-        data["seconds"][k, s, rows] = ladder.seconds
-        data["order"][k, s] = disc.orders(ladder, limit)
-    data["deviation"][k] = disc.spread(ladders[0])
+def together(
+    found: list[xr.Dataset], points: tuple[Point, ...], texts: dict[str, tuple[str, str]]
+) -> xr.Dataset:
+    """Return the datasets of points as one that says what the points and the variables are."""
+    data = xr.concat(found, "point", join="outer").assign_coords(point_coords(points))
+    for name, (text, unit) in texts.items():
+        data[name].attrs = {"long_name": text, "units": unit}
+    return data.assign_coords(quantity=list(QUANTITIES), part=list(disc.PARTS))
 
 
 def point_coords(points: tuple[Point, ...]) -> dict:
@@ -90,13 +78,14 @@ def sampling(
     points: tuple[Point, ...], settings: dict, seed: int, advance: Callable[[], None]
 ) -> xr.Dataset:
     """Return the error of the mean of R realizations at all points."""
-    found = np.empty((len(points), len(COUNTS), 3))
-    for k, point in enumerate(points):
+    found = []
+    for point in points:
         count = settings["realizations"]
         surfaces = [surface(point, settings["elements"], seed, i) for i in range(count)]
         steps = int(2 ** np.clip(np.ceil(np.log2(0.2 / point.speed)), 2, 5))
-        found[k] = sampling_errors(point, surfaces, steps)
+        found.append(sampling_errors(point, surfaces, steps))
         advance()
     coords = point_coords(points) | {"realizations": list(COUNTS), "sampled": list(QUANTITIES[:3])}
     text = {"long_name": "rms relative error of the mean of R realizations", "units": "1"}
-    return xr.Dataset({"error": (("point", "realizations", "sampled"), found, text)}, coords)
+    error = (("point", "realizations", "sampled"), np.array(found), text)
+    return xr.Dataset({"error": error}, coords)

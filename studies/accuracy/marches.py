@@ -4,11 +4,10 @@ Implicit Euler on the same samples as the kernels: at equal m they must give equ
 differs is how: no steady solver, no exact jump, every element at every step.
 """
 
-import numba
 import numpy as np
 from scipy.optimize import brentq
 
-from kernels import SCHEMES, Line
+from kernels import Line
 
 SEARCH = 1e-13  # width in h at which a search for d ends
 
@@ -39,59 +38,6 @@ class NumpyMarch:
             self.u = free - force
             mu[step] = (force * slope).sum() / force.sum()  # not @: one thread only
         return mu
-
-
-class NumbaMarch:
-    """A plain compiled loop with bisection for d."""
-
-    def __init__(self, line: Line, load: float) -> None:
-        self.line, self.load = line, load
-        self.u = np.zeros(line.z.size)  # element by element: they stay in place
-        self.at = 0  # samples by which the line has moved
-
-    def advance(self, steps: int, dt: float) -> np.ndarray:
-        """Move the line by ``steps`` samples in steps of dt (tau); return mu of each, in h/dx."""
-        line, step = self.line, SCHEMES["implicit-euler"](dt)
-        mu, self.at = _bisecting(line.z, line.slope, self.u, self.at, step, self.load, steps)
-        return mu
-
-
-@numba.njit(error_model="numpy")
-def _bisecting(z, slope, u, at, constants, load, steps):
-    """March; u is changed in place. Returns (mu, at)."""
-    target = load / constants.stiffness * u.size
-    reach = np.empty(u.size)
-    mu = np.empty(steps)
-    for step in range(steps):
-        at = (at + 1) % z.size
-        start = (z.size - at) % z.size  # the sample that element 0 sits under
-        highest = -np.inf
-        j = start
-        for i in range(u.size):
-            u[i] *= constants.decay
-            reach[i] = u[i] - z[j]
-            highest = max(highest, reach[i])
-            j = j + 1 if j + 1 < z.size else 0
-        low, high = -highest, target - highest
-        while high - low > SEARCH:
-            d = 0.5 * (low + high)
-            total = 0.0
-            for i in range(u.size):
-                total += max(reach[i] + d, 0.0)
-            if total > target:
-                high = d
-            else:
-                low = d
-        normal = tangential = 0.0
-        j = start
-        for i in range(u.size):
-            force = max(reach[i] + high, 0.0)
-            normal += force
-            tangential += force * slope[j]
-            u[i] -= force
-            j = j + 1 if j + 1 < z.size else 0
-        mu[step] = tangential / normal
-    return mu, at
 
 
 class TamaasMarch:
@@ -133,5 +79,5 @@ class TamaasMarch:
         return mu
 
 
-March = NumpyMarch | NumbaMarch | TamaasMarch
-MARCHES: dict[str, type[March]] = {"numpy": NumpyMarch, "numba": NumbaMarch, "tamaas": TamaasMarch}
+MARCHES: dict[str, type[NumpyMarch] | type[TamaasMarch]]
+MARCHES = {"numpy": NumpyMarch, "tamaas": TamaasMarch}

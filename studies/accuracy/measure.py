@@ -11,6 +11,7 @@ from workflow.result import Groups
 from workflow.study import integer, positive
 
 from . import ladders, rivals
+from .marches import MARCHES
 from .points import COMPARED, POINTS
 from .recommendation import recommend, table_lines
 
@@ -43,7 +44,7 @@ def parts(settings: dict) -> dict[str, float]:
         "compiling": SECONDS_COMPILING,
         "discretisations": climbs * max(1.0, settings["lines"] / 128.0),
         "realizations": draws,
-        "alternatives": 3.0 * marches,
+        "alternatives": len(MARCHES) * marches,
     }
 
 
@@ -55,7 +56,7 @@ def outline(settings: dict) -> tuple[list[str], float]:
         f"lines       {settings['elements']} elements, {settings['lines']} lines at m <= 8",
         f"m           1 ... {settings['finest']} and finer where tau asks for it, both schemes",
         f"realizations {settings['realizations']} for the sampling error",
-        f"alternatives numpy, numba, tamaas at {min(len(chosen), COMPARED)} points",
+        f"alternatives {', '.join(MARCHES)} at {min(len(chosen), COMPARED)} points",
     ]
     lines += [f"  {name:16s}{seconds:6.0f} s" for name, seconds in parts(settings).items()]
     return lines, sum(parts(settings).values())

@@ -1,83 +1,49 @@
 """What to take for a wanted accuracy: bias and sampling error balanced for the least time."""
 
-from typing import NamedTuple
-
 import numpy as np
 import xarray as xr
 
 LEAST_REALIZATIONS = 10  # for a standard error worth its name
-
-
-class Choice(NamedTuple):
-    """The cheapest way to a wanted error."""
-
-    steps: int  # m; 0 where no m is fine enough
-    realizations: int
-    seconds: float
-
-
-def choose(
-    steps: list[int], bias: np.ndarray, deviation: float, seconds: np.ndarray, target: float
-) -> Choice:
-    """Return m and the number of realizations R with bias^2 + deviation^2 / R <= target^2.
-
-    bias, seconds : per m, relative and per realization. deviation : relative, of one realization.
-    """
-    best = Choice(0, 0, np.nan)
-    for m, b, cost in zip(steps, bias, seconds, strict=True):
-        if not (np.isfinite(deviation) and b < target):
-            continue
-        count = max(LEAST_REALIZATIONS, int(np.ceil(deviation**2 / (target**2 - b**2))))
-        if best.steps == 0 or count * cost < best.seconds:
-            best = Choice(m, count, count * cost)
-    return best
-
-
 REGIMES = ("x < 1", "1 <= x <= 10", "x > 10")
-SAMPLED = ("mu_1", "jump", "rate")
+SAMPLED = {"mu_1": 0, "jump": 0, "rate": 1}  # quantity: which part of the time it takes
 
 
 def recommend(data: xr.Dataset) -> xr.Dataset:
-    """Return the cheapest choice per point, quantity and target, and their medians by regime.
+    """Return the cheapest choice per point, quantity and target, and what serves each regime.
 
-    data : errors and times of discretisation. The bias counts with one standard error of it.
+    data : errors and times of discretisation.
     """
-    targets, schemes = data.target.values, list(data.scheme.values)
-    shape = (data.sizes["point"], len(SAMPLED), targets.size)
-    names = {"scheme": "index of the scheme", "steps": "m", "realizations": "R", "seconds": "cost"}
-    found = {name: np.full(shape, np.nan) for name in names}
-    for k in range(shape[0]):
-        for q, name in enumerate(SAMPLED):
-            for t, target in enumerate(targets):
-                picked = _cheapest(data.isel(point=k).sel(quantity=name), name, float(target))
-                if picked[1].steps:
-                    row = (schemes.index(picked[0]), *picked[1])
-                    for key, value in zip(names, row, strict=True):
-                        found[key][k, q, t] = value
-    dims = ("point", "sampled", "target")
-    coords = {name: data[name] for name in ("point", "hurst", "load", "x", "target")}
-    dataset = xr.Dataset(
-        {name: (dims, values) for name, values in found.items()},
-        coords | {"sampled": list(SAMPLED)},
-    )
-    return dataset.merge(_by_regime(dataset))
+    found = cheapest(data)
+    return found.merge(_by_regime(found))
 
 
-def _cheapest(point: xr.Dataset, quantity: str, target: float) -> tuple[str, Choice]:
-    """Return the scheme and the choice with the least time."""
-    bound = abs(point.bias) + point.bias_error
-    time = point.seconds.isel(part=1 if quantity == "rate" else 0)
-    options = {
-        scheme: choose(
-            point.steps.values.tolist(),
-            bound.sel(scheme=scheme).values,
-            float(point.deviation),
-            time.sel(scheme=scheme).values,
-            target,
-        )
-        for scheme in point.scheme.values
-    }
-    return min(options.items(), key=lambda item: item[1].seconds if item[1].steps else np.inf)
+def cheapest(data: xr.Dataset) -> xr.Dataset:
+    """Return the way of least time: index of the scheme, steps m, realizations, seconds.
+
+    All are missing where no m is fine enough.
+    """
+    data = data.drop_attrs().assign_coords(data.coords)  # what follows has a meaning of its own
+    ways = cost(data).stack(way=("scheme", "steps"))
+    best = ways.seconds.fillna(np.inf).argmin("way")
+    chosen = ways.isel(way=best).drop_vars(["way", "scheme", "steps"])
+    number = data.sizes["steps"]
+    steps = best.copy(data=data.steps.values[best.values % number])
+    found = xr.Dataset({"scheme": best // number, "steps": steps}).assign(chosen)
+    return found.where(np.isfinite(found.seconds)).transpose("point", "sampled", "target")
+
+
+def cost(data: xr.Dataset) -> xr.Dataset:
+    """Return realizations R and seconds of every way that reaches a target, missing elsewhere.
+
+    R is the least with bias^2 + deviation^2 / R <= target^2, per realization ``deviation``. The
+    bias counts with one standard error of it.
+    """
+    data = data.sel(quantity=list(SAMPLED)).rename(quantity="sampled")
+    bias = abs(data.bias) + data.bias_error
+    room = (data.target**2 - bias**2).where(bias < data.target)
+    count = np.maximum(LEAST_REALIZATIONS, np.ceil(data.deviation**2 / room))
+    each = data.seconds.isel(part=xr.DataArray(list(SAMPLED.values()), dims="sampled"))
+    return xr.Dataset({"realizations": count, "seconds": count * each}).drop_vars("part")
 
 
 def _by_regime(found: xr.Dataset) -> xr.Dataset:

@@ -1,20 +1,25 @@
 """The common alternatives, as a dataset."""
 
+import contextlib
 from collections.abc import Callable
 
 import numpy as np
 import xarray as xr
 
 from . import discretisation as disc
-from .alternatives import affordable, available, run_march
-from .errors import QUANTITIES, Reference, compare, observe
-from .ladders import PARTS, point_coords
+from .alternatives import affordable, run_march
+from .errors import Reference, compare, observe
+from .ladders import together
 from .marches import MARCHES
 from .points import Point, Surface, surface
 from .sampling import seconds
 
 SOLVERS = ("kernels", *MARCHES)
 WARM = Point(0.5, 0.3, 1.0)
+TEXTS = {
+    "error": ("rms error over lines, relative", "1"),
+    "seconds": ("CPU time per realization, median", "s"),
+}
 
 
 def alternatives(
@@ -24,50 +29,35 @@ def alternatives(
 
     Error and time are missing where a method is not installed, fails or would take too long.
     """
-    top = [disc.ladder_steps(point, settings["finest"]) for point in points]
-    steps = max(top, key=len)
-    shape = (len(points), len(SOLVERS), len(steps))
-    error, time = np.full((*shape, 4), np.nan), np.full((*shape, 2), np.nan)
+    elements, finest = settings["elements"], settings["finest"]
+    every = max((disc.ladder_steps(point, finest) for point in points), key=len)
     for name in MARCHES:
-        if available(name):  # compile and load before anything is timed
+        with contextlib.suppress(ImportError):  # load everything before it is timed
             run_march(name, WARM, [surface(WARM, 64, seed, i) for i in range(2)], 2)
-    for k, point in enumerate(points):
-        surfaces = [
-            surface(point, settings["elements"], seed, i) for i in range(settings["march_lines"])
-        ]
-        limit = disc.reference(point, surfaces, settings["finest"])
-        own = disc.climb(point, surfaces, "exponential", top[k], limit)
-        error[k, 0, : len(top[k])] = [e.rms for e in own.errors]
-        time[k, 0, : len(top[k])] = own.seconds
-        for row, name in enumerate(MARCHES, start=1):
-            wanted = affordable(name, point, settings["elements"], settings["march_updates"])
-            for column, m in enumerate(w for w in wanted if w in steps and available(name)):
-                error[k, row, column], time[k, row, column] = _marched(
-                    name, point, surfaces, m, limit
-                )
+    found = []
+    for point in points:
+        surfaces = [surface(point, elements, seed, i) for i in range(settings["march_lines"])]
+        limit = disc.reference(point, surfaces, finest)
+        steps = disc.ladder_steps(point, finest)
+        ways = [disc.climb(point, surfaces, "exponential", steps, limit)[list(TEXTS)]]
+        for name in MARCHES:
+            most = affordable(name, point, elements, settings["march_updates"])
+            ways.append(_marched(name, point, surfaces, [m for m in every if m <= most], limit))
+        found.append(xr.concat(ways, "solver", join="outer"))
         advance()
-    coords = point_coords(points) | {
-        "solver": list(SOLVERS),
-        "steps": steps,
-        "quantity": list(QUANTITIES),
-        "part": list(PARTS),
-    }
-    dims = ("point", "solver", "steps")
-    texts = {"long_name": "rms error over lines, relative", "units": "1"}
-    timed = {"long_name": "CPU time per realization, median", "units": "s"}
-    return xr.Dataset(
-        {"error": ((*dims, "quantity"), error, texts), "seconds": ((*dims, "part"), time, timed)},
-        coords,
-    )
+    return together(found, points, TEXTS).assign_coords(solver=list(SOLVERS))
 
 
 def _marched(
-    name: str, point: Point, surfaces: list[Surface], steps: int, limit: Reference
-) -> tuple[np.ndarray, np.ndarray]:
-    """Return errors (QUANTITIES,) and times (2,) of an alternative; NaN where it fails."""
-    try:
-        runs = run_march(name, point, surfaces, steps)
-    except ArithmeticError:
-        return np.full(4, np.nan), np.full(2, np.nan)
-    found = observe(point, surfaces[0].elements, runs, limit.limit.mu_1.size, limit.end)
-    return compare(found, limit).rms, seconds(runs)
+    name: str, point: Point, surfaces: list[Surface], steps: list[int], limit: Reference
+) -> xr.Dataset:
+    """Return errors and times of an alternative over m; NaN where it fails."""
+    error, time = np.full((len(steps), 4), np.nan), np.full((len(steps), 2), np.nan)
+    for row, m in enumerate(steps):
+        with contextlib.suppress(ImportError, ArithmeticError):
+            runs = run_march(name, point, surfaces, m)
+            elements, lines = surfaces[0].elements, limit.limit.mu_1.size
+            error[row] = compare(observe(point, elements, runs, lines, limit.end), limit).rms
+            time[row] = seconds(runs)
+    data = {"error": (("steps", "quantity"), error), "seconds": (("steps", "part"), time)}
+    return xr.Dataset(data, {"steps": steps})

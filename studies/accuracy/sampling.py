@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import Case, Line, Outcome, Quantities, run_case
+from kernels import Case, Line, Quantities, run_case
 from workflow.plan import horizon_steps
 from workflow.simulate import record_steps, record_times
 from workflow.study import Numerics
@@ -44,30 +44,23 @@ def run(point: Point, surfaces: list[Surface], method: Method) -> Runs:
     """Run a method on lines as the workflow would, and take the CPU time of each."""
     kept_steps, moments = kept_steps_of(point, surfaces[0].elements, method)
     case = Case(point.load, point.speed, (RATIO,), (kept_steps,), method.scheme)
-    outcomes, cpu = [], []
+    rows = []
     for surface in surfaces:
-        outcome, seconds = _run_one(surface, case, method)
-        outcomes.append(outcome)
-        cpu.append(seconds)
-    return Runs(
-        mu_1=np.array([o.mu_1 for o in outcomes]),
-        mu_2=np.array([o.mu_2[0] for o in outcomes]),
-        jump=np.array([o.jump[0] for o in outcomes]),
-        curves=np.array([o.curves[0] for o in outcomes]),
-        moments=moments,
-        cpu=np.array(cpu),
-    )
+        clock = [time.process_time()]
+        line = Line.self_affine(*surface, method.steps)
+        clock.append(time.process_time())
+        run_case(line, case, Quantities(relaxation=False))
+        clock.append(time.process_time())
+        found = run_case(line, case, Quantities())
+        clock.append(time.process_time())
+        rows.append((found.mu_1, found.mu_2[0], found.jump[0], found.curves[0], np.diff(clock)))
+    return collected(rows, moments)
 
 
-def _run_one(surface: Surface, case: Case, method: Method) -> tuple[Outcome, tuple]:
-    began = time.process_time()
-    line = Line.self_affine(*surface, method.steps)
-    drawn = time.process_time()
-    run_case(line, case, Quantities(relaxation=False))
-    steady = time.process_time()
-    outcome = run_case(line, case, Quantities())
-    done = time.process_time()
-    return outcome, (drawn - began, steady - drawn, done - steady)
+def collected(rows: list[tuple], moments: np.ndarray) -> Runs:
+    """Return as arrays what lines gave: (mu_1, mu_2, jump, curve, CPU times) each."""
+    mu_1, mu_2, jump, curves, cpu = (np.array(column) for column in zip(*rows, strict=True))
+    return Runs(mu_1, mu_2, jump, curves, moments, cpu)
 
 
 def seconds(runs: Runs) -> np.ndarray:
