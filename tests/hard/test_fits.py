@@ -4,14 +4,14 @@ A pull is (estimate - truth) / standard error. Over g blocks pulls must follow S
 g - 1 degrees of freedom; seeds are fixed, so that nothing here depends on luck.
 """
 
-from collections import Counter
 from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 import pytest
-from scipy.stats import kstest, t
+from scipy.stats import chi2, norm, t
 
+from tests.support.sweeps import sweep
 from workflow.reduce.fits import (
     FITTED,
     NO_RELAXATION,
@@ -23,8 +23,11 @@ from workflow.reduce.fits import (
 from workflow.reduce.jackknife import errors_needed, replicates, standard_error
 from workflow.reduce.models import compare_models
 
-SEEDS = 100
+# 25 pulls find a bias of one standard error with 96 % (5 deviations of their mean), and errors that
+# are stated at half or at twice their size with 97 % or 84 % (the sum of squares, chi2).
+SEEDS = sweep("seeds", 25, 100)
 SAMPLES = 63
+TIME = np.linspace(0.02, 4.0, SAMPLES)
 
 
 class Data(NamedTuple):
@@ -42,8 +45,7 @@ class Data(NamedTuple):
     @property
     def time(self):
         """Return the samples, from the first step on."""
-        span = self.span / self.rate if self.rate else self.span
-        return np.linspace(span / SAMPLES, span, SAMPLES)
+        return np.linspace(1.0 / SAMPLES, 1.0, SAMPLES) * self.span / (self.rate or 1.0)
 
     def deviation(self, seed):
         """Return the mean curve and its jackknife replicates."""
@@ -56,9 +58,15 @@ class Data(NamedTuple):
         return replicates(self.amplitude * curves, 0)
 
     @lru_cache  # noqa: B019
-    def fits(self):
-        """Return the fits over all seeds."""
-        return [fit_relaxation(self.time, self.deviation(seed), 1.0) for seed in range(SEEDS)]
+    def fits(self, seeds):
+        """Return the fits over all seeds: each estimate with its error, none without a fit."""
+        fits = [fit_relaxation(self.time, self.deviation(seed), 1.0) for seed in range(seeds)]
+        for fit in fits:
+            for values in (fit.rate, fit.amplitude, fit.rate_free):
+                assert np.isfinite(values).all() or np.isnan(values).all()
+                assert np.isnan(values[0]) or standard_error(values, 0) > 0.0
+                assert np.isnan(values[0]) or fit.status == FITTED
+        return fits
 
 
 def waves(rng, blocks, x):
@@ -68,15 +76,18 @@ def waves(rng, blocks, x):
     return np.einsum("bk,bkt->bt", size, np.cos(angle + phase[..., None])) / np.sqrt(2.5)
 
 
-def statuses(fits):
-    """Return how often each status was found."""
-    return Counter(fit.status for fit in fits)
-
-
 def pulls(fits, name, truth):
     """Return the pulls of an estimate over all fits that have it."""
     values = [getattr(fit, name) for fit in fits if fit.status == FITTED]
     return np.array([(v[0] - truth) / standard_error(v, 0) for v in values if np.isfinite(v[0])])
+
+
+def assert_students(found, blocks):
+    """Assert that neither the mean nor the size of pulls is beyond chance (1 in 1000)."""
+    score = norm.ppf(t(blocks - 1).cdf(found))  # normal, where pulls follow Student's t
+    assert 2.0 * norm.sf(abs(score.sum()) / np.sqrt(score.size)) > 1e-3, "biased"
+    above = chi2(score.size).sf(np.sum(score**2))
+    assert 2.0 * min(above, 1.0 - above) > 1e-3, "errors of the wrong size"
 
 
 KNOWN = {
@@ -89,36 +100,9 @@ KNOWN = {
     "noise of a half": Data(white=0.5),
     "smooth noise": Data(white=0.0, smooth=0.2),
     "a tenth of the window": Data(span=0.4),
+    "a fortieth of the window": Data(span=0.1),
     "decayed before the window": Data(span=80.0, white=0.01),
 }
-
-
-@pytest.mark.parametrize("name", KNOWN)
-def test_pulls_follow_students_t(name):
-    data = KNOWN[name]
-    fits = data.fits()
-    assert statuses(fits)[FITTED] > 0.95 * SEEDS
-    law = t(data.blocks - 1)
-    for estimate, truth in (("rate", data.rate), ("amplitude", data.amplitude)):
-        assert kstest(pulls(fits, estimate, truth), law.cdf).pvalue > 1e-3, estimate
-
-
-def test_pulls_of_the_free_rate_where_the_window_determines_it():
-    fits = Data().fits()
-    found = pulls(fits, "rate_free", 1.0)
-    assert found.size == SEEDS
-    assert kstest(found, t(19).cdf).pvalue > 1e-3
-
-
-@pytest.mark.parametrize("name", [*KNOWN, "short window"])
-def test_no_estimate_goes_without_its_error(name):
-    data = KNOWN.get(name, Data(span=0.1))
-    for fit in data.fits():
-        for values in (fit.rate, fit.amplitude, fit.rate_free):
-            assert np.isfinite(values).all() or np.isnan(values).all()
-            assert np.isnan(values[0]) or standard_error(values, 0) > 0.0
-
-
 REFUSED = {
     "no decay": (Data(rate=0.0), {NOT_EXPONENTIAL, UNDETERMINED}),
     "too short a window": (Data(span=0.004), {NOT_EXPONENTIAL, UNDETERMINED}),
@@ -129,42 +113,49 @@ REFUSED = {
 }
 
 
+@SEEDS
+@pytest.mark.parametrize("name", KNOWN)
+def test_pulls_follow_students_t(name, seeds):
+    data = KNOWN[name]
+    truth = {"rate": data.rate, "amplitude": data.amplitude}
+    if name == "usual":  # its window determines the free rate as well
+        truth["rate_free"] = data.rate
+    for estimate, true in truth.items():
+        found = pulls(data.fits(seeds), estimate, true)
+        assert found.size > 0.95 * seeds
+        assert_students(found, data.blocks)
+
+
+@SEEDS
 @pytest.mark.parametrize("name", REFUSED)
-def test_what_cannot_be_known_has_a_status(name):
+def test_what_cannot_be_known_has_a_status(name, seeds):
     data, allowed = REFUSED[name]
-    fits = data.fits()
-    counts = statuses(fits)
-    assert counts[FITTED] <= 0.02 * SEEDS
-    assert sum(counts[status] for status in allowed) >= 0.97 * SEEDS
-    for fit in fits:
-        if fit.status != FITTED:
-            assert np.isnan([*fit.rate, *fit.amplitude, *fit.rate_free]).all()
+    # None of 25, 3 of 100: what befalls 17 % or 10 % of all seeds is found out with 99 %.
+    assert sum(fit.status in allowed for fit in data.fits(seeds)) >= 0.97 * seeds
+
+
+NOISE = {
+    "white": lambda rng, blocks: rng.standard_normal((blocks, SAMPLES)),
+    "smooth": lambda rng, blocks: waves(rng, blocks, TIME / 4.0),
+    "relaxing to either side": lambda rng, blocks: rng.standard_normal((blocks, 1)) * np.exp(-TIME),
+}
 
 
 @pytest.mark.parametrize("blocks", [2, 4, 10, 50])
-@pytest.mark.parametrize("shape", ["white", "smooth", "exponential"])
-def test_pure_noise_is_hardly_ever_fitted(blocks, shape):
-    fitted = 0
-    x = np.linspace(0.02, 4.0, SAMPLES)
-    for seed in range(2 * SEEDS):
-        rng = np.random.default_rng(seed)
-        if shape == "white":
-            noise = rng.standard_normal((blocks, x.size))
-        elif shape == "smooth":
-            noise = waves(rng, blocks, x / 4.0)
-        else:  # every block relaxes, to either side
-            noise = rng.standard_normal((blocks, 1)) * np.exp(-x)
-        fitted += fit_relaxation(x, replicates(noise, 0), 1.0).status == FITTED
-    assert fitted <= 9  # 1 % by chance; 3.5 standard deviations
+@pytest.mark.parametrize("noise", NOISE.values(), ids=NOISE)
+def test_pure_noise_is_hardly_ever_fitted(blocks, noise):
+    every = (replicates(noise(np.random.default_rng(k), blocks), 0) for k in range(200))
+    fitted = sum(fit_relaxation(TIME, one, 1.0).status == FITTED for one in every)
+    assert fitted <= 9  # 1 % by chance; 5 deviations. 10 % would be found out with 99.6 %
 
 
+@SEEDS
 @pytest.mark.parametrize("factor", [10.0, -10.0])
-def test_an_outlier_among_the_blocks_widens_the_error(factor):
-    fits = Data(outlier=factor).fits()
-    found = pulls(fits, "amplitude", 1.0)
-    assert found.size in range(SEEDS // 2, SEEDS + 1) or factor < 0.0
-    assert np.abs(pulls(fits, "rate", 1.0)).max(initial=0.0) < 4.0
-    assert np.abs(found).max(initial=0.0) < 4.0
+def test_an_outlier_among_the_blocks_widens_the_error(factor, seeds):
+    fits = Data(outlier=factor).fits(seeds)
+    found = np.abs([pulls(fits, name, 1.0) for name in ("rate", "amplitude")])
+    assert found.size >= seeds or factor < 0.0
+    assert found.max(initial=0.0) < 4.0
 
 
 def test_few_blocks_need_more_standard_errors():
@@ -172,17 +163,17 @@ def test_few_blocks_need_more_standard_errors():
     assert needed == pytest.approx([63.7, 5.84, 3.25, 3.0, 3.0], abs=0.05)
 
 
-def test_exponent_of_eq_13_is_within_its_stated_error():
+@SEEDS
+def test_exponent_of_eq_13_is_within_its_stated_error(seeds):
     x = np.geomspace(2.0, 300.0, 12)
     found = []
-    for seed in range(SEEDS):
+    for seed in range(seeds):
         rng = np.random.default_rng(seed)
         line = rng.standard_normal((1, 20))  # blocks share their lines between points
         noise = 0.1 * rng.standard_normal((x.size, 20)) + 0.1 * line
-        rates = replicates(np.exp(0.4 * np.log(x))[:, None] * (1.0 + noise), 1)
-        fit = fit_power_law(x, rates)
+        fit = fit_power_law(x, replicates(np.exp(0.4 * np.log(x))[:, None] * (1.0 + noise), 1))
         found.append((fit.alpha[0] - 0.4) / standard_error(fit.alpha, 0))
-    assert kstest(found, t(19).cdf).pvalue > 1e-3
+    assert_students(np.array(found), 20)
 
 
 SHAPES = {
@@ -195,14 +186,14 @@ SHAPES = {
 }
 
 
+@sweep("seeds", 2, 10)
 @pytest.mark.parametrize("name", SHAPES)
-def test_models_beyond_eq_6_claim_no_number_they_cannot_know(name):
-    x = np.linspace(0.02, 4.0, SAMPLES)
-    for seed in range(10):
-        blocks = SHAPES[name](x, np.random.default_rng(seed))
-        found = compare_models(x, replicates(blocks, 0), blocks, 1.3)
+def test_models_beyond_eq_6_claim_no_number_they_cannot_know(name, seeds):
+    for seed in range(seeds):
+        blocks = SHAPES[name](TIME, np.random.default_rng(seed))
+        found = compare_models(TIME, replicates(blocks, 0), blocks, 1.3)
         for values in (found.stretched_rate, found.stretched_exponent, found.fast_rate):
             assert np.isfinite(values).all() or np.isnan(values).all()
             assert np.isnan(values[0]) or values[0] > 3.0 * standard_error(values, 0)
-        if name in ("exact", "constant"):
-            assert np.isnan([found.fast_rate[0], found.stretched_rate[0]]).all()
+        claimed = np.isfinite([found.fast_rate[0], found.stretched_rate[0]]).any()
+        assert not (claimed and name in ("exact", "constant"))
