@@ -1,53 +1,55 @@
-"""The corners of the parameter space: H, Fbar, x, v2/v1, N, both schemes, residual by residual."""
+"""The corners of the parameter space on lines of any kind: H, Fbar, x, v2/v1, N, both schemes."""
 
 import itertools
 
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, Case, Line, Quantities, amplitudes, draw_phases, run_case
+from kernels import SCHEMES, Case, Line, Quantities, run_case
+from studies.stability.corners import random_line
 from studies.stability.probe import Motion, probe
+from studies.stability.shapes import shapes
 from tests.hard.bounds import assert_stable
 from tests.sizes import PLAIN_PYTHON, size
+from tests.support.sweeps import sweep
 
 HURST = (0.0, 1.0)
-LOADS = (1e-6, 1e-2, 1e4)  # one asperity, a few, full contact
-X = (1e-4, 1.0, 1e6)  # x = pi vbar
 RATIOS = (1e-3, 101.0)  # dv/v1 = -0.999, +100
-STEPS = size(60, 25)
+CORNERS = list(
+    itertools.product(
+        (1e-6, 1e-2, 1.0, 1e4),  # Fbar: one asperity, a few, most of the line, full contact
+        np.array([1e-4, 1.0, 1e6]) / np.pi,  # speed; x = pi vbar
+        RATIOS,
+    )
+)
+RANDOM = itertools.product(HURST, [(8, 1), (8, 4), (64, 1), (50, 3)])
+LINES = {
+    **{f"H = {h:g}, N = {n}, m = {m}": random_line(h, n, m, 1, 0) for h, (n, m) in RANDOM},
+    **{f"{n} samples": Line.from_samples(1.0 * np.arange(n), np.zeros(n), 1) for n in (1, 2, 3)},
+    **shapes(size(48, 24)),
+}
+everywhere = pytest.mark.parametrize("name", LINES)
+both_schemes = pytest.mark.parametrize("scheme", SCHEMES)
 
 
-def random_line(elements, hurst, m, seed=1):
-    """Return a random line."""
-    phases = draw_phases(np.random.default_rng(seed), elements)
-    return Line.self_affine(amplitudes(hurst, elements), phases, elements, m)
-
-
-def corners():
-    """Return all corners of load, speed and ratio."""
-    return itertools.product(LOADS, X, RATIOS)
-
-
-@pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("hurst", HURST)
-@pytest.mark.parametrize(("elements", "m"), [(8, 1), (8, 4), (64, 1), (50, 3)])
-def test_every_corner_is_stable(scheme, hurst, elements, m):
-    line = random_line(elements, hurst, m)
-    for load, x, ratio in corners():
-        motion = Motion(line, load, x / np.pi, ratio, scheme)
-        assert_stable(motion, probe(motion, STEPS))
+@both_schemes
+@everywhere
+def test_every_line_is_stable_at_every_corner(name, scheme):
+    for corner in CORNERS:
+        motion = Motion(LINES[name], *corner, scheme)
+        assert_stable(motion, probe(motion, size(25, 12)))
 
 
 @pytest.mark.parametrize("rigid", [True, False])
-@pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("hurst", HURST)
-def test_every_corner_gives_finite_results_within_the_slopes(scheme, hurst, rigid):
+@both_schemes
+@everywhere
+def test_results_are_finite_and_within_the_slopes(name, scheme, rigid):
     """Friction is a mean of slopes (eq. 5), the contact a share of the line."""
-    line = random_line(16, hurst, 2)
+    line = LINES[name]
     steepest = np.abs(line.slope).max() * (1.0 + 1e-9)
     kept_steps = np.array([1, 2, 5, 20])
-    for load, x, ratio in corners():
-        case = Case(load, x / np.pi, (ratio,), (kept_steps,), scheme)
+    for load, speed, ratio in CORNERS:
+        case = Case(load, speed, (ratio,), (kept_steps,), scheme)
         found = run_case(line, case, Quantities(indentation_rate=not rigid))
         assert np.all(np.abs([found.mu_1, found.mu_2[0]]) <= steepest)
         # Differences of two such means, added to a third.
@@ -58,9 +60,10 @@ def test_every_corner_gives_finite_results_within_the_slopes(scheme, hurst, rigi
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: too many samples")
+@sweep("elements", 10**5, 10**6)
 @pytest.mark.parametrize(("load", "scheme"), [(1e-6, "exponential"), (1e4, "implicit-euler")])
-def test_a_line_of_a_million_elements_is_stable(load, scheme):
-    motion = Motion(random_line(10**6, 1.0, 1), load, 10.0, 2.0, scheme)
+def test_a_very_long_line_is_stable(load, scheme, elements):
+    motion = Motion(random_line(1.0, elements, 1, 1, 0), load, 10.0, 2.0, scheme)
     found = probe(motion, 2)
     assert_stable(motion, found)
     assert found["passes"] <= 20
@@ -71,7 +74,7 @@ def test_a_line_of_a_million_elements_is_stable(load, scheme):
 @pytest.mark.parametrize("hurst", HURST)
 def test_the_lightest_load_rests_on_one_asperity(hurst, load):
     """There d is small against the heights, and the touching elements are neighbours."""
-    line = random_line(64, hurst, 4)
+    line = random_line(hurst, 64, 4, 1, 2)  # no two tops of almost the same height
     motion = Motion(line, load, 1e-4, 1.0, "exponential")
     (w, d), _ = motion.steady(SCHEMES["exponential"](1e3))
     touching = np.flatnonzero(line.z - w < d)
@@ -83,9 +86,8 @@ def test_the_lightest_load_rests_on_one_asperity(hurst, load):
 @pytest.mark.parametrize("speed", [1e-11, 1e-4, 1.0, 1e3])
 def test_full_contact_has_no_edge_and_relaxes_nothing(hurst, speed):
     """mu = vbar grad z^2 / Fbar at any speed: zeta = xi = 1."""
-    line = random_line(64, hurst, 2)
-    kept_steps = np.array([1, 10, 100])
-    case = Case(1e4, speed, (3.0,), (kept_steps,), "exponential")
+    line = random_line(hurst, 64, 2, 1, 0)
+    case = Case(1e4, speed, (3.0,), (np.array([1, 10, 100]),), "exponential")
     found = run_case(line, case, Quantities())
     # mu is of order v / Fbar, summed from pressures of order Fbar: eps Fbar^2 / v is lost.
     lost = 1e-14 * (1.0 + 1e4 / speed)

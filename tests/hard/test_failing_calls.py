@@ -2,6 +2,7 @@
 
 import contextlib
 import errno
+import io
 import os
 from pathlib import Path
 
@@ -17,62 +18,47 @@ class Crash(BaseException):
 
 
 class Faults:
-    """Lets the nth call that changes a folder fail; counts the calls."""
+    """Lets the nth call that changes a folder fail, a write half-way; counts the calls."""
 
     def __init__(self, nth, error, share):
         self.nth, self.error, self.share = nth, error, share
         self.calls = 0
 
-    def due(self):
-        """Count a call; return whether it is to fail."""
+    def count(self):
+        """Count a call; raise if it is the one to fail."""
         self.calls += 1
-        return self.calls == self.nth
+        if self.calls == self.nth:
+            raise self.error
 
     def before(self, function):
         """Return the function, failing in its turn."""
 
         def call(*args, **named):
-            if self.due():
-                raise self.error
+            self.count()
             return function(*args, **named)
 
         return call
 
     def opened(self, function):
-        """Return Path.open, whose files for writing fail in their turn, half-way."""
+        """Return Path.open, whose files for writing fail in their turn."""
+        faults = self
+
+        class Torn(io.FileIO):
+            def write(self, content):
+                try:
+                    faults.count()
+                except BaseException:
+                    super().write(content[: int(faults.share * len(content))])
+                    raise
+                return super().write(content)
 
         def call(path, mode="r", *args, **named):
             if mode == "rb":
                 return function(path, mode, *args, **named)
-            if self.due():
-                raise self.error
-            return Torn(function(path, mode, *args, **named), self)
+            self.count()
+            return Torn(path, mode.replace("b", ""))
 
         return call
-
-
-class Torn:
-    """A file of which the write that fails leaves a part."""
-
-    def __init__(self, file, faults):
-        self.file, self.faults = file, faults
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_):
-        self.file.close()
-
-    def __getattr__(self, name):
-        return getattr(self.file, name)
-
-    def write(self, content):
-        """Write all, or a share and fail."""
-        if self.faults.due():
-            self.file.write(content[: int(self.faults.share * len(content))])
-            self.file.flush()
-            raise self.faults.error
-        return self.file.write(content)
 
 
 FULL = OSError(errno.ENOSPC, "No space left on device")

@@ -11,16 +11,7 @@ import shutil
 import pytest
 
 from tests.support.disks import make_read_only, mounted
-from tests.support.faults import (
-    SHARDS,
-    TRUTH,
-    checked,
-    copies,
-    fill,
-    flips,
-    prefixes,
-    readable,
-)
+from tests.support.faults import SHARDS, TRUTH, checked, copies, fill, flips, prefixes, readable
 from tests.support.shards import WORK, held, records, reopened
 from tests.support.small import random_result
 from tests.support.sweeps import sweep
@@ -75,12 +66,10 @@ def test_full_disk_keeps_what_was_stored(tmp_path, sound, step):
     needed = sum(-(-path.stat().st_size // 4096) * 4096 for path in sound.iterdir())
     refused = 0
     with mounted(tmp_path / "disk", str(2 * needed)) as disk:
+        folder, ballast = disk / "store", disk / "ballast"
         for pages in range(0, needed // 4096 + 2, step):
-            for path in disk.iterdir():
-                shutil.rmtree(path) if path.is_dir() else path.unlink()
-            free = shutil.disk_usage(disk).free
-            (disk / "ballast").write_bytes(bytes(free - pages * 4096))
-            folder = disk / "store"
+            shutil.rmtree(folder, ignore_errors=True)
+            ballast.write_bytes(bytes(shutil.disk_usage(disk).free - pages * 4096))
             folder.mkdir()
             store = Store(folder)
             with contextlib.suppress(UserError):
@@ -89,7 +78,7 @@ def test_full_disk_keeps_what_was_stored(tmp_path, sound, step):
             stored = checked(Store(folder))
             assert stored >= held(store)
             assert not list(folder.glob(".*"))
-            (disk / "ballast").unlink()
+            ballast.unlink()
             fill(reopened(folder))
             assert checked(Store(folder)) == TRUTH.keys()
     assert refused > 3
