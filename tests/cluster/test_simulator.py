@@ -4,11 +4,7 @@ Times are not compared here: machines are busy. What both do must be the same; t
 both, measured at rest, stand in docs/scaling.md.
 """
 
-import os
-import subprocess
-import sys
 import time
-from contextlib import contextmanager
 from operator import pos
 
 import pytest
@@ -16,7 +12,6 @@ from distributed import Client
 
 from studies.scaling.paper import pretend
 from studies.scaling.virtual import Costs, VirtualClient, durations, virtual_stream
-from tests.cluster import sleepers
 from workflow.cluster.flow import stream
 from workflow.plan.plan import make_plan
 from workflow.run.run import How, run_plan
@@ -25,44 +20,15 @@ from workflow.study.read import read_study
 from workflow.system.process import peak_bytes
 
 pytestmark = pytest.mark.cluster
-WORKERS, SECONDS, EACH = 4, 0.05, 6
-QUIET = {
-    "DASK_LOGGING__DISTRIBUTED": "error",
-    "DASK_DISTRIBUTED__SCHEDULER__WORKER_SATURATION": "1",
-}
+WORKERS, SECONDS, EACH = 2, 0.05, 12
 
 
-@contextmanager
-def started(*words):
-    """Yield the first line of a process that runs a scheduler, or its workers."""
-    process = subprocess.Popen(
-        [sys.executable, sleepers.__file__, *words],
-        env={**os.environ, **QUIET},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.DEVNULL,  # connections that end with the measurement
-        text=True,
-    )
-    try:
-        yield process.stdout.readline().strip()
-    finally:
-        process.kill()
-        process.wait()
-        process.stdout.close()
-
-
-@pytest.fixture(scope="module")
-def address():
-    """Return the address of a scheduler with workers that can sleep."""
-    with started("scheduler") as address, started("workers", address, str(WORKERS)) as ready:
-        assert ready == "ready"
-        yield address
-
-
-def test_the_real_and_the_simulated_cluster_do_the_same_work(address):
+def test_the_real_and_the_simulated_cluster_do_the_same_work(standing):
     items = durations(SECONDS, EACH * WORKERS, 1)
     virtual = VirtualClient(WORKERS, Costs(1e-3, 1e-3, 1e-3), pos)
     simulated = [item for item, _ in virtual_stream(virtual, pos, items)]
-    with Client(address) as client:
+    with Client(standing.address) as client:
+        client.wait_for_workers(WORKERS)
         began = time.monotonic()
         real = [item for item, _ in stream(client, time.sleep, items)]
         wall = time.monotonic() - began

@@ -12,33 +12,9 @@ pytestmark = pytest.mark.cluster
 STUDY = ("workflow", "run", "fig7", "--scale", "smoke", "--batch-seconds", "0.2")
 
 
-@pytest.fixture
-def cluster(tmp_path):
-    """Return a cluster of its own, which a stranger may join."""
-    standing = Standing(tmp_path / "standing")
-    yield standing
-    standing.stop()
-
-
-@pytest.fixture
-def edited(tmp_path):
-    """Return a copy of the program with a kernel that is not ours."""
-    for name in ("kernels", "workflow"):
-        shutil.copytree(ROOT / name, tmp_path / "edited" / name)
-    with (tmp_path / "edited" / "kernels" / "steady.py").open("a") as file:
-        file.write("# edited\n")
-    return tmp_path / "edited"
-
-
-def stranger(cluster, edited):
-    """Start a worker that runs the edited program."""
-    options = ("--nthreads", "1", "--no-dashboard", "--local-directory", str(edited / "scratch"))
-    log = edited / "log"
-    return start(log, "distributed.cli.dask_worker", cluster.address, *options, cwd=edited)
-
-
-def assert_refused(log):
+def assert_refused(run, log):
     """Assert that the last that a run says is the table of what differs."""
+    assert run.wait(timeout=PATIENCE) == 2
     table = log.read_text().partition("error: ")[2].splitlines()
     assert "must run what the driver runs" in table[0]
     assert table[1].split() == ["there", "driver"]
@@ -47,22 +23,28 @@ def assert_refused(log):
     assert "Traceback" not in log.read_text()
 
 
-def test_a_worker_that_joins_later_with_other_sources_is_refused(cluster, edited, tmp_path):
-    log = tmp_path / "log"
-    options = ("--set", "study.realizations=200", "--scheduler", cluster.address)
-    run = start(log, *STUDY, "--out", str(tmp_path), *options)
+def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
+    cluster, edited, log = Standing(tmp_path / "standing"), tmp_path / "edited", tmp_path / "log"
+    for name in ("kernels", "workflow"):
+        shutil.copytree(ROOT / name, edited / name)
+    with (edited / "kernels" / "steady.py").open("a") as file:
+        file.write("# edited\n")
+    options = ("--out", str(tmp_path), "--scheduler", cluster.address)
+    processes = [start(log, *STUDY, *options, "--set", "study.realizations=200")]
     try:
         while not any("shard" in entry for entry, _ in journal.entries(tmp_path / "store")):
-            assert run.poll() is None, log.read_text()
-        other = stranger(cluster, edited)
-        assert run.wait(timeout=PATIENCE) == 2
-        assert_refused(log)
-        again = start(tmp_path / "again", *STUDY, "--out", str(tmp_path), *options)
-        assert again.wait(timeout=PATIENCE) == 2  # the stranger is still there
-        assert_refused(tmp_path / "again")
-        end(other)
+            assert processes[0].poll() is None, log.read_text()
+        worker = ("distributed.cli.dask_worker", cluster.address, "--nthreads", "1")
+        scratch = ("--no-dashboard", "--local-directory", str(edited / "scratch"))
+        processes.append(start(edited / "log", *worker, *scratch, cwd=edited))
+        assert_refused(processes[0], log)
+        again = tmp_path / "again"  # the stranger is still there
+        processes.append(start(again, *STUDY, *options, "--set", "study.realizations=200"))
+        assert_refused(processes[2], again)
     finally:
-        end(run)
+        for process in processes:
+            end(process)
+        cluster.stop()
 
 
 def test_a_scheduler_without_workers_is_waited_for_and_given_up(tmp_path):

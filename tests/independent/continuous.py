@@ -89,9 +89,8 @@ class Sliding:
     def _change(self):
         """Free the element whose force vanished, or let the one touch whose gap closed."""
         i = int(np.argmin(self.margins(self.time, self.depth)))
-        before, near = self.touching.copy(), self.touching.copy()
-        near[i] = not near[i]
-        self.settle(near)
+        before = self.touching
+        self.settle(before ^ (np.arange(self.x.size) == i))
         freed = before & ~self.touching
         z, _ = self.line(self.x - self.speed * self.time)
         self.u[freed] = z[freed] - self.depth
