@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tests.support.small import all_records, cut_batches, small_plan
 from tests.support.sweeps import examples
-from workflow.plan.batches import batch_target
+from workflow.plan.batches import batch_target, missing_work, total_seconds
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 
@@ -71,11 +71,12 @@ def test_a_longer_target_gives_fewer_batches():
     assert counts[0] > counts[1] > counts[2]
 
 
-def test_predicted_time_of_two_halves_adds_up():
+def test_predicted_time_of_realizations_adds_up():
     records = all_records(PLAN)
     late, early = ({r for r in records if (r[1] < 2) == half} for half in (True, False))
     assert seconds(PLAN, late) + seconds(PLAN, early) == pytest.approx(seconds(PLAN))
-    assert seconds(PLAN, late) == pytest.approx(seconds(PLAN, early))  # as many realizations
+    assert seconds(BLOCKED) == pytest.approx(3 * seconds(PLAN))  # as many realizations
+    assert total_seconds(missing_work(BLOCKED, set())) == pytest.approx(seconds(BLOCKED))
 
 
 def test_less_is_predicted_where_less_is_asked():

@@ -44,7 +44,7 @@ CASES = {
         (0.01, MET_WHERE_DEFINED, 0.01),
     ),
     "a relaxation that may be there is not given up": (
-        {"rate": NAN, "status": NO_RELAXATION, "first": (0.05, 0.03)},
+        {"rate": NAN, "status": NO_RELAXATION, "first": (0.015, 0.03)},
         (np.inf, MISSED, np.inf),
     ),
     "noise": ({"rate": NAN, "status": UNDETERMINED}, (np.inf, MISSED, np.inf)),
