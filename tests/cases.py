@@ -3,6 +3,7 @@
 import numpy as np
 
 from kernels import Case, Line, Quantities, amplitudes, draw_phases
+from kernels.surfaces.self_affine import mode_numbers
 from tests.sizes import size
 
 ELEMENTS, M = size(120, 60), 2
@@ -12,7 +13,8 @@ CASE = Case(0.1, 0.5, RATIOS, (KEPT,) * 3, "exponential")
 ALL = Quantities()
 
 
-def line_of(seed=1, m=M, hurst=0.7):
-    """Return a random line."""
-    phases = draw_phases(np.random.default_rng(seed), ELEMENTS)
-    return Line.self_affine(amplitudes(hurst, ELEMENTS), phases, ELEMENTS, m)
+def line_of(elements=ELEMENTS, shift=0.0):
+    """Return a random line, shifted by so many spacings."""
+    phases = draw_phases(np.random.default_rng(1), elements)
+    turned = phases + 2.0 * np.pi * mode_numbers(elements) * shift / elements
+    return Line.self_affine(amplitudes(0.7, elements), turned, elements, M)

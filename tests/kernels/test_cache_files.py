@@ -8,15 +8,18 @@ import pytest
 
 from kernels.cache import compiling
 from kernels.jit import kernel
-from tests.sizes import PLAIN_PYTHON
 from tests.support.disks import mounted
-
-compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
 
 
 def twice(x):
     """A kernel that is compiled in no time."""
     return 2.0 * x
+
+
+@pytest.fixture(autouse=True)
+def compiled(monkeypatch):
+    """Compile under NUMBA_DISABLE_JIT=1 too."""
+    monkeypatch.setattr(numba.config, "DISABLE_JIT", 0)
 
 
 @pytest.fixture
@@ -33,7 +36,6 @@ def hits():
     return sum(compiled.stats.cache_hits.values())
 
 
-@compiled_only
 def test_sound_machine_code_is_used(cache):
     assert [hits(), hits()] == [0, 1]
 
@@ -46,7 +48,6 @@ DAMAGE = {
 }
 
 
-@compiled_only
 @pytest.mark.parametrize(
     ("suffix", "damage"),
     # What a flipped bit does to an index depends on where it falls.
@@ -59,7 +60,6 @@ def test_damaged_machine_code_is_made_again(cache, suffix, damage):
     assert [hits(), hits()] == [0, 1]
 
 
-@compiled_only
 def test_a_full_disk_costs_a_warning(tmp_path, monkeypatch):
     with mounted(tmp_path / "disk", "8k") as disk:
         monkeypatch.setattr(numba.config, "CACHE_DIR", str(disk))

@@ -8,69 +8,58 @@ from typing import NamedTuple
 
 import numba
 import pytest
+from numba.core.dispatcher import Dispatcher
 
-from kernels import contact, friction, steady
+from kernels import SCHEMES, Quantities, run_case
 from kernels.jit import by_type, kernel
-from kernels.march import march
-from kernels.motion import slide, stretches
+from tests.cases import CASE, line_of
 from tests.sizes import PLAIN_PYTHON
 
 ROOT = Path(__file__).resolve().parents[2]
-KERNELS = (
-    contact.overlap,
-    contact.solve_indentation,
-    friction.quadrature,
-    friction.lagged_slope,
-    friction.step_average,
-    march,
-    slide.shift,
-    slide.start_rings,
-    steady.sweep,
-    steady.steady_sliding,
-    stretches.touchable,
-)
 compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
 
 
 @compiled_only
-@pytest.mark.parametrize("kernel", KERNELS, ids=lambda k: k.__name__)
-def test_kernels_release_the_interpreter(kernel):
+def test_kernels_release_the_interpreter():
     """A scheduler must be able to talk to a worker while a kernel runs."""
-    assert kernel.targetoptions["nogil"] is True
+    modules = [module for name, module in sys.modules.items() if name.startswith("kernels")]
+    found = [v for module in modules for v in vars(module).values() if isinstance(v, Dispatcher)]
+    assert len(found) > 20
+    assert all(one.targetoptions["nogil"] is True for one in found)
 
 
-CASES = """
-from kernels import SCHEMES, Quantities, run_case
-from tests.cases import CASE, line_of
-for scheme in SCHEMES:
-    for rate in (True, False):
-        found = run_case(line_of(), CASE._replace(scheme=scheme), Quantities(indentation_rate=rate))
-        numbers = [found.mu_1, found.indentation, found.contact_fraction]
-        for values in (numbers, found.mu_2, found.jump, *found.curves):
-            print(*(float(value).hex() for value in values))
-"""
-
-
-def printed(**environment):
-    """Return what CASES print in a process of their own: the small lines of plain Python."""
-    script = f"import tests.sizes\ntests.sizes.PLAIN_PYTHON = True\n{CASES}"
-    process = subprocess.run(
-        [sys.executable, "-c", script],
-        cwd=ROOT,
-        env={**os.environ, **environment},
-        capture_output=True,
-        text=True,
-        check=True,
-    )
-    return process.stdout
+def numbers():
+    """Return all numbers of four cases on a small line, exactly."""
+    lines = []
+    for scheme in SCHEMES:
+        for rate in (True, False):
+            asked, case = Quantities(indentation_rate=rate), CASE._replace(scheme=scheme)
+            found = run_case(line_of(elements=60), case, asked)
+            one = [found.mu_1, found.indentation, found.contact_fraction]
+            for values in (one, found.mu_2, found.jump, *found.curves):
+                lines.append(" ".join(float(value).hex() for value in values))
+    return lines
 
 
 @compiled_only
 def test_machine_code_computes_what_python_computes_to_the_bit():
     """Sums have a fixed order, and products and sums are rounded one by one."""
-    compiled = printed()
-    assert compiled.count("\n") == 2 * 2 * 6
-    assert compiled == printed(NUMBA_DISABLE_JIT="1")
+    code = """
+from tests.last_bit import perturb
+perturb()
+from tests.kernels.test_jit import numbers
+print(*numbers(), sep="\\n")
+"""
+    plain = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT,
+        env={**os.environ, "NUMBA_DISABLE_JIT": "1"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert len(numbers()) == 2 * 2 * 6
+    assert plain.stdout.splitlines() == numbers()
 
 
 class Scaled(NamedTuple):

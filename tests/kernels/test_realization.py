@@ -1,4 +1,4 @@
-"""One realization: only what is asked for, shared work, agreement of the parts."""
+"""One realization: only what is asked for, shared work, agreement of the parts, symmetries."""
 
 import numpy as np
 import pytest
@@ -6,7 +6,6 @@ import pytest
 from kernels import (
     SCHEMES,
     ConstantForce,
-    Line,
     Quantities,
     lagged_slope,
     quadrature,
@@ -17,8 +16,8 @@ from kernels import (
 )
 from kernels.friction import elastic_correction
 from kernels.march import march
-from tests.cases import ALL, CASE, ELEMENTS, KEPT, RATIOS, M, line_of
-from tests.lines import random_line
+from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
+from tests.reference_march import Elements, constants, relaxation, steady
 
 
 def test_only_what_is_asked_for_is_computed():
@@ -88,16 +87,6 @@ def test_curve_is_mu_2_plus_the_deviation_of_the_marched_step_average(scheme):
     np.testing.assert_allclose(outcome.curves[0] - outcome.mu_2[0], deviation, rtol=1e-9)
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("load", [1e-3, 0.1, 60.0])
-def test_curve_tends_to_mu_2(scheme, load):
-    kept_steps = np.array([1, 2 * ELEMENTS * M + 60])  # two turns and 30 tau
-    case = CASE._replace(load=load, kept_steps=(kept_steps,) * 3, scheme=scheme)
-    outcome = run_case(line_of(), case, ALL)
-    for curve, mu_2 in zip(outcome.curves, outcome.mu_2, strict=True):
-        assert curve[-1] == pytest.approx(mu_2, rel=1e-9, abs=1e-10)
-
-
 def test_curve_is_marched_again_where_the_cap_is_exceeded(monkeypatch):
     caps = []
 
@@ -117,21 +106,46 @@ def test_curve_is_marched_again_where_the_cap_is_exceeded(monkeypatch):
     np.testing.assert_array_equal(outcome.curves, expected.curves)  # not the wrong first try
 
 
+@pytest.mark.parametrize("shift", [1, 17])
+def test_cyclic_shifts_change_nothing(shift):
+    """Phases turned by q times the shift: the same line, samples rounded differently."""
+    one, other = (run_case(line_of(shift=by), CASE, ALL) for by in (0, shift))
+    for name in ("mu_1", "indentation", "contact_fraction", "mu_2", "jump", "curves"):
+        found, expected = getattr(other, name), getattr(one, name)
+        np.testing.assert_allclose(found, expected, rtol=1e-10, atol=1e-10)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("load", [0.02, 0.5])
+def test_mirror_image_moving_the_other_way_is_the_same(scheme, load):
+    line = line_of()
+    outcome = run_case(line, CASE._replace(load=load, scheme=scheme), ALL)
+    mirrored, falling = line.z[::-1].copy(), -line.slope[::-1]
+    dt = 1.0 / (M * CASE.speed)
+    u, _, d = steady(mirrored, load, constants(scheme, dt)[0], direction=-1)
+    assert outcome.indentation == pytest.approx(d + line.datum, rel=1e-10, abs=1e-10)
+    step = constants(scheme, dt / RATIOS[1])
+    mu, _ = relaxation(Elements(mirrored, falling, u, d, load, step, direction=-1), KEPT[-1])
+    # The curve carries the constant mu_2 - (steady step average): compare its course.
+    course = outcome.curves[1] - outcome.curves[1][-1]
+    np.testing.assert_allclose(course, -(mu[KEPT - 1] - mu[-1]), atol=1e-10)
+
+
+def test_the_indentation_rate_is_an_effect_of_the_relaxation_alone():
+    line = line_of()
+    full = run_case(line, CASE, ALL)
+    without = run_case(line, CASE, Quantities(indentation_rate=False))
+    np.testing.assert_array_equal(without.mu_2, full.mu_2)
+    np.testing.assert_array_equal(without.jump, full.jump)
+    assert not np.allclose(without.curves, full.curves, rtol=1e-3, atol=0.0)
+
+
 BAD_CASES = [
-    ({"load": 0.0}, "load"),
-    ({"load": -1.0}, "load"),
-    ({"load": np.nan}, "load"),
-    ({"load": np.inf}, "load"),
-    ({"speed": 0.0}, "speed"),
-    ({"speed": -1.0}, "speed"),
-    ({"speed": 1e-13}, "speed"),
-    ({"speed": np.nan}, "speed"),
-    ({"ratios": (0.0, 1.2, 1.5)}, "speed"),
-    ({"ratios": (1.2, np.inf, 1.5)}, "speed"),
+    *[({"load": value}, "load") for value in (0.0, -1.0, np.nan, np.inf)],
+    *[({"speed": value}, "speed") for value in (0.0, -1.0, 1e-13, np.nan)],
+    *[({"ratios": ratios}, "speed") for ratios in ((0.0, 1.2, 1.5), (1.2, np.inf, 1.5))],
     ({"speed": 5e9}, "rounding"),  # with the ratio 1.5 and M = 2 samples per spacing
-    ({"kept_steps": (np.array([0, 1]),) * 3}, "kept_steps"),
-    ({"kept_steps": (KEPT, np.array([1, 5, 5]), KEPT)}, "kept_steps"),
-    ({"kept_steps": (KEPT, KEPT, np.array([], int))}, "kept_steps"),
+    *[({"kept_steps": (KEPT, np.array(bad, int), KEPT)}, "steps") for bad in ([0, 1], [5, 5], [])],
 ]
 
 
@@ -139,12 +153,3 @@ BAD_CASES = [
 def test_cases_without_meaning_are_refused(change, named):
     with pytest.raises(ValueError, match=named):
         run_case(line_of(), CASE._replace(**change), ALL)
-
-
-def test_given_samples_are_a_line_like_any_other():
-    z, slope = random_line(ELEMENTS, 0.7, M, seed=1)
-    given = Line.from_samples(np.roll(z, 5) + 3.0, np.roll(slope, 5), M)
-    one, other = run_case(line_of(), CASE, ALL), run_case(given, CASE, ALL)
-    assert other.indentation - one.indentation == pytest.approx(given.datum - line_of().datum)
-    np.testing.assert_allclose(other.jump, one.jump, rtol=1e-9)
-    np.testing.assert_allclose(other.curves, one.curves, rtol=1e-9, atol=1e-10)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kernels import Line
-from tests.cases import line_of
+from tests.cases import M, line_of
 
 
 def test_line_starts_at_its_top_and_counts_from_its_bottom():
@@ -13,6 +13,10 @@ def test_line_starts_at_its_top_and_counts_from_its_bottom():
     assert line.z.min() == 0.0
     assert np.sqrt(np.mean((line.z + line.datum) ** 2)) == pytest.approx(1.0, rel=1e-13)
     assert abs(np.mean(line.z) + line.datum) < 1e-13  # datum: from the mean line
+    given = Line.from_samples(np.roll(line.z, 5) + 3.0, np.roll(line.slope, 5), M)
+    np.testing.assert_allclose(given.z, line.z, atol=1e-14)
+    np.testing.assert_array_equal(given.slope, line.slope)
+    assert (given.datum, given.steps_per_spacing) == (3.0, M)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])

@@ -1,0 +1,93 @@
+"""What all laws share: they are reached by their types, and what they leave decays to zero."""
+
+import ast
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import numba
+import numpy as np
+import pytest
+
+from kernels import ConstantForce, Kelvin, PrintedForce, State, march, steady, steady_sliding
+from kernels.rheology.law import reach
+from tests.sizes import PLAIN_PYTHON
+from tests.support.sweeps import sweep
+
+ROOT = Path(__file__).resolve().parents[3]
+
+
+class Squared(NamedTuple):
+    """A law of a new file, which no file of kernels knows."""
+
+    root: float  # of the decay
+    stiffness: float
+    lag: float
+
+
+@reach.of(Squared)
+def _reach(law, u):
+    return law.root * (law.root * u)
+
+
+def slide(marches):
+    """Return what each law and control give, and how often anything was compiled for it."""
+    kelvin, squared = Kelvin(0.25, 4.0 / 3.0, 0.5), Squared(0.5, 4.0 / 3.0, 0.5)
+    pairs = (kelvin, PrintedForce), (kelvin, ConstantForce), (squared, ConstantForce)
+    z, numbers = np.array([3.0, 1.0, 0.0, 2.0]), []
+    for k, (law, control) in enumerate(pairs):
+        (w, d), _ = steady_sliding(law, z, 4.0)
+        found = [*w, d]
+        if k < marches:
+            start = State(0.5 * w, d)  # it has to settle
+            mu, depth, *_ = march(law, control(4.0), z, z - 1.5, start, np.array([2]), 4.0)
+            found += [*mu, *depth]
+        numbers.append([float(number) for number in found])
+    return numbers, sum(sum(one.stats.cache_misses.values()) for one in (steady_sliding, march))
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
+@sweep("marches", 2, 3)  # a march is long to compile for the new law, the rest is not
+def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_path, marches):
+    """Of the law of a new file neither; its numbers are those of the Kelvin element."""
+    cache = tmp_path / "cache"
+    shutil.copytree(numba.config.CACHE_DIR, cache, ignore=shutil.ignore_patterns("*.tmp*"))
+    code = f"from tests.kernels.rheology import test_law; print(test_law.slide({marches}))"
+    (numbers, misses), second = (
+        ast.literal_eval(
+            subprocess.run(
+                [sys.executable, "-c", code],
+                cwd=ROOT,
+                env={**os.environ, "NUMBA_CACHE_DIR": str(cache)},
+                stdout=subprocess.PIPE,
+                text=True,
+                check=True,
+            ).stdout
+        )
+        for _ in range(2)
+    )
+    assert misses >= marches - 1  # the new law at least
+    assert second == (numbers, 0)
+    printed, kelvin, squared = numbers
+    assert printed != kelvin
+    assert squared == kelvin[: len(squared)]
+
+
+def test_decay_never_leaves_subnormal_numbers():
+    """Where decay > 1/2 the smallest subnormal times decay rounds back to itself, for ever."""
+    products = []
+
+    class Watched(float):
+        def __mul__(self, other):
+            products.append(abs(float(self) * other))
+            return float(self) * other
+
+    z = np.full(3000, 5.0)
+    z[2998] = 0.0  # one element touches, all others decay for almost the whole period
+    law, w = Kelvin(Watched(0.7), 1.0, 0.0), np.empty_like(z)
+    assert getattr(steady.sweep, "py_func", steady.sweep)(law, z, 1.0, 2998, w) == (1.0, 1.0, 1)
+    assert len(products) > 2000
+    assert min(p for p in products if p > 0.0) > 1e-300
