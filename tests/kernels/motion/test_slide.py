@@ -59,6 +59,13 @@ def test_elements_that_never_touch_decay_and_pass_by(scene):
         np.testing.assert_allclose(low - c, expected, rtol=1e-12, atol=1e-14)
 
 
+def test_what_decays_away_in_a_gap_is_zero_and_no_subnormal_number():
+    z, state, cap = scene_of(CAPS["few"])
+    rings = start_rings(Kelvin(1e-12, 1.0, 0.5), z, state, *touchable(z, cap))
+    np.testing.assert_array_equal(rings.crossing, 0.0)
+    assert np.abs(rings.slots[rings.slots != 0.0]).min() > 1e-210
+
+
 def test_elements_that_touched_go_on_from_the_line(scene):
     """Every element is carried in a loop of its own, with no stretch and no ring."""
     z, state, cap = scene
