@@ -113,14 +113,6 @@ def test_rate_balances_the_load_and_friction_is_the_lever_mean(load, speed_after
     assert contact == pytest.approx(np.mean(weight * (force > 0.0)), rel=1e-12)
 
 
-@pytest.mark.parametrize("n", [1, 2, 9])
-def test_equal_pressures_get_an_equal_rate(n):
-    z = np.zeros(n)
-    mu, rate, contact = quadrature(z, z, z + 1.0, 0.0, 1.0, 1.0, 0.4 * n)
-    assert (mu, contact) == (0.0, 1.0)
-    assert rate == pytest.approx(0.4, rel=1e-14)
-
-
 def test_lagged_slope_reads_between_the_samples():
     slope = np.array([1.0, 2.0, 4.0, -1.0])
     np.testing.assert_array_equal(lagged_slope(slope, 0.0), slope)

