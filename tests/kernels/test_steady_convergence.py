@@ -13,7 +13,7 @@ from tests.references import parabola_forces, slow_sliding
 from tests.sizes import size
 
 ELEMENTS, RADIUS, SPEED, DEPTH = 48, 1.0, 1.5, 4.5
-REFINEMENTS = np.array([16, 32, 64, 128, 256])[: size(5, 4)]
+REFINEMENTS = np.array([16, 32, 64, 128, 256])
 FINEST = REFINEMENTS[-1]
 OFFSETS = (0.0, 0.17, 0.31, 0.5, 0.73, 0.9)
 
