@@ -1,18 +1,18 @@
 """What clusters of 10, 100 and 1000 workers do with the studies of the paper."""
 
 from collections.abc import Callable
-from typing import cast
+from functools import partial
+from itertools import product
+from typing import Any
 
-import numpy as np
 import pandas as pd
 import xarray as xr
 
 from workflow.errors import UserError
-from workflow.plan import batch_target, cut, make_plan, missing_work, total_seconds
 from workflow.result import Groups
-from workflow.study import Study, axis_values, integer, positive, read_study
+from workflow.study import integer, positive
 
-from .paper import alone
+from .paper import alone, planned
 from .virtual import Costs, durations, simulated
 
 TASKS_PER_WORKER = 30  # of the uniform batches
@@ -20,31 +20,30 @@ SECONDS_PER_BATCH = 1.3e-4  # of the driver of a simulated study: outline
 SECONDS_TO_PLAN = 1e-4  # per task of it
 
 
-def counts(key: str, value: object) -> tuple[int, ...]:
-    """Return a list of whole numbers of at least one."""
-    if not isinstance(value, list) or not value:
-        raise UserError(f"{key} = {value!r}: must be a list of whole numbers")
-    return tuple(integer(f"{key}[{i}]", part, 1) for i, part in enumerate(value))
+def listed(check: Callable[[str, object], Any]) -> Callable[[str, object], tuple]:
+    """Return the check of a list whose every part passes ``check``."""
+
+    def parts(key: str, value: object) -> tuple:
+        if not isinstance(value, list) or not value:
+            raise UserError(f"{key} = {value!r}: must be a list, not an empty one")
+        return tuple(check(f"{key}[{i}]", part) for i, part in enumerate(value))
+
+    return parts
 
 
-def lengths(key: str, value: object) -> tuple[float, ...]:
-    """Return seconds, all positive."""
-    return tuple(positive(key, part) for part in axis_values(key, value))
+def text(key: str, value: object) -> str:
+    """Return a name; the reader of studies refuses those it does not know."""
+    del key
+    return str(value)
 
 
-def names(key: str, value: object) -> tuple[str, ...]:
-    """Return names of grid studies."""
-    if not isinstance(value, list) or not all(isinstance(part, str) for part in value):
-        raise UserError(f"{key} = {value!r}: must be a list of names of studies")
-    return tuple(value)
-
-
+counts = listed(partial(integer, least=1))
 SETTINGS = {
-    "studies": names,
-    "scale": lambda key, value: names(key, [value])[0],
+    "studies": listed(text),
+    "scale": text,
     "workers": counts,  # of the simulated studies
     "uniform_workers": counts,  # of the simulated uniform batches
-    "uniform_seconds": lengths,
+    "uniform_seconds": listed(positive),
     "scheduler_seconds": positive,  # what one task costs the scheduler
     "driver_seconds": positive,  # and the driver
     "latency": positive,  # s, of a message between two processes
@@ -60,10 +59,8 @@ def outline(settings: dict) -> tuple[list[str], float]:
 
 
 def _study_seconds(name: str, settings: dict) -> float:
-    plan = make_plan(cast(Study, read_study(name, settings["scale"])))
-    missing = missing_work(plan, ())
-    target = batch_target(total_seconds(missing))
-    number = sum(piece.blocks * piece.seconds / target for piece in cut(plan, missing, target))
+    plan, pieces, target = planned(name, settings["scale"])
+    number = sum(piece.blocks * piece.seconds / target for piece in pieces)
     tasks = sum(len(variant.tasks) for variant in plan.variants)
     return len(settings["workers"]) * (SECONDS_TO_PLAN * tasks + SECONDS_PER_BATCH * number)
 
@@ -78,16 +75,13 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
 
 def _uniform(settings: dict, costs: Costs, seed: int) -> xr.Dataset:
     """Return efficiency over (seconds, workers) of simulated batches of one mean length."""
-    shape = (len(settings["uniform_seconds"]), len(settings["uniform_workers"]))
-    efficiency, rate = np.empty(shape), np.empty(shape)
-    for i, mean in enumerate(settings["uniform_seconds"]):
-        for j, workers in enumerate(settings["uniform_workers"]):
-            client = simulated(workers, durations(mean, TASKS_PER_WORKER * workers, seed), costs)
-            efficiency[i, j], rate[i, j] = client.efficiency, client.tasks / client.wall
-    dims = ("seconds", "workers")
-    coords = {"seconds": list(settings["uniform_seconds"])}
-    coords["workers"] = list(settings["uniform_workers"])
-    return xr.Dataset({"efficiency": (dims, efficiency), "rate": (dims, rate)}, coords)
+    rows = []
+    for mean, workers in product(settings["uniform_seconds"], settings["uniform_workers"]):
+        client = simulated(workers, durations(mean, TASKS_PER_WORKER * workers, seed), costs)
+        rate = client.tasks / client.wall
+        rows.append((mean, workers, client.efficiency, rate))
+    frame = pd.DataFrame(rows, columns=["seconds", "workers", "efficiency", "rate"])
+    return frame.set_index(["seconds", "workers"]).to_xarray()
 
 
 def _studies(settings: dict, costs: Costs, advance: Callable[[float], None]) -> xr.Dataset:

@@ -15,7 +15,16 @@ from typing import Any, cast
 
 import numpy as np
 
-from workflow.plan import batch_target, cut, make_batches, make_plan, missing_work, total_seconds
+from workflow.plan import (
+    Missing,
+    Plan,
+    batch_target,
+    cut,
+    make_batches,
+    make_plan,
+    missing_work,
+    total_seconds,
+)
 from workflow.simulate import PHASES, SCALARS, Batch, BatchResult
 from workflow.store import Shelf, Store, size
 from workflow.study import Study, read_study
@@ -33,14 +42,20 @@ def alone(**arguments: Any) -> dict[str, float]:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[str, float]:
-    """Return what the study takes on so many workers; sizes in MiB, times in s."""
-    began = time.process_time()
+def planned(study: str, scale: str) -> tuple[Plan, list[Missing], float]:
+    """Return the plan of a study, its work in pieces, and the target of a batch (s)."""
     plan = make_plan(cast(Study, read_study(study, scale)))
     missing = missing_work(plan, ())
     target = batch_target(total_seconds(missing))
-    work = make_batches(plan, cut(plan, missing, target), target)
-    planned = time.process_time() - began
+    return plan, cut(plan, missing, target), target
+
+
+def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[str, float]:
+    """Return what the study takes on so many workers; sizes in MiB, times in s."""
+    began = time.process_time()
+    plan, pieces, target = planned(study, scale)
+    work = make_batches(plan, pieces, target)
+    planning = time.process_time() - began
     client = VirtualClient(workers, Costs(*costs), attrgetter("seconds"))
     longest = 0.0
     began = time.process_time()
@@ -63,7 +78,7 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
     return {
         "points": plan.points,
         "realizations": sum(len(v.tasks) for v in plan.variants) * plan.study.realizations,
-        "planning": planned,
+        "planning": planning,
         "batches": client.tasks,
         "longest_batch": longest,
         "wall": client.wall,

@@ -9,7 +9,6 @@ from its last task until the scheduler's next message has reached it. This is th
 import math
 from collections import deque
 from collections.abc import Callable, Iterable, Iterator
-from functools import partial
 from heapq import heappop, heappush
 from itertools import count
 from operator import pos
@@ -42,7 +41,7 @@ class VirtualFuture(NamedTuple):
 
 
 class VirtualClient:
-    """Stands in for distributed.Client; ``now`` is the driver's clock (s)."""
+    """Stands in for distributed.Client and as_completed; ``now`` is the driver's clock (s)."""
 
     loop = None
 
@@ -86,8 +85,11 @@ class VirtualClient:
         self.now += len(futures) * self.costs.driver
         return [future.function(future.item) for future in futures]
 
-    def finished(self) -> list[VirtualFuture]:
-        """Return the tasks of whose end the driver hears since it asked last."""
+    def update(self, futures: list[VirtualFuture]) -> None:
+        """Wait for these too; the driver is told of all there are anyway."""
+
+    def next_batch(self, block: bool) -> list[VirtualFuture]:
+        """Return the tasks of whose end the driver hears since it asked last, perhaps none."""
         while self._messages and self._messages[0][0] <= self.now:
             self._next_message()
         heard = []
@@ -129,31 +131,12 @@ class VirtualClient:
             self._send(self._server + self.costs.latency + seconds, [future], done=True)
 
 
-class VirtualCompleted:
-    """Stands in for distributed.as_completed."""
-
-    def __init__(self, client: VirtualClient) -> None:
-        self.client = client
-
-    def update(self, futures: list[VirtualFuture]) -> None:
-        """Wait for these too; the client tells of all it has anyway."""
-
-    def next_batch(self, block: bool) -> list[VirtualFuture]:
-        """Return all that are finished, whether some are or none."""
-        del block
-        return self.client.finished()
-
-
 def virtual_stream(
     client: VirtualClient, function: Callable[[Any], Any], items: Iterable[Any]
 ) -> Iterator[tuple[Any, Any]]:
     """Let the workflow stream its work through a virtual cluster, by its clock."""
     real = cast(Client, client)  # of its interface the stream uses what is above
-    return stream(real, function, items, clock=client, completed=partial(_completed, client))
-
-
-def _completed(client: VirtualClient, *_: Any, **__: Any) -> VirtualCompleted:
-    return VirtualCompleted(client)
+    return stream(real, function, items, clock=client, completed=lambda *_, **__: client)
 
 
 def simulated(workers: int, items: list[float], costs: Costs) -> VirtualClient:

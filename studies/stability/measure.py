@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from functools import partial
+from itertools import product
 
 import numpy as np
 import pandas as pd
@@ -64,30 +65,29 @@ def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Data
         [random_line(HURST, n, m, seed, index) for m in (M, 2 * M)]
         for index in range(settings["map_lines"])
     ]
-    shape = (len(SCHEMES), loads.size, speeds.size)
-    found = {kind: np.zeros(shape) for kind in (*KINDS, "refinement")}
-    for cell in np.ndindex(shape):
-        scheme = list(SCHEMES)[cell[0]]
-        load, x = float(loads[cell[1]]), float(speeds[cell[2]])
+    axes = {"scheme": list(SCHEMES), "mean_load": loads, "speed_ratio": speeds}
+    rows = []
+    for scheme, load, x in product(SCHEMES, loads.tolist(), speeds.tolist()):
+        each = []
         for line, fine in both:
             motion = Motion(line, load, x / np.pi, RATIO, scheme)
-            worst = probe(motion, settings["steps"]) | {"refinement": _refinement(motion, fine)}
-            for kind, value in worst.items():
-                found[kind][cell] = max(float(found[kind][cell]), value)
+            worst = probe(motion, settings["steps"])
+            each.append(worst | {"refinement": _refinement(motion, fine)})
+        rows.append({kind: max(worst[kind] for worst in each) for kind in each[0]})
         advance(_map_seconds(settings))
-    dims = ("scheme", "mean_load", "speed_ratio")
-    data = {kind: (dims, values, _attributes(kind)) for kind, values in found.items()}
-    coords = {"scheme": list(SCHEMES), "mean_load": loads, "speed_ratio": speeds}
-    return xr.Dataset(data, coords, {"hurst": HURST, "elements": n, "steps_per_spacing": M})
+    shape = (len(SCHEMES), loads.size, speeds.size)
+    data = {
+        kind: (list(axes), np.reshape([row[kind] for row in rows], shape), _attributes(kind))
+        for kind in rows[0]
+    }
+    return xr.Dataset(data, axes, {"hurst": HURST, "elements": n, "steps_per_spacing": M})
 
 
 def _refinement(motion: Motion, fine: Line) -> float:
     """Return by how much mu_1 moves when the samples are halved, in units of the rms slope."""
     case = Case(motion.load, motion.speed, (), (), motion.scheme)
-    one, two = (
-        run_case(line, case, Quantities(jump=False, relaxation=False)).mu_1
-        for line in (motion.line, fine)
-    )
+    steady = Quantities(jump=False, relaxation=False)
+    one, two = (run_case(line, case, steady).mu_1 for line in (motion.line, fine))
     elements = fine.z.size // fine.steps_per_spacing
     return abs(two - one) / rms_slope(amplitudes(HURST, elements), elements)
 
