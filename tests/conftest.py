@@ -3,6 +3,7 @@
 import os
 from collections.abc import Iterator
 
+import dask
 import pytest
 from distributed import LocalCluster
 from hypothesis import settings
@@ -45,7 +46,9 @@ def scheduler() -> Iterator[str]:
 
     They talk as processes do; what processes alone can show, starts its own.
     """
-    with LocalCluster(
-        n_workers=2, threads_per_worker=1, processes=False, protocol="tcp", dashboard_address=":0"
-    ) as local:
+    threads = {"processes": False, "protocol": "tcp", "dashboard_address": ":0"}
+    with (
+        dask.config.set({"distributed.scheduler.worker-ttl": None}),  # some tests stop the clock
+        LocalCluster(n_workers=2, threads_per_worker=1, **threads) as local,
+    ):
         yield local.scheduler_address

@@ -1,6 +1,7 @@
 """Small, full and read-only disks, where mounting is permitted."""
 
 import contextlib
+import shutil
 import subprocess
 from collections.abc import Iterator
 from pathlib import Path
@@ -12,11 +13,10 @@ import pytest
 def mounted(folder: Path, size: str) -> Iterator[Path]:
     """Mount a disk of so many bytes on a new folder, or skip where that is not permitted."""
     folder.mkdir()
-    try:
-        command = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(folder)]
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-    except FileNotFoundError:
+    if shutil.which("mount") is None:
         pytest.skip("a disk cannot be mounted here: there is no program mount")
+    command = ["mount", "-t", "tmpfs", "-o", f"size={size}", "tmpfs", str(folder)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     if done.returncode:
         pytest.skip(f"a disk cannot be mounted here: {done.stderr.strip()}")
     try:

@@ -1,13 +1,11 @@
 """A finished result of the small study with a figure, and commands that show it or refuse."""
 
-import shutil
 from pathlib import Path
 
 import xarray as xr
 from matplotlib import pyplot as plt
 
 from tests.support.commands import refusal
-from tests.support.small import write_study
 from workflow.cli import main
 from workflow.result.netcdf import write_datasets
 
@@ -24,14 +22,6 @@ READERS = ("figure", "table")
 WRITTEN = ("png", "pdf", "csv")  # by them
 FILES = ("small.nc", "small.toml", "figure.py")
 OLD = b"what was there before"
-
-
-def write_result(folder: Path, result: Path) -> Path:
-    """Write the small study, its figure script and its finished result into a folder."""
-    write_study(folder)
-    (folder / "figure.py").write_text(FIGURE)
-    shutil.copy(result, folder / "small.nc")
-    return folder
 
 
 def call(capsys, command: str, folder: Path, *more: str) -> tuple[int, str, str]:

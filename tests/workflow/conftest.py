@@ -1,6 +1,7 @@
 """One finished run of the small study, and a client of the cluster of all tests."""
 
 import json
+import shutil
 import time
 from collections.abc import Iterator
 from pathlib import Path
@@ -9,7 +10,7 @@ import pytest
 from distributed import Client
 
 from tests.support.powers import write_powers
-from tests.support.results import write_result
+from tests.support.results import FIGURE
 from tests.support.runs import Run, run
 from tests.support.small import write_study
 from workflow.plan import machine
@@ -72,4 +73,7 @@ def finished(scheduler, tmp_path_factory) -> Run:
 @pytest.fixture
 def shown(finished, tmp_path) -> Path:
     """Return a folder with the small study, its figure script and its finished result."""
-    return write_result(tmp_path, finished.path)
+    write_study(tmp_path)
+    (tmp_path / "figure.py").write_text(FIGURE)
+    shutil.copy(finished.path, tmp_path / "small.nc")
+    return tmp_path

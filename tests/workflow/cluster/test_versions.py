@@ -13,14 +13,10 @@ def other(name, value):
     return Versions(tuple(found), tuple(found.values()))
 
 
-def test_same_versions_are_accepted(client):
+def test_same_versions_of_packages_python_and_our_own_sources_are_accepted(client):
     require(own_versions())
     check_versions(client)
-
-
-def test_packages_python_and_our_own_sources_are_compared():
-    names = set(own_versions().names)
-    assert names == {*module.PACKAGES, "python", "our sources"}
+    assert {*own_versions().names} == {*module.PACKAGES, "python", "our sources"}
     assert all("not installed" not in value for value in own_versions().values)
 
 

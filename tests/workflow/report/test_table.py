@@ -9,16 +9,9 @@ from workflow.study.grid import AXES
 from workflow.study.read import read_study
 
 
-@pytest.fixture(scope="module")
-def table(finished, tmp_path_factory):
-    """Return the table of the small study."""
-    copy = tmp_path_factory.mktemp("table") / "small.nc"
-    copy.write_bytes(finished.path.read_bytes())
-    return pd.read_csv(write_grid_table(finished.plan.study, copy))
-
-
-def test_every_point_is_a_row_of_the_estimates_of_the_result(table, finished):
-    dataset = finished.load()
+def test_every_point_is_a_row_of_the_estimates_of_the_result(shown, finished):
+    dataset, study = finished.load(), finished.plan.study
+    table = pd.read_csv(write_grid_table(study, shown / "small.nc"))
     assert len(table) == finished.plan.points
     names = {name for name in dataset.data_vars if dataset[name].dims == AXES}
     assert set(table.columns) == names | set(AXES)

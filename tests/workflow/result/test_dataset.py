@@ -15,14 +15,11 @@ ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing"}
 HURST_FITS = {"alpha", "alpha_free", "alpha_prefactor", "alpha_scatter", "alpha_points"}
 
 
-def test_all_six_dims_are_there_in_order(dataset):
+def test_all_six_dims_are_there_in_order_with_the_axes_of_the_study(made, dataset):
     for name, variable in dataset.data_vars.items():
         if not str(name).startswith("alpha"):
             assert variable.dims[:6] == AXES
             assert variable.dims[6:] in ((), ("sample",))
-
-
-def test_coordinates_are_the_axes_of_the_study(made, dataset):
     for axis in AXES:
         assert dataset[axis].values.tolist() == list(made[0].study.grid[axis])
     assert dataset["sample"].values.tolist() == list(range(16))

@@ -5,9 +5,9 @@ import dataclasses
 import numpy as np
 import pytest
 
-from tests.support.small import cut_batches, small_plan
+from tests.support.small import cut_batches, random_result, small_plan
 from workflow.run.summary import Summary
-from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
+from workflow.simulate.tasks import PHASES
 
 PLAN = small_plan("grid.velocity=[0.03, 0.05, 0.1]")
 BATCH = next(cut_batches(PLAN, set(), 1e9))
@@ -15,11 +15,8 @@ BATCH = next(cut_batches(PLAN, set(), 1e9))
 
 def spent(weights):
     """Return the result of the batch whose task i took weights[i] seconds in every phase."""
-    shape = (len(BATCH.tasks), BATCH.blocks)
     each = np.outer(weights, np.ones(len(PHASES)))
-    return BatchResult(
-        np.zeros((*shape, len(SCALARS))), np.zeros((*shape, 15)), each, each.sum() + 1, 2**28
-    )
+    return random_result(BATCH)._replace(spent=each, seconds=each.sum() + 1)
 
 
 def counted(weights):
@@ -55,8 +52,8 @@ def test_shares_are_of_the_time_all_workers_had():
 
 
 def test_a_run_that_had_nothing_to_do_says_only_that():
-    assert len(Summary(reused=7, wall=1.0).lines(PLAN)) == 1
-    assert "7 records reused" in Summary(reused=7).lines(PLAN)[0]
+    (said,) = Summary(reused=7, wall=1.0).lines(PLAN)
+    assert "7 records reused" in said
 
 
 def test_prediction_is_compared_with_what_was_used():
