@@ -9,10 +9,7 @@ from tests.support.results import assert_refused, call
 from tests.support.synthetic import result
 from workflow.report.figure import foot_line, log_bars
 
-OLD_FORM = """
-def draw(result):
-    raise AssertionError("is not called")
-"""
+OLD_FORM = "def draw(result):\n    raise AssertionError('is not called')\n"
 BROKEN = """
 from matplotlib import pyplot as plt
 

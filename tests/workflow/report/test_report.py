@@ -7,7 +7,6 @@ import shutil
 import pytest
 
 from tests.support.commands import output, refusal
-from tests.support.small import write_study
 from tests.support.synthetic import result
 from workflow.report.claims import known_claims
 from workflow.report.report import study_names, write_report
@@ -55,6 +54,7 @@ def test_page_holds_the_claims_that_can_be_judged(page):
 def test_page_says_where_a_result_comes_from(page):
     for words in ("Seed", "2014", "Commit", "numpy", "10 each", "implicit-euler", "shear modulus"):
         assert words in page
+    assert "paper_step" in page
     assert "0.001 … 0.7 (8 values)" in page
     assert "2·10<sup>−6</sup>" in page
 
@@ -77,27 +77,15 @@ def write_bare(folder, name, **attributes):
     write_datasets(folder / f"{name}.nc", {"": result(name).assign_attrs(attributes)})
 
 
-def test_report_of_chosen_studies(capsys, tmp_path):
+def test_report_of_chosen_studies_and_a_figure_that_cannot_be_drawn(capsys, tmp_path):
     write_bare(tmp_path, "fig6")
-    assert output(capsys, "report", "fig8", "fig6", "--out", str(tmp_path)) == (
-        f"{tmp_path / 'report.html'}\n"
-    )
-    assert "1 of 2 studies have no" in (tmp_path / "report.html").read_text(encoding="utf-8")
-
-
-def test_a_figure_that_cannot_be_drawn_leaves_the_rest(tmp_path):
-    write_bare(tmp_path, "fig6")
+    path = tmp_path / "report.html"
+    assert output(capsys, "report", "fig8", "fig6", "--out", str(tmp_path)) == f"{path}\n"
+    assert "1 of 2 studies have no" in path.read_text(encoding="utf-8")
     page = written(tmp_path, "fig6")
     assert 'id="missing"' not in page
     assert "fig6.nc: cannot be used by fig6" in page
     assert "normal force F<sub>N</sub>" in page
-
-
-def test_a_study_without_a_figure_script(finished, tmp_path):
-    shutil.copy(finished.path, tmp_path)
-    page = written(tmp_path, write_study(tmp_path))
-    assert "the study has no figure script" in page
-    assert "coarse" in page
 
 
 def test_a_measured_study_shows_its_settings_and_no_time_stepping(powers, tmp_path):
@@ -107,6 +95,7 @@ def test_a_measured_study_shows_its_settings_and_no_time_stepping(powers, tmp_pa
     assert "Powers of two" in page
     assert "<td>base</td><td>2.0</td>" in page
     assert "Time stepping" not in page
+    assert "the study has no figure script" in page
 
 
 def test_an_empty_folder_is_one_line(capsys, tmp_path):

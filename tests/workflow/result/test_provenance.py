@@ -41,9 +41,6 @@ def test_settings_and_surroundings_are_attributes_of_their_own_too():
     }
     assert expected.items() <= FOUND.items()
     assert "doi:10.1038/srep05795" in FOUND["references"]
-
-
-def test_a_comparison_states_its_own_numerics():
     coarse = provenance(STUDY, STUDY.variants["coarse"])
     assert (coarse["scheme"], coarse["steps_per_spacing"]) == ("implicit-euler", "1")
 

@@ -6,12 +6,9 @@ from workflow.result.variables import FLAGS, VARIABLES, declared
 ACCURACY = {"accuracy_reached", "accuracy_status", "bias_bound"}  # run/test_rounds.py
 
 
-def test_every_name_is_declared_and_every_declared_name_is_there(with_models):
+def test_every_declared_variable_is_there_as_it_is_declared_and_described(with_models):
     names = {str(name).removesuffix("_error") for name in with_models.data_vars}
     assert names == set(VARIABLES) - ACCURACY
-
-
-def test_every_variable_is_as_it_is_declared_and_described(with_models):
     for name, variable in with_models.data_vars.items():
         assert variable.dtype == declared(name).dtype, name
         assert variable.dims == declared(name).dims, name

@@ -49,11 +49,6 @@ def test_the_lock_dies_with_its_holder_and_is_free_after_an_error(tmp_path, othe
     assert holder(tmp_path) is None
 
 
-def test_asking_who_holds_it_makes_nothing(tmp_path):
-    assert holder(tmp_path / "store") is None
-    assert list(tmp_path.iterdir()) == []
-
-
 def test_a_file_system_without_locks_is_warned_of(tmp_path, monkeypatch, capsys):
     def no_locks(*_):
         raise OSError(37, "No locks available")
@@ -62,6 +57,11 @@ def test_a_file_system_without_locks_is_warned_of(tmp_path, monkeypatch, capsys)
     with hold(tmp_path):
         pass
     assert "cannot be locked (No locks available)" in capsys.readouterr().err
+
+
+def test_asking_who_holds_it_makes_nothing(tmp_path):
+    assert holder(tmp_path / "store") is None
+    assert list(tmp_path.iterdir()) == []
 
 
 def test_folder_that_cannot_be_made_is_reported(tmp_path):
