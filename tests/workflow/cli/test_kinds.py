@@ -9,7 +9,6 @@ from workflow.study.study import AnyStudy
 def test_status_before_a_run(capsys, study, tmp_path):
     found = facts(output(capsys, "status", study, "--out", str(tmp_path / "out")))
     assert found["done"] == "done        0 of 64 records (problem x block)"
-    assert found["waiting"] == "waiting     64 records"
     assert "core-hours, predicted" in found["remaining"]
     assert found["run"] == "run         not running"
     assert found["result"].endswith("small.nc (not written yet)")
@@ -19,7 +18,6 @@ def test_status_before_a_run(capsys, study, tmp_path):
 def test_status_after_a_run(capsys, study, finished):
     found = facts(output(capsys, "status", study, "--out", str(finished.path)))
     assert found["done"].startswith("done        64 of 64 records")
-    assert found["waiting"] == "waiting     0 records"
     assert found["failed"] == "failed      0 problems"
     assert found["remaining"].startswith("remaining   0 core-hours")
     assert found["run"].startswith("run         finished, 20")

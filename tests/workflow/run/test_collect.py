@@ -42,6 +42,8 @@ def test_estimates_of_every_point_are_the_means_of_its_own_blocks(collector, sto
         assert data.mu_1.values[place] == pytest.approx(means.mean() * h_over_dx, rel=1e-12)
         error = means.std(ddof=1) / 2.0 * h_over_dx
         assert data.mu_1_error.values[place] == pytest.approx(error, rel=1e-9)
+    assert "rate_replicates" not in data  # they are for the power law
+    assert data.alpha.dims == ("hurst",)
 
 
 def test_portions_do_not_show(collector, monkeypatch):
@@ -56,6 +58,7 @@ def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector, monkeypatc
     rows = [0, 2]
     collector.fit(VARIANT, rows, BLOCKS, "fitting")
     assert collector.fitted[""].blocks.tolist() == [4, 0, 4, 0, 0, 0, 0, 0]
+    assert collector.fitted[""].at(rows)["rate_replicates"].shape == (2, 5)
     monkeypatch.setattr(collector, "_load", pytest.fail)
     assert collector.fit(VARIANT, rows, BLOCKS, "fitting")
 
@@ -76,11 +79,3 @@ def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):
 def test_after_a_stop_there_is_no_dataset(client, store):
     stopped = Collector(client, store, PLAN, Summary(), Watch(lambda: True))
     assert stopped.datasets(BLOCKS) == {}
-
-
-def test_replicates_of_the_rates_are_for_the_power_law_and_not_written(collector):
-    collector.fit(VARIANT, [0, 1], BLOCKS, "fitting")
-    assert collector.fitted[""].at([0, 1])["rate_replicates"].shape == (2, 5)
-    data = collector.datasets(BLOCKS)[""]
-    assert "rate_replicates" not in data
-    assert data.alpha.dims == ("hurst",)
