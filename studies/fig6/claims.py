@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from studies.style import normalised
 from workflow.kinetic_law import PLATEAU, normalised_jump
 from workflow.report import TOLERANCE, Claim, Results, given, judge, mean_error, percent
 
@@ -19,11 +20,9 @@ def plateau(results: Results) -> Claim | None:
     if chosen.hurst.size == 0:
         return None
     line = ("normal_force", "spacing", "roughness", "velocity", "velocity_step")
-    flat = chosen.where(chosen.mu_1 >= FLAT * chosen.mu_1.max("velocity"))
-    level = flat.jump / flat.rms_slope / flat.velocity_step
-    error = flat.jump_error / flat.rms_slope / np.abs(flat.velocity_step)
-    each = level.mean(line)
-    errors = [mean_error(error.isel(hurst=[k])) for k in range(each.size)]
+    flat = normalised(chosen.where(chosen.mu_1 >= FLAT * chosen.mu_1.max("velocity")))
+    each = flat.jump_bar.mean(line)
+    errors = [mean_error(flat.jump_bar_error.isel(hurst=[k])) for k in range(each.size)]
     parts = [
         f"{value:.3f} ± {e:.3f} at H = {hurst:g}"
         for hurst, value, e in zip(chosen.hurst.values, each.values, errors, strict=True)
@@ -31,8 +30,8 @@ def plateau(results: Results) -> Claim | None:
     return Claim(
         "Plateau (Δµ₀/∇z)/(Δv/v₁) = 0.4 at high speed (eq. 11)",
         f"{PLATEAU:g}",
-        f"mean {float(each.mean()):.3f}: {', '.join(parts)}; {int(level.count())} points with µ₁ "
-        f"within {percent(1 - FLAT)} of its largest value",
+        f"mean {float(each.mean()):.3f}: {', '.join(parts)}; {int(flat.jump_bar.count())} points "
+        f"with µ₁ within {percent(1 - FLAT)} of its largest value",
         f"± {np.sqrt(np.sum(np.square(errors))) / each.size:.3f}",
         judge(float(np.abs(each / PLATEAU - 1.0).max()), max(errors) / PLATEAU),
     )

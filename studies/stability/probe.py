@@ -74,16 +74,12 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
         state, sweeps = motion.steady(law)
         starts.append(state)
         w, d = state
-        u = np.minimum(w, motion.line.z - d)
-        _raise(worst, sweeps=sweeps, falling=_falling(motion.line.z, d, law))
-        _raise(worst, subnormal=_subnormal(w), not_finite=np.sum(~np.isfinite(w)))
-        depths = _march(motion, state, law, 1.02 * d, STAY, worst)
+        subnormal = np.sum((w != 0.0) & (np.abs(w) < TINY))
+        _raise(worst, sweeps=sweeps, falling=_falling(motion.line.z, d, law), subnormal=subnormal)
+        _raise(worst, not_finite=np.sum(~np.isfinite(w)))
+        depths = _follow(motion, state, dt, law, 1.02 * d, STAY, worst)
         _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
-        _follow(motion, u, d, dt, law, depths, worst)
-        if ratio == 1.0:
-            first = u
-    depths = _march(motion, starts[0], law, 1.02 * max(d for _, d in starts), steps, worst)
-    _follow(motion, first, starts[0].d, dt, law, depths, worst)
+    _follow(motion, starts[0], dt, law, 1.02 * max(d for _, d in starts), steps, worst)
     return worst
 
 
@@ -101,9 +97,11 @@ def _march(motion, state, law, cap, steps, worst):
     return depths
 
 
-def _follow(motion, u, d, dt, law, depths, worst):
-    """Let every element follow the given indentations, raising the worst residuals."""
+def _follow(motion, state, dt, law, cap, steps, worst):
+    """Let every element follow the indentations of a march, keep the worst residuals; return d."""
     z, total = motion.line.z, motion.total
+    depths = _march(motion, state, law, cap, steps, worst)
+    u, d = np.minimum(state.w, z - state.d), state.d
     for depth in depths:
         old = np.roll(u, -1)
         free = law.decay * old
@@ -120,6 +118,7 @@ def _follow(motion, u, d, dt, law, depths, worst):
             passes=passes,
         )
         d = depth
+    return depths
 
 
 def _contact(force, gap, d):
@@ -151,10 +150,6 @@ def _falling(z, d, law):
     depths = d * np.geomspace(0.01, 100.0, 25)
     force = [sweep(law, z, depth, int(np.argmin(z)), w)[0] for depth in depths]
     return int(np.sum(np.diff(force) <= 0.0))
-
-
-def _subnormal(state):
-    return int(np.sum((state != 0.0) & (np.abs(state) < TINY)))
 
 
 def _raise(worst: dict[str, float], **found: float) -> None:
