@@ -79,9 +79,14 @@ class CheckedCache(FunctionCache):
             return None
 
     def save_overload(self, sig: Any, data: Any) -> None:
-        """Store machine code, if the disk takes it."""
+        """Store machine code, if the disk takes it.
+
+        numba reads the index, adds a line and writes it: two processes at once would lose a line,
+        or give two versions of a kernel one name.
+        """
         try:
-            super().save_overload(sig, data)
+            with _one_process("index"):
+                super().save_overload(sig, data)
         except Exception as error:
             warnings.warn(f"machine code is not cached: {error}", RuntimeWarning, stacklevel=2)
 
@@ -93,8 +98,15 @@ if not os.environ.get("NUMBA_CACHE_DIR"):
 @contextlib.contextmanager
 def compiling() -> Iterator[None]:
     """Let one process of a machine at a time compile: the others then find its machine code."""
+    with _one_process("lock"):
+        yield
+
+
+@contextlib.contextmanager
+def _one_process(name: str) -> Iterator[None]:
+    """Wait until no other process of this machine holds the lock of a name."""
     with contextlib.ExitStack() as stack:
-        with contextlib.suppress(OSError):  # no lock: each compiles for itself
-            file = stack.enter_context(Path(numba.config.CACHE_DIR, "lock").open("w"))
+        with contextlib.suppress(OSError):  # no lock: each works for itself
+            file = stack.enter_context(Path(numba.config.CACHE_DIR, name).open("w"))
             fcntl.flock(file, fcntl.LOCK_EX)
         yield

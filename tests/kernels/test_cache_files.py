@@ -2,11 +2,13 @@
 
 import fcntl
 import itertools
+import time
+from concurrent.futures import ThreadPoolExecutor
 
 import numba
 import pytest
 
-from kernels.cache import compiling
+from kernels.cache import CheckedCache, _CheckedFile, compiling
 from kernels.jit import kernel
 from tests.support.disks import mounted
 
@@ -66,6 +68,23 @@ def test_a_full_disk_costs_a_warning(tmp_path, monkeypatch):
         for _ in range(2):
             with pytest.warns(RuntimeWarning, match="not cached: .Errno 28. No space left"):
                 assert hits() == 0
+
+
+def test_two_that_keep_machine_code_at_once_lose_none(cache, monkeypatch):
+    save, save_index, kept = CheckedCache.save_overload, _CheckedFile._save_index, []
+    monkeypatch.setattr(CheckedCache, "save_overload", lambda *version: kept.append(version))
+    assert [kernel(twice)(21.0), kernel(twice)(21)] == [42.0, 42.0]
+
+    def late(file, overloads):
+        time.sleep(0.2)  # time enough for the other to read the index as it is now
+        save_index(file, overloads)
+
+    monkeypatch.setattr(_CheckedFile, "_save_index", late)
+    with ThreadPoolExecutor() as threads:
+        list(threads.map(lambda version: save(*version), kept))
+    again = kernel(twice)
+    assert [again(21.0), again(21)] == [42.0, 42.0]
+    assert sum(again.stats.cache_hits.values()) == 2
 
 
 def test_one_process_of_a_machine_at_a_time_compiles(cache):
