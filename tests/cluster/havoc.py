@@ -11,7 +11,7 @@ from pathlib import Path
 
 import psutil
 
-from tests.cluster.processes import PATIENCE, Standing, kill, start, workers_of
+from tests.cluster.processes import PATIENCE, STUDY, Standing, end, kill, start, workers_of
 from tests.cluster.slurm import NODES, Slurm
 from workflow.store import journal
 
@@ -40,15 +40,14 @@ class Chaos:
         """Kill what belongs to a scheduler with two workers."""
         self.options, self.environment = ["--scheduler", cluster.address], {}
 
-        def at(names: list[str]) -> bool:
-            cluster.processes[self.random.choice(names)].kill()
-            return True
+        def at(*names: str) -> bool:
+            return self._any([cluster.processes[name].pid for name in names])
 
         weapons = {
-            "worker": lambda: self._any(cluster.workers(), signal.SIGKILL),
+            "worker": lambda: self._any(cluster.workers()),
             "worker, SIGTERM": lambda: self._any(cluster.workers(), signal.SIGTERM),
-            "nanny": lambda: at(["worker-1", "worker-2"]),
-            "scheduler": lambda: at(["scheduler"]),
+            "nanny": lambda: at("worker-1", "worker-2"),
+            "scheduler": lambda: at("scheduler"),
         }
         self._leg(kills, weapons, cluster.heal)
 
@@ -61,10 +60,8 @@ class Chaos:
             return True
 
         weapons = {
-            "worker of a job": lambda: self._any(cluster.workers(), signal.SIGKILL),
-            "nanny of a job": lambda: self._any(
-                [nanny.pid for nanny in cluster.nannies()], signal.SIGKILL
-            ),
+            "worker of a job": lambda: self._any(cluster.workers()),
+            "nanny of a job": lambda: self._any([nanny.pid for nanny in cluster.nannies()]),
             "node down": node,
         }
         self._leg(kills, weapons, cluster.heal)
@@ -74,7 +71,7 @@ class Chaos:
         self.options, self.environment = ["--workers", "2"], {}
 
         def worker() -> bool:
-            return self._any(workers_of(psutil.Process(self.driver.pid)), signal.SIGKILL)
+            return self._any(workers_of(psutil.Process(self.driver.pid)))
 
         self._leg(kills, {"local worker": worker}, lambda: None)
 
@@ -83,6 +80,11 @@ class Chaos:
         while not self.finished():
             self._run_on()
             self.driver.wait(timeout=4.0 * PATIENCE)
+
+    def stop(self) -> None:
+        """End the driver."""
+        if self.driver is not None:
+            end(self.driver)
 
     def finished(self) -> bool:
         """Return whether the driver has ended well."""
@@ -111,9 +113,9 @@ class Chaos:
             assert self.driver.returncode in ENDINGS, self.log.read_text()[-5000:]
             self.driver = None
         if self.driver is None:
-            command = ["workflow", "run", "fig7", "--scale", "smoke", *self.study]
-            command += ["--out", str(self.folder), "--batch-seconds", BATCH_SECONDS]
-            self.driver = start(self.log, *command, *self.options, **self.environment)
+            command = [*STUDY, *self.study, "--out", str(self.folder), *self.options]
+            command += ["--batch-seconds", BATCH_SECONDS]
+            self.driver = start(self.log, *command, **self.environment)
 
     def _wait_for_progress(self, heal: Callable[[], None]) -> None:
         """Heal the cluster until the store has got more, or the driver has ended."""
@@ -124,7 +126,7 @@ class Chaos:
             heal()
             time.sleep(0.5)
 
-    def _any(self, pids: list[int], number: int) -> bool:
+    def _any(self, pids: list[int], number: int = signal.SIGKILL) -> bool:
         if pids:
             kill(self.random.choice(sorted(pids)), number)
         return bool(pids)

@@ -9,8 +9,10 @@ from pathlib import Path
 
 import psutil
 
-ROOT = Path(__file__).resolve().parents[2]
+from tests.support.runs import ROOT
+
 PATIENCE = 300.0  # seconds to wait for a process at most
+STUDY = ("workflow", "run", "fig7", "--scale", "smoke")
 
 
 def free_port() -> int:
@@ -32,6 +34,26 @@ def start(log: Path, *arguments: str, cwd: Path = ROOT, **environment: str) -> s
             stderr=output,
             start_new_session=True,
         )
+
+
+def start_scheduler(log: Path, port: int) -> subprocess.Popen:
+    """Start a scheduler."""
+    options = ("--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
+    return start(log, "distributed.cli.dask_scheduler", *options)
+
+
+def start_worker(log: Path, address: str, *options: str, **how) -> subprocess.Popen:
+    """Start a worker of one thread, its files beside its log."""
+    own = ("--nthreads", "1", "--no-dashboard", "--local-directory", str(log.with_suffix("")))
+    return start(log, "distributed.cli.dask_worker", address, *own, *options, **how)
+
+
+def result_of(folder: Path, *options: str, **environment: str) -> tuple[bytes, str]:
+    """Run the smoke study of figure 7; return the bytes of its result, and what it said."""
+    log = folder / "log"
+    process = start(log, *STUDY, "--out", str(folder), *options, **environment)
+    assert process.wait(timeout=4.0 * PATIENCE) == 0, log.read_text()
+    return (folder / "fig7.nc").read_bytes(), log.read_text()
 
 
 def end(process: subprocess.Popen) -> None:
@@ -92,10 +114,6 @@ class Standing:
     def _start(self, name: str) -> subprocess.Popen:
         log = self.folder / f"{name}.log"
         if name == "scheduler":
-            options = ("--host", "127.0.0.1", "--port", str(self.port), "--no-dashboard")
-            return start(log, "distributed.cli.dask_scheduler", *options)
-        options = ["--nthreads", "1", "--no-dashboard", "--preload", "tests.cluster.tally"]
-        options += ["--local-directory", str(self.folder / name), "--death-timeout", "60"]
-        return start(
-            log, "distributed.cli.dask_worker", self.address, *options, TALLY=str(self.tally)
-        )
+            return start_scheduler(log, self.port)
+        options = ["--preload", "tests.cluster.tally", "--death-timeout", "60"]
+        return start_worker(log, self.address, *options, TALLY=str(self.tally))

@@ -1,6 +1,7 @@
 """A private SLURM of two emulated nodes on loopback: no systemd, no cgroups, no database."""
 
 import getpass
+import itertools
 import os
 import shutil
 import signal
@@ -70,33 +71,19 @@ class Slurm:
         self.folder = folder
         for name in ("ctld", "log", "run", "spool/n1", "spool/n2", "jobs"):
             (folder / name).mkdir(parents=True)
-        (folder / "slurm.conf").write_text(
-            CONFIGURATION.format(
-                host=socket.gethostname().partition(".")[0],
-                user=getpass.getuser(),
-                folder=folder,
-                ctld_port=free_port(),
-                slurmd_port=free_port(),
-                n1=free_port(),
-                n2=free_port(),
-            )
-        )
         self.environment = {"SLURM_CONF": str(folder / "slurm.conf"), "PATH": _path()}
+        ports = {name: free_port() for name in ("ctld_port", "slurmd_port", *NODES)}
+        host = socket.gethostname().partition(".")[0]
+        text = CONFIGURATION.format(host=host, user=getpass.getuser(), folder=folder, **ports)
+        (folder / "slurm.conf").write_text(text)
         self._start()
 
-    def options(self, jobs: int = 2) -> list[str]:
+    def options(self) -> list[str]:
         """Return the options of a run that computes in jobs of this SLURM."""
-        table = {
-            "queue": "normal",
-            "jobs": jobs,
-            "memory": "1500MB",
-            "walltime": "00:30:00",
-            "interface": "lo",
-            "log_folder": str(self.folder / "jobs"),
-        }
-        return ["--slurm"] + [
-            word for key, value in table.items() for word in ("--set", f"cluster.{key}={value!r}")
-        ]
+        table = {"queue": "normal", "jobs": 2, "memory": "1500MB", "walltime": "00:30:00"}
+        table |= {"interface": "lo", "log_folder": str(self.folder / "jobs")}
+        settings = (("--set", f"cluster.{key}={value!r}") for key, value in table.items())
+        return ["--slurm", *itertools.chain(*settings)]
 
     def run(self, *command: str, check: bool = True) -> str:
         """Run a command of SLURM and return what it prints."""
@@ -149,15 +136,10 @@ class Slurm:
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
         run.chmod(0o755)
-        options = {
-            "key-file": key,
-            "socket": run / "munge.socket",
-            "pid-file": run / "munged.pid",
-            "log-file": run / "munged.log",
-            "seed-file": run / "munge.seed",
-            "num-threads": 2,
-        }
-        self.run("munged", "--force", *(f"--{name}={value}" for name, value in options.items()))
+        files = {"socket": "munge.socket", "pid-file": "munged.pid", "log-file": "munged.log"}
+        files |= {"key-file": key.name, "seed-file": "munge.seed"}
+        options = (f"--{option}={run / name}" for option, name in files.items())
+        self.run("munged", "--force", "--num-threads=2", *options)
         configuration = self.environment["SLURM_CONF"]
         self.run("slurmctld", "-c", "-f", configuration)
         for node in NODES:

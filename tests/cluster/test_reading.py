@@ -3,18 +3,17 @@
 import pytest
 import xarray as xr
 
-from tests.cluster.processes import PATIENCE, start
+from tests.cluster.processes import PATIENCE, STUDY, start
 from workflow.store import journal
 from workflow.system.lock import holder
 
 pytestmark = pytest.mark.cluster
-STUDY = ("fig7", "--scale", "smoke")
 
 
 def test_a_result_opened_lazily_does_not_block_the_run_that_replaces_it(tmp_path):
     def run(*settings):
         options = ("--out", str(tmp_path), "--workers", "1", *settings)
-        return start(tmp_path / "log", "workflow", "run", *STUDY, *options)
+        return start(tmp_path / "log", *STUDY, *options)
 
     assert run("--set", "study.realizations=4").wait(timeout=PATIENCE) == 0
     with xr.open_dataset(tmp_path / "fig7.nc") as old:

@@ -5,11 +5,20 @@ import shutil
 
 import pytest
 
-from tests.cluster.processes import PATIENCE, ROOT, Standing, end, free_port, start
+from tests.cluster.processes import (
+    PATIENCE,
+    STUDY,
+    Standing,
+    end,
+    free_port,
+    start,
+    start_scheduler,
+    start_worker,
+)
+from tests.support.runs import ROOT
 from workflow.store import journal
 
 pytestmark = pytest.mark.cluster
-STUDY = ("workflow", "run", "fig7", "--scale", "smoke", "--batch-seconds", "0.2")
 
 
 def assert_refused(run, log):
@@ -29,17 +38,16 @@ def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
         shutil.copytree(ROOT / name, edited / name)
     with (edited / "kernels" / "steady.py").open("a") as file:
         file.write("# edited\n")
-    options = ("--out", str(tmp_path), "--scheduler", cluster.address)
-    processes = [start(log, *STUDY, *options, "--set", "study.realizations=200")]
+    options = ("--out", str(tmp_path), "--scheduler", cluster.address, "--batch-seconds", "0.2")
+    options += ("--set", "study.realizations=200")
+    processes = [start(log, *STUDY, *options)]
     try:
         while not any("shard" in entry for entry, _ in journal.entries(tmp_path / "store")):
             assert processes[0].poll() is None, log.read_text()
-        worker = ("distributed.cli.dask_worker", cluster.address, "--nthreads", "1")
-        scratch = ("--no-dashboard", "--local-directory", str(edited / "scratch"))
-        processes.append(start(edited / "log", *worker, *scratch, cwd=edited))
+        processes.append(start_worker(edited / "worker.log", cluster.address, cwd=edited))
         assert_refused(processes[0], log)
         again = tmp_path / "again"  # the stranger is still there
-        processes.append(start(again, *STUDY, *options, "--set", "study.realizations=200"))
+        processes.append(start(again, *STUDY, *options))
         assert_refused(processes[2], again)
     finally:
         for process in processes:
@@ -49,8 +57,7 @@ def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
 
 def test_a_scheduler_without_workers_is_waited_for_and_given_up(tmp_path):
     port, log = free_port(), tmp_path / "log"
-    options = ("--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
-    scheduler = start(tmp_path / "scheduler", "distributed.cli.dask_scheduler", *options)
+    scheduler = start_scheduler(tmp_path / "scheduler", port)
     try:
         address = ("--scheduler", f"tcp://127.0.0.1:{port}", "--set", "cluster.patience=15")
         run = start(log, *STUDY, "--out", str(tmp_path), *address)

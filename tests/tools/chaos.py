@@ -8,26 +8,18 @@ nannies, drivers, schedulers and nodes. A driver that ends is started again.
 """
 
 import argparse
+import contextlib
 import tempfile
 from collections import Counter
 from pathlib import Path
 
 from tests.cluster.havoc import Chaos, FinishedTooSoonError
-from tests.cluster.processes import PATIENCE, Standing, end, start
+from tests.cluster.processes import Standing, result_of
 from tests.cluster.slurm import Slurm, missing
 from tests.cluster.tally import begun
 from workflow.store import journal
 
 SHARES = {"standing": 0.5, "slurm": 0.3, "local": 0.2}  # of the kills
-
-
-def settings(core_seconds: float) -> list[str]:
-    """Return the smoke study of figure 7 with realizations for so much work."""
-    blocks = max(2, round(core_seconds / 3.0))  # 3 s for 10 realizations
-    return [
-        *("--set", f"study.realizations={10 * blocks}"),
-        *("--set", "study.realizations_per_block=10"),
-    ]
 
 
 def stored(store: Path) -> tuple[int, int, int]:
@@ -41,14 +33,6 @@ def stored(store: Path) -> tuple[int, int, int]:
             tasks = [keys[part][i : i + 32] for i in range(0, len(keys[part]), 32)]
             seen.update((key, first + block) for key in tasks for block in range(blocks))
     return chunks, len(seen), sum(count > 1 for count in seen.values())
-
-
-def undisturbed(folder: Path, study: list[str]) -> bytes:
-    """Return the result of the study when nothing is killed."""
-    command = ["workflow", "run", "fig7", "--scale", "smoke", *study, "--out", str(folder)]
-    process = start(folder / "driver.log", *command, "--workers", "2")
-    assert process.wait(timeout=4.0 * PATIENCE) == 0, (folder / "driver.log").read_text()
-    return (folder / "fig7.nc").read_bytes()
 
 
 def run_chaos(folder: Path, kills: int, seed: int, core_seconds: float) -> list[str]:
@@ -66,33 +50,30 @@ def run_chaos(folder: Path, kills: int, seed: int, core_seconds: float) -> list[
 
 
 def _one_study(folder: Path, kills: int, seed: int, core_seconds: float) -> list[str]:
-    study = settings(core_seconds)
+    blocks = max(2, round(core_seconds / 3.0))  # 3 s for 10 realizations
+    study = ["--set", f"study.realizations={10 * blocks}"]
+    study += ["--set", "study.realizations_per_block=10"]
     for name in ("peace", "war"):
         (folder / name).mkdir()
-    expected = undisturbed(folder / "peace", study)
-    war = Chaos(folder / "war", study, seed)
+    expected, _ = result_of(folder / "peace", *study, "--workers", "2")
     counts = {name: round(share * kills) for name, share in SHARES.items()}
     if missing():
         counts["standing"] += counts.pop("slurm")
-    try:
+    war = Chaos(folder / "war", study, seed)
+    with contextlib.ExitStack() as afterwards:
+        afterwards.callback(war.stop)
         cluster = Standing(folder / "standing")
-        try:
+        with contextlib.ExitStack() as leg:
+            leg.callback(cluster.stop)
             war.standing(counts["standing"], cluster)
             chunks, _, _ = stored(war.store)
             waste = f"{begun(cluster.tally) - chunks} of {begun(cluster.tally)} batches begun"
-        finally:
-            cluster.stop()
         if "slurm" in counts:
             private = Slurm(folder / "slurm")
-            try:
-                war.slurm(counts["slurm"], private)
-            finally:
-                private.stop()
+            afterwards.callback(private.stop)
+            war.slurm(counts["slurm"], private)
         war.local(counts["local"])
         war.finish()
-    finally:
-        if war.driver is not None:
-            end(war.driver)
     assert (war.folder / "fig7.nc").read_bytes() == expected, "another result"
     chunks, records, twice = stored(war.store)
     assert twice == 0, f"{twice} records were computed again"

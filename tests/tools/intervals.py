@@ -35,15 +35,9 @@ POINTS = {  # name: problem, accuracy that takes a few rounds
     "H=0.5 x=3, light": (Problem(0.5, 500, 0.005, 3.0 / np.pi, 1.2), 0.05),
     "H=0 x=3": (Problem(0.0, 500, 0.1, 3.0 / np.pi, 1.2), 0.02),
 }
-SIZES = {
-    10: 10,
-    20: 20,
-    50: 50,
-    128: JACKKNIFE_GROUPS,
-    256: JACKKNIFE_GROUPS,
-}  # realizations: groups of them
+SIZES = {n: n if n <= 50 else JACKKNIFE_GROUPS for n in (10, 20, 50, 128, 256)}  # lines: groups
 NAMES = ("mu_1", "jump", "relaxation_rate")
-LEVELS = (0.68, 0.95)
+LEVELS = np.array([0.68, 0.95])
 SINGLE = 4.0  # binomial errors that one cell may be off
 SAMPLES = 64
 ALL = ("steady", "jump", "relaxation")
@@ -75,21 +69,25 @@ def compute(problem: Problem, seed: int = SEED) -> Lines:
     return Lines(done.scalars.reshape(shape), done.curves.reshape(shape), time, slope)
 
 
+def reduced(lines: Lines, scalars: np.ndarray, curves: np.ndarray) -> Estimates:
+    """Return the estimates from block means, shape (studies, blocks, ...)."""
+    count = len(scalars)
+    time, slopes = np.tile(lines.time, (count, 1)), np.full(count, lines.slope)
+    return reduce_blocks(Blocks(scalars, curves, time, slopes, ALL))
+
+
 def estimates(lines: Lines, studies: np.ndarray, size: int, groups: int) -> Estimates:
     """Return the estimates of some studies from the first ``size`` lines of each."""
-    blocks = [
+    scalars, curves = (
         np.stack([grouped_means(whole[study, :size], groups) for study in studies])
         for whole in (lines.scalars, lines.curves)
-    ]
-    count = len(studies)
-    slopes = np.full(count, lines.slope)
-    return reduce_blocks(Blocks(*blocks, np.tile(lines.time, (count, 1)), slopes, ALL))
+    )
+    return reduced(lines, scalars, curves)
 
 
 def reference(lines: Lines) -> Estimates:
     """Return the estimates from all lines of all studies, each study a block."""
-    blocks = (whole.mean(axis=1)[None] for whole in (lines.scalars, lines.curves))
-    return reduce_blocks(Blocks(*blocks, lines.time[None], np.array([lines.slope]), ALL))
+    return reduced(lines, *(whole.mean(axis=1)[None] for whole in (lines.scalars, lines.curves)))
 
 
 def stopped(lines: Lines, problem: Problem, wanted: float) -> tuple[Estimates, np.ndarray]:
@@ -101,39 +99,24 @@ def stopped(lines: Lines, problem: Problem, wanted: float) -> tuple[Estimates, n
     while going.size:
         for count in np.unique(size[going]):
             some = going[size[going] == count]
-            part = estimates(lines, some, int(count), JACKKNIFE_GROUPS)
-            for name, values in part.items():
+            for name, values in estimates(lines, some, int(count), JACKKNIFE_GROUPS).items():
                 found.setdefault(name, np.empty((STUDIES, *values.shape[1:]), values.dtype))
                 found[name][some] = values
         goals, ratios = [goal] * going.size, np.full(going.size, problem.ratio)
-        judged = attained({n: v[going] for n, v in found.items()}, goals, ratios, wanted)
+        growth = attained({n: v[going] for n, v in found.items()}, goals, ratios, wanted).growth
         most = LINES // JACKKNIFE_GROUPS * JACKKNIFE_GROUPS
-        grown = [
-            next_blocks(int(n), float(g), most)
-            for n, g in zip(size[going], judged.growth, strict=True)
-        ]
-        again = np.array(grown) > size[going]
-        size[going] = grown
-        going = going[again]
+        both = zip(size[going].tolist(), growth.tolist(), strict=True)
+        before, size[going] = size[going], [next_blocks(n, g, most) for n, g in both]
+        going = going[size[going] > before]
     return found, size
 
 
 def coverage(found: Estimates, truth: Estimates, name: str, freedom: int) -> tuple[np.ndarray, int]:
     """Return how often the intervals of LEVELS hold the reference, and in how many studies."""
-    known = np.isfinite(found[name]) & np.isfinite(found[f"{name}_error"])
     off = np.abs(found[name] - truth[name]) / found[f"{name}_error"]
-    return np.array([np.mean(off[known] <= quantile(p, freedom)) for p in LEVELS]), int(known.sum())
-
-
-def quantile(level: float, freedom: int) -> float:
-    """Return the half width of an interval in standard errors."""
-    return float(student.ppf(0.5 + 0.5 * level, freedom))
-
-
-def binomial_error(studies: int) -> np.ndarray:
-    """Return the standard error of the shares of LEVELS."""
-    level = np.array(LEVELS)
-    return np.sqrt(level * (1.0 - level) / studies)
+    off = off[~np.isnan(off)]
+    widths = student.ppf(0.5 + 0.5 * LEVELS, freedom)  # in standard errors
+    return np.mean(off[:, None] <= widths, axis=0), off.size
 
 
 def row(what: str, found: Estimates, truth: Estimates, freedom: int) -> list[np.ndarray]:
@@ -141,7 +124,7 @@ def row(what: str, found: Estimates, truth: Estimates, freedom: int) -> list[np.
     cells, off = [], []
     for name in NAMES:
         shares, studies = coverage(found, truth, name, freedom)
-        off.append((shares - LEVELS) / binomial_error(max(studies, 1)))
+        off.append((shares - LEVELS) / np.sqrt(LEVELS * (1.0 - LEVELS) / max(studies, 1)))
         mark = "*" if np.abs(off[-1]).max() > SINGLE else " "
         cells.append(f"{shares[0]:5.2f} {shares[1]:5.2f} {studies:4d}{mark}")
     print(f"  {what:32s}" + "   ".join(cells), flush=True)
