@@ -55,25 +55,18 @@ class Chaos:
         """Kill what belongs to jobs of SLURM."""
         self.options, self.environment = cluster.options(), cluster.environment
 
-        def node() -> bool:
-            cluster.set_down(self.random.choice(NODES))
-            return True
-
         weapons = {
             "worker of a job": lambda: self._any(cluster.workers()),
             "nanny of a job": lambda: self._any([nanny.pid for nanny in cluster.nannies()]),
-            "node down": node,
+            "node down": lambda: cluster.set_down(self.random.choice(NODES)),
         }
         self._leg(kills, weapons, cluster.heal)
 
     def local(self, kills: int) -> None:
         """Kill what belongs to processes of this machine."""
         self.options, self.environment = ["--workers", "2"], {}
-
-        def worker() -> bool:
-            return self._any(workers_of(psutil.Process(self.driver.pid)))
-
-        self._leg(kills, {"local worker": worker}, lambda: None)
+        weapons = {"local worker": lambda: self._any(workers_of(psutil.Process(self.driver.pid)))}
+        self._leg(kills, weapons, lambda: None)
 
     def finish(self) -> None:
         """Let the study be finished in peace."""

@@ -57,13 +57,12 @@ def result_of(folder: Path, *options: str, **environment: str) -> tuple[bytes, s
 
 
 def end(process: subprocess.Popen) -> None:
-    """End a process and whatever it has started."""
-    family = [process.pid]
+    """End a process, if it still runs, and whatever it has started."""
     if process.poll() is None:
-        family += [child.pid for child in psutil.Process(process.pid).children(recursive=True)]
-    for pid in family:
-        kill(pid, signal.SIGKILL)
-    process.wait(timeout=PATIENCE)
+        children = psutil.Process(process.pid).children(recursive=True)
+        for pid in (process.pid, *(child.pid for child in children)):
+            kill(pid, signal.SIGKILL)
+        process.wait(timeout=PATIENCE)
 
 
 def kill(pid: int, number: int) -> None:
@@ -107,9 +106,8 @@ class Standing:
 
     def workers(self) -> list[int]:
         """Return the pids of the worker processes."""
-        nannies = [p for name, p in self.processes.items() if name != "scheduler"]
-        alive = [psutil.Process(p.pid) for p in nannies if p.poll() is None]
-        return [pid for nanny in alive for pid in workers_of(nanny)]
+        alive = [p.pid for p in self.processes.values() if p.poll() is None]
+        return [pid for nanny in alive for pid in workers_of(psutil.Process(nanny))]
 
     def _start(self, name: str) -> subprocess.Popen:
         log = self.folder / f"{name}.log"

@@ -24,7 +24,6 @@ SlurmdPort={slurmd_port}
 CommunicationParameters=NoInAddrAny,NoCtldInAddrAny
 SlurmUser={user}
 SlurmdUser={user}
-AuthType=auth/munge
 AuthInfo=socket={folder}/run/munge.socket
 CredType=cred/munge
 StateSaveLocation={folder}/ctld
@@ -35,11 +34,6 @@ SlurmctldLogFile={folder}/log/slurmctld.log
 SlurmdLogFile={folder}/log/slurmd-%n.log
 ProctrackType=proctrack/linuxproc
 TaskPlugin=task/none
-JobAcctGatherType=jobacct_gather/none
-AccountingStorageType=accounting_storage/none
-MpiDefault=none
-SwitchType=switch/none
-SchedulerType=sched/backfill
 SchedulerParameters=sched_interval=1,bf_interval=1,sched_min_interval=100000
 SelectType=select/cons_tres
 SelectTypeParameters=CR_CPU_Memory
@@ -93,9 +87,10 @@ class Slurm:
             raise RuntimeError(f"{command}: {done.stderr}")
         return done.stdout
 
-    def set_down(self, node: str) -> None:
+    def set_down(self, node: str) -> bool:
         """Take a node away with whatever runs there."""
         self.run("scontrol", "update", f"NodeName={node}", "State=DOWN", "Reason=chaos")
+        return True
 
     def heal(self) -> None:
         """Give back nodes that are down."""
@@ -126,10 +121,8 @@ class Slurm:
         for nanny in self.nannies():
             for pid in (*workers_of(nanny), nanny.pid):
                 kill(pid, signal.SIGKILL)
-        for name in ("slurmd-n1", "slurmd-n2", "slurmctld", "munged"):
-            pid_file = self.folder / "run" / f"{name}.pid"
-            if pid_file.is_file():
-                kill(int(pid_file.read_text()), signal.SIGTERM)
+        for pid_file in (self.folder / "run").glob("*.pid"):
+            kill(int(pid_file.read_text()), signal.SIGTERM)
 
     def _start(self) -> None:
         run, key = self.folder / "run", self.folder / "run" / "munge.key"

@@ -11,7 +11,6 @@ from tests.hard.bounds import EPS, MARGIN, assert_stable, bounds
 from tests.reference_march import constants, steady
 from tests.sizes import size
 
-RECORD = np.array([1, 2, 4, 9])
 FEW = settings(max_examples=size(60, 15), deadline=None, derandomize=True, database=None)
 
 
@@ -39,7 +38,8 @@ def motions(draw):
 
 def numbers(motion: Motion):
     """Return every number of the case that is a coefficient of friction, and the others."""
-    case = Case(motion.load, motion.speed, (motion.ratio,), (RECORD,), motion.scheme)
+    kept_steps = np.array([1, 2, 4, 9])
+    case = Case(motion.load, motion.speed, (motion.ratio,), (kept_steps,), motion.scheme)
     found = run_case(motion.line, case, Quantities())
     mu = np.array([found.mu_1, *found.mu_2, *found.jump, *found.curves[0]])
     return mu, found.indentation, found.contact_fraction

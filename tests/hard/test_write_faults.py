@@ -1,12 +1,16 @@
 """Whatever befalls the files of a store, a record read back is what was written, or is missing.
 
 Shards are cut and spoilt at one byte in STRIDE, journals more densely: some in `make test`, one in
-997 in `make test-all`; WRITE_FAULT_STRIDE=1 tries every one.
+997 in `make test-all`; WRITE_FAULT_STRIDE=1 tries every one. Calls that fail, a process that ends
+anywhere: all is kept but what was not yet stored.
 """
 
 import contextlib
+import errno
+import io
 import os
 import shutil
+from pathlib import Path
 
 import pytest
 
@@ -14,12 +18,27 @@ from tests.support.disks import make_read_only, mounted
 from tests.support.faults import SHARDS, TRUTH, checked, copies, fill, flips, prefixes, readable
 from tests.support.shards import WORK, held, records, reopened
 from tests.support.small import random_result
-from tests.support.sweeps import sweep
+from tests.support.sweeps import mostly_exhaustive, sweep
 from workflow.errors import UserError
 from workflow.store import journal
 from workflow.store.store import Store
 
 STRIDE = sweep("stride", 9973, int(os.environ.get("WRITE_FAULT_STRIDE", "997")))
+
+
+@pytest.fixture
+def instant(monkeypatch):
+    """Do not wait for the disk."""
+    monkeypatch.setattr(os, "fsync", lambda _: None)
+
+
+@pytest.fixture
+def sound(tmp_path, instant):
+    """Return the folder of a store with three sound shards."""
+    folder = tmp_path / "sound"
+    folder.mkdir()
+    fill(Store(folder))
+    return folder
 
 
 def first_shard(folder):
@@ -52,12 +71,6 @@ def test_shard_that_the_journal_does_not_know_is_whole_or_missing(sound, stride)
     (sound / journal.NAME).unlink()
     for folder in copies(sound, shard, prefixes(shard.read_bytes(), stride)):
         assert readable(folder) == TRUTH.keys() - inside
-
-
-def test_journal_without_shards_is_empty(sound):
-    for shard in sound.glob("*.nc"):
-        shard.unlink()
-    assert readable(sound) == set()
 
 
 @sweep("step", 7, 1)
@@ -95,3 +108,84 @@ def test_read_only_folder_is_read_and_left_as_it_is(tmp_path, sound):
         with pytest.raises(UserError, match="cannot be written: Read-only file system"):
             store.add([(WORK[4], random_result(WORK[4]))])
         assert held(store) == TRUTH.keys()
+
+
+class Crash(BaseException):
+    """The end of the process, wherever it is."""
+
+
+class Faults:
+    """Lets the nth call that changes a folder fail, a write half-way; counts the calls."""
+
+    def __init__(self, nth, error, share):
+        self.nth, self.error, self.share, self.calls = nth, error, share, 0
+
+    def count(self):
+        """Count a call; raise if it is the one to fail."""
+        self.calls += 1
+        if self.calls == self.nth:
+            raise self.error
+
+    def before(self, function):
+        """Return the function, failing in its turn."""
+
+        def call(*args, **named):
+            self.count()
+            return function(*args, **named)
+
+        return call
+
+    def opened(self, function):
+        """Return Path.open, whose files for writing fail in their turn."""
+        faults = self
+
+        class Torn(io.FileIO):
+            def write(self, content):
+                try:
+                    faults.count()
+                except BaseException:
+                    super().write(content[: int(faults.share * len(content))])
+                    raise
+                return super().write(content)
+
+        def call(path, mode="r", *args, **named):
+            if mode == "rb":
+                return function(path, mode, *args, **named)
+            self.count()
+            return Torn(path, mode.replace("b", ""))
+
+        return call
+
+
+FULL, BROKEN = OSError(errno.ENOSPC, "No space left"), OSError(errno.EIO, "Input/output error")
+WHOLE = [(FULL, 0.0), (FULL, 0.5), (FULL, 1.0), (BROKEN, 0.9), (Crash(), 0.5), (Crash(), 1.0)]
+
+
+@mostly_exhaustive(
+    "error, share, every",
+    [(FULL, 0.5, 5), (Crash(), 1.0, 5)],  # one call in so many fails
+    [(error, share, 1) for error, share in WHOLE],
+)
+def test_call_that_fails_loses_at_most_what_was_not_yet_stored(
+    tmp_path, instant, monkeypatch, error, share, every
+):
+    for nth in range(1, 1000, every):
+        folder = tmp_path / str(nth)
+        folder.mkdir()
+        store, faults = Store(folder), Faults(nth, error, share)
+        with monkeypatch.context() as patch:
+            patch.setattr(os, "fsync", faults.before(os.fsync))
+            patch.setattr(os, "open", faults.before(os.open))
+            patch.setattr(Path, "replace", faults.before(Path.replace))
+            patch.setattr(Path, "open", faults.opened(Path.open))
+            with contextlib.suppress(Crash, UserError):
+                fill(store)
+        if faults.calls < nth:
+            break
+        promised = held(store)
+        assert promised < TRUTH.keys()
+        assert checked(store) == promised
+        assert readable(folder) >= promised
+        fill(reopened(folder))  # the next run goes on
+        assert checked(Store(folder)) == TRUTH.keys()
+    assert nth > 3 * len(SHARDS) * 3  # calls per file, shards, files changed at least

@@ -55,15 +55,14 @@ class Exponential(NamedTuple):
 
 
 def root_of_lines(zeros, slopes, load):
-    """Return d with sum_i slope_i max(0, d - zero_i) = load, by sorting the zeros."""
-    order = sorted(range(len(zeros)), key=lambda i: zeros[i])
-    for count in range(1, len(order) + 1):
-        below = order[:count]
-        total = sum(slopes[i] for i in below)
-        d = (load + sum(slopes[i] * zeros[i] for i in below)) / total
-        if count == len(order) or d <= zeros[order[count]]:
-            return d
-    raise AssertionError("no load, no root")
+    """Return d with sum_i slope_i max(0, d - zero_i) = load.
+
+    Without max, the sum over some i is never larger, and equal for those below d, the lowest: of
+    the roots for so many lowest zeros the least is the one wanted.
+    """
+    lowest = sorted(zip(zeros, slopes, strict=True))
+    some = (lowest[: count + 1] for count in range(len(lowest)))
+    return min((load + sum(z * s for z, s in each)) / sum(s for _, s in each) for each in some)
 
 
 def contact_step(scheme, z, old, load):
@@ -105,9 +104,9 @@ def _steady_with(scheme, z, load, touching):
     for d in (0 * load, 1 + 0 * load):
         u = _carried(scheme, z, d, touching)
         total.append(sum(scheme.force(u[j], u[(j + 1) % n]) for j in range(n)))
-    d = (load - total[0]) / (total[1] - total[0]) if total[1] != total[0] else None
-    if d is None:
+    if total[0] == total[1]:
         return None
+    d = (load - total[0]) / (total[1] - total[0])
     u = _carried(scheme, z, d, touching)
     w = [scheme.free(u[(j + 1) % n]) for j in range(n)]
     for j in range(n):
@@ -182,8 +181,7 @@ def friction_at_once(z, slope, state, formed, speed, load):
 def elastic_correction(z, slope, state, speed, rate, steps):
     """Return what the sum of eq. 5 misses of -steps [(d + d' - z)^2 / 2], cell by cell."""
     ways, n = _edges(z, slope, state, speed), len(z)
-    half = (1 + 0 * rate) / 2
-    missing = 0 * rate
+    half, missing = (1 + 0 * rate) / 2, 0 * rate
     for j, (back, upto) in ways.items():
         if (j - 1) % n not in ways and back in (-half, 3 * half):
             continue

@@ -6,12 +6,13 @@ costs is the study of that name: `make study-accuracy`.
 
 import statistics
 import time
+import timeit
 from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 
-from kernels import Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
+from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
 
 ELEMENTS = 2000
 LINES = 8
@@ -31,44 +32,31 @@ EFFECTS = {
 
 def seconds(function: Callable[[], object], repeats: int = 15) -> float:
     """Return the median CPU time of a call, after one that is not counted."""
-    function()
-    found = []
-    for _ in range(repeats):
-        began = time.process_time()
-        function()
-        found.append(time.process_time() - began)
-    return statistics.median(found)
+    clock = timeit.Timer(function, timer=time.process_time)
+    return statistics.median(clock.repeat(repeats + 1, number=1)[1:])
 
 
-def lines(hurst: float) -> list[Line]:
-    """Return the lines of a point."""
-    amplitude = amplitudes(hurst, ELEMENTS)
-    phases = [draw_phases(np.random.default_rng(k), ELEMENTS) for k in range(LINES)]
-    return [Line.self_affine(amplitude, p, ELEMENTS, STEPS) for p in phases]
-
-
-def outcomes(point: str, asked: Quantities, sampled: list[Line]) -> list[Outcome]:
-    """Run one point on all lines, recording 16 moments up to 1.5 tau/b."""
-    hurst, load, x = POINTS[point]
-    span = 1.5 / x ** (1.0 - hurst) * 1.2 * x / np.pi  # in dx
+def outcomes(lines: list[Line], load: float, x: float, span: float, asked: Quantities) -> None:
+    """Run one point on all lines, recording 16 moments over a way of ``span`` (dx)."""
     kept_steps = np.unique(np.ceil(np.linspace(span / 16, span, 16) * STEPS).astype(np.int64))
     case = Case(load, x / np.pi, (1.2,), (kept_steps,), "exponential")
-    return [run_case(line, case, asked) for line in sampled]
+    for line in lines:
+        run_case(line, case, asked)
 
 
 def effects() -> None:
     """Print what each effect costs: what is not asked for must cost nothing."""
     print(f"What effects cost (m = {STEPS}), relative to everything a relaxation needs")
-    for point, (hurst, _, _) in POINTS.items():
-        sampled = lines(hurst)
-        taken = {
-            name: seconds(partial(outcomes, point, asked, sampled))
-            for name, asked in EFFECTS.items()
-        }
-        whole = taken["steady states, jump, relaxation"]
+    for point, (hurst, load, x) in POINTS.items():
+        amplitude = amplitudes(hurst, ELEMENTS)
+        phases = [draw_phases(np.random.default_rng(k), ELEMENTS) for k in range(LINES)]
+        lines = [Line.self_affine(amplitude, p, ELEMENTS, STEPS) for p in phases]
+        span = 1.5 / x ** (1.0 - hurst) * 1.2 * x / np.pi  # 1.5 tau/b
+        run = partial(outcomes, lines, load, x, span)
+        taken = {name: seconds(partial(run, asked)) for name, asked in EFFECTS.items()}
         print(f"\n{point}")
         for name, value in taken.items():
-            print(f"  {name:40s}{value / whole:6.2f}")
+            print(f"  {name:40s}{value / taken['steady states, jump, relaxation']:6.2f}")
 
 
 if __name__ == "__main__":

@@ -63,11 +63,10 @@ def _one_study(folder: Path, kills: int, seed: int, core_seconds: float) -> list
     with contextlib.ExitStack() as afterwards:
         afterwards.callback(war.stop)
         cluster = Standing(folder / "standing")
-        with contextlib.ExitStack() as leg:
-            leg.callback(cluster.stop)
-            war.standing(counts["standing"], cluster)
-            chunks, _, _ = stored(war.store)
-            waste = f"{begun(cluster.tally) - chunks} of {begun(cluster.tally)} batches begun"
+        afterwards.callback(cluster.stop)
+        war.standing(counts["standing"], cluster)
+        tally, (standing, _, _) = begun(cluster.tally), stored(war.store)
+        cluster.stop()
         if "slurm" in counts:
             private = Slurm(folder / "slurm")
             afterwards.callback(private.stop)
@@ -82,7 +81,7 @@ def _one_study(folder: Path, kills: int, seed: int, core_seconds: float) -> list
         f"{sum(war.kills.values())} kills: {dict(sorted(war.kills.items()))}",
         f"{runs} runs; drivers ended with {dict(sorted(war.endings.items()))}",
         f"{records} records in {chunks} batches stored, none twice; result bit-identical",
-        f"wasted on the standing cluster: {waste}",
+        f"wasted on the standing cluster: {tally - standing} of {tally} batches begun",
     ]
 
 

@@ -1,5 +1,6 @@
-"""Workers that run another program, and no workers at all."""
+"""What goes wrong on a cluster: kills, a problem that kills, another program, no workers."""
 
+import os
 import re
 import shutil
 
@@ -15,10 +16,37 @@ from tests.cluster.processes import (
     start_scheduler,
     start_worker,
 )
-from tests.support.runs import ROOT
+from tests.support.runs import ROOT, run
+from tests.support.shards import held
+from tests.support.small import all_records, small_plan
+from tests.tools.chaos import run_chaos
+from workflow.cluster import worker as work
 from workflow.store import journal
+from workflow.store.store import Store, store_folder
 
 pytestmark = pytest.mark.cluster
+
+
+def test_kills_change_no_bit_and_lose_no_finished_work(tmp_path):
+    report = run_chaos(tmp_path, kills=8, seed=7, core_seconds=40.0)  # make chaos: many more
+    assert report[0].startswith("8 kills")
+
+
+def poisonous(batch, expected):
+    """Run a batch, but die of one problem; stands in for run_batch."""
+    if any(task.key == small_plan().variants[0].tasks[1].key for task in batch.tasks):
+        os._exit(1)
+    return work.run_batch(batch, expected)
+
+
+def test_the_poisonous_problem_alone_is_blamed_and_the_rest_computed(standing, tmp_path):
+    plan, _, path = run(standing.address, tmp_path, max_failures=1, work=poisonous)
+    key = plan.variants[0].tasks[1].key
+    store = Store(store_folder(path))
+    assert list(store.failed) == [key]
+    assert store.failed[key].startswith("its worker died 4 times")
+    assert held(store) == {record for record in all_records(plan) if record[0] != key}
+    assert run(standing.address, tmp_path, retry_failed=True).summary.failures == []
 
 
 def assert_refused(run, log):

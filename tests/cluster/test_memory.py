@@ -1,0 +1,30 @@
+"""The memory of a driver: real workers return results of the right size that took no time."""
+
+import pytest
+
+from studies.scaling.paper import pretend
+from workflow.plan.plan import make_plan
+from workflow.run.run import How, run_plan
+from workflow.study.cluster import Cluster
+from workflow.study.read import read_study
+from workflow.system.process import peak_bytes
+
+pytestmark = pytest.mark.cluster
+
+
+def pretended(batch, expected):
+    """Stand in for run_batch: compute nothing."""
+    del expected
+    return pretend(batch)
+
+
+@pytest.mark.parametrize("realizations", [200, 20_000])
+def test_memory_of_the_driver_is_as_predicted_whatever_the_realizations(
+    standing, tmp_path, realizations
+):
+    settings = [f"study.realizations={realizations}", "study.realizations_per_block=100"]
+    plan = make_plan(read_study("fig4", "smoke", settings))
+    before = peak_bytes()
+    how = How(Cluster(standing.address), work=pretended, batch_seconds=1e9)
+    run_plan(plan, tmp_path / "fig4.nc", how)
+    assert peak_bytes() - before < 0.3 * plan.predicted_driver_bytes()
