@@ -10,8 +10,9 @@ from studies.stability.probe import Motion, probe
 from tests.hard.bounds import EPS, MARGIN, assert_stable, bounds
 from tests.reference_march import constants, steady
 from tests.sizes import size
+from tests.support.sweeps import examples
 
-FEW = settings(max_examples=size(60, 15), deadline=None, derandomize=True, database=None)
+FEW = settings(max_examples=size(examples(30), 15), deadline=None, derandomize=True, database=None)
 
 
 def log_uniform(least: float, most: float):
