@@ -24,27 +24,3 @@ from kernels.rheology.law import State
 from kernels.steady import steady_sliding
 from kernels.surfaces.line import Line
 from kernels.surfaces.self_affine import amplitudes, draw_phases, rms_slope, sample_line
-
-__all__ = [
-    "SCHEMES",
-    "Case",
-    "ConstantForce",
-    "Kelvin",
-    "Line",
-    "Outcome",
-    "PrintedForce",
-    "Quantities",
-    "Seconds",
-    "State",
-    "amplitudes",
-    "draw_phases",
-    "lagged_slope",
-    "march",
-    "quadrature",
-    "rms_slope",
-    "run_case",
-    "sample_line",
-    "solve_indentation",
-    "steady_sliding",
-    "step_average",
-]
