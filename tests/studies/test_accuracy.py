@@ -3,13 +3,14 @@
 import numpy as np
 import pytest
 import xarray as xr
-from matplotlib import pyplot as plt
 
 from kernels import SCHEMES, ConstantForce, Line, lagged_slope, march, steady_sliding, step_average
 from studies.accuracy.discretisation import climb, ladder_steps, reference
 from studies.accuracy.marches import MARCHES
+from studies.accuracy.measure import table
 from studies.accuracy.points import COMPARED, POINTS, Point, surface
 from studies.accuracy.recommendation import cheapest
+from tests.support.studies import check_drawing, load
 from workflow.cli import main
 
 POINT = Point(0.5, 0.3, 1.5)
@@ -88,53 +89,44 @@ def test_choice_balances_bias_and_realizations():
 
 
 @pytest.fixture(scope="module")
-def result(tmp_path_factory):
-    """Run the study at smoke scale."""
+def groups(tmp_path_factory):
+    """Run the study at smoke scale; return the groups of its result."""
     folder = tmp_path_factory.mktemp("accuracy")
     assert main(["run", "accuracy", "--scale", "smoke", "--out", str(folder)]) == 0
-    return folder / "accuracy.nc"
+    return load(folder / "accuracy.nc")
 
 
-def test_errors_fall_with_m(result):
-    with xr.open_dataset(result) as data:
-        error = data.error.sel(scheme="exponential", quantity="mu_1", steps=[2, 16])
-        assert (error.isel(steps=1) < 0.1 * error.isel(steps=0)).all()
-        assert (data.seconds.dropna("steps", how="all") > 0.0).any()
+def test_errors_fall_with_m(groups):
+    data = groups[""]
+    error = data.error.sel(scheme="exponential", quantity="mu_1", steps=[2, 16])
+    assert (error.isel(steps=1) < 0.1 * error.isel(steps=0)).all()
+    assert (data.seconds.dropna("steps", how="all") > 0.0).any()
 
 
-def test_sampling_error_falls_as_the_root_of_the_number(result):
-    with xr.open_dataset(result, group="sampling") as data:
-        error = data.error.sel(sampled=["mu_1", "jump"], realizations=[10, 50]).mean("point")
-        ratio = error.isel(realizations=0) / error.isel(realizations=1)
-        assert (abs(np.log(ratio / np.sqrt(5.0))) < 0.7).all()
+def test_sampling_error_falls_as_the_root_of_the_number(groups):
+    error = groups["sampling"].error.sel(sampled=["mu_1", "jump"], realizations=[10, 50])
+    few, many = error.mean("point").transpose("realizations", ...)
+    assert (abs(np.log(few.values / many.values / np.sqrt(5.0))) < 0.7).all()
 
 
-def test_alternatives_are_less_accurate_at_equal_m(result):
-    with xr.open_dataset(result, group="alternatives") as data:
-        error = data.error.sel(quantity="mu_1", steps=[2, 4]).mean("steps")
-        assert (error.sel(solver="numpy") > error.sel(solver="kernels")).all()
+def test_alternatives_are_less_accurate_at_equal_m(groups):
+    error = groups["alternatives"].error.sel(quantity="mu_1", steps=[2, 4]).mean("steps")
+    assert (error.sel(solver="numpy") > error.sel(solver="kernels")).all()
 
 
-def test_recommendation_asks_more_for_more_accuracy(result):
-    with xr.open_dataset(result, group="recommendation") as data:
-        count = data.realizations.sel(sampled="mu_1")
-        coarse, fine = count.sel(target=0.1), count.sel(target=0.01)
-        both = np.isfinite(coarse) & np.isfinite(fine)
-        assert both.any()
-        assert (fine > coarse).where(both, True).all()
+def test_recommendation_asks_more_for_more_accuracy(groups):
+    count = groups["recommendation"].realizations.sel(sampled="mu_1")
+    coarse, fine = count.sel(target=0.1), count.sel(target=0.01)
+    both = np.isfinite(coarse) & np.isfinite(fine)
+    assert both.any()
+    assert (fine > coarse).where(both, True).all()
 
 
-def test_figure_and_table(result, capsys):
-    try:
-        assert main(["figure", "accuracy", "--scale", "smoke", "--out", str(result)]) == 0
-    finally:
-        plt.close("all")
-    assert main(["report", "accuracy", "--out", str(result.parent)]) == 0
-    plt.close("all")
-    assert main(["table", "accuracy", "--out", str(result)]) == 0
-    rows = result.with_suffix(".csv").read_text().splitlines()
-    assert rows[0].startswith("point,sampled,target,")
-    assert len(rows) > 5
+def test_figure_and_table(groups):
+    check_drawing("accuracy", groups)
+    rows = table(groups)
+    assert [*rows.columns[:3]] == ["point", "sampled", "target"]
+    assert len(rows) > 4
 
 
 def test_points_are_spread_over_the_ranges():

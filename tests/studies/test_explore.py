@@ -1,4 +1,4 @@
-"""The notebook studies/explore.ipynb runs from top to bottom on a small result of figure 7."""
+"""The notebook studies/explore.ipynb runs from top to bottom on a small result."""
 
 import subprocess
 import sys
@@ -7,15 +7,9 @@ from pathlib import Path
 import nbformat
 import pytest
 
-ROOT = Path(__file__).resolve().parents[2]
-NOTEBOOK = ROOT / "studies" / "explore.ipynb"
-SETTINGS = (
-    "study.realizations=20",
-    "grid.hurst=[0.3, 0.7]",
-    "grid.normal_force=0.1",
-    "grid.spacing=1e-5",
-    "grid.velocity={geomspace=[1e-3, 1e-1, 4]}",
-)
+pytestmark = pytest.mark.xdist_group("fig7")
+
+NOTEBOOK = Path(__file__).resolve().parents[2] / "studies" / "explore.ipynb"
 # In a process of its own: the kernel and its event loop stay out of the tests' process.
 EXECUTE = """
 import sys, nbclient, nbformat
@@ -25,25 +19,21 @@ nbformat.write(notebook, "executed.ipynb")
 """
 
 
-def execute(folder):
-    """Run the notebook in ``folder``."""
-    command = [sys.executable, "-c", EXECUTE, str(NOTEBOOK)]
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=200)
-
-
 @pytest.fixture(scope="module")
-def outputs(tmp_path_factory):
-    """Return the outputs of the notebook beside a small result, one list per code cell."""
-    folder = tmp_path_factory.mktemp("explore")
-    settings = [word for setting in SETTINGS for word in ("--set", setting)]
-    command = [sys.executable, "-m", "workflow", "run", "fig7", *settings]
-    command += ["--workers", "1", "--out", str(folder / "results")]
-    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=200)
+def outputs(fig7, fig7_folder):
+    """Return the outputs of the notebook beside the result, one list per code cell."""
+    folder = fig7_folder.parent
+    command = [sys.executable, "-c", EXECUTE, str(NOTEBOOK)]
+    done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=200)
     assert done.returncode == 0, done.stderr
-    done = execute(folder)
-    assert done.returncode == 0, done.stderr
-    notebook = nbformat.read(folder / "executed.ipynb", as_version=4)
-    return [cell.outputs for cell in notebook.cells if cell.cell_type == "code"]
+    return [cell.outputs for cell in code(folder / "executed.ipynb")]
+
+
+def code(path):
+    """Return the code cells of a notebook."""
+    notebook = nbformat.read(path, as_version=4)
+    nbformat.validate(notebook)
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
 
 
 def texts(outputs):
@@ -71,14 +61,11 @@ def test_both_plots_are_drawn(outputs):
     assert len(images) == 2
 
 
-def test_a_missing_result_is_said_plainly(tmp_path):
-    done = execute(tmp_path)
-    assert done.returncode != 0
-    assert "results/fig7.nc is not there yet; first run: make study-fig7" in done.stderr
+def test_a_missing_result_is_said_plainly(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    with pytest.raises(FileNotFoundError, match="is not there yet; first run: make study-fig7"):
+        exec(code(NOTEBOOK)[0].source, {})
 
 
 def test_notebook_is_stored_without_outputs():
-    notebook = nbformat.read(NOTEBOOK, as_version=4)
-    nbformat.validate(notebook)
-    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
-    assert all(cell.outputs == [] and cell.execution_count is None for cell in code)
+    assert all(cell.outputs == [] and cell.execution_count is None for cell in code(NOTEBOOK))

@@ -1,68 +1,35 @@
 """Figure 7, reduced to a few points: the physics that the figure is to show."""
 
-import subprocess
-import sys
-from pathlib import Path
-
 import numpy as np
 import pytest
-import xarray as xr
-from matplotlib import pyplot as plt
 
-from workflow.cli import main
+from tests.studies.conftest import FULL_CONTACT
+from tests.support.studies import check_drawing, rates
 from workflow.reduce.fits import FITTED, NO_RELAXATION
 
-ROOT = Path(__file__).resolve().parents[2]
-FULL_CONTACT = 1000.0  # N
-SETTINGS = (
-    "study.realizations=20",
-    "grid.hurst=[0.3, 0.7]",
-    f"grid.normal_force=[0.1, 1.0, {FULL_CONTACT}]",
-    "grid.spacing=1e-5",
-    "grid.velocity=[1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1]",
-)
+pytestmark = pytest.mark.xdist_group("fig7")
 
 
-@pytest.fixture(scope="session")
-def result(tmp_path_factory):
-    """Return the result file of a reduced figure 7, made as a user makes it."""
-    folder = tmp_path_factory.mktemp("fig7")
-    settings = [word for setting in SETTINGS for word in ("--set", setting)]
-    command = [sys.executable, "-m", "workflow", "run", "fig7", "--out", str(folder), *settings]
-    process = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, timeout=300)
-    assert process.returncode == 0, process.stderr
-    return folder / "fig7.nc"
-
-
-@pytest.fixture(scope="session")
-def converged(result):
+@pytest.fixture(scope="module")
+def converged(fig7):
     """Return the rates converged in time."""
-    with xr.open_dataset(result) as dataset:
-        return dataset.load().squeeze(drop=True)
+    return fig7[""].squeeze(drop=True)
 
 
-@pytest.fixture(scope="session")
-def paper_step(result):
+@pytest.fixture(scope="module")
+def paper_step(fig7):
     """Return the rates of implicit Euler with one step per spacing."""
-    with xr.open_dataset(result, group="paper_step") as dataset:
-        return dataset.load().squeeze(drop=True)
-
-
-def fitted(dataset, low, high):
-    """Return (x, b) of the fitted points with low <= x <= high."""
-    x = dataset.speed_ratio.values
-    chosen = (dataset.fit_status.values == FITTED) & (x >= low) & (x <= high)
-    return x[chosen], dataset.relaxation_rate.values[chosen]
+    return fig7["paper_step"].squeeze(drop=True)
 
 
 def test_converged_rate_tends_to_one_at_low_speed(converged):
-    _, rate = fitted(converged, 0.0, 0.1)
+    _, rate = rates(converged, 0.0, 0.1)
     assert rate.size >= 6
     assert np.abs(rate - 1.0).max() < 0.05
 
 
 def test_one_step_per_spacing_shows_the_left_branch_of_the_paper(paper_step):
-    x, rate = fitted(paper_step, 0.03, 1.0)
+    x, rate = rates(paper_step, 0.03, 1.0)
     assert rate.size >= 6
     assert (rate / x).min() > 0.7
     assert (rate / x).max() < 2.6
@@ -76,7 +43,7 @@ def test_left_branch_is_a_matter_of_the_time_step(converged, paper_step):
 
 @pytest.mark.parametrize("hurst", [0.3, 0.7])
 def test_rate_grows_with_speed_above_one(converged, hurst):
-    x, rate = fitted(converged.sel(hurst=hurst), 1.0, 100.0)
+    x, rate = rates(converged.sel(hurst=hurst), 1.0, 100.0)
     assert np.polyfit(np.log(x), np.log(rate), 1)[0] > 0.1
     assert rate[x > 30.0].min() > rate[x < 4.0].max()
 
@@ -95,7 +62,7 @@ def test_exponent_is_near_that_of_the_paper(converged, hurst):
 
 
 def test_rates_are_near_the_law_of_the_paper(converged):
-    x, rate = fitted(converged.sel(hurst=0.3), 1.0, 100.0)
+    x, rate = rates(converged.sel(hurst=0.3), 1.0, 100.0)
     ratio = rate / x**0.7
     assert ratio.min() > 0.4
     assert ratio.max() < 1.8
@@ -124,21 +91,5 @@ def test_relaxation_starts_at_the_jump_and_ends_at_the_steady_value(converged):
     assert left.quantile(0.5) < 0.1
 
 
-def test_figure_is_drawn_as_png_and_pdf(result, capsys):
-    try:
-        assert main(["figure", "fig7", "--out", str(result)]) == 0
-    finally:
-        plt.close("all")
-    files = [result.with_suffix(".png"), result.with_suffix(".pdf")]
-    assert capsys.readouterr().out.split() == [str(file) for file in files]
-    assert files[0].read_bytes().startswith(b"\x89PNG")
-    assert files[1].read_bytes().startswith(b"%PDF")
-
-
-def test_same_result_gives_the_same_figure(result):
-    drawn = []
-    for _ in range(2):
-        main(["figure", "fig7", "--out", str(result)])
-        plt.close("all")
-        drawn.append([result.with_suffix(s).read_bytes() for s in (".png", ".pdf")])
-    assert drawn[0] == drawn[1]
+def test_figure_is_drawn(fig7):
+    check_drawing("fig7", fig7)

@@ -2,45 +2,38 @@
 
 import numpy as np
 import pytest
-import xarray as xr
-from matplotlib import pyplot as plt
 
 from studies.grid6d.prediction import law_error
-from workflow.cli import main
+from tests.support.studies import check_drawing, run
 from workflow.kinetic_law import normalised_jump
 from workflow.reduce.fits import FITTED
 
-STUDIES = ("fig2", "fig3", "fig4", "fig5", "fig6", "fig8", "beyond", "grid6d")
+SETTINGS = {  # what makes a study smaller than at smoke scale
+    "fig2": ("study.realizations=12", "grid.spacing=1e-5"),
+    "fig3": (),
+    "fig4": (),
+    "fig5": ("grid.spacing=1e-5", "grid.normal_force=[0.01, 1.0, 100.0]"),
+    "fig6": ("grid.spacing=1e-5",),
+    "fig8": ("grid.spacing=1e-5",),
+    "beyond": ("grid.spacing=1e-5", "grid.velocity=[1e-4, 1e-3, 1e-2, 1e-1]"),
+    "grid6d": ("grid.hurst=0.5", "grid.roughness=[1e-6, 1e-4]", "grid.velocity=[1e-4, 1e-2]"),
+}
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="module")
 def results(scheduler, tmp_path_factory):
-    """Run every study at smoke scale; return name -> result file."""
+    """Run every study; return name -> groups of its result."""
     folder = tmp_path_factory.mktemp("studies")
-    for name in STUDIES:
-        words = ("--scale", "smoke", "--out", str(folder), "--scheduler", scheduler)
-        assert main(["run", name, *words]) == 0
-    return {name: folder / f"{name}.nc" for name in STUDIES}
+    return {name: run(scheduler, folder, name, *held) for name, held in SETTINGS.items()}
 
 
-def load(path, group=None):
-    """Return a result, without the axes of length 1."""
-    with xr.open_dataset(path, group=group) as dataset:
-        return dataset.load().squeeze()
-
-
-@pytest.mark.parametrize("name", STUDIES)
+@pytest.mark.parametrize("name", SETTINGS)
 def test_the_figure_is_drawn(results, name):
-    try:
-        assert main(["figure", name, "--out", str(results[name])]) == 0
-    finally:
-        plt.close("all")
-    assert results[name].with_suffix(".png").stat().st_size > 20_000
-    assert results[name].with_suffix(".pdf").stat().st_size > 5_000
+    check_drawing(name, results[name])
 
 
 def test_fig2_friction_overshoots_and_relaxes_on_both_sides(results):
-    up, down = (load(results["fig2"]).sel(velocity_step=step) for step in (0.2, -0.2))
+    up, down = (results["fig2"][""].squeeze().sel(velocity_step=step) for step in (0.2, -0.2))
     assert up.mu[0] > up.mu_2 > up.mu_1
     assert down.mu.min() < down.mu_2 < down.mu_1
     for point in (up, down):
@@ -49,7 +42,7 @@ def test_fig2_friction_overshoots_and_relaxes_on_both_sides(results):
 
 
 def test_fig3_friction_is_linear_then_a_plateau(results):
-    points = load(results["fig3"])
+    points = results["fig3"][""].squeeze()
     exponent = np.gradient(np.log(points.mu_1), np.log(points.velocity))
     assert exponent[:2] == pytest.approx([1.0, 1.0], abs=0.05)  # region I
     assert abs(exponent[-3:]).max() < 0.2  # region III
@@ -57,14 +50,14 @@ def test_fig3_friction_is_linear_then_a_plateau(results):
 
 
 def test_fig4_rate_falls_with_the_spacing_through_that_of_the_paper(results):
-    points = load(results["fig4"])
+    points = results["fig4"][""].squeeze()
     assert (points.fit_status == FITTED).all()
     assert points.relaxation_rate[0] > points.relaxation_rate[-1]
     assert 1.0 < float(points.relaxation_rate[-1]) < 3.5
 
 
 def test_fig5_jump_is_proportional_to_friction_then_a_plateau(results):
-    points = load(results["fig5"])
+    points = results["fig5"][""].squeeze()
     slow = points.isel(velocity=0)
     zeta = slow.jump / slow.mu_1 / points.velocity_step
     xi = (slow.mu_2 / slow.mu_1 - 1.0) / points.velocity_step
@@ -75,7 +68,7 @@ def test_fig5_jump_is_proportional_to_friction_then_a_plateau(results):
 
 
 def test_fig6_jump_follows_equation_12(results):
-    points = load(results["fig6"])
+    points = results["fig6"][""].squeeze()
     mu = points.mu_1 / points.rms_slope
     ratio = points.jump / points.rms_slope / points.velocity_step / normalised_jump(mu)
     assert abs(ratio.where(mu < 0.1) - 1.0).max() < 0.05
@@ -83,13 +76,13 @@ def test_fig6_jump_follows_equation_12(results):
 
 
 def test_fig8_exponent_falls_with_the_hurst_exponent(results):
-    dataset = load(results["fig8"])
+    dataset = results["fig8"][""].squeeze()
     assert (np.diff(dataset.alpha) < 0.0).all()
     assert abs(dataset.alpha - (1.0 - dataset.hurst)).max() < 0.3
 
 
 def test_beyond_low_speed_is_one_exponential_of_rate_one(results):
-    points = load(results["beyond"])
+    points = results["beyond"][""].squeeze()
     slow = points.isel(velocity=0).where(points.isel(velocity=0).fit_status == FITTED)
     assert slow.relaxation_rate.count() >= 2
     assert abs(slow.relaxation_rate - 1.0).max() < 0.1
@@ -97,19 +90,10 @@ def test_beyond_low_speed_is_one_exponential_of_rate_one(results):
 
 
 def test_grid6d_scales_exactly_and_the_law_holds_at_low_friction(results):
-    dataset = load(results["grid6d"])
+    dataset = results["grid6d"][""].squeeze()
     one = dataset.sel(normal_force=1e-2, roughness=1e-6)
     two = dataset.sel(normal_force=1.0, roughness=1e-4)
     assert one.contact_fraction.values == pytest.approx(two.contact_fraction.values, rel=0, abs=0)
     assert (100.0 * one.mu_1).values == pytest.approx(two.mu_1.values, rel=1e-12)
     error = law_error(dataset).where(dataset.speed_ratio < 1.0)
     assert error.max() < 0.05
-
-
-def test_results_are_one_row_per_point_in_the_table(results, capsys):
-    assert main(["table", "beyond", "--out", str(results["beyond"])]) == 0
-    rows = results["beyond"].with_suffix(".csv").read_text().splitlines()
-    assert len(rows) == 1 + load(results["beyond"]).mu_1.size
-    assert rows[0].startswith("hurst,normal_force,spacing,roughness,velocity,velocity_step,mu_1,")
-    assert "stretched_exponent_error" in rows[0]
-    assert capsys.readouterr().out.strip().endswith("beyond.csv")

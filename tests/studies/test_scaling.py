@@ -3,10 +3,10 @@
 from operator import pos
 
 import pytest
-import xarray as xr
-from matplotlib import pyplot as plt
 
+from studies.scaling.measure import table
 from studies.scaling.virtual import Costs, VirtualClient, durations, simulated, virtual_stream
+from tests.support.studies import check_drawing, load
 from workflow.cli import main
 from workflow.cluster.flow import PER_THREAD
 
@@ -69,28 +69,22 @@ def test_no_more_is_in_flight_than_the_window():
 
 
 @pytest.fixture(scope="module")
-def result(tmp_path_factory):
-    """Run the smoke study; return its result file."""
+def groups(tmp_path_factory):
+    """Run the study at smoke scale; return the groups of its result."""
     folder = tmp_path_factory.mktemp("scaling")
     assert main(["run", "scaling", "--scale", "smoke", "--out", str(folder)]) == 0
-    return folder / "scaling.nc"
+    return load(folder / "scaling.nc")
 
 
-def test_figure_and_table_are_written(result):
-    words = ("scaling", "--scale", "smoke", "--out", str(result))
-    try:
-        assert main(["figure", *words]) == 0
-    finally:
-        plt.close("all")
-    assert main(["table", *words]) == 0
-    assert result.with_suffix(".png").stat().st_size > 20_000
-    assert result.with_suffix(".csv").read_text().startswith("study,workers,")
+def test_figure_and_table_are_written(groups):
+    check_drawing("scaling", groups)
+    assert [*table(groups).columns][:2] == ["study", "workers"]
 
 
-def test_the_same_work_is_done_by_any_number_of_workers(result):
-    with xr.open_dataset(result, group="studies") as studies:
-        work = studies.work.values
-        assert work == pytest.approx(work[:, :1] * [[1.0] * work.shape[1]], rel=1e-9)
-        assert (studies.wall * studies.workers >= studies.work).all()
-        assert (studies.efficiency.diff("workers") < 0.0).all()
-        assert (studies.shards <= studies.batches).all()
+def test_the_same_work_is_done_by_any_number_of_workers(groups):
+    studies = groups["studies"]
+    work = studies.work.values
+    assert work == pytest.approx(work[:, :1] * [[1.0] * work.shape[1]], rel=1e-9)
+    assert (studies.wall * studies.workers >= studies.work).all()
+    assert (studies.efficiency.diff("workers") < 0.0).all()
+    assert (studies.shards <= studies.batches).all()

@@ -1,0 +1,63 @@
+"""The studies of this repository, run small and drawn."""
+
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+import matplotlib as mpl
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+
+from workflow.plan.plan import make_plan
+from workflow.reduce.fits import FITTED
+from workflow.report.figure import STYLE
+from workflow.run.run import How, run_plan
+from workflow.study.cluster import Cluster
+from workflow.study.read import known_studies, read_study
+from workflow.study.scripts import load_script
+
+Groups = dict[str, xr.Dataset]
+
+
+def run(
+    scheduler: str, folder: Path, name: str, *settings: str, variants: Sequence[str] = ()
+) -> Groups:
+    """Run a study at smoke scale with --set ``settings``; return the groups of its result.
+
+    variants : those to compute, all by default.
+    """
+    study = read_study(name, "smoke", list(settings))
+    chosen = {label: study.variants[label] for label in variants or study.variants}
+    path = folder / f"{name}.nc"
+    run_plan(make_plan(replace(study, variants=chosen)), path, How(Cluster(scheduler)))
+    return load(path)
+
+
+def load(path: Path) -> Groups:
+    """Return the groups of a result."""
+    groups = {}
+    for group, data in xr.open_groups(path).items():
+        groups[group.strip("/")] = data.load()
+        data.close()
+    return groups
+
+
+def check_drawing(name: str, groups: Groups) -> None:
+    """Draw the figure of a study: it has something in every panel."""
+    script = load_script(known_studies()[name].parent / "figure.py")
+    try:
+        with mpl.rc_context(STYLE):
+            figure = script.draw(groups)
+            figure.canvas.draw()
+        assert figure.axes
+        assert all(ax.has_data() or not ax.axison for ax in figure.axes)
+    finally:
+        plt.close("all")
+
+
+def rates(data: xr.Dataset, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return (x, b) of the fitted points with low <= x <= high."""
+    x = data.speed_ratio.values
+    chosen = (data.fit_status.values == FITTED) & (x >= low) & (x <= high)
+    return x[chosen], data.relaxation_rate.values[chosen]
