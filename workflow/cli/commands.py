@@ -4,6 +4,7 @@ import argparse
 import sys
 from pathlib import Path
 
+from workflow import report
 from workflow.cli.kinds import KINDS
 from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
 from workflow.errors import UserError
@@ -55,9 +56,9 @@ def _parser() -> argparse.ArgumentParser:
         if name == "run":
             add_run_options(command)
     text = "write report.html: all figures, and the claims of the paper beside the results"
-    report = commands.add_parser("report", help=text, description=text)
-    report.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
-    report.add_argument("--out", default="results", help="folder of results")
+    page = commands.add_parser("report", help=text, description=text)
+    page.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
+    page.add_argument("--out", default="results", help="folder of results")
     return parser
 
 
@@ -77,9 +78,10 @@ def _share(text: str) -> float:
         raise UserError(f"--accuracy {text}: must be a number such as 1% or 0.01") from None
 
 
-def _plan(options: argparse.Namespace) -> int:
+def _lines(options: argparse.Namespace) -> int:
+    """Print what the commands plan and status say."""
     study, result = _study(options)
-    print("\n".join(KINDS[study.kind].outline(study, result)))
+    print("\n".join(getattr(KINDS[study.kind], options.command)(study, result)))
     return DONE
 
 
@@ -88,17 +90,8 @@ def _run(options: argparse.Namespace) -> int:
     return KINDS[study.kind].run(options, study, result)
 
 
-def _status(options: argparse.Namespace) -> int:
-    study, result = _study(options)
-    print("\n".join(KINDS[study.kind].status(study, result)))
-    return DONE
-
-
 def _figure(options: argparse.Namespace) -> int:
-    from workflow.report import draw_figure
-
-    for file in draw_figure(*_checked(options)):
-        print(file)
+    print(*report.draw_figure(*_checked(options)), sep="\n")
     return DONE
 
 
@@ -116,16 +109,14 @@ def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
 
 
 def _report(options: argparse.Namespace) -> int:
-    from workflow.report import write_report
-
-    print(write_report(Path(options.out), options.studies))
+    print(report.write_report(Path(options.out), options.studies))
     return DONE
 
 
 COMMANDS = {
-    "plan": _plan,
+    "plan": _lines,
     "run": _run,
-    "status": _status,
+    "status": _lines,
     "figure": _figure,
     "table": _table,
     "report": _report,

@@ -5,12 +5,11 @@ import math
 import os
 import shlex
 import sys
-from dataclasses import replace
 from pathlib import Path
 
 from workflow.errors import UserError
 from workflow.plan import make_plan, this_machine
-from workflow.study import BATCH_SYSTEMS, Cluster, Measured, Study
+from workflow.study import BATCH_SYSTEMS, Measured, Study
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
 
@@ -52,8 +51,9 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     from workflow.run import How, run_plan
 
     plan = make_plan(study, this_machine().timings)
+    where = options.scheduler or options.batch_system or study.cluster.where
     how = How(
-        cluster=_cluster(options, study.cluster),
+        cluster=study.cluster._replace(where=where),
         workers=options.workers,
         dashboard=options.dashboard,
         batch_seconds=options.batch_seconds,
@@ -72,12 +72,6 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     else:
         print(f"stopped: more than {options.max_failures} problems failed", file=sys.stderr)
     return FAILED if summary.failures else DONE
-
-
-def _cluster(options: argparse.Namespace, cluster: Cluster) -> Cluster:
-    """Return where to compute: the study's cluster unless the options say otherwise."""
-    where = options.scheduler or options.batch_system or cluster.where
-    return replace(cluster, where=where)
 
 
 def resume_line(what: str) -> str:

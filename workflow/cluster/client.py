@@ -3,13 +3,13 @@
 import contextlib
 import importlib.util
 import logging
-import os
 import signal
 import sys
 from collections.abc import Iterator
 from typing import Any
 
 import dask
+from dask.system import CPU_COUNT
 from distributed import Client, LocalCluster
 
 from workflow.cluster.jobs import job_cluster
@@ -65,7 +65,7 @@ def _local_cluster(workers: int | None) -> Iterator[LocalCluster]:
     previous = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
         cluster = LocalCluster(
-            n_workers=workers or _cores(),
+            n_workers=workers or CPU_COUNT,
             threads_per_worker=1,
             processes=True,
             dashboard_address="127.0.0.1:0",  # any free port: 8787 may be taken
@@ -74,7 +74,3 @@ def _local_cluster(workers: int | None) -> Iterator[LocalCluster]:
         signal.signal(signal.SIGINT, previous)
     with cluster:
         yield cluster
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1

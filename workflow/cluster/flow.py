@@ -2,6 +2,7 @@
 
 import time
 from collections.abc import Callable, Hashable, Iterable, Iterator
+from dataclasses import dataclass, field
 from itertools import islice
 from typing import Any, Protocol
 
@@ -58,31 +59,26 @@ def stream(
     UserError when the scheduler is lost. ``clock`` and ``completed`` (distributed.as_completed)
     are others in a simulation.
     """
-    return iter(_Stream(client, function, items, watch or Watch(), retry, clock, completed))
+    running = completed([], loop=client.loop)
+    return iter(_Stream(client, function, iter(items), watch or Watch(), retry, clock, running))
 
 
+@dataclass
 class _Stream:
-    def __init__(
-        self,
-        client: Client,
-        function: Callable,
-        items: Iterable[Any],
-        watch: Watch,
-        retry: Retry,
-        clock: Clock,
-        completed: Callable[..., Any],
-    ) -> None:
-        self.client, self.function, self.watch, self.retry = client, function, watch, retry
-        self.clock = clock
-        self.source = iter(items)
-        self.again: list[Any] = []  # before the rest of the source
-        self.alone: list[Any] = []  # after it
-        self.pending: dict[Hashable, tuple[Future, Any]] = {}  # by key
-        self.running = completed([], loop=client.loop)
-        self.isolated = False  # what is in flight is alone there
-        self.window = LEAST
-        self.shedding = False
-        self.last_beat = 0.0
+    client: Client
+    function: Callable
+    source: Iterator[Any]
+    watch: Watch
+    retry: Retry
+    clock: Clock
+    running: Any  # of distributed.as_completed
+    again: list[Any] = field(default_factory=list)  # before the rest of the source
+    alone: list[Any] = field(default_factory=list)  # after it
+    pending: dict[Hashable, tuple[Future, Any]] = field(default_factory=dict)  # by key
+    isolated: bool = False  # what is in flight is alone there
+    window: int = LEAST
+    shedding: bool = False
+    last_beat: float = 0.0
 
     def __iter__(self) -> Iterator[tuple[Any, Any]]:
         self._tick()

@@ -4,7 +4,6 @@ import hashlib
 import platform
 import socket
 from functools import cache
-from typing import NamedTuple
 
 from distributed import Client
 
@@ -15,11 +14,7 @@ PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")
 FOLDERS = ("kernels", "workflow")
 
 
-class Versions(NamedTuple):
-    """What a process runs."""
-
-    names: tuple[str, ...]
-    values: tuple[str, ...]
+Versions = dict[str, str]  # what a process runs
 
 
 @cache
@@ -29,8 +24,7 @@ def own_versions() -> Versions:
     for source in sorted(path for name in FOLDERS for path in (ROOT / name).rglob("*.py")):
         digest.update(source.relative_to(ROOT).as_posix().encode() + source.read_bytes())
     found = {name: version_of(name) for name in PACKAGES}
-    found |= {"python": platform.python_version(), "our sources": digest.hexdigest()[:16]}
-    return Versions(tuple(found), tuple(found.values()))
+    return found | {"python": platform.python_version(), "our sources": digest.hexdigest()[:16]}
 
 
 def require(expected: Versions) -> None:
@@ -58,11 +52,10 @@ def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> list[
     lines = ["scheduler and workers must run what the driver runs:"]
     lines.append(f"  {'':28s}{'':14s}{'there':18s}driver")
     for name, found in sorted(others.items()):
-        if not isinstance(found, Versions):
+        if isinstance(found, BaseException):
             lines.append(f"  {name:28s}cannot import it: {found}")
             continue
-        there = dict(zip(found.names, found.values, strict=True))
-        for package, value in zip(mine.names, mine.values, strict=True):
-            if there.get(package) != value:
-                lines.append(f"  {name:28s}{package:14s}{there.get(package)!s:18s}{value}")
+        for package, value in mine.items():
+            if found.get(package) != value:
+                lines.append(f"  {name:28s}{package:14s}{found.get(package)!s:18s}{value}")
     return lines

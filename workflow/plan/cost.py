@@ -11,14 +11,7 @@ from kernels import Quantities
 from workflow.plan.problems import viscous_pressure
 from workflow.simulate import Task
 
-DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
-WORKER_BYTES = 200e6  # interpreter, libraries, machine code
 LOOK = 0.2  # of a sweep: finding the samples that touch
-BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
-BYTES_PER_TASK = 2000  # of the plan
-BYTES_PER_RECORD = 1  # many share an entry of the index
-BYTES_PER_POINT = 1000  # of the result, all estimates
-BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
 
 
 class SecondsBySize(NamedTuple):
@@ -102,17 +95,6 @@ def case_seconds(timings: Timings, work: Work) -> float:
     if work.march_steps:
         march = timings.setup(n) + work.march_steps * timings.step(touching)
     return timings.case + states + friction + march
-
-
-def worker_bytes(line_samples: int) -> float:
-    """Return the predicted peak memory of a worker whose longest line has so many samples."""
-    return WORKER_BYTES + BYTES_PER_SAMPLE * line_samples
-
-
-def driver_bytes(points: int, tasks: int, records: int, curve_samples: int) -> float:
-    """Return the predicted peak memory of the driver: plan, index of the store, result."""
-    estimates = points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * curve_samples)
-    return DRIVER_BYTES + tasks * BYTES_PER_TASK + records * BYTES_PER_RECORD + estimates
 
 
 def task_seconds(timings: Timings, asked: Quantities, task: Task) -> float:

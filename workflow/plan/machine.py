@@ -4,7 +4,6 @@ The timings are kept in the cache folder of the compiled kernels, one file per k
 and packages. Predictions and the size of batches depend on them, results do not.
 """
 
-import contextlib
 import hashlib
 import json
 import os
@@ -20,7 +19,7 @@ from kernels.cache import source_hash
 from workflow.errors import UserError
 from workflow.plan import timing
 from workflow.plan.cost import TYPICAL, SecondsBySize, Timings
-from workflow.system import ROOT, WORKER_ENVIRONMENT, processor, write_durably
+from workflow.system import ROOT, WORKER_ENVIRONMENT, make_folder, processor, write_durably
 
 CURVES = [name for name in Timings._fields if name != "case"]
 
@@ -50,9 +49,8 @@ def this_machine() -> Machine:
         found = _parsed(text)
         if found is None:
             return Machine(TYPICAL, "another machine, as this one could not be timed")
-        with contextlib.suppress(OSError):
-            file.parent.mkdir(parents=True, exist_ok=True)
         try:
+            make_folder(file.parent)
             write_durably(file, text.encode())
         except UserError:
             return found._replace(note=f"{found.note}, not kept: {file.parent} is not writable")

@@ -6,12 +6,20 @@ from dataclasses import dataclass
 import numpy as np
 
 from kernels import Quantities
-from workflow.plan.cost import TYPICAL, Timings, driver_bytes, task_seconds, worker_bytes
+from workflow.plan.cost import TYPICAL, Timings, task_seconds
 from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
 from workflow.plan.problems import distinct_problems
 from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.simulate import CODE, Problem, Task
-from workflow.study import Numerics, Study
+from workflow.study import AXES, Numerics, Study
+
+DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
+WORKER_BYTES = 200e6  # interpreter, libraries, machine code
+BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
+BYTES_PER_TASK = 2000  # of the plan
+BYTES_PER_RECORD = 1  # many share an entry of the index
+BYTES_PER_POINT = 1000  # of the result, all estimates
+BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
 
 
 @dataclass(frozen=True)
@@ -63,13 +71,21 @@ class Plan:
 
     def predicted_worker_bytes(self) -> float:
         """Return the predicted peak memory of a worker."""
-        return worker_bytes(self.longest_line())
+        return WORKER_BYTES + BYTES_PER_SAMPLE * self.longest_line()
 
     def predicted_driver_bytes(self) -> float:
         """Return the predicted peak memory of the process that plans, stores and collects."""
         tasks = sum(len(v.tasks) for v in self.variants)
         curve_samples = max(v.numerics.curve_samples for v in self.variants)
-        return driver_bytes(self.points, tasks, self.records, curve_samples)
+        estimates = self.points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * curve_samples)
+        return DRIVER_BYTES + tasks * BYTES_PER_TASK + self.records * BYTES_PER_RECORD + estimates
+
+    def first_point(self, task: Task) -> dict[str, float]:
+        """Return the first grid point of a task: axis -> value."""
+        number = next(v.tasks.index(task) for v in self.variants if task in v.tasks)
+        point = int(np.argmax(self.point_task == number))
+        index = np.unravel_index(point, self.point_task.shape)
+        return {axis: self.study.grid[axis][i] for axis, i in zip(AXES, index, strict=True)}
 
 
 def make_plan(study: Study, timings: Timings = TYPICAL) -> Plan:

@@ -55,7 +55,10 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
 
 
 def check_resolution(problem: Problem, steps: int, numerics: Numerics) -> None:
-    """Raise UserError where a line does not fit into a worker, or rounding would show."""
+    """Raise UserError where a line does not fit into a worker, or rounding would show.
+
+    The kernels refuse the same speeds (kernels/realization.py).
+    """
     if problem.elements * steps > MAX_SAMPLES_PER_LINE:
         raise UserError(
             f"numerics.steps_per_spacing = {numerics.steps_per_spacing or 'auto'}: "
@@ -63,11 +66,6 @@ def check_resolution(problem: Problem, steps: int, numerics: Numerics) -> None:
             f"spacing, more than {MAX_SAMPLES_PER_LINE} samples per line; set a smaller number, "
             "a higher velocity or a larger spacing"
         )
-    _check_speeds(problem, steps)
-
-
-def _check_speeds(problem: Problem, steps: int) -> None:
-    """Raise UserError for speeds that the kernels refuse (kernels/realization.py)."""
     speeds = (problem.speed, problem.speed * problem.ratio)
     if min(speeds) < SPEEDS[0] or steps * max(speeds) * SHORTEST > 1.0:
         raise UserError(

@@ -7,7 +7,8 @@ exponentials fitted to one are, and pivots by what happens to lie there.
 Source: D. W. Marquardt, J. Soc. Ind. Appl. Math. 11, 431 (1963).
 """
 
-from typing import NamedTuple, Protocol
+from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
 
@@ -17,11 +18,9 @@ DAMPING = (1e-3, 1e-12, 1e12)  # first, least and largest, relative to the diago
 FACTOR = 10.0
 
 
-class Model(Protocol):
-    """A law over time t, shape (samples,), for parameters of shape (curves, parameters)."""
-
-    def __call__(self, p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        """Return values (curves, samples) and derivatives (curves, samples, parameters)."""
+# A law: parameters p (curves, parameters) and times t (samples,) -> values (curves, samples) and
+# derivatives (curves, samples, parameters).
+Model = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 
 
 class _Fit(NamedTuple):

@@ -3,14 +3,12 @@
 import dataclasses
 import sys
 
-import numpy as np
 from distributed.scheduler import KilledWorker
 
 from workflow.errors import UserError
 from workflow.plan import Plan
 from workflow.simulate import Batch, Record, Task
 from workflow.store import Store
-from workflow.study import AXES
 
 
 class Failures:
@@ -61,11 +59,8 @@ class Failures:
 
     def where(self, task: Task) -> str:
         """Return the first grid point of a task in words."""
-        numbers = {t.key: i for v in self.plan.variants for i, t in enumerate(v.tasks)}
-        point = int(np.argmax(self.plan.point_task.ravel() == numbers[task.key]))
-        index = np.unravel_index(point, self.plan.point_task.shape)
-        grid = self.plan.study.grid
-        return " ".join(f"{axis}={grid[axis][i]:.4g}" for axis, i in zip(AXES, index, strict=True))
+        point = self.plan.first_point(task)
+        return " ".join(f"{axis}={value:.4g}" for axis, value in point.items())
 
     @staticmethod
     def _only(batch: Batch, task: Task) -> Batch:

@@ -100,12 +100,8 @@ class StatusWriter:
         self, result: Path, folder: Path, status: Status, extent: Callable[[], tuple[int, float]]
     ) -> None:
         """``extent`` counts records that are settled, and the predicted seconds of the rest."""
-        self.path, self.folder, self.status, self.extent = (
-            status_file(result),
-            folder,
-            status,
-            extent,
-        )
+        self.path, self.folder = status_file(result), folder
+        self.status, self.extent = status, extent
         self.status.pid, self.status.host = os.getpid(), socket.gethostname()
         self.status.offset = journal.size(folder)
         self.written = -WRITE_SECONDS
@@ -132,11 +128,14 @@ class StatusWriter:
 
 
 def read_status(study: Study, result: Path, folder: Path) -> Status:
-    """Return how far a study is, as its last run left it or counted anew."""
-    found = _written(study, result, folder)
-    if found is None:
-        found = counted(study, folder)
-    return found
+    """Return how far a study is: as its last run left it, up to now, or counted anew."""
+    try:
+        status = Status(**json.loads(status_file(result).read_text()))
+        if status.study == identity(study) and status.advance(folder):
+            return status
+    except (OSError, ValueError, TypeError):
+        pass
+    return counted(study, folder)
 
 
 def counted(study: Study, folder: Path) -> Status:
@@ -146,17 +145,6 @@ def counted(study: Study, folder: Path) -> Status:
     failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)
     done = plan.records - total_records(missing)
     return Status(identity(study), plan.records, done, total_seconds(missing), failed)
-
-
-def _written(study: Study, result: Path, folder: Path) -> Status | None:
-    """Return the status that a run wrote, brought up to the end of the journal, or None."""
-    try:
-        status = Status(**json.loads(status_file(result).read_text()))
-    except (OSError, ValueError, TypeError):
-        return None
-    if status.study != identity(study) or not status.advance(folder):
-        return None
-    return status
 
 
 def status_lines(study: Study, result: Path, folder: Path) -> list[str]:

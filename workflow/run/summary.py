@@ -88,21 +88,14 @@ class Summary:
         )
 
     def _costliest(self, plan: Plan) -> list[str]:
-        first = {}  # a grid point of each task
-        for variant in plan.variants:
-            found = np.unique(plan.point_task, return_index=True)
-            points = dict(zip(*(part.tolist() for part in found), strict=True))
-            for number, task in enumerate(variant.tasks):
-                first[task.key] = (points[number], variant.label, task.steps_per_spacing)
-        top = sorted(self.tasks, key=lambda key: -self.tasks[key])[:COSTLIEST]
+        tasks = {task.key: (task, v.label) for v in plan.variants for task in v.tasks}
         lines = []
-        for key in top:
-            point, label, steps = first[key]
-            index = np.unravel_index(point, plan.point_task.shape)
-            values = {axis: plan.study.grid[axis][i] for axis, i in zip(AXES, index, strict=True)}
-            said = " ".join(f"{axis}={values[axis]:.4g}" for axis in SHOWN)
+        for key in sorted(self.tasks, key=lambda key: -self.tasks[key])[:COSTLIEST]:
+            task, label = tasks[key]
+            point = plan.first_point(task)
+            said = " ".join(f"{axis}={point[axis]:.4g}" for axis in SHOWN)
             share = self.tasks[key] / self.used
-            lines.append(f"  {share:4.0%}  {said} m={steps} {label}".rstrip())
+            lines.append(f"  {share:4.0%}  {said} m={task.steps_per_spacing} {label}".rstrip())
         return ["points that cost most:", *lines]
 
 

@@ -7,6 +7,7 @@ lock and sees no full disk; the name of a shard is the checksum of its bytes.
 import hashlib
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import islice
 from typing import NamedTuple
 
 import netCDF4
@@ -45,10 +46,6 @@ class Contents:
             for key in batch.keys
             for block in range(batch.blocks)
         ]
-
-    def record_at(self, position: int) -> Record | None:
-        """Return which record a row holds, None where there is no such row."""
-        return self.records[position] if position < len(self.records) else None
 
 
 def digest(content: bytes) -> str:
@@ -100,9 +97,6 @@ def decode(content: bytes) -> Contents:
     except (OSError, RuntimeError, AttributeError, IndexError) as error:
         raise ValueError(f"not a shard of this program ({error})") from error
     width = 2 * KEY_BYTES
-    names = [keys[i : i + width] for i in range(0, len(keys), width)]
-    batches = []
-    for tasks, first_block, blocks in table:
-        batches.append(StoredBatch(tuple(names[:tasks]), first_block, blocks))
-        del names[:tasks]
+    names = (keys[i : i + width] for i in range(0, len(keys), width))
+    batches = [StoredBatch(tuple(islice(names, tasks)), *blocks) for tasks, *blocks in table]
     return Contents(batches, scalars, curves)

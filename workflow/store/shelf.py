@@ -2,7 +2,6 @@
 
 import time
 from collections.abc import Callable
-from types import TracebackType
 
 from workflow.simulate import Batch, BatchResult
 from workflow.store.shard import Finished
@@ -32,12 +31,7 @@ class Shelf:
     def __enter__(self) -> "Shelf":
         return self
 
-    def __exit__(
-        self,
-        kind: type[BaseException] | None,
-        error: BaseException | None,
-        trace: TracebackType | None,
-    ) -> None:
+    def __exit__(self, *_: object) -> None:
         self.flush()
 
     def add(self, batch: Batch, result: BatchResult) -> None:

@@ -117,7 +117,7 @@ class Store:
             wanted.setdefault(shard, []).append((row, position))
         for shard, pairs in wanted.items():
             contents = self._contents(shard)
-            if any(contents.record_at(at) != records[row] for row, at in pairs):
+            if any(contents.records[at : at + 1] != [records[row]] for row, at in pairs):
                 self._enter_anew(shard)
                 raise DamagedShard(shard)
             rows, positions = np.array(pairs).T

@@ -28,16 +28,12 @@ def read_table(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, 
     """
     given = as_table(where, table)
     check_keys(f"{where}.", given, keys)
-    return {name: read_key(where, given, name, key) for name, key in keys.items()}
-
-
-def read_key(where: str, table: Mapping[str, Any], name: str, key: Key) -> Any:
-    """Return the checked value of one key of a table. Raises UserError."""
-    if name in table:
-        return key.check(f"{where}.{name}", table[name])
-    if key.default is REQUIRED:
-        raise UserError(f"{where}.{name}: missing")
-    return key.default
+    found = {}
+    for name, key in keys.items():
+        if name not in given and key.default is REQUIRED:
+            raise UserError(f"{where}.{name}: missing")
+        found[name] = key.check(f"{where}.{name}", given[name]) if name in given else key.default
+    return found
 
 
 def check_keys(where: str, table: Mapping[str, Any], known: Iterable[str]) -> None:

@@ -1,7 +1,7 @@
 """Where a study is computed: the table [cluster]. No number depends on it."""
 
 import re
-from dataclasses import dataclass
+from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
@@ -25,8 +25,7 @@ class BatchSystem(NamedTuple):
 BATCH_SYSTEMS = {"slurm": BatchSystem("SLURMCluster", ("--no-requeue",), ("sbatch", "--test-only"))}
 
 
-@dataclass(frozen=True)
-class Cluster:
+class Cluster(NamedTuple):
     """Processes of this machine, the jobs of a batch system, or a scheduler that is there."""
 
     where: str = LOCAL  # or a batch system, or the address of a scheduler, tcp://host:port
@@ -98,19 +97,16 @@ def _prologue(key: str, value: object) -> tuple[str, ...]:
     return tuple(as_text(key, line) for line in (value if isinstance(value, list) else [value]))
 
 
-CLUSTER = {
-    "where": Key(_where, HERE.where),
-    "patience": Key(positive, HERE.patience),
-    "jobs": Key(partial(integer, least=1), HERE.jobs),
-    "cores": Key(partial(integer, least=1), HERE.cores),
-    "memory": Key(_memory, HERE.memory),
-    "walltime": Key(_walltime, HERE.walltime),
-    "queue": Key(as_text, HERE.queue),
-    "account": Key(as_text, HERE.account),
-    "interface": Key(as_text, HERE.interface),
-    "log_folder": Key(as_text, HERE.log_folder),
-    "prologue": Key(_prologue, HERE.prologue),
+CHECKS: dict[str, Callable[[str, object], object]] = {  # other keys are texts
+    "where": _where,
+    "patience": positive,
+    "jobs": partial(integer, least=1),
+    "cores": partial(integer, least=1),
+    "memory": _memory,
+    "walltime": _walltime,
+    "prologue": _prologue,
 }
+CLUSTER = {key: Key(CHECKS.get(key, as_text), usual) for key, usual in HERE._asdict().items()}
 
 
 def read_cluster(table: object) -> Cluster:

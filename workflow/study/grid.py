@@ -1,7 +1,7 @@
 """The grid: a number, a list, {linspace = [a, b, n]} or {geomspace = [a, b, n]} on each axis."""
 
 import math
-from collections.abc import Callable, Iterator
+from collections.abc import Callable
 from functools import partial
 from typing import Any
 
@@ -66,17 +66,13 @@ def _nearest_smooth(target: float) -> int:
     return min(_smooth_even(2.0 * target + 8.0), key=lambda n: (abs(math.log(n / target)), n))
 
 
-def _smooth_even(limit: float) -> Iterator[int]:
-    fives = 1
-    while 2 * fives <= limit:
-        threes = fives
-        while 2 * threes <= limit:
-            twos = 2 * threes
-            while twos <= limit:
-                yield twos
-                twos *= 2
-            threes *= 3
-        fives *= 5
+def _smooth_even(limit: float) -> list[int]:
+    found = [2]
+    for prime in (2, 3, 5):
+        for count in found:  # which grows meanwhile
+            if prime * count <= limit:
+                found.append(prime * count)
+    return found
 
 
 def _step(key: str, value: object) -> float:

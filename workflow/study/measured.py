@@ -34,8 +34,8 @@ class Measured(AnyStudy):
 def read_measured(name: str, folder: Path, tables: dict[str, Any]) -> Measured:
     """Return the checked study. Raises UserError, one line, for what a user can get wrong."""
     check_keys("", tables, ("study", "measure"))
-    head = read_table("study", tables.get("study", {}), HEAD)
+    head = study_head(name, folder, tables, HEAD)
     script = load_script(folder / "measure.py")
     keys = {key: Key(check) for key, check in script.SETTINGS.items()}
     settings = read_table("measure", tables["measure"], keys)
-    return Measured(**study_head(name, folder, tables, head), settings=settings, script=script)
+    return Measured(**head, settings=settings, script=script)

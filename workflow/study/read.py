@@ -1,5 +1,6 @@
 """Read study.toml: find it, apply the scale and --set, check every key, build the Study."""
 
+import contextlib
 import copy
 import json
 import tomllib
@@ -42,16 +43,12 @@ def _merge(tables: dict, extra: Any, where: str) -> None:
 
 
 def _setting(text: str) -> dict:
-    try:
-        return tomllib.loads(text)
-    except tomllib.TOMLDecodeError:
-        key, separator, value = text.partition("=")
-        if not separator:
-            raise UserError(f"--set {text}: use table.key=value") from None
-    try:  # a bare word is a string: --set numerics.scheme=exponential
-        return tomllib.loads(f"{key}={json.dumps(value.strip())}")
-    except tomllib.TOMLDecodeError:
-        raise UserError(f"--set {text}: use table.key=value") from None
+    key, separator, value = text.partition("=")
+    # A bare word is a string: --set numerics.scheme=exponential
+    for toml in (text, f"{key}{separator}{json.dumps(value.strip())}"):
+        with contextlib.suppress(tomllib.TOMLDecodeError):
+            return tomllib.loads(toml)
+    raise UserError(f"--set {text}: use table.key=value")
 
 
 def find_study(study: str) -> Path:

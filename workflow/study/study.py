@@ -10,7 +10,6 @@ from kernels.surfaces.self_affine import NORMALISATIONS
 from workflow.errors import UserError
 from workflow.study.checks import (
     Key,
-    as_table,
     as_text,
     check_keys,
     choice,
@@ -104,32 +103,30 @@ def read_grid_study(name: str, folder: Path, tables: dict[str, Any]) -> Study:
     """Return the checked study. Raises UserError, one line, for what a user can get wrong."""
     check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
     cluster = read_cluster(tables.pop("cluster", {}))
-    given = {table: as_table(table, tables.get(table, {})) for table in TABLES}
-    head = read_table("study", given["study"], STUDY)
+    head = study_head(name, folder, tables, STUDY)
     _check_blocks(head["realizations"], head["realizations_per_block"])
-    surface = read_table("surface", given["surface"], SURFACE)
-    length, snap = surface["length"], surface.pop("snap_spacing")
-    steady_alone = given["scene"].get("quantities") == ["steady"]
+    surface = read_table("surface", tables.get("surface", {}), SURFACE)
+    snap = surface.pop("snap_spacing")
+    scene = Scene(**read_table("scene", tables.get("scene", {}), SCENE))
+    steady_alone = scene.quantities == ("steady",)
     return Study(
-        **study_head(name, folder, tables, head),
-        realizations=head["realizations"],
-        realizations_per_block=head["realizations_per_block"],
-        **read_table("material", given["material"], MATERIAL),
+        **head,
+        **read_table("material", tables.get("material", {}), MATERIAL),
         **surface,
-        grid=read_grid(given["grid"], length, snap, steady_alone),
-        scene=Scene(**read_table("scene", given["scene"], SCENE)),
+        grid=read_grid(tables.get("grid", {}), surface["length"], snap, steady_alone),
+        scene=scene,
         variants=read_variants(tables),
         cluster=cluster,
     )
 
 
 def study_head(
-    name: str, folder: Path, tables: dict[str, Any], head: dict[str, Any]
+    name: str, folder: Path, tables: dict[str, Any], keys: dict[str, Key]
 ) -> dict[str, Any]:
-    """Return the fields that studies of every kind have, from the checked table [study]."""
+    """Return the fields of a study that its file and the table [study] give. Raises UserError."""
+    head = read_table("study", tables.get("study", {}), keys)
     text = json.dumps(tables, indent=1, sort_keys=True, default=str)
-    title = head["title"] or name
-    return {"name": name, "folder": folder, "text": text, "title": title, "seed": head["seed"]}
+    return {"name": name, "folder": folder, "text": text} | head | {"title": head["title"] or name}
 
 
 def _check_blocks(realizations: int, block: int) -> None:

@@ -12,6 +12,7 @@ from pathlib import Path
 from typing import IO
 
 from workflow.errors import UserError
+from workflow.system.files import refused
 
 NAME = "lock"
 
@@ -19,11 +20,9 @@ NAME = "lock"
 @contextlib.contextmanager
 def hold(folder: Path) -> Iterator[None]:
     """Hold the lock of a folder, made if need be. Raises UserError naming who has it."""
-    try:
+    with refused(folder, "used for results"):
         folder.mkdir(parents=True, exist_ok=True)
         file = (folder / NAME).open("a+")
-    except OSError as error:
-        raise UserError(f"{folder}: cannot be used for results: {error.strerror}") from error
     with file:
         try:
             fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)

@@ -3,7 +3,7 @@
 import pytest
 
 from tests.support.small import cut_batches, small_plan
-from workflow.cluster.versions import Versions, own_versions
+from workflow.cluster.versions import own_versions
 from workflow.cluster.worker import run_batch
 from workflow.errors import UserError
 from workflow.simulate.realizations import block_means
@@ -21,4 +21,4 @@ def test_a_batch_on_a_worker_gives_the_bits_of_the_driver(client):
 
 def test_a_worker_that_runs_something_else_computes_nothing():
     with pytest.raises(UserError, match="must run what the driver runs"):
-        run_batch(BATCH, Versions(("numpy",), ("0.1",)))
+        run_batch(BATCH, {"numpy": "0.1"})
