@@ -45,18 +45,15 @@ def open_client(
         elif cluster.where in BATCH_SYSTEMS:
             client = Client(stack.enter_context(job_cluster(cluster)))
         else:
-            client = _connected(cluster.where)
+            try:
+                client = Client(cluster.where, timeout=CONNECT_SECONDS)
+            except (OSError, ValueError) as error:
+                text = f"--scheduler {cluster.where}: no scheduler answers there"
+                raise UserError(text) from error
         stack.enter_context(client)
         if dashboard:
             print(f"dashboard: {client.dashboard_link}", file=sys.stderr)
         yield client
-
-
-def _connected(address: str) -> Client:
-    try:
-        return Client(address, timeout=CONNECT_SECONDS)
-    except (OSError, ValueError) as error:
-        raise UserError(f"--scheduler {address}: no scheduler answers there") from error
 
 
 @contextlib.contextmanager

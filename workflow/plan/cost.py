@@ -54,18 +54,6 @@ TYPICAL = Timings(
 )
 
 
-class Work(NamedTuple):
-    """What one case does on one line."""
-
-    line_samples: int
-    steady_states: int
-    jumps: int
-    march_steps: int
-    hurst: float
-    load: float  # Fbar
-    viscous_pressure: float  # vbar grad z, the viscous pressure on a mean slope in G h
-
-
 def touchable_share(hurst: float, load: float, viscous_pressure: float) -> float:
     """Return the share of the line that is marched: what lies below the indentation.
 
@@ -84,29 +72,16 @@ def sweeps(load: float, viscous_pressure: float) -> float:
     return 1.2 + (light - 1.2) / (1.0 + load / 3.0)
 
 
-def case_seconds(timings: Timings, work: Work) -> float:
-    """Return the predicted time of one case on a line that exists."""
-    n = work.line_samples
-    states = work.steady_states * sweeps(work.load, work.viscous_pressure) * timings.sweep(n)
-    touching = n * touchable_share(work.hurst, work.load, work.viscous_pressure)
-    look = LOOK * timings.sweep(n)
-    friction = (work.steady_states + work.jumps) * (look + timings.quadrature(touching))
-    march = 0.0
-    if work.march_steps:
-        march = timings.setup(n) + work.march_steps * timings.step(touching)
-    return timings.case + states + friction + march
-
-
 def task_seconds(timings: Timings, asked: Quantities, task: Task) -> float:
     """Return the predicted time of one realization of a task on a line that exists."""
-    problem = task.problem
-    work = Work(
-        line_samples=problem.elements * task.steps_per_spacing,
-        steady_states=1 + (asked.steady or asked.relaxation),
-        jumps=int(asked.jump),
-        march_steps=task.march_steps,
-        hurst=problem.hurst,
-        load=problem.load,
-        viscous_pressure=viscous_pressure(problem),
-    )
-    return case_seconds(timings, work)
+    hurst, elements, load, _, _ = task.problem
+    n, pressure = elements * task.steps_per_spacing, viscous_pressure(task.problem)
+    steady_states = 1 + (asked.steady or asked.relaxation)
+    states = steady_states * sweeps(load, pressure) * timings.sweep(n)
+    touching = n * touchable_share(hurst, load, pressure)
+    look = LOOK * timings.sweep(n)
+    friction = (steady_states + asked.jump) * (look + timings.quadrature(touching))
+    march = 0.0
+    if task.march_steps:
+        march = timings.setup(n) + task.march_steps * timings.step(touching)
+    return timings.case + states + friction + march

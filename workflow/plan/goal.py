@@ -5,7 +5,7 @@ spacing are more elements per spacing too.
 """
 
 import math
-from collections.abc import Iterator
+from itertools import count, takewhile
 from typing import NamedTuple
 
 from workflow.errors import UserError
@@ -53,7 +53,8 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     least = least_steps(problem, scene)
     check_resolution(problem, least, numerics)
     found: list[tuple[float, Goal]] = []
-    for steps in _doubled(least, MAX_SAMPLES_PER_LINE // problem.elements):
+    tried = (least << doublings for doublings in count())
+    for steps in takewhile(lambda m: m * problem.elements <= MAX_SAMPLES_PER_LINE, tried):
         bias = {name: error.at(steps) for name, error in errors.items()}
         goal = Goal(steps, bias, _need(wanted, bias, scatter))
         if max(bias.values()) <= 0.5 * wanted:
@@ -62,12 +63,6 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
             if len(found) == TRIED:
                 break
     return min(found, key=lambda one: one[0])[1] if found else goal
-
-
-def _doubled(first: int, last: int) -> Iterator[int]:
-    while first <= last:
-        yield first
-        first *= 2
 
 
 def _need(wanted: float, bias: dict[str, float], scatter: dict[str, float]) -> float:

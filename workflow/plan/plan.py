@@ -1,7 +1,7 @@
 """The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
 
 import hashlib
-from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -22,8 +22,7 @@ BYTES_PER_POINT = 1000  # of the result, all estimates
 BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
 
 
-@dataclass(frozen=True)
-class Variant:
+class Variant(NamedTuple):
     """All tasks of one discretisation of the study, grouped by random line."""
 
     label: str
@@ -33,8 +32,7 @@ class Variant:
     goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
 
 
-@dataclass(frozen=True)
-class Plan:
+class Plan(NamedTuple):
     """Everything a study will do."""
 
     study: Study
@@ -111,15 +109,21 @@ def make_plan(study: Study, timings: Timings = TYPICAL) -> Plan:
 def _variant(
     study: Study, problems: list[Problem], asked: Quantities, label: str, numerics: Numerics
 ) -> Variant:
-    tasks, goals = [], {}
+    tasks: list[Task] = []
+    goals = {}
+    lines: dict[tuple[float, int], list[Task]] = {}
     for problem in problems:
         goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
         steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
         task = _task(study, problem, asked, numerics, steps)
         tasks.append(task)
+        lines.setdefault((problem.hurst, problem.elements), []).append(task)
         if goal:
             goals[task.key] = goal
-    return Variant(label, numerics, tasks, _by_line(tasks), goals)
+    by_line = [
+        sorted(one, key=lambda t: (t.steps_per_spacing, t.problem)) for one in lines.values()
+    ]
+    return Variant(label, numerics, tasks, by_line, goals)
 
 
 def _task(
@@ -130,13 +134,6 @@ def _task(
     how = (march_steps, numerics.curve_samples, asked, study.realizations_per_block)
     key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
     return Task(problem, steps, march_steps, key)
-
-
-def _by_line(tasks: list[Task]) -> list[list[Task]]:
-    lines: dict[tuple[float, int], list[Task]] = {}
-    for task in tasks:
-        lines.setdefault((task.problem.hurst, task.problem.elements), []).append(task)
-    return [sorted(some, key=lambda t: (t.steps_per_spacing, t.problem)) for some in lines.values()]
 
 
 def _asked(study: Study) -> Quantities:

@@ -85,11 +85,7 @@ def _models(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None
 
 
 def fit_exponents(
-    axis: tuple[float, ...],
-    hurst: np.ndarray,
-    x: np.ndarray,
-    status: np.ndarray,
-    rates: np.ndarray,
+    axis: tuple[float, ...], hurst: np.ndarray, x: np.ndarray, status: np.ndarray, rates: np.ndarray
 ) -> Estimates:
     """Return name -> array over ``axis``: the fits of eq. 13 over distinct problems with x > 1.
 

@@ -35,20 +35,6 @@ class Image(NamedTuple):
     height: float
 
 
-class Section(NamedTuple):
-    """What the page shows of one study."""
-
-    name: str
-    title: str
-    image: Image | None
-    trouble: str  # why there is no image
-    parameters: list[tuple[str, str, str]]  # meaning, values, unit
-    variants: list[tuple[str, str, str, str]]  # name, scheme, steps per spacing, fits
-    facts: list[tuple[str, str]]
-    origin: list[tuple[str, str]]
-    settings: str
-
-
 def study_names() -> list[str]:
     """Return the names of all studies, figures first."""
     return sorted(known_studies(), key=lambda name: (not name.startswith("fig"), name))
@@ -86,28 +72,27 @@ def write_report(folder: Path, names: list[str]) -> Path:
     return path
 
 
-def _drawn(study: AnyStudy, groups: Groups, folder: Path) -> tuple[Image | None, str]:
-    """Return the figure of a result, or what is wrong with it."""
-    try:
-        return _image(draw_groups(study, groups, result_file(folder, study.name))[0]), ""
-    except UserError as error:
-        return None, str(error)
-
-
-def _section(study: AnyStudy, groups: Groups, folder: Path) -> Section:
+def _section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
+    """Return what the page shows of one study; ``trouble`` says why there is no image."""
     data = groups[ROOT]
-    image, trouble = _drawn(study, groups, folder)
-    return Section(
-        name=study.name,
-        title=str(data.attrs["title"]),
-        image=image,
-        trouble=trouble,
-        parameters=_parameters(data),
-        variants=[_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
-        facts=_facts(data) + _changes(study, data),
-        origin=[(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
-        settings=str(data.attrs["study"]),
-    )
+    image, trouble = None, ""
+    try:
+        image = _image(draw_groups(study, groups, result_file(folder, study.name))[0])
+    except UserError as error:
+        trouble = str(error)
+    changed = differing_settings(study, data.attrs)  # from study.toml without a scale
+    changes = [("Not as in study.toml", listed(changed))] if changed else []
+    return {
+        "name": study.name,
+        "title": str(data.attrs["title"]),
+        "image": image,
+        "trouble": trouble,
+        "parameters": _parameters(data),
+        "variants": [_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
+        "facts": _facts(data) + changes,
+        "origin": [(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
+        "settings": str(data.attrs["study"]),
+    }
 
 
 def _image(file: Path) -> Image:
@@ -118,7 +103,7 @@ def _image(file: Path) -> Image:
 
 
 def _parameters(data: xr.Dataset) -> list[tuple[str, str, str]]:
-    """Return the axes of the grid, then what is the same at all points.
+    """Return (meaning, values, unit) of the axes, then of what is the same at all points.
 
     Of a measured study: its settings.
     """
@@ -154,12 +139,6 @@ def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
         fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for n, meaning in pairs if n)
     label = group or "the study itself"
     return label, str(data.attrs["scheme"]), str(data.attrs["steps_per_spacing"]), fits
-
-
-def _changes(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str]]:
-    """Return which settings are not those of study.toml without a scale, if any."""
-    settings = differing_settings(study, data.attrs)
-    return [("Not as in study.toml", listed(settings))] if settings else []
 
 
 def _facts(data: xr.Dataset) -> list[tuple[str, str]]:

@@ -37,11 +37,7 @@ def _estimates(groups: Groups) -> pd.DataFrame:
 
 
 def _write(
-    study: AnyStudy,
-    result: Path,
-    table: Callable[[Groups], pd.DataFrame],
-    digits: str,
-    index: bool,
+    study: AnyStudy, result: Path, table: Callable[[Groups], pd.DataFrame], digits: str, index: bool
 ) -> Path:
     with contextlib.ExitStack() as stack:
         groups = open_result(study, result, stack)

@@ -41,15 +41,14 @@ def origin(study: AnyStudy) -> dict[str, str | int | float]:
 
 def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]:
     """Return the global attributes of the result file of a grid study."""
-    wanted: dict[str, int | float] = {}
-    if numerics.accuracy:
-        wanted = {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
-    return origin(study) | {
+    found = origin(study) | {
         "realizations_per_block": study.realizations_per_block,
         "quantities": " ".join(study.scene.quantities),
         "indentation_rate": str(study.scene.indentation_rate).lower(),
         "scheme": numerics.scheme,
         "steps_per_spacing": str(numerics.steps_per_spacing or "auto"),
         "horizon": numerics.horizon,
-        **wanted,
     }
+    if numerics.accuracy:
+        found |= {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
+    return found

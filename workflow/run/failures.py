@@ -34,7 +34,8 @@ class Failures:
         if isinstance(error, ImportError):
             raise UserError(f"a worker cannot work: {error}") from error
         if len(batch.tasks) > 1 or (isinstance(error, KilledWorker) and not alone):
-            return [self._only(batch, task) for task in batch.tasks]
+            each = batch.seconds / len(batch.tasks)
+            return [dataclasses.replace(batch, tasks=(t,), seconds=each) for t in batch.tasks]
         self._record(batch, error)
         return []
 
@@ -61,10 +62,6 @@ class Failures:
         """Return the first grid point of a task in words."""
         point = self.plan.first_point(task)
         return " ".join(f"{axis}={value:.4g}" for axis, value in point.items())
-
-    @staticmethod
-    def _only(batch: Batch, task: Task) -> Batch:
-        return dataclasses.replace(batch, tasks=(task,), seconds=batch.seconds / len(batch.tasks))
 
     def _record(self, batch: Batch, error: Exception) -> None:
         (task,) = batch.tasks

@@ -2,9 +2,9 @@
 
 import time
 from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
 import xarray as xr
 from distributed import Client
@@ -35,8 +35,7 @@ from workflow.system import Interrupt, Reporter, clear_leftovers, hold, package_
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 
 
-@dataclass(frozen=True)
-class How:
+class How(NamedTuple):
     """How to run a plan; no number of the result depends on it.
 
     batch_seconds : predicted length of a batch; by default it grows with the study.

@@ -6,14 +6,11 @@ their checksum: what a line means depends on nothing but the line itself, so tha
 as by two joined journals, change nothing.
 """
 
-from typing import Any
-
 from workflow.simulate import Record
+from workflow.store.journal import Entry
 from workflow.store.shard import KEY_BYTES, StoredBatch, digest
 
 KEY_LENGTH = 2 * KEY_BYTES
-
-Entry = dict[str, Any]
 
 
 class Index:

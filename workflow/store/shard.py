@@ -5,8 +5,6 @@ lock and sees no full disk; the name of a shard is the checksum of its bytes.
 """
 
 import hashlib
-from dataclasses import dataclass
-from functools import cached_property
 from itertools import islice
 from typing import NamedTuple
 
@@ -29,23 +27,13 @@ class StoredBatch(NamedTuple):
     blocks: int
 
 
-@dataclass(frozen=True)
-class Contents:
+class Contents(NamedTuple):
     """What a shard holds; records of its batches one after the other."""
 
     batches: list[StoredBatch]
+    records: list[Record]  # which each row holds
     scalars: np.ndarray  # shape (records, len(SCALARS))
     curves: np.ndarray  # shape (records, curve_samples); NaN beyond the samples of a record
-
-    @cached_property
-    def records(self) -> list[Record]:
-        """Which record each row holds."""
-        return [
-            (key, batch.first_block + block)
-            for batch in self.batches
-            for key in batch.keys
-            for block in range(batch.blocks)
-        ]
 
 
 def digest(content: bytes) -> str:
@@ -99,4 +87,5 @@ def decode(content: bytes) -> Contents:
     width = 2 * KEY_BYTES
     names = (keys[i : i + width] for i in range(0, len(keys), width))
     batches = [StoredBatch(tuple(islice(names, tasks)), *blocks) for tasks, *blocks in table]
-    return Contents(batches, scalars, curves)
+    records = [(key, b.first_block + i) for b in batches for key in b.keys for i in range(b.blocks)]
+    return Contents(batches, records, scalars, curves)

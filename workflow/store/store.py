@@ -17,7 +17,8 @@ import numpy as np
 
 from workflow.simulate import SCALARS, Record
 from workflow.store import journal
-from workflow.store.index import Entry, Index
+from workflow.store.index import Index
+from workflow.store.journal import Entry
 from workflow.store.shard import (
     Contents,
     Finished,

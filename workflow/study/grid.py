@@ -15,10 +15,7 @@ Grid = dict[str, tuple[float, ...]]
 MOST_VALUES = 10_000  # on one axis
 MOST_ELEMENTS = 1e8
 LEAST_ELEMENTS = 4
-SPACES: dict[str, Callable[..., np.ndarray]] = {
-    "linspace": np.linspace,
-    "geomspace": np.geomspace,
-}
+SPACES: dict[str, Callable[..., np.ndarray]] = {"linspace": np.linspace, "geomspace": np.geomspace}
 
 
 def axis_values(key: str, spec: object) -> tuple[float, ...]:
@@ -63,16 +60,12 @@ def snapped_spacing(length: float, spacings: tuple[float, ...]) -> tuple[float, 
 
 
 def _nearest_smooth(target: float) -> int:
-    return min(_smooth_even(2.0 * target + 8.0), key=lambda n: (abs(math.log(n / target)), n))
-
-
-def _smooth_even(limit: float) -> list[int]:
     found = [2]
     for prime in (2, 3, 5):
         for count in found:  # which grows meanwhile
-            if prime * count <= limit:
+            if prime * count <= 2.0 * target + 8.0:
                 found.append(prime * count)
-    return found
+    return min(found, key=lambda n: (abs(math.log(n / target)), n))
 
 
 def _step(key: str, value: object) -> float:

@@ -4,7 +4,7 @@ import json
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar
+from typing import Any, ClassVar, NamedTuple
 
 from kernels.surfaces.self_affine import NORMALISATIONS
 from workflow.errors import UserError
@@ -59,8 +59,7 @@ class AnyStudy:
     seed: int
 
 
-@dataclass(frozen=True)
-class Scene:
+class Scene(NamedTuple):
     """What is simulated."""
 
     quantities: tuple[str, ...] = USUAL
@@ -94,17 +93,18 @@ class Study(AnyStudy):
         """Shape of the six-dimensional grid."""
         return tuple(len(self.grid[axis]) for axis in AXES)
 
-    def elements(self, spacing: float) -> int:
-        """Return N = L / dx."""
-        return round(self.length / spacing)
-
 
 def read_grid_study(name: str, folder: Path, tables: dict[str, Any]) -> Study:
     """Return the checked study. Raises UserError, one line, for what a user can get wrong."""
     check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
     cluster = read_cluster(tables.pop("cluster", {}))
     head = study_head(name, folder, tables, STUDY)
-    _check_blocks(head["realizations"], head["realizations_per_block"])
+    realizations, block = head["realizations"], head["realizations_per_block"]
+    if realizations % block or realizations // block < 2:
+        raise UserError(
+            f"study.realizations_per_block = {block}: must divide realizations = {realizations} "
+            "into at least 2 blocks, from which standard errors are estimated"
+        )
     surface = read_table("surface", tables.get("surface", {}), SURFACE)
     snap = surface.pop("snap_spacing")
     scene = Scene(**read_table("scene", tables.get("scene", {}), SCENE))
@@ -127,11 +127,3 @@ def study_head(
     head = read_table("study", tables.get("study", {}), keys)
     text = json.dumps(tables, indent=1, sort_keys=True, default=str)
     return {"name": name, "folder": folder, "text": text} | head | {"title": head["title"] or name}
-
-
-def _check_blocks(realizations: int, block: int) -> None:
-    if realizations % block or realizations // block < 2:
-        raise UserError(
-            f"study.realizations_per_block = {block}: must divide realizations = {realizations} "
-            "into at least 2 blocks, from which standard errors are estimated"
-        )

@@ -12,13 +12,13 @@ from workflow.errors import UserError
 def refused(path: Path, what: str) -> Iterator[None]:
     """Raise UserError where the disk refuses something; HDF5 says a full disk by RuntimeError.
 
-    what : what cannot be done with ``path``, as "written".
+    what : what cannot be done with ``path``, as "cannot be written:".
     """
     try:
         yield
     except (OSError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or str(error)
-        raise UserError(f"{path}: cannot be {what}: {reason}") from error
+        raise UserError(f"{path}: {what} {reason}") from error
 
 
 @contextlib.contextmanager
@@ -29,7 +29,7 @@ def replacing(path: Path) -> Iterator[Path]:
     once nothing of the new file is left.
     """
     aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    with refused(path, "written"):
+    with refused(path, "cannot be written:"):
         try:
             yield aside
             with aside.open("rb+") as file:
@@ -48,7 +48,7 @@ def write_durably(path: Path, content: bytes) -> None:
 
 def append_durably(path: Path, content: bytes) -> None:
     """Append to a file and flush it. A crash may leave part of ``content`` at its end."""
-    with refused(path, "written"):
+    with refused(path, "cannot be written:"):
         with path.open("ab") as file:
             file.write(content)
             file.flush()
@@ -58,7 +58,7 @@ def append_durably(path: Path, content: bytes) -> None:
 
 def make_folder(folder: Path) -> None:
     """Make a folder with its parents. Raises UserError where that is refused."""
-    with refused(folder, "made"):
+    with refused(folder, "cannot be made:"):
         folder.mkdir(parents=True, exist_ok=True)
 
 

@@ -20,7 +20,7 @@ NAME = "lock"
 @contextlib.contextmanager
 def hold(folder: Path) -> Iterator[None]:
     """Hold the lock of a folder, made if need be. Raises UserError naming who has it."""
-    with refused(folder, "used for results"):
+    with refused(folder, "cannot be used for results:"):
         folder.mkdir(parents=True, exist_ok=True)
         file = (folder / NAME).open("a+")
     with file:

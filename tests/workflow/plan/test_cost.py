@@ -7,14 +7,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import Line, amplitudes, draw_phases, rms_slope
+from kernels import Line, Quantities, amplitudes, draw_phases, rms_slope
 from kernels.motion.stretches import touchable
 from kernels.rheology.kelvin import SCHEMES
 from kernels.steady import steady_sliding
-from workflow.plan.cost import TYPICAL, SecondsBySize, Work, case_seconds, sweeps, touchable_share
+from workflow.plan.cost import TYPICAL, SecondsBySize, sweeps, task_seconds, touchable_share
+from workflow.simulate.tasks import Problem, Task
 
 CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
-WORK = Work(10_000, 2, 1, 100, 0.7, 0.05, 0.5)
+ALL = Quantities()
+
+
+def seconds(elements=2500, march_steps=100, asked=ALL, timings=TYPICAL):
+    """Return the predicted time of a task."""
+    problem = Problem(0.7, elements, 0.05, 1.0, 1.2)
+    return task_seconds(timings, asked, Task(problem, 4, march_steps, ""))
 
 
 def test_a_curve_passes_through_what_was_measured():
@@ -29,18 +36,23 @@ def test_more_samples_never_take_less_time(size, factor):
     assert CURVE(size * factor) >= CURVE(size) * (1.0 - 1e-12)
 
 
-@pytest.mark.parametrize("name", ["line_samples", "steady_states", "jumps", "march_steps"])
-def test_more_work_takes_more_time(name):
-    more = WORK._replace(**{name: 2 * getattr(WORK, name)})
-    assert case_seconds(TYPICAL, more) > case_seconds(TYPICAL, WORK)
+@pytest.mark.parametrize(
+    "less",
+    [
+        {"elements": 1250},
+        {"march_steps": 50},
+        {"asked": ALL._replace(jump=False)},
+        {"asked": ALL._replace(steady=False, relaxation=False)},
+    ],
+)
+def test_more_work_takes_more_time(less):
+    assert seconds() > seconds(**less)
 
 
 def test_a_machine_of_half_the_speed_takes_twice_the_time():
     *curves, case = TYPICAL
     slow = [c._replace(seconds=tuple(2.0 * s for s in c.seconds)) for c in curves]
-    assert case_seconds(type(TYPICAL)(*slow, 2.0 * case), WORK) == pytest.approx(
-        2.0 * case_seconds(TYPICAL, WORK)
-    )
+    assert seconds(timings=type(TYPICAL)(*slow, 2.0 * case)) == pytest.approx(2.0 * seconds())
 
 
 @given(st.floats(0.0, 1.0), st.floats(1e-6, 1e3), st.floats(1e-4, 1e4))

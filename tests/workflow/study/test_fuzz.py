@@ -84,8 +84,7 @@ def outcome(text, *given_settings, scale=None):
     try:
         study = small_study(*given_settings, text=text, scale=scale)
         if isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS:
-            longest = max(map(study.elements, study.grid["spacing"]))
-            if longest <= MOST_ELEMENTS:
+            if study.length / min(study.grid["spacing"]) <= MOST_ELEMENTS:
                 make_plan(study)
     except UserError as error:
         return str(error)
