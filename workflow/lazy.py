@@ -9,7 +9,9 @@ import ast
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
+
+__all__ = ["TYPE_CHECKING", "public_names"]
 
 
 def public_names(package: str, file: str) -> tuple[list[str], Callable[[str], Any]]:

@@ -3,9 +3,7 @@
 Knows all rooms; no room knows it.
 """
 
-from typing import TYPE_CHECKING
-
-from workflow.lazy import public_names
+from workflow.lazy import TYPE_CHECKING, public_names
 
 if TYPE_CHECKING:
     from workflow.cli.commands import main

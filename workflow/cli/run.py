@@ -12,7 +12,6 @@ from workflow.plan import make_plan, this_machine
 from workflow.study import BATCH_SYSTEMS, Measured, Study
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
-
 OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
 
 

@@ -3,9 +3,7 @@
 The only room beside run that knows dask's scheduler.
 """
 
-from typing import TYPE_CHECKING
-
-from workflow.lazy import public_names
+from workflow.lazy import TYPE_CHECKING, public_names
 
 if TYPE_CHECKING:
     from workflow.cluster.client import open_client

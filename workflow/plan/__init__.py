@@ -3,9 +3,7 @@
 Plain data: it computes no realization and opens no store.
 """
 
-from typing import TYPE_CHECKING
-
-from workflow.lazy import public_names
+from workflow.lazy import TYPE_CHECKING, public_names
 
 if TYPE_CHECKING:
     from workflow.plan.batches import (
@@ -21,7 +19,7 @@ if TYPE_CHECKING:
     from workflow.plan.goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
     from workflow.plan.machine import this_machine
     from workflow.plan.plan import Plan, Variant, make_plan
-    from workflow.plan.problems import speed_ratio
+    from workflow.plan.problems import line_slope, speed_ratio
     from workflow.plan.resolution import horizon_steps
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -4,6 +4,7 @@ The timings are kept in the cache folder of the compiled kernels, one file per k
 and packages. Predictions and the size of batches depend on them, results do not.
 """
 
+import contextlib
 import hashlib
 import json
 import os
@@ -42,7 +43,9 @@ def timings_file() -> Path:
 def this_machine() -> Machine:
     """Return the timings of this machine, measured now if they are not known yet."""
     file = timings_file()
-    found = _read(file)
+    found = None
+    with contextlib.suppress(OSError, UnicodeDecodeError):
+        found = _parsed(file.read_text(encoding="utf-8"))
     if found is None:
         print("measuring the speed of this machine (once)", file=sys.stderr)
         text = _measured()
@@ -55,13 +58,6 @@ def this_machine() -> Machine:
         except UserError:
             return found._replace(note=f"{found.note}, not kept: {file.parent} is not writable")
     return found
-
-
-def _read(file: Path) -> Machine | None:
-    try:
-        return _parsed(file.read_text(encoding="utf-8"))
-    except (OSError, UnicodeDecodeError):
-        return None
 
 
 def _parsed(text: str) -> Machine | None:

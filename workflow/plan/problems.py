@@ -5,7 +5,7 @@ r = v2/v1 alone; h and F_N enter only as F_N/h.
 """
 
 import math
-from functools import lru_cache
+from functools import cache
 
 import numpy as np
 
@@ -52,12 +52,17 @@ def speed_ratio(problem: Problem) -> float:
 
 def viscous_pressure(problem: Problem) -> float:
     """Return vbar grad z, the viscous pressure on a mean slope in units of G h."""
-    return problem.speed * _slope(problem.hurst, problem.elements)
+    return problem.speed * line_slope(problem)
 
 
-@lru_cache
-def _slope(hurst: float, elements: int) -> float:
-    return rms_slope(amplitudes(hurst, elements), elements)
+def line_slope(problem: Problem, normalisation: str = "modal") -> float:
+    """Return the spectral rms slope of the lines of a problem, in h/dx."""
+    return _slope(problem.hurst, problem.elements, normalisation)
+
+
+@cache
+def _slope(hurst: float, elements: int, normalisation: str) -> float:
+    return rms_slope(amplitudes(hurst, elements, normalisation), elements)
 
 
 def _check(axis: str, name: str, values: np.ndarray, limits: tuple[float, float]) -> None:

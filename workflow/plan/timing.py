@@ -8,6 +8,7 @@ import json
 import time
 from collections.abc import Callable
 from datetime import UTC, datetime
+from functools import partial
 from statistics import median
 
 import numpy as np
@@ -30,13 +31,9 @@ from workflow.system import processor
 
 SIZES = (2_000, 20_000, 200_000)  # samples: in the first, second, third cache
 SHORTEST = 60
-
 FEW, MANY = 4, 24  # steps: their difference is free of what a march does once
-
 SECONDS = 0.05  # per measurement, at least 3 calls
-
 HURST, LOAD, SPEED, STEPS = 0.7, 0.1, 1.0, 4
-
 ALL_TOUCHING = 30.0  # load
 
 
@@ -64,16 +61,11 @@ def _at(samples: int) -> dict[str, float]:
     law, control = SCHEMES["exponential"](1.0 / (STEPS * SPEED)), ConstantForce(load)
     state, sweeps = steady_sliding(law, line.z, load)
 
-    def marching(steps: int) -> float:
-        kept_steps = np.array([steps])
+    def marching(kept_steps: np.ndarray) -> None:
+        weight = lagged_slope(line.slope, law.lag)
+        march(law, control, line.z, weight, state, kept_steps, np.inf)
 
-        def call() -> None:
-            weight = lagged_slope(line.slope, law.lag)
-            march(law, control, line.z, weight, state, kept_steps, np.inf)
-
-        return seconds(call)
-
-    few, many = marching(FEW), marching(MANY)
+    few, many = (seconds(partial(marching, np.array([steps]))) for steps in (FEW, MANY))
     whole = ALL_TOUCHING * samples
     touching, _ = steady_sliding(law, line.z, whole)
     each = max(many - few, 0.1 * many) / (MANY - FEW)

@@ -3,9 +3,7 @@
 Plain arrays in and out; runs on the workers.
 """
 
-from typing import TYPE_CHECKING
-
-from workflow.lazy import public_names
+from workflow.lazy import TYPE_CHECKING, public_names
 
 if TYPE_CHECKING:
     from workflow.reduce.attainment import (

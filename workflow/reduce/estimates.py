@@ -43,8 +43,6 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
         deviation = curves - values["mu_2"][..., None]
         _estimate(estimates, "deviation", deviation)
         _relaxations(estimates, blocks, deviation[:, :, 1:])
-    if "models" in asked:
-        _models(estimates, blocks, deviation[:, :, 1:])
     return estimates
 
 
@@ -55,10 +53,16 @@ def _estimate(estimates: Estimates, name: str, values: np.ndarray) -> None:
 
 
 def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None:
+    final = blocks.scalars[:, :, SCALARS.index("mu_2"), None]
     fits: list[RelaxationFit] = []
-    for task, time in enumerate(blocks.time):
-        kept = np.isfinite(time)
-        fits.append(fit_relaxation(time[kept], deviation[task][:, kept], blocks.rms_slope[task]))
+    compared: list[Comparison] = []
+    for task in range(len(blocks.time)):
+        kept = np.isfinite(blocks.time[task])
+        time, curves = blocks.time[task][kept], deviation[task][:, kept]
+        fits.append(fit_relaxation(time, curves, blocks.rms_slope[task]))
+        if "models" in blocks.quantities:
+            each = (blocks.curves[task] - final[task])[:, kept]
+            compared.append(compare_models(time, curves, each, fits[-1].rate[0]))
     _estimate(estimates, "relaxation_rate", np.array([fit.rate for fit in fits]))
     _estimate(estimates, "amplitude", np.array([fit.amplitude for fit in fits]))
     _estimate(estimates, "relaxation_rate_free", np.array([fit.rate_free for fit in fits]))
@@ -66,16 +70,11 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
     estimates["fit_window"] = np.array([fit.window for fit in fits])
     estimates["fit_quality"] = np.array([fit.quality for fit in fits])
     estimates["rate_replicates"] = np.array([fit.rate for fit in fits])
+    if compared:
+        _models(estimates, compared)
 
 
-def _models(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None:
-    final = blocks.scalars[:, :, SCALARS.index("mu_2"), None]
-    found: list[Comparison] = []
-    for task, time in enumerate(blocks.time):
-        kept = np.isfinite(time)
-        each = (blocks.curves - final)[task][:, kept]
-        rate = estimates["relaxation_rate"][task]
-        found.append(compare_models(time[kept], deviation[task][:, kept], each, rate))
+def _models(estimates: Estimates, found: list[Comparison]) -> None:
     estimates["best_model"] = np.array([c.best for c in found], dtype=np.int8)
     for name in COEFFICIENTS:
         _estimate(estimates, name, np.array([getattr(c, name) for c in found]))

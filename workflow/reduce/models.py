@@ -20,7 +20,6 @@ MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
 DECISIVE = 2.0  # standard errors by which a model must beat eq. 6
 ROUNDING = 1e-9  # gains below it are rounding
 
-
 # What the samples can determine at all, whatever a fit says.
 SLOWEST = 1e-3  # rate times the whole time: below, the curve is a constant
 FASTEST = 30.0  # (rate times time of the second sample)^beta: above, rounding alone is left there
@@ -171,8 +170,5 @@ def _ordered(fits: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     first, second = np.exp(fits[:, 1]), np.exp(fits[:, 3])
     swap = second > first
     share = fits[:, 0] / (fits[:, 0] + fits[:, 2])
-    return (
-        np.where(swap, second, first),
-        np.where(swap, first, second),
-        np.where(swap, 1.0 - share, share),
-    )
+    fast, slow = np.where(swap, (second, first), (first, second))
+    return fast, slow, np.where(swap, 1.0 - share, share)

@@ -1,9 +1,8 @@
 """The report as HTML: fills the template, and sets formulas written as plain text."""
 
 import re
-from importlib.resources import files
 
-from jinja2 import Environment, StrictUndefined
+from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 NO_BREAK = "\u00a0"
@@ -11,12 +10,16 @@ NO_BREAK = "\u00a0"
 
 def render(**context: object) -> str:
     """Return the page; every text in it is escaped."""
+    loader = PackageLoader("workflow", "report")
     environment = Environment(
-        autoescape=True, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        loader=loader,
     )
     environment.filters["formula"] = formula
-    text = files("workflow.report").joinpath("report.html.j2").read_text(encoding="utf-8")
-    return environment.from_string(text).render(**context)
+    return environment.get_template("report.html.j2").render(**context)
 
 
 def formula(text: str) -> Markup:

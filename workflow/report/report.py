@@ -109,15 +109,12 @@ def _parameters(data: xr.Dataset) -> list[tuple[str, str, str]]:
     """
     settings = json.loads(data.attrs["study"])
     if "measure" in settings:
-        return [(key.replace("_", " "), _setting(v), "") for key, v in settings["measure"].items()]
+        measured = {k: v if isinstance(v, list) else [v] for k, v in settings["measure"].items()}
+        return [(k.replace("_", " "), ", ".join(map(str, v)), "") for k, v in measured.items()]
     rows = [_axis(data[axis]) for axis in AXES]
     for table, key, meaning, unit in CONSTANTS:
         rows.append((meaning, f"{settings[table][key]:g}", unit))
     return rows
-
-
-def _setting(value: object) -> str:
-    return ", ".join(map(str, value)) if isinstance(value, list) else str(value)
 
 
 def _axis(axis: xr.DataArray) -> tuple[str, str, str]:

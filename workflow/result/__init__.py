@@ -3,9 +3,7 @@
 The first room that knows xarray.
 """
 
-from typing import TYPE_CHECKING
-
-from workflow.lazy import public_names
+from workflow.lazy import TYPE_CHECKING, public_names
 
 if TYPE_CHECKING:
     from workflow.result.dataset import Groups, build_dataset

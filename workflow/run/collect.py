@@ -7,10 +7,9 @@ import numpy as np
 import xarray as xr
 from distributed import Client
 
-from kernels import amplitudes, rms_slope
 from workflow.cluster import Watch, stream
 from workflow.errors import UserError
-from workflow.plan import Plan, Variant, speed_ratio
+from workflow.plan import Plan, Variant, line_slope, speed_ratio
 from workflow.reduce import (
     Attained,
     Blocks,
@@ -40,9 +39,6 @@ class Collector:
         self.client, self.store, self.plan = client, store, plan
         self.summary, self.watch = summary, watch
         self.fitted = {variant.label: Fitted(variant) for variant in plan.variants}
-        lines = {_line_of(task) for variant in plan.variants for task in variant.tasks}
-        normalisation = plan.study.normalisation
-        self.slopes = {(h, n): rms_slope(amplitudes(h, n, normalisation), n) for h, n in lines}
 
     def datasets(self, blocks: dict[str, int]) -> dict[str, xr.Dataset]:
         """Return label -> dataset of every variant, from ``blocks`` of each task (by key).
@@ -115,7 +111,7 @@ class Collector:
         counts[sound] = [blocks[tasks[row].key] * each for row in rows]
         return spread | {
             "realizations": counts,
-            "rms_slope": np.array([self.slopes[_line_of(task)] for task in tasks]),
+            "rms_slope": self._slopes(tasks),
             "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
             "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
         }
@@ -137,8 +133,11 @@ class Collector:
                 steps_per_tau = task.problem.speed * task.problem.ratio * task.steps_per_spacing
                 kept = record_steps(task.march_steps, numerics.curve_samples)
                 time[row, : kept.size] = record_times(kept, steps_per_tau, numerics.scheme)
-        slopes = np.array([self.slopes[_line_of(task)] for task in tasks])
-        return Blocks(scalars, curves, time, slopes, self.plan.study.scene.quantities)
+        return Blocks(scalars, curves, time, self._slopes(tasks), self.plan.study.scene.quantities)
+
+    def _slopes(self, tasks: list[Task]) -> np.ndarray:
+        normalisation = self.plan.study.normalisation
+        return np.array([line_slope(task.problem, normalisation) for task in tasks])
 
 
 class Fitted:
@@ -183,8 +182,3 @@ def _reduce_portion(portion: tuple[list[int], Blocks]) -> tuple[Estimates, float
     began = time.thread_time()
     estimates = reduce_blocks(portion[1])
     return estimates, time.thread_time() - began
-
-
-def _line_of(task: Task) -> tuple[float, int]:
-    """Return what identifies the random lines of a task: (H, N)."""
-    return task.problem.hurst, task.problem.elements

@@ -109,20 +109,15 @@ class StatusWriter:
     def write(self, workers: int, running: int) -> None:
         """Write the status if it is time for it."""
         if time.monotonic() - self.written >= WRITE_SECONDS:
-            self.status.workers, self.status.running = workers, running
-            self._write("running")
+            self.end("running", workers, running)
 
-    def end(self, state: str) -> None:
-        """Write how the run ended."""
-        self.status.workers = self.status.running = 0
-        self._write(state)
-
-    def _write(self, state: str) -> None:
+    def end(self, state: str, workers: int = 0, running: int = 0) -> None:
+        """Write how the run stands, or how it ended."""
         self.written = time.monotonic()
         if not self.status.advance(self.folder):
             self.status.done, self.status.left = self.extent()
             self.status.offset = journal.size(self.folder)
-        self.status.state = state
+        self.status.state, self.status.workers, self.status.running = state, workers, running
         self.status.updated = datetime.now().astimezone().isoformat(" ", "seconds")
         write_durably(self.path, json.dumps(asdict(self.status), indent=1).encode())
 

@@ -49,14 +49,10 @@ class Store:
         """Index what the journal of ``folder`` tells; change nothing."""
         self.folder = folder
         self.index = Index()
+        self.failed = self.index.failed  # key of each task that failed for good -> why
         self.recent: dict[str, Contents] = {}
         for entry, _ in journal.entries(folder):
             self.index.replay(entry)
-
-    @property
-    def failed(self) -> dict[str, str]:
-        """Key of each task that failed for good -> why."""
-        return self.index.failed
 
     def prepare(self) -> None:
         """Mend what a crash or a disk left behind; only for the holder of the folder's lock.

@@ -3,9 +3,7 @@
 Knows the kernels' names of schemes and spectra, and no later stage.
 """
 
-from typing import TYPE_CHECKING
-
-from workflow.lazy import public_names
+from workflow.lazy import TYPE_CHECKING, public_names
 
 if TYPE_CHECKING:
     from workflow.study.checks import choice, integer, number, positive, within

@@ -3,9 +3,7 @@
 Imports nothing of ours but errors.
 """
 
-from typing import TYPE_CHECKING
-
-from workflow.lazy import public_names
+from workflow.lazy import TYPE_CHECKING, public_names
 
 if TYPE_CHECKING:
     from workflow.system.files import (
