@@ -83,9 +83,9 @@ def outcome(text, *given_settings, scale=None):
     """Return the study that a text makes, or the message it is refused with."""
     try:
         study = small_study(*given_settings, text=text, scale=scale)
-        if isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS:
-            if study.length / min(study.grid["spacing"]) <= MOST_ELEMENTS:
-                make_plan(study)
+        small = isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS
+        if small and study.length / min(study.grid["spacing"]) <= MOST_ELEMENTS:
+            make_plan(study)
     except UserError as error:
         return str(error)
     return study
