@@ -81,13 +81,13 @@ def _share(text: str) -> float:
 def _lines(options: argparse.Namespace) -> int:
     """Print what the commands plan and status say."""
     study, result = _study(options)
-    print("\n".join(getattr(KINDS[study.kind], options.command)(study, result)))
+    print("\n".join(KINDS[study.kind][options.command](study, result)))
     return DONE
 
 
 def _run(options: argparse.Namespace) -> int:
     study, result = _study(options)
-    return KINDS[study.kind].run(options, study, result)
+    return KINDS[study.kind]["run"](options, study, result)
 
 
 def _figure(options: argparse.Namespace) -> int:
@@ -97,7 +97,7 @@ def _figure(options: argparse.Namespace) -> int:
 
 def _table(options: argparse.Namespace) -> int:
     study, result = _checked(options)
-    print(KINDS[study.kind].table(study, result))
+    print(KINDS[study.kind]["table"](study, result))
     return DONE
 
 

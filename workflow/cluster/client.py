@@ -6,7 +6,6 @@ import logging
 import signal
 import sys
 from collections.abc import Iterator
-from typing import Any
 
 import dask
 from dask.system import CPU_COUNT
@@ -30,12 +29,11 @@ def open_client(
     """
     if dashboard and importlib.util.find_spec("bokeh") is None:
         raise UserError("--dashboard: needs bokeh; install it beside this package")
-    settings: dict[str, Any] = {
+    settings = {
         "distributed.worker.preload": ["workflow.cluster.worker"],
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
+        **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in WORKER_ENVIRONMENT.items()},
     }
-    for name, value in WORKER_ENVIRONMENT.items():
-        settings[f"distributed.nanny.pre-spawn-environ.{name}"] = value
     # A lost scheduler is said in one line, by the flow.
     logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
     with contextlib.ExitStack() as stack:
@@ -56,12 +54,11 @@ def open_client(
         yield client
 
 
-@contextlib.contextmanager
-def _local_cluster(workers: int | None) -> Iterator[LocalCluster]:
+def _local_cluster(workers: int | None) -> LocalCluster:
     # Ctrl-C reaches the whole process group: worker processes must be born ignoring it.
     previous = signal.signal(signal.SIGINT, signal.SIG_IGN)
     try:
-        cluster = LocalCluster(
+        return LocalCluster(
             n_workers=workers or CPU_COUNT,
             threads_per_worker=1,
             processes=True,
@@ -69,5 +66,3 @@ def _local_cluster(workers: int | None) -> Iterator[LocalCluster]:
         )
     finally:
         signal.signal(signal.SIGINT, previous)
-    with cluster:
-        yield cluster

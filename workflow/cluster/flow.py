@@ -30,7 +30,6 @@ class Clock(Protocol):
 LOST = "the scheduler was lost; run again to resume"
 POLL_SECONDS = 0.02
 BEAT_SECONDS = 1.0
-
 PER_THREAD, LEAST = 4, 8  # items in flight
 
 

@@ -5,6 +5,7 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from dataclasses import dataclass, field
 
 from workflow.errors import UserError
 from workflow.system import duration
@@ -14,17 +15,15 @@ SILENCE_SECONDS = 10.0  # without workers, before that is said; then twice as lo
 Listener = Callable[[int, int], None]  # is told (worker threads, items in flight)
 
 
+@dataclass
 class Watch:
     """What a stream of work asks while it goes on."""
 
-    def __init__(
-        self, stop: Callable[[], bool] = lambda: False, patience: float = math.inf
-    ) -> None:
-        """``stop`` : whether to take up no more work; ``patience`` : s to wait without workers."""
-        self.stop, self.patience = stop, patience
-        self.listeners: list[Listener] = []
-        self.idle_since: float | None = None
-        self.next_line = SILENCE_SECONDS
+    stop: Callable[[], bool] = lambda: False  # whether to take up no more work
+    patience: float = math.inf  # s to wait without workers
+    listeners: list[Listener] = field(default_factory=list)
+    idle_since: float | None = None
+    next_line: float = SILENCE_SECONDS
 
     def __call__(self) -> bool:
         """Return whether no more work is to be taken up."""

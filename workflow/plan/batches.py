@@ -3,8 +3,9 @@
 The store is asked once, record by record; what is missing is then cut to any length.
 """
 
-from collections.abc import Iterator
-from typing import NamedTuple, Protocol
+from collections.abc import Container, Iterator
+from itertools import groupby
+from typing import NamedTuple
 
 from workflow.plan.plan import Plan
 from workflow.simulate import Batch, Record, Task
@@ -12,13 +13,6 @@ from workflow.study import Numerics
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
 MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds
-
-
-class Stored(Protocol):
-    """What can tell which records need not be computed: a store, or a set."""
-
-    def __contains__(self, record: Record, /) -> bool:
-        """Return whether a record is there."""
 
 
 class Missing(NamedTuple):
@@ -37,9 +31,12 @@ def batch_target(seconds: float) -> float:
     return min(max(shortest, seconds / MANY_BATCHES), longest)
 
 
-def missing_work(plan: Plan, stored: Stored, blocks: dict[str, int] | None = None) -> list[Missing]:
+def missing_work(
+    plan: Plan, stored: Container[Record], blocks: dict[str, int] | None = None
+) -> list[Missing]:
     """Return what of a plan is not stored: every such record is in exactly one entry.
 
+    stored : tells which records need not be computed, a store or a set.
     blocks : number of blocks by key of the task, by default those expected.
     """
     wanted = blocks or plan.expected
@@ -104,20 +101,17 @@ def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[B
 
 
 def _missing_runs(
-    line: list[Task], blocks: dict[str, int], stored: Stored
+    line: list[Task], blocks: dict[str, int], stored: Container[Record]
 ) -> Iterator[tuple[list[Task], int, int]]:
     """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
-    tasks: list[Task] = []
-    first = 0
-    last = max(blocks[task.key] for task in line)
-    for block in range(last):
-        lacking = [t for t in line if block < blocks[t.key] and (t.key, block) not in stored]
-        if lacking != tasks:
-            if tasks:
-                yield tasks, first, block - first
-            tasks, first = lacking, block
-    if tasks:
-        yield tasks, first, last - first
+
+    def lacking(block: int) -> list[Task]:
+        return [t for t in line if block < blocks[t.key] and (t.key, block) not in stored]
+
+    for tasks, run in groupby(range(max(blocks[task.key] for task in line)), lacking):
+        if tasks:
+            first, *others = run
+            yield tasks, first, 1 + len(others)
 
 
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:

@@ -8,7 +8,6 @@ from workflow.plan import Goal, allowed
 from workflow.reduce.fits import NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE
 
 MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2
-
 ACCURACY_MEANINGS = "missed met met_where_defined"
 
 

@@ -15,7 +15,6 @@ from workflow.reduce.jackknife import errors_needed, significant
 from workflow.reduce.least_squares import Model, fit_curves
 
 EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
-
 MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
 DECISIVE = 2.0  # standard errors by which a model must beat eq. 6
 ROUNDING = 1e-9  # gains below it are rounding

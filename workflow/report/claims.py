@@ -21,9 +21,7 @@ Results = Mapping[str, xr.Dataset]  # "fig7", and "fig7/paper_step" for its comp
 CLOSE = 0.01  # relative deviation that still counts as equal
 TOLERANCE = 0.25  # relative deviation up to which a claim holds approximately
 FACTOR = 2.0  # typical ratio up to which a power law over decades holds
-
 HOLDS, NOT_FOUND = "holds", "not found"
-
 ONLY_COARSE = "only with one implicit Euler step per Δx"  # whether the paper did so is not known
 
 

@@ -131,9 +131,8 @@ def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
     fits = "no fits asked for"
     if "fit_status" in data:
         meanings = STATUS_MEANINGS.replace("no_relaxation", "nothing_to_relax").split()
-        counts = [int((data.fit_status == k).sum()) for k in range(len(meanings))]
-        pairs = zip(counts, meanings, strict=True)
-        fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for n, meaning in pairs if n)
+        counts = {meaning: int((data.fit_status == k).sum()) for k, meaning in enumerate(meanings)}
+        fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for meaning, n in counts.items() if n)
     label = group or "the study itself"
     return label, str(data.attrs["scheme"]), str(data.attrs["steps_per_spacing"]), fits
 

@@ -2,12 +2,13 @@
 
 import dataclasses
 import sys
+from typing import Any
 
 from distributed.scheduler import KilledWorker
 
 from workflow.errors import UserError
 from workflow.plan import Plan
-from workflow.simulate import Batch, Record, Task
+from workflow.simulate import Batch, Task
 from workflow.store import Store
 
 
@@ -23,7 +24,7 @@ class Failures:
         self.store, self.plan, self.most = store, plan, most
         self.fresh = 0  # failures of this run
 
-    def __contains__(self, record: Record) -> bool:
+    def __contains__(self, record: Any) -> bool:
         """Return whether nothing is left to do for a record: stored, or of a failed task."""
         return record[0] in self.store.failed or record in self.store
 

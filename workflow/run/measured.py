@@ -25,6 +25,5 @@ def run_measured(study: Measured, result: Path) -> str:
     marked = {name: data.assign_attrs(origins | data.attrs) for name, data in groups.items()}
     write_datasets(result, marked)
     summary = study.script.summary(groups) if hasattr(study.script, "summary") else []
-    return "\n".join(
-        [*summary, f"{duration(used)} of core time used, {duration(seconds)} predicted"]
-    )
+    time_line = f"{duration(used)} of core time used, {duration(seconds)} predicted"
+    return "\n".join([*summary, time_line])

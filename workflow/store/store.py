@@ -11,7 +11,9 @@ import contextlib
 import os
 import socket
 import sys
+from functools import lru_cache
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -50,7 +52,7 @@ class Store:
         self.folder = folder
         self.index = Index()
         self.failed = self.index.failed  # key of each task that failed for good -> why
-        self.recent: dict[str, Contents] = {}
+        self._contents = lru_cache(CACHED_SHARDS)(lambda name: self._load(name))
         for entry, _ in journal.entries(folder):
             self.index.replay(entry)
 
@@ -74,7 +76,7 @@ class Store:
                 with contextlib.suppress(DamagedShard):
                     self._enter(name, found[name], self._load(name).batches)
 
-    def __contains__(self, record: Record) -> bool:
+    def __contains__(self, record: Any) -> bool:
         """Return whether a record is stored durably."""
         return record in self.index
 
@@ -124,13 +126,6 @@ class Store:
 
     def _path(self, name: str) -> Path:
         return self.folder / f"{name}.nc"
-
-    def _contents(self, name: str) -> Contents:
-        if name not in self.recent:
-            while len(self.recent) >= CACHED_SHARDS:
-                del self.recent[next(iter(self.recent))]
-            self.recent[name] = self._load(name)
-        return self.recent[name]
 
     def _load(self, name: str) -> Contents:
         try:

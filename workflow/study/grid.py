@@ -75,23 +75,19 @@ def _step(key: str, value: object) -> float:
     return checked
 
 
-def _axis(check: Callable[[str, object], float]) -> Key:
-    """Return the key of an axis each of whose values passes a check."""
-
-    def values(key: str, spec: object) -> tuple[float, ...]:
-        return tuple(check(key, value) for value in axis_values(key, spec))
-
-    return Key(values)
+def _values(check: Callable[[str, object], float], key: str, spec: object) -> tuple[float, ...]:
+    return tuple(check(key, value) for value in axis_values(key, spec))
 
 
-GRID = {
-    "hurst": _axis(partial(within, least=0.0, most=1.0)),
-    "normal_force": _axis(positive),
-    "spacing": _axis(positive),
-    "roughness": _axis(positive),
-    "velocity": _axis(positive),
-    "velocity_step": _axis(_step),
+CHECKS: dict[str, Callable[[str, object], float]] = {
+    "hurst": partial(within, least=0.0, most=1.0),
+    "normal_force": positive,
+    "spacing": positive,
+    "roughness": positive,
+    "velocity": positive,
+    "velocity_step": _step,
 }
+GRID = {axis: Key(partial(_values, check)) for axis, check in CHECKS.items()}
 AXES = tuple(GRID)
 
 

@@ -47,4 +47,4 @@ def test_a_measured_study_is_planned_run_and_shown_by_the_same_commands(capsys, 
 def test_every_kind_of_study_can_be_told_every_command():
     kinds = {kind.kind for kind in AnyStudy.__subclasses__()}
     assert kinds == set(KINDS)
-    assert all(callable(command) for kind in KINDS.values() for command in kind)
+    assert all(callable(command) for kind in KINDS.values() for command in kind.values())
