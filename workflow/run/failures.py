@@ -54,10 +54,8 @@ class Failures:
         tasks = self.tasks()
         if not tasks:
             return []
-        lines = [f"{len(tasks)} problems failed; --retry-failed tries them again:"]
-        return lines + [
-            f"  {self.where(t)} {label}: {self.store.failed[t.key]}" for label, t in tasks
-        ]
+        said = [f"  {self.where(t)} {label}: {self.store.failed[t.key]}" for label, t in tasks]
+        return [f"{len(tasks)} problems failed; --retry-failed tries them again:", *said]
 
     def where(self, task: Task) -> str:
         """Return the first grid point of a task in words."""

@@ -60,10 +60,10 @@ class Status:
         """Return what the command prints; ``by`` is who runs something in the folder."""
         total = max(self.total, self.done)  # rounds may take more than was foreseen
         alive = by is not None and f"process {self.pid} on {self.host}" in by
+        running, workers = (self.running, self.workers) if alive else (0, 0)
         found = [
             f"done        {self.done} of {total} records (problem x block)",
-            f"running     {self.running if alive else 0} batches on "
-            f"{self.workers if alive else 0} workers",
+            f"running     {running} batches on {workers} workers",
             f"waiting     {total - self.done} records",
             f"failed      {self.failed} problems",
             f"remaining   {self.left / 3600.0:.3g} core-hours, predicted",

@@ -108,17 +108,12 @@ def read_grid(table: Any, length: float, snap: bool, steady_alone: bool) -> Grid
     if snap:
         grid["spacing"] = snapped_spacing(length, grid["spacing"])
     for spacing in grid["spacing"]:
-        _check_division(spacing, length)
+        elements = length / spacing
+        if round(elements) < LEAST_ELEMENTS or abs(elements / round(elements) - 1.0) > 1e-9:
+            near = length / max(LEAST_ELEMENTS, round(elements))
+            raise UserError(
+                f"grid.spacing = {spacing:g}: must divide surface.length = {length:g} into at "
+                f"least {LEAST_ELEMENTS} elements (nearest: {near!r}; or set "
+                "surface.snap_spacing = true)"
+            )
     return grid
-
-
-def _check_division(spacing: float, length: float) -> None:
-    """Raise UserError where a spacing does not divide the length into elements."""
-    elements = length / spacing
-    if round(elements) < LEAST_ELEMENTS or abs(elements / round(elements) - 1.0) > 1e-9:
-        near = length / max(LEAST_ELEMENTS, round(elements))
-        raise UserError(
-            f"grid.spacing = {spacing:g}: must divide surface.length = {length:g} into at "
-            f"least {LEAST_ELEMENTS} elements (nearest: {near!r}; or set "
-            "surface.snap_spacing = true)"
-        )

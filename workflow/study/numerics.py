@@ -1,9 +1,8 @@
 """How problems are discretised: the tables [numerics] and [compare.NAME]."""
 
 import re
-from dataclasses import dataclass
 from functools import partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from kernels import SCHEMES
 from workflow.errors import UserError
@@ -11,12 +10,12 @@ from workflow.study.checks import Key, as_table, choice, integer, read_table, wi
 
 LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
 LONG_BELOW = 0.01
-ACCURACIES = (1e-4, 0.3)  # beyond the one nothing is in reach, beyond the other no law holds
+# Beyond the one nothing is in reach, beyond the other no law holds.
+ACCURACY = partial(within, least=1e-4, most=0.3, hint=" (0.01 is 1 %)")
 AUTO = "auto"
 
 
-@dataclass(frozen=True)
-class Numerics:
+class Numerics(NamedTuple):
     """How problems are discretised; ``steps_per_spacing = None`` stands for "auto"."""
 
     scheme: str = "exponential"
@@ -31,15 +30,14 @@ def _steps(key: str, value: object) -> int | None:
     return None if value == AUTO else integer(key, value, 1)
 
 
+USUAL = Numerics()
 NUMERICS = {
-    "scheme": Key(partial(choice, known=SCHEMES), Numerics.scheme),
+    "scheme": Key(partial(choice, known=SCHEMES), USUAL.scheme),
     "steps_per_spacing": Key(_steps, None),
-    "samples": Key(partial(integer, least=8, most=10_000), Numerics.curve_samples),
+    "samples": Key(partial(integer, least=8, most=10_000), USUAL.curve_samples),
     "horizon": Key(partial(within, least=1.0, most=100.0), None),
-    "accuracy": Key(
-        partial(within, least=ACCURACIES[0], most=ACCURACIES[1], hint=" (0.01 is 1 %)"), None
-    ),
-    "max_realizations": Key(partial(integer, least=1), Numerics.max_realizations),
+    "accuracy": Key(ACCURACY, None),
+    "max_realizations": Key(partial(integer, least=1), USUAL.max_realizations),
 }
 
 
@@ -59,11 +57,11 @@ def _numerics(where: str, table: dict[str, Any]) -> Numerics:
     values = read_table(where, table, NUMERICS)
     if values["horizon"] is None:
         fine = values["accuracy"] is not None and values["accuracy"] < LONG_BELOW
-        values["horizon"] = LONG_HORIZON if fine else Numerics.horizon
+        values["horizon"] = LONG_HORIZON if fine else USUAL.horizon
     found = Numerics(curve_samples=values.pop("samples"), **values)
-    if found.accuracy and found.scheme != Numerics.scheme and not found.steps_per_spacing:
+    if found.accuracy and found.scheme != USUAL.scheme and not found.steps_per_spacing:
         raise UserError(
             f"{where}.scheme = {found.scheme!r}: where the accuracy chooses the steps it takes "
-            f"{Numerics.scheme}, never dearer; leave scheme out or give steps_per_spacing too"
+            f"{USUAL.scheme}, never dearer; leave scheme out or give steps_per_spacing too"
         )
     return found
