@@ -5,7 +5,6 @@ import pytest
 import xarray as xr
 
 from kernels import SCHEMES, ConstantForce, Line, lagged_slope, march, steady_sliding, step_average
-from studies.accuracy.discretisation import climb, ladder_steps, reference
 from studies.accuracy.marches import MARCHES
 from studies.accuracy.measure import table
 from studies.accuracy.points import COMPARED, POINTS, Point, surface
@@ -43,31 +42,6 @@ def test_alternatives_agree_with_the_kernels_at_equal_m(name, m):
     np.testing.assert_allclose(one.advance(10, dt / 1.2), mu, rtol=TOLERANCE[name])
 
 
-@pytest.fixture(scope="module")
-def ladders():
-    """Return the reference of one point and both schemes over m = 1 ... 16."""
-    point = Point(0.0, 0.3, 0.5)
-    surfaces = [surface(point, 200, 1, k) for k in range(8)]
-    limit = reference(point, surfaces, 16)
-    steps = ladder_steps(point, 16)
-    return limit, {s: climb(point, surfaces, s, steps, limit) for s in SCHEMES}
-
-
-def test_both_schemes_converge_to_one_reference(ladders):
-    limit, found = ladders
-    for ladder in found.values():
-        coarse, *_, fine = ladder.error.values
-        assert fine[0] < 0.1 * coarse[0]
-        assert fine[3] < 0.2 * coarse[3]
-    assert np.all(limit.error[[0, 1, 3]] < 0.01)
-
-
-def test_rate_of_creep_is_that_of_the_scheme(ladders):
-    _, found = ladders
-    assert found["implicit-euler"].error[-1, 2] > 0.1
-    assert found["exponential"].error[-1, 2] < 0.01
-
-
 def test_choice_balances_bias_and_realizations():
     ladder = ("point", "scheme", "steps")
     bias = np.tile([[0.1], [0.02], [-0.005]], (1, 1, 1, 3))
@@ -96,11 +70,19 @@ def groups(tmp_path_factory):
     return load(folder / "accuracy.nc")
 
 
-def test_errors_fall_with_m(groups):
+def test_both_schemes_converge_to_one_reference(groups):
     data = groups[""]
-    error = data.error.sel(scheme="exponential", quantity="mu_1", steps=[2, 16])
-    assert (error.isel(steps=1) < 0.1 * error.isel(steps=0)).all()
+    for quantity, share in (("mu_1", 0.1), ("curve", 0.2)):
+        error = data.error.sel(quantity=quantity)
+        assert (error.sel(steps=16) < share * error.sel(steps=1)).all()
+        assert (data.reference_error.sel(quantity=quantity) < 0.01).all()
     assert (data.seconds.dropna("steps", how="all") > 0.0).any()
+
+
+def test_rate_of_creep_is_that_of_the_scheme(groups):
+    creep = groups[""].error.isel(point=0).sel(quantity="rate", steps=16)  # x = 0.3
+    assert creep.sel(scheme="implicit-euler") > 0.1
+    assert creep.sel(scheme="exponential") < 0.01
 
 
 def test_sampling_error_falls_as_the_root_of_the_number(groups):

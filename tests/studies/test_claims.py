@@ -62,15 +62,11 @@ def jumps(level):
     return add(dataset, 0.001, mu_1=SLOPE * mu, jump=SLOPE * 0.2 * law * level)
 
 
-def test_plateau_and_interpolation_hold():
-    found = fig6.interpolation({"fig6": jumps(1.0)})
-    assert (found.verdict, found.error) == ("holds", "0.1 % a point")
-    assert fig6.plateau({"fig6": jumps(1.05)}).verdict == "holds"
-
-
-def test_plateau_and_interpolation_fail():
-    assert fig6.interpolation({"fig6": jumps(0.5)}).verdict == "not found"
-    assert fig6.plateau({"fig6": jumps(0.5)}).verdict == "not found"
+@pytest.mark.parametrize(("level", "verdict"), [(1.0, "holds"), (0.5, "not found")])
+def test_plateau_and_interpolation(level, verdict):
+    found = fig6.interpolation({"fig6": jumps(level)})
+    assert (found.verdict, found.error) == (verdict, "0.1 % a point")
+    assert fig6.plateau({"fig6": jumps(1.05 * level)}).verdict == verdict
 
 
 def test_interpolation_names_the_worst_point():
@@ -82,29 +78,25 @@ def test_interpolation_names_the_worst_point():
 
 
 @pytest.mark.parametrize(
-    ("law", "verdict"),
+    ("converged", "coarse", "verdict"),
     [
-        (lambda x: 2.4 * (x / 5e-6) ** -0.5, "holds if Δx = 5 ± 0.1 µm"),
-        (lambda x: 5.0 * (x / 1e-5) ** -0.5, "not found"),
+        ("2.4 at 5 µm", None, "holds if Δx = 5 ± 0.1 µm"),
+        ("5 at 10 µm", "5 at 10 µm", "not found"),
+        ("1", "2.4 at 5 µm", "only with one implicit Euler step per Δx, Δx = 5 ± 0.1 µm"),
     ],
 )
-def test_rate_of_figure_4(law, verdict):
-    dataset = result("fig4", hurst=[0.7], normal_force=[1.2], velocity=[0.05], spacing=SPACINGS)
-    dataset = with_rates(dataset, law(dataset.spacing))
-    assert fig4.example_rate({"fig4": dataset}).verdict == verdict
-
-
-SPACINGS = np.geomspace(1e-6, 1e-5, 7)
-
-
-def test_rate_of_figure_4_with_the_coarse_step_only():
-    dataset = result("fig4", hurst=[0.7], normal_force=[1.2], velocity=[0.05], spacing=SPACINGS)
-    results = {
-        "fig4": with_rates(dataset.copy(), 1.0),
-        "fig4/paper_step": with_rates(dataset.copy(), 2.4 * (dataset.spacing / 5e-6) ** -0.5),
+def test_rate_of_figure_4(converged, coarse, verdict):
+    axes = {"normal_force": [1.2], "velocity": [0.05], "spacing": np.geomspace(1e-6, 1e-5, 7)}
+    dataset = result("fig4", hurst=[0.7], **axes)
+    laws = {
+        "1": xr.ones_like(dataset.spacing),
+        "2.4 at 5 µm": 2.4 * (dataset.spacing / 5e-6) ** -0.5,
+        "5 at 10 µm": 5.0 * (dataset.spacing / 1e-5) ** -0.5,
     }
-    verdict = fig4.example_rate(results).verdict
-    assert verdict == "only with one implicit Euler step per Δx, Δx = 5 ± 0.1 µm"
+    results = {"fig4": with_rates(dataset.copy(), laws[converged])}
+    if coarse:
+        results["fig4/paper_step"] = with_rates(dataset.copy(), laws[coarse])
+    assert fig4.example_rate(results).verdict == verdict
 
 
 @pytest.mark.parametrize(

@@ -36,29 +36,27 @@ def code(path):
     return [cell for cell in notebook.cells if cell.cell_type == "code"]
 
 
-def texts(outputs):
+@pytest.fixture(scope="module")
+def printed(outputs):
     """Return all printed text."""
     return "".join(part.text for cell in outputs for part in cell if "text" in part)
 
 
-def test_every_cell_runs_without_warnings(outputs):
-    assert not [part for cell in outputs for part in cell if part.get("name") == "stderr"]
+def test_every_cell_runs_without_warnings_and_both_plots_are_drawn(outputs):
+    parts = [part for cell in outputs for part in cell]
+    assert not [part for part in parts if part.get("name") == "stderr"]
+    assert len([part for part in parts if "image/png" in part.get("data", {})]) == 2
 
 
-def test_units_and_origin_are_shown(outputs):
-    assert "indentation      [m] steady indentation d at v1" in texts(outputs)
-    assert "seed: 2014" in texts(outputs)
+def test_units_and_origin_are_shown(printed):
+    assert "indentation      [m] steady indentation d at v1" in printed
+    assert "seed: 2014" in printed
 
 
-def test_the_fit_agrees_with_the_stored_rate(outputs):
-    (line,) = [line for line in texts(outputs).splitlines() if line.startswith("b = ")]
+def test_the_fit_agrees_with_the_stored_rate(printed):
+    (line,) = [line for line in printed.splitlines() if line.startswith("b = ")]
     here, stored = float(line.split()[2]), float(line.split()[5])
     assert here == pytest.approx(stored, rel=1e-3)
-
-
-def test_both_plots_are_drawn(outputs):
-    images = [part for cell in outputs for part in cell if "image/png" in part.get("data", {})]
-    assert len(images) == 2
 
 
 def test_a_missing_result_is_said_plainly(tmp_path, monkeypatch):
