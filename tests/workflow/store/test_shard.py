@@ -2,7 +2,7 @@
 
 import dataclasses
 
-from tests.support.shards import BATCH, WORK, assert_holds, filled, records, shard_of
+from tests.support.shards import WORK, assert_holds, records
 from tests.support.small import random_result
 from workflow.store.store import Store
 
@@ -25,9 +25,3 @@ def test_batches_of_different_length_share_a_shard(tmp_path):
     assert_holds(store, *work[0])
     _, curves = store.read(records(longer), 39)
     assert curves.tobytes() == work[1][1].curves.tobytes()
-
-
-def test_same_result_gives_the_same_file(tmp_path):
-    one, _ = filled(tmp_path / "one", [BATCH])
-    two, _ = filled(tmp_path / "two", [BATCH])
-    assert shard_of(one, BATCH).read_bytes() == shard_of(two, BATCH).read_bytes()
