@@ -9,9 +9,7 @@ import ast
 from collections.abc import Callable
 from importlib import import_module
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
-
-__all__ = ["TYPE_CHECKING", "public_names"]
+from typing import Any
 
 
 def public_names(package: str, file: str) -> tuple[list[str], Callable[[str], Any]]:

@@ -3,7 +3,9 @@
 Knows all rooms; no room knows it.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.cli.commands import main

@@ -3,7 +3,9 @@
 The only room beside run that knows dask's scheduler.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.cluster.client import open_client

@@ -3,7 +3,9 @@
 Plain data: it computes no realization and opens no store.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.plan.batches import (

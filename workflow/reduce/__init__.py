@@ -3,7 +3,9 @@
 Plain arrays in and out; runs on the workers.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.reduce.attainment import (

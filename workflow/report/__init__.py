@@ -3,7 +3,9 @@
 Reads result files alone; knows no run.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.report.claims import (

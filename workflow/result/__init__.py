@@ -3,7 +3,9 @@
 The first room that knows xarray.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.result.dataset import Groups, build_dataset

@@ -3,7 +3,9 @@
 Computes what is missing, stores it as it finishes, reduces, writes the result.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.run.measured import run_measured

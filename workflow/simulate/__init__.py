@@ -3,7 +3,9 @@
 Imports numpy and the kernels alone; its code is part of the key of every record.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.simulate.code import CODE

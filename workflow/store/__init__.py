@@ -3,7 +3,9 @@
 One process writes, any number read; a record is found by (key of its task, block).
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.store.journal import size

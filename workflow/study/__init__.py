@@ -3,7 +3,9 @@
 Knows the kernels' names of schemes and spectra, and no later stage.
 """
 
-from workflow.lazy import TYPE_CHECKING, public_names
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.study.checks import choice, integer, number, positive, within
