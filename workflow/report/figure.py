@@ -64,17 +64,17 @@ def draw_groups(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
     with mpl.rc_context(cast(Any, STYLE)):
         try:
             figure = draw(groups)
+            for kind in ("png", "pdf"):
+                # No creation date: the same result gives the same file.
+                stamp = {"CreationDate": None} if kind == "pdf" else {}
+                drawn = io.BytesIO()
+                figure.savefig(drawn, format=kind, metadata=stamp)
+                figure.set_layout_engine("none")  # laid out once: alike in both, and quicker
+                files[result.with_suffix(f".{kind}")] = drawn.getvalue()
         except BROKEN as error:
-            plt.close("all")
             raise broken(study, result, error) from error
-        for kind in ("png", "pdf"):
-            # No creation date: the same result gives the same file.
-            stamp = {"CreationDate": None} if kind == "pdf" else {}
-            drawn = io.BytesIO()
-            figure.savefig(drawn, format=kind, metadata=stamp)
-            figure.set_layout_engine("none")  # laid out once: alike in both files, and quicker
-            files[result.with_suffix(f".{kind}")] = drawn.getvalue()
-        plt.close(figure)
+        finally:
+            plt.close("all")
     for file, content in files.items():
         write_durably(file, content)
     return list(files)
