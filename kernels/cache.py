@@ -65,6 +65,7 @@ class CheckedCache(FunctionCache):
     """numba's cache on disk, for which a damaged file is one that is not there."""
 
     def __init__(self, function: Callable) -> None:
+        numba.config.CACHE_DIR = FOLDER  # numba forgets it where a variable NUMBA_... changes
         super().__init__(function)
         stamp = self._impl.locator.get_source_stamp()
         self._cache_file = _CheckedFile(self._cache_path, self._impl.filename_base, stamp)
@@ -91,8 +92,7 @@ class CheckedCache(FunctionCache):
             warnings.warn(f"machine code is not cached: {error}", RuntimeWarning, stacklevel=2)
 
 
-if not os.environ.get("NUMBA_CACHE_DIR"):
-    numba.config.CACHE_DIR = _cache_folder()
+FOLDER = os.environ.get("NUMBA_CACHE_DIR") or _cache_folder()
 
 
 @contextlib.contextmanager
@@ -107,6 +107,6 @@ def _one_process(name: str) -> Iterator[None]:
     """Wait until no other process of this machine holds the lock of a name."""
     with contextlib.ExitStack() as stack:
         with contextlib.suppress(OSError):  # no lock: each works for itself
-            file = stack.enter_context(Path(numba.config.CACHE_DIR, name).open("w"))
+            file = stack.enter_context(Path(FOLDER, name).open("w"))
             fcntl.flock(file, fcntl.LOCK_EX)
         yield

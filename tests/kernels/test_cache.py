@@ -7,7 +7,8 @@ from pathlib import Path
 import numba
 import pytest
 
-from kernels import cache
+from kernels import cache, march
+from kernels.jit import kernel
 from tests.sizes import PLAIN_PYTHON
 
 HASH = cache.source_hash()
@@ -86,6 +87,9 @@ def test_a_home_that_is_not_ours_to_write_is_replaced(monkeypatch, home, blocked
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
-def test_numba_caches_in_that_folder():
-    expected = os.environ.get("NUMBA_CACHE_DIR") or cache._cache_folder()
-    assert str(numba.config.CACHE_DIR) == expected
+def test_numba_caches_in_that_folder_whatever_it_forgets(monkeypatch):
+    assert (os.environ.get("NUMBA_CACHE_DIR") or cache._cache_folder()) == cache.FOLDER
+    monkeypatch.setenv("NUMBA_ANYTHING", "1")
+    numba.config.reload_config()
+    late = kernel(test_hash_does_not_depend_on_the_place)
+    assert {Path(k._cache.cache_path).parent for k in (march, late)} == {Path(cache.FOLDER)}

@@ -27,7 +27,7 @@ def compiled(monkeypatch):
 @pytest.fixture
 def cache(tmp_path, monkeypatch):
     """Let machine code be kept in an empty folder."""
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path))
+    monkeypatch.setattr("kernels.cache.FOLDER", str(tmp_path))
     return tmp_path
 
 
@@ -64,7 +64,7 @@ def test_damaged_machine_code_is_made_again(cache, suffix, damage):
 
 def test_a_full_disk_costs_a_warning(tmp_path, monkeypatch):
     with mounted(tmp_path / "disk", "8k") as disk:
-        monkeypatch.setattr(numba.config, "CACHE_DIR", str(disk))
+        monkeypatch.setattr("kernels.cache.FOLDER", str(disk))
         for _ in range(2):
             with pytest.warns(RuntimeWarning, match="not cached: .Errno 28. No space left"):
                 assert hits() == 0
@@ -95,6 +95,6 @@ def test_one_process_of_a_machine_at_a_time_compiles(cache):
 
 
 def test_without_a_folder_to_lock_each_compiles_for_itself(monkeypatch):
-    monkeypatch.setattr(numba.config, "CACHE_DIR", "/nowhere/at/all")
+    monkeypatch.setattr("kernels.cache.FOLDER", "/nowhere/at/all")
     with compiling():
         pass

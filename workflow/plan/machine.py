@@ -16,6 +16,7 @@ from typing import NamedTuple
 import numba
 import numpy as np
 
+from kernels import cache
 from kernels.cache import source_hash
 from workflow.errors import UserError
 from workflow.plan import timing
@@ -37,7 +38,7 @@ def timings_file() -> Path:
     method = Path(timing.__file__).read_bytes()
     what = (source_hash(), processor(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
     name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
-    return Path(numba.config.CACHE_DIR) / f"timings-{name}.json"
+    return Path(cache.FOLDER) / f"timings-{name}.json"
 
 
 def this_machine() -> Machine:

@@ -8,11 +8,11 @@ import sys
 from pathlib import Path
 from typing import NamedTuple
 
-import numba
 import numpy as np
 import pytest
 
 from kernels import ConstantForce, Kelvin, PrintedForce, State, march, steady, steady_sliding
+from kernels.cache import FOLDER
 from kernels.rheology.law import reach
 from tests.sizes import PLAIN_PYTHON
 from tests.support.sweeps import sweep
@@ -54,7 +54,7 @@ def slide(marches):
 def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_path, marches):
     """Of the law of a new file neither; its numbers are those of the Kelvin element."""
     cache = tmp_path / "cache"
-    shutil.copytree(numba.config.CACHE_DIR, cache, ignore=shutil.ignore_patterns("*.tmp*"))
+    shutil.copytree(FOLDER, cache, ignore=shutil.ignore_patterns("*.tmp*"))
     code = f"from tests.kernels.rheology import test_law; print(test_law.slide({marches}))"
     (numbers, misses), second = (
         ast.literal_eval(

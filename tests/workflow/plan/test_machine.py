@@ -2,7 +2,6 @@
 
 import json
 
-import numba
 import pytest
 
 from workflow.plan import machine
@@ -23,7 +22,7 @@ def measured(tmp_path, monkeypatch):
 
     monkeypatch.setattr(machine, "timings_file", timings_file)  # not that of all tests
     monkeypatch.setattr(machine, "_measured", measure)
-    monkeypatch.setattr(numba.config, "CACHE_DIR", str(tmp_path / "cache"))
+    monkeypatch.setattr("kernels.cache.FOLDER", str(tmp_path / "cache"))
     return calls
 
 
