@@ -36,7 +36,7 @@ class Goal(NamedTuple):
 
 
 def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
-    """Return the cheapest way to the accuracy, by the laws of accuracy.py and of cost.py.
+    """Return the cheapest way to the accuracy, by the laws of error_laws.py and cost.py.
 
     Discretisation may take up to half of the accuracy; where no line that fits a worker is that
     fine, the finest that does. A number of steps given by the user stands, and its error is not
