@@ -10,10 +10,10 @@ USUAL  := not cluster and not exhaustive
 NUMERICAL := tests/kernels tests/hard tests/independent tests/workflow/reduce
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-all test-cluster test-nojit test-processors chaos fuzz coverage check bench mutation intervals clean
+.PHONY: help setup studies report test test-all test-cluster test-nojit test-processors test-generic test-rounding chaos fuzz coverage check bench mutation intervals clean
 
 help: ## List the targets
-	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 14
+	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 17
 
 setup: $(READY) ## Create .venv with the package and its development tools
 
@@ -45,10 +45,14 @@ test-cluster: $(READY) ## Run the tests with real clusters on this machine (SLUR
 test-nojit: $(READY) ## Run the tests of the kernels as plain Python
 	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)
 
-test-processors: $(READY) ## Run the numerical tests as other processors do: plain instructions, other rounding
+test-processors: test-generic test-rounding ## Run the numerical tests as other processors do
+
+test-generic: $(READY) ## ... with none but the plainest instructions
 	NUMBA_CPU_NAME=generic NUMBA_CPU_FEATURES= NPY_DISABLE_CPU_FEATURES="$$($(BIN)/python -c \
 	  'import numpy; print(*numpy.show_config(mode="dicts")["SIMD Extensions"].get("found", []))')" \
 	  $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
+
+test-rounding: $(READY) ## ... with lines that are rounded otherwise
 	LAST_BIT=1 $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
 
 chaos: $(READY) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
