@@ -60,7 +60,7 @@ def outline(settings: dict) -> tuple[list[str], float]:
 
 def _study_seconds(name: str, settings: dict) -> float:
     plan, pieces, target = planned(name, settings["scale"])
-    number = sum(piece.blocks * piece.seconds / target for piece in pieces)
+    number = sum(piece.blocks / max(1.0, target / piece.seconds) for piece in pieces)
     tasks = sum(len(variant.tasks) for variant in plan.variants)
     return len(settings["workers"]) * (SECONDS_TO_PLAN * tasks + SECONDS_PER_BATCH * number)
 
