@@ -10,7 +10,7 @@ USUAL  := not cluster and not exhaustive
 NUMERICAL := tests/kernels tests/hard tests/independent tests/workflow/reduce
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-all test-cluster test-nojit test-processors test-generic test-rounding chaos fuzz coverage check bench mutation intervals clean
+.PHONY: help setup studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding chaos fuzz coverage check bench mutation intervals clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 17
@@ -38,6 +38,9 @@ test: $(READY) ## Run the tests on all cores: all but those with clusters and th
 
 test-all: $(READY) ## Run the tests on all cores, the exhaustive ones as well
 	$(PYTEST) -m "not cluster" --hypothesis-profile exhaustive
+
+test-exhaustive: $(READY) ## Run the exhaustive tests alone
+	$(PYTEST) -m exhaustive
 
 test-cluster: $(READY) ## Run the tests with real clusters on this machine (SLURM if it is installed)
 	$(BIN)/python -m pytest -m cluster tests/cluster

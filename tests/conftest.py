@@ -20,7 +20,7 @@ ORDER = ("studies", "workflow/run", "workflow/cluster", "hard", "workflow", "ind
 
 
 def pytest_xdist_auto_num_workers() -> int:
-    """Return the number of processes: one per core, two to eight: each takes up to 1 GB."""
+    """Return the number of processes: one per core, at least two, at most eight of up to 1 GB."""
     cores = os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else (os.cpu_count(),)
     return min(8, max(2, len(cores)))
 

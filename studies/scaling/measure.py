@@ -1,7 +1,7 @@
 """What clusters of 10, 100 and 1000 workers do with the studies of the paper."""
 
 from collections.abc import Callable
-from functools import partial
+from functools import cache, partial
 from itertools import product
 from typing import Any
 
@@ -52,17 +52,19 @@ SETTINGS = {
 
 def outline(settings: dict) -> tuple[list[str], float]:
     """Return what would be measured, and the predicted core-seconds of this and its processes."""
-    seconds = sum(_study_seconds(name, settings) for name in settings["studies"])
+    scale, clusters = settings["scale"], len(settings["workers"])
+    seconds = sum(_study_seconds(name, scale, clusters) for name in settings["studies"])
     workers = ", ".join(map(str, settings["workers"]))
     named = ", ".join(settings["studies"])
     return [f"simulated   {named} ({settings['scale']}) on {workers} workers"], seconds + 5.0
 
 
-def _study_seconds(name: str, settings: dict) -> float:
-    plan, pieces, target = planned(name, settings["scale"])
+@cache  # a plan of the paper's scale takes seconds, and the outline has asked before
+def _study_seconds(name: str, scale: str, clusters: int) -> float:
+    plan, pieces, target = planned(name, scale)
     number = sum(piece.blocks / max(1.0, target / piece.seconds) for piece in pieces)
     tasks = sum(len(variant.tasks) for variant in plan.variants)
-    return len(settings["workers"]) * (SECONDS_TO_PLAN * tasks + SECONDS_PER_BATCH * number)
+    return clusters * (SECONDS_TO_PLAN * tasks + SECONDS_PER_BATCH * number)
 
 
 def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
@@ -91,7 +93,7 @@ def _studies(settings: dict, costs: Costs, advance: Callable[[float], None]) -> 
         for workers in settings["workers"]:
             where = {"study": name, "scale": settings["scale"], "workers": workers}
             frames.append({**where, **alone(**where, costs=list(costs))})
-        advance(_study_seconds(name, settings))
+        advance(_study_seconds(name, settings["scale"], len(settings["workers"])))
     frame = pd.DataFrame(frames).drop(columns="scale").set_index(["study", "workers"])
     return frame.to_xarray()
 

@@ -1,9 +1,23 @@
-"""Tables written as TOML."""
+"""Tables of a study, and their text as TOML."""
 
 import json
 import tomllib
 
 from tests.support.small import TEXT
+
+CLUSTER = {  # every key of the table [cluster]
+    "where": "slurm",
+    "queue": "normal",
+    "cores": 4,
+    "memory": "8GB",
+    "walltime": "02:00:00",
+    "account": "friction",
+    "prologue": ["module load python"],
+    "jobs": 25,
+    "interface": "ib0",
+    "log_folder": "logs",
+    "patience": 86400,
+}
 
 
 def toml(value):

@@ -4,24 +4,10 @@ import subprocess
 
 import pytest
 
+from tests.support.documents import CLUSTER
 from workflow.cluster import jobs as slurm
 from workflow.errors import UserError
 from workflow.study.cluster import read_cluster
-
-TABLE = {
-    "where": "slurm",
-    "queue": "normal",
-    "cores": 4,
-    "memory": "8GB",
-    "walltime": "02:00:00",
-    "account": "friction",
-    "prologue": ["module load python"],
-    "jobs": 25,
-    "interface": "ib0",
-    "log_folder": "logs",
-    "patience": 86400,
-}
-
 
 LINES = (
     "#SBATCH -p normal",
@@ -46,7 +32,7 @@ OPTIONS = (
 def test_jobs_are_asked_for_as_the_table_says():
     from dask_jobqueue.slurm import SLURMJob
 
-    settings = slurm._settings(read_cluster(TABLE))
+    settings = slurm._settings(read_cluster(CLUSTER))
     settings.pop("scheduler_options")
     script = SLURMJob("tcp://here:1", "name", **settings).job_script()
     assert set(LINES) <= set(script.splitlines())

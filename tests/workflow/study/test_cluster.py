@@ -2,21 +2,8 @@
 
 import pytest
 
+from tests.support.documents import CLUSTER
 from workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
-
-TABLE = {
-    "where": "slurm",
-    "queue": "normal",
-    "cores": 4,
-    "memory": "8GB",
-    "walltime": "02:00:00",
-    "account": "friction",
-    "prologue": ["module load python"],
-    "jobs": 25,
-    "interface": "ib0",
-    "log_folder": "logs",
-    "patience": 86400,
-}
 
 
 def test_walltimes_are_those_of_slurm():
@@ -31,10 +18,10 @@ def test_a_study_is_computed_here_unless_it_says_otherwise():
 
 
 def test_every_key_arrives():
-    assert read_cluster(TABLE) == Cluster(**TABLE | {"prologue": ("module load python",)})
+    assert read_cluster(CLUSTER) == Cluster(**CLUSTER | {"prologue": ("module load python",)})
 
 
 def test_batches_are_far_shorter_than_the_life_of_a_worker():
-    place = read_cluster(TABLE)
+    place = read_cluster(CLUSTER)
     assert place.lifetime == pytest.approx(6480.0)
     assert place.longest_batch == pytest.approx(324.0)
