@@ -29,7 +29,7 @@ from workflow.run.status import Status, StatusWriter, identity, status_file
 from workflow.run.summary import Summary, accuracy_lines
 from workflow.simulate import BatchResult, load_kernels
 from workflow.store import DamagedShard, Shelf, Store, store_folder
-from workflow.study import HERE, Cluster
+from workflow.study import HERE, LOCAL, Cluster
 from workflow.system import Interrupt, Reporter, clear_leftovers, hold, package_versions, processor
 
 ATTEMPTS = 3  # at a result, when shards turn out damaged
@@ -61,7 +61,7 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
     folder = store_folder(result)
     with hold(folder):
         run = _Run(plan, result, Store(folder), how)
-        if run.missing:
+        if run.missing and how.cluster.where == LOCAL:  # workers elsewhere compile for themselves
             for variant in plan.variants:
                 load_kernels(variant.numerics.scheme, plan.asked)
         with run.interrupt, open_client(how.cluster, how.workers, how.dashboard) as client:
