@@ -1,0 +1,71 @@
+"""The animation of a scene: its frames, and what it refuses."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+import xarray as xr
+from PIL import Image, ImageChops, ImageSequence
+
+from workflow.errors import UserError
+from workflow.report import animate
+
+STEPS, ELEMENTS = 6, 40
+
+
+def sliding_scene() -> xr.Dataset:
+    """Return snapshots of a wavy line that moves over a foundation without memory."""
+    x = np.linspace(0.0, 1e-4, ELEMENTS, endpoint=False)
+    shift = np.arange(STEPS)[:, None] * 1e-5
+    height = 1e-6 * (np.cos(2e5 * np.pi * (x - shift) / 10.0) + 0.2)
+    return xr.Dataset(
+        {
+            "snapshot_height": (("event", "x"), height),
+            "snapshot_displacement": (("event", "x"), np.minimum(height, 0.0)),
+            "trace_mu": ("event", np.linspace(0.1, 0.2, STEPS)),
+            "trace_time": ("event", np.linspace(0.0, 1.0, STEPS)),
+        },
+        coords={"x": x},
+    )
+
+
+@pytest.fixture(scope="module")
+def frames(tmp_path_factory: pytest.TempPathFactory) -> list[Image.Image]:
+    """Return the frames of the animation of a sliding scene."""
+    path = tmp_path_factory.mktemp("animated") / "scene.gif"
+    assert animate(sliding_scene(), path) == path
+    with Image.open(path) as opened:
+        return [frame.convert("RGB") for frame in ImageSequence.Iterator(opened)]
+
+
+def test_there_is_a_frame_for_each_snapshot(frames):
+    assert len(frames) == STEPS
+
+
+def test_both_halves_of_the_picture_move(frames):
+    width, height = frames[0].size
+    for part in ((0, 0, width, height // 2), (0, 3 * height // 4, width, height)):
+        before, after = frames[0].crop(part), frames[3].crop(part)
+        assert ImageChops.difference(before, after).getbbox() is not None
+
+
+def test_no_file_is_left_beside_the_animation(tmp_path):
+    animate(sliding_scene(), tmp_path / "scene.gif")
+    assert [path.name for path in tmp_path.iterdir()] == ["scene.gif"]
+
+
+def test_a_scene_without_snapshots_is_refused_by_their_names():
+    scene = sliding_scene().drop_vars("snapshot_displacement")
+    with pytest.raises(UserError, match=r"snapshot_displacement; ask for the quantities"):
+        animate(scene, Path("scene.gif"))
+
+
+def test_another_kind_of_file_is_refused():
+    with pytest.raises(UserError, match=r"scene\.png: must end in \.gif or \.mp4"):
+        animate(sliding_scene(), Path("scene.png"))
+
+
+def test_a_missing_ffmpeg_is_said(monkeypatch):
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(UserError, match="needs the program ffmpeg"):
+        animate(sliding_scene(), Path("scene.mp4"))
