@@ -15,29 +15,53 @@ def mode_numbers(elements: int) -> np.ndarray:
     return np.arange(1.0, elements // 2 + 1)
 
 
-def amplitudes(hurst: float, elements: int, normalisation: str = "modal") -> np.ndarray:
+def amplitudes(
+    hurst: float,
+    elements: int,
+    normalisation: str = "modal",
+    rolloff: float = 0.0,
+    cutoff: int = 0,
+) -> np.ndarray:
     """Return the mode amplitudes A_k in units of the rms roughness h, shape (floor(N/2),).
 
     ``modal`` makes the sum over modes exact, sum A_k^2 / 2 = 1: every line has rms height h.
     ``integral`` normalises the spectral integral of the paper instead,
-    h^2 = int C_1D dq from q_min to q_max; lines are then rougher by 1.04 (H=0) to 1.55 (H=1).
+    h^2 = int C_1D dq from q_min to q_max; without roll-off, lines are then rougher by 1.04
+    (H=0) to 1.55 (H=1).
+
+    rolloff : wave number, in 2 pi/L, below which the spectrum is flat (Persson et al., J. Phys.
+        Condens. Matter 17, R1 (2005), doi:10.1088/0953-8984/17/1/R01, long-wave roll-off q_0).
+    cutoff : number of the last mode that is not zero; q_max is then 2 pi cutoff/L. Zero stands
+        for no roll-off and for floor(N/2).
+
+    Raises ValueError for an unknown normalisation, and where the wave numbers do not ascend as
+    rolloff, cutoff, N/2.
     """
     k = mode_numbers(elements)
-    power = k ** (-2.0 * hurst - 1.0)
+    last = cutoff or k.size
+    if not (0.0 <= rolloff <= last <= k.size):
+        raise ValueError(
+            f"rolloff = {rolloff:g}, cutoff = {cutoff}: must ascend to N/2 = {k.size} or be zero"
+        )
+    power = np.maximum(k, rolloff) ** (-2.0 * hurst - 1.0)
+    power[last:] = 0.0
     if normalisation == "modal":
         total = power.sum()
     elif normalisation == "integral":
-        total = _spectral_integral(hurst, k[-1])
+        total = _spectral_integral(hurst, max(rolloff, 1.0), k[last - 1])
     else:
         raise ValueError(f"normalisation = {normalisation!r}: use one of {NORMALISATIONS}")
     return np.sqrt(2.0 * power / total)
 
 
-def _spectral_integral(hurst: float, k_max: float) -> float:
-    """Return int_1^k_max k^(-2H-1) dk."""
+def _spectral_integral(hurst: float, k_flat: float, k_max: float) -> float:
+    """Return int_1^k_max max(k, k_flat)^(-2H-1) dk."""
+    flat = (k_flat - 1.0) * k_flat ** (-2.0 * hurst - 1.0)
+    ratio = np.log(k_max / k_flat)
     if hurst == 0.0:
-        return float(np.log(k_max))
-    return float(-np.expm1(-2.0 * hurst * np.log(k_max)) / (2.0 * hurst))
+        return float(flat + ratio)
+    tail = -np.expm1(-2.0 * hurst * ratio) / (2.0 * hurst)
+    return float(flat + tail * k_flat ** (-2.0 * hurst))
 
 
 def rms_slope(amplitude: np.ndarray, elements: int) -> float:
