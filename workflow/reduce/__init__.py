@@ -27,7 +27,6 @@ if TYPE_CHECKING:
         fit_power_law,
         fit_relaxation,
     )
-    from workflow.reduce.jackknife import grouped_means, replicates, significant, standard_error
     from workflow.reduce.models import (
         EXPONENTIAL,
         MODEL_MEANINGS,

@@ -7,7 +7,6 @@ import pytest
 
 from tests.support.sweeps import mostly_exhaustive
 from workflow.reduce import models
-from workflow.reduce.jackknife import replicates, standard_error
 from workflow.reduce.models import (
     EXPONENTIAL,
     STRETCHED,
@@ -17,6 +16,7 @@ from workflow.reduce.models import (
     compare_models,
     determined,
 )
+from workflow.statistics.jackknife import replicates, standard_error
 
 TIME = np.linspace(0.02, 4.0, 63)
 CURVES = {

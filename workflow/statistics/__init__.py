@@ -1,0 +1,20 @@
+"""Standard errors by the jackknife, and least squares of many curves at once.
+
+Plain arrays in and out; knows nothing of friction.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.statistics.jackknife import (
+        errors_needed,
+        grouped_means,
+        replicates,
+        significant,
+        standard_error,
+    )
+    from workflow.statistics.least_squares import Model, fit_curves
+
+__all__, __getattr__ = public_names(__name__, __file__)
