@@ -7,7 +7,10 @@ stiffness   A free element would reach w in the step. The step's force is stiffn
 lag         Where within the step this force acts, as a fraction of the step before its end:
             the slope that weighs it is read there.
 
-The functions declared here are reached by the type of the law.
+Elements that remember their displacement alone need a ``reach``. Others have internal variables:
+their laws come from a form of the material, which holds for steps of any length.
+
+The functions declared here are reached by the type of the law, or of the form.
 """
 
 from typing import NamedTuple
@@ -28,6 +31,46 @@ class State(NamedTuple):
     d: float  # indentation, in h; element i touches where z_i - w_i < d, at u_i = z_i - d
 
 
+class Elements(NamedTuple):
+    """What elements with internal variables remember from one step to the next."""
+
+    memory: np.ndarray  # shape (M, n): internal variables of the n elements
+    p: np.ndarray  # shape (n,): forces of the last step, in 4 G dx h
+    d: float  # indentation, in h
+
+
 @by_type
 def reach(law, u):
     """Return the displacement of an element one step after u, if no force acts on it."""
+
+
+@by_type
+def law_of(form, dt):
+    """Return the law of a step of length dt (in tau) of the material in this form."""
+
+
+@by_type
+def memories(form):
+    """Return M, the number of internal variables of an element."""
+
+
+@by_type
+def rest(form, p):
+    """Return the memory, shape (M, n), of elements that have carried forces p (n,) for ever."""
+
+
+@by_type
+def predict(law, memory, p, w):
+    """Fill w (n,) with the displacements that elements would reach in the step without force.
+
+    memory : shape (M, n), p : shape (n,), the forces of the step before. Linear in both.
+    """
+
+
+@by_type
+def settle(law, memory, w, p, new):
+    """Take memory (M, n) over the step, in place. Linear in all that follows the law.
+
+    w (n,) : as predict left it; it may be changed. p (n,) : forces of the step before.
+    new (n,) : of this step, stiffness * max(0, w - u). p stays: the caller makes new the next p.
+    """

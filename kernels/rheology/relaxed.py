@@ -1,0 +1,95 @@
+"""The relaxation form of a material and its step: the scheme "implicit-euler".
+
+Branches in parallel, each a spring behind a dashpot, with the displacement linear in the step:
+a derivation that shares nothing with prony.py but the balance of forces, and needs no zeros of
+the modulus. Second order where the times of all branches are resolved, first order beyond and
+with a dashpot; for a Kelvin element it is the implicit Euler scheme of kelvin.py.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.rheology.law import NEGLIGIBLE, law_of, memories, predict, rest, settle
+from kernels.rheology.retardation import merged
+from kernels.rheology.spectrum import Spectrum
+
+SCHEME = "implicit-euler"
+
+
+class Moduli(NamedTuple):
+    """A material in its relaxation form."""
+
+    moduli: np.ndarray  # g_b / G, shape (B,)
+    times: np.ndarray  # t_b / tau, shape (B,), descending
+    viscosity: float  # eta / (G tau)
+
+
+class Relaxed(NamedTuple):
+    """Constants of one step; the memory is the stress of each branch, then the displacement."""
+
+    decay: np.ndarray  # E_b, shape (B,)
+    gain: np.ndarray  # g_b (1 - E_b) t_b / dt, shape (B,): stress per displacement in the step
+    drag: float  # eta / dt
+    stiffness: float  # 1 + sum of gains + drag (law.py)
+    lag: float  # 0 (law.py)
+
+
+def relaxation(spectrum: Spectrum) -> Moduli:
+    """Return the relaxation form. Raises ValueError as ``merged`` does."""
+    return Moduli(*merged(spectrum), spectrum.viscosity)
+
+
+@law_of.of(Moduli)
+def _law_of(form, dt):
+    count = form.times.size
+    decay, gain = np.empty(count), np.empty(count)
+    drag = form.viscosity / dt
+    stiffness = 1.0 + drag
+    for b in range(count):
+        x = dt / form.times[b]
+        decay[b] = math.exp(-x)
+        if not decay[b] > math.sqrt(NEGLIGIBLE):
+            decay[b] = 0.0
+        gain[b] = form.moduli[b] * (-math.expm1(-x) / x)
+        stiffness += gain[b]
+    return Relaxed(decay, gain, drag, stiffness, 0.0)
+
+
+@memories.of(Moduli)
+def _memories(form):
+    return form.times.size + 1
+
+
+@rest.of(Moduli)
+def _rest(form, p):
+    memory = np.zeros((form.times.size + 1, p.size))
+    memory[-1] -= p
+    return memory
+
+
+@predict.of(Relaxed)
+def _predict(law, memory, p, w):
+    count = law.decay.size
+    keep = (law.drag + law.gain.sum()) / law.stiffness
+    for i in range(w.size):
+        w[i] = keep * memory[count, i]
+    for b in range(count):
+        share = law.decay[b] / law.stiffness
+        for i in range(w.size):
+            w[i] -= share * memory[b, i]
+
+
+@settle.of(Relaxed)
+def _settle(law, memory, w, p, new):
+    count = law.decay.size
+    for i in range(w.size):
+        u = w[i] - new[i] / law.stiffness
+        w[i] = u - memory[count, i]
+        memory[count, i] = u if abs(u) > NEGLIGIBLE else 0.0
+    for b in range(count):
+        decay, gain = law.decay[b], law.gain[b]
+        for i in range(w.size):
+            s = decay * memory[b, i] + gain * w[i]
+            memory[b, i] = s if abs(s) > NEGLIGIBLE else 0.0

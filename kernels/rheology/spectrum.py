@@ -1,0 +1,41 @@
+"""What an elastomer is made of: a spring, branches that relax, perhaps a dashpot.
+
+The relaxation modulus, in units of the relaxed modulus G and of the relaxation time tau, is
+
+    G(t) / G = 1 + sum_b g_b exp(-t / t_b) + eta delta(t),
+
+a Prony series with a dashpot beside it. tau = (eta + sum_b g_b t_b) / G makes the viscosity and
+the sum over moduli times times of a Spectrum add to one; no formula relies on it.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+
+class Spectrum(NamedTuple):
+    """A linear viscoelastic material; hashable, for it is part of keys."""
+
+    moduli: tuple[float, ...]  # g_b / G of the branches
+    times: tuple[float, ...]  # t_b / tau of the branches, ascending
+    viscosity: float  # eta / (G tau): of the dashpot
+
+
+KELVIN = Spectrum((), (), 1.0)
+
+
+def relaxation_modulus(spectrum: Spectrum, t: np.ndarray) -> np.ndarray:
+    """Return G(t)/G at times t > 0 (in tau) after a step of strain; shape of t."""
+    t = np.asarray(t, float)
+    decays = [g * np.exp(-t / tb) for g, tb in zip(spectrum.moduli, spectrum.times, strict=True)]
+    return np.ones_like(t) + sum(decays)
+
+
+def complex_modulus(spectrum: Spectrum, omega: np.ndarray) -> np.ndarray:
+    """Return (G' + i G'')/G at angular frequencies omega (in 1/tau); complex, shape of omega."""
+    turn = 1j * np.asarray(omega, float)
+    branches = [
+        g * (turn * tb) / (1.0 + turn * tb)
+        for g, tb in zip(spectrum.moduli, spectrum.times, strict=True)
+    ]
+    return 1.0 + turn * spectrum.viscosity + sum(branches)
