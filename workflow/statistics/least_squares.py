@@ -7,8 +7,7 @@ exponentials fitted to one are, and pivots by what happens to lie there.
 Source: D. W. Marquardt, J. Soc. Ind. Appl. Math. 11, 431 (1963).
 """
 
-from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -18,9 +17,14 @@ DAMPING = (1e-3, 1e-12, 1e12)  # first, least and largest, relative to the diago
 FACTOR = 10.0
 
 
-# A law: parameters p (curves, parameters) and times t (samples,) -> values (curves, samples) and
-# derivatives (curves, samples, parameters).
-Model = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
+class Model(Protocol):
+    """A law of several parameters that curves are fitted by."""
+
+    def __call__(self, p: np.ndarray, t: np.ndarray, /) -> tuple[np.ndarray, np.ndarray]:
+        """Return values (curves, samples) and derivatives (curves, samples, parameters).
+
+        p : parameters, shape (curves, parameters). t : times, shape (samples,).
+        """
 
 
 class _Fit(NamedTuple):
