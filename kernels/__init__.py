@@ -22,5 +22,8 @@ from kernels.realization import Case, Outcome, Quantities, Seconds, run_case
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
 from kernels.steady import steady_sliding
+from kernels.surfaces.equivalent import equivalent_amplitudes, equivalent_spectrum
 from kernels.surfaces.line import Line
+from kernels.surfaces.measured import measured_amplitudes
 from kernels.surfaces.self_affine import amplitudes, draw_phases, rms_slope, sample_line
+from kernels.surfaces.spectrum import power_spectrum, rms_height

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kernels.surfaces.measured import measured_modes
 from kernels.surfaces.self_affine import sample_line
 
 TALLEST = 1e50  # and its inverse: heights far above numbers that count as zero
@@ -47,3 +48,14 @@ class Line(NamedTuple):
         """
         z, slope = sample_line(amplitude, phases, elements, steps_per_spacing)
         return cls.from_samples(z, slope, steps_per_spacing)
+
+    @classmethod
+    def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Line":
+        """Prepare a measured line (measured.py), sampled m times as finely as it was given.
+
+        heights (in h) : one period, one sample per element, shape (N,). Raises ValueError as
+        measured_modes and from_samples do.
+        """
+        modes = measured_modes(heights)
+        z, slope = sample_line(*modes, heights.size, steps_per_spacing)
+        return cls.from_samples(z + heights.mean(), slope, steps_per_spacing)

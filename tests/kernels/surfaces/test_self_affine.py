@@ -82,3 +82,49 @@ def test_phases_are_reproducible_and_fill_the_circle():
     assert first.max() < 2.0 * np.pi
     # Uniform phases: the resultant of 2500 unit vectors is of order 50, here within 4 sigma.
     assert np.abs(np.exp(1j * first).sum()) < 4.0 * np.sqrt(first.size)
+
+
+@pytest.mark.parametrize("hurst", HURST)
+@pytest.mark.parametrize("normalisation", ["modal", "integral"])
+def test_below_the_roll_off_the_spectrum_is_flat_and_beyond_the_cut_off_there_is_none(
+    hurst, normalisation
+):
+    amplitude = amplitudes(hurst, 200, normalisation, rolloff=8.0, cutoff=40)
+    np.testing.assert_array_equal(amplitude[:8], amplitude[7])
+    assert amplitude[15] / amplitude[31] == pytest.approx(2.0 ** (hurst + 0.5), rel=1e-13)
+    assert np.all(amplitude[:40] > 0.0)
+    assert not amplitude[40:].any()
+
+
+@pytest.mark.parametrize("hurst", HURST)
+def test_roll_off_and_cut_off_keep_the_normalisation(hurst):
+    assert np.sum(amplitudes(hurst, 200, "modal", 7.5, 40) ** 2) == pytest.approx(2.0, rel=1e-13)
+    # int_1^k_c max(k, k_r)^(-2H-1) dk, by the trapezoidal rule on a fine grid
+    k = np.linspace(1.0, 40.0, 200_001)
+    power = np.maximum(k, 7.5) ** (-2.0 * hurst - 1.0)
+    integral = np.trapezoid(power, k)
+    amplitude = amplitudes(hurst, 200, "integral", 7.5, 40)
+    assert 0.5 * amplitude[20] ** 2 == pytest.approx(21.0 ** (-2.0 * hurst - 1.0) / integral)
+
+
+@pytest.mark.parametrize("hurst", HURST)
+def test_no_roll_off_and_no_cut_off_leave_every_bit(hurst):
+    """Also where they are given and cut nothing off."""
+    usual = amplitudes(hurst, 51)
+    np.testing.assert_array_equal(amplitudes(hurst, 51, rolloff=1.0, cutoff=25), usual)
+
+
+def test_a_cut_off_leaves_the_other_modes_in_phase():
+    """The line of a smaller cut-off is the line itself, without its short waves."""
+    amplitude, phases = drawn(0.7, 64)
+    cut, _ = sample_line(amplitudes(0.7, 64, cutoff=10), phases, 64, 1)
+    spectrum = np.fft.rfft(sample_line(amplitude, phases, 64, 1)[0])
+    spectrum[11:] = 0.0
+    smooth = np.fft.irfft(spectrum, 64)
+    np.testing.assert_allclose(cut * smooth.std(), smooth, atol=1e-13)
+
+
+@pytest.mark.parametrize(("rolloff", "cutoff"), [(11.0, 10), (-1.0, 0), (0.0, 26), (26.0, 0)])
+def test_wave_numbers_that_do_not_ascend_are_refused(rolloff, cutoff):
+    with pytest.raises(ValueError, match="must ascend to N/2 = 25"):
+        amplitudes(0.7, 50, "modal", rolloff, cutoff)
