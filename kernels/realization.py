@@ -21,6 +21,7 @@ from kernels.surfaces.line import Line
 
 LOADS = (1e-100, 1e100)  # Fbar; the rounding of d does not depend on it
 SPEEDS = (1e-12, 1e12)  # vbar; slower, rounding would show in the jump, which falls with v
+LEAST_STEP = 1e-9  # |r - 1|, or zero; r is then known to 1e-7 of it, the jump to 1e-5
 
 
 class Quantities(NamedTuple):
@@ -87,6 +88,9 @@ def _check(line: Line, case: Case, asked: Quantities) -> None:
         for value in values:
             if not least <= value <= most:
                 raise ValueError(f"{name} = {value:g}: must lie between {least:g} and {most:g}")
+    for ratio in case.ratios:
+        if 0.0 < abs(ratio - 1.0) < 0.99 * LEAST_STEP:  # or 1e-9 itself would round out of it
+            raise ValueError(f"ratio = 1 + {ratio - 1.0:g}: the step is lost in rounding")
     shortest = 1.0 / (line.steps_per_spacing * max(speeds))
     if shortest < SHORTEST:
         raise ValueError(f"speed = {max(speeds):g}: steps of {shortest:g} tau are lost in rounding")

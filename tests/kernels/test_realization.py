@@ -145,8 +145,16 @@ BAD_CASES = [
     *[({"speed": value}, "speed") for value in (0.0, -1.0, 1e-13, np.nan)],
     *[({"ratios": ratios}, "speed") for ratios in ((0.0, 1.2, 1.5), (1.2, np.inf, 1.5))],
     ({"speed": 5e9}, "rounding"),  # with the ratio 1.5 and M = 2 samples per spacing
+    ({"ratios": (1.0, 1.0 + 1e-11, 1.2)}, "rounding"),
     *[({"kept_steps": (KEPT, np.array(bad, int), KEPT)}, "steps") for bad in ([0, 1], [5, 5], [])],
 ]
+
+
+def test_the_jump_of_the_smallest_step_is_that_of_a_larger_one_in_proportion():
+    asked = Quantities(relaxation=False)
+    steps = np.array([1e-9, 1e-6, 1e-4])
+    jump = run_case(line_of(), CASE._replace(ratios=(*(1.0 + steps),)), asked).jump
+    np.testing.assert_allclose(jump / steps, jump[-1] / steps[-1], rtol=1e-4)
 
 
 @pytest.mark.parametrize(("change", "named"), BAD_CASES, ids=str)

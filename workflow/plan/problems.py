@@ -10,12 +10,13 @@ from functools import cache
 import numpy as np
 
 from kernels import amplitudes, rms_slope
-from kernels.realization import LOADS, SPEEDS
+from kernels.realization import LEAST_STEP, LOADS, SPEEDS
 from workflow.errors import UserError
 from workflow.simulate import Problem
 from workflow.study import AXES, Study
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
+LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
 
 
 def canonical(values: np.ndarray) -> np.ndarray:
@@ -38,7 +39,9 @@ def distinct_problems(study: Study) -> tuple[list[Problem], np.ndarray]:
         speed = velocity * study.relaxation_time / (study.length / elements)
     _check("normal_force", "F_N/(4 G L h)", load, LOADS)
     _check("velocity", "v1 tau/dx", speed, SPEEDS)
-    load, speed, ratio = canonical(load), canonical(speed), canonical(1.0 + step)
+    _check_steps(step, speed)
+    load, speed = canonical(load), canonical(speed)
+    ratio = 1.0 + step  # follows from no other value; rounding would make a small step another one
     columns = [a.ravel().tolist() for a in (hurst, elements, load, speed, ratio)]
     found: dict[Problem, int] = {}
     index = [found.setdefault(Problem(*row), len(found)) for row in zip(*columns, strict=True)]
@@ -63,6 +66,17 @@ def line_slope(problem: Problem, normalisation: str = "modal") -> float:
 @cache
 def _slope(hurst: float, elements: int, normalisation: str) -> float:
     return rms_slope(amplitudes(hurst, elements, normalisation), elements)
+
+
+def _check_steps(step: np.ndarray, speed: np.ndarray) -> None:
+    """Raise UserError for a velocity step that 1 + dv/v1 or the jump would lose in rounding."""
+    least = np.maximum(LEAST_STEP, LEAST_CHANGE / speed)
+    lost = (step != 0.0) & (np.abs(step) < least)
+    if lost.any():
+        raise UserError(
+            f"grid.velocity_step = {step[lost][0]:g}: at v1 tau/dx = {speed[lost][0]:.3g} must be "
+            f"zero, or at least {least[lost][0]:.3g} up or down; a smaller one is lost in rounding"
+        )
 
 
 def _check(axis: str, name: str, values: np.ndarray, limits: tuple[float, float]) -> None:

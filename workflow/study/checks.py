@@ -68,7 +68,7 @@ def number(key: str, value: object) -> float:
     """Return ``value`` as a finite float or raise UserError naming the key."""
     try:
         if isinstance(value, int | float) and not isinstance(value, bool) and math.isfinite(value):
-            return float(value)
+            return float(value) + 0.0  # -0.0 is 0.0: one value, one key, one seed
     except OverflowError:  # a whole number beyond every float
         pass
     raise UserError(f"{key} = {value!r:.40}: must be a finite number")

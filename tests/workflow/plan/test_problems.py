@@ -7,11 +7,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.small import small_study
+from tests.support.small import complaint, keys, small_plan, small_study
 from workflow.plan.problems import canonical, distinct_problems, speed_ratio
 from workflow.simulate.tasks import Problem
 from workflow.study.grid import AXES
 
+ONE_POINT = "grid.hurst=0.5", "grid.normal_force=0.04", "grid.velocity=0.03"
 NORMAL = st.floats(1e-100, 1e100)
 
 
@@ -60,6 +61,30 @@ def test_every_point_is_mapped_to_its_own_problem_and_copies_to_one():
         assert problem.elements == round(0.01 / point["spacing"])
         expected = (load, speed, 1.0 + point["velocity_step"])
         assert problem[2:] == pytest.approx(expected, rel=1e-11)
+
+
+@given(st.floats(1e-9, 0.9), st.sampled_from([-1.0, 1.0]))
+def test_a_velocity_step_is_carried_as_it_is_given(size, sign):
+    """The rounding of 1 + dv/v1 alone is left: 1e-7 of a step of 1e-9."""
+    (found,) = problems(*ONE_POINT, f"grid.velocity_step={sign * size!r}")
+    assert found.ratio - 1.0 == pytest.approx(sign * size, rel=2e-16 / size)
+
+
+@given(st.floats(1e-300, 0.999e-9), st.sampled_from([-1.0, 1.0]))
+def test_a_velocity_step_that_rounding_would_change_is_refused(size, sign):
+    assert "lost in rounding" in complaint(*ONE_POINT, f"grid.velocity_step={sign * size!r}")
+
+
+def test_a_small_step_is_refused_where_the_jump_is_lost_in_rounding_at_low_speed():
+    slow = "grid.velocity=[1e-8]", "numerics.steps_per_spacing=1"
+    assert "at least 1e-06" in complaint(*slow, "grid.velocity_step=1e-7")
+    assert problems(*slow, "grid.velocity_step=1e-5")
+
+
+@pytest.mark.parametrize("axis", ["hurst", "velocity_step"])
+def test_minus_zero_is_zero(axis):
+    minus, plus = (small_plan(*ONE_POINT, f"grid.{axis}={zero}") for zero in ("-0.0", "0.0"))
+    assert keys(minus) == keys(plus)
 
 
 def test_speed_ratio_is_the_abscissa_of_figure_7():
