@@ -1,12 +1,28 @@
 """A programme of motion: legs one after the other, and the time steps that march through them.
 
 Lengths along the line are in units of the element spacing dx, times in units of tau, speeds are
-v tau / dx and positive towards +x. Positions of steps count samples, m to a spacing.
+v tau / dx and positive towards +x. Positions of steps count samples, m to a spacing: a step ends
+at a whole sample wherever it can, and at a fraction of one where a leg ends, where the line turns
+and in oscillations of a few samples (fourier.py).
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
+
+from kernels.motion.path import (
+    along,
+    crossed,
+    fewest_steps,
+    geometric,
+    growth,
+    oscillating,
+    piecewise,
+)
+
+FIRST_OF_HOLD = 1e-6  # of a hold, where no speed before it tells how soon something happens
+SHORTEST = 1e-10  # tau; of a shorter step only rounding would be seen in the force
 
 
 class Slide(NamedTuple):
@@ -63,8 +79,103 @@ def steps_of(
 ) -> Steps:
     """Return the steps of a programme.
 
-    steps_per_spacing : m, samples (and steps of constant sliding) to a spacing.
+    steps_per_spacing : m, samples (and steps of constant sliding) to a spacing. It also sets how
+    finely holds, ramps and oscillations are stepped through.
     position, speed : of the line before the first leg, in samples and in dx/tau; the speed before
-    a hold sets its first steps. Raises ValueError for a leg without meaning.
+    a hold sets its first steps. Raises ValueError for a leg without meaning, and for steps so
+    short that they are lost in rounding.
     """
-    raise NotImplementedError
+    places, times, legs = [np.empty(0)], [np.empty(0)], [np.empty(0, np.int64)]
+    for number, leg in enumerate(programme):
+        _check(leg)
+        place, dt = _steps(leg, steps_per_spacing, position, speed)
+        if place.size:
+            if dt.min() < SHORTEST:
+                raise ValueError(f"{leg}: steps of {dt.min():g} tau are lost in rounding")
+            position = float(place[-1])
+        speed = last_speed(leg)
+        places.append(place)
+        times.append(dt)
+        legs.append(np.full(place.size, number))
+    return Steps(np.concatenate(places), np.concatenate(times), np.concatenate(legs))
+
+
+def last_speed(leg: Leg) -> float:
+    """Return the speed at which a leg ends, in dx/tau."""
+    if isinstance(leg, Slide):
+        return leg.speed
+    if isinstance(leg, Hold):
+        return 0.0
+    if isinstance(leg, Ramp):
+        return leg.last
+    if isinstance(leg, Sampled):
+        return leg.speeds[-1]
+    return leg.speed + 2.0 * math.pi * leg.frequency * leg.amplitude
+
+
+def first_speed(programme: Programme) -> float:
+    """Return the speed at which a programme begins, in dx/tau: 0 if it begins with a hold.
+
+    Of an oscillation it is the mean speed: that of the steady state before it.
+    """
+    leg = programme[0]
+    if isinstance(leg, Slide | Oscillation):
+        return leg.speed
+    if isinstance(leg, Ramp):
+        return leg.first
+    return leg.speeds[0] if isinstance(leg, Sampled) else 0.0
+
+
+def _check(leg: Leg) -> None:
+    """Raise ValueError for a leg without meaning."""
+    numbers = np.concatenate([np.atleast_1d(np.asarray(value, float)) for value in leg])
+    if not np.isfinite(numbers).all():
+        raise ValueError(f"{leg}: every number must be finite")
+    if isinstance(leg, Slide):
+        sound = leg.speed != 0.0 and leg.distance > 0.0
+    elif isinstance(leg, Hold):
+        sound = leg.duration >= 0.0
+    elif isinstance(leg, Ramp):
+        sound = leg.duration > 0.0
+    elif isinstance(leg, Oscillation):
+        sound = leg.amplitude > 0.0 and leg.frequency > 0.0 and leg.cycles >= 1
+    else:
+        times = np.asarray(leg.times)
+        sound = times.size > 1 and times.size == len(leg.speeds) and times[0] == 0.0
+        sound = bool(sound and np.all(np.diff(times) > 0.0))
+    if not sound:
+        raise ValueError(f"{leg}: a leg like this has no meaning")
+
+
+def _steps(leg: Leg, m: int, position: float, speed: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return (positions, dt) of one leg."""
+    if isinstance(leg, Slide):
+        end = position + math.copysign(leg.distance * m, leg.speed)
+        place = np.concatenate([[position], crossed(position, end)])
+        return place[1:], np.abs(np.diff(place)) / (m * abs(leg.speed))
+    if isinstance(leg, Hold):
+        first = 0.25 / (m * abs(speed)) if speed else FIRST_OF_HOLD * leg.duration
+        dt = geometric(leg.duration, max(first, SHORTEST), growth(m))
+        return np.full(dt.size, position), dt
+    if isinstance(leg, Oscillation):
+        path = oscillating(leg.speed, leg.amplitude, leg.frequency, leg.cycles, m)
+        fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
+        count = fewest_steps(m)
+        if fastest * m <= leg.frequency * count:  # no step of more than a sample
+            return _equal_steps(leg, m, position, count)
+    elif isinstance(leg, Ramp):
+        path = piecewise((0.0, leg.duration), (leg.first, leg.last), m)
+    else:
+        path = piecewise(leg.times, leg.speeds, m)
+    return along(path, m, position)
+
+
+def _equal_steps(
+    leg: Oscillation, m: int, position: float, count: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return (positions, dt) of an oscillation in equal time steps, the same in every cycle."""
+    number = np.arange(1, count * leg.cycles + 1)
+    phase = 2.0 * math.pi * (number % count) / count
+    dt = 1.0 / (leg.frequency * count)
+    place = position + m * (leg.speed * dt * number + leg.amplitude * np.sin(phase))
+    return place, np.full(number.size, dt)

@@ -1,0 +1,142 @@
+"""The time steps along a path X(t): they end where the line has moved by whole samples.
+
+A path turns and ends between samples, in general; there a step ends at a fraction of one. Where
+whole samples come too seldom, steps in between are equal in time.
+"""
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+WHOLE = 1e-9  # of a sample: nearer to a whole one, rounding made the difference
+NEAR = 0.25  # of a sample: no step is shorter than this because the path turns or ends there
+BISECTIONS = 60  # to the last bit of a time, unless it is tiny beside the piece
+
+
+class Path(NamedTuple):
+    """Where the line is over time."""
+
+    where: Callable[[np.ndarray], np.ndarray]  # samples from the start, of times in tau
+    breaks: np.ndarray  # times from 0 to the end; between two of them X rises, falls or rests
+
+
+def fewest_steps(m: int) -> int:
+    """Return in how many time steps a cycle is resolved at least, at m samples to a spacing."""
+    return max(64, 16 * m)
+
+
+def growth(m: int) -> float:
+    """Return the ratio of consecutive time steps while the line rests."""
+    return 1.0 + 1.0 / (2.0 * m)
+
+
+def geometric(duration: float, first: float, ratio: float) -> np.ndarray:
+    """Return time steps that grow by ``ratio``, from ``first`` or less, and fill the duration."""
+    if duration <= 0.0:
+        return np.empty(0)
+    # The sum of the steps is first (ratio^count - 1) / (ratio - 1).
+    count = math.ceil(math.log1p(duration / first * (ratio - 1.0)) / math.log(ratio))
+    times = np.expm1(math.log(ratio) * np.arange(count + 1))
+    return np.diff(times * (duration / times[-1]))
+
+
+def crossed(begin: float, end: float) -> np.ndarray:
+    """Return where steps from one position to another end: whole samples, and the end itself."""
+    end = _whole(end)
+    low, high = min(begin, end), max(begin, end)
+    inner = np.arange(math.ceil(low + NEAR), math.floor(high - NEAR) + 1.0)
+    return np.append(inner if end > begin else inner[::-1], end)
+
+
+def _whole(position: float) -> float:
+    """Return a position, or the whole sample that it is but for rounding."""
+    nearest = round(position)
+    return float(nearest) if abs(position - nearest) <= WHOLE * max(1.0, abs(nearest)) else position
+
+
+def along(path: Path, m: int, start: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return (positions, dt) of the steps along a path, from position ``start`` in samples."""
+    places, times = [np.empty(0)], [np.zeros(1)]
+    position, dt = start, math.inf
+    for begin, end in zip(path.breaks[:-1], path.breaks[1:], strict=True):
+        goal = start + float(path.where(np.array([end]))[0])
+        if goal == position:
+            first = min(dt, 2.0 * (end - begin) / fewest_steps(m))
+            time = begin + np.cumsum(geometric(end - begin, first, growth(m)))
+            time[-1] = end
+            place = np.full(time.size, position)
+        else:
+            place = crossed(position, goal)
+            time = np.append(_times(path, place[:-1] - start, begin, end), end)
+            place, time = _resolved(path, place, time, begin, start, fewest_steps(m) // 2)
+        dt = float(time[-1] - (time[-2] if time.size > 1 else begin))
+        position = float(place[-1])
+        places.append(place)
+        times.append(time)
+    return np.concatenate(places), np.diff(np.concatenate(times))
+
+
+def _times(path: Path, moved: np.ndarray, begin: float, end: float) -> np.ndarray:
+    """Return when a path has moved so far, by bisection of a piece on which it is monotone."""
+    low, high = np.full(moved.size, begin), np.full(moved.size, end)
+    rising = path.where(np.array([end]))[0] > path.where(np.array([begin]))[0]
+    for _ in range(BISECTIONS):
+        middle = 0.5 * (low + high)
+        before = (path.where(middle) < moved) == rising
+        low, high = np.where(before, middle, low), np.where(before, high, middle)
+    return high
+
+
+def _resolved(
+    path: Path, place: np.ndarray, time: np.ndarray, begin: float, start: float, fewest: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Split the steps of a piece that last more than their share of it, equally in time."""
+    longest = (time[-1] - begin) / fewest
+    before = np.concatenate([[begin], time[:-1]])
+    parts = np.maximum(np.ceil((time - before) / longest * (1.0 - 1e-12)), 1.0).astype(np.int64)
+    step = np.repeat(np.arange(time.size), parts)
+    part = np.arange(step.size) - np.repeat(np.cumsum(parts) - parts, parts) + 1
+    split = before[step] + (time - before)[step] * (part / parts[step])
+    at = start + path.where(split)
+    last = part == parts[step]
+    split[last], at[last] = time, place
+    return at, split
+
+
+def oscillating(speed: float, amplitude: float, frequency: float, cycles: int, m: int) -> Path:
+    """Return the path of an Oscillation (programme.py); every cycle ends at a break."""
+    omega = 2.0 * math.pi * frequency
+    turns = np.zeros(0)
+    if abs(speed) < omega * amplitude:
+        quarter = math.acos(-speed / (omega * amplitude)) / omega
+        turns = np.array([quarter, 1.0 / frequency - quarter])
+    one = np.append(turns, 1.0 / frequency)
+    breaks = (np.arange(cycles)[:, None] / frequency + one).ravel()
+
+    def where(t: np.ndarray) -> np.ndarray:
+        cycle = t * frequency
+        return m * (speed * t + amplitude * np.sin(2.0 * math.pi * (cycle - np.floor(cycle))))
+
+    return Path(where, np.append(0.0, breaks))
+
+
+def piecewise(times: tuple[float, ...], speeds: tuple[float, ...], m: int) -> Path:
+    """Return the path whose speed is linear between samples in time."""
+    t, v = np.asarray(times, float), np.asarray(speeds, float)
+    duration = np.diff(t)
+    reached = np.append(0.0, np.cumsum(0.5 * duration * (v[:-1] + v[1:])))
+    rate = np.diff(v) / duration
+    turning = np.flatnonzero(v[:-1] * v[1:] < 0.0)
+    turns = t[turning] - v[turning] / rate[turning]
+    resting = (v[:-1] == 0.0) & (v[1:] == 0.0)
+    amid = np.append(resting, False) & np.append(False, resting)
+    still = t[(v == 0.0) & ~amid]
+
+    def where(at: np.ndarray) -> np.ndarray:
+        i = np.clip(np.searchsorted(t, at, side="right") - 1, 0, t.size - 2)
+        since = at - t[i]
+        return m * (reached[i] + since * (v[i] + 0.5 * rate[i] * since))
+
+    return Path(where, np.unique(np.concatenate([turns, still, t[:1], t[-1:]])))
