@@ -16,9 +16,15 @@ from workflow.errors import UserError
 from workflow.plan.plan import make_plan
 
 ROOT = Path(__file__).resolve().parents[1]
-STUDY = ("checks", "cluster", "grid", "numerics", "read", "study")
+STUDY = ("cluster", "grid", "numerics", "read", "study", "variants")
+SETTINGS = ("checks", "columns", "values")
+EFFECTS = ("material", "needs", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "docs" / "limits.md"
-CHECKED = ("plan/problems", *(f"study/{name}" for name in STUDY))
+ROOMS = {"study": STUDY, "settings": SETTINGS, "effects": EFFECTS}
+CHECKED = (
+    "plan/problems",
+    *(f"{room}/{name}" for room, names in ROOMS.items() for name in names),
+)
 ELSEWHERE = {"find_study"}  # its answers name all studies; see test_refusals.py
 
 

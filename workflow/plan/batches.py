@@ -88,7 +88,7 @@ def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[B
             number = min(blocks, end - start)
             yield Batch(
                 seed=plan.study.seed,
-                normalisation=plan.study.normalisation,
+                normalisation=plan.study.surface.normalisation,
                 quantities=plan.asked,
                 scheme=piece.numerics.scheme,
                 curve_samples=piece.numerics.curve_samples,

@@ -130,7 +130,7 @@ def _task(
     study: Study, problem: Problem, asked: Quantities, numerics: Numerics, steps: int
 ) -> Task:
     march_steps = horizon_steps(problem, numerics, steps) if asked.relaxation else 0
-    what = (CODE, study.seed, study.normalisation, *problem, numerics.scheme, steps)
+    what = (CODE, study.seed, study.surface.normalisation, *problem, numerics.scheme, steps)
     how = (march_steps, numerics.curve_samples, asked, study.realizations_per_block)
     key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
     return Task(problem, steps, march_steps, key)

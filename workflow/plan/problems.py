@@ -33,10 +33,10 @@ def distinct_problems(study: Study) -> tuple[list[Problem], np.ndarray]:
     """
     axes = [np.array(study.grid[axis]) for axis in AXES]
     hurst, force, spacing, roughness, velocity, step = np.meshgrid(*axes, indexing="ij")
-    elements = np.round(study.length / spacing).astype(int)
+    elements = np.round(study.surface.length / spacing).astype(int)
     with np.errstate(over="ignore", under="ignore", divide="ignore", invalid="ignore"):
-        load = force / (4.0 * study.shear_modulus * study.length * roughness)
-        speed = velocity * study.relaxation_time / (study.length / elements)
+        load = force / (4.0 * study.material.shear_modulus * study.surface.length * roughness)
+        speed = velocity * study.material.tau / (study.surface.length / elements)
     _check("normal_force", "F_N/(4 G L h)", load, LOADS)
     _check("velocity", "v1 tau/dx", speed, SPEEDS)
     _check_steps(step, speed)

@@ -136,7 +136,7 @@ class Collector:
         return Blocks(scalars, curves, time, self._slopes(tasks), self.plan.study.scene.quantities)
 
     def _slopes(self, tasks: list[Task]) -> np.ndarray:
-        normalisation = self.plan.study.normalisation
+        normalisation = self.plan.study.surface.normalisation
         return np.array([line_slope(task.problem, normalisation) for task in tasks])
 
 

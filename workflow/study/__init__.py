@@ -8,14 +8,12 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.study.checks import choice, integer, number, positive, within
     from workflow.study.cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
-    from workflow.study.grid import AXES, axis_values
+    from workflow.study.grid import AXES
     from workflow.study.measured import Measured
     from workflow.study.numerics import Numerics
-    from workflow.study.quantities import QUANTITIES, judged
     from workflow.study.read import known_studies, read_study
     from workflow.study.scripts import load_script
-    from workflow.study.study import AnyStudy, Scene, Study
+    from workflow.study.study import AnyStudy, Study, read_grid_study
 
 __all__, __getattr__ = public_names(__name__, __file__)

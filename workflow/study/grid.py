@@ -1,53 +1,26 @@
-"""The grid: a number, a list, {linspace = [a, b, n]} or {geomspace = [a, b, n]} on each axis."""
+"""The grid: the values of every axis, and what a scene leaves out of it."""
 
 import math
 from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-import numpy as np
-
+from workflow.effects import Scene, Surface, check_cutoff
 from workflow.errors import UserError
-from workflow.study.checks import Key, integer, number, positive, read_table, within
+from workflow.settings import (
+    Key,
+    as_table,
+    checked_values,
+    number,
+    positive,
+    read_table,
+    within,
+)
 
 Grid = dict[str, tuple[float, ...]]
 
-MOST_VALUES = 10_000  # on one axis
 MOST_ELEMENTS = 1e8
 LEAST_ELEMENTS = 4
-SPACES: dict[str, Callable[..., np.ndarray]] = {"linspace": np.linspace, "geomspace": np.geomspace}
-
-
-def axis_values(key: str, spec: object) -> tuple[float, ...]:
-    """Return the values of one grid axis, in the order given, without repetitions.
-
-    Computed values are rounded to 12 digits, so that 0.3 of a linspace is 0.3.
-    """
-    if isinstance(spec, dict):
-        values = _spaced(key, spec)
-    elif isinstance(spec, list):
-        values = tuple(number(f"{key}[{i}]", v) for i, v in enumerate(spec))
-    else:
-        values = (number(key, spec),)
-    if not values:
-        raise UserError(f"{key} = []: must hold at least one value")
-    if len(set(values)) < len(values):
-        raise UserError(f"{key} = {spec!r}: holds a value twice")
-    return values
-
-
-def _spaced(key: str, spec: dict[str, Any]) -> tuple[float, ...]:
-    kind = next(iter(spec)) if len(spec) == 1 else ""
-    if kind not in SPACES:
-        raise UserError(f"{key} = {spec!r}: use {{linspace = [a, b, n]}} or {{geomspace = ...}}")
-    args = spec[kind]
-    if not isinstance(args, list) or len(args) != 3:
-        raise UserError(f"{key}.{kind} = {args!r}: must be [first, last, number of values]")
-    first, last = number(f"{key}.{kind}[0]", args[0]), number(f"{key}.{kind}[1]", args[1])
-    count = integer(f"{key}.{kind}[2]", args[2], 1, MOST_VALUES)
-    if kind == "geomspace" and first * last <= 0.0:
-        raise UserError(f"{key}.geomspace = {args!r}: both ends must be of one sign, not zero")
-    return tuple(float(f"{value:.12g}") for value in SPACES[kind](first, last, count))
 
 
 def snapped_spacing(length: float, spacings: tuple[float, ...]) -> tuple[float, ...]:
@@ -75,10 +48,6 @@ def _step(key: str, value: object) -> float:
     return checked
 
 
-def _values(check: Callable[[str, object], float], key: str, spec: object) -> tuple[float, ...]:
-    return tuple(check(key, value) for value in axis_values(key, spec))
-
-
 CHECKS: dict[str, Callable[[str, object], float]] = {
     "hurst": partial(within, least=0.0, most=1.0),
     "normal_force": positive,
@@ -86,28 +55,71 @@ CHECKS: dict[str, Callable[[str, object], float]] = {
     "roughness": positive,
     "velocity": positive,
     "velocity_step": _step,
+    "prescribed_indentation": number,
 }
-GRID = {axis: Key(partial(_values, check)) for axis, check in CHECKS.items()}
-AXES = tuple(GRID)
+GRID = {axis: Key(partial(checked_values, check)) for axis, check in CHECKS.items()}
+AXES = tuple(GRID)[:6]  # that every result has
 
 
-def read_grid(table: Any, length: float, snap: bool, steady_alone: bool) -> Grid:
-    """Return axis -> values of the table [grid]. Raises UserError.
+def read_grid(table: Any, surface: Surface, scene: Scene, temperatures: tuple[float, ...]) -> Grid:
+    """Return axis -> values of the table [grid], and those of temperatures and holds.
 
-    length : of the line (m), which every spacing must divide; ``snap`` moves spacings so that
-    they do. steady_alone : whether a velocity step may be left out.
+    What the scene has no use for is left out of the table; it has one value then, NaN where there
+    is none. Raises UserError.
     """
-    keys = {**GRID, "velocity_step": Key(GRID["velocity_step"].check, (0.0,))}
-    grid: Grid = read_table("grid", table, keys if steady_alone else GRID)
-    for spacing in grid["spacing"]:
+    given = as_table("grid", table)
+    filled = _filled(surface, scene)
+    for axis, (_, reason) in filled.items():
+        if axis in given:
+            raise UserError(f"grid.{axis} = {given[axis]!r:.40}: {reason}; leave it out")
+    keys = {axis: Key(key.check, filled.get(axis, (key.default,))[0]) for axis, key in GRID.items()}
+    if scene.quantities == ("steady",) and not scene.programme:
+        keys["velocity_step"] = Key(GRID["velocity_step"].check, (0.0,))
+    grid: Grid = read_table("grid", given, keys)
+    if surface.profile is None:
+        grid["spacing"] = _spacings(grid["spacing"], surface)
+        check_cutoff(surface, grid)
+    more = {"temperature": temperatures, "hold": scene.holds}
+    return {axis: values for axis, values in (grid | more).items() if values}
+
+
+def _filled(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ...], str]]:
+    """Return axis -> (values, why) of what the table [grid] must not hold."""
+    found: dict[str, tuple[tuple[float, ...], str]] = {}
+    if surface.profile is not None:
+        why = "that of the measured lines is taken"
+        found["hurst"] = (math.nan,), "measured lines have their own spectrum"
+        found["spacing"] = (surface.profile.spacing,), why
+        found["roughness"] = (surface.profile.roughness,), why
+    if scene.control == "indentation":
+        found["normal_force"] = (math.nan,), 'scene.control = "indentation" leaves it free'
+    if not scene.takes_indentation:
+        found["prescribed_indentation"] = (
+            (),
+            'needs scene.control = "indentation", without scene.indentation_file',
+        )
+    if scene.programme:
+        found["velocity_step"] = (0.0,), "the programme says how velocities change"
+    if not scene.takes_velocity:
+        found["velocity"] = (scene.typical_speed,), "no segment of the programme depends on it"
+    return found
+
+
+def _spacings(spacings: tuple[float, ...], surface: Surface) -> tuple[float, ...]:
+    """Return the spacings, snapped where that is asked for. Raises UserError.
+
+    Every spacing must divide the length into a number of elements in reach.
+    """
+    length = surface.length
+    for spacing in spacings:
         if not length / spacing < MOST_ELEMENTS:
             raise UserError(
                 f"grid.spacing = {spacing!r}: more than {MOST_ELEMENTS:g} elements on "
                 f"surface.length = {length!r}"
             )
-    if snap:
-        grid["spacing"] = snapped_spacing(length, grid["spacing"])
-    for spacing in grid["spacing"]:
+    if surface.snap_spacing:
+        spacings = snapped_spacing(length, spacings)
+    for spacing in spacings:
         elements = length / spacing
         if round(elements) < LEAST_ELEMENTS or abs(elements / round(elements) - 1.0) > 1e-9:
             near = length / max(LEAST_ELEMENTS, round(elements))
@@ -116,4 +128,4 @@ def read_grid(table: Any, length: float, snap: bool, steady_alone: bool) -> Grid
                 f"least {LEAST_ELEMENTS} elements (nearest: {near!r}; or set "
                 "surface.snap_spacing = true)"
             )
-    return grid
+    return spacings

@@ -16,7 +16,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
 
-from workflow.study.checks import Key, check_keys, read_table
+from workflow.settings import Key, check_keys, read_table
 from workflow.study.scripts import load_script
 from workflow.study.study import HEAD, AnyStudy, study_head
 
@@ -26,7 +26,6 @@ class Measured(AnyStudy):
     """A checked measured study."""
 
     kind: ClassVar[str] = "measured"
-    axes: ClassVar[tuple[str, ...]] = ()
     settings: dict[str, object]  # of the table [measure]
     script: ModuleType  # measure.py
 

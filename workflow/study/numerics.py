@@ -1,18 +1,18 @@
-"""How problems are discretised: the tables [numerics] and [compare.NAME]."""
+"""How problems are discretised: the table [numerics]."""
 
-import re
 from functools import partial
 from typing import Any, NamedTuple
 
 from kernels import SCHEMES
 from workflow.errors import UserError
-from workflow.study.checks import Key, as_table, choice, integer, read_table, within
+from workflow.settings import Key, choice, integer, read_table, within
 
 LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
 LONG_BELOW = 0.01
 # Beyond the one nothing is in reach, beyond the other no law holds.
 ACCURACY = partial(within, least=1e-4, most=0.3, hint=" (0.01 is 1 %)")
 AUTO = "auto"
+RECORDS = ("time", "distance", "log")
 
 
 class Numerics(NamedTuple):
@@ -24,6 +24,8 @@ class Numerics(NamedTuple):
     horizon: float = 4.0
     accuracy: float | None = None  # wanted relative error of what is asked for
     max_realizations: int = 10_000  # per point, on the way to the accuracy
+    record: str = "time"  # in what the kept samples of a trace are evenly spaced
+    trace: int | None = None  # keep every so many steps instead
 
 
 def _steps(key: str, value: object) -> int | None:
@@ -38,23 +40,18 @@ NUMERICS = {
     "horizon": Key(partial(within, least=1.0, most=100.0), None),
     "accuracy": Key(ACCURACY, None),
     "max_realizations": Key(partial(integer, least=1), USUAL.max_realizations),
+    "record": Key(partial(choice, known=RECORDS), USUAL.record),
+    "trace": Key(partial(integer, least=1), None),
 }
 
 
-def read_variants(tables: dict[str, Any]) -> dict[str, Numerics]:
-    """Return label -> numerics of the study ("") and of its comparisons. Raises UserError."""
-    own = as_table("numerics", tables.get("numerics", {}))
-    variants = {"": _numerics("numerics", own)}
-    for label, extra in as_table("compare", tables.get("compare", {})).items():
-        where = f"compare.{label}"
-        if not re.fullmatch(r"[A-Za-z]\w*", label):
-            raise UserError(f'compare."{label}": name it by letters, digits and underscores')
-        variants[label] = _numerics(where, {**own, **as_table(where, extra)})
-    return variants
-
-
-def _numerics(where: str, table: dict[str, Any]) -> Numerics:
+def read_numerics(where: str, table: dict[str, Any]) -> Numerics:
+    """Return the numerics of a table of this name. Raises UserError."""
     values = read_table(where, table, NUMERICS)
+    if "trace" in table and "record" in table:
+        raise UserError(
+            f"{where}.trace = {table['trace']}: keeps every so many steps; leave record out"
+        )
     if values["horizon"] is None:
         fine = values["accuracy"] is not None and values["accuracy"] < LONG_BELOW
         values["horizon"] = LONG_HORIZON if fine else USUAL.horizon

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from workflow.errors import UserError
-from workflow.study.checks import as_table
+from workflow.settings import as_table
 from workflow.study.grid import AXES
 from workflow.study.measured import read_measured
 from workflow.study.study import AnyStudy, read_grid_study

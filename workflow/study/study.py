@@ -4,37 +4,34 @@ import json
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
-from typing import Any, ClassVar, NamedTuple
+from typing import Any, ClassVar
 
-from kernels.surfaces.self_affine import NORMALISATIONS
-from workflow.errors import UserError
-from workflow.study.checks import (
-    Key,
-    as_text,
-    check_keys,
-    choice,
-    flag,
-    integer,
-    positive,
-    read_table,
+from workflow.effects import (
+    MATERIAL,
+    SCENE,
+    SURFACE,
+    Material,
+    Profile,
+    Scene,
+    Surface,
+    check_quantities,
+    read_scene,
+    read_surface,
 )
+from workflow.errors import UserError
+from workflow.settings import Key, as_text, check_keys, integer, read_table
 from workflow.study.cluster import HERE, Cluster, read_cluster
-from workflow.study.grid import AXES, GRID, Grid, read_grid
-from workflow.study.numerics import NUMERICS, Numerics, read_variants
-from workflow.study.quantities import USUAL, asked_for
+from workflow.study.grid import GRID, Grid, read_grid
+from workflow.study.numerics import NUMERICS, Numerics
+from workflow.study.variants import read_variants
 
 HEAD = {"title": Key(as_text, ""), "seed": Key(partial(integer, least=0), 0)}
 STUDY = HEAD | {
-    "realizations": Key(partial(integer, least=2)),
+    "realizations": Key(partial(integer, least=2), None),
     "realizations_per_block": Key(partial(integer, least=1), 1),
 }
-MATERIAL = {"shear_modulus": Key(positive), "relaxation_time": Key(positive)}
-SURFACE = {
-    "length": Key(positive),
-    "normalisation": Key(partial(choice, known=NORMALISATIONS), "modal"),
-    "snap_spacing": Key(flag, False),
-}
-SCENE = {"quantities": Key(asked_for, USUAL), "indentation_rate": Key(flag, True)}
+# A scene is a study of one point, for which one line may do.
+ONE_POINT = STUDY | {"realizations": Key(partial(integer, least=1), 1)}
 TABLES = {
     "study": STUDY,
     "material": MATERIAL,
@@ -51,19 +48,16 @@ class AnyStudy:
     """What studies of every kind have."""
 
     kind: ClassVar[str]
-    axes: ClassVar[tuple[str, ...]]  # that every result of this kind has
     name: str
     folder: Path  # where study.toml and its figure script are
     text: str  # the settings in force, after scale and --set, as JSON
     title: str
     seed: int
 
-
-class Scene(NamedTuple):
-    """What is simulated."""
-
-    quantities: tuple[str, ...] = USUAL
-    indentation_rate: bool = True
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """The axes that a result has; none where there is no grid."""
+        return ()
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -71,17 +65,24 @@ class Study(AnyStudy):
     """A checked study of a grid, in SI units."""
 
     kind: ClassVar[str] = "grid"
-    axes: ClassVar[tuple[str, ...]] = AXES
     realizations: int
     realizations_per_block: int
-    shear_modulus: float  # Pa
-    relaxation_time: float  # s
-    length: float  # m
-    normalisation: str
+    surface: Surface
     grid: Grid
     scene: Scene
     variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
+    materials: dict[str, Material]  # of the same labels
     cluster: Cluster = HERE  # no part of the results' identity
+
+    @property
+    def material(self) -> Material:
+        """The material of the study itself."""
+        return self.materials[""]
+
+    @property
+    def axes(self) -> tuple[str, ...]:
+        """The dimensions of the grid: those that every result has, then those of this scene."""
+        return tuple(self.grid)
 
     @property
     def blocks(self) -> int:
@@ -90,34 +91,92 @@ class Study(AnyStudy):
 
     @property
     def shape(self) -> tuple[int, ...]:
-        """Shape of the six-dimensional grid."""
-        return tuple(len(self.grid[axis]) for axis in AXES)
+        """Shape of the grid, over its axes."""
+        return tuple(len(values) for values in self.grid.values())
 
 
-def read_grid_study(name: str, folder: Path, tables: dict[str, Any]) -> Study:
-    """Return the checked study. Raises UserError, one line, for what a user can get wrong."""
+def read_grid_study(
+    name: str,
+    folder: Path,
+    tables: dict[str, Any],
+    one_point: bool = False,
+    profile: Profile | None = None,
+) -> Study:
+    """Return the checked study. Raises UserError, one line, for what a user can get wrong.
+
+    one_point : whether it is a scene, a study of one point that a single line may do for.
+    profile : lines in place of a table [surface].
+    """
     check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
     cluster = read_cluster(tables.pop("cluster", {}))
-    head = study_head(name, folder, tables, STUDY)
+    head = study_head(name, folder, tables, ONE_POINT if one_point else STUDY)
+    surface = (
+        read_surface(tables.get("surface", {}), folder)
+        if profile is None
+        else Surface(profile.measured_length, profile=profile)
+    )
+    variants, materials = read_variants(tables, folder)
+    scene = read_scene(tables.get("scene", {}), folder, materials.values())
+    grid = read_grid(tables.get("grid", {}), surface, scene, materials[""].temperatures)
+    head["realizations"] = _realizations(head["realizations"], surface)
+    _check_blocks(head, one_point)
+    alone = one_point and head["realizations"] == 1 and not scene.holds
+    check_quantities(scene, materials, alone)
+    _check_accuracy(variants, materials, scene, surface)
+    found = Study(
+        **head,
+        surface=surface,
+        grid=grid,
+        scene=scene,
+        variants=variants,
+        materials=materials,
+        cluster=cluster,
+    )
+    return _one_point(found) if one_point else found
+
+
+def _realizations(given: int | None, surface: Surface) -> int:
+    """Return how many lines there are; as many as were measured where nothing is said."""
+    lines = None
+    if surface.profile is not None and surface.phases == "measured":
+        lines = len(surface.profile.heights)
+    if given is None and lines is None:
+        raise UserError("study.realizations: missing")
+    if lines is not None and given is not None and given > lines:
+        raise UserError(f"study.realizations = {given}: only {lines} lines were measured")
+    return given or lines or 1
+
+
+def _check_blocks(head: dict[str, Any], one_point: bool) -> None:
     realizations, block = head["realizations"], head["realizations_per_block"]
+    if one_point and realizations == 1:
+        return
     if realizations % block or realizations // block < 2:
         raise UserError(
             f"study.realizations_per_block = {block}: must divide realizations = {realizations} "
             "into at least 2 blocks, from which standard errors are estimated"
         )
-    surface = read_table("surface", tables.get("surface", {}), SURFACE)
-    snap = surface.pop("snap_spacing")
-    scene = Scene(**read_table("scene", tables.get("scene", {}), SCENE))
-    steady_alone = scene.quantities == ("steady",)
-    return Study(
-        **head,
-        **read_table("material", tables.get("material", {}), MATERIAL),
-        **surface,
-        grid=read_grid(tables.get("grid", {}), surface["length"], snap, steady_alone),
-        scene=scene,
-        variants=read_variants(tables),
-        cluster=cluster,
-    )
+
+
+def _check_accuracy(
+    variants: dict[str, Numerics], materials: dict[str, Material], scene: Scene, surface: Surface
+) -> None:
+    """Raise UserError where an accuracy is asked for beyond what its laws were measured on."""
+    beyond = scene.programme or surface.profile is not None or surface.rolloff or surface.cutoff
+    for label, numerics in variants.items():
+        if numerics.accuracy and (beyond or materials[label].branches):
+            where = f"compare.{label}" if label else "numerics"
+            raise UserError(
+                f"{where}.accuracy = {numerics.accuracy!r}: holds for one velocity step of Kelvin "
+                "elements on self-affine lines; give steps_per_spacing and study.realizations"
+            )
+
+
+def _one_point(study: Study) -> Study:
+    for axis, values in study.grid.items():
+        if len(values) > 1 and axis != "hold":
+            raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
+    return study
 
 
 def study_head(

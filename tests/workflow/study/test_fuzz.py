@@ -84,7 +84,7 @@ def outcome(text, *given_settings, scale=None):
     try:
         study = small_study(*given_settings, text=text, scale=scale)
         small = isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS
-        if small and study.length / min(study.grid["spacing"]) <= MOST_ELEMENTS:
+        if small and study.surface.length / min(study.grid["spacing"]) <= MOST_ELEMENTS:
             make_plan(study)
     except UserError as error:
         return str(error)

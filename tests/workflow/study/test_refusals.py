@@ -43,7 +43,7 @@ def test_bad_value_names_key_value_and_remedy(setting, value, remedy):
 def test_the_nearest_spacing_proposed_is_accepted():
     message = complaint("grid.spacing=3e-5")
     nearest = message.partition("nearest: ")[2].partition(";")[0]
-    assert round(small_study(f"grid.spacing={nearest}").length / float(nearest)) == 333
+    assert round(small_study(f"grid.spacing={nearest}").surface.length / float(nearest)) == 333
 
 
 @pytest.mark.parametrize(

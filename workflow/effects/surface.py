@@ -6,11 +6,11 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kernels.surfaces.self_affine import NORMALISATIONS
+from workflow.effects.profile import Profile
 from workflow.errors import UserError
-from workflow.study.checks import Key, choice, flag, positive, read_table
-from workflow.study.profile import Profile
+from workflow.settings import Key, choice, flag, positive, read_table
 
-RANDOM = {
+SURFACE = {
     "length": Key(positive),
     "normalisation": Key(partial(choice, known=NORMALISATIONS), "modal"),
     "snap_spacing": Key(flag, False),
@@ -42,7 +42,7 @@ class Surface(NamedTuple):
 
 def read_surface(table: Any, folder: Path) -> Surface:
     """Return the surface of a study; files are found from its ``folder``. Raises UserError."""
-    surface = Surface(**read_table("surface", table, RANDOM))
+    surface = Surface(**read_table("surface", table, SURFACE))
     if surface.rolloff and not surface.cutoff < surface.rolloff < surface.length:
         raise UserError(
             f"surface.rolloff = {surface.rolloff!r}: must lie between surface.cutoff = "

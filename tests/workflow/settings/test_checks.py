@@ -6,10 +6,10 @@ from tests.support.documents import without
 from tests.support.small import complaint
 from workflow.study.cluster import CLUSTER
 from workflow.study.grid import AXES
-from workflow.study.numerics import NUMERICS
 from workflow.study.study import TABLES
+from workflow.study.variants import COMPARE
 
-KNOWN = {**TABLES, "compare.coarse": NUMERICS, "cluster": CLUSTER}
+KNOWN = {**TABLES, "compare.coarse": COMPARE, "cluster": CLUSTER}
 
 
 @pytest.mark.parametrize("key", [f"{table}.{key}" for table in KNOWN for key in KNOWN[table]])

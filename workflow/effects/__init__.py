@@ -1,0 +1,30 @@
+"""What a scene can call for, as the user describes it: material, surface, programme, quantities.
+
+Plain data in SI units with the checks of what goes together; knows no later stage.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.effects.material import MATERIAL, Material, Wlf, read_material
+    from workflow.effects.needs import check_quantities, why_not
+    from workflow.effects.profile import Profile, make_profile
+    from workflow.effects.programme import (
+        FromFile,
+        Hold,
+        Oscillate,
+        Programme,
+        Ramp,
+        Segment,
+        Slide,
+        Velocity,
+        velocity_steps,
+        with_hold,
+    )
+    from workflow.effects.quantities import QUANTITIES, judged
+    from workflow.effects.scene import SCENE, Scene, read_scene
+    from workflow.effects.surface import SURFACE, Surface, check_cutoff, read_surface
+
+__all__, __getattr__ = public_names(__name__, __file__)

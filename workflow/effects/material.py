@@ -1,0 +1,200 @@
+"""The table [material]: a relaxation modulus G(t) = G + sum_b g_b exp(-t/t_b), with a dashpot.
+
+G is the relaxed modulus, each branch (g_b, t_b) a Maxwell element beside it, and the dashpot of
+viscosity G relaxation_time acts on rates at once. Without branches it is the Kelvin element. All
+times shift with the temperature by one factor a_T (Williams, Landel and Ferry 1955,
+doi:10.1021/ja01619a008): log10 a_T = -c1 (T - T_ref)/(c2 + T - T_ref).
+"""
+
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from kernels.rheology.spectrum import Spectrum
+from workflow.errors import UserError
+from workflow.settings import (
+    Key,
+    as_text,
+    axis_values,
+    number,
+    positive,
+    read_columns,
+    read_table,
+    within,
+)
+
+MOST_BRANCHES = 200
+RATIOS = (1e-9, 1e9)  # of the modulus of a branch to the relaxed one
+TIMES = (1e-30, 1e30)  # s, of a branch
+ALIKE = 1e-12  # relative; times closer than this are one
+MOST_SHIFT = 30.0  # decades
+WLF = {"c1": Key(positive), "c2": Key(positive), "reference": Key(number)}
+
+Branch = tuple[float, float]  # modulus (Pa), time (s)
+
+
+class Wlf(NamedTuple):
+    """Constants of the shift with temperature."""
+
+    c1: float
+    c2: float  # °C
+    reference: float  # °C
+
+    def decades(self, temperature: float) -> float:
+        """Return log10 a_T at a temperature (°C) above reference - c2."""
+        above = temperature - self.reference
+        return -self.c1 * above / (self.c2 + above)
+
+
+class Material(NamedTuple):
+    """The elastomer, in SI units; times are those at the given or the reference temperature."""
+
+    shear_modulus: float  # Pa, relaxed
+    relaxation_time: float = 0.0  # s, of the dashpot beside it; 0: no dashpot
+    branches: tuple[Branch, ...] = ()  # times ascending, each once
+    wlf: Wlf | None = None
+    temperatures: tuple[float, ...] = ()  # °C, of a list: a dimension of the result
+
+    @property
+    def tau(self) -> float:
+        """Return the time scale (s): relaxation_time + sum_b g_b t_b / G."""
+        return self.relaxation_time + sum(g * t for g, t in self.branches) / self.shear_modulus
+
+    @property
+    def longest_time(self) -> float:
+        """Return the longest of the times of branches and dashpot (s): how far memory reaches."""
+        return max(self.relaxation_time, *(time for _, time in self.branches))
+
+    @property
+    def jumps(self) -> bool:
+        """Return whether forces jump with the velocity: whether there is a dashpot."""
+        return self.relaxation_time > 0.0
+
+    def shift(self, temperature: float) -> float:
+        """Return a_T, by which all times are longer at a temperature (°C); 1 without WLF."""
+        return 10.0 ** self.wlf.decades(temperature) if self.wlf else 1.0
+
+    def tau_at(self, temperature: float) -> float:
+        """Return tau (s) at a temperature (°C)."""
+        return self.tau * self.shift(temperature)
+
+    def spectrum(self) -> Spectrum:
+        """Return the material in units of G and tau: the same at all temperatures."""
+        tau = self.tau
+        return Spectrum(
+            moduli=tuple(modulus / self.shear_modulus for modulus, _ in self.branches),
+            times=tuple(time / tau for _, time in self.branches),
+            viscosity=self.relaxation_time / tau,
+        )
+
+    def shifted(self, factor: float) -> "Material":
+        """Return the material with all times longer by a factor."""
+        return self._replace(
+            relaxation_time=factor * self.relaxation_time,
+            branches=tuple((modulus, factor * time) for modulus, time in self.branches),
+        )
+
+
+def read_material(where: str, table: Any, folder: Path) -> Material:
+    """Return the material of a table; files are found from ``folder``. Raises UserError.
+
+    where : the name of the table, for messages.
+    """
+    given = read_table(where, table, MATERIAL)
+    branches = given["branches"]
+    if given["branches_file"]:
+        if "branches" in table:
+            raise UserError(f"{where}.branches_file: give it or {where}.branches, not both")
+        branches = _branches_of_file(f"{where}.branches_file", folder / given["branches_file"])
+    modulus, time = given["shear_modulus"], given["relaxation_time"]
+    if not branches and time is None:
+        raise UserError(f"{where}.relaxation_time: missing")
+    if not branches and time == 0.0:
+        raise UserError(f"{where}.relaxation_time = 0.0: must be greater than zero")
+    for g, _ in branches:
+        if not RATIOS[0] <= g / modulus <= RATIOS[1]:
+            raise UserError(
+                f"{where}.branches: the modulus {g!r} must lie between {RATIOS[0]:g} and "
+                f"{RATIOS[1]:g} of shear_modulus = {modulus!r}"
+            )
+    found = Material(modulus, time or 0.0, _merged(branches), given["wlf"])
+    return _tempered(where, found, given["temperature"])
+
+
+def _tempered(where: str, material: Material, temperature: float | tuple | None) -> Material:
+    """Return the material at one temperature, or with the list of them."""
+    if (temperature is None) != (material.wlf is None):
+        missing, other = "temperature", "wlf"
+        if material.wlf is None:
+            missing, other = other, missing
+        raise UserError(f"{where}.{missing}: missing; {where}.{other} needs it")
+    if temperature is None or material.wlf is None:
+        return material
+    several = (temperature,) if isinstance(temperature, float) else temperature
+    for value in several:
+        _check_temperature(where, material.wlf, value)
+    if isinstance(temperature, float):
+        return material.shifted(material.shift(temperature))
+    return material._replace(temperatures=several)
+
+
+def _check_temperature(where: str, wlf: Wlf, value: float) -> None:
+    least = wlf.reference - wlf.c2
+    if value <= least:
+        raise UserError(
+            f"{where}.temperature = {value!r}: must be above reference - c2 = {least:g}, where "
+            "the WLF shift has its pole"
+        )
+    if not abs(wlf.decades(value)) <= MOST_SHIFT:
+        raise UserError(
+            f"{where}.temperature = {value!r}: shifts times by {wlf.decades(value):.3g} decades, "
+            f"but at most {MOST_SHIFT:g} are supported"
+        )
+
+
+def _branches(key: str, value: object) -> tuple[Branch, ...]:
+    if not isinstance(value, list) or len(value) > MOST_BRANCHES:
+        raise UserError(
+            f"{key} = {value!r:.60}: must be a list of [modulus, time], {MOST_BRANCHES} at most"
+        )
+    return tuple(_branch(f"{key}[{i}]", entry) for i, entry in enumerate(value))
+
+
+def _branch(key: str, entry: object) -> Branch:
+    if not isinstance(entry, list) or len(entry) != 2:
+        raise UserError(f"{key} = {entry!r:.60}: must be [modulus in Pa, time in s]")
+    return positive(f"{key}[0]", entry[0]), within(f"{key}[1]", entry[1], *TIMES)
+
+
+def _branches_of_file(key: str, path: Path) -> tuple[Branch, ...]:
+    columns = read_columns(key, path, ("a modulus in Pa", "a time in s"))
+    return _branches(key, columns.T.tolist())
+
+
+def _merged(branches: tuple[Branch, ...]) -> tuple[Branch, ...]:
+    """Return the branches sorted by time, those of equal times as one."""
+    found: list[Branch] = []
+    for modulus, time in sorted(branches, key=lambda branch: (branch[1], branch[0])):
+        if found and time <= found[-1][1] * (1.0 + ALIKE):
+            found[-1] = (found[-1][0] + modulus, found[-1][1])
+        else:
+            found.append((modulus, time))
+    return tuple(found)
+
+
+def _wlf(key: str, value: object) -> Wlf:
+    return Wlf(**read_table(key, value, WLF))
+
+
+def _temperature(key: str, value: object) -> float | tuple[float, ...]:
+    return axis_values(key, value) if isinstance(value, list | dict) else number(key, value)
+
+
+MATERIAL = {
+    "shear_modulus": Key(positive),
+    "relaxation_time": Key(partial(within, least=0.0, most=TIMES[1]), None),
+    "branches": Key(_branches, ()),
+    "branches_file": Key(as_text, ""),
+    "wlf": Key(_wlf, None),
+    "temperature": Key(_temperature, None),
+}

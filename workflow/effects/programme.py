@@ -1,0 +1,137 @@
+"""The programme of a scene: how the line is driven, segment by segment, in SI units."""
+
+import math
+from itertools import pairwise
+from typing import NamedTuple
+
+
+class Velocity(NamedTuple):
+    """A velocity, positive in the direction of sliding, as such or as a share of another."""
+
+    value: float  # m/s, or a ratio
+    relative: bool = False  # to the velocity of the grid
+
+    def at(self, reference: float) -> float:
+        """Return the velocity (m/s) where that of the grid is ``reference``."""
+        return self.value * reference if self.relative else self.value
+
+
+class Slide(NamedTuple):
+    """Slide at constant velocity, over a distance or for a duration."""
+
+    velocity: Velocity
+    distance: float | None = None  # m
+    duration: float | None = None  # s; one of the two is given
+
+    def seconds(self, reference: float) -> float:
+        """Return the duration (s) where the velocity of the grid is ``reference``."""
+        if self.distance is None:
+            return self.duration or 0.0
+        return self.distance / abs(self.velocity.at(reference))
+
+
+class Hold(NamedTuple):
+    """Stay where it is; several durations make one programme each."""
+
+    durations: tuple[float, ...]  # s
+    several: bool = False  # given as a list: a dimension of the result
+
+
+class Ramp(NamedTuple):
+    """Change the velocity linearly in time."""
+
+    first: Velocity
+    last: Velocity
+    duration: float  # s
+
+
+class Oscillate(NamedTuple):
+    """Superpose amplitude sin(2 pi frequency t) on a path of constant velocity."""
+
+    velocity: Velocity  # mean
+    amplitude: float  # m
+    frequency: float  # Hz
+    cycles: int
+
+
+class FromFile(NamedTuple):
+    """Follow a sampled velocity, linear between the samples; times start at zero."""
+
+    times: tuple[float, ...]  # s, ascending
+    velocities: tuple[float, ...]  # m/s
+
+
+Segment = Slide | Hold | Ramp | Oscillate | FromFile
+Programme = tuple[Segment, ...]
+
+
+def velocities_of(segment: Segment) -> tuple[Velocity, ...]:
+    """Return the velocities at the beginning and at the end of a segment; none of a hold."""
+    match segment:
+        case Slide() | Oscillate():
+            return (segment.velocity, segment.velocity)
+        case Ramp():
+            return (segment.first, segment.last)
+        case FromFile():
+            return tuple(Velocity(v) for v in (segment.velocities[0], segment.velocities[-1]))
+    return ()
+
+
+def is_relative(programme: Programme) -> bool:
+    """Return whether any segment takes its velocity from the grid."""
+    return any(v.relative for segment in programme for v in velocities_of(segment))
+
+
+def velocity_steps(programme: Programme) -> list[int]:
+    """Return the segments i where a slide changes over to another velocity of the same sign."""
+    return [
+        i
+        for i, (before, after) in enumerate(pairwise(programme))
+        if isinstance(before, Slide)
+        and isinstance(after, Slide)
+        and before.velocity != after.velocity
+        and math.copysign(1.0, before.velocity.value) == math.copysign(1.0, after.velocity.value)
+    ]
+
+
+def holds(programme: Programme) -> list[int]:
+    """Return the segments i that hold between a slide and another slide."""
+    return [
+        i
+        for i in range(1, len(programme) - 1)
+        if isinstance(programme[i], Hold)
+        and isinstance(programme[i - 1], Slide)
+        and isinstance(programme[i + 1], Slide)
+    ]
+
+
+def hold_durations(programme: Programme) -> tuple[float, ...]:
+    """Return the durations (s) of the hold that was given a list of them; none without it."""
+    return next((s.durations for s in programme if isinstance(s, Hold) and s.several), ())
+
+
+def with_hold(programme: Programme, duration: float) -> Programme:
+    """Return the programme in which the hold of several durations has one of them (s)."""
+    return tuple(Hold((duration,)) if isinstance(s, Hold) and s.several else s for s in programme)
+
+
+def first_velocity(programme: Programme) -> Velocity | None:
+    """Return the velocity at which a programme begins; None where it begins with a hold."""
+    found = velocities_of(programme[0])
+    return found[0] if found else None
+
+
+def first_speed(programme: Programme) -> float:
+    """Return the first speed (m/s) that is not zero; of an oscillation about rest its amplitude.
+
+    NaN where there is none; velocities are not those of the grid.
+    """
+    for segment in programme:
+        speeds = [velocity.value for velocity in velocities_of(segment)]
+        if isinstance(segment, Oscillate):
+            speeds.append(2.0 * math.pi * segment.frequency * segment.amplitude)
+        elif isinstance(segment, FromFile):
+            speeds = list(segment.velocities)
+        if any(speeds):
+            return next(abs(speed) for speed in speeds if speed)
+    return math.nan

@@ -1,0 +1,148 @@
+"""The table [scene]: what is simulated and how the line is driven and pressed on."""
+
+from collections.abc import Iterable
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from workflow.effects.material import Material
+from workflow.effects.programme import (
+    Hold,
+    Programme,
+    Segment,
+    first_speed,
+    first_velocity,
+    hold_durations,
+    is_relative,
+)
+from workflow.effects.quantities import (
+    AT_AN_INDENTATION,
+    OF_A_PROGRAMME,
+    USUAL,
+    WITHOUT_DASHPOT,
+    asked_for,
+)
+from workflow.effects.segments import MOST_SEGMENTS, read_programme, sampled
+from workflow.errors import UserError
+from workflow.settings import Key, as_table, as_text, choice, flag, integer, read_table
+
+FORCE, INDENTATION = "force", "indentation"  # controls
+STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
+History = tuple[tuple[float, ...], tuple[float, ...]]  # times (s), values
+
+
+class Scene(NamedTuple):
+    """What is simulated."""
+
+    quantities: tuple[str, ...] = USUAL
+    indentation_rate: bool = True
+    control: str = FORCE
+    start: str = STEADY  # of a programme
+    repeat: int = 1  # times that the whole list is followed
+    programme: Programme = ()  # empty: steady at v1, a jump to v2, relaxation
+    indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
+
+    @property
+    def segments(self) -> tuple[Segment, ...]:
+        """Return the programme with its repetitions."""
+        return self.programme * self.repeat
+
+    @property
+    def takes_velocity(self) -> bool:
+        """Return whether the velocity of the grid is used at all."""
+        held = bool(self.programme) and isinstance(self.programme[0], Hold)
+        started = self.start == STEADY and held
+        return not self.programme or is_relative(self.programme) or started
+
+    @property
+    def takes_indentation(self) -> bool:
+        """Return whether the grid prescribes the indentation."""
+        return self.control == INDENTATION and self.indentation_history is None
+
+    @property
+    def holds(self) -> tuple[float, ...]:
+        """Return the durations (s) of the dimension "hold"; none without it."""
+        return hold_durations(self.programme)
+
+    @property
+    def typical_speed(self) -> float:
+        """Return the speed (m/s) of a programme without the grid's: the first that is not 0."""
+        return first_speed(self.programme)
+
+    def start_velocity(self, reference: float) -> float:
+        """Return the velocity (m/s) at which it begins where that of the grid is ``reference``."""
+        found = first_velocity(self.programme) if self.programme else None
+        return found.at(reference) if found else reference
+
+
+def read_scene(table: Any, folder: Path, materials: Iterable[Material]) -> Scene:
+    """Return the scene of a table; files are found from ``folder``. Raises UserError.
+
+    materials : of the study and its comparisons; what is asked for by default depends on them.
+    """
+    own = as_table("scene", table)
+    given = read_table("scene", own, SCENE)
+    segments, history = given.pop("programme"), given.pop("indentation_file")
+    programme = () if segments is None else read_programme("scene.programme", segments, folder)
+    times = None
+    if history:
+        key = "scene.indentation_file"
+        columns = sampled(key, folder / history, "an indentation in m")
+        times = (tuple(columns[0].tolist()), tuple(columns[1].tolist()))
+    asked = given.pop("quantities") or _usual(programme, given["control"], materials)
+    scene = Scene(quantities=asked, programme=programme, indentation_history=times, **given)
+    _check(own, scene, tuple(materials))
+    return scene
+
+
+def _usual(programme: Programme, control: str, materials: Iterable[Material]) -> tuple[str, ...]:
+    """Return what is asked for where nothing is said."""
+    if control == INDENTATION:
+        return AT_AN_INDENTATION
+    if programme:
+        return OF_A_PROGRAMME
+    return USUAL if all(material.jumps for material in materials) else WITHOUT_DASHPOT
+
+
+def _check(table: dict[str, Any], scene: Scene, materials: tuple[Material, ...]) -> None:
+    """Raise UserError where the keys of a scene do not go together."""
+    for key in ("control", "start", "repeat"):
+        if key in table and not scene.programme and getattr(scene, key) != USUAL_SCENE[key]:
+            raise UserError(
+                f"scene.{key} = {table[key]!r}: belongs to a programme, and there is no "
+                "[[scene.programme]]"
+            )
+    if scene.indentation_history is not None and scene.control != INDENTATION:
+        raise UserError('scene.indentation_file: needs scene.control = "indentation"')
+    if scene.repeat * len(scene.programme) > MOST_SEGMENTS:
+        raise UserError(
+            f"scene.repeat = {scene.repeat}: makes {scene.repeat * len(scene.programme)} segments, "
+            f"more than {MOST_SEGMENTS}"
+        )
+    if not scene.indentation_rate and (scene.programme or any(m.branches for m in materials)):
+        raise UserError(
+            "scene.indentation_rate = False: eq. 3 as printed is defined for one velocity step of "
+            "a Kelvin element alone; leave it out"
+        )
+    if scene.start == FRESH and any(material.jumps for material in materials):
+        raise UserError(
+            'scene.start = "fresh": a dashpot would carry any load at no indentation; use '
+            '"relaxed", or a material without relaxation_time'
+        )
+    if scene.programme and scene.start == STEADY and scene.start_velocity(1.0) == 0.0:
+        raise UserError(
+            'scene.start = "steady": the programme begins at velocity 0, where nothing is steady '
+            'sliding; use "relaxed"'
+        )
+
+
+SCENE = {
+    "quantities": Key(asked_for, None),
+    "indentation_rate": Key(flag, True),
+    "control": Key(partial(choice, known=(FORCE, INDENTATION)), FORCE),
+    "indentation_file": Key(as_text, ""),
+    "start": Key(partial(choice, known=(STEADY, RELAXED, FRESH)), STEADY),
+    "repeat": Key(partial(integer, least=1, most=MOST_SEGMENTS), 1),
+    "programme": Key(lambda _, value: value, None),
+}
+USUAL_SCENE = Scene()._asdict()

@@ -1,0 +1,177 @@
+"""Read [[scene.programme]]: one table per segment, with one kind of segment in each."""
+
+import math
+from collections.abc import Callable
+from functools import partial
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from workflow.effects.programme import (
+    FromFile,
+    Hold,
+    Oscillate,
+    Programme,
+    Ramp,
+    Segment,
+    Slide,
+    Velocity,
+)
+from workflow.errors import UserError
+from workflow.settings import (
+    Key,
+    as_table,
+    as_text,
+    checked_values,
+    integer,
+    number,
+    positive,
+    read_columns,
+    read_table,
+)
+
+MOST_SEGMENTS = 1000
+MOST_SAMPLES = 100_000  # of a file
+
+
+def _not_zero(key: str, value: object) -> float:
+    checked = number(key, value)
+    if checked == 0.0:
+        raise UserError(f"{key} = {value!r}: must not be zero; use hold")
+    return checked
+
+
+def _pair(key: str, value: object) -> tuple[float, float]:
+    if not isinstance(value, list) or len(value) != 2:
+        raise UserError(f"{key} = {value!r:.60}: must be [first, last]")
+    return number(f"{key}[0]", value[0]), number(f"{key}[1]", value[1])
+
+
+SLIDE = {
+    "velocity": Key(_not_zero, None),
+    "ratio": Key(_not_zero, None),
+    "distance": Key(positive, None),
+    "duration": Key(positive, None),
+}
+RAMP = {"velocity": Key(_pair, None), "ratio": Key(_pair, None), "duration": Key(positive)}
+OSCILLATE = {
+    "velocity": Key(number, None),
+    "ratio": Key(number, None),
+    "amplitude": Key(positive, None),
+    "velocity_amplitude": Key(positive, None),
+    "frequency": Key(positive),
+    "cycles": Key(partial(integer, least=1)),
+}
+HOLD = {"duration": Key(partial(checked_values, positive))}
+
+
+def _one_of(where: str, given: dict[str, Any], *names: str) -> str:
+    """Return the one of some keys that was given. Raises UserError for none and for two."""
+    found = [name for name in names if given[name] is not None]
+    if len(found) != 1:
+        raise UserError(f"{where}: give one of {' and '.join(names)}, not {len(found) or 'none'}")
+    return found[0]
+
+
+def _slide(where: str, table: Any, _: Path) -> Slide:
+    given = read_table(where, table, SLIDE)
+    kind = _one_of(where, given, "velocity", "ratio")
+    _one_of(where, given, "distance", "duration")
+    velocity = Velocity(given[kind], kind == "ratio")
+    return Slide(velocity, given["distance"], given["duration"])
+
+
+def _hold(where: str, table: Any, _: Path) -> Hold:
+    durations = read_table(where, table, HOLD)["duration"]
+    return Hold(durations, isinstance(table["duration"], list | dict))
+
+
+def _ramp(where: str, table: Any, _: Path) -> Ramp:
+    given = read_table(where, table, RAMP)
+    kind = _one_of(where, given, "velocity", "ratio")
+    first, last = (Velocity(value, kind == "ratio") for value in given[kind])
+    return Ramp(first, last, given["duration"])
+
+
+def _oscillate(where: str, table: Any, _: Path) -> Oscillate:
+    given = read_table(where, table, OSCILLATE)
+    if given["velocity"] is None and given["ratio"] is None:
+        given["velocity"] = 0.0
+    kind = _one_of(where, given, "velocity", "ratio")
+    size = _one_of(where, given, "amplitude", "velocity_amplitude")
+    omega = 2.0 * math.pi * given["frequency"] if size == "velocity_amplitude" else 1.0
+    velocity = Velocity(given[kind], kind == "ratio")
+    return Oscillate(velocity, given[size] / omega, given["frequency"], given["cycles"])
+
+
+def _file(where: str, name: Any, folder: Path) -> FromFile:
+    times, velocities = sampled(where, folder / as_text(where, name), "a velocity in m/s")
+    if not np.any(velocities):
+        raise UserError(f"{where} = {name!r}: never moves; use hold")
+    return FromFile(tuple((times - times[0]).tolist()), tuple(velocities.tolist()))
+
+
+def sampled(key: str, path: Path, what: str) -> np.ndarray:
+    """Return times and values of a file, shape (2, samples). Raises UserError.
+
+    Times must be increasing. what : the name of the second column, for messages.
+    """
+    columns = read_columns(key, path, ("a time in s", what))
+    if not 2 <= columns.shape[1] <= MOST_SAMPLES:
+        raise UserError(
+            f"{key} = {str(path)!r}: holds {columns.shape[1]} rows; must be 2 to {MOST_SAMPLES}"
+        )
+    back = np.flatnonzero(np.diff(columns[0]) <= 0.0)
+    if back.size:
+        raise UserError(
+            f"{key} = {str(path)!r}: time {columns[0, back[0] + 1]:g} s does not come after "
+            f"{columns[0, back[0]]:g} s; times must increase"
+        )
+    return columns
+
+
+KINDS: dict[str, Callable[[str, Any, Path], Segment]] = {
+    "slide": _slide,
+    "hold": _hold,
+    "ramp": _ramp,
+    "oscillate": _oscillate,
+    "file": _file,
+}
+
+
+def read_programme(key: str, value: object, folder: Path) -> Programme:
+    """Return the segments of a list of tables; files are found from ``folder``.
+
+    Raises UserError for what is no segment and for segments that do not go together.
+    """
+    if not isinstance(value, list) or not 1 <= len(value) <= MOST_SEGMENTS:
+        raise UserError(f"{key} = {value!r:.60}: must be a list of 1 to {MOST_SEGMENTS} segments")
+    programme = tuple(_segment(f"{key}[{i}]", entry, folder) for i, entry in enumerate(value))
+    lists = [i for i, s in enumerate(programme) if isinstance(s, Hold) and s.several]
+    if len(lists) > 1:
+        raise UserError(
+            f"{key}[{lists[1]}].hold: only one hold of a programme may have a list of durations"
+        )
+    for i, (before, after) in enumerate(pairwise(programme), 1):
+        if isinstance(before, Ramp) and isinstance(after, Oscillate):
+            _check_mean(f"{key}[{i}].oscillate", before.last, after.velocity)
+    return programme
+
+
+def _check_mean(where: str, ended: Velocity, mean: Velocity) -> None:
+    if ended != mean and (ended.value or mean.value):
+        unit = {True: "of grid.velocity", False: "m/s"}
+        raise UserError(
+            f"{where}: its mean velocity {mean.value:g} {unit[mean.relative]} must be that at "
+            f"which the ramp before it ends, {ended.value:g} {unit[ended.relative]}"
+        )
+
+
+def _segment(where: str, entry: object, folder: Path) -> Segment:
+    table = as_table(where, entry)
+    kinds = list(table)
+    if len(kinds) != 1 or kinds[0] not in KINDS:
+        raise UserError(f"{where} = {table!r:.60}: must hold one segment, {', '.join(KINDS)}")
+    return KINDS[kinds[0]](f"{where}.{kinds[0]}", table[kinds[0]], folder)

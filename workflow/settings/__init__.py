@@ -1,0 +1,27 @@
+"""How any table of the user is read: checks of single values, lists of values, columns of text.
+
+Knows no table: which keys there are is said where they are used.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.settings.checks import (
+        Key,
+        as_table,
+        as_text,
+        check_keys,
+        choice,
+        flag,
+        integer,
+        number,
+        positive,
+        read_table,
+        within,
+    )
+    from workflow.settings.columns import read_columns
+    from workflow.settings.values import axis_values, checked_values
+
+__all__, __getattr__ = public_names(__name__, __file__)

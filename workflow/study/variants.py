@@ -1,0 +1,40 @@
+"""The study itself and its comparisons: [numerics], [material] and [compare.NAME]."""
+
+import re
+from pathlib import Path
+from typing import Any
+
+from workflow.effects import MATERIAL, Material, read_material
+from workflow.errors import UserError
+from workflow.settings import as_table, check_keys
+from workflow.study.numerics import NUMERICS, Numerics, read_numerics
+
+# All of a comparison are points of one grid, to which temperatures belong.
+COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
+EITHER = {"branches": "branches_file", "branches_file": "branches"}  # one takes the other's place
+
+
+def read_variants(
+    tables: dict[str, Any], folder: Path
+) -> tuple[dict[str, Numerics], dict[str, Material]]:
+    """Return label -> numerics and label -> material, of the study ("") and its comparisons.
+
+    Files are found from ``folder``. Raises UserError.
+    """
+    numerics = as_table("numerics", tables.get("numerics", {}))
+    material = as_table("material", tables.get("material", {}))
+    variants = {"": read_numerics("numerics", numerics)}
+    materials = {"": read_material("material", material, folder)}
+    for label, extra in as_table("compare", tables.get("compare", {})).items():
+        where = f"compare.{label}"
+        if not re.fullmatch(r"[A-Za-z]\w*", label):
+            raise UserError(f'compare."{label}": name it by letters, digits and underscores')
+        given = as_table(where, extra)
+        check_keys(f"{where}.", given, COMPARE)
+        changed = {key: given[key] for key in given if key in NUMERICS}
+        variants[label] = read_numerics(where, {**numerics, **changed})
+        others = {EITHER[key] for key in given if key in EITHER}
+        kept = {key: value for key, value in material.items() if key not in others}
+        made_of = {key: given[key] for key in given if key in MATERIAL}
+        materials[label] = read_material(where, {**kept, **made_of}, folder)
+    return variants, materials
