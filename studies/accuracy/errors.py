@@ -5,8 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import amplitudes, rms_slope
-from workflow.reduce import fit_relaxation
-from workflow.statistics import replicates, standard_error
+from workflow.reduce import fit_relaxation, replicates, standard_error
 
 from .points import Point
 from .sampling import Runs

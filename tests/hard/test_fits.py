@@ -21,7 +21,7 @@ from workflow.reduce.fits import (
     fit_relaxation,
 )
 from workflow.reduce.models import compare_models
-from workflow.statistics.jackknife import errors_needed, replicates, standard_error
+from workflow.reduce.statistics.jackknife import errors_needed, replicates, standard_error
 
 # 25 pulls find a bias of one standard error with 96 % (5 deviations of their mean), and errors that
 # are stated at half or at twice their size with 97 % or 84 % (the sum of squares, chi2).

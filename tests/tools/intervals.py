@@ -20,10 +20,10 @@ from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.reduce.attainment import attained
 from workflow.reduce.estimates import Blocks, Estimates, reduce_blocks
 from workflow.reduce.fits import FITTED
+from workflow.reduce.statistics.jackknife import grouped_means
 from workflow.run.rounds import next_blocks
 from workflow.simulate.realizations import block_means, record_steps, record_times
 from workflow.simulate.tasks import Batch, Problem, Task
-from workflow.statistics.jackknife import grouped_means
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene
 

@@ -34,5 +34,11 @@ if TYPE_CHECKING:
         TWO_EXPONENTIALS,
         compare_models,
     )
+    from workflow.reduce.statistics import (
+        grouped_means,
+        replicates,
+        significant,
+        standard_error,
+    )
 
 __all__, __getattr__ = public_names(__name__, __file__)

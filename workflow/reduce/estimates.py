@@ -7,8 +7,8 @@ import numpy as np
 from workflow.effects import QUANTITIES
 from workflow.reduce.fits import FITTED, RelaxationFit, fit_power_law, fit_relaxation
 from workflow.reduce.models import COEFFICIENTS, GAINS, Comparison, compare_models
+from workflow.reduce.statistics import replicates, standard_error
 from workflow.simulate import SCALARS
-from workflow.statistics import replicates, standard_error
 
 Estimates = dict[str, np.ndarray]
 

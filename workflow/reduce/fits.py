@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import leastsq
 
-from workflow.statistics import significant, standard_error
+from workflow.reduce.statistics import significant, standard_error
 
 FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE = range(5)
 

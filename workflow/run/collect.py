@@ -16,12 +16,12 @@ from workflow.reduce import (
     Estimates,
     attained,
     fit_exponents,
+    grouped_means,
     reduce_blocks,
 )
 from workflow.result import build_dataset
 from workflow.run.summary import Summary
 from workflow.simulate import Task, record_steps, record_times
-from workflow.statistics import grouped_means
 from workflow.store import Store
 from workflow.system import Reporter
 

@@ -14,7 +14,7 @@ from workflow.reduce.fits import (
     fit_relaxation,
     fit_window,
 )
-from workflow.statistics.jackknife import replicates
+from workflow.reduce.statistics.jackknife import replicates
 
 SHARE = np.linspace(0.0, 4.0, 63)
 

@@ -16,7 +16,7 @@ from workflow.reduce.models import (
     compare_models,
     determined,
 )
-from workflow.statistics.jackknife import replicates, standard_error
+from workflow.reduce.statistics.jackknife import replicates, standard_error
 
 TIME = np.linspace(0.02, 4.0, 63)
 CURVES = {

@@ -6,7 +6,12 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
-from workflow.statistics.jackknife import grouped_means, replicates, significant, standard_error
+from workflow.reduce.statistics.jackknife import (
+    grouped_means,
+    replicates,
+    significant,
+    standard_error,
+)
 
 BLOCKS = arrays(float, array_shapes(min_dims=2, max_dims=3, min_side=2), elements=st.floats(-9, 9))
 

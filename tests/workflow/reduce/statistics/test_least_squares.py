@@ -8,7 +8,7 @@ from scipy.optimize import curve_fit
 
 from tests.support.sweeps import examples
 from workflow.reduce.models import exponential, stretched
-from workflow.statistics.least_squares import fit_curves
+from workflow.reduce.statistics.least_squares import fit_curves
 
 TIME = np.linspace(0.02, 4.0, 63)
 

@@ -8,13 +8,13 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.statistics.jackknife import (
+    from workflow.reduce.statistics.jackknife import (
         errors_needed,
         grouped_means,
         replicates,
         significant,
         standard_error,
     )
-    from workflow.statistics.least_squares import Model, fit_curves
+    from workflow.reduce.statistics.least_squares import Model, fit_curves
 
 __all__, __getattr__ = public_names(__name__, __file__)
