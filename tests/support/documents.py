@@ -38,9 +38,10 @@ def document(tables):
     return "\n".join(f"{json.dumps(key)} = {toml(value)}" for key, value in tables.items())
 
 
-def without(where):
-    """Return the text of the small study without the setting TABLE.KEY."""
+def without(*places):
+    """Return the text of the small study without settings, each given as TABLE.KEY."""
     tables = tomllib.loads(TEXT)
-    table, key = where.split(".")
-    del tables[table][key]
+    for where in places:
+        table, key = where.split(".")
+        del tables[table][key]
     return document(tables)

@@ -45,8 +45,21 @@ normal_force = [0.04, 0.4, 4.0]
 """
 
 
+FILES = {  # beside small.toml
+    "branches.csv": "modulus [Pa], time [s]\n5e6, 1e-2\n1e7, 1e-3\n",
+    "velocity.csv": "time velocity\n0 0.1\n1e-3 0.2\n",
+    "still.csv": "0 0\n1 0\n",
+    "back.csv": "0 0.1\n1 0.2\n1 0.1\n",
+    "one.csv": "0 0.1\n",
+    "three.csv": "1, 2, 3\n",
+    "words.csv": "time velocity\n",
+}
+
+
 def write_study(folder, text=TEXT):
-    """Write small.toml into ``folder`` and return its path as a string."""
+    """Write small.toml and its FILES into ``folder``; return the path of it as a string."""
+    for name, content in FILES.items():
+        (Path(folder) / name).write_text(content, encoding="utf-8")
     path = Path(folder) / "small.toml"
     path.write_text(text, encoding="utf-8")
     return str(path)

@@ -69,5 +69,5 @@ WORDS = {
     HELD: "the programme has no hold between two slides",
     SWUNG: "the programme has no oscillation",
     FORCE: 'is defined at a given normal force; with scene.control = "indentation" ask for trace',
-    ALONE: "is there for a single line alone, from workflow.scene or `animate`",
+    ALONE: "is there for a single line alone, from workflow.scene or the command animate",
 }

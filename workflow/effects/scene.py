@@ -1,5 +1,6 @@
 """The table [scene]: what is simulated and how the line is driven and pressed on."""
 
+import math
 from collections.abc import Iterable
 from functools import partial
 from pathlib import Path
@@ -48,11 +49,14 @@ class Scene(NamedTuple):
         return self.programme * self.repeat
 
     @property
+    def slid_before(self) -> bool:
+        """Return whether it begins at rest after steady sliding at the velocity of the grid."""
+        return self.start == STEADY and bool(self.programme) and isinstance(self.programme[0], Hold)
+
+    @property
     def takes_velocity(self) -> bool:
         """Return whether the velocity of the grid is used at all."""
-        held = bool(self.programme) and isinstance(self.programme[0], Hold)
-        started = self.start == STEADY and held
-        return not self.programme or is_relative(self.programme) or started
+        return not self.programme or is_relative(self.programme) or self.slid_before
 
     @property
     def takes_indentation(self) -> bool:
@@ -121,7 +125,7 @@ def _check(table: dict[str, Any], scene: Scene, materials: tuple[Material, ...])
         )
     if not scene.indentation_rate and (scene.programme or any(m.branches for m in materials)):
         raise UserError(
-            "scene.indentation_rate = False: eq. 3 as printed is defined for one velocity step of "
+            "scene.indentation_rate = false: eq. 3 as printed is defined for one velocity step of "
             "a Kelvin element alone; leave it out"
         )
     if scene.start == FRESH and any(material.jumps for material in materials):
@@ -129,6 +133,8 @@ def _check(table: dict[str, Any], scene: Scene, materials: tuple[Material, ...])
             'scene.start = "fresh": a dashpot would carry any load at no indentation; use '
             '"relaxed", or a material without relaxation_time'
         )
+    if scene.programme and math.isnan(scene.typical_speed):
+        raise UserError("scene.programme: never moves; add a slide, a ramp or an oscillation")
     if scene.programme and scene.start == STEADY and scene.start_velocity(1.0) == 0.0:
         raise UserError(
             'scene.start = "steady": the programme begins at velocity 0, where nothing is steady '

@@ -173,5 +173,6 @@ def _segment(where: str, entry: object, folder: Path) -> Segment:
     table = as_table(where, entry)
     kinds = list(table)
     if len(kinds) != 1 or kinds[0] not in KINDS:
-        raise UserError(f"{where} = {table!r:.60}: must hold one segment, {', '.join(KINDS)}")
+        found = ", ".join(kinds) or "nothing"
+        raise UserError(f"{where} holds {found:.60}: must hold one out of {', '.join(KINDS)}")
     return KINDS[kinds[0]](f"{where}.{kinds[0]}", table[kinds[0]], folder)

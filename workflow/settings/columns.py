@@ -21,7 +21,8 @@ def read_columns(key: str, path: Path, names: tuple[str, ...]) -> np.ndarray:
     try:
         lines = path.read_text(encoding="utf-8-sig").splitlines()
     except (OSError, ValueError) as error:  # ValueError: not UTF-8, or no name of a file
-        raise UserError(f"{key} = {str(path)!r}: cannot be read: {error}") from None
+        reason = getattr(error, "strerror", None) or error
+        raise UserError(f"{key} = {str(path)!r}: cannot be read: {reason}") from None
     rows: list[list[float]] = []
     for number, line in enumerate(lines, 1):
         entries = [entry for entry in SEPARATORS.split(line.partition("#")[0]) if entry]

@@ -72,6 +72,11 @@ def read_grid(table: Any, surface: Surface, scene: Scene, temperatures: tuple[fl
     for axis, (_, reason) in filled.items():
         if axis in given:
             raise UserError(f"grid.{axis} = {given[axis]!r:.40}: {reason}; leave it out")
+    if scene.slid_before and "velocity" not in given:
+        raise UserError(
+            'scene.start = "steady": the programme begins with a hold; give grid.velocity, at '
+            'which it slid before, or use "relaxed"'
+        )
     keys = {axis: Key(key.check, filled.get(axis, (key.default,))[0]) for axis, key in GRID.items()}
     if scene.quantities == ("steady",) and not scene.programme:
         keys["velocity_step"] = Key(GRID["velocity_step"].check, (0.0,))
