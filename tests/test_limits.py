@@ -20,7 +20,7 @@ STUDY = ("cluster", "grid", "numerics", "read", "study", "variants")
 SETTINGS = ("checks", "columns", "values")
 EFFECTS = ("material", "needs", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "docs" / "limits.md"
-ROOMS = {"study": STUDY, "settings": SETTINGS, "effects": EFFECTS}
+ROOMS = {"study": STUDY, "study/settings": SETTINGS, "study/effects": EFFECTS}
 CHECKED = (
     "plan/problems",
     *(f"{room}/{name}" for room, names in ROOMS.items() for name in names),
@@ -31,8 +31,11 @@ ELSEWHERE = {"find_study", "_one_point", "_realizations"}
 
 
 def _module(path):
-    """Return "room/file" for the path of a module."""
-    return "/".join(Path(str(path)).with_suffix("").parts[-2:])
+    """Return "room/file" for the path of a module, with the rooms that it is nested in."""
+    parts = Path(str(path)).with_suffix("").parts
+    return (
+        "/".join(parts[len(parts) - parts[::-1].index("workflow") :]) if "workflow" in parts else ""
+    )
 
 
 def rows(title):

@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from workflow.result import Groups
-from workflow.settings import integer, positive
+from workflow.study import integer, positive
 
 from . import ladders, rivals
 from .marches import MARCHES

@@ -10,7 +10,7 @@ import xarray as xr
 
 from workflow.errors import UserError
 from workflow.result import Groups
-from workflow.settings import integer, positive
+from workflow.study import integer, positive
 
 from .paper import alone, planned
 from .virtual import Costs, durations, simulated

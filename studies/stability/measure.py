@@ -10,7 +10,7 @@ import xarray as xr
 
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, rms_slope, run_case
 from workflow.result import Groups
-from workflow.settings import integer
+from workflow.study import integer
 
 from .corners import corners, number_of_corners, random_line
 from .probe import COUNTS, RESIDUALS, Motion, probe

@@ -3,11 +3,11 @@
 import numpy as np
 
 from tests.support.small import small_plan
-from workflow.effects.quantities import QUANTITIES
 from workflow.plan.problems import speed_ratio
 from workflow.reduce.estimates import Blocks, reduce_blocks
 from workflow.result.dataset import build_dataset
 from workflow.run.collect import _exponents
+from workflow.study.effects.quantities import QUANTITIES
 
 RATE, JUMP, STEP = 1.5, 0.3, 0.2  # b, dmu_0, mu_2 - mu_1
 

@@ -2,7 +2,6 @@
 
 from pathlib import Path
 
-from workflow.effects import QUANTITIES
 from workflow.plan import (
     JACKKNIFE_GROUPS,
     Plan,
@@ -14,7 +13,7 @@ from workflow.plan import (
     this_machine,
     total_seconds,
 )
-from workflow.study import AXES, Measured, Study
+from workflow.study import AXES, QUANTITIES, Measured, Study
 from workflow.system import duration
 
 

@@ -8,7 +8,6 @@ import math
 from itertools import count, takewhile
 from typing import NamedTuple
 
-from workflow.effects import Scene, judged
 from workflow.errors import UserError
 from workflow.plan.cost import touchable_share
 from workflow.plan.error_laws import LAWS
@@ -20,7 +19,7 @@ from workflow.plan.resolution import (
     least_steps,
 )
 from workflow.simulate import Problem
-from workflow.study import Numerics, Study
+from workflow.study import Numerics, Scene, Study, judged
 
 JACKKNIFE_GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it
 FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more

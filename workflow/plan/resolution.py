@@ -5,12 +5,11 @@ from functools import lru_cache
 
 from kernels.realization import SPEEDS
 from kernels.rheology.kelvin import SHORTEST
-from workflow.effects import Scene
 from workflow.errors import UserError
 from workflow.kinetic_law import exponent
 from workflow.plan.problems import speed_ratio
 from workflow.simulate import Problem
-from workflow.study import Numerics
+from workflow.study import Numerics, Scene
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8

@@ -4,11 +4,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.effects import QUANTITIES
 from workflow.reduce.fits import FITTED, RelaxationFit, fit_power_law, fit_relaxation
 from workflow.reduce.models import COEFFICIENTS, GAINS, Comparison, compare_models
 from workflow.reduce.statistics import replicates, standard_error
 from workflow.simulate import SCALARS
+from workflow.study import QUANTITIES
 
 Estimates = dict[str, np.ndarray]
 

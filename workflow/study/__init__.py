@@ -9,11 +9,28 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.study.cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
+    from workflow.study.effects import (
+        QUANTITIES,
+        FromFile,
+        Hold,
+        Material,
+        Oscillate,
+        Programme,
+        Ramp,
+        Scene,
+        Slide,
+        Surface,
+        judged,
+        velocity_steps,
+        why_not,
+        with_hold,
+    )
     from workflow.study.grid import AXES
     from workflow.study.measured import Measured
     from workflow.study.numerics import Numerics
     from workflow.study.read import known_studies, read_study
     from workflow.study.scripts import load_script
+    from workflow.study.settings import integer, positive, read_columns
     from workflow.study.study import AnyStudy, Study, read_grid_study
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -6,7 +6,7 @@ from functools import partial
 from typing import NamedTuple
 
 from workflow.errors import UserError
-from workflow.settings import Key, as_text, integer, positive, read_table
+from workflow.study.settings import Key, as_text, integer, positive, read_table
 
 LOCAL = "local"
 MARGIN = 0.1  # of the walltime, at whose start a worker of a job retires

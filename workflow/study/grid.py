@@ -5,9 +5,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from workflow.effects import Scene, Surface, check_cutoff
 from workflow.errors import UserError
-from workflow.settings import (
+from workflow.study.effects import Scene, Surface, check_cutoff
+from workflow.study.settings import (
     Key,
     as_table,
     checked_values,

@@ -16,8 +16,8 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
 
-from workflow.settings import Key, check_keys, read_table
 from workflow.study.scripts import load_script
+from workflow.study.settings import Key, check_keys, read_table
 from workflow.study.study import HEAD, AnyStudy, study_head
 
 

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 from kernels import SCHEMES
 from workflow.errors import UserError
-from workflow.settings import Key, choice, integer, read_table, within
+from workflow.study.settings import Key, choice, integer, read_table, within
 
 LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
 LONG_BELOW = 0.01

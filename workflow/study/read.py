@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Any
 
 from workflow.errors import UserError
-from workflow.settings import as_table
 from workflow.study.grid import AXES
 from workflow.study.measured import read_measured
+from workflow.study.settings import as_table
 from workflow.study.study import AnyStudy, read_grid_study
 
 

@@ -6,7 +6,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
-from workflow.effects import (
+from workflow.errors import UserError
+from workflow.study.cluster import HERE, Cluster, read_cluster
+from workflow.study.effects import (
     MATERIAL,
     SCENE,
     SURFACE,
@@ -18,11 +20,9 @@ from workflow.effects import (
     read_scene,
     read_surface,
 )
-from workflow.errors import UserError
-from workflow.settings import Key, as_text, check_keys, integer, read_table
-from workflow.study.cluster import HERE, Cluster, read_cluster
 from workflow.study.grid import GRID, Grid, read_grid
 from workflow.study.numerics import NUMERICS, Numerics
+from workflow.study.settings import Key, as_text, check_keys, integer, read_table
 from workflow.study.variants import read_variants
 
 HEAD = {"title": Key(as_text, ""), "seed": Key(partial(integer, least=0), 0)}

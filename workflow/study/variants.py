@@ -4,10 +4,10 @@ import re
 from pathlib import Path
 from typing import Any
 
-from workflow.effects import MATERIAL, Material, read_material
 from workflow.errors import UserError
-from workflow.settings import as_table, check_keys
+from workflow.study.effects import MATERIAL, Material, read_material
 from workflow.study.numerics import NUMERICS, Numerics, read_numerics
+from workflow.study.settings import as_table, check_keys
 
 # All of a comparison are points of one grid, to which temperatures belong.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}

@@ -5,9 +5,9 @@ import pytest
 
 from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
 from tests.support.small import cut_batches, small_plan
-from workflow.effects.quantities import QUANTITIES
 from workflow.simulate.realizations import block_means, line_generator
 from workflow.simulate.tasks import SCALARS
+from workflow.study.effects.quantities import QUANTITIES
 
 BATCH = next(cut_batches(small_plan("study.realizations=2"), set(), 1e9))
 

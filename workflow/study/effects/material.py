@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 from kernels.rheology.spectrum import Spectrum
 from workflow.errors import UserError
-from workflow.settings import (
+from workflow.study.settings import (
     Key,
     as_text,
     axis_values,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.settings.checks import (
+    from workflow.study.settings.checks import (
         Key,
         as_table,
         as_text,
@@ -21,7 +21,7 @@ if TYPE_CHECKING:
         read_table,
         within,
     )
-    from workflow.settings.columns import read_columns
-    from workflow.settings.values import axis_values, checked_values
+    from workflow.study.settings.columns import read_columns
+    from workflow.study.settings.values import axis_values, checked_values
 
 __all__, __getattr__ = public_names(__name__, __file__)

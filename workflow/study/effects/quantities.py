@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from workflow.errors import UserError
-from workflow.settings import choice
+from workflow.study.settings import choice
 
 PROGRAMME, STEP, HELD, SWUNG = "programme", "step", "held", "swung"
 FORCE, DASHPOT, ALONE = "force", "dashpot", "alone"

@@ -2,9 +2,10 @@
 
 from collections.abc import Mapping
 
-from workflow.effects.material import Material
-from workflow.effects.programme import Oscillate, holds, velocity_steps
-from workflow.effects.quantities import (
+from workflow.errors import UserError
+from workflow.study.effects.material import Material
+from workflow.study.effects.programme import Oscillate, holds, velocity_steps
+from workflow.study.effects.quantities import (
     ALONE,
     DASHPOT,
     FORCE,
@@ -14,9 +15,8 @@ from workflow.effects.quantities import (
     STEP,
     SWUNG,
 )
-from workflow.effects.scene import FORCE as BY_FORCE
-from workflow.effects.scene import Scene
-from workflow.errors import UserError
+from workflow.study.effects.scene import FORCE as BY_FORCE
+from workflow.study.effects.scene import Scene
 
 
 def why_not(name: str, scene: Scene, materials: Mapping[str, Material], alone: bool) -> str:

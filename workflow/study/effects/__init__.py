@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.effects.material import MATERIAL, Material, Wlf, read_material
-    from workflow.effects.needs import check_quantities, why_not
-    from workflow.effects.profile import Profile, make_profile
-    from workflow.effects.programme import (
+    from workflow.study.effects.material import MATERIAL, Material, Wlf, read_material
+    from workflow.study.effects.needs import check_quantities, why_not
+    from workflow.study.effects.profile import Profile, make_profile
+    from workflow.study.effects.programme import (
         FromFile,
         Hold,
         Oscillate,
@@ -23,8 +23,8 @@ if TYPE_CHECKING:
         velocity_steps,
         with_hold,
     )
-    from workflow.effects.quantities import QUANTITIES, judged
-    from workflow.effects.scene import SCENE, Scene, read_scene
-    from workflow.effects.surface import SURFACE, Surface, check_cutoff, read_surface
+    from workflow.study.effects.quantities import QUANTITIES, judged
+    from workflow.study.effects.scene import SCENE, Scene, read_scene
+    from workflow.study.effects.surface import SURFACE, Surface, check_cutoff, read_surface
 
 __all__, __getattr__ = public_names(__name__, __file__)

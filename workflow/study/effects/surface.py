@@ -6,9 +6,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from kernels.surfaces.self_affine import NORMALISATIONS
-from workflow.effects.profile import Profile
 from workflow.errors import UserError
-from workflow.settings import Key, choice, flag, positive, read_table
+from workflow.study.effects.profile import Profile
+from workflow.study.settings import Key, choice, flag, positive, read_table
 
 SURFACE = {
     "length": Key(positive),

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from workflow.errors import UserError
-from workflow.settings.values import axis_values
+from workflow.study.settings.values import axis_values
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,7 @@ from typing import Any
 import numpy as np
 
 from workflow.errors import UserError
-from workflow.settings.checks import integer, number
+from workflow.study.settings.checks import integer, number
 
 MOST_VALUES = 10_000  # on one axis
 SPACES: dict[str, Callable[..., np.ndarray]] = {"linspace": np.linspace, "geomspace": np.geomspace}

@@ -9,7 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from workflow.effects.programme import (
+from workflow.errors import UserError
+from workflow.study.effects.programme import (
     FromFile,
     Hold,
     Oscillate,
@@ -19,8 +20,7 @@ from workflow.effects.programme import (
     Slide,
     Velocity,
 )
-from workflow.errors import UserError
-from workflow.settings import (
+from workflow.study.settings import (
     Key,
     as_table,
     as_text,
