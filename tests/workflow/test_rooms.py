@@ -10,9 +10,16 @@ import pytest
 import workflow
 
 FOLDER = Path(workflow.__file__).parent
-ROOMS = sorted(path.parent.name for path in FOLDER.glob("*/__init__.py"))
+ROOMS = sorted(  # "study", and "study.surfaces" within it
+    ".".join(path.parent.relative_to(FOLDER).parts) for path in FOLDER.glob("*/**/__init__.py")
+)
 HEAVY = ("distributed", "dask", "xarray", "netCDF4", "pandas", "matplotlib", "scipy")
 KERNELS = FOLDER.parent / "kernels"
+
+
+def folder_of(room):
+    """Return the folder of a room."""
+    return FOLDER.joinpath(*room.split("."))
 
 
 def imports(path):
@@ -25,7 +32,7 @@ def test_rooms_are_entered_by_their_public_names_alone():
     deep = set()
     for path in FOLDER.parent.glob("[ksw]*/**/*.py"):
         others = tuple(
-            f"workflow.{room}." for room in ROOMS if not path.is_relative_to(FOLDER / room)
+            f"workflow.{room}." for room in ROOMS if not path.is_relative_to(folder_of(room))
         )
         deep |= {f"{path.name}: {name}" for name in imports(path) if name.startswith(others)}
     assert not deep
@@ -45,7 +52,7 @@ def test_every_public_name_is_there_and_documented(room):
 def test_no_public_name_is_that_of_a_file_of_its_room():
     """Or the file, once imported, would hide the name."""
     for room in ROOMS:
-        files = {path.stem for path in (FOLDER / room).glob("*.py")}
+        files = {path.stem for path in folder_of(room).glob("*.py")}
         assert files.isdisjoint(__import__(f"workflow.{room}", fromlist=["room"]).__all__)
 
 

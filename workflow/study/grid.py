@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 from workflow.errors import UserError
-from workflow.study.effects import Scene, Surface, check_cutoff
+from workflow.study.effects import Scene
 from workflow.study.settings import (
     Key,
     as_table,
@@ -16,6 +16,7 @@ from workflow.study.settings import (
     read_table,
     within,
 )
+from workflow.study.surfaces import Surface, check_cutoff
 
 Grid = dict[str, tuple[float, ...]]
 
@@ -83,7 +84,7 @@ def read_grid(table: Any, surface: Surface, scene: Scene, temperatures: tuple[fl
     grid: Grid = read_table("grid", given, keys)
     if surface.profile is None:
         grid["spacing"] = _spacings(grid["spacing"], surface)
-        check_cutoff(surface, grid)
+        check_cutoff(surface, grid["spacing"])
     more = {"temperature": temperatures, "hold": scene.holds}
     return {axis: values for axis, values in (grid | more).items() if values}
 

@@ -11,18 +11,15 @@ from workflow.study.cluster import HERE, Cluster, read_cluster
 from workflow.study.effects import (
     MATERIAL,
     SCENE,
-    SURFACE,
     Material,
-    Profile,
     Scene,
-    Surface,
     check_quantities,
     read_scene,
-    read_surface,
 )
 from workflow.study.grid import GRID, Grid, read_grid
 from workflow.study.numerics import NUMERICS, Numerics
 from workflow.study.settings import Key, as_text, check_keys, integer, read_table
+from workflow.study.surfaces import SURFACE, Profile, Surface, read_surface
 from workflow.study.variants import read_variants
 
 HEAD = {"title": Key(as_text, ""), "seed": Key(partial(integer, least=0), 0)}

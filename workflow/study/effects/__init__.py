@@ -1,4 +1,4 @@
-"""What a scene can call for, as the user describes it: material, surface, programme, quantities.
+"""What a scene can call for, as the user describes it: material, programme, quantities.
 
 Plain data in SI units with the checks of what goes together; knows no later stage.
 """
@@ -10,7 +10,6 @@ from workflow.lazy import public_names
 if TYPE_CHECKING:
     from workflow.study.effects.material import MATERIAL, Material, Wlf, read_material
     from workflow.study.effects.needs import check_quantities, why_not
-    from workflow.study.effects.profile import Profile, make_profile
     from workflow.study.effects.programme import (
         FromFile,
         Hold,
@@ -25,6 +24,5 @@ if TYPE_CHECKING:
     )
     from workflow.study.effects.quantities import QUANTITIES, judged
     from workflow.study.effects.scene import SCENE, Scene, read_scene
-    from workflow.study.effects.surface import SURFACE, Surface, check_cutoff, read_surface
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -1,0 +1,14 @@
+"""What the lines are: the table [surface], and files of measured lines read and prepared.
+
+Knows the kernels' spectra and the settings, and no later stage.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.study.surfaces.profile import Profile, check_load, given_profile
+    from workflow.study.surfaces.table import SURFACE, Surface, check_cutoff, read_surface
+
+__all__, __getattr__ = public_names(__name__, __file__)

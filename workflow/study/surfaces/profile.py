@@ -1,0 +1,139 @@
+"""Measured lines as a study uses them: heights of one period each, all sampled alike."""
+
+import hashlib
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels import measured_amplitudes, power_spectrum, rms_slope
+from workflow.errors import UserError
+from workflow.study.surfaces.files import KEY, LEAST_SAMPLES, Asked, read_lines
+from workflow.study.surfaces.prepare import (
+    PERIODICS,
+    TAPERED,
+    check_not_flat,
+    level,
+    make_periodic,
+    spikes,
+)
+
+SLOPES = 1e-5, 30.0  # of lines with heights and lengths in one unit
+LOADS = 1e-8, 1e6  # F_N/(4 G L h)
+
+
+class Profile(NamedTuple):
+    """Prepared lines of one measurement, in m; row i is the line of realization i."""
+
+    heights: np.ndarray  # shape (lines, n), read only; one element per sample
+    length: float  # m, of the period: n steps
+    measured_length: float  # m, of a line as it was measured: half the period if mirrored
+    notes: str  # where the lines come from and what was done to them
+    digest: str  # of the heights: what a stored result depends on
+
+    @property
+    def spacing(self) -> float:
+        """Return the distance of samples, and of elements (m)."""
+        return self.length / self.heights.shape[1]
+
+    @property
+    def amplitudes(self) -> np.ndarray:
+        """Return the rms amplitudes of the modes over all lines (m), shape (n/2,)."""
+        return measured_amplitudes(self.heights)
+
+    @property
+    def roughness(self) -> float:
+        """Return the rms height over all lines, each about its own mean (m)."""
+        return float(np.sqrt(np.mean(np.var(self.heights, axis=1))))
+
+    @property
+    def slope(self) -> float:
+        """Return the spectral rms slope over all lines."""
+        return rms_slope(self.amplitudes, self.heights.shape[1]) / self.spacing
+
+    @property
+    def spectrum(self) -> tuple[np.ndarray, np.ndarray]:
+        """Return wave numbers (1/m) and the mean power spectrum C_1D (m^3) of the lines."""
+        return power_spectrum(self.amplitudes, self.length)
+
+
+def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
+    """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
+    lines = read_lines(asked)
+    levelled = level(lines.heights, detrend)
+    check_not_flat(KEY, asked.name, levelled, lines.heights)
+    copies = PERIODICS[periodic]
+    length = copies * lines.step * lines.heights.shape[1]
+    notes = f"{lines.notes}; {_told(detrend, periodic)}"
+    if found := spikes(levelled):
+        notes += f"; {found} samples stand out as spikes, kept"
+    profile = _profile(make_periodic(levelled, periodic), length, copies, notes)
+    _check_slope(f"{KEY} = {asked.name!r}", "check surface.units", profile)
+    return profile
+
+
+def given_profile(heights: object, length: float) -> Profile:
+    """Return the profile of heights given in m, shape (n,) or (lines, n), one period each.
+
+    length : of the period (m), n steps; one element per sample. Raises UserError that names the
+    argument, ``profile``.
+    """
+    try:
+        lines = np.atleast_2d(np.asarray(heights, dtype=float))
+    except (TypeError, ValueError):
+        raise UserError("profile: must be an array of heights in m") from None
+    if lines.ndim != 2 or lines.shape[1] < LEAST_SAMPLES:
+        raise UserError(
+            f"profile: has the shape {lines.shape}: must hold at least {LEAST_SAMPLES} "
+            "heights, or lines of them"
+        )
+    if not np.isfinite(lines).all():
+        row, sample = np.argwhere(~np.isfinite(lines))[0]
+        raise UserError(
+            f"profile: sample {sample + 1} of line {row + 1} is {lines[row, sample]}: all must be "
+            "finite"
+        )
+    check_not_flat("profile", "the array", lines, lines)
+    notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
+    profile = _profile(lines, length, 1, notes)
+    _check_slope("profile", "give heights and length both in m", profile)
+    return profile
+
+
+def check_load(key: str, profile: Profile, load: np.ndarray) -> None:
+    """Raise UserError for loads F_N/(4 G L h) that no force in N on lines in m makes.
+
+    L : the measured length. key : of the force, for the message.
+    """
+    low, high = float(np.min(load)), float(np.max(load))
+    if not (LOADS[0] <= low and high <= LOADS[1]):
+        raise UserError(
+            f"{key}: F_N/(4 G L h) runs from {low:.3g} to {high:.3g} on L = "
+            f"{profile.measured_length:.3g} m with h = {profile.roughness:.3g} m, but must lie "
+            f"between {LOADS[0]:g} and {LOADS[1]:g}: give the force in N, the modulus in Pa"
+        )
+
+
+def _check_slope(what: str, hint: str, profile: Profile) -> None:
+    if not SLOPES[0] <= profile.slope <= SLOPES[1]:
+        raise UserError(
+            f"{what}: the rms slope of the heights is {profile.slope:.3g}, but must lie between "
+            f"{SLOPES[0]:g} and {SLOPES[1]:g}: {hint}"
+        )
+
+
+def _told(detrend: str, periodic: str) -> str:
+    """Return in words what was done to lines."""
+    removed = "nothing" if detrend == "none" else f"its {detrend}"
+    made = {
+        "none": "taken as one period, whether its ends meet or not",
+        "mirror": "mirrored: the period is the line and then the line reversed",
+        "taper": f"brought to its mean by a cosine over {TAPERED:.0%} of its length at either end",
+    }
+    return f"{removed} removed from each line, which is {made[periodic]}"
+
+
+def _profile(heights: np.ndarray, length: float, copies: int, notes: str) -> Profile:
+    own = np.array(heights, dtype=float, order="C")
+    own.setflags(write=False)
+    digest = hashlib.sha256(f"{own.shape}".encode() + own.tobytes()).hexdigest()
+    return Profile(own, length, length / copies, notes, digest)

@@ -1,0 +1,129 @@
+"""The table [surface]: random self-affine lines, or lines that were measured."""
+
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from kernels.surfaces.self_affine import NORMALISATIONS
+from workflow.errors import UserError
+from workflow.study.settings import (
+    Key,
+    as_table,
+    as_text,
+    check_keys,
+    choice,
+    flag,
+    positive,
+    read_table,
+)
+from workflow.study.surfaces.files import Asked
+from workflow.study.surfaces.prepare import DETRENDS, PERIODICS
+from workflow.study.surfaces.profile import Profile, read_profile
+from workflow.study.surfaces.units import METRES, metres
+
+PHASES = ("measured", "random")
+
+
+class Surface(NamedTuple):
+    """What the lines are, in SI units."""
+
+    length: float  # m; of a measured line, before it was mirrored
+    normalisation: str = "modal"
+    snap_spacing: bool = False
+    rolloff: float = 0.0  # m, the wavelength above which the spectrum is flat; 0: none
+    cutoff: float = 0.0  # m, the shortest wavelength; 0: twice the spacing
+    profile: Profile | None = None  # the measured lines
+    phases: str = "measured"  # or "random": random lines of the spectrum of the measured ones
+
+    def modes(self, elements: int) -> tuple[float, int]:
+        """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 where there is none.
+
+        A cut-off at what the elements resolve is none.
+        """
+        rolloff = self.length / self.rolloff if self.rolloff else 0.0
+        last = int(self.length / self.cutoff * (1.0 + 1e-9)) if self.cutoff else elements // 2
+        return rolloff, last if last < elements // 2 else 0
+
+
+def _columns(key: str, value: object) -> tuple:
+    """Return columns as a tuple: whole numbers from 0, or two names of variables."""
+    columns = tuple(value) if isinstance(value, list) else ()
+    numbers = all(type(column) is int and column >= 0 for column in columns)
+    names = len(columns) == 2 and all(isinstance(column, str) for column in columns)
+    if len(columns) < 2 or not (numbers or names):
+        raise UserError(
+            f"{key} = {value!r}: must be that of positions and those of heights, as [0, 1], or in "
+            'netCDF two names, as ["x", "height"]'
+        )
+    return columns
+
+
+def _units(key: str, value: object) -> tuple[str, ...]:
+    """Return the units of positions and heights as a tuple."""
+    units = tuple(value) if isinstance(value, list) else ()
+    known = all(isinstance(unit, str) and metres(unit) is not None for unit in units)
+    if len(units) != 2 or not known:
+        raise UserError(
+            f"{key} = {value!r}: must be the units of positions and heights, two out of "
+            f"{', '.join(unit for unit in METRES if len(unit) < 3)}"
+        )
+    return units
+
+
+RANDOM = {
+    "length": Key(positive),
+    "normalisation": Key(partial(choice, known=NORMALISATIONS), "modal"),
+    "snap_spacing": Key(flag, False),
+    "rolloff": Key(positive, 0.0),
+    "cutoff": Key(positive, 0.0),
+}
+MEASURED = {
+    "file": Key(as_text),
+    "columns": Key(_columns, ()),
+    "units": Key(_units, ()),
+    "detrend": Key(partial(choice, known=DETRENDS), "line"),
+    "periodic": Key(partial(choice, known=PERIODICS), "mirror"),
+    "phases": Key(partial(choice, known=PHASES), "measured"),
+}
+SURFACE = RANDOM | MEASURED
+
+
+def read_surface(table: Any, folder: Path) -> Surface:
+    """Return the surface of a study; files are found from its ``folder``. Raises UserError."""
+    given = as_table("surface", table)
+    check_keys("surface.", given, SURFACE)
+    if "file" in given:
+        return _measured(given, folder)
+    for key in filter(MEASURED.__contains__, given):
+        raise UserError(f"surface.{key} = {given[key]!r:.40}: goes with surface.file alone")
+    surface = Surface(**read_table("surface", given, RANDOM))
+    if surface.rolloff and not surface.cutoff < surface.rolloff < surface.length:
+        raise UserError(
+            f"surface.rolloff = {surface.rolloff!r}: must lie between surface.cutoff = "
+            f"{surface.cutoff!r} and surface.length = {surface.length!r}"
+        )
+    return surface
+
+
+def _measured(given: dict[str, Any], folder: Path) -> Surface:
+    own = {key: value for key, value in given.items() if key in MEASURED}
+    settings = read_table("surface", own, MEASURED)
+    for key in filter(RANDOM.__contains__, given):
+        raise UserError(
+            f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, measured lines"
+        )
+    name = settings["file"]
+    asked = Asked(folder / name, name, settings["columns"], settings["units"])
+    profile = read_profile(asked, settings["detrend"], settings["periodic"])
+    return Surface(profile.measured_length, profile=profile, phases=settings["phases"])
+
+
+def check_cutoff(surface: Surface, spacings: tuple[float, ...]) -> None:
+    """Raise UserError where elements do not resolve the shortest wavelength of their lines."""
+    for key, wavelength in (("cutoff", surface.cutoff), ("rolloff", surface.rolloff)):
+        for spacing in spacings:
+            if wavelength and wavelength < 2.0 * spacing * (1.0 - 1e-9):
+                raise UserError(
+                    f"surface.{key} = {wavelength!r}: must be two spacings or more: "
+                    f"{2.0 * spacing:g} at grid.spacing = {spacing!r}"
+                )
