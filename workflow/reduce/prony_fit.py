@@ -1,0 +1,172 @@
+"""Fit a Prony series with few branches to measured moduli G'(omega), G''(omega).
+
+G* = G + sum_b g_b i omega t_b/(1 + i omega t_b), all moduli >= 0: for given times a least-squares
+problem with bounds (Lawson & Hanson 1974, chapter 23), whose solution on a dense grid of times is
+sparse. Neighbours are then merged, times are moved, and branches are joined as long as the
+residual stays what the data allow. Residuals are relative, (model - data)/|data|.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import least_squares, nnls
+
+PER_DECADE = 8  # times of the dense grid
+BEYOND = 10.0  # times reach so much further than the frequencies, either way
+LOSS = 1.1  # of the rms residual that fewer branches may cost
+SMALL = 1e-2  # rms residual that needs no improvement
+DEVIATIONS = 3.0  # standard errors
+ROUNDING = 1e-4  # of the rms residual: what the spacing of the grid of times costs
+LIKE = 1.1  # bounds of the relaxed modulus that are as good as one value
+SCAN = np.linspace(0.0, 1.0, 41)  # of the relaxed modulus, as a share of the most it can be
+
+
+class PronyFit(NamedTuple):
+    """A fitted material and how well it describes the data."""
+
+    shear_modulus: float  # relaxed, in the unit of the data
+    branches: tuple[tuple[float, float], ...]  # (modulus, time), times ascending
+    rms: float  # of the relative residual of G*
+    worst: float  # the largest one
+    least: float  # relaxed moduli with which the data can be described as well
+    most: float
+
+    @property
+    def determined(self) -> bool:
+        """Whether the data determine the relaxed modulus, to a tenth."""
+        return self.most <= LIKE * self.least
+
+
+def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None) -> PronyFit:
+    """Return the fit of a Prony series to complex moduli at angular frequencies.
+
+    omega : rad/s, shape (n,), positive. moduli : G' + i G'', shape (n,). branches : at most so
+    many; by default as few as describe the data as well as many do. Raises ValueError for less
+    than four frequencies, and for moduli that are not positive and finite.
+    """
+    omega, moduli = np.asarray(omega, float), np.asarray(moduli, complex)
+    good = (omega > 0.0) & np.isfinite(moduli) & (moduli.real > 0.0) & (moduli.imag >= 0.0)
+    if omega.size < 4 or not np.all(good):
+        raise ValueError("needs four frequencies or more, all of them and G' above 0, no G'' below")
+    first, last = 1.0 / (BEYOND * omega.max()), BEYOND / omega.min()
+    count = int(np.ceil(PER_DECADE * np.log10(last / first))) + 1
+    grid = np.geomspace(first, last, count)
+    full, best = _solved(omega, moduli, grid)
+    reach = np.log([first, last])
+    times = _moved(omega, moduli, _merged(grid, full[1:]), reach)
+    times = _joined(omega, moduli, times, reach, max(LOSS * best, SMALL), branches)
+    times = _moved(omega, moduli, times, reach)
+    found, rms = _solved(omega, moduli, times)
+    kept = found[1:] > 0.0
+    worst = np.max(np.abs(_model(omega, times) @ found - moduli) / np.abs(moduli))
+    least, most = _bounds(omega, moduli, grid, best)
+    pairs = zip(found[1:][kept].tolist(), times[kept].tolist(), strict=True)
+    return PronyFit(
+        shear_modulus=float(found[0]),
+        branches=tuple(pairs),
+        rms=rms,
+        worst=float(worst),
+        least=min(least, float(found[0])),
+        most=max(most, float(found[0])),
+    )
+
+
+def _model(omega: np.ndarray, times: np.ndarray) -> np.ndarray:
+    """Return G* per relaxed modulus and per modulus of each branch, shape (n, 1 + branches)."""
+    turn = 1j * omega[:, None] * times
+    return np.hstack([np.ones((omega.size, 1)), turn / (1.0 + turn)])
+
+
+def _parts(values: np.ndarray) -> np.ndarray:
+    return np.concatenate([values.real, values.imag])
+
+
+def _solved(
+    omega: np.ndarray, moduli: np.ndarray, times: np.ndarray, relaxed: float | None = None
+) -> tuple[np.ndarray, float]:
+    """Return the moduli, shape (1 + branches,), and the rms of the residual of G*.
+
+    relaxed : the relaxed modulus where it is given.
+    """
+    size = np.abs(moduli)
+    columns = _parts(_model(omega, times) / size[:, None])
+    wanted = _parts(moduli / size)
+    fixed = np.zeros(0)
+    if relaxed is not None:
+        wanted = wanted - relaxed * columns[:, 0]
+        columns, fixed = columns[:, 1:], np.array([relaxed])
+    scale = np.linalg.norm(columns, axis=0)
+    found, residual = nnls(columns / scale, wanted, maxiter=100 * scale.size)
+    return np.concatenate([fixed, found / scale]), float(residual / np.sqrt(omega.size))
+
+
+def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
+    """Return one time for neighbours of the grid with a modulus, half a decade of them at most."""
+    runs: list[list[int]] = []
+    for i in np.flatnonzero(moduli > 0.0).tolist():
+        if runs and i == runs[-1][-1] + 1 and len(runs[-1]) < PER_DECADE // 2:
+            runs[-1].append(i)
+        else:
+            runs.append([i])
+    means = [np.average(np.log(grid[run]), weights=moduli[run]) for run in runs]
+    return np.exp(np.array(means))
+
+
+def _moved(
+    omega: np.ndarray, moduli: np.ndarray, times: np.ndarray, reach: np.ndarray
+) -> np.ndarray:
+    """Return times that fit best, near those given; the moduli follow from them.
+
+    reach : logarithms of the shortest and the longest time.
+    """
+    if not times.size:
+        return times
+
+    def residual(logs: np.ndarray) -> np.ndarray:
+        found, _ = _solved(omega, moduli, np.exp(logs))
+        return _parts((_model(omega, np.exp(logs)) @ found - moduli) / np.abs(moduli))
+
+    start = np.clip(np.log(times), reach[0] + 1e-6, reach[1] - 1e-6)
+    return np.sort(np.exp(least_squares(residual, start, bounds=tuple(reach), max_nfev=30).x))
+
+
+def _joined(
+    omega: np.ndarray,
+    moduli: np.ndarray,
+    times: np.ndarray,
+    reach: np.ndarray,
+    allowed: float,
+    most: int | None,
+) -> np.ndarray:
+    """Return fewer times: neighbours are joined while the rms stays below what is allowed.
+
+    most : as many as are wanted at most, whatever the rms; None: any number.
+    """
+    while times.size > 1:
+        middles = np.sqrt(times[1:] * times[:-1])
+        trials = [np.delete(times, i) for i in (0, times.size - 1)]
+        trials += [np.insert(np.delete(times, [i, i + 1]), i, t) for i, t in enumerate(middles)]
+        nearest = sorted(trials, key=lambda trial: _solved(omega, moduli, trial)[1])
+        found = nearest[0]
+        if _solved(omega, moduli, found)[1] > allowed:
+            moved = [_moved(omega, moduli, trial, reach) for trial in nearest[:2]]
+            found = min(moved, key=lambda trial: _solved(omega, moduli, trial)[1])
+        too_many = most is not None and times.size > most
+        if not too_many and _solved(omega, moduli, found)[1] > allowed:
+            break
+        times = found
+    return times
+
+
+def _bounds(
+    omega: np.ndarray, moduli: np.ndarray, grid: np.ndarray, best: float
+) -> tuple[float, float]:
+    """Return the least and the largest relaxed modulus within three standard errors.
+
+    They are where the sum of squares has grown by nine mean squares.
+    """
+    allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / (2 * omega.size)) + ROUNDING
+    top = 1.05 * float(np.min(np.abs(moduli)))
+    tried = top * SCAN
+    fits = [relaxed for relaxed in tried if _solved(omega, moduli, grid, relaxed)[1] <= allowed]
+    return (float(min(fits)), float(max(fits))) if fits else (np.inf, 0.0)
