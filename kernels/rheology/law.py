@@ -60,6 +60,16 @@ def rest(form, p):
 
 
 @by_type
+def displacement(form, memory, p):
+    """Return the displacements (n,) of elements with this memory under forces p (n,)."""
+
+
+@by_type
+def lasting(form, memory):
+    """Return (viscosity, pressures (n,) without the dashpot's part, at no rate, in G h)."""
+
+
+@by_type
 def predict(law, memory, p, w):
     """Fill w (n,) with the displacements that elements would reach in the step without force.
 

@@ -14,7 +14,16 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.jit import kernel
-from kernels.rheology.law import NEGLIGIBLE, law_of, memories, predict, rest, settle
+from kernels.rheology.law import (
+    NEGLIGIBLE,
+    displacement,
+    lasting,
+    law_of,
+    memories,
+    predict,
+    rest,
+    settle,
+)
 from kernels.rheology.retardation import Retardation
 
 SCHEME = "exponential"
@@ -32,7 +41,7 @@ class Prony(NamedTuple):
 
 
 @kernel
-def _moments(x):
+def moments(x):
     """Return (1 - E, beta, alpha): E = exp(-x) and the weights of the end and the start force."""
     if x > 0.1:
         gone = -math.expm1(-x)
@@ -53,7 +62,7 @@ def _law_of(form, dt):
     decay, fresh, stale = np.empty(count), np.empty(count), np.empty(count)
     ramp = moved = 0.0  # S and a: displacements by a unit force that starts or lasts
     for k in range(count):
-        gone, beta, alpha = _moments(dt / form.times[k])
+        gone, beta, alpha = moments(dt / form.times[k])
         decay[k] = 1.0 - gone if gone < 0.5 else math.exp(-dt / form.times[k])
         if not decay[k] > math.sqrt(NEGLIGIBLE):
             decay[k] = 0.0
@@ -82,6 +91,22 @@ def _rest(form, p):
         for i in range(p.size):
             memory[k, i] = -form.compliances[k] * p[i]
     return memory
+
+
+@displacement.of(Retardation)
+def _displacement(form, memory, p):
+    return memory.sum(0) - form.glass * p
+
+
+@lasting.of(Retardation)
+def _lasting(form, memory):
+    """Without a glassy spring the units' rates add up to du/dt: p = -eta (du/dt + sum y/lambda)."""
+    viscosity = 1.0 / (form.compliances / form.times).sum() if form.glass == 0.0 else 0.0
+    pressure = np.zeros(memory.shape[1])
+    for k in range(form.times.size):
+        for i in range(pressure.size):
+            pressure[i] -= viscosity / form.times[k] * memory[k, i]
+    return viscosity, pressure
 
 
 @predict.of(Prony)

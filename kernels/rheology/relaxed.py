@@ -11,7 +11,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.rheology.law import NEGLIGIBLE, law_of, memories, predict, rest, settle
+from kernels.rheology.law import (
+    NEGLIGIBLE,
+    displacement,
+    lasting,
+    law_of,
+    memories,
+    predict,
+    rest,
+    settle,
+)
 from kernels.rheology.retardation import merged
 from kernels.rheology.spectrum import Spectrum
 
@@ -67,6 +76,16 @@ def _rest(form, p):
     memory = np.zeros((form.times.size + 1, p.size))
     memory[-1] -= p
     return memory
+
+
+@displacement.of(Moduli)
+def _displacement(form, memory, p):
+    return memory[-1].copy()
+
+
+@lasting.of(Moduli)
+def _lasting(form, memory):
+    return form.viscosity, -memory.sum(0)
 
 
 @predict.of(Relaxed)

@@ -1,0 +1,1 @@
+"""Elements with internal variables: their steady sliding, its friction, and velocity jumps."""
