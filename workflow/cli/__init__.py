@@ -1,4 +1,4 @@
-"""The command line: python -m workflow plan|run|status|figure|table STUDY, and report.
+"""The command line: python -m workflow plan|run|status|figure|table STUDY, report, prony.
 
 Knows all rooms; no room knows it.
 """

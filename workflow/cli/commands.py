@@ -1,4 +1,4 @@
-"""Command line: python -m workflow plan|run|status|figure|table STUDY, and report."""
+"""Command line: python -m workflow plan|run|status|figure|table STUDY, report, prony."""
 
 import argparse
 import sys
@@ -6,6 +6,7 @@ from pathlib import Path
 
 from workflow import report
 from workflow.cli.kinds import KINDS
+from workflow.cli.prony import add_prony_options, run_prony
 from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
 from workflow.errors import UserError
 from workflow.result import check_result, result_file
@@ -59,6 +60,8 @@ def _parser() -> argparse.ArgumentParser:
     page = commands.add_parser("report", help=text, description=text)
     page.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
     page.add_argument("--out", default="results", help="folder of results")
+    text = "fit a Prony series to measured moduli G' and G'', and print the table [material]"
+    add_prony_options(commands.add_parser("prony", help=text, description=text))
     return parser
 
 
@@ -120,4 +123,5 @@ COMMANDS = {
     "figure": _figure,
     "table": _table,
     "report": _report,
+    "prony": run_prony,
 }

@@ -34,6 +34,7 @@ if TYPE_CHECKING:
         TWO_EXPONENTIALS,
         compare_models,
     )
+    from workflow.reduce.prony_fit import PronyFit, fit_prony
     from workflow.reduce.statistics import (
         grouped_means,
         replicates,

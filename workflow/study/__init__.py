@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     )
     from workflow.study.grid import AXES
     from workflow.study.measured import Measured
+    from workflow.study.moduli import FREQUENCIES, MODULI, Moduli, read_moduli
     from workflow.study.numerics import Numerics
     from workflow.study.read import known_studies, read_study
     from workflow.study.scripts import load_script

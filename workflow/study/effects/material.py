@@ -63,7 +63,7 @@ class Material(NamedTuple):
     @property
     def longest_time(self) -> float:
         """Return the longest of the times of branches and dashpot (s): how far memory reaches."""
-        return max(self.relaxation_time, *(time for _, time in self.branches))
+        return max([self.relaxation_time, *(time for _, time in self.branches)])
 
     @property
     def jumps(self) -> bool:

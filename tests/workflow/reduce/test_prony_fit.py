@@ -1,0 +1,102 @@
+"""Prony series from moduli: exact spectra come back, noise is no branch, limits are said."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from workflow.reduce.prony_fit import fit_prony
+
+THREE = ((3e7, 1e-3), (5e6, 2e-2), (2e6, 0.3))
+OMEGA = np.geomspace(1e-2, 1e5, 60)
+F0 = 6.94e7  # Hz, of crosslinked SBR at 20 °C
+
+
+def moduli(omega, relaxed, branches):
+    """Return G* of a Prony series by its definition."""
+    sums = [g * 1j * omega * t / (1.0 + 1j * omega * t) for g, t in branches]
+    return relaxed + np.sum(sums, axis=0)
+
+
+def sbr(omega):
+    """Return G* of crosslinked SBR: springpots of the Shull group (docs/scenes.md)."""
+    turn = 1j * omega / (2.0 * np.pi * F0)
+    glass = 1.0 / (1.0 / (1.12e9 * turn ** (55 / 90)) + 1.0 / (1.12e9 * turn ** (2 / 90)))
+    return (1.76e6 * turn ** (2.3 / 90) + glass) / 3.0
+
+
+def test_a_spectrum_without_noise_comes_back():
+    fit = fit_prony(OMEGA, moduli(OMEGA, 1e6, THREE))
+    np.testing.assert_allclose(fit.branches, THREE, rtol=1e-6)
+    assert fit.shear_modulus == pytest.approx(1e6, rel=1e-6)
+    assert fit.worst < 1e-8
+    assert fit.determined
+    assert fit.least == pytest.approx(1e6, rel=0.01)
+
+
+@settings(max_examples=3, deadline=None)
+@given(st.integers(0, 10**6), st.floats(1e-3, 1e3), st.floats(1e-3, 1e3))
+def test_the_fit_follows_the_units_of_moduli_and_times(seed, stiffer, slower):
+    rng = np.random.default_rng(seed)
+    noise = 1.0 + 0.01 * (rng.standard_normal(60) + 1j * rng.standard_normal(60))
+    measured = noise * moduli(OMEGA, 1e6, THREE)
+    measured = measured.real + 1j * np.abs(measured.imag)
+    own, other = fit_prony(OMEGA, measured), fit_prony(OMEGA / slower, stiffer * measured)
+    assert other.rms == pytest.approx(own.rms, rel=1e-3)
+    assert other.shear_modulus == pytest.approx(stiffer * own.shear_modulus, rel=1e-3)
+    assert len(own.branches) == len(other.branches)
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_noise_makes_no_branches_and_is_the_residual(seed):
+    rng = np.random.default_rng(seed)
+    exact = moduli(OMEGA, 1e6, THREE)
+    noise = rng.standard_normal((2, OMEGA.size))
+    fit = fit_prony(
+        OMEGA, exact.real * (1 + 0.02 * noise[0]) + 1j * exact.imag * (1 + 0.02 * noise[1])
+    )
+    assert len(fit.branches) <= 4
+    assert 0.01 < fit.rms < 0.025
+    assert abs(moduli(OMEGA, fit.shear_modulus, fit.branches) / exact - 1.0).max() < 0.05
+    assert fit.least <= 1e6 <= 1.03 * fit.most
+
+
+def test_a_rubber_over_twelve_decades_takes_a_branch_per_decade():
+    omega = np.geomspace(1e-2, 1e10, 49)
+    fit = fit_prony(omega, sbr(omega))
+    assert len(fit.branches) <= 14
+    assert fit.rms < 0.0101
+    assert fit.worst < 0.03
+    again = abs(moduli(omega, fit.shear_modulus, fit.branches) / sbr(omega) - 1.0)
+    assert again.max() == pytest.approx(fit.worst, rel=1e-9)
+    assert not fit.determined  # a springpot of 2.3 degrees never comes to rest
+
+
+def test_the_number_of_branches_can_be_limited():
+    fit = fit_prony(OMEGA, moduli(OMEGA, 1e6, THREE), branches=2)
+    assert len(fit.branches) == 2
+    assert fit.rms > 0.01
+
+
+def test_a_window_that_ends_in_the_transition_does_not_determine_the_relaxed_modulus():
+    omega = np.geomspace(1e2, 1e5, 40)
+    noise = 1.0 + 0.02 * np.random.default_rng(1).standard_normal(40)
+    fit = fit_prony(omega, noise * moduli(omega, 1e6, [(3e7, 1e-3), (5e6, 1e-1)]))
+    assert not fit.determined
+    assert fit.least < 1e6 < fit.most
+    assert fit.most > 1.3 * fit.least
+
+
+@pytest.mark.parametrize(
+    ("omega", "values"),
+    [
+        ([1.0, 2.0, 3.0], [1.0 + 1j] * 3),
+        ([1.0, 2.0, 3.0, -4.0], [1.0 + 1j] * 4),
+        ([1.0, 2.0, 3.0, 4.0], [1.0, 2.0, -1.0, 3.0]),
+        ([1.0, 2.0, 3.0, 4.0], [1.0, np.nan, 1.0, 3.0]),
+        ([1.0, 2.0, 3.0, 4.0], [1.0, 1.0 - 1j, 1.0, 3.0]),
+    ],
+)
+def test_what_is_no_measurement_is_refused(omega, values):
+    with pytest.raises(ValueError, match="four frequencies or more"):
+        fit_prony(np.array(omega), np.array(values))

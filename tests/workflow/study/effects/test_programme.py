@@ -1,0 +1,77 @@
+"""Programmes: velocities of the grid and of their own, steps, holds, lists of durations."""
+
+import math
+
+import pytest
+
+from workflow.study.effects.programme import (
+    FromFile,
+    Hold,
+    Oscillate,
+    Ramp,
+    Slide,
+    Velocity,
+    first_speed,
+    first_velocity,
+    hold_durations,
+    holds,
+    is_relative,
+    velocity_steps,
+    with_hold,
+)
+
+SLOW, FAST = Slide(Velocity(0.1), 1e-3), Slide(Velocity(0.3), None, 2.0)
+BACK = Slide(Velocity(-0.3), 1e-3)
+OWN = Slide(Velocity(1.2, relative=True), 1e-3)
+REST = Hold((1.0,))
+SEVERAL = Hold((1.0, 10.0), several=True)
+SWING = Oscillate(Velocity(0.0), 1e-4, 10.0, 3)
+FILE = FromFile((0.0, 1.0, 2.0), (0.0, -0.2, 0.4))
+
+
+def test_a_velocity_is_one_or_a_share_of_that_of_the_grid():
+    assert Velocity(0.1).at(7.0) == 0.1
+    assert Velocity(1.5, relative=True).at(2.0) == 3.0
+
+
+def test_how_long_a_slide_takes():
+    assert SLOW.seconds(9.0) == pytest.approx(1e-2)
+    assert FAST.seconds(9.0) == 2.0
+    assert BACK.seconds(9.0) == pytest.approx(1e-3 / 0.3)
+    assert OWN.seconds(0.5) == pytest.approx(1e-3 / 0.6)
+
+
+def test_a_step_is_from_one_slide_to_another_in_the_same_direction():
+    assert velocity_steps((SLOW, FAST, REST, SLOW, SLOW, BACK)) == [0]
+    assert velocity_steps((SLOW, REST, FAST)) == []
+    assert velocity_steps((SLOW, OWN)) == [0]
+
+
+def test_a_hold_heals_between_slides():
+    assert holds((REST, SLOW, REST, FAST, REST)) == [2]
+    assert holds((SLOW, REST, REST, FAST)) == []
+
+
+def test_the_durations_of_a_list_make_one_programme_each():
+    programme = (SLOW, SEVERAL, FAST, REST)
+    assert hold_durations(programme) == (1.0, 10.0)
+    assert with_hold(programme, 10.0) == (SLOW, Hold((10.0,)), FAST, REST)
+    assert hold_durations((SLOW, REST)) == ()
+
+
+def test_where_a_programme_begins():
+    assert first_velocity((REST, SLOW)) is None
+    assert first_velocity((Ramp(Velocity(0.2), Velocity(0.1), 1.0),)) == Velocity(0.2)
+    assert first_velocity((FILE,)) == Velocity(0.0)
+
+
+def test_the_first_speed_that_is_not_zero():
+    assert first_speed((REST, BACK)) == 0.3
+    assert first_speed((FILE,)) == 0.2
+    assert first_speed((SWING,)) == pytest.approx(2.0 * math.pi * 1e-3)
+    assert math.isnan(first_speed((REST,)))
+
+
+def test_whether_it_depends_on_the_grid():
+    assert is_relative((SLOW, OWN))
+    assert not is_relative((SLOW, REST, SWING, FILE))

@@ -1,0 +1,87 @@
+"""The table [scene]: defaults by material and programme, what of the grid it takes."""
+
+import math
+
+import pytest
+
+from tests.support.small import small_study
+from workflow.study.effects.material import Material
+from workflow.study.effects.scene import Scene, read_scene
+
+KELVIN = Material(1e6, 1e-3)
+GLASSY = Material(1e6, 0.0, ((5e6, 1e-2),))
+SLIDE = {"slide": {"velocity": 0.1, "distance": 1e-3}}
+FASTER = {"slide": {"ratio": 1.2, "distance": 1e-3}}
+HOLD = {"hold": {"duration": 1.0}}
+
+
+def read(*materials, **table):
+    return read_scene(table, None, materials or (KELVIN,))
+
+
+def test_without_keys_it_is_the_scene_of_the_paper():
+    assert read() == Scene()
+    assert Scene().takes_velocity
+
+
+def test_what_is_asked_for_by_default():
+    assert read(KELVIN, GLASSY).quantities == ("steady", "relaxation", "peak")
+    assert read(programme=[SLIDE]).quantities == ("steady", "trace")
+    assert read(programme=[SLIDE], control="indentation").quantities == ("trace",)
+
+
+def test_velocities_of_the_grid_are_taken_where_a_segment_refers_to_them():
+    assert not read(programme=[SLIDE]).takes_velocity
+    assert read(programme=[SLIDE, FASTER]).takes_velocity
+    assert read(programme=[HOLD, SLIDE]).takes_velocity  # at which it slid before
+    assert not read(programme=[HOLD, SLIDE], start="relaxed").takes_velocity
+
+
+def test_where_it_begins():
+    assert read().start_velocity(0.7) == 0.7
+    assert read(programme=[SLIDE]).start_velocity(0.7) == 0.1
+    assert read(programme=[FASTER]).start_velocity(0.5) == pytest.approx(0.6)
+    assert read(programme=[HOLD, SLIDE]).start_velocity(0.7) == 0.7
+
+
+def test_the_list_is_repeated():
+    assert len(read(programme=[SLIDE, FASTER], repeat=3).segments) == 6
+
+
+def test_fresh_without_a_dashpot():
+    assert read(GLASSY, programme=[SLIDE], start="fresh").start == "fresh"
+
+
+def test_an_indentation_over_time(tmp_path):
+    (tmp_path / "d.csv").write_text("0, 1e-5\n1, 2e-5\n")
+    table = {"programme": [SLIDE], "control": "indentation", "indentation_file": "d.csv"}
+    scene = read_scene(table, tmp_path, (KELVIN,))
+    assert scene.indentation_history == ((0.0, 1.0), (1e-5, 2e-5))
+    assert not scene.takes_indentation
+
+
+PROGRAMME = "scene.programme=[{slide={velocity=0.1, distance=1e-3}}, {hold={duration=[1, 2]}}]"
+
+
+def test_axes_of_a_study_are_those_of_its_scene():
+    text = small_study().text
+    assert '"velocity"' in text
+    study = small_study(
+        PROGRAMME,
+        "scene.control=indentation",
+        "grid={hurst=0.7, spacing=1e-4, roughness=1e-5, prescribed_indentation=[0, 1e-5]}",
+        text=SMALL,
+    )
+    assert study.axes[6:] == ("prescribed_indentation", "hold")
+    assert study.grid["hold"] == (1.0, 2.0)
+    assert study.grid["velocity"] == (0.1,)
+    assert study.grid["velocity_step"] == (0.0,)
+    assert math.isnan(study.grid["normal_force"][0])
+    assert study.shape == (1, 1, 1, 1, 1, 1, 2, 2)
+
+
+SMALL = """
+study.realizations = 4
+material = {shear_modulus = 1e7, relaxation_time = 1e-3}
+surface.length = 0.01
+"""

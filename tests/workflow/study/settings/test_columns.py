@@ -1,0 +1,48 @@
+"""Columns of numbers in text: separators, comments, headers. Refusals: docs/limits.md."""
+
+import pytest
+
+from workflow.errors import UserError
+from workflow.study.settings.columns import read_columns
+
+NAMES = ("a time in s", "a velocity in m/s")
+
+
+def read(tmp_path, text):
+    path = tmp_path / "columns.txt"
+    path.write_text(text, encoding="utf-8")
+    return read_columns("key", path, NAMES).tolist()
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0 1\n2 3",
+        "0,1\n2,3\n",
+        "0;1\n2;3\n",
+        " 0\t1 \n\n 2\t3 ",
+        "# all in SI\ntime, velocity\n0, 1  # here\n2, 3\n",
+        "\ufefftime [s]\tv [m/s]\n0e0\t1.0\n+2\t3\n",
+    ],
+)
+def test_ways_to_write_them(tmp_path, text):
+    assert read(tmp_path, text) == [[0.0, 2.0], [1.0, 3.0]]
+
+
+@pytest.mark.parametrize(
+    "text", ["0 1\n2 x", "0 1\n2 nan", "0 1\nend of file", "0 1\n2", "0 1\n2 inf"]
+)
+def test_a_row_that_is_none_is_named(tmp_path, text):
+    with pytest.raises(UserError, match=r"^key: line 2 of .*must hold 2 finite numbers"):
+        read(tmp_path, text)
+
+
+def test_bytes_that_are_no_text(tmp_path):
+    (tmp_path / "columns.txt").write_bytes(b"\xff\xfe\x00")
+    with pytest.raises(UserError, match="cannot be read: 'utf-8' codec"):
+        read_columns("key", tmp_path / "columns.txt", NAMES)
+
+
+def test_a_name_that_no_file_can_have(tmp_path):
+    with pytest.raises(UserError, match="cannot be read"):
+        read_columns("key", tmp_path / "a\0b", NAMES)
