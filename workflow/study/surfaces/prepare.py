@@ -8,27 +8,33 @@ DETRENDS = {"none": None, "mean": 0, "line": 1, "parabola": 2}  # degree of what
 PERIODICS = {"none": 1, "mirror": 2, "taper": 1}  # how often a line goes into the period
 TAPERED = 0.1  # of the length, at either end
 FLAT = 1e-9  # of the largest height: what levelling leaves of a straight line by rounding
-UNEVEN = 0.01  # of a step: positions off by less are one apart, rounding aside
+UNEVEN = 0.01  # of a step: positions that are off by less are uniform
+MIXED = 0.01  # of the steps: so many must be of another length where all of them are rounded
 
 
 def uniform_step(key: str, name: str, x: np.ndarray, precision: np.ndarray) -> float:
     """Return the step of uniform positions, negative where they descend.
 
     precision : to how much each position is known, shape of x. Positions that are written with
-    few decimals step unevenly; what counts is that a straight line passes through all of them.
-    Its slope is the step. The length of n samples is n steps.
+    few decimals step unevenly, now by 0.1 and now by 0.2; then the straight line fitted to them
+    must pass within a decimal of all. Its slope is the step. The length of n samples is n steps.
 
-    Raises UserError where the positions are not uniform.
+    Raises UserError where the positions are not uniform. A single longer step is a gap, even
+    where a decimal is as long as a step.
     """
     index = np.arange(x.size) - 0.5 * (x.size - 1)
-    step = float(np.dot(index, x - x.mean()) / np.dot(index, index))
+    step = float(np.sum(index * (x - x.mean())) / np.sum(index**2))
     off = np.abs(x - x.mean() - step * index)
-    allowed = 0.5 * precision + 0.5 * precision.mean() + UNEVEN * abs(step)
-    worst = int(np.argmax(off - allowed))
-    if step == 0.0 or off[worst] > allowed[worst]:
+    steps = np.diff(x)
+    uneven = np.abs(steps - np.median(steps))
+    even = np.all(off <= UNEVEN * abs(step))
+    if not even and np.count_nonzero(uneven > 0.5 * precision[1:]) >= MIXED * x.size:
+        even = np.all(off <= precision + UNEVEN * abs(step))
+    if step == 0.0 or not even:
+        worst = int(np.argmax(uneven))
         raise UserError(
-            f"{key} = {name!r}: position {worst + 1} of {x.size}, {x[worst]:g}, is off equal steps "
-            f"of {step:.6g} by {off[worst]:.3g}: bring the samples to equal steps first"
+            f"{key} = {name!r}: sample {worst + 2} is {steps[worst]:.6g} after the one before, in "
+            f"the mean steps are {step:.6g}: bring the samples to equal steps first"
         )
     return step
 
@@ -73,11 +79,11 @@ def spikes(heights: np.ndarray) -> int:
     return int(np.count_nonzero((usual > 0.0) & (np.abs(curvature) > 10.0 * usual)))
 
 
-def check_not_flat(key: str, name: str, heights: np.ndarray, raw: np.ndarray) -> None:
-    """Raise UserError for a line that is a plateau: heights without any roughness."""
+def check_not_flat(what: str, heights: np.ndarray, raw: np.ndarray) -> None:
+    """Raise UserError for a line that is a plateau, heights without any roughness."""
     flat = heights.std(axis=1) <= FLAT * np.abs(raw).max(axis=1)
     if flat.any():
         raise UserError(
-            f"{key} = {name!r}: line {int(np.argmax(flat)) + 1} of {flat.size} is flat: needs "
+            f"{what}: line {int(np.argmax(flat)) + 1} of {flat.size} is flat: needs "
             "heights that differ by more than a trend"
         )

@@ -7,7 +7,8 @@ import numpy as np
 
 from kernels import measured_amplitudes, power_spectrum, rms_slope
 from workflow.errors import UserError
-from workflow.study.surfaces.files import KEY, LEAST_SAMPLES, Asked, read_lines
+from workflow.study.surfaces.files import read_lines
+from workflow.study.surfaces.lines import KEY, LEAST_SAMPLES, Asked
 from workflow.study.surfaces.prepare import (
     PERIODICS,
     TAPERED,
@@ -60,14 +61,15 @@ def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
     """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
     lines = read_lines(asked)
     levelled = level(lines.heights, detrend)
-    check_not_flat(KEY, asked.name, levelled, lines.heights)
+    what = f"{KEY} = {asked.name!r}"
+    check_not_flat(what, levelled, lines.heights)
     copies = PERIODICS[periodic]
     length = copies * lines.step * lines.heights.shape[1]
     notes = f"{lines.notes}; {_told(detrend, periodic)}"
     if found := spikes(levelled):
         notes += f"; {found} samples stand out as spikes, kept"
     profile = _profile(make_periodic(levelled, periodic), length, copies, notes)
-    _check_slope(f"{KEY} = {asked.name!r}", "check surface.units", profile)
+    _check_slope(what, "check surface.units", profile)
     return profile
 
 
@@ -92,7 +94,7 @@ def given_profile(heights: object, length: float) -> Profile:
             f"profile: sample {sample + 1} of line {row + 1} is {lines[row, sample]}: all must be "
             "finite"
         )
-    check_not_flat("profile", "the array", lines, lines)
+    check_not_flat("profile", lines, lines)
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
     profile = _profile(lines, length, 1, notes)
     _check_slope("profile", "give heights and length both in m", profile)
@@ -126,7 +128,8 @@ def _told(detrend: str, periodic: str) -> str:
     removed = "nothing" if detrend == "none" else f"its {detrend}"
     made = {
         "none": "taken as one period, whether its ends meet or not",
-        "mirror": "mirrored: the period is the line and then the line reversed",
+        "mirror": "mirrored: the period is the line and then the line reversed, and normal_force "
+        "presses on either half",
         "taper": f"brought to its mean by a cosine over {TAPERED:.0%} of its length at either end",
     }
     return f"{removed} removed from each line, which is {made[periodic]}"

@@ -16,7 +16,7 @@ from workflow.study.settings import (
     positive,
     read_table,
 )
-from workflow.study.surfaces.files import Asked
+from workflow.study.surfaces.lines import Asked
 from workflow.study.surfaces.prepare import DETRENDS, PERIODICS
 from workflow.study.surfaces.profile import Profile, read_profile
 from workflow.study.surfaces.units import METRES, metres

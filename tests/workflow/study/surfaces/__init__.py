@@ -1,0 +1,1 @@
+"""Tests of workflow/study/surfaces, one module per module."""

@@ -1,0 +1,177 @@
+"""Files of measured lines: the readers by suffix, and what cannot be read."""
+
+import sys
+from pathlib import Path
+from types import SimpleNamespace
+
+import netCDF4
+import numpy as np
+import pytest
+
+from workflow.errors import UserError
+from workflow.study.surfaces.files import read_lines
+from workflow.study.surfaces.lines import Asked
+
+ROOT = Path(__file__).resolve().parents[4]
+X = np.arange(16) * 0.5
+Z = np.random.default_rng(6).normal(size=(3, 16))
+
+
+def read(path, columns=(), units=()):
+    return read_lines(Asked(path, path.name, columns, units))
+
+
+def test_a_stylus_line_is_read_with_its_mean_step():
+    """Its positions are rounded to 0.1 um; the instrument says 0.156 um a sample, 1500 um."""
+    lines = read(ROOT / "tests" / "resources" / "stylus-line.csv")
+    assert lines.heights.shape == (1, 9600)
+    assert lines.step == pytest.approx(1500e-6 / 9600, rel=1e-6)
+    assert lines.heights[0, -1] == pytest.approx(16.58112e-6, rel=1e-12)
+
+
+def test_scan_lines_of_a_microscope_are_an_ensemble():
+    lines = read(ROOT / "studies" / "measured-line" / "afm-lines.nc")
+    assert lines.heights.shape == (64, 512)
+    assert lines.step * 512 == pytest.approx(10e-6, rel=1e-12)  # n steps, not n - 1
+    assert lines.heights.std() == pytest.approx(6.2e-8, rel=0.02)
+
+
+@pytest.mark.parametrize("suffix", [".txt", ".CSV"])
+def test_several_columns_of_text_are_several_lines(tmp_path, suffix):
+    path = tmp_path / f"line{suffix}"
+    np.savetxt(path, np.vstack([X, Z]).T, header="x(mm) a(um) b(um) c(um)")
+    lines = read(path, (0, 1, 3))
+    np.testing.assert_allclose(lines.heights, Z[[0, 2]] * 1e-6, rtol=1e-12)
+    assert lines.step == pytest.approx(0.5e-3)
+
+
+def test_npy(tmp_path):
+    path = tmp_path / "line.npy"
+    np.save(path, np.vstack([X, Z]).T.astype(np.float32))
+    lines = read(path, (0, 2), ("um", "nm"))
+    np.testing.assert_allclose(lines.heights, Z[[1]] * 1e-9, rtol=1e-6)
+    with pytest.raises(UserError, match=r"surface.units: missing: 'line.npy' names none"):
+        read(path)
+
+
+def netcdf(path, dimensions=("line", "x"), unit="units", more=()):
+    with netCDF4.Dataset(path, "w") as data:
+        data.createDimension("line", 3)
+        data.createDimension("x", 16)
+        x = data.createVariable("x", "f8", ("x",))
+        x.setncattr(unit, "um")
+        x[:] = X
+        for name in ("height", *more):
+            z = data.createVariable(name, "f4", dimensions, fill_value=-999.0)
+            z.setncattr(unit, "nm")
+            z[:] = Z if dimensions == ("line", "x") else Z.T
+    return path
+
+
+@pytest.mark.parametrize("dimensions", [("line", "x"), ("x", "line")])
+@pytest.mark.parametrize("unit", ["units", "unit"])
+def test_netcdf(tmp_path, dimensions, unit):
+    lines = read(netcdf(tmp_path / "l.nc", dimensions, unit))
+    np.testing.assert_allclose(lines.heights, Z * 1e-9, rtol=1e-6)
+    assert lines.step == pytest.approx(0.5e-6)
+
+
+def test_netcdf_of_several_variables_needs_names(tmp_path):
+    path = netcdf(tmp_path / "l.nc", more=("friction",))
+    with pytest.raises(UserError, match="holds the variables x, height, friction: name positions"):
+        read(path)
+    np.testing.assert_allclose(read(path, ("x", "friction")).heights, Z * 1e-9, rtol=1e-6)
+    with pytest.raises(UserError, match="holds the variables x, height, friction: name positions"):
+        read(path, ("x", "depth"))
+    with pytest.raises(UserError, match="'height' holds no positions of the samples of 'x'"):
+        read(path, ("height", "x"))
+
+
+def test_a_missing_value_of_netcdf_is_named(tmp_path):
+    path = netcdf(tmp_path / "l.nc")
+    with netCDF4.Dataset(path, "a") as data:
+        data["height"][2, 7] = -999.0  # its fill value
+    with pytest.raises(UserError, match=r"'l.nc': line 3 of 3: sample 8 is nan"):
+        read(path)
+
+
+def broken(tmp_path, name):
+    path = tmp_path / name
+    path.write_bytes(b"\x89HDF\r\n\x1a\n no more" if name == "l.nc" else b"nothing")
+    return path
+
+
+@pytest.mark.parametrize("name", ["l.nc", "l.npy", "l.csv", "no.txt", "no.nc", "no.npy"])
+def test_files_that_are_none_are_refused_in_a_line(tmp_path, name):
+    path = tmp_path / name if name.startswith("no") else broken(tmp_path, name)
+    with pytest.raises(UserError, match=f"surface.file = '{name}': ") as error:
+        read(path)
+    assert "\n" not in str(error.value)
+
+
+def test_arrays_that_are_no_table_are_refused(tmp_path):
+    path = tmp_path / "l.npy"
+    for array in (X, Z[:, :1], np.array([["a", "b"]] * 9)):
+        np.save(path, array)
+        with pytest.raises(UserError, match="must be numbers, a row per sample"):
+            read(path)
+    np.savez(tmp_path / "l", a=X, b=X)
+    (tmp_path / "l.npz").rename(path)
+    with pytest.raises(UserError, match="holds several arrays"):
+        read(path)
+
+
+def test_names_of_columns_are_for_netcdf_alone(tmp_path):
+    path = tmp_path / "l.txt"
+    np.savetxt(path, Z.T)
+    with pytest.raises(UserError, match=r"surface.columns = \['x', 'z'\]: 'l.txt' has numbered"):
+        read(path, ("x", "z"))
+
+
+def test_other_files_need_surface_topography(tmp_path, monkeypatch):
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", None)  # as if not installed
+    with pytest.raises(UserError, match=r"pip install 'elastomer-friction\[measured\]'"):
+        read(tmp_path / "scan.di")
+
+
+def topography(dim, unit="um"):
+    """Return what stands for a topography of SurfaceTopography: a map of 16 x 3, or a line."""
+    return SimpleNamespace(
+        dim=dim,
+        unit=unit,
+        nb_grid_pts=(16, 3),
+        pixel_size=(0.5, 0.7),
+        heights=lambda: np.ma.array(Z.T),
+        positions_and_heights=lambda: (X, Z[0]),
+    )
+
+
+@pytest.mark.parametrize(("dim", "expected"), [(2, Z), (1, Z[:1])])
+def test_maps_and_lines_of_surface_topography(tmp_path, monkeypatch, dim, expected):
+    module = SimpleNamespace(read_topography=lambda path: topography(dim))
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
+    lines = read(tmp_path / "scan.di")
+    np.testing.assert_allclose(lines.heights, expected * 1e-6)
+    assert lines.step == pytest.approx(0.5e-6)
+
+
+def test_files_that_surface_topography_cannot_read_are_refused(tmp_path, monkeypatch):
+    def refuse(path):
+        raise KeyError("no channel")
+
+    module = SimpleNamespace(read_topography=refuse)
+    monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
+    with pytest.raises(UserError, match=r"surface.file = 'scan.di': cannot be read: 'no channel'"):
+        read(tmp_path / "scan.di")
+
+
+@pytest.mark.filterwarnings("ignore::ImportWarning")  # of its fallback without MPI
+def test_surface_topography_itself(tmp_path):
+    """Where it is installed: a text map as Gwyddion exports it."""
+    pytest.importorskip("SurfaceTopography")
+    path = tmp_path / "map.asc"
+    header = "Channel: Topography\nWidth: 8.0 µm\nHeight: 1.5 µm\nValue units: m"
+    np.savetxt(path, Z * 1e-9, header=header, encoding="utf-8")
+    lines = read(path)
+    np.testing.assert_allclose(np.sort(lines.heights, axis=0), np.sort(Z * 1e-9, axis=0))
+    assert lines.step == pytest.approx(0.5e-6)

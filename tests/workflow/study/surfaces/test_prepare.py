@@ -1,0 +1,128 @@
+"""Levelling, periods and uniform steps of measured lines."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from workflow.errors import UserError
+from workflow.study.surfaces.prepare import (
+    DETRENDS,
+    PERIODICS,
+    check_not_flat,
+    level,
+    make_periodic,
+    spikes,
+    uniform_step,
+)
+
+RNG = np.random.default_rng(8)
+LINES = RNG.normal(size=(3, 40)).cumsum(axis=1)
+SEEDS = st.integers(0, 2**32 - 1)
+
+
+def step_of(x, precision=0.0):
+    x = np.asarray(x, dtype=float)
+    return uniform_step("surface.file", "f", x, np.full(x.size, precision))
+
+
+@pytest.mark.parametrize("detrend", ["mean", "line", "parabola"])
+def test_levelling_removes_its_polynomial_and_nothing_else(detrend):
+    t = np.arange(40.0)
+    trend = np.polynomial.polynomial.polyval(t, [7.0, -0.3, 0.02][: DETRENDS[detrend] + 1])
+    levelled = level(LINES + trend, detrend)
+    np.testing.assert_allclose(levelled, level(LINES, detrend), atol=1e-12)
+    np.testing.assert_allclose(level(levelled, detrend), levelled, atol=1e-12)
+    fitted = np.polynomial.polynomial.polyfit(t, LINES.T, DETRENDS[detrend])
+    expected = LINES - np.polynomial.polynomial.polyval(t, fitted)
+    np.testing.assert_allclose(level(LINES, detrend), expected, atol=1e-11)
+
+
+def test_no_levelling_leaves_the_heights():
+    assert level(LINES, "none") is LINES
+
+
+@given(SEEDS, st.integers(8, 50))
+def test_a_mirrored_line_is_even_and_has_the_heights_twice(seed, samples):
+    line = np.random.default_rng(seed).normal(size=(2, samples))
+    mirrored = make_periodic(line, "mirror")
+    np.testing.assert_array_equal(mirrored, mirrored[:, ::-1])
+    np.testing.assert_array_equal(mirrored[:, :samples], line)
+    # Steps across the ends of the period are none, wherever the line ends.
+    ring = np.diff(mirrored, axis=1, append=mirrored[:, :1])
+    assert not ring[:, [samples - 1, -1]].any()
+    assert mirrored.shape[1] == PERIODICS["mirror"] * samples
+
+
+def test_a_tapered_line_meets_its_own_start_and_keeps_its_middle():
+    lines = LINES + 5.0
+    tapered = make_periodic(lines, "taper")
+    np.testing.assert_allclose(tapered[:, 4:-4], lines[:, 4:-4], rtol=1e-13)
+    ends = tapered[:, [0, -1]] - lines.mean(axis=1, keepdims=True)
+    assert np.abs(ends).max() < 0.05 * np.abs(LINES).max()
+    np.testing.assert_allclose(make_periodic(LINES + 9.0, "taper"), tapered + 4.0)
+
+
+def test_a_period_may_be_taken_as_it_is():
+    assert make_periodic(LINES, "none") is LINES
+
+
+@given(st.floats(0.01, 10.0), st.integers(8, 300), st.floats(-5.0, 5.0))
+def test_rounded_positions_have_the_step_they_were_made_of(step, samples, start):
+    """Positions to 0.1, whatever part of a step that is, if they show that they are rounded."""
+    exact = start + step * np.arange(samples)
+    rounded = np.round(exact, 1)
+    other = np.abs(np.diff(rounded) - np.median(np.diff(rounded))) > 0.05
+    if step * samples > 2.0 and np.count_nonzero(other) >= 0.01 * samples:
+        assert step_of(rounded, 0.1) == pytest.approx(step, abs=0.3 / samples)
+    assert step_of(exact, 0.0) == pytest.approx(step, rel=1e-12)
+
+
+def test_descending_positions_have_a_negative_step():
+    assert step_of(np.arange(20.0)[::-1]) == -1.0
+
+
+def gap(samples=200, at=77):
+    return np.delete(np.arange(samples + 1.0), at)
+
+
+@pytest.mark.parametrize(
+    ("x", "precision", "words"),
+    [
+        (gap(), 0.0, "sample 78 is 2 after the one before"),
+        (gap(), 1.0, "sample 78 is 2 after the one before"),  # a gap, not rounding to 1
+        (np.arange(20.0) ** 2, 0.5, "sample 2 is 1 after the one before"),
+        (np.zeros(9), 1.0, "sample 2 is 0 after the one before, in the mean steps are 0"),
+        (np.r_[np.arange(50.0), np.arange(50.0)], 0.0, "sample 51 is -49 after the one before"),
+        (np.arange(60.0) + 0.4 * (np.arange(60) % 2), 0.1, "in the mean steps are 1"),
+    ],
+)
+def test_positions_that_are_not_uniform_are_refused(x, precision, words):
+    with pytest.raises(UserError, match="bring the samples to equal steps first") as error:
+        step_of(x, precision)
+    assert words in str(error.value)
+
+
+def test_spikes_are_counted():
+    """White noise has none at this threshold; each of three lifted samples is one."""
+    noise = np.random.default_rng(4).normal(size=(2, 500))
+    assert spikes(noise) == 0
+    noise[0, [100, 300]] += 40.0
+    noise[1, 250] -= 40.0
+    lifted = spikes(noise)
+    assert 3 <= lifted <= 9  # neighbours of a spike stand out as well
+    assert spikes(np.repeat(noise, 4, axis=1)) == 0  # plateaus: nothing can be said
+
+
+@pytest.mark.parametrize("detrend", ["mean", "line", "parabola"])
+def test_flat_lines_are_refused(detrend):
+    raw = np.vstack([LINES[0], 3.0 + 0.0 * LINES[0]])
+    with pytest.raises(UserError, match=r"surface.file = 'f': line 2 of 2 is flat"):
+        check_not_flat("surface.file = 'f'", level(raw, detrend), raw)
+    check_not_flat("surface.file = 'f'", level(raw[:1], detrend), raw[:1])
+
+
+def test_a_straight_line_is_flat_once_levelled():
+    raw = 1e-3 * np.arange(1000.0)[None, :]
+    with pytest.raises(UserError, match="line 1 of 1 is flat"):
+        check_not_flat("surface.file = 'f'", level(raw, "line"), raw)

@@ -1,0 +1,92 @@
+"""The table [surface]: random lines with roll-off and cut-off, or measured ones."""
+
+import numpy as np
+import pytest
+
+from kernels import amplitudes
+from workflow.errors import UserError
+from workflow.study.surfaces.table import Surface, check_cutoff, read_surface
+
+HERE = {"file": "line.txt"}
+
+
+@pytest.fixture
+def folder(tmp_path):
+    x = 0.5 * np.arange(64)
+    z = np.random.default_rng(3).normal(size=64).cumsum()
+    np.savetxt(tmp_path / "line.txt", np.vstack([x, z, -z]).T, header="x(um) z(nm) w(nm)")
+    return tmp_path
+
+
+def refused(table, folder):
+    with pytest.raises(UserError) as error:
+        read_surface(table, folder)
+    assert "\n" not in str(error.value)
+    return str(error.value)
+
+
+def test_a_random_surface_is_as_it_was(folder):
+    assert read_surface({"length": 0.01}, folder) == Surface(0.01)
+    assert read_surface({"length": 0.01}, folder).modes(100) == (0.0, 0)
+
+
+def test_roll_off_and_cut_off_are_modes_of_the_line(folder):
+    surface = read_surface({"length": 0.01, "rolloff": 2e-3, "cutoff": 4e-4}, folder)
+    rolloff, cutoff = surface.modes(1000)
+    assert rolloff == pytest.approx(5.0)
+    assert cutoff == 25  # rounding of 0.01/4e-4 aside
+    assert surface.modes(50) == (rolloff, 0)  # two spacings: none
+    assert amplitudes(0.7, 1000, "modal", rolloff, cutoff).size == 500
+
+
+def test_a_measured_line(folder):
+    surface = read_surface(HERE, folder)
+    assert surface.profile is not None
+    assert surface.profile.heights.shape == (1, 128)
+    assert surface.length == pytest.approx(32e-6)
+    assert (surface.phases, surface.modes(128)) == ("measured", (0.0, 0))
+
+
+def test_settings_of_a_measured_line(folder):
+    settings = {"columns": [0, 1, 2], "units": ["mm", "um"], "detrend": "none", "periodic": "none"}
+    surface = read_surface(HERE | settings | {"phases": "random"}, folder)
+    assert surface.profile is not None
+    assert surface.profile.heights.shape == (2, 64)
+    assert surface.length == pytest.approx(32e-3)
+    assert surface.phases == "random"
+
+
+@pytest.mark.parametrize("key", ["length", "normalisation", "snap_spacing", "rolloff", "cutoff"])
+def test_keys_of_random_lines_are_refused_with_a_file(folder, key):
+    answer = refused(HERE | {key: 1.0}, folder)
+    assert answer == f"surface.{key} = 1.0: leave it out with surface.file, measured lines"
+
+
+@pytest.mark.parametrize("key", ["columns", "units", "detrend", "periodic", "phases"])
+def test_keys_of_measured_lines_are_refused_without_one(folder, key):
+    answer = refused({"length": 1.0, key: "x"}, folder)
+    assert answer == f"surface.{key} = 'x': goes with surface.file alone"
+
+
+@pytest.mark.parametrize("columns", ["x", [0], [0, -1], [0, 1.0], [True, 1], ["x", "y", "z"]])
+def test_columns_that_are_none_are_refused(folder, columns):
+    assert refused(HERE | {"columns": columns}, folder).startswith("surface.columns = ")
+
+
+@pytest.mark.parametrize("units", ["um", ["um"], ["um", "V"], ["um", 1], ["um", "um", "um"]])
+def test_units_that_are_none_are_refused(folder, units):
+    assert refused(HERE | {"units": units}, folder).endswith("two out of m, cm, mm, um, nm, å, pm")
+
+
+@pytest.mark.parametrize("rolloff", [0.01, 0.1, 1e-3, 1e-4])
+def test_a_roll_off_lies_between_cut_off_and_length(folder, rolloff):
+    answer = refused({"length": 0.01, "cutoff": 1e-3, "rolloff": rolloff}, folder)
+    assert "must lie between surface.cutoff = 0.001 and surface.length = 0.01" in answer
+
+
+def test_elements_resolve_what_lines_are_made_of():
+    for surface in (Surface(0.01, cutoff=2e-4), Surface(0.01, rolloff=2e-4)):
+        check_cutoff(surface, (1e-4, 1e-5))
+        with pytest.raises(UserError, match=r"must be two spacings or more: 0.0004 at grid.sp"):
+            check_cutoff(surface, (1e-4, 2e-4))
+    check_cutoff(Surface(0.01), (1e-4,))
