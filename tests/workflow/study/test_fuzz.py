@@ -79,11 +79,11 @@ SETTINGS = st.one_of(
 )
 
 
-def outcome(text, *given_settings, scale=None):
-    """Return the study that a text makes, or the message it is refused with."""
+def outcome(text, *given_settings, scale=None, planned=True):
+    """Return the study that a text makes and plan it, or the message it is refused with."""
     try:
         study = small_study(*given_settings, text=text, scale=scale)
-        small = isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS
+        small = planned and isinstance(study, Study) and math.prod(study.shape) <= MOST_POINTS
         if small and study.surface.length / min(study.grid["spacing"]) <= MOST_ELEMENTS:
             make_plan(study)
     except UserError as error:
