@@ -1,0 +1,27 @@
+"""Prescribed indentation: d is given at every step, and the force is what follows from it.
+
+Nothing touches where d lies below every threshold: then there is no force, and no friction
+coefficient.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.control.balance import balance, note
+
+
+class PrescribedIndentation(NamedTuple):
+    """The indentation is given."""
+
+    indentation: np.ndarray  # at the end of every step, in h over the deepest point
+
+
+@note.of(PrescribedIndentation)
+def _note(control, c, d, first):
+    return None
+
+
+@balance.of(PrescribedIndentation)
+def _balance(control, law, z, c, noted, d, step):
+    return control.indentation[step - 1], 0

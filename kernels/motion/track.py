@@ -1,0 +1,58 @@
+"""The line along the steps of a programme, as the elements of a foundation at rest see it.
+
+At whole samples the line is the one that is given, read from another sample on; at fractions it
+is shifted by Fourier (fourier.py), once for all steps of a stage that need the same fraction.
+"""
+
+from collections.abc import Iterator
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.motion.fourier import Shifted
+from kernels.motion.programme import Steps
+
+SHIFTED = 1 << 21  # samples of shifted lines in a stage, at most, but for one line
+LINES = 512  # shifted lines in a stage, at most
+
+
+class Track(NamedTuple):
+    """The line before the first of some steps and after each of them."""
+
+    z: np.ndarray  # shape (lines, 2 n): two periods of every line, heights in h
+    slope: np.ndarray  # the same of its slopes, in h/dx
+    line: np.ndarray  # which of the lines, shape (S + 1,)
+    begin: np.ndarray  # at which of its samples element 0 is, shape (S + 1,)
+    dt: np.ndarray  # of the steps, in tau, shape (S,)
+
+
+def tracks(z: np.ndarray, slope: np.ndarray, m: int, steps: Steps, start: float) -> Iterator[Track]:
+    """Yield the track of some steps after the other, until all have passed.
+
+    z, slope : line, shape (n,), in h and h/dx. m : samples to a spacing. start : position before
+    the first step, in samples.
+    """
+    n = z.size
+    place = np.append(start, steps.position)
+    whole = np.floor(place)
+    fraction = place - whole
+    begin = (-whole % n).astype(np.int64)
+    shifted = Shifted(z, slope, m) if fraction.any() else None
+    for first, last in _stages(fraction, max(2, min(LINES, SHIFTED // n))):
+        parts, line = np.unique(np.append(0.0, fraction[first : last + 1]), return_inverse=True)
+        both = [(z, slope)]
+        both += [shifted.by(part) for part in parts[1:]] if shifted else []
+        heights, slopes = (np.tile(np.stack(values), 2) for values in zip(*both, strict=True))
+        yield Track(heights, slopes, line[1:], begin[first : last + 1], steps.dt[first:last])
+
+
+def _stages(fraction: np.ndarray, most: int) -> list[tuple[int, int]]:
+    """Return (first, last) step of stages that have no more than ``most`` fractions each."""
+    stages = []
+    first, seen = 0, {float(fraction[0])}
+    for at in np.flatnonzero(np.diff(fraction)) + 1:
+        if len(seen | {float(fraction[at])}) > most:
+            stages.append((first, int(at) - 1))
+            first, seen = int(at) - 1, {float(fraction[at - 1])}
+        seen.add(float(fraction[at]))
+    return [*stages, (first, fraction.size - 1)]

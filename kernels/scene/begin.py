@@ -1,0 +1,88 @@
+"""How a scene begins: sliding steadily, at rest for ever, or just pressed on."""
+
+import numpy as np
+
+from kernels.contact import solve_indentation
+from kernels.rheology.forms import FORMS
+from kernels.rheology.kelvin import SCHEMES
+from kernels.rheology.law import Elements, rest
+from kernels.rheology.relaxed import Moduli
+from kernels.rheology.retardation import Retardation
+from kernels.rheology.spectrum import KELVIN, Spectrum
+from kernels.steady import steady_sliding, sweep
+from kernels.steady_memory import steady_at, steady_memory
+
+Form = Retardation | Moduli
+
+
+def relaxed(form: Form, z: np.ndarray, load: float | None, d: float) -> Elements:
+    """Return elements on which the line has rested for ever.
+
+    z : line, shape (n,), in h. load : n Fbar, or None where the indentation d (in h) is given.
+    """
+    return _pressed(form, z, load, d, 1.0)
+
+
+def fresh(form: Form, spectrum: Spectrum, z: np.ndarray, load: float | None, d: float) -> Elements:
+    """Return elements on which the line has just been pressed; arguments as of relaxed.
+
+    Raises ValueError for a material with a dashpot: it carries any load at no indentation.
+    """
+    if spectrum.viscosity > 0.0:
+        raise ValueError('start = "fresh": a dashpot carries any load at first, at no indentation')
+    stiffness = 1.0 + sum(spectrum.moduli)
+    elements = _pressed(form, z, load, d, stiffness)
+    if isinstance(form, Retardation):
+        elements.memory[:] = 0.0
+    else:  # all branches carry their share
+        elements.memory[:-1] = form.moduli[:, None] * elements.memory[-1]
+    return elements
+
+
+def _pressed(form: Form, z: np.ndarray, load: float | None, d: float, stiffness: float) -> Elements:
+    """Return elements of one stiffness that have crept as much as their displacement tells."""
+    if load is not None:
+        d, _ = solve_indentation(z, load / stiffness, z.min() + load / (stiffness * z.size))
+    u = np.minimum(z - d, 0.0)
+    memory = rest(form, -u)
+    if isinstance(form, Moduli):
+        memory[:-1] = 0.0
+    return Elements(memory, -stiffness * u, d)
+
+
+def steady(
+    scheme: str,
+    spectrum: Spectrum,
+    z: np.ndarray,
+    speed: float,
+    load: float | None,
+    d: float,
+) -> Elements:
+    """Return elements under steady sliding; z, load, d as of relaxed.
+
+    speed : signed, in samples per tau.
+    """
+    if spectrum == KELVIN:
+        return _steady_kelvin(scheme, z, speed, load, d)
+    form = FORMS[scheme](spectrum)
+    if load is None:
+        return steady_at(form, z, speed, d).elements
+    return steady_memory(form, z, speed, load).elements
+
+
+def _steady_kelvin(
+    scheme: str, z: np.ndarray, speed: float, load: float | None, d: float
+) -> Elements:
+    """Return the same of Kelvin elements, by the sweep for elements that remember u alone."""
+    law = SCHEMES[scheme](1.0 / abs(speed))
+    along = z if speed > 0.0 else np.ascontiguousarray(z[::-1])
+    w = np.zeros_like(z)
+    if load is not None:
+        (w, d), _ = steady_sliding(law, along, load)
+    elif d > z.min():
+        sweep(law, along, d, int(np.argmin(along)), w)
+    u = np.minimum(w, along - d)
+    p = law.stiffness * (w - u)
+    if speed < 0.0:
+        u, p = u[::-1].copy(), p[::-1].copy()
+    return Elements(u[None], p, d)

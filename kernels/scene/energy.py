@@ -1,0 +1,95 @@
+"""Work, stored and dissipated energy of the elements, step by step.
+
+The units of the retardation form (rheology/retardation.py) store y^2 / (2 J) and dissipate
+lambda/J times the square of their rate; the glassy spring stores J_g p^2 / 2. All of it is exact
+for the force that the scheme assumes within a step. Then
+
+    work = change of stored energy + dissipated energy + closing work,
+
+where the closing work is what the line does over gaps that it closes within a step: a force
+counts for the whole step in which an element is touched. With a dashpot as the only branch the
+balance closes to rounding, and the closing work falls as the step; with a glassy modulus both
+fall as its square.
+Source: R. M. Christensen, Theory of Viscoelasticity, 2nd ed. (Academic Press, 1982), ch. 3.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.jit import kernel
+
+
+class Ledger(NamedTuple):
+    """Energies at the steps that are kept, in 4 G L h^2, and their sums on the way."""
+
+    stored: np.ndarray  # shape (kept,)
+    dissipated: np.ndarray  # shape (kept,), since the start, as the next two
+    work: np.ndarray  # shape (kept,)
+    closing_work: np.ndarray  # shape (kept,)
+    sums: np.ndarray  # dissipated, work, closing work until now, in 4 G dx h^2
+
+
+@kernel
+def stored_energy(form, memory, p):
+    """Return the energy that the elements store, in 4 G L h^2.
+
+    form : of the material, a Retardation. memory : shape (K, n), p : shape (n,).
+    """
+    total = 0.0
+    for i in range(p.size):
+        total += form.glass * p[i] ** 2
+    for k in range(form.times.size):
+        units = 0.0
+        for i in range(p.size):
+            units += memory[k, i] ** 2
+        total += units / form.compliances[k]
+    return 0.5 * total / p.size
+
+
+@kernel
+def displacement(form, memory, p):
+    """Return the displacements of the elements, -J_g p + sum y_k, shape (n,), in h."""
+    u = -form.glass * p
+    for k in range(form.times.size):
+        for i in range(p.size):
+            u[i] += memory[k, i]
+    return u
+
+
+@kernel
+def book(form, law, dt, memory, p, new, work, closing, sums):
+    """Add a step, before its memory settles, to the sums of a ledger.
+
+    p, new : forces of the last step and of this one, shape (n,). work, closing : by how much the
+    line pressed each element further, and by how much of that it closed a gap, in h, shape (n,).
+    """
+    share = 0.5 * law.linear
+    for i in range(p.size):
+        mean = new[i] + share * (p[i] - new[i])
+        sums[1] += mean * work[i]
+        sums[2] += mean * closing[i]
+    for k in range(form.times.size):
+        sums[0] += _dissipated(form, law, dt, k, memory[k], p, new)
+
+
+@kernel
+def _dissipated(form, law, dt, k, y, p, new):
+    """Return what units k dissipate in a step, lambda/J int (dy/dt)^2 dt, a sum of squares.
+
+    Under a linear force dy/dt = r + q exp(-t / lambda). Its square is that of its mean and its
+    variance, which for x = dt / lambda is q^2 (1 - E)^2 (coth(x/2) / 2 - 1/x) / x.
+    """
+    time, compliance = form.times[k], form.compliances[k]
+    x = dt / time
+    gone = -math.expm1(-x)
+    spread = x / 12.0 if x < 1e-3 else 0.5 / math.tanh(0.5 * x) - 1.0 / x
+    means = variances = 0.0
+    for i in range(y.size):
+        begun = law.linear * p[i] + (1.0 - law.linear) * new[i]
+        moved = -gone * y[i] - law.fresh[k] * new[i] - law.stale[k] * p[i]
+        q = y[i] + compliance * (begun - (new[i] - begun) / x)
+        means += moved**2
+        variances += q**2
+    return (means / x + variances * gone**2 * spread) / compliance

@@ -1,0 +1,88 @@
+"""Following a programme: the line moves over a foundation at rest, element by element.
+
+It takes any material with internal variables, any control and any motion: slower than march.py,
+which does the one case of a Kelvin element under a line that slides at one speed. Laws, controls
+and what is kept are chosen by type: what is not asked for has left no trace in the machine code.
+"""
+
+import numpy as np
+
+from kernels.control.balance import balance
+from kernels.scene.energy import book, displacement, stored_energy
+from kernels.jit import kernel
+from kernels.scene.records import count_lengths, keep_frame, keep_trace
+from kernels.rheology.law import Elements, law_of, predict, settle
+
+
+@kernel
+def follow(form, control, track, elements, done, kept, frames, trace, ledger, lengths, film):
+    """Take elements along a track; return (elements, passes) at its end.
+
+    form : of the material (rheology/law.py). control : what the indentation follows from
+    (control). track : the line at every step (motion/track.py). elements : before the first
+    step; their arrays are left alone. done : number of steps before this track.
+    kept, frames : increasing numbers of the steps to be kept in trace, ledger and lengths, and
+    in film: recorders or None.
+    passes : over the thresholds, in all steps.
+    """
+    n = elements.p.size
+    memory, p, d = elements.memory.copy(), elements.p.copy(), elements.d
+    w, c, new = np.empty(n), np.empty(n), np.empty(n)
+    passes = 0
+    k = np.searchsorted(kept, done, side="right")
+    frame = np.searchsorted(frames, done, side="right")
+    for s in range(track.dt.size):
+        step = done + s + 1
+        z = _seen(track.z, track, s + 1, n)
+        law = law_of(form, track.dt[s])
+        predict(law, memory, p, w)
+        for i in range(n):
+            c[i] = z[i] - w[i]
+        old = d
+        d, used = balance(control, law, z, c, None, old, step)
+        passes += used
+        for i in range(n):
+            depth = d - c[i]
+            new[i] = law.stiffness * depth if depth > 0.0 else 0.0
+        if ledger is not None:
+            _book(form, law, ledger, track, s, memory, p, new, w, old, d)
+        if film is not None and frame < frames.size and step == frames[frame]:
+            keep_frame(film, frame, z, d, w - new / law.stiffness)
+            frame += 1
+        settle(law, memory, w, p, new)
+        p, new = new, p
+        if k < kept.size and step == kept[k]:
+            if trace is not None:
+                before, now = _seen(track.slope, track, s, n), _seen(track.slope, track, s + 1, n)
+                keep_trace(trace, k, law.lag, before, now, old, d, p)
+            if ledger is not None:
+                ledger.stored[k] = stored_energy(form, memory, p)
+                ledger.dissipated[k] = ledger.sums[0] / n
+                ledger.work[k] = ledger.sums[1] / n
+                ledger.closing_work[k] = ledger.sums[2] / n
+            if lengths is not None:
+                count_lengths(lengths, p)
+            k += 1
+    return Elements(memory, p, d), passes
+
+
+@kernel
+def _seen(values, track, s, n):
+    """Return the values of the line at the elements after step s of a track, shape (n,)."""
+    begin = track.begin[s]
+    return values[track.line[s], begin : begin + n]
+
+
+@kernel
+def _book(form, law, ledger, track, s, memory, p, new, w, old, d):
+    """Book a step whose forces are known and whose memory has not settled."""
+    n = p.size
+    before, after = _seen(track.z, track, s, n), _seen(track.z, track, s + 1, n)
+    u = displacement(form, memory, p)
+    work, closing = np.empty(n), np.empty(n)
+    for i in range(n):
+        work[i] = (before[i] - after[i]) + (d - old)
+        gap = (before[i] - old) - u[i]
+        left = (after[i] - d) - (w[i] - new[i] / law.stiffness)
+        closing[i] = gap - left
+    book(form, law, track.dt[s], memory, p, new, work, closing, ledger.sums)

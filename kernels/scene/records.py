@@ -1,0 +1,92 @@
+"""What a march keeps: traces, lengths of contacts, snapshots. None of it is compiled unless asked.
+
+A recorder is a NamedTuple of arrays that a march fills, or None.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.jit import kernel
+
+
+class Trace(NamedTuple):
+    """Values at the steps that are kept, all of shape (kept,).
+
+    Forces of a step act at its lag before its end, and so does the indentation given here, which
+    is interpolated. mu is NaN where nothing touches.
+    """
+
+    mu: np.ndarray  # in h/dx
+    indentation: np.ndarray  # in h over the deepest point
+    normal_force: np.ndarray  # in 4 G L h
+    friction_force: np.ndarray  # in 4 G L h^2/dx
+    contact_fraction: np.ndarray
+
+
+class Lengths(NamedTuple):
+    """How many contacts of which length there were at the steps that are kept."""
+
+    edges: np.ndarray  # of the bins, in samples, shape (bins + 1,), increasing
+    count: np.ndarray  # shape (bins,); a length on an edge counts above it
+
+
+class Film(NamedTuple):
+    """The line and the elements at the end of some steps, at the elements of the foundation."""
+
+    height: np.ndarray  # of the line over the undeformed foundation, in h, shape (frames, n)
+    displacement: np.ndarray  # of the elements, in h, shape (frames, n)
+
+
+@kernel
+def keep_trace(trace, k, lag, before, now, old, new, p):
+    """Keep values of a step.
+
+    before, now : slopes before and after it, in h/dx. old, new : indentation, in h. p : forces
+    of its elements. All of shape (n,).
+    """
+    normal = tangential = touching = 0.0
+    for i in range(p.size):
+        normal += p[i]
+        tangential += p[i] * (now[i] + lag * (before[i] - now[i]))
+        touching += 1.0 if p[i] > 0.0 else 0.0
+    trace.mu[k] = tangential / normal if normal > 0.0 else np.nan
+    trace.indentation[k] = new + lag * (old - new)
+    trace.normal_force[k] = normal / p.size
+    trace.friction_force[k] = tangential / p.size
+    trace.contact_fraction[k] = touching / p.size
+
+
+@kernel
+def count_lengths(lengths, p):
+    """Count the contacts: runs of elements that are pressed, round the period."""
+    n = p.size
+    free = 0
+    while free < n and p[free] > 0.0:
+        free += 1
+    if free == n:
+        _count(lengths, n)
+        return
+    run = 0
+    for i in range(1, n + 1):
+        if p[(free + i) % n] > 0.0:
+            run += 1
+        elif run > 0:
+            _count(lengths, run)
+            run = 0
+
+
+@kernel
+def _count(lengths, length):
+    """Count one contact, if there is a bin for it."""
+    at = np.searchsorted(lengths.edges, float(length), side="right") - 1
+    if 0 <= at < lengths.count.size:
+        lengths.count[at] += 1.0
+
+
+@kernel
+def keep_frame(film, k, z, d, u):
+    """Keep line and displacements, shape (n,), at the end of a step, in h."""
+    for i in range(u.size):
+        film.height[k, i] = z[i] - d
+        film.displacement[k, i] = u[i]

@@ -1,0 +1,133 @@
+"""One realization of a scene: a line is taken through it, and what is asked for is kept."""
+
+import numpy as np
+
+from kernels.scene.begin import Form, fresh, relaxed, steady
+from kernels.control.force import ConstantForce
+from kernels.control.indentation import PrescribedIndentation
+from kernels.scene.energy import Ledger, displacement, stored_energy
+from kernels.scene.follow import follow
+from kernels.motion.programme import first_speed, last_speed
+from kernels.motion.track import Track, tracks
+from kernels.scene.records import Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
+from kernels.rheology.forms import FORMS
+from kernels.rheology.law import Elements, law_of
+from kernels.scene.scene import Saved, Scene, check_scene, indentation_at, scene_steps
+from kernels.surfaces.line import Line
+
+
+class Recorders:
+    """The recorders of a scene; those that are not asked for are None."""
+
+    def __init__(self, scene: Scene, line: Line) -> None:
+        """Make room for all that is asked for."""
+        asked, kept, n = scene.asked, scene.kept.size, line.z.size
+        self.kept, self.frames = scene.kept, scene.frames
+        self.trace = Trace(*np.empty((5, kept))) if "trace" in asked else None
+        self.ledger = Ledger(*np.zeros((4, kept)), np.zeros(3)) if "energy" in asked else None
+        self.lengths = None
+        if "contact_lengths" in asked:
+            bins = max(scene.edges.size - 1, 0)
+            self.lengths = Lengths(scene.edges * line.steps_per_spacing, np.zeros(bins))
+        self.film = None
+        if "snapshots" in asked:
+            self.film = Film(*np.empty((2, scene.frames.size, n)))
+
+    def start(self, form: Form, line: Line, track: Track, elements: Elements, lag: float) -> None:
+        """Keep the start itself, where step 0 is asked for; lag : of the steady step before it."""
+        z, slope = (values[track.line[0], track.begin[0] :][: line.z.size] for values in track[:2])
+        memory, p, d = elements
+        if self.kept.size and self.kept[0] == 0:
+            if self.trace is not None:
+                before = np.roll(slope, -1 if lag > 0.0 else 1)
+                keep_trace(self.trace, 0, abs(lag), before, slope, d, d, p)
+            if self.ledger is not None:
+                self.ledger.stored[0] = stored_energy(form, memory, p)
+            if self.lengths is not None:
+                count_lengths(self.lengths, p)
+        if self.film is not None and self.frames.size and self.frames[0] == 0:
+            keep_frame(self.film, 0, z, d, displacement(form, memory, p))
+
+    def all(self) -> tuple:
+        """Return the last arguments of follow."""
+        recorders = (self.trace, self.ledger, self.lengths, self.film)
+        return self.kept, self.frames, *recorders
+
+    def values(self, datum: float) -> dict[str, np.ndarray]:
+        """Return what was kept, by name; datum : as of a Line."""
+        values = {}
+        if self.trace is not None:
+            values |= {f"trace_{name}": kept for name, kept in self.trace._asdict().items()}
+            values["trace_indentation"] = self.trace.indentation + datum
+        if self.ledger is not None:
+            values["stored_energy"], values["dissipated_energy"] = self.ledger[:2]
+            values["work"], values["closing_work"] = self.ledger[2:4]
+        if self.lengths is not None:
+            values["contact_length"] = self.lengths.count / max(self.kept.size, 1)
+        if self.film is not None:
+            values["snapshot_height"], values["snapshot_displacement"] = self.film
+        return values
+
+
+def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str, np.ndarray]:
+    """Take one line through a scene; return the values asked for, by name.
+
+    state : to go on from, instead of the start of the scene; numbers of steps count from there.
+
+    trace : "trace_mu" (h/dx), "trace_indentation" (h over the mean line), "trace_normal_force"
+    (4 G L h), "trace_friction_force" (4 G L h^2/dx), "trace_contact_fraction", each (kept,). mu is
+    NaN where nothing touches.
+    energy : "stored_energy", "dissipated_energy", "work", "closing_work" (4 G L h^2), (kept,);
+    all but the first are sums from the start.
+    contact_lengths : "contact_length" (bins,), mean number of contacts over the kept steps.
+    snapshots : "snapshot_height" (line over the undeformed foundation) and
+    "snapshot_displacement" (of the elements), (frames, n), in h.
+    state : the fields of Saved as "state_memory", "state_p", ….
+    "updates" : of elements, the measure of cost. Raises ValueError for a scene without meaning.
+    """
+    m, z, slope = line.steps_per_spacing, line.z, line.slope
+    steps = scene_steps(scene, m, state)
+    check_scene(scene, steps)
+    form = FORMS[scene.scheme](scene.spectrum)
+    begin = state or _begin(line, scene, form)
+    times = np.cumsum(np.append(begin.time, steps.dt))
+    control: ConstantForce | PrescribedIndentation = ConstantForce(scene.load * z.size)
+    if scene.indentation is not None:
+        control = PrescribedIndentation(indentation_at(scene, times[1:], line.datum))
+    elements = Elements(begin.memory, begin.p, begin.d)
+    recorders = Recorders(scene, line)
+    lag = 0.0
+    if state is None and scene.start == "steady":
+        speed = first_speed(scene.programme)
+        lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
+    done = updates = 0
+    for track in tracks(z, slope, m, steps, begin.position):
+        if done == 0:
+            recorders.start(form, line, track, elements, lag)
+        elements, passes = follow(form, control, track, elements, done, *recorders.all())
+        done += track.dt.size
+        updates += (passes + track.dt.size) * z.size
+    values = recorders.values(line.datum) | {"updates": np.array(float(updates))}
+    if "state" in scene.asked:
+        position = float(steps.position[-1]) if done else begin.position
+        speed = last_speed(scene.programme[-1])
+        saved = Saved(*elements, position, float(times[-1]), speed)
+        values |= {f"state_{name}": np.asarray(value) for name, value in saved._asdict().items()}
+    return values
+
+
+def _begin(line: Line, scene: Scene, form: Form) -> Saved:
+    """Return the state before the first step."""
+    z = line.z
+    load = scene.load * z.size if scene.indentation is None else None
+    d = np.nan if load is not None else float(indentation_at(scene, np.zeros(1), line.datum)[0])
+    speed = 0.0
+    if scene.start == "steady":
+        speed = first_speed(scene.programme)
+        samples = speed * line.steps_per_spacing
+        elements = steady(scene.scheme, scene.spectrum, z, samples, load, d)
+    elif scene.start == "relaxed":
+        elements = relaxed(form, z, load, d)
+    else:
+        elements = fresh(form, scene.spectrum, z, load, d)
+    return Saved(*elements, 0.0, 0.0, speed)

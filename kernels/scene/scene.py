@@ -1,0 +1,133 @@
+"""What a line can be taken through: a material, a programme of motion, a control, a start."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.motion.programme import Programme, Steps, first_speed, steps_of
+from kernels.rheology.forms import FORMS
+from kernels.rheology.law import law_of
+from kernels.rheology.spectrum import Spectrum
+
+ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
+STARTS = ("steady", "relaxed", "fresh")
+LOADS = (1e-100, 1e100)  # Fbar, as of a case (realization.py)
+SPEEDS = (1e-12, 1e12)  # of steady sliding, in dx/tau
+
+
+class Scene(NamedTuple):
+    """What one line is taken through. Lengths along x in dx, heights in h, times in tau."""
+
+    spectrum: Spectrum  # of the elastomer
+    scheme: str  # "exponential" or "implicit-euler"
+    programme: Programme
+    load: float  # Fbar = F_N / (4 G L h); NaN where the indentation is prescribed
+    indentation: tuple[tuple[float, ...], tuple[float, ...]] | float | None
+    # None: constant force. A number: constant, in h over the mean line. (times, values): d(t),
+    # linear in between, to be followed by the steps of the programme and, at rest, its own times.
+    start: str  # of STARTS
+    asked: tuple[str, ...]  # of ASKED
+    kept: np.ndarray  # numbers of the steps at which a trace is kept; 0 is the start
+    edges: np.ndarray  # of the bins of contact lengths, shape (bins + 1,), in dx
+    frames: np.ndarray  # numbers of the steps at which a snapshot is taken; 0 is the start
+
+
+class Saved(NamedTuple):
+    """What a programme needs to go on to the bit."""
+
+    memory: np.ndarray  # internal variables of the elements, shape (M, n)
+    p: np.ndarray  # shape (n,): their forces
+    d: float  # indentation, in h over the deepest point of the line
+    position: float  # of the line, in samples
+    time: float  # in tau
+    speed: float  # of the leg before, in dx/tau
+
+
+def scene_steps(scene: Scene, steps_per_spacing: int, state: Saved | None = None) -> Steps:
+    """Return all time steps of a scene; steps_per_spacing : m. Raises ValueError as steps_of."""
+    position, speed, time = (state.position, state.speed, state.time) if state else (0.0, 0.0, 0.0)
+    steps = steps_of(scene.programme, steps_per_spacing, position, speed)
+    if isinstance(scene.indentation, tuple):
+        return _with_times(steps, position, np.asarray(scene.indentation[0], float) - time)
+    return steps
+
+
+def _with_times(steps: Steps, position: float, times: np.ndarray) -> Steps:
+    """Return the steps, those at rest cut at the times given."""
+    end = np.cumsum(steps.dt)
+    resting = steps.position == np.append(position, steps.position[:-1])
+    times = times[(times > 0.0) & (times < end[-1])]
+    times = times[resting[np.searchsorted(end, times)]]
+    every = np.union1d(end, times)
+    every = every[np.append(True, np.diff(every) > 1e-9 * np.diff(every).max())]
+    every[-1] = end[-1]
+    of = np.searchsorted(end, every)
+    whole = np.isin(every, end) & np.isin(np.append(0.0, every[:-1]), np.append(0.0, end))
+    dt = np.where(whole, steps.dt[of], np.diff(np.append(0.0, every)))
+    return Steps(steps.position[of], dt, steps.leg[of])
+
+
+def indentation_at(scene: Scene, times: np.ndarray, datum: float) -> np.ndarray:
+    """Return the prescribed indentation over the deepest point, in h; times in tau; that shape.
+
+    datum : height of the deepest point over the mean line, in h.
+    """
+    if isinstance(scene.indentation, tuple):
+        return np.interp(times, *scene.indentation) - datum
+    return np.full(np.shape(times), scene.indentation - datum)
+
+
+def trace_stamps(
+    scene: Scene, steps_per_spacing: int, state: Saved | None = None
+) -> dict[str, np.ndarray]:
+    """Return when and where a trace is kept: the same for every line, each of shape (kept,).
+
+    "time" (in tau), "distance" (of the line, in dx), "speed" (in dx/tau) and "leg" (int).
+    Forces of a step act law.lag of it before its end. The start has the speed and leg that follow.
+    """
+    steps = scene_steps(scene, steps_per_spacing, state)
+    begin, position = (state.time, state.position) if state else (0.0, 0.0)
+    form = FORMS[scene.scheme](scene.spectrum)
+    end = np.cumsum(np.append(begin, steps.dt))
+    place = np.append(position, steps.position) / steps_per_spacing
+    last = scene.kept
+    step = np.maximum(last - 1, 0)
+    dt, same = np.unique(steps.dt[step], return_inverse=True)
+    lag = np.array([law_of(form, length).lag for length in dt.tolist()])[same]
+    lag[last == 0] = 0.0
+    speed = (place[step + 1] - place[step]) / steps.dt[step]
+    speed[last == 0] = first_speed(scene.programme)
+    return {
+        "time": end[last] - lag * steps.dt[step],
+        "distance": place[last] - lag * (place[step + 1] - place[step]),
+        "speed": speed,
+        "leg": steps.leg[step],
+    }
+
+
+def check_scene(scene: Scene, steps: Steps) -> None:
+    """Raise ValueError for a scene without meaning, or beyond what doubles can resolve."""
+    if scene.start not in STARTS:
+        raise ValueError(f"start = {scene.start!r}: use one of {STARTS}")
+    if unknown := set(scene.asked) - set(ASKED):
+        raise ValueError(f"asked = {sorted(unknown)}: use some of {ASKED}")
+    if scene.indentation is None and not LOADS[0] <= scene.load <= LOADS[1]:
+        raise ValueError(f"load = {scene.load:g}: must lie between {LOADS[0]:g} and {LOADS[1]:g}")
+    if scene.indentation is not None and not math.isnan(scene.load):
+        raise ValueError("load and indentation are both given: one of them follows from the other")
+    if scene.start == "steady":
+        speed = abs(first_speed(scene.programme))
+        if not SPEEDS[0] <= speed <= SPEEDS[1]:
+            raise ValueError(
+                f'start = "steady": the first speed, {speed:g}, must lie between '
+                f"{SPEEDS[0]:g} and {SPEEDS[1]:g}"
+            )
+    if "energy" in scene.asked and scene.scheme != "exponential":
+        raise ValueError(f'scheme = {scene.scheme!r}: energy is that of the scheme "exponential"')
+    for name, numbers in (("kept", scene.kept), ("frames", scene.frames)):
+        inside = numbers.size == 0 or (numbers[0] >= 0 and numbers[-1] <= steps.dt.size)
+        if not (inside and np.all(np.diff(numbers) > 0)):
+            raise ValueError(f"{name} must hold increasing numbers of steps, 0 to {steps.dt.size}")
+    if "contact_lengths" in scene.asked and not np.all(np.diff(scene.edges) > 0.0):
+        raise ValueError("edges must increase")
