@@ -62,7 +62,7 @@ def along(path: Path, m: int, start: float) -> tuple[np.ndarray, np.ndarray]:
     position, dt = start, math.inf
     for begin, end in zip(path.breaks[:-1], path.breaks[1:], strict=True):
         goal = start + float(path.where(np.array([end]))[0])
-        if goal == position:
+        if abs(goal - position) <= WHOLE * max(1.0, abs(position)):
             first = min(dt, 2.0 * (end - begin) / fewest_steps(m))
             time = begin + np.cumsum(geometric(end - begin, first, growth(m)))
             time[-1] = end

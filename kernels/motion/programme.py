@@ -92,8 +92,7 @@ def steps_of(
         if place.size:
             if dt.min() < SHORTEST:
                 raise ValueError(f"{leg}: steps of {dt.min():g} tau are lost in rounding")
-            position = float(place[-1])
-        speed = last_speed(leg)
+            position, speed = float(place[-1]), last_speed(leg)
         places.append(place)
         times.append(dt)
         legs.append(np.full(place.size, number))

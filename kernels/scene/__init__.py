@@ -5,3 +5,5 @@ What is kept on the way is chosen by type: what a scene does not ask for is not 
 
 from kernels.scene.run import run_scene
 from kernels.scene.scene import ASKED, Saved, Scene, scene_steps, trace_stamps
+
+__all__ = ["ASKED", "Saved", "Scene", "run_scene", "scene_steps", "trace_stamps"]

@@ -3,6 +3,7 @@
 import numpy as np
 
 from kernels.contact import solve_indentation
+from kernels.memory.steady import steady_at, steady_memory
 from kernels.rheology.forms import FORMS
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import Elements, rest
@@ -10,7 +11,6 @@ from kernels.rheology.relaxed import Moduli
 from kernels.rheology.retardation import Retardation
 from kernels.rheology.spectrum import KELVIN, Spectrum
 from kernels.steady import steady_sliding, sweep
-from kernels.steady_memory import steady_at, steady_memory
 
 Form = Retardation | Moduli
 
@@ -62,9 +62,11 @@ def steady(
 
     speed : signed, in samples per tau.
     """
+    form = FORMS[scheme](spectrum)
+    if load is None and d <= z.min():  # nothing touches
+        return relaxed(form, z, None, d)
     if spectrum == KELVIN:
         return _steady_kelvin(scheme, z, speed, load, d)
-    form = FORMS[scheme](spectrum)
     if load is None:
         return steady_at(form, z, speed, d).elements
     return steady_memory(form, z, speed, load).elements
@@ -79,7 +81,7 @@ def _steady_kelvin(
     w = np.zeros_like(z)
     if load is not None:
         (w, d), _ = steady_sliding(law, along, load)
-    elif d > z.min():
+    else:
         sweep(law, along, d, int(np.argmin(along)), w)
     u = np.minimum(w, along - d)
     p = law.stiffness * (w - u)

@@ -20,14 +20,14 @@ import numpy as np
 
 from kernels.jit import kernel
 
+ENERGIES = ("stored_energy", "dissipated_energy", "work", "closing_work")
+
 
 class Ledger(NamedTuple):
-    """Energies at the steps that are kept, in 4 G L h^2, and their sums on the way."""
+    """Energies at the steps that are kept, and their sums on the way."""
 
-    stored: np.ndarray  # shape (kept,)
-    dissipated: np.ndarray  # shape (kept,), since the start, as the next two
-    work: np.ndarray  # shape (kept,)
-    closing_work: np.ndarray  # shape (kept,)
+    kept: np.ndarray  # shape (4, kept), as named by ENERGIES, in 4 G L h^2; all but the first
+    # are sums since the start
     sums: np.ndarray  # dissipated, work, closing work until now, in 4 G dx h^2
 
 

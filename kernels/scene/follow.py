@@ -8,10 +8,10 @@ and what is kept are chosen by type: what is not asked for has left no trace in 
 import numpy as np
 
 from kernels.control.balance import balance
-from kernels.scene.energy import book, displacement, stored_energy
 from kernels.jit import kernel
-from kernels.scene.records import count_lengths, keep_frame, keep_trace
 from kernels.rheology.law import Elements, law_of, predict, settle
+from kernels.scene.energy import book, displacement, stored_energy
+from kernels.scene.records import count_lengths, keep_frame, keep_trace
 
 
 @kernel
@@ -56,10 +56,8 @@ def follow(form, control, track, elements, done, kept, frames, trace, ledger, le
                 before, now = _seen(track.slope, track, s, n), _seen(track.slope, track, s + 1, n)
                 keep_trace(trace, k, law.lag, before, now, old, d, p)
             if ledger is not None:
-                ledger.stored[k] = stored_energy(form, memory, p)
-                ledger.dissipated[k] = ledger.sums[0] / n
-                ledger.work[k] = ledger.sums[1] / n
-                ledger.closing_work[k] = ledger.sums[2] / n
+                ledger.kept[0, k] = stored_energy(form, memory, p)
+                ledger.kept[1:, k] = ledger.sums / n
             if lengths is not None:
                 count_lengths(lengths, p)
             k += 1

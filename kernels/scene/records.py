@@ -28,7 +28,7 @@ class Lengths(NamedTuple):
     """How many contacts of which length there were at the steps that are kept."""
 
     edges: np.ndarray  # of the bins, in samples, shape (bins + 1,), increasing
-    count: np.ndarray  # shape (bins,); a length on an edge counts above it
+    counts: np.ndarray  # shape (bins,); a length on an edge counts above it
 
 
 class Film(NamedTuple):
@@ -80,8 +80,8 @@ def count_lengths(lengths, p):
 def _count(lengths, length):
     """Count one contact, if there is a bin for it."""
     at = np.searchsorted(lengths.edges, float(length), side="right") - 1
-    if 0 <= at < lengths.count.size:
-        lengths.count[at] += 1.0
+    if 0 <= at < lengths.counts.size:
+        lengths.counts[at] += 1.0
 
 
 @kernel

@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from kernels.scene.begin import Form, fresh, relaxed, steady
 from kernels.control.force import ConstantForce
 from kernels.control.indentation import PrescribedIndentation
-from kernels.scene.energy import Ledger, displacement, stored_energy
-from kernels.scene.follow import follow
 from kernels.motion.programme import first_speed, last_speed
 from kernels.motion.track import Track, tracks
-from kernels.scene.records import Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
 from kernels.rheology.forms import FORMS
 from kernels.rheology.law import Elements, law_of
+from kernels.scene.begin import Form, fresh, relaxed, steady
+from kernels.scene.energy import ENERGIES, Ledger, displacement, stored_energy
+from kernels.scene.follow import follow
+from kernels.scene.records import Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
 from kernels.scene.scene import Saved, Scene, check_scene, indentation_at, scene_steps
 from kernels.surfaces.line import Line
 
@@ -24,7 +24,7 @@ class Recorders:
         asked, kept, n = scene.asked, scene.kept.size, line.z.size
         self.kept, self.frames = scene.kept, scene.frames
         self.trace = Trace(*np.empty((5, kept))) if "trace" in asked else None
-        self.ledger = Ledger(*np.zeros((4, kept)), np.zeros(3)) if "energy" in asked else None
+        self.ledger = Ledger(np.zeros((4, kept)), np.zeros(3)) if "energy" in asked else None
         self.lengths = None
         if "contact_lengths" in asked:
             bins = max(scene.edges.size - 1, 0)
@@ -42,7 +42,7 @@ class Recorders:
                 before = np.roll(slope, -1 if lag > 0.0 else 1)
                 keep_trace(self.trace, 0, abs(lag), before, slope, d, d, p)
             if self.ledger is not None:
-                self.ledger.stored[0] = stored_energy(form, memory, p)
+                self.ledger.kept[0, 0] = stored_energy(form, memory, p)
             if self.lengths is not None:
                 count_lengths(self.lengths, p)
         if self.film is not None and self.frames.size and self.frames[0] == 0:
@@ -55,15 +55,14 @@ class Recorders:
 
     def values(self, datum: float) -> dict[str, np.ndarray]:
         """Return what was kept, by name; datum : as of a Line."""
-        values = {}
+        values: dict[str, np.ndarray] = {}
         if self.trace is not None:
             values |= {f"trace_{name}": kept for name, kept in self.trace._asdict().items()}
             values["trace_indentation"] = self.trace.indentation + datum
         if self.ledger is not None:
-            values["stored_energy"], values["dissipated_energy"] = self.ledger[:2]
-            values["work"], values["closing_work"] = self.ledger[2:4]
+            values |= zip(ENERGIES, self.ledger.kept, strict=True)
         if self.lengths is not None:
-            values["contact_length"] = self.lengths.count / max(self.kept.size, 1)
+            values["contact_length"] = self.lengths.counts / max(self.kept.size, 1)
         if self.film is not None:
             values["snapshot_height"], values["snapshot_displacement"] = self.film
         return values

@@ -75,7 +75,7 @@ def indentation_at(scene: Scene, times: np.ndarray, datum: float) -> np.ndarray:
     """
     if isinstance(scene.indentation, tuple):
         return np.interp(times, *scene.indentation) - datum
-    return np.full(np.shape(times), scene.indentation - datum)
+    return np.full(np.shape(times), scene.indentation, float) - datum
 
 
 def trace_stamps(
@@ -112,22 +112,27 @@ def check_scene(scene: Scene, steps: Steps) -> None:
         raise ValueError(f"start = {scene.start!r}: use one of {STARTS}")
     if unknown := set(scene.asked) - set(ASKED):
         raise ValueError(f"asked = {sorted(unknown)}: use some of {ASKED}")
-    if scene.indentation is None and not LOADS[0] <= scene.load <= LOADS[1]:
-        raise ValueError(f"load = {scene.load:g}: must lie between {LOADS[0]:g} and {LOADS[1]:g}")
-    if scene.indentation is not None and not math.isnan(scene.load):
-        raise ValueError("load and indentation are both given: one of them follows from the other")
-    if scene.start == "steady":
-        speed = abs(first_speed(scene.programme))
-        if not SPEEDS[0] <= speed <= SPEEDS[1]:
-            raise ValueError(
-                f'start = "steady": the first speed, {speed:g}, must lie between '
-                f"{SPEEDS[0]:g} and {SPEEDS[1]:g}"
-            )
     if "energy" in scene.asked and scene.scheme != "exponential":
         raise ValueError(f'scheme = {scene.scheme!r}: energy is that of the scheme "exponential"')
+    if "contact_lengths" in scene.asked and not np.all(np.diff(scene.edges) > 0.0):
+        raise ValueError("edges must increase")
     for name, numbers in (("kept", scene.kept), ("frames", scene.frames)):
         inside = numbers.size == 0 or (numbers[0] >= 0 and numbers[-1] <= steps.dt.size)
         if not (inside and np.all(np.diff(numbers) > 0)):
             raise ValueError(f"{name} must hold increasing numbers of steps, 0 to {steps.dt.size}")
-    if "contact_lengths" in scene.asked and not np.all(np.diff(scene.edges) > 0.0):
-        raise ValueError("edges must increase")
+    _check_control(scene)
+
+
+def _check_control(scene: Scene) -> None:
+    """Raise ValueError where load, indentation or first speed have no meaning."""
+    if scene.indentation is None:
+        limits = {"load": (scene.load, *LOADS)}
+    elif math.isnan(scene.load):
+        limits = {}
+    else:
+        raise ValueError("load and indentation are both given: one of them follows from the other")
+    if scene.start == "steady":
+        limits["first speed"] = (abs(first_speed(scene.programme)), *SPEEDS)
+    for name, (value, least, most) in limits.items():
+        if not least <= value <= most:
+            raise ValueError(f"{name} = {value:g}: must lie between {least:g} and {most:g}")
