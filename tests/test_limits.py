@@ -20,7 +20,13 @@ STUDY = ("cluster", "grid", "numerics", "read", "study", "variants")
 SETTINGS = ("checks", "columns", "values")
 EFFECTS = ("material", "needs", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "docs" / "limits.md"
-ROOMS = {"study": STUDY, "study/settings": SETTINGS, "study/effects": EFFECTS}
+SURFACES = ("files", "lines", "prepare", "profile", "table", "text")
+ROOMS = {
+    "study": STUDY,
+    "study/settings": SETTINGS,
+    "study/effects": EFFECTS,
+    "study/surfaces": SURFACES,
+}
 CHECKED = (
     "plan/problems",
     *(f"{room}/{name}" for room, names in ROOMS.items() for name in names),
@@ -28,6 +34,10 @@ CHECKED = (
 # Of "find_study" the answers name all studies (test_refusals.py); the others are refusals of a
 # scene and of measured lines, which the small study is not (test_study.py).
 ELSEWHERE = {"find_study", "_one_point", "_realizations"}
+# Of arrays and netCDF, of profiles from Python, and where a package is not installed
+# (tests/workflow/study/surfaces); their words are among the other refusals.
+ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography", "_check_finite"}
+ELSEWHERE |= {"given_profile", "check_load"}
 
 
 def _module(path):

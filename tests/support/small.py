@@ -44,8 +44,22 @@ steps_per_spacing = 1
 normal_force = [0.04, 0.4, 4.0]
 """
 
+HEIGHTS = (3, 0, -4, -1, 2, 5, 1, -2, -3, 4)
+
+
+def line_text(heights=HEIGHTS, header="x (um), z (nm)", skip=None):
+    """Return a measured line as text; ``skip`` leaves out a sample."""
+    rows = [f"{x}, {z}" for x, z in enumerate(heights) if x != skip]
+    return "\n".join([header, *rows])
+
 
 FILES = {  # beside small.toml
+    "line.csv": line_text(),
+    "bare.csv": line_text(header=""),
+    "gap.csv": line_text(skip=6),
+    "broken.csv": line_text((*HEIGHTS, "---")),
+    "flat.csv": line_text(range(10)),
+    "short.csv": line_text(HEIGHTS[:7]),
     "branches.csv": "modulus [Pa], time [s]\n5e6, 1e-2\n1e7, 1e-3\n",
     "velocity.csv": "time velocity\n0 0.1\n1e-3 0.2\n",
     "still.csv": "0 0\n1 0\n",

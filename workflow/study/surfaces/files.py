@@ -21,7 +21,7 @@ def read_lines(asked: Asked) -> Lines:
     try:
         return reader(asked)
     except (OSError, EOFError, ValueError, TypeError, RuntimeError) as error:
-        reason = str(error).partition("\n")[0]
+        reason = getattr(error, "strerror", None) or str(error).partition("\n")[0]
         raise UserError(f"{KEY} = {asked.name!r}: cannot be read: {reason}") from None
 
 

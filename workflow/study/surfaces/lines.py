@@ -35,13 +35,7 @@ def lines_of(asked: Asked, table: np.ndarray, known: np.ndarray, own: tuple[str,
 
     known : to how much each position is known. own : units that the file itself names.
     """
-    if not np.isfinite(table).all():
-        row, sample = np.argwhere(~np.isfinite(table))[0]
-        what = f"line {row} of {len(table) - 1}" if row else "positions"
-        raise UserError(
-            f"{KEY} = {asked.name!r}: {what}: sample {sample + 1} is {table[row, sample]}: all "
-            "must be finite; fill gaps in first"
-        )
+    _check_finite(asked, table)
     units = _units(asked, own, len(table))
     if table.shape[1] < LEAST_SAMPLES:
         raise UserError(
@@ -59,6 +53,16 @@ def lines_of(asked: Asked, table: np.ndarray, known: np.ndarray, own: tuple[str,
         f"{units[1]}, units {whose}"
     )
     return Lines(heights, abs(step) * _metres(units[0]), notes)
+
+
+def _check_finite(asked: Asked, table: np.ndarray) -> None:
+    if not np.isfinite(table).all():
+        row, sample = np.argwhere(~np.isfinite(table))[0]
+        what = f"line {row} of {len(table) - 1}" if row else "positions"
+        raise UserError(
+            f"{KEY} = {asked.name!r}: {what}: sample {sample + 1} is {table[row, sample]}: all "
+            "must be finite; fill gaps in first"
+        )
 
 
 def _units(asked: Asked, own: tuple[str, ...], rows: int) -> tuple[str, ...]:

@@ -28,7 +28,8 @@ def uniform_step(key: str, name: str, x: np.ndarray, precision: np.ndarray) -> f
     steps = np.diff(x)
     uneven = np.abs(steps - np.median(steps))
     even = np.all(off <= UNEVEN * abs(step))
-    if not even and np.count_nonzero(uneven > 0.5 * precision[1:]) >= MIXED * x.size:
+    other = np.count_nonzero(uneven > 0.5 * precision[1:])
+    if not even and other >= max(2.0, MIXED * x.size):
         even = np.all(off <= precision + UNEVEN * abs(step))
     if step == 0.0 or not even:
         worst = int(np.argmax(uneven))

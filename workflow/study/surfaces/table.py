@@ -97,10 +97,16 @@ def read_surface(table: Any, folder: Path) -> Surface:
     for key in filter(MEASURED.__contains__, given):
         raise UserError(f"surface.{key} = {given[key]!r:.40}: goes with surface.file alone")
     surface = Surface(**read_table("surface", given, RANDOM))
-    if surface.rolloff and not surface.cutoff < surface.rolloff < surface.length:
+    for key in ("rolloff", "cutoff"):
+        if given.get(key, 0.0) > surface.length:
+            raise UserError(
+                f"surface.{key} = {given[key]!r}: must not be longer than surface.length = "
+                f"{surface.length!r}"
+            )
+    if surface.rolloff and surface.rolloff <= surface.cutoff:
         raise UserError(
-            f"surface.rolloff = {surface.rolloff!r}: must lie between surface.cutoff = "
-            f"{surface.cutoff!r} and surface.length = {surface.length!r}"
+            f"surface.rolloff = {surface.rolloff!r}: must be longer than surface.cutoff = "
+            f"{surface.cutoff!r}"
         )
     return surface
 
