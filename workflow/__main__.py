@@ -2,7 +2,11 @@
 
 import sys
 
-from workflow.cli import main
+from workflow.system import forgive_streams
+
+forgive_streams()
+
+from workflow.cli import main  # noqa: E402, the streams come first
 
 if __name__ == "__main__":
     sys.exit(main())

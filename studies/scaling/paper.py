@@ -28,7 +28,7 @@ from workflow.plan import (
 from workflow.simulate import PHASES, SCALARS, Batch, BatchResult
 from workflow.store import Shelf, Store, size
 from workflow.study import Study, read_study
-from workflow.system import peak_bytes
+from workflow.system import peak_bytes, this_maker
 
 from .virtual import Costs, VirtualClient, virtual_stream
 
@@ -102,6 +102,7 @@ def pretend(batch: Batch) -> BatchResult:
         spent=np.zeros((len(batch.tasks), len(PHASES))),
         seconds=batch.seconds,
         peak=0,
+        maker=this_maker(),
     )
 
 

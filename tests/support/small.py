@@ -11,6 +11,9 @@ from workflow.plan.batches import cut, make_batches, missing_work
 from workflow.plan.plan import make_plan
 from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
 from workflow.study.read import read_study
+from workflow.system import Maker
+
+MAKER = Maker("python 3, numpy 2", "a processor")
 
 TEXT = """
 [study]
@@ -122,4 +125,6 @@ def random_result(batch, seed=0):
     curves = rng.standard_normal((*shape, batch.curve_samples - 1))
     curves[..., -2:] = np.nan
     spent = np.full((len(batch.tasks), len(PHASES)), 0.01)
-    return BatchResult(rng.standard_normal((*shape, len(SCALARS))), curves, spent, 0.1, 2**28)
+    return BatchResult(
+        rng.standard_normal((*shape, len(SCALARS))), curves, spent, 0.1, 2**28, MAKER
+    )

@@ -25,7 +25,8 @@ def main(arguments: list[str] | None = None) -> int:
         print(f"error: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print(resume_line("aborted"), file=sys.stderr)
+        said = resume_line("aborted") if options.command == "run" else "interrupted"
+        print(said, file=sys.stderr)
         return RESUMABLE
 
 

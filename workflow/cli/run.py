@@ -27,6 +27,10 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
     add("--batch-seconds", type=float, help="predicted length of a batch (1 to 10)")
     add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
     add("--retry-failed", action="store_true", help="try what failed in earlier runs again")
+    text = "refuse to mix records of different package versions or processors"
+    add("--one-kind", action="store_true", help=text)
+    text = "go on where the file system of the results has no locks: no other run may use it"
+    add("--no-lock", action="store_true", help=text)
 
 
 def run_measured_study(options: argparse.Namespace, study: Measured, result: Path) -> int:
@@ -38,7 +42,11 @@ def run_measured_study(options: argparse.Namespace, study: Measured, result: Pat
             raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
     from workflow.run import run_measured
 
-    print(run_measured(study, result), result, sep="\n")
+    try:
+        print(run_measured(study, result), result, sep="\n")
+    except KeyboardInterrupt:
+        print("interrupted; nothing was written, an earlier result is as it was", file=sys.stderr)
+        return RESUMABLE
     return DONE
 
 
@@ -58,6 +66,8 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
         batch_seconds=options.batch_seconds,
         max_failures=options.max_failures,
         retry_failed=options.retry_failed,
+        one_kind=options.one_kind,
+        no_lock=options.no_lock,
     )
     summary = run_plan(plan, result, how)
     print("\n".join(summary.lines(plan)))

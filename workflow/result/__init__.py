@@ -20,7 +20,7 @@ if TYPE_CHECKING:
         result_file,
         write_datasets,
     )
-    from workflow.result.provenance import origin
+    from workflow.result.provenance import made_by, origin
     from workflow.result.variables import VARIABLES
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -1,25 +1,55 @@
 """Where a result comes from: program, packages, processor, commit, settings. No dates, no names."""
 
 import subprocess
+from collections.abc import Set
+from pathlib import Path
 
 from workflow.simulate import CODE
 from workflow.study import AnyStudy, Numerics, Study
-from workflow.system import ROOT, package_versions, processor, version_of
+from workflow.system import ROOT, Maker, package_versions, this_maker, version_of
 
 REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
 
 
-def commit() -> str:
-    """Return the git commit of the program, marked where files differ from it, or "unknown"."""
-    command = ["git", "-C", str(ROOT), "describe", "--always", "--dirty", "--abbrev=40"]
+def commit(root: Path = ROOT) -> str:
+    """Return the git commit of the program, marked where files differ from it, or "unknown".
+
+    root : the folder of the program. A repository that it merely lies in, as an environment with
+    its packages lies in somebody's project, says nothing of it: the program must be its top, and
+    known to it.
+    """
     try:
-        return subprocess.check_output(command, stderr=subprocess.DEVNULL, text=True).strip()
+        if Path(_git(root, "rev-parse", "--show-toplevel")).resolve() != root.resolve():
+            return "unknown"
+        _git(root, "ls-files", "--error-unmatch", "workflow/result/provenance.py")
+        return _git(root, "describe", "--always", "--dirty", "--abbrev=40")
     except (OSError, subprocess.CalledProcessError):
         return "unknown"
 
 
+def _git(root: Path, *command: str) -> str:
+    said = subprocess.check_output(
+        ["git", "-C", str(root), *command], stderr=subprocess.DEVNULL, text=True
+    )
+    return said.strip()
+
+
+def made_by(makers: Set[Maker]) -> dict[str, str]:
+    """Return the attributes that say what computed the records of a result; "mixed" if several."""
+    versions = sorted({maker.versions for maker in makers})
+    processors = sorted({maker.processor for maker in makers})
+    return {"versions": _together(versions), "processor": _together(processors)}
+
+
+def _together(texts: list[str]) -> str:
+    return f"mixed: {' | '.join(texts)}" if len(texts) > 1 else "".join(texts) or "unknown"
+
+
 def origin(study: AnyStudy) -> dict[str, str | int | float]:
-    """Return the global attributes that every result file has, whatever its kind of study."""
+    """Return the global attributes that every result file has, whatever its kind of study.
+
+    As its maker stands this process; a run says instead what computed the stored records.
+    """
     return {
         "Conventions": "CF-1.8",
         "title": study.title,
@@ -27,8 +57,8 @@ def origin(study: AnyStudy) -> dict[str, str | int | float]:
         "references": REFERENCE,
         "commit": commit(),
         "code": CODE,
-        "versions": package_versions(),
-        "processor": processor(),
+        "written_with": package_versions(),
+        **made_by({this_maker()}),
         "study": study.text,
         "seed": study.seed,
     }

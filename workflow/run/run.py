@@ -6,7 +6,6 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-import xarray as xr
 from distributed import Client
 
 from workflow.cluster import Watch, check_versions, open_client, own_versions, run_batch, stream
@@ -21,16 +20,26 @@ from workflow.plan import (
     total_records,
     total_seconds,
 )
-from workflow.result import write_datasets
+from workflow.result import Groups, made_by, write_datasets
 from workflow.run.collect import Collector
 from workflow.run.failures import Failures
+from workflow.run.makers import require_one
 from workflow.run.rounds import Rounds
 from workflow.run.status import Status, StatusWriter, identity, status_file
 from workflow.run.summary import Summary, accuracy_lines
 from workflow.simulate import BatchResult, load_kernels
 from workflow.store import DamagedShard, Shelf, Store, store_folder
 from workflow.study import HERE, LOCAL, Cluster
-from workflow.system import Interrupt, Reporter, clear_leftovers, hold, package_versions, processor
+from workflow.system import (
+    Interrupt,
+    Patience,
+    Reporter,
+    check_place,
+    clear_leftovers,
+    hold,
+    package_versions,
+    processor,
+)
 
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 
@@ -48,6 +57,8 @@ class How(NamedTuple):
     batch_seconds: float | None = None
     max_failures: int = 0
     retry_failed: bool = False
+    one_kind: bool = False  # refuse to mix records of several makers
+    no_lock: bool = False  # go on where the file system has no locks
     work: Callable[..., BatchResult] = run_batch
 
 
@@ -59,8 +70,8 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
     """
     began = time.monotonic()
     folder = store_folder(result)
-    with hold(folder):
-        run = _Run(plan, result, Store(folder), how)
+    with hold(folder, without=how.no_lock):
+        run = _Run(plan, result, how)
         if run.missing and how.cluster.where == LOCAL:  # workers elsewhere compile for themselves
             for variant in plan.variants:
                 load_kernels(variant.numerics.scheme, plan.asked)
@@ -73,15 +84,20 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
 
 
 class _Run:
-    def __init__(self, plan: Plan, result: Path, store: Store, how: How) -> None:
-        self.plan, self.result, self.store, self.how = plan, result, store, how
-        store.prepare()
+    def __init__(self, plan: Plan, result: Path, how: How) -> None:
+        self.plan, self.result, self.how = plan, result, how
+        self.interrupt = Interrupt()
+        self.patience = Patience(how.cluster.patience, self.interrupt)
         for path in (result, status_file(result)):
             clear_leftovers(path)
+        check_place(result)
+        self.store = store = Store(store_folder(result), self.patience)
+        store.prepare()
+        self.makers = store.index.makers_of(plan.expected)
+        require_one(self.makers, how.one_kind)
         self.failures = Failures(store, plan, how.max_failures)
         if how.retry_failed:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
-        self.interrupt = Interrupt()
         self.watch = Watch(self._stops, how.cluster.patience)
         name = identity(plan.study)
         store.begin(name, package_versions(), processor())
@@ -100,7 +116,7 @@ class _Run:
                 datasets = self._datasets(client)
             if datasets:
                 with self.summary.filing():
-                    write_datasets(self.result, datasets)
+                    self.patience(partial(write_datasets, self.result, datasets))
                 self.summary.written = True
                 for label, dataset in datasets.items():
                     self.summary.accuracy += accuracy_lines(label, dataset)
@@ -110,7 +126,7 @@ class _Run:
             self.summary.failures = self.failures.lines()
             self.status.end(state)
 
-    def _datasets(self, client: Client) -> dict[str, xr.Dataset]:
+    def _datasets(self, client: Client) -> Groups:
         """Compute what is missing, then collect; once more where shards turn out damaged."""
         collector = Collector(client, self.store, self.plan, self.summary, self.watch)
         missing = self.missing if self.plan.first == self.plan.expected else None
@@ -125,12 +141,19 @@ class _Run:
                     if self._stops():
                         return {}
                     if not rounds.go_on(collector):
-                        return collector.datasets(rounds.blocks)
+                        return self._marked(collector.datasets(rounds.blocks), rounds.blocks)
             except DamagedShard:
                 continue
         raise UserError(
             f"{self.store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?"
         )
+
+    def _marked(self, datasets: Groups, blocks: dict[str, int]) -> Groups:
+        """Return the datasets with what computed their records."""
+        sound = {key: count for key, count in blocks.items() if key not in self.store.failed}
+        makers = self.store.index.makers_of(sound)
+        require_one(makers, self.how.one_kind)
+        return {label: data.assign_attrs(made_by(makers)) for label, data in datasets.items()}
 
     def _compute(self, client: Client, missing: list[Missing]) -> None:
         """Compute and store what is missing."""
@@ -150,6 +173,8 @@ class _Run:
 
             with self.watch.telling(look):
                 for batch, done in stream(client, function, work, self.watch, self.failures):
+                    self.makers.add(done.maker)
+                    require_one(self.makers, self.how.one_kind)
                     with self.summary.filing():
                         shelf.add(batch, done)
                     self.summary.count(batch, done)

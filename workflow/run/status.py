@@ -8,12 +8,14 @@ import hashlib
 import json
 import os
 import socket
+import sys
 import time
 from collections.abc import Callable
 from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
 
+from workflow.errors import UserError
 from workflow.plan import make_plan, missing_work, this_machine, total_records, total_seconds
 from workflow.simulate import CODE
 from workflow.store import Store, journal
@@ -52,7 +54,7 @@ class Status:
                 self.left = max(0.0, left) if self.done < self.total else 0.0
             elif "failed" in entry:
                 self.failed += 1
-            elif "part" not in entry:  # another run has begun, or a shard is damaged
+            elif not entry.keys() & {"part", "maker", "format"}:  # another run, a damaged shard
                 return False
         return True
 
@@ -105,6 +107,7 @@ class StatusWriter:
         self.status.pid, self.status.host = os.getpid(), socket.gethostname()
         self.status.offset = journal.size(folder)
         self.written = -WRITE_SECONDS
+        self.complaint = ""  # the last reason why it could not be written
 
     def write(self, workers: int, running: int) -> None:
         """Write the status if it is time for it."""
@@ -112,14 +115,22 @@ class StatusWriter:
             self.end("running", workers, running)
 
     def end(self, state: str, workers: int = 0, running: int = 0) -> None:
-        """Write how the run stands, or how it ended."""
+        """Write how the run stands, or how it ended; a disk that refuses it does no harm."""
         self.written = time.monotonic()
+        try:
+            self._bring_up_to_date(state, workers, running)
+            write_durably(self.path, json.dumps(asdict(self.status), indent=1).encode())
+        except UserError as error:
+            if str(error) != self.complaint:
+                print(f"warning: {error}; the run goes on", file=sys.stderr)
+            self.complaint = str(error)
+
+    def _bring_up_to_date(self, state: str, workers: int, running: int) -> None:
         if not self.status.advance(self.folder):
             self.status.done, self.status.left = self.extent()
             self.status.offset = journal.size(self.folder)
         self.status.state, self.status.workers, self.status.running = state, workers, running
         self.status.updated = datetime.now().astimezone().isoformat(" ", "seconds")
-        write_durably(self.path, json.dumps(asdict(self.status), indent=1).encode())
 
 
 def read_status(study: Study, result: Path, folder: Path) -> Status:

@@ -8,7 +8,7 @@ import numpy as np
 from kernels import SCHEMES, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
 from kernels.cache import compiling
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
-from workflow.system import peak_bytes
+from workflow.system import peak_bytes, this_maker
 
 
 def record_steps(march_steps: int, curve_samples: int) -> np.ndarray:
@@ -65,7 +65,8 @@ def block_means(batch: Batch) -> BatchResult:
             _add_realization(batch, amplitude, index, sums, spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
-    return BatchResult(scalars, curves, spent, time.thread_time() - began, peak_bytes())
+    used = time.thread_time() - began
+    return BatchResult(scalars, curves, spent, used, peak_bytes(), this_maker())
 
 
 def _add_realization(

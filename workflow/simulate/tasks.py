@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import Outcome, Quantities, Seconds
+from workflow.system import Maker
 
 
 class Problem(NamedTuple):
@@ -60,3 +61,4 @@ class BatchResult(NamedTuple):
     spent: np.ndarray  # shape (tasks, len(PHASES)), CPU seconds; shared work in equal parts
     seconds: float  # CPU time used in all
     peak: int  # bytes, the most memory this process has had so far
+    maker: Maker  # what computed them

@@ -9,7 +9,9 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.store.journal import size
+    from workflow.store.merge import merge
     from workflow.store.shelf import Shelf
     from workflow.store.store import DamagedShard, Store, store_folder
+    from workflow.store.verify import Verified
 
 __all__, __getattr__ = public_names(__name__, __file__)

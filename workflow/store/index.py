@@ -2,13 +2,17 @@
 
 It follows from the entries of the journal alone, one after the other. Records are found by
 (key of the task, block). The keys of tasks that stay together, a part, are told once and known by
-their checksum: what a line means depends on nothing but the line itself, so that lines told twice,
-as by two joined journals, change nothing.
+their checksum, and so is what computed records, their maker: what a line means depends on nothing
+but the line itself, so that lines told twice, as by two joined journals, change nothing.
 """
 
+from collections.abc import Mapping
+from pathlib import Path
+
 from workflow.simulate import Record
-from workflow.store.journal import Entry
+from workflow.store.journal import Entry, entries
 from workflow.store.shard import KEY_BYTES, StoredBatch, digest
+from workflow.system import Maker
 
 KEY_LENGTH = 2 * KEY_BYTES
 
@@ -21,6 +25,8 @@ class Index:
         self.failed: dict[str, str] = {}  # key of each task that failed for good -> why
         self.parts: dict[str, int] = {}  # checksum of the keys of a part -> number of its tasks
         self.rows: dict[str, list[tuple[str, int]]] = {}  # key -> parts it is in, row in each
+        self.makers: dict[str, Maker] = {}  # by checksum
+        self.made: dict[str, list[str]] = {}  # name of each shard -> its makers
         # (part, block) -> shard, position of row 0 there, positions from a row to the next
         self.found: dict[tuple[str, int], tuple[str, int, int]] = {}
 
@@ -38,34 +44,56 @@ class Index:
                 return shard, first + row * step
         raise KeyError(record)
 
+    def makers_of(self, blocks: Mapping[str, int]) -> set[Maker]:
+        """Return what computed the records that there are of so many blocks of each task."""
+        most: dict[str, int] = {}  # blocks of each part
+        for key, count in blocks.items():
+            for part, _ in self.rows.get(key, ()):
+                most[part] = max(count, most.get(part, 0))
+        there = self.found.items()
+        shards = {found[0] for (part, block), found in there if block < most.get(part, 0)}
+        return {self.makers[maker] for name in shards for maker in self.made[name]}
+
     def entries_of(
-        self, name: str, size: int, batches: list[StoredBatch], times: dict[str, float]
+        self,
+        name: str,
+        size: int,
+        batches: list[StoredBatch],
+        makers: list[Maker],
+        times: dict[str, float],
     ) -> list[Entry]:
-        """Return what the journal is to say of a shard, after the parts it is the first to have."""
-        entries: dict[str, Entry] = {}
+        """Return what the journal is to say of a shard, after what it is the first to have."""
+        first: dict[str, Entry] = {}
+        by = [digest("\n".join(maker).encode()) for maker in makers]
+        for known, maker in zip(by, makers, strict=True):
+            if known not in self.makers:
+                first[known] = {"maker": known, **maker._asdict()}
         table, count = [], 0
         for batch in batches:
             keys = "".join(batch.keys)
             part = digest(keys.encode())
             if part not in self.parts:
-                entries[part] = {"part": part, "keys": keys}
+                first[part] = {"part": part, "keys": keys}
             table.append([part, batch.first_block, batch.blocks])
             count += len(batch.keys) * batch.blocks
-        shard = {"shard": name, "bytes": size, "records": count, "chunks": table, **times}
-        return [*entries.values(), shard]
+        shard = {"shard": name, "bytes": size, "records": count, "chunks": table, "by": by, **times}
+        return [*first.values(), shard]
 
     def replay(self, entry: Entry) -> None:
         """Take one entry of the journal into the index."""
         if "part" in entry:
             self._add_part(entry["part"], entry["keys"])
+        elif "maker" in entry:
+            self.makers[entry["maker"]] = Maker(entry["versions"], entry["processor"])
         elif "shard" in entry:
-            self._add_shard(entry["shard"], entry["bytes"], entry["chunks"])
+            self._add_shard(entry)
         elif "failed" in entry:
             self.failed[entry["failed"]] = entry["why"]
         elif "retry" in entry:
             self.failed.pop(entry["retry"], None)
         elif "dropped" in entry:
             self.sizes.pop(entry["dropped"], None)
+            self.made.pop(entry["dropped"], None)
             gone = [where for where, found in self.found.items() if found[0] == entry["dropped"]]
             for where in gone:
                 del self.found[where]
@@ -78,12 +106,21 @@ class Index:
         for row, key in enumerate(names):
             self.rows.setdefault(key, []).append((part, row))
 
-    def _add_shard(self, name: str, size: int, batches: list[tuple[str, int, int]]) -> None:
-        if any(part not in self.parts for part, _, _ in batches):
-            return  # the line of a part is spoilt: the shard itself tells its keys
-        self.sizes[name] = size
+    def _add_shard(self, entry: Entry) -> None:
+        name, batches, by = entry["shard"], entry["chunks"], entry.get("by", [])
+        if any(part not in self.parts for part, *_ in batches) or not self.makers.keys() >= set(by):
+            return  # the line of a part or a maker is spoilt: the shard itself tells them
+        self.sizes[name], self.made[name] = entry["bytes"], by
         first = 0
         for part, first_block, blocks in batches:
             for row in range(blocks):
                 self.found[part, first_block + row] = name, first + row, blocks
             first += self.parts[part] * blocks
+
+
+def indexed(folder: Path) -> Index:
+    """Return what the journal of a folder tells. Raises UserError as ``journal.entries``."""
+    index = Index()
+    for entry, _ in entries(folder):
+        index.replay(entry)
+    return index

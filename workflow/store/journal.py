@@ -1,7 +1,8 @@
 """The journal of a store: one line per durable event, each line with its own checksum.
 
 It is only ever appended to. A line that a crash or a disk has spoilt is skipped: what it told
-is found again in the shards themselves.
+is found again in the shards themselves. A line may tell the format of the journal; where none
+does, it is that of the first version, whose lines this one reads.
 """
 
 import json
@@ -10,9 +11,11 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from workflow.system import append_durably
+from workflow.errors import UserError
+from workflow.system import append_durably, refused
 
 NAME = "journal"
+FORMAT = "elastomer-friction journal 2"
 
 Entry = dict[str, Any]
 
@@ -28,28 +31,46 @@ def append(folder: Path, entries: list[Entry]) -> None:
     append_durably(folder / NAME, lines_of(entries))
 
 
+def told(line: bytes) -> Entry | None:
+    """Return what a line tells, or None where a crash or a disk has spoilt it."""
+    checksum, _, text = line.rstrip(b"\n").partition(b" ")
+    if not line.endswith(b"\n") or checksum != b"%08x" % zlib.crc32(text):
+        return None
+    entry = json.loads(text)
+    return entry if isinstance(entry, dict) else None
+
+
 def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
-    """Yield (entry, offset of the line after it) of every sound line from ``offset`` on."""
-    try:
-        with (folder / NAME).open("rb") as file:
+    """Yield (entry, offset of the line after it) of every sound line from ``offset`` on.
+
+    Raises UserError where the disk refuses, and for a journal of another version of the format.
+    """
+    path = folder / NAME
+    with refused(path, "cannot be read:"):
+        try:
+            file = path.open("rb")
+        except FileNotFoundError:
+            return
+        with file:
             file.seek(offset)
             for line in file:
                 offset += len(line)
-                checksum, _, text = line.rstrip(b"\n").partition(b" ")
-                if line.endswith(b"\n") and checksum == b"%08x" % zlib.crc32(text):
-                    yield json.loads(text), offset
-    except FileNotFoundError:
-        return
+                entry = told(line)
+                if entry is None:
+                    continue
+                if entry.get("format", FORMAT) != FORMAT:
+                    raise UserError(
+                        f"{path}: is of another version of the format ({entry['format']}, not "
+                        f"{FORMAT}) and left as it is; choose another folder with --out"
+                    )
+                yield entry, offset
 
 
 def size(folder: Path) -> int:
-    """Return the bytes of a journal, 0 where there is none."""
+    """Return the bytes of a journal, 0 where there is none. Raises UserError as ``entries``."""
     path = folder / NAME
-    return path.stat().st_size if path.is_file() else 0
-
-
-def end_torn_line(folder: Path) -> None:
-    """End a line that a crash cut short, so that the next one begins on its own."""
-    path = folder / NAME
-    if path.is_file() and path.read_bytes()[-1:] not in (b"", b"\n"):
-        append_durably(path, b"\n")
+    with refused(path, "cannot be read:"):
+        try:
+            return path.stat().st_size
+        except FileNotFoundError:
+            return 0

@@ -48,8 +48,8 @@ class Shelf:
             self.flush()
 
     def flush(self) -> None:
-        """Store whatever waits. Raises UserError when the disk refuses it."""
+        """Store whatever waits. Raises UserError when the disk refuses it; then it waits on."""
         self.stored = self.now()
-        waiting, self.waiting, self.bytes = self.waiting, [], 0
-        if waiting:
-            self.store.add(waiting)
+        if self.waiting:
+            self.store.add(self.waiting)
+            self.waiting, self.bytes = [], 0

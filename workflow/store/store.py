@@ -11,26 +11,36 @@ import contextlib
 import os
 import socket
 import sys
-from functools import lru_cache
+from functools import lru_cache, partial
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
+from workflow.errors import UserError
 from workflow.simulate import SCALARS, Record
 from workflow.store import journal
-from workflow.store.index import Index
+from workflow.store.index import indexed
 from workflow.store.journal import Entry
 from workflow.store.shard import (
     Contents,
     Finished,
+    NoShard,
     StoredBatch,
     decode,
     digest,
     encode,
+    shard_sizes,
     stored_batch,
 )
-from workflow.system import clear_leftovers, write_durably
+from workflow.system import (
+    Maker,
+    Patience,
+    clear_leftovers,
+    read_whole,
+    sizes_in,
+    write_durably,
+)
 
 CACHED_SHARDS = 4
 
@@ -47,24 +57,27 @@ class DamagedShard(Exception):
 class Store:
     """The shards of a results folder, indexed from the journal alone."""
 
-    def __init__(self, folder: Path) -> None:
-        """Index what the journal of ``folder`` tells; change nothing."""
-        self.folder = folder
-        self.index = Index()
+    def __init__(self, folder: Path, patience: Patience | None = None) -> None:
+        """Index what the journal of ``folder`` tells; change nothing.
+
+        patience : with a disk that refuses for the time being. Raises UserError where it refuses
+        for good, and for a journal of another version of the format.
+        """
+        self.folder, self.patience = folder, patience or Patience()
+        self.index = self.patience(partial(indexed, folder))
         self.failed = self.index.failed  # key of each task that failed for good -> why
         self._contents = lru_cache(CACHED_SHARDS)(lambda name: self._load(name))
-        for entry, _ in journal.entries(folder):
-            self.index.replay(entry)
 
     def prepare(self) -> None:
         """Mend what a crash or a disk left behind; only for the holder of the folder's lock.
 
         Shards that are missing or damaged are set aside and named, finished shards that the
-        journal does not know are entered.
+        journal does not know are entered. What is no shard of ours is named and left as it is.
         """
         clear_leftovers(self.folder / "*.nc")
-        journal.end_torn_line(self.folder)
-        found = {path.stem: path.stat().st_size for path in self.folder.glob("*.nc")}
+        if not self.patience(partial(journal.size, self.folder)):
+            self._write([{"format": journal.FORMAT}])
+        found = shard_sizes(self.patience(partial(sizes_in, self.folder)))
         known = dict(self.index.sizes)
         for name, size in known.items():
             if name not in found:
@@ -73,8 +86,7 @@ class Store:
                 self._set_aside(name, f"{found[name]} bytes instead of {size}")
         for name in sorted(found.keys() - known.keys()):
             if self._path(name).is_file():
-                with contextlib.suppress(DamagedShard):
-                    self._enter(name, found[name], self._load(name).batches)
+                self._enter_unknown(name)
 
     def __contains__(self, record: Any) -> bool:
         """Return whether a record is stored durably."""
@@ -84,11 +96,13 @@ class Store:
         """Store finished batches durably in one shard. Raises UserError if the disk refuses."""
         content = encode(finished)
         name = digest(content)
-        write_durably(self._path(name), content)
+        self.patience(partial(write_durably, self._path(name), content))
         used = sum(result.seconds for _, result in finished)
         predicted = sum(batch.seconds for batch, _ in finished)
         times = {"used": round(used, 3), "predicted": round(predicted, 3)}
-        self._enter(name, len(content), [stored_batch(batch) for batch, _ in finished], times)
+        makers = sorted({result.maker for _, result in finished})
+        batches = [stored_batch(batch) for batch, _ in finished]
+        self.enter(name, len(content), batches, makers, times)
 
     def begin(self, study: str, versions: str, processor: str) -> None:
         """Note durably that a run of a study begins, and with what it will compute."""
@@ -128,40 +142,59 @@ class Store:
         return self.folder / f"{name}.nc"
 
     def _load(self, name: str) -> Contents:
+        """Return what a shard holds. Raises DamagedShard once one that is spoilt is set aside."""
+        path = self._path(name)
         try:
-            content = self._path(name).read_bytes()
-            if digest(content) != name:
-                raise ValueError("its content does not match the checksum in its name")
-            return decode(content)
-        except (OSError, ValueError) as error:
+            return decode(name, self.patience(partial(read_whole, path)))
+        except UserError as error:
+            if not isinstance(error.__cause__, FileNotFoundError):
+                raise  # the disk refuses to read it: no fault of the shard
+            self._set_aside(name, "missing")
+        except ValueError as error:
             self._set_aside(name, str(error))
-            raise DamagedShard(name) from error
+        except NoShard as error:
+            print(f"note: {path}: {error}; it is left as it is", file=sys.stderr)
+            self._drop(name)
+        raise DamagedShard(name)
 
     def _enter_anew(self, name: str) -> None:
         """Enter every shard by what it holds itself, as the journal was wrong about one."""
         path = self.folder / journal.NAME
         print(f"warning: {path} is wrong about {name}: every shard is read anew", file=sys.stderr)
         for known in list(self.index.sizes):
-            with contextlib.suppress(DamagedShard):
-                contents = self._load(known)
-                self._write([{"dropped": known}])
-                self._enter(known, self._path(known).stat().st_size, contents.batches)
+            self._enter_unknown(known)
+
+    def _enter_unknown(self, name: str) -> None:
+        """Enter a shard by what it holds itself, if it is sound."""
+        with contextlib.suppress(DamagedShard):
+            contents = self._load(name)
+            self._drop(name)
+            size = self._path(name).stat().st_size
+            self.enter(name, size, contents.batches, contents.makers)
 
     def _set_aside(self, name: str, why: str) -> None:
         path = self._path(name)
         print(f"warning: {path} is damaged ({why}): set aside", file=sys.stderr)
         with contextlib.suppress(OSError):
             path.replace(path.with_suffix(".damaged"))
+        self._drop(name)
+
+    def _drop(self, name: str) -> None:
         if name in self.index.sizes:
             self._write([{"dropped": name}])
 
-    def _enter(
-        self, name: str, size: int, batches: list[StoredBatch], times: dict | None = None
+    def enter(
+        self,
+        name: str,
+        size: int,
+        batches: list[StoredBatch],
+        makers: list[Maker],
+        times: dict | None = None,
     ) -> None:
         """Enter a durable shard into the journal."""
-        self._write(self.index.entries_of(name, size, batches, times or {}))
+        self._write(self.index.entries_of(name, size, batches, makers, times or {}))
 
     def _write(self, entries: list[Entry]) -> None:
-        journal.append(self.folder, entries)
+        self.patience(partial(journal.append, self.folder, entries))
         for entry in entries:
             self.index.replay(entry)

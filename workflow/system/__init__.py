@@ -10,14 +10,28 @@ from workflow.lazy import public_names
 if TYPE_CHECKING:
     from workflow.system.files import (
         append_durably,
+        check_place,
         clear_leftovers,
         make_folder,
+        read_whole,
+        refused,
         replacing,
+        sizes_in,
         write_durably,
     )
+    from workflow.system.lock import NAME as LOCK
     from workflow.system.lock import hold, holder
-    from workflow.system.packages import ROOT, package_versions, processor, version_of
+    from workflow.system.packages import (
+        ROOT,
+        Maker,
+        package_versions,
+        processor,
+        this_maker,
+        version_of,
+    )
+    from workflow.system.patience import Patience
     from workflow.system.process import WORKER_ENVIRONMENT, Interrupt, peak_bytes
     from workflow.system.progress import Reporter, duration
+    from workflow.system.terminal import forgive_streams
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -1,11 +1,17 @@
 """Files that survive a crash: written whole or not at all, and flushed to the disk."""
 
 import contextlib
+import errno
+import io
 import os
 from collections.abc import Iterator
 from pathlib import Path
 
 from workflow.errors import UserError
+
+# What fsync says of a folder where the file system does not offer it.
+_REFUSALS = "EINVAL ENOTSUP EOPNOTSUPP ENOSYS EBADF EACCES EPERM EISDIR ENOTTY"
+NOT_OFFERED = frozenset(getattr(errno, name) for name in _REFUSALS.split())
 
 
 @contextlib.contextmanager
@@ -35,7 +41,7 @@ def replacing(path: Path) -> Iterator[Path]:
             with aside.open("rb+") as file:
                 os.fsync(file.fileno())
             aside.replace(path)
-            _flush_folder(path.parent)
+            flush_folder(path.parent)
         finally:
             _remove(aside)
 
@@ -47,13 +53,56 @@ def write_durably(path: Path, content: bytes) -> None:
 
 
 def append_durably(path: Path, content: bytes) -> None:
-    """Append to a file and flush it. A crash may leave part of ``content`` at its end."""
-    with refused(path, "cannot be written:"):
-        with path.open("ab") as file:
-            file.write(content)
-            file.flush()
+    """Append whole lines to a file and flush it; begin on a line of their own.
+
+    A crash may leave part of ``content`` at the end. Raises UserError where the disk refuses,
+    once what was appended is taken back, as far as the disk lets us.
+    """
+    with refused(path, "cannot be written:"), path.open("ab", buffering=0) as file:
+        size = file.seek(0, os.SEEK_END)
+        try:
+            _write_all(file, content if _ends_a_line(path, size) else b"\n" + content)
             os.fsync(file.fileno())
-        _flush_folder(path.parent)
+            flush_folder(path.parent)
+        except OSError:
+            with contextlib.suppress(OSError):
+                file.truncate(size)
+            raise
+
+
+def read_whole(path: Path) -> bytes:
+    """Return the content of a file. Raises UserError where the disk refuses it, or has none."""
+    with refused(path, "cannot be read:"):
+        return path.read_bytes()
+
+
+def sizes_in(folder: Path) -> dict[str, int]:
+    """Return name -> bytes of the files in a folder, which need not be there.
+
+    Raises UserError where the disk refuses: no file that is there is left out.
+    """
+    found = {}
+    with refused(folder, "cannot be read:"):
+        try:
+            paths = list(folder.iterdir())
+        except FileNotFoundError:
+            return {}
+        for path in paths:
+            with contextlib.suppress(FileNotFoundError):  # removed meanwhile
+                found[path.name] = path.stat().st_size
+    return found
+
+
+def check_place(path: Path) -> None:
+    """Raise UserError where a file could not be written in the end: try beside it, now."""
+    with refused(path, "cannot be written:"):
+        if path.is_dir():
+            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        probe = path.with_name(f".{path.name}.{os.getpid()}.tmp")
+        try:
+            probe.touch()
+        finally:
+            _remove(probe)
 
 
 def make_folder(folder: Path) -> None:
@@ -73,10 +122,31 @@ def _remove(path: Path) -> None:
         path.unlink()
 
 
-def _flush_folder(folder: Path) -> None:
-    """Make the names in a folder durable."""
+def flush_folder(folder: Path) -> bool:
+    """Make the names in a folder durable; return False where its file system offers no way."""
     descriptor = os.open(folder, os.O_RDONLY)
     try:
         os.fsync(descriptor)
+    except OSError as error:
+        if error.errno not in NOT_OFFERED:
+            raise
+        return False
     finally:
         os.close(descriptor)
+    return True
+
+
+def _write_all(file: io.FileIO, content: bytes) -> None:
+    """Write all of the content; a disk that is nearly full takes a part at first."""
+    left = memoryview(content)
+    while left:
+        left = left[file.write(left) :]
+
+
+def _ends_a_line(path: Path, size: int) -> bool:
+    """Return whether what is appended begins a line: no crash has cut the last one short."""
+    if not size:
+        return True
+    with path.open("rb") as file:
+        file.seek(size - 1)
+        return file.read(1) == b"\n"

@@ -6,32 +6,35 @@ import json
 import os
 import socket
 import sys
+import time
 from collections.abc import Iterator
 from datetime import datetime
 from pathlib import Path
 from typing import IO
 
 from workflow.errors import UserError
-from workflow.system.files import refused
+from workflow.system.files import flush_folder, refused
 
 NAME = "lock"
+GLANCE_SECONDS = 2.0
 
 
 @contextlib.contextmanager
-def hold(folder: Path) -> Iterator[None]:
-    """Hold the lock of a folder, made if need be. Raises UserError naming who has it."""
+def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
+    """Hold the lock of a folder, made if need be. Raises UserError naming who has it.
+
+    without : go on where the file system has no locks, which is refused otherwise.
+    """
     with refused(folder, "cannot be used for results:"):
         folder.mkdir(parents=True, exist_ok=True)
         file = (folder / NAME).open("a+")
+        flushed = flush_folder(folder)
     with file:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except BlockingIOError:
-            raise UserError(f"{folder}: in use by {_words(folder)}; one run at a time") from None
-        except OSError as error:  # a file system without locks
+        _take(file, folder, without)
+        if not flushed:
             print(
-                f"warning: {folder}: cannot be locked ({error.strerror}); "
-                "see to it that no other run uses it",
+                f"note: {folder}: the file system flushes no folder: a power cut may cost the "
+                "newest files, which are computed again",
                 file=sys.stderr,
             )
         _sign(file)
@@ -40,14 +43,34 @@ def hold(folder: Path) -> Iterator[None]:
 
 def holder(folder: Path) -> str | None:
     """Return who holds the lock of a folder, in words, or None."""
-    try:
-        with (folder / NAME).open() as file:
+    with contextlib.suppress(OSError), (folder / NAME).open() as file:
+        try:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
-    except BlockingIOError:
-        return _words(folder)
-    except OSError:
-        pass
+        except BlockingIOError:
+            return _words(folder)
+        except OSError:  # a file system without locks
+            return _words(folder) if _alive(folder) else None
     return None
+
+
+def _take(file: IO[str], folder: Path, without: bool) -> None:
+    """Take the lock. Who only looks at it (``holder``) has it for a moment: wait for that."""
+    end = time.monotonic() + GLANCE_SECONDS
+    while True:
+        try:
+            return fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            if time.monotonic() > end:
+                who = _words(folder)
+                raise UserError(f"{folder}: in use by {who}; one run at a time") from None
+            time.sleep(0.01)
+        except OSError as error:
+            if without:
+                return None
+            raise UserError(
+                f"{folder}: cannot be locked ({error.strerror}); see to it that no other run uses "
+                "it, then go on with --no-lock"
+            ) from error
 
 
 def _sign(file: IO[str]) -> None:
@@ -57,6 +80,14 @@ def _sign(file: IO[str]) -> None:
         file.truncate(0)
         text = json.dumps({"pid": os.getpid(), "host": socket.gethostname(), "since": since})
         os.write(file.fileno(), text.encode())  # no buffer, which would fail again when closed
+
+
+def _alive(folder: Path) -> bool:
+    """Return whether a process of this machine that signed the lock is still there."""
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
+        signed = json.loads((folder / NAME).read_text())
+        return signed["host"] == socket.gethostname() and Path(f"/proc/{signed['pid']}").exists()
+    return False
 
 
 def _words(folder: Path) -> str:

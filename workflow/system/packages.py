@@ -2,11 +2,21 @@
 
 import contextlib
 import platform
+from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
+from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
+COMPUTING = ("numpy", "numba", "llvmlite")  # on whose versions the bits of records may depend
+
+
+class Maker(NamedTuple):
+    """What computed records: two of them may differ in the last bits."""
+
+    versions: str  # of python, the C library and the packages that compute
+    processor: str
 
 
 def version_of(package: str) -> str:
@@ -29,3 +39,12 @@ def processor() -> str:
             if line.startswith("model name"):
                 return line.partition(":")[2].strip()
     return platform.processor() or platform.machine()
+
+
+@cache
+def this_maker() -> Maker:
+    """Return what this process computes with."""
+    python = f"python {platform.python_version()}"
+    library = " ".join(platform.libc_ver()).strip() or "unknown C library"
+    packages = [f"{name} {version_of(name)}" for name in COMPUTING]
+    return Maker(", ".join([python, library, *packages]), processor())

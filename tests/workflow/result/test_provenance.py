@@ -7,10 +7,10 @@ import subprocess
 import pytest
 
 from tests.support.small import small_study, write_study
-from workflow.result.provenance import commit, provenance
+from workflow.result.provenance import commit, made_by, provenance
 from workflow.simulate.code import CODE
 from workflow.study.read import read_study
-from workflow.system.packages import package_versions, processor
+from workflow.system.packages import Maker, package_versions, this_maker
 
 STUDY = small_study("study.seed=7", "scene.indentation_rate=false", scale="wide")
 FOUND = provenance(STUDY, STUDY.variants[""])
@@ -36,8 +36,9 @@ def test_settings_and_surroundings_are_attributes_of_their_own_too():
         "realizations_per_block": 1,
         "title": "small",
         "code": CODE,
-        "versions": package_versions(),
-        "processor": processor(),
+        "written_with": package_versions(),
+        "versions": this_maker().versions,
+        "processor": this_maker().processor,
     }
     assert expected.items() <= FOUND.items()
     assert "doi:10.1038/srep05795" in FOUND["references"]
@@ -48,6 +49,40 @@ def test_settings_and_surroundings_are_attributes_of_their_own_too():
 def test_commit_is_a_full_hash_or_unknown(monkeypatch):
     monkeypatch.delenv("GIT_DIR", raising=False)
     assert re.fullmatch(r"[0-9a-f]{40}(-dirty)?|.+-g[0-9a-f]{40}(-dirty)?|unknown", commit())
+
+
+def git(folder, *command):
+    """Run git in a folder, as anybody."""
+    known = ("-c", "user.name=a", "-c", "user.email=a@b")
+    subprocess.run(["git", "-C", str(folder), *known, *command], check=True, capture_output=True)
+
+
+def test_commit_is_not_that_of_a_repository_that_the_program_lies_in(tmp_path, monkeypatch):
+    monkeypatch.delenv("GIT_DIR", raising=False)
+    program = tmp_path / "project" / "lib" / "packages"
+    file = program / "workflow" / "result" / "provenance.py"
+    file.parent.mkdir(parents=True)
+    file.write_text("")
+    git(tmp_path, "init", "project")
+    git(tmp_path / "project", "add", ".")
+    git(tmp_path / "project", "commit", "-m", "somebody's")
+    assert commit(program) == "unknown"  # an environment within a project
+    git(program, "init", ".")
+    git(program, "commit", "--allow-empty", "-m", "somebody's, too")
+    assert commit(program) == "unknown"  # packages installed at the top of a project
+    git(program, "add", ".")
+    git(program, "commit", "-m", "ours")
+    assert re.fullmatch(r"[0-9a-f]{40}", commit(program))
+    file.write_text("edited")
+    assert re.fullmatch(r"[0-9a-f]{40}-dirty", commit(program))
+
+
+def test_what_computed_the_records_is_listed_and_called_mixed_where_it_is():
+    one, other = Maker("numpy 2.0", "a processor"), Maker("numpy 2.1", "a processor")
+    assert made_by({one}) == {"versions": "numpy 2.0", "processor": "a processor"}
+    both = made_by({other, one})
+    assert both == {"versions": "mixed: numpy 2.0 | numpy 2.1", "processor": "a processor"}
+    assert made_by({one, Maker("numpy 2.0", "another")})["processor"].startswith("mixed: a proc")
 
 
 @pytest.mark.parametrize(

@@ -16,6 +16,7 @@ from tests.support.shards import (
     shard_of,
 )
 from tests.support.small import random_result
+from workflow.errors import UserError
 from workflow.store import journal, shard
 from workflow.store.store import DamagedShard, Store
 
@@ -65,14 +66,48 @@ def test_a_shard_that_vanished_is_named(tmp_path, capsys):
     assert f"{shard_of(store, WORK[0])} is damaged (missing)" in capsys.readouterr().err
 
 
-def test_shard_of_another_format_is_set_aside(tmp_path, capsys, monkeypatch):
+@pytest.mark.parametrize("journaled", [True, False])
+@pytest.mark.parametrize("renamed", [True, False])  # another version may name its shards otherwise
+def test_shard_of_another_format_is_named_and_left_as_it_is(
+    tmp_path, capsys, monkeypatch, journaled, renamed
+):
     with monkeypatch.context() as earlier:
-        earlier.setattr(shard, "FORMAT", "elastomer-friction shard 0")
-        filled(tmp_path, WORK[:1])
-    (tmp_path / journal.NAME).unlink()
+        earlier.setattr(shard, "FORMAT", "elastomer-friction shard 99")
+        store, _ = filled(tmp_path, WORK[:1])
+    path = shard_of(store, WORK[0])
+    if renamed:
+        path = path.replace(path.with_stem("0" * 32))
+    content = path.read_bytes()
+    if renamed or not journaled:
+        (tmp_path / journal.NAME).unlink()
+    assert held(seen(tmp_path, WORK[0])) == set()
+    assert path.read_bytes() == content
+    assert not list(tmp_path.glob("*.damaged"))
+    said = f"note: {path}: is of another version of the format (elastomer-friction shard 99, not "
+    assert said in capsys.readouterr().err
+
+
+def test_a_sound_file_of_another_program_is_left_as_it_is(tmp_path, capsys):
+    content = DAMAGE["of another program"](b"")
+    path = tmp_path / f"{shard.digest(content)}.nc"
+    for file in (path, tmp_path / "notes.nc"):
+        file.write_bytes(content)
     assert held(reopened(tmp_path)) == set()
-    assert [path.suffix for path in tmp_path.iterdir()] == [".damaged"]
-    assert "not a shard of this program" in capsys.readouterr().err
+    assert path.read_bytes() == (tmp_path / "notes.nc").read_bytes() == content
+    assert "is no shard of this program" in capsys.readouterr().err
+
+
+def test_a_journal_of_another_format_is_refused_and_left_as_it_is(tmp_path):
+    filled(tmp_path, WORK[:1])
+    journal.append(tmp_path, [{"format": "elastomer-friction journal 99"}])
+    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    with pytest.raises(UserError) as error:
+        Store(tmp_path)
+    assert str(error.value).startswith(
+        f"{tmp_path / journal.NAME}: is of another version of the format (elastomer-friction "
+        "journal 99, not elastomer-friction journal 2) and left as it is"
+    )
+    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
 
 
 def test_mending_a_sound_store_changes_nothing(tmp_path):

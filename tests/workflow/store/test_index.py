@@ -10,12 +10,12 @@ from workflow.store import journal
 from workflow.store.store import DamagedShard, Store
 
 
-@pytest.mark.parametrize("lost", [None, 0, 1, 2, 3])
+@pytest.mark.parametrize("lost", [None, 0, 1, 2, 3, 4])
 def test_lost_lines_of_the_journal_are_found_again_in_the_shards(tmp_path, lost):
     _, results = filled(tmp_path, WORK[:3])
     path = tmp_path / journal.NAME
     lines = path.read_bytes().splitlines(keepends=True)
-    assert len(lines) == 4  # the keys of the one task, then three shards
+    assert len(lines) == 5  # the maker, the keys of the one task, then three shards
     path.write_bytes(b"".join(line for i, line in enumerate(lines) if lost not in (None, i)))
     for store in (reopened(tmp_path), Store(tmp_path)):
         for batch, result in zip(WORK[:3], results, strict=True):
@@ -81,7 +81,8 @@ def test_a_journal_that_is_wrong_about_a_sound_shard_is_mended(tmp_path, capsys)
 def test_a_part_whose_keys_do_not_match_its_checksum_is_not_taken_up(tmp_path):
     filled(tmp_path, [BATCH])
     entries = [entry for entry, _ in journal.entries(tmp_path)]
-    entries[0]["keys"] = entries[0]["keys"][32:] + entries[0]["keys"][:32]  # two tasks exchanged
+    keys = entries[1]["keys"]
+    entries[1]["keys"] = keys[32:] + keys[:32]  # two tasks exchanged
     (tmp_path / journal.NAME).write_bytes(journal.lines_of(entries))
     assert held(Store(tmp_path)) == set()
     assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))

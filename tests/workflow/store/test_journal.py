@@ -56,15 +56,8 @@ def test_any_flipped_bit_spoils_at_most_the_lines_it_touches(folder):
 def test_entries_after_a_torn_line_are_read(folder):
     path = folder / journal.NAME
     path.write_bytes(path.read_bytes()[:-3])
-    journal.end_torn_line(folder)
     journal.append(folder, [{"dropped": "y"}])
     assert read(folder) == [*ENTRIES[:2], {"dropped": "y"}]
-
-
-def test_a_whole_journal_is_left_as_it_is(folder):
-    content = (folder / journal.NAME).read_bytes()
-    journal.end_torn_line(folder)
-    assert (folder / journal.NAME).read_bytes() == content
 
 
 def test_the_keys_of_tasks_that_stay_together_are_written_once(tmp_path):

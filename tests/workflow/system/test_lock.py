@@ -1,15 +1,17 @@
 """The lock of a folder: one holder, who is named, and free again when that process is dead."""
 
+import errno
 import fcntl
 import os
 import re
 import signal
+import threading
 
 import pytest
 
 from tests.support.runs import PATIENCE, standing
 from workflow.errors import UserError
-from workflow.system.lock import hold, holder
+from workflow.system.lock import NAME, hold, holder
 
 HOLDER = """
 import sys, time
@@ -49,14 +51,43 @@ def test_the_lock_dies_with_its_holder_and_is_free_after_an_error(tmp_path, othe
     assert holder(tmp_path) is None
 
 
-def test_a_file_system_without_locks_is_warned_of(tmp_path, monkeypatch, capsys):
+def test_a_file_system_without_locks_is_refused_unless_one_does_without(tmp_path, monkeypatch):
     def no_locks(*_):
-        raise OSError(37, "No locks available")
+        raise OSError(errno.ENOLCK, "No locks available")
 
     monkeypatch.setattr(fcntl, "flock", no_locks)
+    with pytest.raises(UserError) as error, hold(tmp_path):
+        pass
+    assert str(error.value) == (
+        f"{tmp_path}: cannot be locked (No locks available); see to it that no other run uses it, "
+        "then go on with --no-lock"
+    )
+    assert holder(tmp_path) is None
+    with hold(tmp_path, without=True):
+        assert f"process {os.getpid()} on " in holder(tmp_path)  # it lives
+
+
+def test_a_folder_that_cannot_be_flushed_is_said_once(tmp_path, monkeypatch, capsys):
+    def refuse(_):
+        raise OSError(errno.EINVAL, "Invalid argument")
+
+    monkeypatch.setattr(os, "fsync", refuse)
     with hold(tmp_path):
         pass
-    assert "cannot be locked (No locks available)" in capsys.readouterr().err
+    said = capsys.readouterr().err
+    assert said.startswith(f"note: {tmp_path}: the file system flushes no folder")
+    assert said.count("\n") == 1
+
+
+def test_who_looks_at_the_lock_keeps_nobody_from_it(tmp_path):
+    with hold(tmp_path):
+        pass
+    with (tmp_path / NAME).open() as file:
+        fcntl.flock(file, fcntl.LOCK_SH)
+        leave = threading.Timer(0.3, file.close)
+        leave.start()
+        with hold(tmp_path):
+            leave.join()
 
 
 def test_asking_who_holds_it_makes_nothing(tmp_path):

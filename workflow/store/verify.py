@@ -1,0 +1,112 @@
+"""Check a store: every line of its journal, every shard, every key in it. Changes nothing."""
+
+from collections import defaultdict
+from pathlib import Path
+
+from workflow.errors import UserError
+from workflow.store import journal
+from workflow.store.index import Index
+from workflow.store.shard import Contents, NoShard, decode, shard_sizes
+from workflow.system import LOCK, read_whole, refused, sizes_in
+
+
+class Verified:
+    """What was found in a store."""
+
+    def __init__(self, folder: Path) -> None:
+        """Check the store in ``folder``. Raises UserError where the disk refuses to read it."""
+        self.folder, self.index = folder, Index()
+        self.faults: list[str] = []  # what is lost, spoilt or contradicts the rest
+        self.notes: list[str] = []  # what may be as it is, but is worth a line
+        self.lines_of_journal, self.records = 0, 0
+        self.keys: set[str] = set()  # of the problems that sound shards hold
+        self._read_journal()
+        self.told = self._told()
+        sizes = sizes_in(folder)
+        shards = shard_sizes(sizes)
+        self.shards = len(shards)
+        self.sound = sum(self._is_sound(name) for name in sorted(shards))
+        missing = sorted(self.index.sizes.keys() - shards.keys())
+        self.faults += [f"{name}.nc: missing, but told by the journal" for name in missing]
+        ours = {f"{name}.nc" for name in shards} | {journal.NAME, LOCK}
+        self.notes += [f"{name}: no part of the store" for name in sorted(sizes.keys() - ours)]
+
+    def lines(self) -> list[str]:
+        """Return what was found, line by line."""
+        makers = sorted(self.index.makers.values())
+        return [
+            f"store       {self.folder}",
+            f"journal     {self.lines_of_journal} lines",
+            f"shards      {self.sound} of {self.shards} sound",
+            f"records     {self.records} of {len(self.keys)} problems",
+            *(f"computed    with {maker.versions}, on {maker.processor}" for maker in makers),
+            f"failed      {len(self.index.failed)} problems",
+            *(f"note        {note}" for note in self.notes),
+            *(f"fault       {fault}" for fault in self.faults),
+            f"verified    {len(self.faults) or 'no'} faults",
+        ]
+
+    def _read_journal(self) -> None:
+        path = self.folder / journal.NAME
+        for _ in journal.entries(self.folder):
+            pass  # a journal of another version, or none that can be read, is refused
+        with refused(path, "cannot be read:"):
+            lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
+        if not lines:
+            self.notes.append("there is no journal, or it is empty")
+        for number, line in enumerate(lines, 1):
+            entry = journal.told(line)
+            if entry is None:
+                self.faults.append(f"{journal.NAME}, line {number}: spoilt")
+                continue
+            try:
+                self.index.replay(entry)
+            except (KeyError, TypeError, ValueError) as error:
+                self.faults.append(f"{journal.NAME}, line {number}: not understood ({error!r})")
+        self.lines_of_journal = len(lines)
+
+    def _is_sound(self, name: str) -> bool:
+        """Return whether a shard holds what it says and what the journal tells; note what not."""
+        found = f"{name}.nc"
+        try:
+            contents = decode(name, read_whole(self.folder / found))
+        except (UserError, ValueError) as error:
+            self.faults.append(f"{found}: damaged ({error})")
+            return False
+        except NoShard as error:
+            self.notes.append(f"{found}: {error}")
+            return False
+        self.records += len(contents.records)
+        self.keys.update(key for key, _ in contents.records)
+        wrong = self._contradiction(name, contents)
+        if wrong:
+            self.faults.append(f"{found}: {wrong}")
+        return not wrong
+
+    def _contradiction(self, name: str, contents: Contents) -> str:
+        """Return in what a shard is not what the journal tells of it, or nothing."""
+        if not len(contents.records) == len(contents.scalars) == len(contents.curves):
+            return "holds another number of keys than of records"
+        if name not in self.index.sizes:
+            self.notes.append(f"{name}.nc: not told by the journal; the next run enters it")
+            return ""
+        for first, step, block, keys in self.told[name]:
+            for row, key in enumerate(keys):
+                at = first + row * step
+                if contents.records[at : at + 1] != [(key, block)]:
+                    return f"does not hold block {block} of {key} where the journal tells"
+        if {self.index.makers[maker] for maker in self.index.made[name]} != set(contents.makers):
+            return "was computed with something else than the journal tells"
+        return ""
+
+    def _told(self) -> dict[str, list[tuple[int, int, int, list[str]]]]:
+        """Return name of a shard -> (position of row 0, from row to row, block, keys of rows)."""
+        keys: dict[str, dict[int, str]] = defaultdict(dict)
+        for key, parts in self.index.rows.items():
+            for part, row in parts:
+                keys[part][row] = key
+        rows = {part: [named[row] for row in sorted(named)] for part, named in keys.items()}
+        told = defaultdict(list)
+        for (part, block), (name, first, step) in self.index.found.items():
+            told[name].append((first, step, block, rows[part]))
+        return told
