@@ -2,6 +2,7 @@
 
 from pathlib import Path
 
+from workflow.cli.effects import effect_lines
 from workflow.plan import (
     JACKKNIFE_GROUPS,
     Plan,
@@ -13,7 +14,7 @@ from workflow.plan import (
     this_machine,
     total_seconds,
 )
-from workflow.study import AXES, QUANTITIES, Measured, Study
+from workflow.study import Measured, Study
 from workflow.system import duration
 
 
@@ -37,8 +38,7 @@ def outline(plan: Plan, result: Path, speed: str) -> list[str]:
     """
     study = plan.study
     lines = [f"study       {study.name}: {study.title}", f"result      {result}"]
-    for axis in AXES:
-        values = study.grid[axis]
+    for axis, values in study.grid.items():
         span = f"{values[0]:g}" if len(values) == 1 else f"{min(values):g} ... {max(values):g}"
         lines.append(f"  {axis:14s}{len(values):4d}  {span}")
     copies = plan.points / plan.problems
@@ -48,12 +48,7 @@ def outline(plan: Plan, result: Path, speed: str) -> list[str]:
         f"variants    {', '.join(v.label or 'study' for v in plan.variants)}",
         *_realizations(plan),
     ]
-    for name, quantity in QUANTITIES.items():
-        asked = "simulated" if name in study.scene.quantities else "not simulated"
-        lines.append(f"{asked:14s}{quantity.effect}")
-    rate = "kept" if study.scene.indentation_rate else "dropped, as eq. 3 is printed"
-    lines.append(f"indentation rate in the force: {rate}")
-    return lines + _costs(plan, speed)
+    return [*lines, *effect_lines(study), *_costs(plan, speed)]
 
 
 def _costs(plan: Plan, speed: str) -> list[str]:
