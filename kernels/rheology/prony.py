@@ -1,11 +1,17 @@
 """One step of Kelvin units and a glassy spring in series: the scheme "exponential".
 
 The units move exactly under a force that is linear in the step, from kappa of the old force and
-1 - kappa of the new one to the new one. A linear force (kappa = 1) is second order, but where
-the glassy spring is stiff the old force comes back with a gain that tends to one: it would
-ring. A constant one (kappa = 0) is right without that spring, where forces jump at touch-down.
-kappa = min(1, 4 J_g / S) keeps the gain at 4/5 or below, and departs from one while J_g is of
-the order of the step alone: the error is of second order throughout.
+1 - kappa of the new one to the new one. Let a unit force start in the step: unit k answers with
+J_k (1 - E_k), as late as late_k before the end, in all ramp = sum J_k (1 - E_k) late_k.
+
+- A linear force (kappa = 1) is second order, but the old force comes back with a gain that tends
+  to one where all answers are as late as each other: it would ring.
+- A constant one (kappa = 0) is right there, where forces jump at touch-down, as in a Kelvin
+  element. Otherwise no one time within the step is that of the force: first order.
+
+So kappa = min(1, 4 prompt / ramp), prompt being what is answered at once: J_g, and of each unit
+J_k (1 - E_k) (1 - late_k / max late). The gain is then 4/5 at most. Units much faster than the
+step count as a glassy spring does, so that branches need not be resolved.
 """
 
 import math
@@ -60,23 +66,21 @@ def moments(x):
 def _law_of(form, dt):
     count = form.times.size
     decay, fresh, stale = np.empty(count), np.empty(count), np.empty(count)
-    ramp = moved = 0.0  # S and a: displacements by a unit force that starts or lasts
+    moved, late = np.empty(count), np.empty(count)  # by a unit force that lasts, and how late
     for k in range(count):
-        gone, beta, alpha = moments(dt / form.times[k])
+        gone, end, start = moments(dt / form.times[k])
         decay[k] = 1.0 - gone if gone < 0.5 else math.exp(-dt / form.times[k])
         if not decay[k] > math.sqrt(NEGLIGIBLE):
             decay[k] = 0.0
-        fresh[k], stale[k] = form.compliances[k] * beta, form.compliances[k] * alpha
-        ramp += stale[k]
-        moved += form.compliances[k] * gone
-    linear = min(1.0, 4.0 * form.glass / ramp)
-    compliance = form.glass
-    for k in range(count):
-        fresh[k] += (1.0 - linear) * stale[k]
-        stale[k] *= linear
-        compliance += fresh[k]
-    lag = (1.0 - linear) * ramp / (form.glass + moved)
-    return Prony(decay, fresh, stale, 1.0 / compliance, lag, linear)
+        fresh[k], stale[k] = form.compliances[k] * end, form.compliances[k] * start
+        moved[k], late[k] = form.compliances[k] * gone, start / gone
+    ramp = stale.sum()
+    prompt = form.glass + (moved * (1.0 - late / late.max())).sum()
+    linear = min(1.0, 4.0 * prompt / ramp)
+    fresh += (1.0 - linear) * stale
+    stale *= linear
+    lag = (1.0 - linear) * ramp / (form.glass + moved.sum())
+    return Prony(decay, fresh, stale, 1.0 / (form.glass + fresh.sum()), lag, linear)
 
 
 @memories.of(Retardation)

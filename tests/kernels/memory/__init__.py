@@ -1,0 +1,1 @@
+"""Tests of kernels/memory, one module per module."""

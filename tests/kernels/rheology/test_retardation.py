@@ -1,0 +1,98 @@
+"""From relaxation to retardation: the two forms are one material."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kernels.rheology.retardation import merged, retardation
+from kernels.rheology.spectrum import Spectrum, complex_modulus
+from tests.viscoelastic import MATERIALS, PRONY3
+
+OMEGA = np.geomspace(1e-9, 1e9, 181)
+BRANCHES = st.lists(st.tuples(st.floats(-6, 6), st.floats(-9, 5)), max_size=30)
+
+
+def compliance(spectrum):
+    """Return J*(omega) of the retardation form."""
+    units = retardation(spectrum)
+    return units.glass + np.sum(
+        units.compliances / (1.0 + 1j * OMEGA[:, None] * units.times), axis=1
+    )
+
+
+def exchanged(spectrum):
+    """Return how far compliance times modulus is from one."""
+    return np.abs(compliance(spectrum) * complex_modulus(spectrum, OMEGA) - 1.0).max()
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+def test_compliance_is_the_inverse_of_the_modulus(name):
+    assert exchanged(MATERIALS[name]) < 1e-14
+
+
+@settings(max_examples=40)
+@given(BRANCHES, st.one_of(st.just(0.0), st.floats(1e-9, 1e9)))
+def test_any_branches_over_fourteen_decades(branches, viscosity):
+    moduli = tuple(10.0**g for g, _ in branches)
+    times = tuple(10.0**t for _, t in branches)
+    if not branches and viscosity == 0.0:
+        return
+    spectrum = Spectrum(moduli, times, viscosity)
+    units = retardation(spectrum)
+    assert np.all(units.compliances > 0.0)
+    assert np.all(np.diff(units.times) < 0.0)
+    assert units.glass + units.compliances.sum() == pytest.approx(1.0, abs=1e-14)
+    assert exchanged(spectrum) < 1e-12
+
+
+def test_retardation_times_lie_between_relaxation_times():
+    spectrum = Spectrum(tuple(np.full(30, 0.7)), tuple(np.geomspace(1e-7, 1e7, 30)), 0.0)
+    units, times = retardation(spectrum), np.sort(spectrum.times)[::-1]
+    assert np.all(units.times > times)
+    assert np.all(units.times[1:] < times[:-1])
+    assert exchanged(spectrum) < 1e-13
+
+
+def test_order_of_branches_and_branches_that_are_split_change_nothing():
+    (a, b, c), (s, t, u) = PRONY3.moduli, PRONY3.times
+    units = retardation(PRONY3)
+    turned = retardation(Spectrum((c, a, b), (u, s, t), 0.0))
+    split = retardation(Spectrum((0.25 * a, c, b, 0.75 * a), (s, u, t, s), 0.0))
+    for other in (turned, split):
+        assert other.glass == units.glass
+        assert np.array_equal(other.compliances, units.compliances)
+        assert np.array_equal(other.times, units.times)
+
+
+def test_times_that_differ_in_their_last_bit():
+    close = Spectrum((1.0, 2.0), (1.0, np.nextafter(1.0, 2.0)), 0.0)
+    assert exchanged(close) < 1e-14
+    one = Spectrum((3.0,), (1.0,), 0.0)
+    assert np.allclose(compliance(close), compliance(one), rtol=1e-14)
+
+
+def test_kelvin_element_is_one_unit():
+    assert retardation(MATERIALS["Kelvin"]) == (0.0, np.ones(1), np.ones(1))
+
+
+def test_equal_times_are_added_up_slowest_first():
+    moduli, times = merged(Spectrum((1.0, 2.0, 4.0), (0.5, 3.0, 0.5), 0.0))
+    assert times.tolist() == [3.0, 0.5]
+    assert moduli.tolist() == [2.0, 5.0]
+
+
+@pytest.mark.parametrize(
+    ("spectrum", "line"),
+    [
+        (Spectrum((0.0,), (1.0,), 1.0), "modulus = 0: that of a branch must be positive, finite"),
+        (Spectrum((1.0,), (-2.0,), 1.0), "time = -2: that of a branch must be positive, finite"),
+        (Spectrum((np.nan,), (1.0,), 1.0), "modulus = nan: that of a branch must be positive"),
+        (Spectrum((1.0,), (np.inf,), 1.0), "time = inf: that of a branch must be positive"),
+        (Spectrum((1.0,), (1.0,), -1.0), "viscosity = -1: must be finite, not negative"),
+        (Spectrum((), (), 0.0), "a material needs a branch or a dashpot"),
+    ],
+)
+def test_branches_without_a_meaning_are_refused(spectrum, line):
+    with pytest.raises(ValueError, match=line):
+        retardation(spectrum)
