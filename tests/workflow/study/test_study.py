@@ -1,9 +1,18 @@
 """A study of a grid: values of the file, defaults, shape, elements."""
 
+import copy
 import json
+import math
+import tomllib
+from pathlib import Path
+
+import numpy as np
+import pytest
 
 from tests.support.small import TEXT, small_study
+from workflow.errors import UserError
 from workflow.study.numerics import Numerics
+from workflow.study.study import read_grid_study
 
 
 def test_values_of_the_file_reach_the_study():
@@ -42,3 +51,59 @@ def test_settings_in_force_are_kept_as_text():
 def test_snapping_moves_the_spacing_to_one_that_divides():
     study = small_study("surface.snap_spacing=true", "grid.spacing=9.9e-5")
     assert round(study.surface.length / study.grid["spacing"][0]) == 100
+
+
+def measured_study(tmp_path, lines, settings="", **how):
+    """Return a study of measured lines that a text file holds."""
+    x = np.arange(16)
+    heights = 1e-6 * np.sin(2.0 * np.pi * (x[:, None] + np.arange(lines)) / 16.0)
+    np.savetxt(tmp_path / "lines.txt", np.c_[1e-5 * x, heights])
+    columns = list(range(lines + 1))
+    text = f"""
+        {settings}
+        material = {{shear_modulus = 1e7, relaxation_time = 1e-3}}
+        grid = {{normal_force = 0.04, velocity = 0.1, velocity_step = 0.2}}
+        surface = {{file = "lines.txt", columns = {columns}, units = ["m", "m"], periodic = "none"}}
+    """
+    return read_grid_study("measured", tmp_path, tomllib.loads(text), **how)
+
+
+def test_there_are_as_many_realizations_as_measured_lines(tmp_path):
+    study = measured_study(tmp_path, 4)
+    assert study.realizations == 4
+    assert study.grid["spacing"] == (pytest.approx(1e-5),)
+    assert study.grid["roughness"] == (study.surface.profile.roughness,)
+    assert math.isnan(study.grid["hurst"][0])
+    assert measured_study(tmp_path, 4, "study.realizations = 2").realizations == 2
+    with pytest.raises(UserError, match=r"^study\.realizations = 5: only 4 lines were measured$"):
+        measured_study(tmp_path, 4, "study.realizations = 5")
+
+
+def test_a_scene_is_a_study_of_one_point():
+    tables = tomllib.loads(TEXT.partition("[compare")[0])
+    tables["study"] = {}
+    tables["grid"] |= {"hurst": 0.7, "normal_force": 0.04, "velocity": 0.1}
+    scene = read_grid_study("scene", Path(), copy.deepcopy(tables), one_point=True)
+    assert (scene.realizations, scene.blocks) == (1, 1)
+    assert set(scene.shape) == {1}
+    tables["grid"]["hurst"] = [0.3, 0.7]
+    with pytest.raises(UserError, match=r"^grid\.hurst = \[0\.3, 0\.7\]: a scene has one value"):
+        read_grid_study("scene", Path(), tables, one_point=True)
+
+
+def test_one_line_can_be_asked_for_its_state():
+    tables = tomllib.loads(SCENE)
+    scene = read_grid_study("scene", Path(), copy.deepcopy(tables), one_point=True)
+    assert scene.scene.quantities == ("trace", "snapshots", "state")
+    tables["study"] = {"realizations": 2}
+    with pytest.raises(UserError, match='"snapshots": is there for a single line alone'):
+        read_grid_study("scene", Path(), tables, one_point=True)
+
+
+SCENE = """
+material = {shear_modulus = 1e7, relaxation_time = 1e-3}
+surface.length = 0.01
+grid = {hurst = 0.7, spacing = 1e-4, roughness = 1e-5, normal_force = 0.04}
+scene.quantities = ["state", "snapshots", "trace"]
+scene.programme = [{slide = {velocity = 0.1, distance = 1e-3}}]
+"""
