@@ -1,4 +1,4 @@
-"""Command line: python -m workflow plan|run|status|figure|table STUDY, report, prony."""
+"""Command line: python -m workflow plan|run|status|figure|table STUDY, report, verify, merge."""
 
 import argparse
 import sys
@@ -8,6 +8,7 @@ from workflow import report
 from workflow.cli.kinds import KINDS
 from workflow.cli.prony import add_prony_options, run_prony
 from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
+from workflow.cli.stores import add_merge_options, add_verify_options, run_merge, run_verify
 from workflow.errors import UserError
 from workflow.result import check_result, result_file
 from workflow.study import AnyStudy, read_study
@@ -63,6 +64,10 @@ def _parser() -> argparse.ArgumentParser:
     page.add_argument("--out", default="results", help="folder of results")
     text = "fit a Prony series to measured moduli G' and G'', and print the table [material]"
     add_prony_options(commands.add_parser("prony", help=text, description=text))
+    text = "check every line of a journal, every shard and every key in it; change nothing"
+    add_verify_options(commands.add_parser("verify", help=text, description=text))
+    text = "take over the finished work of another folder of results"
+    add_merge_options(commands.add_parser("merge", help=text, description=text))
     return parser
 
 
@@ -125,4 +130,6 @@ COMMANDS = {
     "table": _table,
     "report": _report,
     "prony": run_prony,
+    "verify": run_verify,
+    "merge": run_merge,
 }

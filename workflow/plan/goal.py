@@ -19,7 +19,7 @@ from workflow.plan.resolution import (
     least_steps,
 )
 from workflow.simulate import Problem
-from workflow.study import Numerics, Scene, Study, judged
+from workflow.study import MOST_BLOCKS, Numerics, Scene, Study, judged
 
 JACKKNIFE_GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it
 FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more
@@ -87,6 +87,11 @@ def _updates(problem: Problem, scene: Scene, numerics: Numerics, steps: int) -> 
 def most_blocks(study: Study, most: int) -> int:
     """Return the cap on the blocks of a point, a multiple of JACKKNIFE_GROUPS."""
     blocks = most // (JACKKNIFE_GROUPS * study.realizations_per_block) * JACKKNIFE_GROUPS
+    if blocks > MOST_BLOCKS:
+        raise UserError(
+            f"numerics.max_realizations = {most}: up to {blocks} blocks of a problem, more than "
+            f"{MOST_BLOCKS}; set study.realizations_per_block to {-(-most // MOST_BLOCKS)} or more"
+        )
     if not blocks:
         raise UserError(
             f"numerics.max_realizations = {most}: must be at least {JACKKNIFE_GROUPS} blocks of "

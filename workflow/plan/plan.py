@@ -1,11 +1,13 @@
 """The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
 
 import hashlib
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from kernels import Quantities
+from workflow.errors import UserError
 from workflow.plan.cost import TYPICAL, Timings, task_seconds
 from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
 from workflow.plan.problems import distinct_problems
@@ -19,6 +21,7 @@ BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
 BYTES_PER_TASK = 2000  # of the plan
 BYTES_PER_RECORD = 1  # many share an entry of the index
 BYTES_PER_POINT = 1000  # of the result, all estimates
+MOST_RECORDS = 20_000_000  # planned, indexed and collected in minutes and in 2 GiB
 BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
 
 
@@ -102,8 +105,19 @@ def make_plan(study: Study, timings: Timings = TYPICAL) -> Plan:
         for key, goal in variant.goals.items():
             first[key] = whole_blocks(study, FIRST_SHARE * goal.realizations, most)
             expected[key] = whole_blocks(study, goal.realizations, most)
+    _check_records(study, sum(expected.values()))
     seconds = {task.key: task_seconds(timings, asked, task) for task in tasks}
     return Plan(study, point_task, variants, asked, timings, seconds, first, expected)
+
+
+def _check_records(study: Study, records: int) -> None:
+    """Raise UserError where there are more records than a run can keep account of."""
+    if records > MOST_RECORDS:
+        least = study.realizations_per_block * math.ceil(records / MOST_RECORDS)
+        raise UserError(
+            f"study.realizations_per_block = {study.realizations_per_block}: {records} records "
+            f"(problem x block), more than {MOST_RECORDS}; set it to {least} or more"
+        )
 
 
 def _variant(

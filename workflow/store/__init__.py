@@ -12,6 +12,6 @@ if TYPE_CHECKING:
     from workflow.store.merge import merge
     from workflow.store.shelf import Shelf
     from workflow.store.store import DamagedShard, Store, store_folder
-    from workflow.store.verify import Verified
+    from workflow.store.verify import Verified, holds_a_store
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -14,11 +14,9 @@ def merge(source: Path, target: Path, *, no_lock: bool = False) -> list[str]:
     """Take over into the store ``target`` what ``source`` holds; return what to print.
 
     The source is left as it is: what is damaged there is named and left out, and so is what failed
-    there, which the next run tries again. Raises UserError for a source without a store, for a
-    target in use, and where a disk refuses.
+    there, which the next run tries again. Raises UserError for a target in use, and where a disk
+    refuses.
     """
-    if not (source / journal.NAME).is_file() and not shard_sizes(sizes_in(source)):
-        raise UserError(f"{source}: holds no store")
     if target.exists() and source.samefile(target):
         raise UserError(f"{source}: cannot be joined with itself")
     for _ in journal.entries(source):

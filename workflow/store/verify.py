@@ -10,6 +10,11 @@ from workflow.store.shard import Contents, NoShard, decode, shard_sizes
 from workflow.system import LOCK, read_whole, refused, sizes_in
 
 
+def holds_a_store(folder: Path) -> bool:
+    """Return whether there is a store in a folder: a journal, or shards without one."""
+    return (folder / journal.NAME).is_file() or bool(shard_sizes(sizes_in(folder)))
+
+
 class Verified:
     """What was found in a store."""
 

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from workflow.study.read import known_studies, read_study
     from workflow.study.scripts import load_script
     from workflow.study.settings import integer, positive, read_columns
-    from workflow.study.study import AnyStudy, Study, read_grid_study
+    from workflow.study.study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
     from workflow.study.surfaces import Profile, Surface, check_load, given_profile
 
 __all__, __getattr__ = public_names(__name__, __file__)

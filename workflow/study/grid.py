@@ -22,6 +22,7 @@ Grid = dict[str, tuple[float, ...]]
 
 MOST_ELEMENTS = 1e8
 LEAST_ELEMENTS = 4
+MOST_POINTS = 300_000  # a plan takes seconds, a run 2 GiB in the driver
 
 
 def snapped_spacing(length: float, spacings: tuple[float, ...]) -> tuple[float, ...]:
@@ -86,7 +87,13 @@ def read_grid(table: Any, surface: Surface, scene: Scene, temperatures: tuple[fl
         grid["spacing"] = _spacings(grid["spacing"], surface)
         check_cutoff(surface, grid["spacing"])
     more = {"temperature": temperatures, "hold": scene.holds}
-    return {axis: values for axis, values in (grid | more).items() if values}
+    found = {axis: values for axis, values in (grid | more).items() if values}
+    points = math.prod(map(len, found.values()))
+    if points > MOST_POINTS:
+        raise UserError(
+            f"grid: {points} points, more than {MOST_POINTS}: take fewer values, or several studies"
+        )
+    return found
 
 
 def _filled(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ...], str]]:

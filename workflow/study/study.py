@@ -22,6 +22,7 @@ from workflow.study.settings import Key, as_text, check_keys, integer, read_tabl
 from workflow.study.surfaces import SURFACE, Profile, Surface, read_surface
 from workflow.study.variants import read_variants
 
+MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
 HEAD = {"title": Key(as_text, ""), "seed": Key(partial(integer, least=0), 0)}
 STUDY = HEAD | {
     "realizations": Key(partial(integer, least=2), None),
@@ -152,6 +153,11 @@ def _check_blocks(head: dict[str, Any], one_point: bool) -> None:
         raise UserError(
             f"study.realizations_per_block = {block}: must divide realizations = {realizations} "
             "into at least 2 blocks, from which standard errors are estimated"
+        )
+    if realizations // block > MOST_BLOCKS:
+        raise UserError(
+            f"study.realizations_per_block = {block}: divides realizations = {realizations} into "
+            f"more than {MOST_BLOCKS} blocks; set it to {-(-realizations // MOST_BLOCKS)} or more"
         )
 
 
