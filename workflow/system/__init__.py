@@ -19,8 +19,7 @@ if TYPE_CHECKING:
         sizes_in,
         write_durably,
     )
-    from workflow.system.lock import NAME as LOCK
-    from workflow.system.lock import hold, holder
+    from workflow.system.lock import LOCK, hold, holder
     from workflow.system.packages import (
         ROOT,
         Maker,

@@ -15,7 +15,7 @@ from typing import IO
 from workflow.errors import UserError
 from workflow.system.files import flush_folder, refused
 
-NAME = "lock"
+LOCK = "lock"
 GLANCE_SECONDS = 2.0
 
 
@@ -27,7 +27,7 @@ def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
     """
     with refused(folder, "cannot be used for results:"):
         folder.mkdir(parents=True, exist_ok=True)
-        file = (folder / NAME).open("a+")
+        file = (folder / LOCK).open("a+")
         flushed = flush_folder(folder)
     with file:
         _take(file, folder, without)
@@ -43,7 +43,7 @@ def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
 
 def holder(folder: Path) -> str | None:
     """Return who holds the lock of a folder, in words, or None."""
-    with contextlib.suppress(OSError), (folder / NAME).open() as file:
+    with contextlib.suppress(OSError), (folder / LOCK).open() as file:
         try:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -85,14 +85,14 @@ def _sign(file: IO[str]) -> None:
 def _alive(folder: Path) -> bool:
     """Return whether a process of this machine that signed the lock is still there."""
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
-        signed = json.loads((folder / NAME).read_text())
+        signed = json.loads((folder / LOCK).read_text())
         return signed["host"] == socket.gethostname() and Path(f"/proc/{signed['pid']}").exists()
     return False
 
 
 def _words(folder: Path) -> str:
     try:
-        signed = json.loads((folder / NAME).read_text())
+        signed = json.loads((folder / LOCK).read_text())
         return f"process {signed['pid']} on {signed['host']} since {signed['since']}"
     except (OSError, ValueError, KeyError, TypeError):
         return "an unknown process"

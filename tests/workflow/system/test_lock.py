@@ -11,7 +11,7 @@ import pytest
 
 from tests.support.runs import PATIENCE, standing
 from workflow.errors import UserError
-from workflow.system.lock import NAME, hold, holder
+from workflow.system.lock import LOCK, hold, holder
 
 HOLDER = """
 import sys, time
@@ -82,7 +82,7 @@ def test_a_folder_that_cannot_be_flushed_is_said_once(tmp_path, monkeypatch, cap
 def test_who_looks_at_the_lock_keeps_nobody_from_it(tmp_path):
     with hold(tmp_path):
         pass
-    with (tmp_path / NAME).open() as file:
+    with (tmp_path / LOCK).open() as file:
         fcntl.flock(file, fcntl.LOCK_SH)
         leave = threading.Timer(0.3, file.close)
         leave.start()
