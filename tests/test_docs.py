@@ -5,6 +5,11 @@ from pathlib import Path
 
 import pytest
 
+from workflow.study.effects.material import MATERIAL
+from workflow.study.effects.quantities import QUANTITIES
+from workflow.study.effects.scene import SCENE
+from workflow.study.effects.segments import HOLD, KINDS, OSCILLATE, RAMP, SLIDE
+
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]
 NAMES = [page.relative_to(ROOT).as_posix() for page in PAGES]
@@ -49,3 +54,10 @@ def test_the_patterns_find_what_they_are_for():
     assert len(set().union(*(found(PATH, page) for page in NAMES))) > 20
     assert len(set().union(*(found(LINK, page) for page in NAMES))) > 20
     assert {"setup", "test", "check"} <= set().union(*(found(TARGET, page) for page in NAMES))
+
+
+def test_every_key_of_a_scene_is_described():
+    page = (ROOT / "docs" / "scenes.md").read_text(encoding="utf-8")
+    segments = {**SLIDE, **HOLD, **RAMP, **OSCILLATE}
+    for key in (*MATERIAL, *SCENE, *KINDS, *segments, *QUANTITIES, "record", "trace"):
+        assert f"`{key}" in page, key
