@@ -4,7 +4,6 @@ Only what is asked for is computed. Points share what they can: one line serves 
 speeds, one steady state at v1 serves all velocity jumps.
 """
 
-import math
 import time
 from typing import NamedTuple
 
@@ -12,11 +11,12 @@ import numpy as np
 
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
-from kernels.friction import elastic_correction, lagged_slope, quadrature, step_average
+from kernels.friction import lagged_slope, step_average
 from kernels.march import march
+from kernels.patches.steady_friction import jump as jump_to
+from kernels.patches.steady_friction import steady_friction
 from kernels.rheology.kelvin import SCHEMES, SHORTEST, Kelvin
 from kernels.rheology.law import State
-from kernels.steady import steady_sliding
 from kernels.surfaces.line import Line
 
 LOADS = (1e-100, 1e100)  # Fbar; the rounding of d does not depend on it
@@ -57,28 +57,12 @@ class Outcome(NamedTuple):
     mu_1: float
     indentation: float
     contact_fraction: float
+    samples_per_contact: float  # of the march; where nothing is marched, of what friction rests on
     mu_2: np.ndarray  # shape (ratios,)
     jump: np.ndarray  # shape (ratios,)
     curves: list[np.ndarray]  # per ratio: mu at the recorded steps, ending towards mu_2
     work: int  # element updates, the measure of cost
     seconds: Seconds
-
-
-def _friction(line: Line, state: State, speed: float, load: float) -> tuple[float, float, float]:
-    """Return mu of the steady state, mu as quadrature gives it, and the share in contact.
-
-    The first has its elastic part corrected as far as a sample lasts longer than tau: by
-    measurement the better estimate there, and the worse one beyond.
-    """
-    z, slope, w, d, steps = line.z, line.slope, state.w, state.d, line.steps_per_spacing
-    mu, rate, contact = quadrature(z, slope, w, d, speed, speed, load)
-    share = math.exp(-((steps * speed) ** 2))
-    if share < 1e-3:
-        return mu, mu, contact
-    corrected = mu + share * elastic_correction(z, slope, w, d, speed, rate, steps) / load
-    # Where a contact is narrower than a sample nothing is sure, but this: mu is a mean of slopes.
-    steepest = float(np.abs(slope[z - w < d]).max())
-    return min(max(corrected, -steepest), steepest), mu, contact
 
 
 def _check(line: Line, case: Case, asked: Quantities) -> None:
@@ -107,42 +91,37 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     case that is not supported.
     """
     _check(line, case, asked)
-    n = line.z.size
-    load = case.load * n
+    load = case.load * line.z.size
     clock = _Clock()
-    one, sweeps = steady_sliding(_law(line, case, 1.0), line.z, load)
-    mu_1, summed, contact = _friction(line, one, case.speed, load)
+    one = steady_friction(line, case.speed, case.scheme, load)
     clock.lap("steady")
-    work = sweeps * n
+    work = one.updates
     mu_2 = np.full(len(case.ratios), np.nan)
     jump = np.full(len(case.ratios), np.nan)
     curves = []
     for k, ratio in enumerate(case.ratios):
         speed = ratio * case.speed
         if asked.jump:
-            mu_0, _, _ = quadrature(line.z, line.slope, *one, case.speed, speed, load)
-            jump[k] = mu_0 - summed  # errors of the elastic part cancel
+            jump[k] = jump_to(one, speed)
             clock.lap("jump")
         if not (asked.steady or asked.relaxation):
             continue
-        law = _law(line, case, ratio)
-        two, sweeps = (one, 0) if ratio == 1.0 else steady_sliding(law, line.z, load)
-        mu_2[k], _, _ = _friction(line, two, speed, load)
-        work += sweeps * n
+        two = one if ratio == 1.0 else steady_friction(line, speed, case.scheme, load)
+        mu_2[k] = two.mu
+        work += two.updates if ratio != 1.0 else 0
         clock.lap("steady")
         if asked.relaxation:
             control = (ConstantForce if asked.indentation_rate else PrintedForce)(load)
-            curve, updates = _relaxation(line, law, control, (one, two), case.kept_steps[k])
+            law = SCHEMES[case.scheme](1.0 / (line.steps_per_spacing * speed))
+            states = one.state, two.state
+            curve, updates = _relaxation(line, law, control, states, case.kept_steps[k])
             curves.append(mu_2[k] + curve)
             work += updates
             clock.lap("marching")
     seconds = Seconds(**clock.spent)
-    return Outcome(mu_1, one.d + line.datum, contact, mu_2, jump, curves, work, seconds)
-
-
-def _law(line: Line, case: Case, ratio: float) -> Kelvin:
-    """Return the law of the elastomer for steps of one sample at ``ratio`` times the speed."""
-    return SCHEMES[case.scheme](1.0 / (line.steps_per_spacing * (ratio * case.speed)))
+    samples = one.samples if asked.relaxation else one.seen.samples
+    means = one.mu, one.indentation, one.contact, samples
+    return Outcome(*means, mu_2, jump, curves, work, seconds)
 
 
 class _Clock:

@@ -17,11 +17,15 @@ class Line(NamedTuple):
     slope: np.ndarray  # shape (N m,), in h/dx
     datum: float  # height of the deepest point over the mean line, in h
     steps_per_spacing: int
+    band_limited: bool = False  # whether it is a function without modes above q = pi/dx
 
     @classmethod
-    def from_samples(cls, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> "Line":
+    def from_samples(
+        cls, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int, band_limited: bool = False
+    ) -> "Line":
         """Prepare given heights (in h) and slopes (in h/dx) of a periodic line.
 
+        band_limited : as the field.
         Raises ValueError where a sample is not finite, where a height has no slope, and for
         heights that cannot be in units of their rms roughness.
         """
@@ -35,7 +39,8 @@ class Line(NamedTuple):
         top = int(np.argmax(z))
         # Heights over the deepest point keep full precision where light loads touch.
         datum = float(z.min())
-        return cls(np.roll(z, -top) - datum, np.roll(slope, -top), datum, steps_per_spacing)
+        heights, slopes = np.roll(z, -top) - datum, np.roll(slope, -top)
+        return cls(heights, slopes, datum, steps_per_spacing, band_limited)
 
     @classmethod
     def self_affine(
@@ -47,7 +52,7 @@ class Line(NamedTuple):
         elements : N. Raises ValueError as from_samples does.
         """
         z, slope = sample_line(amplitude, phases, elements, steps_per_spacing)
-        return cls.from_samples(z, slope, steps_per_spacing)
+        return cls.from_samples(z, slope, steps_per_spacing, band_limited=True)
 
     @classmethod
     def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Line":
@@ -58,4 +63,4 @@ class Line(NamedTuple):
         """
         modes = measured_modes(heights)
         z, slope = sample_line(*modes, heights.size, steps_per_spacing)
-        return cls.from_samples(z + heights.mean(), slope, steps_per_spacing)
+        return cls.from_samples(z + heights.mean(), slope, steps_per_spacing, band_limited=True)

@@ -63,7 +63,11 @@ def test_residuals_stay_within_rounding(motion):
 def test_heights_load_and_lengths_scale_bit_for_bit(motion, power, widened):
     """The same samples, higher and on a wider spacing: no other problem but for the units."""
     s, wide, line = 2.0**power, 2**widened, motion.line
-    scaled = Line(s * line.z, s * wide * line.slope, s * line.datum, wide * line.steps_per_spacing)
+    z, slope, datum = s * line.z, s * wide * line.slope, s * line.datum
+    if widened:  # more samples per spacing would be a reason to refine
+        line = line._replace(band_limited=False)
+        motion = motion._replace(line=line)
+    scaled = Line(z, slope, datum, wide * line.steps_per_spacing, line.band_limited)
     mu, d, contact = numbers(motion)
     other = motion._replace(line=scaled, load=s * motion.load, speed=motion.speed / wide)
     scaled_mu, scaled_d, scaled_contact = numbers(other)
