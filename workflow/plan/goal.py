@@ -49,13 +49,12 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         check_resolution(problem, numerics.steps_per_spacing, numerics)
         bias = dict.fromkeys(names, 0.0)
         return Goal(numerics.steps_per_spacing, bias, _need(wanted, bias, scatter))
-    errors = {name: LAWS[name].error(problem) for name in names}
     least = least_steps(problem, scene)
     check_resolution(problem, least, numerics)
     found: list[tuple[float, Goal]] = []
     tried = (least << doublings for doublings in count())
     for steps in takewhile(lambda m: m * problem.elements <= MAX_SAMPLES_PER_LINE, tried):
-        bias = {name: error.at(steps) for name, error in errors.items()}
+        bias = {name: LAWS[name].error(problem, steps) for name in names}
         goal = Goal(steps, bias, _need(wanted, bias, scatter))
         if max(bias.values()) <= 0.5 * wanted:
             lines = max(goal.realizations, JACKKNIFE_GROUPS)

@@ -5,13 +5,14 @@ r = v2/v1 alone; h and F_N enter only as F_N/h.
 """
 
 import math
-from functools import cache
+from functools import cache, lru_cache
 
 import numpy as np
 
 from kernels import amplitudes, rms_slope
 from kernels.realization import LEAST_STEP, LOADS, SPEEDS
 from workflow.errors import UserError
+from workflow.kinetic_law import exponent
 from workflow.simulate import Problem
 from workflow.study import AXES, Study
 
@@ -51,6 +52,16 @@ def distinct_problems(study: Study) -> tuple[list[Problem], np.ndarray]:
 def speed_ratio(problem: Problem) -> float:
     """Return x = v1 tau q_max = pi vbar (the abscissa of figure 7)."""
     return math.pi * problem.speed
+
+
+def expected_rate(problem: Problem) -> float:
+    """Return the rate b to plan for (eq. 13): x^(1 - H) above x = 1, creep with tau below."""
+    return _rate(speed_ratio(problem), problem.hurst)
+
+
+@lru_cache(maxsize=100_000)  # thousands of problems of a grid share x and H
+def _rate(x: float, hurst: float) -> float:
+    return x ** float(exponent(x, hurst, time_below_one=True))
 
 
 def viscous_pressure(problem: Problem) -> float:

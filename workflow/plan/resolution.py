@@ -1,53 +1,56 @@
 """Steps per spacing and horizon of each problem."""
 
 import math
-from functools import lru_cache
 
 from kernels.realization import SPEEDS
 from kernels.rheology.kelvin import SHORTEST
 from workflow.errors import UserError
-from workflow.kinetic_law import exponent
-from workflow.plan.problems import speed_ratio
+from workflow.plan.error_laws import LAWS, allowed_share, contact_width
+from workflow.plan.problems import expected_rate
 from workflow.simulate import Problem
 from workflow.study import Numerics, Scene
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
-MIN_STEPS = 8
+MIN_STEPS = 8  # of a march
+BIAS = 0.02  # relative discretisation error that "auto" keeps
+LEAST_STEPS = 4  # from which lines are refined where contacts are narrow (kernels/patches)
+MOST_FOR_CONTACTS = 64
+WIDE = 40.0  # samples per contact, beyond which more of them change nothing
 
 
-def expected_rate(problem: Problem) -> float:
-    """Return the rate b to plan for (eq. 13): x^(1 - H) above x = 1, creep with tau below."""
-    return _rate(speed_ratio(problem), problem.hurst)
-
-
-@lru_cache(maxsize=100_000)  # thousands of problems of a grid share x and H
-def _rate(x: float, hurst: float) -> float:
-    return x ** float(exponent(x, hurst, time_below_one=True))
+def rung(need: float) -> int:
+    """Return the least of 1, 2, 3, 4, 6, 8, 12 ... that is not below ``need``."""
+    below = 2 ** max(0, math.floor(math.log2(max(need, 1.0))))
+    return next(m for m in (below, 3 * below // 2, 2 * below) if m >= need * (1.0 - 1e-9))
 
 
 def least_steps(problem: Problem, scene: Scene) -> int:
-    """Return the least m for what is asked, a power of two.
-
-    A relaxation needs two steps per tau and per relaxation time at the slower speed.
-    """
+    """Return the least m for what is asked: a step must be short enough for the relaxation."""
     if "relaxation" not in scene.quantities:
         return 1
-    slowest = problem.speed * min(1.0, problem.ratio)
-    need = 2.0 * expected_rate(problem) / max(slowest, SPEEDS[0])
-    return 2 ** max(0, math.ceil(math.log2(need) - 1e-9))
+    slowest = max(problem.speed * min(1.0, problem.ratio), SPEEDS[0])
+    return rung(expected_rate(problem) / slowest / allowed_share(problem))
 
 
 def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int:
-    """Return m: the given number, or for "auto" a power of two resolving what is asked.
+    """Return m: the given number, or for "auto" the least that keeps BIAS of all that is asked.
 
-    Contacts need 8 samples per spacing when only steady states and jumps are asked for, and 4
-    beside a relaxation; b is then within about 2 % of its limit (5 % at H = 0). First order schemes
-    take 8 times as many.
+    Steady friction and jumps do so with 4 (kernels/patches/refined.py), a relaxation where steps
+    and contacts are resolved (error_laws.py). For contacts alone m goes up to MOST_FOR_CONTACTS and
+    as far as a line fits into a worker; what is coarse then is marked in the result. First order
+    schemes take 8 times as many.
     """
     steps = numerics.steps_per_spacing
     if steps is None:
-        marched = "relaxation" in scene.quantities
-        steps = max(4 if marched else 8, least_steps(problem, scene))
+        steps = max(LEAST_STEPS, least_steps(problem, scene))
+        if "relaxation" in scene.quantities:
+            most = min(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
+            while (
+                LAWS["relaxation_rate"].error(problem, steps) > BIAS
+                and rung(steps + 1) <= most
+                and contact_width(problem) * steps < WIDE
+            ):
+                steps = rung(steps + 1)
         if numerics.scheme == "implicit-euler":
             steps *= 8
     check_resolution(problem, steps, numerics)
