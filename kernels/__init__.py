@@ -25,5 +25,11 @@ from kernels.steady import steady_sliding
 from kernels.surfaces.equivalent import equivalent_amplitudes, equivalent_spectrum
 from kernels.surfaces.line import Line
 from kernels.surfaces.measured import measured_amplitudes
-from kernels.surfaces.self_affine import amplitudes, draw_phases, rms_slope, sample_line
+from kernels.surfaces.self_affine import (
+    amplitudes,
+    draw_phases,
+    matching_rolloff,
+    rms_slope,
+    sample_line,
+)
 from kernels.surfaces.spectrum import power_spectrum, rms_height

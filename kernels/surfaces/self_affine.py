@@ -70,6 +70,31 @@ def rms_slope(amplitude: np.ndarray, elements: int) -> float:
     return float(np.sqrt(0.5 * np.sum((amplitude * q) ** 2)))
 
 
+def matching_rolloff(hurst: float, elements: int, slope: float) -> float:
+    """Return the roll-off (2 pi/L) that gives self-affine lines of rms height h a given slope.
+
+    slope : rms slope in h/dx. The longer the flat part of the spectrum, the steeper the lines.
+    Raises ValueError for a slope below that without roll-off or above that of white noise.
+    """
+
+    def slope_of(rolloff: float) -> float:
+        return rms_slope(amplitudes(hurst, elements, "modal", rolloff), elements)
+
+    low, high = 1.0, float(elements // 2)
+    least, most = slope_of(low), slope_of(high)
+    if not least <= slope <= most:
+        raise ValueError(
+            f"rms slope = {slope:g} h/dx: lines of H = {hurst:g} have {least:.4g} to {most:.4g}"
+        )
+    for _ in range(60):  # halvings, to the last bit of a wave number
+        middle = 0.5 * (low + high)
+        if slope_of(middle) < slope:
+            low = middle
+        else:
+            high = middle
+    return low
+
+
 def draw_phases(rng: np.random.Generator, elements: int) -> np.ndarray:
     """Return one uniform random phase in [0, 2 pi) per mode, shape (floor(N/2),)."""
     return rng.uniform(0.0, 2.0 * np.pi, elements // 2)

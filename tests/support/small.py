@@ -63,6 +63,7 @@ FILES = {  # beside small.toml
     "broken.csv": line_text((*HEIGHTS, "---")),
     "flat.csv": line_text(range(10)),
     "short.csv": line_text(HEIGHTS[:7]),
+    "smooth.csv": line_text((0, 2, 4, 5, 5, 4, 2, 0, -1, -1)),
     "branches.csv": "modulus [Pa], time [s]\n5e6, 1e-2\n1e7, 1e-3\n",
     "velocity.csv": "time velocity\n0 0.1\n1e-3 0.2\n",
     "still.csv": "0 0\n1 0\n",

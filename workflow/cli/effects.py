@@ -55,7 +55,7 @@ def _surface(study: Study) -> Iterator[tuple[bool, str]]:
     surface = study.surface
     if surface.profile is not None:
         lines, samples = surface.profile.heights.shape
-        how = "as they are" if surface.phases == "measured" else "as a spectrum of random lines"
+        how = "as they are" if surface.lines == "measured" else f"{surface.lines} lines like them"
         yield True, f"measured lines: {lines} of {samples} samples, {how}"
         return
     yield False, "measured lines: surface.file is not given; lines are random and self-affine"

@@ -136,7 +136,7 @@ def read_grid_study(
 def _realizations(given: int | None, surface: Surface) -> int:
     """Return how many lines there are; as many as were measured where nothing is said."""
     lines = None
-    if surface.profile is not None and surface.phases == "measured":
+    if surface.profile is not None and surface.lines == "measured":
         lines = len(surface.profile.heights)
     if given is None and lines is None:
         raise UserError("study.realizations: missing")

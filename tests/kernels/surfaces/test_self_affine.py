@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 import pytest
 
-from kernels import amplitudes, draw_phases, rms_slope, sample_line
+from kernels import amplitudes, draw_phases, matching_rolloff, rms_slope, sample_line
 
 HURST = (0.0, 0.3, 0.7, 1.0)
 SIZES = (2, 3, 50, 51)  # even sizes have a Nyquist mode
@@ -128,3 +128,17 @@ def test_a_cut_off_leaves_the_other_modes_in_phase():
 def test_wave_numbers_that_do_not_ascend_are_refused(rolloff, cutoff):
     with pytest.raises(ValueError, match="must ascend to N/2 = 25"):
         amplitudes(0.7, 50, "modal", rolloff, cutoff)
+
+
+@pytest.mark.parametrize(("hurst", "slope"), [(0.0, 1.2), (0.5, 0.4), (1.0, 0.06)])
+def test_a_roll_off_gives_lines_of_a_slope(hurst, slope):
+    rolloff = matching_rolloff(hurst, 1024, slope)
+    amplitude = amplitudes(hurst, 1024, "modal", rolloff)
+    assert rms_slope(amplitude, 1024) == pytest.approx(slope, rel=1e-12)
+    assert 1.0 < rolloff < 512.0
+
+
+@pytest.mark.parametrize("slope", [0.05, 1.9, float("nan")])
+def test_slopes_that_no_roll_off_gives_are_refused(slope):
+    with pytest.raises(ValueError, match=r"lines of H = 0.5 have 0.1083 to 1.816"):
+        matching_rolloff(0.5, 1024, slope)

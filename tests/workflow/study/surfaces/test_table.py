@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import amplitudes
+from kernels import amplitudes, rms_height, rms_slope
 from workflow.errors import UserError
 from workflow.study.surfaces.table import Surface, check_cutoff, read_surface
 
@@ -44,16 +44,44 @@ def test_a_measured_line(folder):
     assert surface.profile is not None
     assert surface.profile.heights.shape == (1, 128)
     assert surface.length == pytest.approx(32e-6)
-    assert (surface.phases, surface.modes(128)) == ("measured", (0.0, 0))
+    assert (surface.lines, surface.modes(128)) == ("measured", (0.0, 0))
 
 
 def test_settings_of_a_measured_line(folder):
     settings = {"columns": [0, 1, 2], "units": ["mm", "um"], "detrend": "none", "periodic": "none"}
-    surface = read_surface(HERE | settings | {"phases": "random"}, folder)
+    surface = read_surface(HERE | settings | {"lines": "random-phase"}, folder)
     assert surface.profile is not None
     assert surface.profile.heights.shape == (2, 64)
     assert surface.length == pytest.approx(32e-3)
-    assert surface.phases == "random"
+    assert surface.lines == "random-phase"
+
+
+def test_random_lines_are_like_the_measured_ones(folder):
+    """Of the same power spectrum, or self-affine of the same rms height and slope."""
+    measured = read_surface(HERE, folder)
+    profile = measured.profile
+    assert profile is not None
+    assert measured.amplitudes is None
+    same = read_surface(HERE | {"lines": "random-phase"}, folder).amplitudes
+    np.testing.assert_array_equal(same, profile.amplitudes)
+    like = read_surface(HERE | {"lines": "self-affine", "hurst": 0.9}, folder).amplitudes
+    assert rms_height(like) == pytest.approx(profile.roughness, rel=1e-12)
+    assert rms_slope(like, 128) / profile.spacing == pytest.approx(profile.slope, rel=1e-12)
+    assert like[59] / like[29] == pytest.approx(2.0**-1.4, rel=1e-12)
+
+
+def test_every_kind_of_lines_has_its_identity(folder):
+    tables = [{}, {"lines": "random-phase"}, {"lines": "self-affine"}]
+    tables += [{"lines": "self-affine", "hurst": 0.9}, {"detrend": "parabola"}]
+    found = {read_surface(HERE | table, folder).identity for table in tables}
+    assert len(found) == len(tables)
+    assert Surface(0.01).identity == ""
+
+
+def test_a_hurst_exponent_that_no_line_of_this_slope_has_is_refused(folder):
+    answer = refused(HERE | {"lines": "self-affine", "hurst": 0.0}, folder)
+    assert answer.startswith("surface.hurst = 0.0: rms slope = ")
+    assert "h/dx: lines of H = 0 have " in answer
 
 
 @pytest.mark.parametrize("key", ["length", "normalisation", "snap_spacing", "rolloff", "cutoff"])
@@ -62,7 +90,7 @@ def test_keys_of_random_lines_are_refused_with_a_file(folder, key):
     assert answer == f"surface.{key} = 1.0: leave it out with surface.file, measured lines"
 
 
-@pytest.mark.parametrize("key", ["columns", "units", "detrend", "periodic", "phases"])
+@pytest.mark.parametrize("key", ["columns", "units", "detrend", "periodic", "lines", "hurst"])
 def test_keys_of_measured_lines_are_refused_without_one(folder, key):
     answer = refused({"length": 1.0, key: "x"}, folder)
     assert answer == f"surface.{key} = 'x': goes with surface.file alone"
