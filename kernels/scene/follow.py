@@ -27,10 +27,10 @@ def follow(form, control, track, elements, done, kept, frames, trace, ledger, le
     """
     n = elements.p.size
     memory, p, d = elements.memory.copy(), elements.p.copy(), elements.d
-    w, c, new = np.empty(n), np.empty(n), np.empty(n)
+    w, c, new, u = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
     passes = 0
-    k = np.searchsorted(kept, done, side="right")
-    frame = np.searchsorted(frames, done, side="right")
+    k = _first_after(kept, done)
+    frame = _first_after(frames, done)
     for s in range(track.dt.size):
         step = done + s + 1
         z = _seen(track.z, track, s + 1, n)
@@ -47,21 +47,40 @@ def follow(form, control, track, elements, done, kept, frames, trace, ledger, le
         if ledger is not None:
             _book(form, law, ledger, track, s, memory, p, new, w, old, d)
         if film is not None and frame < frames.size and step == frames[frame]:
-            keep_frame(film, frame, z, d, w - new / law.stiffness)
+            for i in range(n):
+                u[i] = w[i] - new[i] / law.stiffness
+            keep_frame(film, frame, z, d, u)
             frame += 1
         settle(law, memory, w, p, new)
         p, new = new, p
         if k < kept.size and step == kept[k]:
-            if trace is not None:
-                before, now = _seen(track.slope, track, s, n), _seen(track.slope, track, s + 1, n)
-                keep_trace(trace, k, law.lag, before, now, old, d, p)
-            if ledger is not None:
-                ledger.kept[0, k] = stored_energy(form, memory, p)
-                ledger.kept[1:, k] = ledger.sums / n
-            if lengths is not None:
-                count_lengths(lengths, p)
+            _keep(k, form, law, track, s, old, d, memory, p, trace, ledger, lengths)
             k += 1
     return Elements(memory, p, d), passes
+
+
+@kernel
+def _keep(k, form, law, track, s, old, d, memory, p, trace, ledger, lengths):
+    """Keep a step of which the memory has settled, as number k of those that are kept."""
+    n = p.size
+    if trace is not None:
+        before, now = _seen(track.slope, track, s, n), _seen(track.slope, track, s + 1, n)
+        keep_trace(trace, k, law.lag, before, now, old, d, p)
+    if ledger is not None:
+        ledger.kept[0, k] = stored_energy(form, memory, p)
+        for entry in range(3):
+            ledger.kept[entry + 1, k] = ledger.sums[entry] / n
+    if lengths is not None:
+        count_lengths(lengths, p)
+
+
+@kernel
+def _first_after(numbers, done):
+    """Return which of increasing numbers is the first above ``done``."""
+    k = 0
+    while k < numbers.size and numbers[k] <= done:
+        k += 1
+    return k
 
 
 @kernel

@@ -79,9 +79,9 @@ def count_lengths(lengths, p):
 @kernel
 def _count(lengths, length):
     """Count one contact, if there is a bin for it."""
-    at = np.searchsorted(lengths.edges, float(length), side="right") - 1
-    if 0 <= at < lengths.counts.size:
-        lengths.counts[at] += 1.0
+    for b in range(lengths.counts.size):
+        if lengths.edges[b] <= length < lengths.edges[b + 1]:
+            lengths.counts[b] += 1.0
 
 
 @kernel

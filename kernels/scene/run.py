@@ -86,7 +86,7 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
     """
     m, z, slope = line.steps_per_spacing, line.z, line.slope
     steps = scene_steps(scene, m, state)
-    check_scene(scene, steps)
+    check_scene(scene, steps, state is not None)
     form = FORMS[scene.scheme](scene.spectrum)
     begin = state or _begin(line, scene, form)
     times = np.cumsum(np.append(begin.time, steps.dt))
@@ -108,7 +108,7 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
         updates += (passes + track.dt.size) * z.size
     values = recorders.values(line.datum) | {"updates": np.array(float(updates))}
     if "state" in scene.asked:
-        position = float(steps.position[-1]) if done else begin.position
+        position = float(steps.position[-1])
         speed = last_speed(scene.programme[-1])
         saved = Saved(*elements, position, float(times[-1]), speed)
         values |= {f"state_{name}": np.asarray(value) for name, value in saved._asdict().items()}

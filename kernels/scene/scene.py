@@ -45,9 +45,14 @@ class Saved(NamedTuple):
 
 
 def scene_steps(scene: Scene, steps_per_spacing: int, state: Saved | None = None) -> Steps:
-    """Return all time steps of a scene; steps_per_spacing : m. Raises ValueError as steps_of."""
+    """Return all time steps of a scene; steps_per_spacing : m.
+
+    Raises ValueError as steps_of, and where there is none.
+    """
     position, speed, time = (state.position, state.speed, state.time) if state else (0.0, 0.0, 0.0)
     steps = steps_of(scene.programme, steps_per_spacing, position, speed)
+    if not steps.dt.size:
+        raise ValueError("programme: its legs take no time")
     if isinstance(scene.indentation, tuple):
         return _with_times(steps, position, np.asarray(scene.indentation[0], float) - time)
     return steps
@@ -106,7 +111,7 @@ def trace_stamps(
     }
 
 
-def check_scene(scene: Scene, steps: Steps) -> None:
+def check_scene(scene: Scene, steps: Steps, resumed: bool) -> None:
     """Raise ValueError for a scene without meaning, or beyond what doubles can resolve."""
     if scene.start not in STARTS:
         raise ValueError(f"start = {scene.start!r}: use one of {STARTS}")
@@ -120,10 +125,10 @@ def check_scene(scene: Scene, steps: Steps) -> None:
         inside = numbers.size == 0 or (numbers[0] >= 0 and numbers[-1] <= steps.dt.size)
         if not (inside and np.all(np.diff(numbers) > 0)):
             raise ValueError(f"{name} must hold increasing numbers of steps, 0 to {steps.dt.size}")
-    _check_control(scene)
+    _check_control(scene, resumed)
 
 
-def _check_control(scene: Scene) -> None:
+def _check_control(scene: Scene, resumed: bool) -> None:
     """Raise ValueError where load, indentation or first speed have no meaning."""
     if scene.indentation is None:
         limits = {"load": (scene.load, *LOADS)}
@@ -131,7 +136,7 @@ def _check_control(scene: Scene) -> None:
         limits = {}
     else:
         raise ValueError("load and indentation are both given: one of them follows from the other")
-    if scene.start == "steady":
+    if scene.start == "steady" and not resumed:
         limits["first speed"] = (abs(first_speed(scene.programme)), *SPEEDS)
     for name, (value, least, most) in limits.items():
         if not least <= value <= most:

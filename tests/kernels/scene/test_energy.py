@@ -1,0 +1,104 @@
+"""The work balance of programmes, and the dissipation of one unit against quadrature."""
+
+import itertools
+
+import numpy as np
+import pytest
+
+from kernels.motion.programme import Hold, Oscillation, Ramp, Slide
+from kernels.rheology.forms import FORMS
+from kernels.rheology.law import law_of
+from kernels.rheology.spectrum import KELVIN
+from kernels.scene.energy import book, displacement, stored_energy
+from tests.convergence import observed_order
+from tests.kernels.scene.given import DAMPED, EVERY, MATERIALS, SOLID, a_line, trace
+from tests.sizes import size
+
+ALL = ("trace", "energy", "contact_lengths", "snapshots", "state")
+PROGRAMMES = {
+    "slide, hold, slide": (Slide(0.5, 3.0), Hold(2.0), Slide(0.5, 3.0)),
+    "reversal": (Slide(0.5, 3.3), Slide(-0.8, 4.0)),
+    "ramp": (Ramp(0.2, 2.0, 4.0),),
+    "oscillation": (Oscillation(0.0, 1.5, 0.3, 1),),
+}
+
+
+def balance(found):
+    """Return (work - change of stored - dissipated, closing work, dissipated), cumulative."""
+    change = found["stored_energy"] - found["stored_energy"][0]
+    missing = found["work"] - change - found["dissipated_energy"]
+    return missing, found["closing_work"], found["dissipated_energy"]
+
+
+@pytest.mark.parametrize("spectrum", [KELVIN, DAMPED], ids=["kelvin", "damped"])
+def test_with_a_dashpot_the_balance_closes_to_rounding_by_the_closing_work(spectrum):
+    missing, closing, dissipated = balance(
+        trace(a_line(), EVERY, spectrum, start="relaxed", asked=ALL)
+    )
+    np.testing.assert_allclose(missing, closing, rtol=0, atol=1e-12 * dissipated[-1])
+    assert closing[-1] > 1e-4 * dissipated[-1]
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+@pytest.mark.parametrize("programme", PROGRAMMES)
+def test_no_step_gains_energy_by_itself(name, programme):
+    found = trace(a_line(), PROGRAMMES[programme], MATERIALS[name], start="relaxed", asked=ALL)
+    assert np.all(np.diff(found["dissipated_energy"]) >= 0.0)
+    assert np.all(found["stored_energy"] > 0.0)
+
+
+@pytest.mark.parametrize("programme", PROGRAMMES)
+def test_with_a_glassy_modulus_the_balance_closes_at_second_order(programme):
+    refinements = np.array([4, 8, 16, 32])[: size(4, 2)]
+    errors = np.empty((refinements.size, 3))
+    for k, m in enumerate(refinements):
+        for seed in range(3):
+            line = a_line(20, 1.0, m, seed)
+            found = trace(line, PROGRAMMES[programme], SOLID, start="relaxed", asked=ALL)
+            missing, _, dissipated = balance(found)
+            errors[k, seed] = missing[-1] / dissipated[-1]
+    assert observed_order(refinements, errors) > size(1.5, 0.5)
+    assert np.abs(errors[-1]).max() < size(3e-3, 0.2)
+
+
+def test_no_motion_of_a_relaxed_line_costs_no_work():
+    found = trace(a_line(), (Hold(3.0),), SOLID, start="relaxed", asked=ALL)
+    for name in ("dissipated_energy", "work", "closing_work"):
+        np.testing.assert_allclose(found[name], 0.0, atol=1e-14)
+    np.testing.assert_allclose(found["stored_energy"], found["stored_energy"][0], rtol=1e-13)
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+@pytest.mark.parametrize("dt", [1e-6, 0.03, 50.0])
+def test_a_step_dissipates_the_integral_of_the_rates(name, dt):
+    """lambda/J int (dy/dt)^2 dt of every unit, under the force that the scheme assumes."""
+    form = FORMS["exponential"](MATERIALS[name])
+    law = law_of(form, dt)
+    rng = np.random.default_rng(1)
+    memory, (p, new) = -rng.random((form.times.size, 3)), rng.random((2, 3))
+    sums = np.zeros(3)
+    book(form, law, dt, memory, p, new, np.ones(3), 2.0 * np.ones(3), sums)
+    begun = law.linear * p + (1.0 - law.linear) * new
+    expected = 0.0
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    for compliance, time, y in zip(form.compliances, form.times, memory, strict=True):
+        slope = (new - begun) / dt
+        steady = -compliance * (begun - time * slope)  # what y tends to, at the start
+        # Parts between which the exponential is smooth, whatever the step.
+        edges = np.unique(np.minimum(np.array([0.0, 1.0, 4.0, 16.0, 40.0, np.inf]) * time, dt))
+        for a, b in itertools.pairwise(edges):
+            t = 0.5 * (a + b) + 0.5 * (b - a) * nodes[:, None]
+            rate = -compliance * slope - (y - steady) / time * np.exp(-t / time)
+            expected += time / compliance * 0.5 * (b - a) * np.sum(weights[:, None] * rate**2)
+    assert sums[0] == pytest.approx(expected, rel=1e-7)
+    mean = np.sum(new + 0.5 * law.linear * (p - new))
+    np.testing.assert_allclose(sums[1:], [mean, 2.0 * mean], rtol=1e-13)
+
+
+def test_displacement_and_stored_energy_of_a_form():
+    form = FORMS["exponential"](SOLID)
+    memory, p = np.array([[-0.3, -0.1]]), np.array([0.4, 0.0])
+    u = displacement(form, memory, p)
+    np.testing.assert_allclose(u, [-0.3 - form.glass * 0.4, -0.1])
+    units = (0.3**2 + 0.1**2) / form.compliances[0]
+    assert stored_energy(form, memory, p) == pytest.approx((form.glass * 0.16 + units) / 4.0)
