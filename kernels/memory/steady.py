@@ -51,128 +51,94 @@ def steady_at(form: Retardation | Moduli, z: np.ndarray, speed: float, d: float)
 def _found(
     form: Retardation | Moduli, z: np.ndarray, speed: float, load: float, d: float
 ) -> Steady:
-    memory, p, d, work, residual = _newton(form, z, speed, load, d)
-    if not residual <= SOUND:
-        raise ValueError(
-            f"speed = {speed:g} samples per tau: no steady state was found, "
-            f"its equations are off by {residual:.1e}"
-        )
-    return Steady(Elements(memory, p, d), work, residual)
-
-
-@kernel
-def _newton(form, z, speed, load, d):
-    """Return (memory, p, d, work, residual); a load that is NaN leaves d as it is."""
+    """Return the steady state under a load, from a first guess d, or at d if the load is NaN."""
     law, count = law_of(form, 1.0 / abs(speed)), memories(form)
-    first = np.argmin(z)
-    prescribed = np.isnan(load)
-    held = np.full(1, max(0.0, d - z[first]))
-    x = np.append(np.append(rest(form, held)[:, 0], held), d)
-    best, least = x.copy(), np.inf
-    step = np.zeros_like(x)
-    turns = 0
-    for _ in range(TURNS):
-        memory, p, total = _turn(law, count, z, first, speed, x)
+    first, way, given = int(np.argmin(z)), -1 if speed > 0.0 else 1, np.isnan(load)
+    held = np.array([max(0.0, d - z[first])])
+    x = np.concatenate([rest(form, held)[:, 0], held, [d]])
+    found, least, turns, step = Elements(np.empty((0, 0)), held, d), np.inf, 0, np.zeros_like(x)
+    while turns < TURNS:
+        memory, p, total = _columns(x)
+        field, forces = np.empty((count, z.size)), np.empty(z.size)
+        _turn(law, z, first, way, x[-1], memory, p, total, field, forces)
         turns += 1
-        if total[0] <= 0.0 and not prescribed:
+        if total[0] <= 0.0 and not given:
             step *= 0.5
             x = x - step
             continue
-        excess = np.append(np.append(memory[:, 0], p[0]) - x[:-1], total[0] - load)
-        if prescribed:
+        excess = np.append(memory[:, 0] - x[:count], [p[0] - x[count], total[0] - load])
+        if given:
             excess[-1] = 0.0
-        left = np.abs(excess[:-1]).max() / max(np.abs(memory[:, 0]).max(), np.abs(x).max() * 1e-30)
-        if not prescribed:
-            left = max(left, abs(excess[-1]) / load)
+        scale = max(float(np.abs(memory[:, 0]).max()), 1e-30 * float(np.abs(x).max()), 1e-300)
+        left = max(
+            float(np.abs(excess[:-1]).max()) / scale, 0.0 if given else abs(excess[-1]) / load
+        )
         stuck = least < SOUND and not left < 0.5 * least
         if left < least:
-            best, least = x.copy(), left
+            found, least = Elements(field, forces, float(x[-1])), left
         if stuck or left < EXACT:
             break
-        step = _step(memory, p, total, excess, prescribed)
+        step = _step(memory, p, total, excess, given)
         x = x + step
-    memory, p = _carried(law, count, z, first, speed, best)
-    return memory, p, best[-1], turns * z.size * (count + 3) + z.size, least
+    if not least <= SOUND:
+        raise ValueError(
+            f"speed = {speed:g} samples per tau: no steady state was found, "
+            f"its equations are off by {least:.1e}"
+        )
+    return Steady(found, turns * z.size * (count + 3), least)
+
+
+def _columns(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return memory and force at the start with their tangents, and the sum of no forces yet."""
+    start = np.column_stack([x[:-1], np.eye(x.size - 1, x.size)])
+    return start[:-1].copy(), start[-1].copy(), np.zeros(x.size + 1)
 
 
 @kernel
-def _turn(law, count, z, first, speed, x):
-    """Take an element round the line; return (memory, p, sum of p), tangents in columns from 1.
+def _turn(law, z, first, way, d, memory, p, total, field, forces):
+    """Take an element round the line, from under sample ``first``; tangents in columns from 1.
 
-    x : memory and force of the element under sample ``first``, and the indentation. Column k + 1
-    is the derivative with respect to x_k. Shapes (M, M + 3), (M + 3,), (M + 3,).
+    Column k + 1 is the derivative with respect to unknown k: the memory and the force at the
+    start, and d. memory (M, M + 3) and p (M + 3,) change to those at the end; total (M + 3,)
+    becomes the sum of p. field (M, n) and forces (n,) are filled with the state at all samples.
     """
-    columns = count + 3
-    memory, p, total = np.zeros((count, columns)), np.zeros(columns), np.zeros(columns)
-    memory[:, 0], p[0], d = x[:count], x[count], x[count + 1]
-    for k in range(count):
-        memory[k, k + 1] = 1.0
-    p[count + 1] = 1.0
+    columns = p.size
     w, new = np.empty(columns), np.empty(columns)
-    way = -1 if speed > 0.0 else 1
     j = first
     for _ in range(z.size):
         j = (j + way) % z.size
         predict(law, memory, p, w)
         depth = d - (z[j] - w[0])
+        for c in range(columns):
+            new[c] = law.stiffness * w[c] if depth > 0.0 else 0.0
         if depth > 0.0:
-            for c in range(columns):
-                new[c] = law.stiffness * w[c]
             new[0] = law.stiffness * depth
             new[columns - 1] += law.stiffness
-        else:
-            new[:] = 0.0
         settle(law, memory, w, p, new)
         for c in range(columns):
             p[c] = new[c]
             total[c] += new[c]
-    return memory, p, total
+        forces[j] = p[0]
+        for k in range(memory.shape[0]):
+            field[k, j] = memory[k, 0]
 
 
-@kernel
-def _carried(law, count, z, first, speed, x):
-    """Return memory (M, n) and forces (n,) at all samples, one turn from state x on."""
-    memory, p = np.empty((count, z.size)), np.empty(z.size)
-    one, w, old, new = x[:count].copy().reshape((count, 1)), np.empty(1), np.empty(1), np.empty(1)
-    old[0] = x[count]
-    way = -1 if speed > 0.0 else 1
-    j = first
-    for _ in range(z.size):
-        j = (j + way) % z.size
-        predict(law, one, old, w)
-        new[0] = law.stiffness * max(0.0, x[-1] - (z[j] - w[0]))
-        settle(law, one, w, old, new)
-        old[0] = p[j] = new[0]
-        memory[:, j] = one[:, 0]
-    return memory, p
-
-
-@kernel
-def _step(memory, p, total, excess, prescribed):
-    """Return the step of Newton's method, by elimination with pivots of scaled rows."""
+def _step(
+    memory: np.ndarray, p: np.ndarray, total: np.ndarray, excess: np.ndarray, given: bool
+) -> np.ndarray:
+    """Return the step of Newton's method: elimination with pivots, the same bits everywhere."""
     size = excess.size
-    a = np.empty((size, size + 1))
-    a[:-2, :size], a[-2, :size], a[-1, :size] = memory[:, 1:], p[1:], total[1:]
-    for k in range(size - 1):
-        a[k, k] -= 1.0
-    if prescribed:
-        a[-1] = 0.0
-        a[-1, size - 1] = 1.0
-    a[:, size] = -excess
+    a = np.vstack([memory[:, 1:], p[1:], total[1:]])
+    a[:-1] -= np.eye(size - 1, size)
+    if given:
+        a[-1] = np.eye(1, size, size - 1)
+    a = np.column_stack([a, -excess])
+    a /= np.abs(a[:, :size]).max(axis=1, keepdims=True)
     for k in range(size):
-        a[k] /= np.abs(a[k, :size]).max()
-    for k in range(size):
-        pivot = k + np.argmax(np.abs(a[k:, k]))
-        for c in range(k, size + 1):
-            a[k, c], a[pivot, c] = a[pivot, c], a[k, c]
-        for i in range(k + 1, size):
-            share = a[i, k] / a[k, k]
-            for c in range(k, size + 1):
-                a[i, c] -= share * a[k, c]
-    x = np.empty(size)
-    for k in range(size - 1, -1, -1):
-        x[k] = a[k, size]
-        for c in range(k + 1, size):
-            x[k] -= a[k, c] * x[c]
-        x[k] /= a[k, k]
-    return x
+        pivot = k + int(np.argmax(np.abs(a[k:, k])))
+        a[[k, pivot]] = a[[pivot, k]]
+        a[k] /= a[k, k]
+        for i in range(size):
+            if i != k:
+                a[i] -= a[i, k] * a[k]
+    return a[:, size]

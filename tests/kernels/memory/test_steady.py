@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from kernels import SCHEMES, steady_sliding
 from kernels.memory import steady
-from kernels.memory.steady import SOUND, steady_at, steady_memory
+from kernels.memory.steady import steady_at, steady_memory
 from kernels.rheology.forms import FORMS
 from kernels.rheology.law import Elements, memories, rest
 from kernels.rheology.retardation import retardation
@@ -60,21 +60,18 @@ def test_marching_from_rest_ends_there(name):
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: counts are the same, and slow")
 def test_thirteen_branches_cost_a_hundredth_of_marching():
-    """Element updates until the indentation is within 1e-3 of steady sliding."""
-    z, _ = random_line(128, 0.7, M, 5)
+    """With a hundred times the updates of elements a march is not within 1e-3 yet."""
+    z, _ = random_line(80, 0.7, M, 5)
     form, load = retardation(SBR), LOAD * z.size
-    speed = 1e5 * z.size  # the slower branches last for many periods
+    speed = 1.0 * z.size  # the slowest branch lasts for 16 periods
     found = steady_memory(form, z, speed, load)
     start = sorted_root(z, load)
     p = np.maximum(0.0, start - z)
     line = Foundation(form, z, Elements(rest(form, p), p, start))
     far = abs(start - found.elements.d)
-    steps = 0
-    while abs(line.d - found.elements.d) > 1e-3 * far and steps < 100 * z.size:
+    for _ in range(100 * found.work // z.size):
         line.step(1, 1.0 / speed, load=load)
-        steps += 1
-    assert steps < 100 * z.size, "the march has not come near"
-    assert steps * z.size > 100 * found.work
+    assert abs(line.d - found.elements.d) > 1e-3 * far
 
 
 @pytest.mark.parametrize("speed", [0.1, 3.0, 80.0])
@@ -184,6 +181,6 @@ def test_any_line_and_material(z, branches, speed, load, way):
 
 
 def test_what_is_not_found_is_said(monkeypatch):
-    monkeypatch.setattr(steady, "_newton", lambda *_: (None, None, 0.0, 0, 10.0 * SOUND))
+    monkeypatch.setattr(steady, "TURNS", 1)
     with pytest.raises(ValueError, match="speed = 2 samples per tau: no steady state was found"):
         steady_memory(retardation(PRONY3), three_modes(8), 2.0, 1.0)
