@@ -48,6 +48,7 @@ normal_force = [0.04, 0.4, 4.0]
 """
 
 HEIGHTS = (3, 0, -4, -1, 2, 5, 1, -2, -3, 4)
+SMOOTH = (0, 2, 4, 5, 5, 4, 2, 0, -1, -1)
 
 
 def line_text(heights=HEIGHTS, header="x (um), z (nm)", skip=None):
@@ -58,12 +59,14 @@ def line_text(heights=HEIGHTS, header="x (um), z (nm)", skip=None):
 
 FILES = {  # beside small.toml
     "line.csv": line_text(),
+    "two.csv": "x (um), z (nm), w (nm)\n"
+    + "".join(f"{x}, {z}, {x - z * z}\n" for x, z in enumerate(SMOOTH)),
     "bare.csv": line_text(header=""),
     "gap.csv": line_text(skip=6),
     "broken.csv": line_text((*HEIGHTS, "---")),
     "flat.csv": line_text(range(10)),
     "short.csv": line_text(HEIGHTS[:7]),
-    "smooth.csv": line_text((0, 2, 4, 5, 5, 4, 2, 0, -1, -1)),
+    "smooth.csv": line_text(SMOOTH),
     "branches.csv": "modulus [Pa], time [s]\n5e6, 1e-2\n1e7, 1e-3\n",
     "velocity.csv": "time velocity\n0 0.1\n1e-3 0.2\n",
     "still.csv": "0 0\n1 0\n",

@@ -65,17 +65,22 @@ class Study(AnyStudy):
     kind: ClassVar[str] = "grid"
     realizations: int
     realizations_per_block: int
-    surface: Surface
     grid: Grid
     scene: Scene
     variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
     materials: dict[str, Material]  # of the same labels
+    surfaces: dict[str, Surface]  # likewise; all of one length, spacing and roughness
     cluster: Cluster = HERE  # no part of the results' identity
 
     @property
     def material(self) -> Material:
         """The material of the study itself."""
         return self.materials[""]
+
+    @property
+    def surface(self) -> Surface:
+        """The surface of the study itself."""
+        return self.surfaces[""]
 
     @property
     def axes(self) -> tuple[str, ...]:
@@ -113,31 +118,32 @@ def read_grid_study(
         if profile is None
         else Surface(profile.measured_length, profile=profile)
     )
-    variants, materials = read_variants(tables, folder)
+    variants, materials, surfaces = read_variants(tables, folder, surface)
     scene = read_scene(tables.get("scene", {}), folder, materials.values())
     grid = read_grid(tables.get("grid", {}), surface, scene, materials[""].temperatures)
-    head["realizations"] = _realizations(head["realizations"], surface)
+    head["realizations"] = _realizations(head["realizations"], surfaces)
     _check_blocks(head, one_point)
     alone = one_point and head["realizations"] == 1 and not scene.holds
     check_quantities(scene, materials, alone)
     _check_accuracy(variants, materials, scene, surface)
     found = Study(
         **head,
-        surface=surface,
         grid=grid,
         scene=scene,
         variants=variants,
         materials=materials,
+        surfaces=surfaces,
         cluster=cluster,
     )
     return _one_point(found) if one_point else found
 
 
-def _realizations(given: int | None, surface: Surface) -> int:
+def _realizations(given: int | None, surfaces: dict[str, Surface]) -> int:
     """Return how many lines there are; as many as were measured where nothing is said."""
     lines = None
-    if surface.profile is not None and surface.lines == "measured":
-        lines = len(surface.profile.heights)
+    for surface in surfaces.values():
+        if surface.profile is not None and surface.lines == "measured":
+            lines = len(surface.profile.heights)
     if given is None and lines is None:
         raise UserError("study.realizations: missing")
     if lines is not None and given is not None and given > lines:

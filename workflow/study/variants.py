@@ -1,4 +1,4 @@
-"""The study itself and its comparisons: [numerics], [material] and [compare.NAME]."""
+"""The study itself and its comparisons: [numerics], [material], lines and [compare.NAME]."""
 
 import re
 from pathlib import Path
@@ -8,23 +8,26 @@ from workflow.errors import UserError
 from workflow.study.effects import MATERIAL, Material, read_material
 from workflow.study.numerics import NUMERICS, Numerics, read_numerics
 from workflow.study.settings import as_table, check_keys
+from workflow.study.surfaces import LIKE, Surface, lines_like
 
 # All of a comparison are points of one grid, to which temperatures belong.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
+COMPARE |= LIKE
 EITHER = {"branches": "branches_file", "branches_file": "branches"}  # one takes the other's place
 
 
 def read_variants(
-    tables: dict[str, Any], folder: Path
-) -> tuple[dict[str, Numerics], dict[str, Material]]:
-    """Return label -> numerics and label -> material, of the study ("") and its comparisons.
+    tables: dict[str, Any], folder: Path, surface: Surface
+) -> tuple[dict[str, Numerics], dict[str, Material], dict[str, Surface]]:
+    """Return numerics, material and surface by label, of the study ("") and its comparisons.
 
-    Files are found from ``folder``. Raises UserError.
+    Files are found from ``folder``; ``surface`` is that of the study. Raises UserError.
     """
     numerics = as_table("numerics", tables.get("numerics", {}))
     material = as_table("material", tables.get("material", {}))
     variants = {"": read_numerics("numerics", numerics)}
     materials = {"": read_material("material", material, folder)}
+    surfaces = {"": surface}
     for label, extra in as_table("compare", tables.get("compare", {})).items():
         where = f"compare.{label}"
         if not re.fullmatch(r"[A-Za-z]\w*", label):
@@ -37,4 +40,6 @@ def read_variants(
         kept = {key: value for key, value in material.items() if key not in others}
         made_of = {key: given[key] for key in given if key in MATERIAL}
         materials[label] = read_material(where, {**kept, **made_of}, folder)
-    return variants, materials
+        like = {key: given[key] for key in given if key in LIKE}
+        surfaces[label] = lines_like(where, surface, like)
+    return variants, materials, surfaces

@@ -1,6 +1,7 @@
 """Comparisons: each has numerics and a material of its own."""
 
-from tests.support.small import small_study
+from tests.support.documents import without
+from tests.support.small import complaint, small_study
 from workflow.study.effects.material import Material
 
 BRANCHED = "compare.glassy={branches=[[5e6, 1e-2]], relaxation_time=0}"
@@ -35,3 +36,29 @@ def test_a_comparison_shifts_with_constants_of_its_own():
     )
     assert study.materials["other"].temperatures == (20.0, 50.0)
     assert study.materials["other"].tau_at(50.0) < study.material.tau_at(50.0)
+
+
+MEASURED = without("surface.length", "grid.hurst", "grid.spacing", "grid.roughness")
+OWN_LINE = ('surface.file="two.csv"', "surface.columns=[0, 1, 2]", "study.realizations=2")
+
+
+def test_a_comparison_has_lines_like_the_measured_ones():
+    study = small_study(
+        *OWN_LINE,
+        'compare.spectrum.lines="random-phase"',
+        'compare.fractal={lines="self-affine", hurst=0.9}',
+        text=MEASURED,
+    )
+    assert study.surfaces[""] == study.surface
+    assert study.surfaces["coarse"].lines == study.surface.lines == "measured"
+    assert study.surfaces["spectrum"] == study.surface._replace(lines="random-phase")
+    assert study.surfaces["fractal"] == study.surface._replace(lines="self-affine", hurst=0.9)
+    assert list(study.surfaces) == list(study.variants)
+
+
+def test_measured_lines_limit_the_realizations_of_all():
+    settings = (*OWN_LINE, 'surface.lines="random-phase"', 'compare.own.lines="measured"')
+    answer = complaint(*settings, "study.realizations=4", text=MEASURED)
+    assert answer == "study.realizations = 4: only 2 lines were measured"
+    lines = OWN_LINE[:2]
+    assert complaint(*lines, "study.realizations=4", text=MEASURED) == answer

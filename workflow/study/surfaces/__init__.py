@@ -9,6 +9,13 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.study.surfaces.profile import Profile, check_load, given_profile
-    from workflow.study.surfaces.table import SURFACE, Surface, check_cutoff, read_surface
+    from workflow.study.surfaces.table import (
+        LIKE,
+        SURFACE,
+        Surface,
+        check_cutoff,
+        lines_like,
+        read_surface,
+    )
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -113,10 +113,13 @@ MEASURED = {
     "units": Key(_units, ()),
     "detrend": Key(partial(choice, known=DETRENDS), "line"),
     "periodic": Key(partial(choice, known=PERIODICS), "mirror"),
+}
+LIKE = {  # which a comparison may set as well
     "lines": Key(partial(choice, known=LINES), "measured"),
     "hurst": Key(partial(within, least=0.0, most=1.0), 1.0),
 }
-SURFACE = RANDOM | MEASURED
+WITH_FILE = MEASURED | LIKE
+SURFACE = RANDOM | WITH_FILE
 
 
 def read_surface(table: Any, folder: Path) -> Surface:
@@ -125,7 +128,7 @@ def read_surface(table: Any, folder: Path) -> Surface:
     check_keys("surface.", given, SURFACE)
     if "file" in given:
         return _measured(given, folder)
-    for key in filter(MEASURED.__contains__, given):
+    for key in filter(WITH_FILE.__contains__, given):
         raise UserError(f"surface.{key} = {given[key]!r:.40}: goes with surface.file alone")
     surface = Surface(**read_table("surface", given, RANDOM))
     for key in ("rolloff", "cutoff"):
@@ -145,6 +148,7 @@ def read_surface(table: Any, folder: Path) -> Surface:
 def _measured(given: dict[str, Any], folder: Path) -> Surface:
     own = {key: value for key, value in given.items() if key in MEASURED}
     settings = read_table("surface", own, MEASURED)
+    like = {key: value for key, value in given.items() if key in LIKE}
     for key in filter(RANDOM.__contains__, given):
         raise UserError(
             f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, measured lines"
@@ -152,17 +156,23 @@ def _measured(given: dict[str, Any], folder: Path) -> Surface:
     name = settings["file"]
     asked = Asked(folder / name, name, settings["columns"], settings["units"])
     profile = read_profile(asked, settings["detrend"], settings["periodic"])
-    surface = Surface(
-        profile.measured_length,
-        profile=profile,
-        lines=settings["lines"],
-        hurst=settings["hurst"],
-    )
+    return lines_like("surface", Surface(profile.measured_length, profile=profile), like)
+
+
+def lines_like(where: str, surface: Surface, table: dict[str, Any]) -> Surface:
+    """Return a surface whose lines are those that a table holds, measured or like them.
+
+    ``where`` is the name of the table. Raises UserError.
+    """
+    for key in table if surface.profile is None else ():
+        raise UserError(f"{where}.{key} = {table[key]!r:.40}: goes with surface.file alone")
+    usual = {key: Key(each.check, getattr(surface, key)) for key, each in LIKE.items()}
+    found = surface._replace(**read_table(where, table, usual))
     try:
-        _ = surface.amplitudes
+        _ = found.amplitudes
     except ValueError as error:
-        raise UserError(f"surface.hurst = {surface.hurst!r}: {error}") from None
-    return surface
+        raise UserError(f"{where}.hurst = {found.hurst!r}: {error}") from None
+    return found
 
 
 def check_cutoff(surface: Surface, spacings: tuple[float, ...]) -> None:
