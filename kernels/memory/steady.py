@@ -22,7 +22,8 @@ from kernels.rheology.retardation import Retardation
 
 TURNS = 60  # at most; a few are enough
 EXACT = 1e-13  # residual that is as good as none
-SOUND = 1e-6  # residual that is taken; rounding leaves 1e-13 times the stiffness of a step
+SOUND = 1e-6  # residual that is taken
+FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
 
 
 class Steady(NamedTuple):
@@ -53,7 +54,7 @@ def _found(
 ) -> Steady:
     """Return the steady state under a load, from a first guess d, or at d if the load is NaN."""
     law, count = law_of(form, 1.0 / abs(speed)), memories(form)
-    first, way, given = int(np.argmin(z)), -1 if speed > 0.0 else 1, np.isnan(load)
+    first, way, sound = int(np.argmin(z)), -1 if speed > 0.0 else 1, SOUND + FINEST * law.stiffness
     held = np.array([max(0.0, d - z[first])])
     x = np.concatenate([rest(form, held)[:, 0], held, [d]])
     found, least, turns, step = Elements(np.empty((0, 0)), held, d), np.inf, 0, np.zeros_like(x)
@@ -62,30 +63,32 @@ def _found(
         field, forces = np.empty((count, z.size)), np.empty(z.size)
         _turn(law, z, first, way, x[-1], memory, p, total, field, forces)
         turns += 1
-        if total[0] <= 0.0 and not given:
+        if total[0] <= 0.0 and not np.isnan(load):
             step *= 0.5
             x = x - step
             continue
         excess = np.append(memory[:, 0] - x[:count], [p[0] - x[count], total[0] - load])
-        if given:
-            excess[-1] = 0.0
-        scale = max(float(np.abs(memory[:, 0]).max()), 1e-30 * float(np.abs(x).max()), 1e-300)
-        left = max(
-            float(np.abs(excess[:-1]).max()) / scale, 0.0 if given else abs(excess[-1]) / load
-        )
-        stuck = least < SOUND and not left < 0.5 * least
+        left = _residual(excess, x, load)
+        stuck = least < sound and not left < 0.5 * least
         if left < least:
             found, least = Elements(field, forces, float(x[-1])), left
         if stuck or left < EXACT:
             break
-        step = _step(memory, p, total, excess, given)
+        step = _step(memory, p, total, excess)
         x = x + step
-    if not least <= SOUND:
+    if not least <= sound:
         raise ValueError(
             f"speed = {speed:g} samples per tau: no steady state was found, "
             f"its equations are off by {least:.1e}"
         )
     return Steady(found, turns * z.size * (count + 3), least)
+
+
+def _residual(excess: np.ndarray, x: np.ndarray, load: float) -> float:
+    """Return what is left of the equations: of the state relative to it, of forces to the load."""
+    scale = max(float(np.abs(x[:-2]).max()), 1e-30 * float(np.abs(x).max()), 1e-300)
+    state = float(np.abs(excess[:-1]).max()) / scale
+    return state if np.isnan(load) else max(state, abs(float(excess[-1])) / load)
 
 
 def _columns(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
@@ -123,16 +126,17 @@ def _turn(law, z, first, way, d, memory, p, total, field, forces):
             field[k, j] = memory[k, 0]
 
 
-def _step(
-    memory: np.ndarray, p: np.ndarray, total: np.ndarray, excess: np.ndarray, given: bool
-) -> np.ndarray:
-    """Return the step of Newton's method: elimination with pivots, the same bits everywhere."""
+def _step(memory: np.ndarray, p: np.ndarray, total: np.ndarray, excess: np.ndarray) -> np.ndarray:
+    """Return the step of Newton's method: elimination with pivots, the same bits everywhere.
+
+    Where the load is not given, d is: its row says that it stays.
+    """
     size = excess.size
     a = np.vstack([memory[:, 1:], p[1:], total[1:]])
     a[:-1] -= np.eye(size - 1, size)
-    if given:
+    if np.isnan(excess[-1]):
         a[-1] = np.eye(1, size, size - 1)
-    a = np.column_stack([a, -excess])
+    a = np.column_stack([a, np.nan_to_num(-excess)])
     a /= np.abs(a[:, :size]).max(axis=1, keepdims=True)
     for k in range(size):
         pivot = k + int(np.argmax(np.abs(a[k:, k])))

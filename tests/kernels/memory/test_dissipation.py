@@ -11,7 +11,7 @@ from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.retardation import retardation
 from kernels.rheology.spectrum import KELVIN, complex_modulus
 from tests.convergence import observed_order
-from tests.sizes import size
+from tests.sizes import PLAIN_PYTHON, size
 from tests.viscoelastic import MATERIALS, PRONY3, SBR
 
 ELEMENTS = size(120, 30)
@@ -52,6 +52,7 @@ def test_a_sinusoid_in_full_contact_shows_the_loss_modulus(name, scheme, rate):
         assert observed_order(refinements, errors) > 1.7
 
 
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: long, fine lines")
 @pytest.mark.parametrize(("name", "speed"), [
     ("standard", 1e-4), ("standard", 0.1), ("standard", 10.0), ("standard", 1e4),
     ("Prony3", 1e-4), ("Prony3", 3.0), ("SBR", 1e-4), ("SBR", 1e3), ("dashpot", 1e-4),
@@ -73,6 +74,7 @@ def test_friction_at_low_speeds_is_that_of_any_material_of_the_same_tau(name):
     assert mu[1] == pytest.approx(friction(KELVIN, line, 1e-8)[0] / 1e-8, rel=1e-3)
 
 
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: a long line")
 @pytest.mark.parametrize("speed", [0.01, 0.3, 3.0])
 def test_kelvin_element_by_quadrature(speed):
     line = line_of(16)
