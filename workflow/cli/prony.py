@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from workflow.reduce import PronyFit
 
 DONE = 0
+LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
 
 
 def add_prony_options(command: argparse.ArgumentParser) -> None:
@@ -32,8 +33,9 @@ def run_prony(options: argparse.Namespace) -> int:
     from workflow.reduce import fit_prony
 
     fit = fit_prony(measured.omega, measured.values, options.branches)
-    if not fit.shear_modulus or not fit.branches:
-        lacking = "branches" if fit.shear_modulus else "relaxed modulus"
+    stiffest = max((modulus for modulus, _ in fit.branches), default=0.0)
+    if not fit.branches or fit.shear_modulus < LEAST_SHARE * stiffest:
+        lacking = "relaxed modulus" if fit.branches else "branches"
         raise UserError(f"prony {options.file}: the best fit has no {lacking}; is it a rubber?")
     said = [f"# {line}" for line in _said(options.file, measured, fit)]
     modulus = f"shear_modulus = {fit.shear_modulus:.6g}"

@@ -48,6 +48,8 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     good = (omega > 0.0) & np.isfinite(moduli) & (moduli.real > 0.0) & (moduli.imag >= 0.0)
     if omega.size < 4 or not np.all(good):
         raise ValueError("needs four frequencies or more, all of them and G' above 0, no G'' below")
+    unit = float(np.abs(moduli).max())
+    moduli = moduli / unit
     first, last = 1.0 / (BEYOND * omega.max()), BEYOND / omega.min()
     count = int(np.ceil(PER_DECADE * np.log10(last / first))) + 1
     grid = np.geomspace(first, last, count)
@@ -60,14 +62,14 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     kept = found[1:] > 0.0
     worst = np.max(np.abs(_model(omega, times) @ found - moduli) / np.abs(moduli))
     least, most = _bounds(omega, moduli, grid, best)
-    pairs = zip(found[1:][kept].tolist(), times[kept].tolist(), strict=True)
+    pairs = zip((unit * found[1:][kept]).tolist(), times[kept].tolist(), strict=True)
     return PronyFit(
-        shear_modulus=float(found[0]),
+        shear_modulus=unit * float(found[0]),
         branches=tuple(pairs),
         rms=rms,
         worst=float(worst),
-        least=min(least, float(found[0])),
-        most=max(most, float(found[0])),
+        least=unit * min(least, float(found[0])),
+        most=unit * max(most, float(found[0])),
     )
 
 
@@ -96,7 +98,13 @@ def _solved(
         wanted = wanted - relaxed * columns[:, 0]
         columns, fixed = columns[:, 1:], np.array([relaxed])
     scale = np.linalg.norm(columns, axis=0)
-    found, residual = nnls(columns / scale, wanted, maxiter=100 * scale.size)
+    columns = columns / scale
+    square, turned = columns, wanted
+    if columns.shape[0] > 4 * columns.shape[1]:  # as many rows as columns say the same
+        basis, square = np.linalg.qr(columns)
+        turned = basis.T @ wanted
+    found, _ = nnls(square, turned, maxiter=100 * scale.size)
+    residual = np.linalg.norm(columns @ found - wanted)
     return np.concatenate([fixed, found / scale]), float(residual / np.sqrt(omega.size))
 
 
@@ -119,15 +127,33 @@ def _moved(
 
     reach : logarithms of the shortest and the longest time.
     """
+    found, _ = _solved(omega, moduli, times)
+    some = np.concatenate([[True], found[1:] > 0.0])
+    found, times = np.clip(found[some], 1e-12, 1e12), times[some[1:]]
     if not times.size:
         return times
+    size = np.abs(moduli)[:, None]
 
     def residual(logs: np.ndarray) -> np.ndarray:
-        found, _ = _solved(omega, moduli, np.exp(logs))
-        return _parts((_model(omega, np.exp(logs)) @ found - moduli) / np.abs(moduli))
+        model = _model(omega, np.exp(logs[found.size :]))
+        return _parts((model @ np.exp(logs[: found.size]) - moduli) / size[:, 0])
 
-    start = np.clip(np.log(times), reach[0] + 1e-6, reach[1] - 1e-6)
-    return np.sort(np.exp(least_squares(residual, start, bounds=tuple(reach), max_nfev=30).x))
+    def slopes(logs: np.ndarray) -> np.ndarray:
+        values = np.exp(logs[: found.size])
+        columns = _model(omega, np.exp(logs[found.size :])) * values
+        later = columns[:, 1:] * (1.0 - columns[:, 1:] / values[1:])  # d/dlog t of x/(1 + x)
+        return _parts(np.hstack([columns, later]) / size)
+
+    free = np.full(found.size, 50.0)  # logarithm
+    bounds = [
+        np.concatenate([side * free, np.full(times.size, end)])
+        for side, end in zip((-1.0, 1.0), reach, strict=True)
+    ]
+    start = np.concatenate(
+        [np.log(found), np.clip(np.log(times), reach[0] + 1e-6, reach[1] - 1e-6)]
+    )
+    moved = least_squares(residual, start, slopes, bounds=bounds, max_nfev=100).x
+    return np.sort(np.exp(moved[found.size :]))
 
 
 def _joined(
