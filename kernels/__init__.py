@@ -13,14 +13,28 @@ Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 what a scene does not ask for is not in its machine code.
 """
 
+from kernels.case import Case, Outcome, Quantities, Seconds
 from kernels.contact import solve_indentation
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import lagged_slope, quadrature, step_average
 from kernels.march import march
-from kernels.realization import Case, Outcome, Quantities, Seconds, run_case
+from kernels.motion.programme import (
+    Hold,
+    Leg,
+    Oscillation,
+    Programme,
+    Ramp,
+    Sampled,
+    Slide,
+    steps_of,
+)
+from kernels.realization import run_case
+from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES, Kelvin
-from kernels.rheology.law import State
+from kernels.rheology.law import State, law_of, memories
+from kernels.rheology.spectrum import KELVIN, Spectrum
+from kernels.scene import Saved, Scene, run_scene, scene_steps, trace_stamps
 from kernels.steady import steady_sliding
 from kernels.surfaces.equivalent import equivalent_amplitudes, equivalent_spectrum
 from kernels.surfaces.line import Line

@@ -4,15 +4,14 @@ Only what is asked for is computed. Points share what they can: one line serves 
 speeds, one steady state at v1 serves all velocity jumps.
 """
 
-import time
-from typing import NamedTuple
-
 import numpy as np
 
+from kernels.case import Case, Clock, Outcome, Quantities, Seconds
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import lagged_slope, step_average
 from kernels.march import march
+from kernels.memory_case import run_memory_case
 from kernels.patches.steady_friction import jump as jump_to
 from kernels.patches.steady_friction import steady_friction
 from kernels.rheology.kelvin import SCHEMES, SHORTEST, Kelvin
@@ -24,50 +23,9 @@ SPEEDS = (1e-12, 1e12)  # vbar; slower, rounding would show in the jump, which f
 LEAST_STEP = 1e-9  # |r - 1|, or zero; r is then known to 1e-7 of it, the jump to 1e-5
 
 
-class Quantities(NamedTuple):
-    """What a scene asks for."""
-
-    steady: bool = True
-    jump: bool = True
-    relaxation: bool = True
-    indentation_rate: bool = True  # effect: d' in the force (eq. 3 as printed drops it)
-
-
-class Case(NamedTuple):
-    """One load, one speed v1 and the jumps from it, on a line that is given."""
-
-    load: float  # Fbar = F_N / (4 G L h)
-    speed: float  # vbar = v1 tau / dx
-    ratios: tuple[float, ...]  # v2 / v1
-    kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
-    scheme: str
-
-
-class Seconds(NamedTuple):
-    """CPU time of this thread in the phases of a case. No result depends on it."""
-
-    steady: float
-    jump: float
-    marching: float
-
-
-class Outcome(NamedTuple):
-    """Results of a case; mu in h/dx, indentation in h over the mean line."""
-
-    mu_1: float
-    indentation: float
-    contact_fraction: float
-    samples_per_contact: float  # of the march; where nothing is marched, of what friction rests on
-    mu_2: np.ndarray  # shape (ratios,)
-    jump: np.ndarray  # shape (ratios,)
-    curves: list[np.ndarray]  # per ratio: mu at the recorded steps, ending towards mu_2
-    work: int  # element updates, the measure of cost
-    seconds: Seconds
-
-
 def _check(line: Line, case: Case, asked: Quantities) -> None:
     """Raise ValueError for a case without meaning, or beyond what doubles can resolve."""
-    speeds = [case.speed, *(ratio * case.speed for ratio in case.ratios)]
+    speeds = [abs(speed) for speed in (case.speed, *(r * case.speed for r in case.ratios))]
     for name, values, (least, most) in (("load", [case.load], LOADS), ("speed", speeds, SPEEDS)):
         for value in values:
             if not least <= value <= most:
@@ -91,8 +49,10 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     case that is not supported.
     """
     _check(line, case, asked)
+    if not case.plain:
+        return run_memory_case(line, case, asked)
     load = case.load * line.z.size
-    clock = _Clock()
+    clock = Clock()
     one = steady_friction(line, case.speed, case.scheme, load)
     clock.lap("steady")
     work = one.updates
@@ -121,20 +81,8 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     seconds = Seconds(**clock.spent)
     samples = one.samples if asked.relaxation else one.seen.samples
     means = one.mu, one.indentation, one.contact, samples
-    return Outcome(*means, mu_2, jump, curves, work, seconds)
-
-
-class _Clock:
-    """Books the time since its last reading to a phase."""
-
-    def __init__(self) -> None:
-        self.spent = dict.fromkeys(Seconds._fields, 0.0)
-        self.last = time.thread_time()
-
-    def lap(self, phase: str) -> None:
-        now = time.thread_time()
-        self.spent[phase] += now - self.last
-        self.last = now
+    rate = np.full(len(case.ratios), np.nan)
+    return Outcome(*means, mu_2, jump, curves, work, seconds, rate)
 
 
 def _relaxation(

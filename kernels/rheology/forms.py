@@ -1,6 +1,7 @@
 """The two forms of a material, by the name of the time scheme that each of them gives."""
 
 from collections.abc import Callable
+from functools import lru_cache
 
 from kernels.rheology import prony, relaxed
 from kernels.rheology.relaxed import Moduli, relaxation
@@ -11,3 +12,9 @@ FORMS: dict[str, Callable[[Spectrum], Retardation | Moduli]] = {
     prony.SCHEME: retardation,
     relaxed.SCHEME: relaxation,
 }
+
+
+@lru_cache(maxsize=100)
+def form_of(spectrum: Spectrum, scheme: str) -> Retardation | Moduli:
+    """Return the form of a material for a time scheme. Raises ValueError as retardation does."""
+    return FORMS[scheme](spectrum)

@@ -98,7 +98,7 @@ def pretend(batch: Batch) -> BatchResult:
     shape = (len(batch.tasks), batch.blocks)
     return BatchResult(
         scalars=np.zeros((*shape, len(SCALARS))),
-        curves=np.zeros((*shape, batch.curve_samples - 1)),
+        curves=np.zeros((*shape, batch.recording.samples - 1)),
         spent=np.zeros((len(batch.tasks), len(PHASES))),
         seconds=batch.seconds,
         peak=0,

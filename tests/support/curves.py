@@ -4,11 +4,12 @@ import numpy as np
 
 from tests.support.small import small_plan
 from workflow.plan.problems import speed_ratio
-from workflow.reduce.estimates import Blocks, reduce_blocks
+from workflow.reduce.blocks import Blocks
+from workflow.reduce.complete import exponents_of
+from workflow.reduce.estimates import reduce_blocks
 from workflow.result.dataset import build_dataset
-from workflow.run.collect import _exponents
-from workflow.study.effects.quantities import QUANTITIES
 
+QUANTITIES = ("steady", "jump", "relaxation", "models")
 RATE, JUMP, STEP = 1.5, 0.3, 0.2  # b, dmu_0, mu_2 - mu_1
 
 
@@ -28,7 +29,7 @@ def exponential_blocks(tasks=3, blocks=5, samples=33, quantities=QUANTITIES, see
     scalars = np.stack([mu_1, indentation, contact, mu_2, JUMP * np.ones_like(mu_1)], axis=2)
     time[-1, -4:] = np.nan
     curves[-1, :, -4:] = np.nan
-    return Blocks(scalars, curves, time, np.ones(tasks), quantities)
+    return Blocks(scalars, {"curve": curves}, time, np.ones(tasks), quantities)
 
 
 GRID = (
@@ -51,5 +52,5 @@ def assembled(*settings):
     estimates["speed_ratio"] = np.array([speed_ratio(t.problem) for t in variant.tasks])
     steps = [task.steps_per_spacing for task in variant.tasks]
     estimates["steps_per_spacing"] = np.array(steps, np.int32)
-    exponents = _exponents(plan, variant, estimates)
+    exponents = exponents_of(plan, variant, estimates)
     return plan, estimates, build_dataset(plan, variant, estimates, exponents)

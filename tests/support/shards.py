@@ -5,7 +5,7 @@ from workflow.store.store import Store
 
 WORK = list(cut_batches(small_plan(), set(), 1e-9))  # one task and block each
 BATCH = next(cut_batches(small_plan(), set(), 1e9))  # four tasks, four blocks
-SAMPLES = BATCH.curve_samples - 1
+SAMPLES = BATCH.recording.samples - 1
 
 
 def records(batch):

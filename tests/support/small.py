@@ -126,7 +126,7 @@ def random_result(batch, seed=0):
     """Return a result of the right shape with random numbers and a NaN tail."""
     rng = np.random.default_rng(seed)
     shape = (len(batch.tasks), batch.blocks)
-    curves = rng.standard_normal((*shape, batch.curve_samples - 1))
+    curves = rng.standard_normal((*shape, batch.recording.samples - 1))
     curves[..., -2:] = np.nan
     spent = np.full((len(batch.tasks), len(PHASES)), 0.01)
     return BatchResult(

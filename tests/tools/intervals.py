@@ -18,12 +18,13 @@ from kernels import Quantities, amplitudes, rms_slope
 from workflow.plan.goal import JACKKNIFE_GROUPS, Goal
 from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.reduce.attainment import attained
-from workflow.reduce.estimates import Blocks, Estimates, reduce_blocks
+from workflow.reduce.blocks import Blocks, Estimates
+from workflow.reduce.estimates import reduce_blocks
 from workflow.reduce.fits import FITTED
 from workflow.reduce.statistics.jackknife import grouped_means
 from workflow.run.rounds import next_blocks
 from workflow.simulate.realizations import block_means, record_steps, record_times
-from workflow.simulate.tasks import Batch, Problem, Task
+from workflow.simulate.tasks import Batch, Problem, Recording, Task
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene
 
@@ -58,7 +59,9 @@ def compute(problem: Problem, seed: int = SEED) -> Lines:
     march = horizon_steps(problem, Numerics(), steps)
     task = Task(problem, steps, march, "")
     count = STUDIES * LINES
-    batch = Batch(seed, "modal", Quantities(), "exponential", SAMPLES, (task,), 0, count, 1, 0.0)
+    batch = Batch(
+        seed, "modal", Quantities(), "exponential", Recording(SAMPLES), (task,), 0, count, 1, 0.0
+    )
     done = block_means(batch)
     recorded = record_steps(march, SAMPLES)
     time = np.full(SAMPLES - 1, np.nan)
@@ -73,7 +76,7 @@ def reduced(lines: Lines, scalars: np.ndarray, curves: np.ndarray) -> Estimates:
     """Return the estimates from block means, shape (studies, blocks, ...)."""
     count = len(scalars)
     time, slopes = np.tile(lines.time, (count, 1)), np.full(count, lines.slope)
-    return reduce_blocks(Blocks(scalars, curves, time, slopes, ALL))
+    return reduce_blocks(Blocks(scalars, {"curve": curves}, time, slopes, ALL))
 
 
 def estimates(lines: Lines, studies: np.ndarray, size: int, groups: int) -> Estimates:

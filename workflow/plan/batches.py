@@ -7,9 +7,11 @@ from collections.abc import Container, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
+import numpy as np
+
 from workflow.plan.plan import Plan
-from workflow.simulate import Batch, Record, Task
-from workflow.study import Numerics
+from workflow.simulate import Batch, Record, Recording, Task
+from workflow.study import Numerics, Study
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
 MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds
@@ -19,6 +21,7 @@ class Missing(NamedTuple):
     """Tasks on the same random lines that lack the same blocks."""
 
     numerics: Numerics
+    recording: Recording
     tasks: list[Task]
     first_block: int
     blocks: int
@@ -41,7 +44,9 @@ def missing_work(
     """
     wanted = blocks or plan.expected
     return [
-        Missing(variant.numerics, tasks, first, count, block_seconds(plan, tasks))
+        Missing(
+            variant.numerics, variant.recording, tasks, first, count, block_seconds(plan, tasks)
+        )
         for variant in plan.variants
         for line in variant.by_line
         for tasks, first, count in _missing_runs(line, wanted, stored)
@@ -91,13 +96,31 @@ def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[B
                 normalisation=plan.study.surface.normalisation,
                 quantities=plan.asked,
                 scheme=piece.numerics.scheme,
-                curve_samples=piece.numerics.curve_samples,
+                recording=piece.recording,
                 tasks=tuple(piece.tasks),
                 first_block=start,
                 blocks=number,
                 realizations_per_block=plan.study.realizations_per_block,
                 seconds=number * piece.seconds,
+                heights=_heights(plan.study, start, number),
+                modes=_modes(plan.study),
             )
+
+
+def _heights(study: Study, first_block: int, blocks: int) -> np.ndarray | None:
+    """Return the measured lines of the realizations of some blocks, in h; None for random ones."""
+    profile = study.surface.profile
+    if profile is None or study.surface.amplitudes is not None:
+        return None
+    each = study.realizations_per_block
+    rows = slice(first_block * each, (first_block + blocks) * each)
+    return profile.heights[rows] / profile.roughness
+
+
+def _modes(study: Study) -> np.ndarray | None:
+    """Return the amplitudes of random lines like measured ones, in h; None for other lines."""
+    profile, modes = study.surface.profile, study.surface.amplitudes
+    return None if profile is None or modes is None else modes / profile.roughness
 
 
 def _missing_runs(

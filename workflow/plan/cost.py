@@ -7,9 +7,15 @@ measured by timing.py.
 import math
 from typing import NamedTuple
 
-from kernels import Quantities
+from kernels import KELVIN, Quantities
 from workflow.plan.problems import viscous_pressure
-from workflow.simulate import Task
+from workflow.simulate import Problem, Recording, Task, programme_steps
+
+# Of elements with internal variables, in steps and sweeps of a Kelvin element.
+DENSE = 2.0  # of a step: moves, forces, friction
+UNIT = 0.3  # of a step, for each internal variable
+NEWTON_SWEEPS = 5.0  # of a steady state
+TANGENT = 0.3  # of a sweep, for each pair of internal variables
 
 LOOK = 0.2  # of a sweep: finding the samples that touch
 
@@ -72,9 +78,21 @@ def sweeps(load: float, viscous_pressure: float) -> float:
     return 1.2 + (light - 1.2) / (1.0 + load / 3.0)
 
 
-def task_seconds(timings: Timings, asked: Quantities, task: Task) -> float:
+def task_seconds(timings: Timings, asked: Quantities, task: Task, recording: Recording) -> float:
     """Return the predicted time of one realization of a task on a line that exists."""
-    hurst, elements, load, _, _ = task.problem
+    seconds = timings.case
+    if asked.anything:
+        plain = task.problem.spectrum == KELVIN
+        seconds += (_kelvin if plain else _memory)(timings, asked, task)
+    if recording.asked:
+        march = programme_steps(task.problem, task.steps_per_spacing)
+        seconds += timings.case + march.time.size * _dense_step(timings, task)
+    return seconds
+
+
+def _kelvin(timings: Timings, asked: Quantities, task: Task) -> float:
+    """Return the time of a case of Kelvin elements, of which those that can touch are marched."""
+    hurst, elements, load = task.problem[:3]
     n, pressure = elements * task.steps_per_spacing, viscous_pressure(task.problem)
     steady_states = 1 + (asked.steady or asked.relaxation)
     states = steady_states * sweeps(load, pressure) * timings.sweep(n)
@@ -84,4 +102,23 @@ def task_seconds(timings: Timings, asked: Quantities, task: Task) -> float:
     march = 0.0
     if task.march_steps:
         march = timings.setup(n) + task.march_steps * timings.step(touching)
-    return timings.case + states + friction + march
+    return states + friction + march
+
+
+def _memory(timings: Timings, asked: Quantities, task: Task) -> float:
+    """Return the time of a case of elements with internal variables, all of which are marched."""
+    n, units = task.problem.elements * task.steps_per_spacing, _units(task.problem)
+    steady_states = 1 + (asked.steady or asked.relaxation)
+    states = steady_states * NEWTON_SWEEPS * (1.0 + TANGENT * units**2) * timings.sweep(n)
+    return states + task.march_steps * _dense_step(timings, task)
+
+
+def _dense_step(timings: Timings, task: Task) -> float:
+    """Return the time of a step in which every element moves all that it remembers."""
+    n = task.problem.elements * task.steps_per_spacing
+    return (DENSE + UNIT * _units(task.problem)) * timings.step(n)
+
+
+def _units(problem: Problem) -> int:
+    """Return the number of internal variables of an element."""
+    return len(problem.spectrum.moduli) + (problem.spectrum.viscosity > 0.0)

@@ -12,8 +12,19 @@ from workflow.plan.cost import TYPICAL, Timings, task_seconds
 from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
 from workflow.plan.problems import distinct_problems
 from workflow.plan.resolution import horizon_steps, steps_per_spacing
-from workflow.simulate import CODE, Problem, Task
-from workflow.study import AXES, Numerics, Study
+from workflow.simulate import (
+    CODE,
+    START,
+    Origin,
+    Problem,
+    Recording,
+    Surface,
+    Task,
+    kept_steps,
+    row_layout,
+    row_width,
+)
+from workflow.study import Material, Numerics, Study
 
 DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 200e6  # interpreter, libraries, machine code
@@ -30,6 +41,10 @@ class Variant(NamedTuple):
 
     label: str
     numerics: Numerics
+    material: Material
+    recording: Recording
+    events: int  # samples of the longest trace; 0 where none is kept
+    point_task: np.ndarray  # index into tasks per grid point, shape of the grid
     tasks: list[Task]  # in the order of the distinct problems
     by_line: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
     goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
@@ -39,7 +54,6 @@ class Plan(NamedTuple):
     """Everything a study will do."""
 
     study: Study
-    point_task: np.ndarray  # index into Variant.tasks per grid point, shape of the grid
     variants: list[Variant]
     asked: Quantities  # of the kernels
     timings: Timings  # of the machine that the prediction is for
@@ -50,7 +64,7 @@ class Plan(NamedTuple):
     @property
     def points(self) -> int:
         """Number of grid points."""
-        return int(self.point_task.size)
+        return int(self.variants[0].point_task.size)
 
     @property
     def problems(self) -> int:
@@ -70,6 +84,14 @@ class Plan(NamedTuple):
         """Return the largest number of samples of any line."""
         return max(t.problem.elements * t.steps_per_spacing for v in self.variants for t in v.tasks)
 
+    def widest_row(self, variant: Variant) -> int:
+        """Return the largest number of values in a row of the store, of any task of a variant."""
+        tasks = variant.tasks if variant.recording.asked else variant.tasks[:1]
+        scheme, recording = variant.numerics.scheme, variant.recording
+        return max(
+            1, *(row_width(row_layout(task, self.asked, scheme, recording)) for task in tasks)
+        )
+
     def predicted_worker_bytes(self) -> float:
         """Return the predicted peak memory of a worker."""
         return WORKER_BYTES + BYTES_PER_SAMPLE * self.longest_line()
@@ -77,26 +99,28 @@ class Plan(NamedTuple):
     def predicted_driver_bytes(self) -> float:
         """Return the predicted peak memory of the process that plans, stores and collects."""
         tasks = sum(len(v.tasks) for v in self.variants)
-        curve_samples = max(v.numerics.curve_samples for v in self.variants)
-        estimates = self.points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * curve_samples)
+        widest = max(self.widest_row(variant) for variant in self.variants)
+        estimates = self.points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * widest)
         return DRIVER_BYTES + tasks * BYTES_PER_TASK + self.records * BYTES_PER_RECORD + estimates
 
     def first_point(self, task: Task) -> dict[str, float]:
         """Return the first grid point of a task: axis -> value."""
-        number = next(v.tasks.index(task) for v in self.variants if task in v.tasks)
-        point = int(np.argmax(self.point_task == number))
-        index = np.unravel_index(point, self.point_task.shape)
-        return {axis: self.study.grid[axis][i] for axis, i in zip(AXES, index, strict=True)}
+        variant = next(v for v in self.variants if task in v.tasks)
+        point = int(np.argmax(variant.point_task == variant.tasks.index(task)))
+        index = np.unravel_index(point, variant.point_task.shape)
+        return {
+            axis: self.study.grid[axis][i] for axis, i in zip(self.study.axes, index, strict=True)
+        }
 
 
-def make_plan(study: Study, timings: Timings = TYPICAL) -> Plan:
+def make_plan(study: Study, timings: Timings = TYPICAL, origin: Origin = START) -> Plan:
     """Return the plan of a study. Raises UserError where a problem would be too large.
 
     timings : how fast the machine is; the size of batches depends on it, no result does.
+    origin : where a programme that is resumed begins.
     """
-    problems, point_task = distinct_problems(study)
     asked = _asked(study)
-    variants = [_variant(study, problems, asked, *held) for held in study.variants.items()]
+    variants = [_variant(study, asked, label, origin) for label in study.variants]
     tasks = [task for variant in variants for task in variant.tasks]
     first = {task.key: study.blocks for task in tasks}
     expected = dict(first)
@@ -106,8 +130,12 @@ def make_plan(study: Study, timings: Timings = TYPICAL) -> Plan:
             first[key] = whole_blocks(study, FIRST_SHARE * goal.realizations, most)
             expected[key] = whole_blocks(study, goal.realizations, most)
     _check_records(study, sum(expected.values()))
-    seconds = {task.key: task_seconds(timings, asked, task) for task in tasks}
-    return Plan(study, point_task, variants, asked, timings, seconds, first, expected)
+    seconds = {
+        task.key: task_seconds(timings, asked, task, v.recording)
+        for v in variants
+        for task in v.tasks
+    }
+    return Plan(study, variants, asked, timings, seconds, first, expected)
 
 
 def _check_records(study: Study, records: int) -> None:
@@ -120,32 +148,42 @@ def _check_records(study: Study, records: int) -> None:
         )
 
 
-def _variant(
-    study: Study, problems: list[Problem], asked: Quantities, label: str, numerics: Numerics
-) -> Variant:
+def _variant(study: Study, asked: Quantities, label: str, origin: Origin) -> Variant:
+    numerics = study.variants[label]
+    recording = _recording(study, numerics)._replace(origin=origin)
+    problems, point_task = distinct_problems(study, label)
     tasks: list[Task] = []
     goals = {}
-    lines: dict[tuple[float, int], list[Task]] = {}
+    lines: dict[tuple[float, int, Surface], list[Task]] = {}
     for problem in problems:
         goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
         steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
-        task = _task(study, problem, asked, numerics, steps)
+        task = _task(study, problem, asked, recording, numerics, steps)
         tasks.append(task)
-        lines.setdefault((problem.hurst, problem.elements), []).append(task)
+        lines.setdefault((problem.hurst, problem.elements, problem.surface), []).append(task)
         if goal:
             goals[task.key] = goal
     by_line = [
-        sorted(one, key=lambda t: (t.steps_per_spacing, t.problem)) for one in lines.values()
+        sorted(one, key=lambda t: (t.steps_per_spacing, t.problem[:5])) for one in lines.values()
     ]
-    return Variant(label, numerics, tasks, by_line, goals)
+    material = study.materials[label]
+    events = 0
+    if recording.asked:
+        events = max(kept_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
+    return Variant(label, numerics, material, recording, events, point_task, tasks, by_line, goals)
 
 
 def _task(
-    study: Study, problem: Problem, asked: Quantities, numerics: Numerics, steps: int
+    study: Study,
+    problem: Problem,
+    asked: Quantities,
+    recording: Recording,
+    numerics: Numerics,
+    steps: int,
 ) -> Task:
     march_steps = horizon_steps(problem, numerics, steps) if asked.relaxation else 0
     what = (CODE, study.seed, study.surface.normalisation, *problem, numerics.scheme, steps)
-    how = (march_steps, numerics.curve_samples, asked, study.realizations_per_block)
+    how = (march_steps, recording, asked, study.realizations_per_block)
     key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
     return Task(problem, steps, march_steps, key)
 
@@ -153,9 +191,25 @@ def _task(
 def _asked(study: Study) -> Quantities:
     """Return what the kernels are asked for; a relaxation starts from the jump."""
     asked = study.scene.quantities
+    curve = any(name in asked for name in ("relaxation", "peak", "rate_state"))
     return Quantities(
         steady="steady" in asked,
-        jump="jump" in asked or "relaxation" in asked,
-        relaxation="relaxation" in asked,
+        jump="jump" in asked or curve,
+        relaxation=curve,
         indentation_rate=study.scene.indentation_rate,
+        initial_rate="peak" in asked and not study.material.jumps,
+    )
+
+
+def _recording(study: Study, numerics: Numerics) -> Recording:
+    """Return what is kept of the marches of a variant."""
+    asked = study.scene.quantities
+    traced = any(name in asked for name in ("trace", "loop", "healing", "energy"))
+    names = [name for name in ("energy", "contact_lengths", "snapshots", "state") if name in asked]
+    return Recording(
+        samples=numerics.curve_samples,
+        record=numerics.record,
+        every=numerics.trace or 0,
+        asked=("trace", *names) if traced else tuple(names),
+        dense=tuple(name for name in ("loop", "healing") if name in asked),
     )

@@ -1,7 +1,8 @@
 """Exact similarity: many points of the grid are one dimensionless problem, computed once.
 
 mu/grad z, d/h and t/tau depend on H, N = L/dx, Fbar = F_N/(4 G L h), vbar = v1 tau/dx and
-r = v2/v1 alone; h and F_N enter only as F_N/h.
+r = v2/v1 alone; h and F_N enter only as F_N/h. A scene adds the spectrum of the material over G
+and tau, the modes of the lines and its programme; a temperature changes tau alone.
 """
 
 import math
@@ -9,49 +10,103 @@ from functools import cache, lru_cache
 
 import numpy as np
 
-from kernels import amplitudes, rms_slope
+from kernels import Spectrum, amplitudes, rms_slope
 from kernels.realization import LEAST_STEP, LOADS, SPEEDS
 from workflow.errors import UserError
 from workflow.kinetic_law import exponent
+from workflow.plan.motion import Scale, Setting, canonical, rounded, setting
 from workflow.simulate import Problem
-from workflow.study import AXES, Study
+from workflow.study import Material, Study, check_load
 
-MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
+TYPICAL_HURST = 0.8  # of measured lines, for predictions of cost alone
+Points = dict[str, np.ndarray]  # axis -> its value at every point of the grid
 
 
-def canonical(values: np.ndarray) -> np.ndarray:
-    """Round to 40 bits of mantissa; commutes with scaling by powers of two."""
-    mantissa, exponent = np.frexp(values)
-    return np.ldexp(np.round(np.ldexp(mantissa, MANTISSA_BITS)), exponent - MANTISSA_BITS)
+def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.ndarray]:
+    """Return the distinct problems of a variant and, per grid point, the index of its problem.
 
-
-def distinct_problems(study: Study) -> tuple[list[Problem], np.ndarray]:
-    """Return the distinct problems and, per grid point, the index of its problem.
-
-    The index array has the shape of the grid (study.AXES). Raises UserError for loads and speeds
+    The index array has the shape of the grid (study.axes). Raises UserError for loads and speeds
     that the kernels refuse (kernels/realization.py).
     """
-    axes = [np.array(study.grid[axis]) for axis in AXES]
-    hurst, force, spacing, roughness, velocity, step = np.meshgrid(*axes, indexing="ij")
-    elements = np.round(study.surface.length / spacing).astype(int)
+    material = study.materials[label]
+    axes = [np.array(values) for values in study.grid.values()]
+    points = dict(zip(study.axes, np.meshgrid(*axes, indexing="ij"), strict=True))
+    length = study.surface.profile.length if study.surface.profile else study.surface.length
+    points["elements"] = np.round(length / points["spacing"]).astype(int)
+    points["dx"] = length / points["elements"]
+    points["tau"] = _times(material, points)
+    settings, which = _settings(study, points)
+    hurst = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
+    numbers = _numbers(study, material, points)
+    rows = [a.ravel().tolist() for a in (hurst, points["elements"], *numbers, which)]
+    found: dict[tuple, int] = {}
+    index = [found.setdefault(row, len(found)) for row in zip(*rows, strict=True)]
+    spectrum = _rounded_spectrum(material)
+    problems = [settings[row[-1]].problem(*row[:-1])._replace(spectrum=spectrum) for row in found]
+    return problems, np.array(index).reshape(study.shape)
+
+
+def _times(material: Material, points: Points) -> np.ndarray:
+    """Return tau (s) at every point."""
+    if "temperature" not in points:
+        return np.full(points["spacing"].shape, material.tau)
+    values, inverse = np.unique(points["temperature"], return_inverse=True)
+    return np.array([material.tau_at(value) for value in values])[inverse].reshape(inverse.shape)
+
+
+def _settings(study: Study, points: Points) -> tuple[list[Setting], np.ndarray]:
+    """Return the distinct settings of a scene and, per point, the index of its own."""
+    names = ["elements"]
+    if study.scene.programme:
+        names += ["dx", "tau", "velocity", "roughness"]
+        names += [name for name in ("hold", "prescribed_indentation") if name in points]
+    rows = np.stack([points[name].ravel() for name in names], axis=1)
+    different, inverse = np.unique(rows, axis=0, return_inverse=True)
+    found: dict[Setting, int] = {}
+    index = []
+    for row in different.tolist():
+        at = dict(zip(names, row, strict=True))
+        scale = Scale(*(at.get(name, math.nan) for name in ("dx", "tau", "roughness", "velocity")))
+        depth = at.get("prescribed_indentation", math.nan)
+        own = setting(study, scale, int(at["elements"]), at.get("hold", math.nan), depth)
+        index.append(found.setdefault(own, len(found)))
+    return list(found), np.array(index)[inverse].ravel()
+
+
+def _numbers(study: Study, material: Material, points: Points) -> list[np.ndarray]:
+    """Return load, speed and ratio at every point, without a programme."""
     with np.errstate(over="ignore", under="ignore", divide="ignore", invalid="ignore"):
-        load = force / (4.0 * study.material.shear_modulus * study.surface.length * roughness)
-        speed = velocity * study.material.tau / (study.surface.length / elements)
-    _check("normal_force", "F_N/(4 G L h)", load, LOADS)
+        whole = 4.0 * material.shear_modulus * study.surface.length * points["roughness"]
+        load = points["normal_force"] / whole
+        speed = points["velocity"] * points["tau"] / points["dx"]
+    if study.scene.control == "indentation":
+        load = np.zeros_like(load)
+    else:
+        _check("normal_force", "F_N/(4 G L h)", load, LOADS)
+        if study.surface.profile is not None:
+            check_load("grid.normal_force", study.surface.profile, load)
     _check("velocity", "v1 tau/dx", speed, SPEEDS)
-    _check_steps(step, speed)
-    load, speed = canonical(load), canonical(speed)
-    ratio = 1.0 + step  # follows from no other value; rounding would make a small step another one
-    columns = [a.ravel().tolist() for a in (hurst, elements, load, speed, ratio)]
-    found: dict[Problem, int] = {}
-    index = [found.setdefault(Problem(*row), len(found)) for row in zip(*columns, strict=True)]
-    return list(found), np.array(index).reshape(study.shape)
+    if study.scene.programme:  # which says the speeds
+        speed, step = np.zeros_like(speed), np.zeros_like(speed)
+    else:
+        step = points["velocity_step"]
+        _check_steps(step, speed)
+    # A ratio follows from no other value; rounding would make a small step another one.
+    return [canonical(load), canonical(speed), 1.0 + step]
+
+
+def _rounded_spectrum(material: Material) -> Spectrum:
+    """Return the spectrum of a material, rounded like all that is part of a problem."""
+    moduli, times, viscosity = material.spectrum()
+    return Spectrum(tuple(map(rounded, moduli)), tuple(map(rounded, times)), rounded(viscosity))
 
 
 def speed_ratio(problem: Problem) -> float:
-    """Return x = v1 tau q_max = pi vbar (the abscissa of figure 7)."""
-    return math.pi * problem.speed
+    """Return x = v1 tau q_max, the abscissa of figure 7: pi vbar where all waves are there."""
+    if problem.surface.cutoff:
+        return abs(problem.speed) * 2.0 * math.pi * problem.surface.cutoff / problem.elements
+    return math.pi * abs(problem.speed)
 
 
 def expected_rate(problem: Problem) -> float:
@@ -66,17 +121,20 @@ def _rate(x: float, hurst: float) -> float:
 
 def viscous_pressure(problem: Problem) -> float:
     """Return vbar grad z, the viscous pressure on a mean slope in units of G h."""
-    return problem.speed * line_slope(problem)
+    return abs(problem.speed) * line_slope(problem)
 
 
 def line_slope(problem: Problem, normalisation: str = "modal") -> float:
     """Return the spectral rms slope of the lines of a problem, in h/dx."""
-    return _slope(problem.hurst, problem.elements, normalisation)
+    rolloff, cutoff, measured, slope = problem.surface
+    if measured:
+        return slope
+    return _slope(problem.hurst, problem.elements, normalisation, rolloff, cutoff)
 
 
 @cache
-def _slope(hurst: float, elements: int, normalisation: str) -> float:
-    return rms_slope(amplitudes(hurst, elements, normalisation), elements)
+def _slope(hurst: float, elements: int, normalisation: str, rolloff: float, cutoff: int) -> float:
+    return rms_slope(amplitudes(hurst, elements, normalisation, rolloff, cutoff), elements)
 
 
 def _check_steps(step: np.ndarray, speed: np.ndarray) -> None:

@@ -2,6 +2,7 @@
 
 import math
 
+from kernels import KELVIN
 from kernels.realization import SPEEDS
 from kernels.rheology.kelvin import SHORTEST
 from workflow.errors import UserError
@@ -13,6 +14,8 @@ from workflow.study import Numerics, Scene
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8  # of a march
 BIAS = 0.02  # relative discretisation error that "auto" keeps
+GENERAL_STEPS = 8  # where elements have internal variables, or a programme is marched
+RENEWAL = 0.04  # of the line, slid until contacts are others
 LEAST_STEPS = 4  # from which lines are refined where contacts are narrow (kernels/patches)
 MOST_FOR_CONTACTS = 64
 WIDE = 40.0  # samples per contact, beyond which more of them change nothing
@@ -41,7 +44,11 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
     schemes take 8 times as many.
     """
     steps = numerics.steps_per_spacing
-    if steps is None:
+    if steps is None and problem.surface.measured:
+        steps = 1  # samples as they were measured
+    elif steps is None and (problem.programme or problem.spectrum != KELVIN):
+        steps = GENERAL_STEPS
+    elif steps is None:
         steps = max(LEAST_STEPS, least_steps(problem, scene))
         if "relaxation" in scene.quantities:
             most = min(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
@@ -69,7 +76,7 @@ def check_resolution(problem: Problem, steps: int, numerics: Numerics) -> None:
             f"spacing, more than {MAX_SAMPLES_PER_LINE} samples per line; set a smaller number, "
             "a higher velocity or a larger spacing"
         )
-    speeds = (problem.speed, problem.speed * problem.ratio)
+    speeds = (abs(problem.speed), abs(problem.speed * problem.ratio))
     if min(speeds) < SPEEDS[0] or steps * max(speeds) * SHORTEST > 1.0:
         raise UserError(
             f"grid.velocity: v tau/dx runs from {min(speeds):.3g} to {max(speeds):.3g}, but must "
@@ -78,6 +85,13 @@ def check_resolution(problem: Problem, steps: int, numerics: Numerics) -> None:
 
 
 def horizon_steps(problem: Problem, numerics: Numerics, steps: int) -> int:
-    """Return the number of steps to march: ``horizon`` expected relaxation times, at least 8."""
+    """Return the number of steps to march: ``horizon`` expected relaxation times, at least 8.
+
+    Where there are internal variables, at least ``horizon`` times the distance over which contacts
+    are renewed.
+    """
     time = numerics.horizon / expected_rate(problem)
-    return max(MIN_STEPS, math.ceil(time * steps * problem.speed * problem.ratio))
+    need = time * steps * abs(problem.speed) * abs(problem.ratio)
+    if problem.spectrum != KELVIN:
+        need = max(need, numerics.horizon * RENEWAL * problem.elements * steps)
+    return max(MIN_STEPS, math.ceil(need))

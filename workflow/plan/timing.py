@@ -26,7 +26,7 @@ from kernels import (
     steady_sliding,
 )
 from workflow.plan.cost import SecondsBySize, Timings
-from workflow.simulate import Batch, Problem, Task, block_means
+from workflow.simulate import Batch, Problem, Recording, Task, block_means
 from workflow.system import processor
 
 SIZES = (2_000, 20_000, 200_000)  # samples: in the first, second, third cache
@@ -85,7 +85,9 @@ def _case(kernels: dict[str, float]) -> float:
     """Return the seconds of a realization of SHORTEST samples beyond its kernels."""
     problem = Problem(HURST, SHORTEST, LOAD, SPEED, 1.2)
     asked = Quantities()
-    batch = Batch(1, "modal", asked, "exponential", 64, (Task(problem, 1, 8, ""),), 0, 1, 20, 0.0)
+    batch = Batch(
+        1, "modal", asked, "exponential", Recording(64), (Task(problem, 1, 8, ""),), 0, 1, 20, 0.0
+    )
     states = 2 * 4 * kernels["sweep"] + 3 * kernels["quadrature"]
     inside = kernels["draw"] + states + kernels["setup"] + 8 * kernels["step"]
     whole = seconds(lambda: block_means(batch)) / batch.realizations_per_block

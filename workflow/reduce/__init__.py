@@ -15,10 +15,13 @@ if TYPE_CHECKING:
         Attained,
         attained,
     )
-    from workflow.reduce.estimates import Blocks, Estimates, fit_exponents, reduce_blocks
+    from workflow.reduce.blocks import Blocks, Estimates, blocks_of
+    from workflow.reduce.complete import completed, exponents_of
+    from workflow.reduce.estimates import fit_exponents, reduce_blocks
     from workflow.reduce.fits import (
         FITTED,
         NO_RELAXATION,
+        NO_STATE,
         NOT_EXPONENTIAL,
         STATUS_COMMENT,
         STATUS_MEANINGS,
@@ -35,6 +38,7 @@ if TYPE_CHECKING:
         compare_models,
     )
     from workflow.reduce.prony_fit import PronyFit, fit_prony
+    from workflow.reduce.scenes import LAWS, fit_rate_state
     from workflow.reduce.statistics import (
         grouped_means,
         replicates,

@@ -1,26 +1,14 @@
 """Reduction of block means to estimates with standard errors; runs on the workers."""
 
-from typing import NamedTuple
-
 import numpy as np
 
+from workflow.reduce.blocks import Blocks, Estimates, enter
 from workflow.reduce.fits import FITTED, RelaxationFit, fit_power_law, fit_relaxation
 from workflow.reduce.models import COEFFICIENTS, GAINS, Comparison, compare_models
-from workflow.reduce.statistics import replicates, standard_error
+from workflow.reduce.scenes import reduce_programmes, reduce_steps
+from workflow.reduce.statistics import replicates
 from workflow.simulate import SCALARS
 from workflow.study import QUANTITIES
-
-Estimates = dict[str, np.ndarray]
-
-
-class Blocks(NamedTuple):
-    """Block means of some tasks, dimensionless, and what is needed to reduce them."""
-
-    scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS))
-    curves: np.ndarray  # shape (tasks, blocks, samples - 1)
-    time: np.ndarray  # shape (tasks, samples - 1), in tau; NaN beyond the recorded steps
-    rms_slope: np.ndarray  # shape (tasks,), in h/dx
-    quantities: tuple[str, ...]
 
 
 def reduce_blocks(blocks: Blocks) -> Estimates:
@@ -33,23 +21,21 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
     estimates: Estimates = {}
     for quantity in asked:
         for name in QUANTITIES[quantity].means:
-            _estimate(estimates, name, values[name])
-    if "relaxation" in asked:
+            enter(estimates, name, values[name])
+    if "curve" in blocks.values:
         start = values["mu_1"] + values["jump"]
-        curves = np.concatenate([start[..., None], replicates(blocks.curves, 1)], axis=2)
-        _estimate(estimates, "mu", curves)
+        curves = np.concatenate([start[..., None], replicates(blocks.values["curve"], 1)], axis=2)
         zero = np.zeros((len(blocks.time), 1))
-        estimates["time"] = np.concatenate([zero, blocks.time], axis=1)
-        deviation = curves - values["mu_2"][..., None]
-        _estimate(estimates, "deviation", deviation)
-        _relaxations(estimates, blocks, deviation[:, :, 1:])
+        time = np.concatenate([zero, blocks.time], axis=1)
+        if "relaxation" in asked:
+            enter(estimates, "mu", curves)
+            estimates["time"] = time
+            deviation = curves - values["mu_2"][..., None]
+            enter(estimates, "deviation", deviation)
+            _relaxations(estimates, blocks, deviation[:, :, 1:])
+        reduce_steps(estimates, blocks, time, curves, values)
+    reduce_programmes(estimates, blocks)
     return estimates
-
-
-def _estimate(estimates: Estimates, name: str, values: np.ndarray) -> None:
-    """Enter the estimate and its error from replicates along axis 1."""
-    estimates[name] = values[:, 0]
-    estimates[f"{name}_error"] = standard_error(values, 1)
 
 
 def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None:
@@ -58,14 +44,16 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
     compared: list[Comparison] = []
     for task in range(len(blocks.time)):
         kept = np.isfinite(blocks.time[task])
+        if not blocks.jumps:  # then friction rises before it relaxes
+            kept &= np.arange(kept.size) >= np.nanargmax(np.abs(deviation[task][0]))
         time, curves = blocks.time[task][kept], deviation[task][:, kept]
         fits.append(fit_relaxation(time, curves, blocks.rms_slope[task]))
         if "models" in blocks.quantities:
-            each = (blocks.curves[task] - final[task])[:, kept]
+            each = (blocks.values["curve"][task] - final[task])[:, kept]
             compared.append(compare_models(time, curves, each, fits[-1].rate[0]))
-    _estimate(estimates, "relaxation_rate", np.array([fit.rate for fit in fits]))
-    _estimate(estimates, "amplitude", np.array([fit.amplitude for fit in fits]))
-    _estimate(estimates, "relaxation_rate_free", np.array([fit.rate_free for fit in fits]))
+    enter(estimates, "relaxation_rate", np.array([fit.rate for fit in fits]))
+    enter(estimates, "amplitude", np.array([fit.amplitude for fit in fits]))
+    enter(estimates, "relaxation_rate_free", np.array([fit.rate_free for fit in fits]))
     estimates["fit_status"] = np.array([fit.status for fit in fits], dtype=np.int8)
     estimates["fit_window"] = np.array([fit.window for fit in fits])
     estimates["fit_quality"] = np.array([fit.quality for fit in fits])
@@ -77,7 +65,7 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
 def _models(estimates: Estimates, found: list[Comparison]) -> None:
     estimates["best_model"] = np.array([c.best for c in found], dtype=np.int8)
     for name in COEFFICIENTS:
-        _estimate(estimates, name, np.array([getattr(c, name) for c in found]))
+        enter(estimates, name, np.array([getattr(c, name) for c in found]))
     for name in GAINS:
         gains = np.array([getattr(c, name) for c in found])
         estimates[name], estimates[f"{name}_error"] = gains.T
@@ -95,9 +83,9 @@ def fit_exponents(
     chosen = [usable & (hurst == value) for value in axis]
     laws = [fit_power_law(x[rows], rates[rows]) for rows in chosen]
     found: Estimates = {}
-    _estimate(found, "alpha", np.array([law.alpha for law in laws]))
-    _estimate(found, "alpha_free", np.array([law.alpha_free for law in laws]))
-    _estimate(found, "alpha_prefactor", np.array([law.prefactor for law in laws]))
+    enter(found, "alpha", np.array([law.alpha for law in laws]))
+    enter(found, "alpha_free", np.array([law.alpha_free for law in laws]))
+    enter(found, "alpha_prefactor", np.array([law.prefactor for law in laws]))
     found["alpha_scatter"] = np.array([law.scatter for law in laws])
     found["alpha_points"] = np.array([law.points for law in laws], dtype=np.int32)
     return found

@@ -6,12 +6,15 @@ import numpy as np
 import xarray as xr
 
 from workflow.plan import Plan, Variant
-from workflow.reduce import Estimates
+from workflow.reduce import LAWS, Estimates
+from workflow.result.declaration import Powers
 from workflow.result.provenance import provenance
-from workflow.result.variables import AXIS_ATTRIBUTES, Powers, attributes, declared
+from workflow.result.variables import AXIS_ATTRIBUTES, attributes, declared
+from workflow.simulate import EDGES
 from workflow.study import AXES
 
 Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are its comparisons
+Units = dict[str, xr.DataArray]  # unit of the plan -> its value in SI, over the axes it depends on
 
 
 def build_dataset(
@@ -22,27 +25,60 @@ def build_dataset(
     estimates : arrays over variant.tasks. exponents : arrays over the Hurst exponents. Raises
     KeyError for an estimate that is not declared, TypeError for one that is of another type.
     """
-    coords = {axis: np.array(plan.study.grid[axis]) for axis in AXES}
+    axes, units = plan.study.axes, _units(plan, variant)
     data = {}
     for name, values in estimates.items():
         variable = declared(name)
-        data[name] = xr.DataArray(values[plan.point_task], dims=variable.dims)
+        dims = (*axes, *variable.dims[len(AXES) :])
+        data[name] = xr.DataArray(values[variant.point_task], dims=dims)
         if variable.scaling:  # or a flag would become a float
-            data[name] = data[name] * _factor(variable.scaling, coords)
+            data[name] = data[name] * _factor(variable.scaling, units)
+            data[name] = data[name].transpose(*dims)
     for name, values in exponents.items():
         data[name] = xr.DataArray(values, dims=declared(name).dims)
-    if "mu" in estimates:
-        coords["sample"] = np.arange(variant.numerics.curve_samples)
+    if variant.material.branches or "temperature" in axes:
+        data["tau"] = units["tau"]
+    coords: dict[str, object] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
+    coords |= _coordinates(plan, variant, {str(dim) for each in data.values() for dim in each.dims})
     dataset = xr.Dataset(data, coords, provenance(plan.study, variant.numerics))
     _annotate(dataset, plan.jackknife_groups(variant) - 1)
     return dataset
 
 
-def _factor(scaling: Powers, coords: dict[str, np.ndarray]) -> xr.DataArray:
+def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, object]:
+    """Return the coordinates of the dims that are no axes of the grid."""
+    found: dict[str, object] = {
+        "sample": np.arange(variant.numerics.curve_samples),
+        "event": np.arange(variant.events),
+        "bin": EDGES[:-1],
+        "law": list(LAWS),
+    }
+    if "x" in dims:  # of one realization of one problem
+        (task,) = variant.tasks
+        samples = task.problem.elements * task.steps_per_spacing
+        (spacing,) = plan.study.grid["spacing"]
+        found["x"] = np.arange(samples) * spacing / task.steps_per_spacing
+    return {name: values for name, values in found.items() if name in dims}
+
+
+def _units(plan: Plan, variant: Variant) -> Units:
+    """Return the units that dimensionless values are multiplied by, in SI."""
+    grid, material = plan.study.grid, variant.material
+    units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in AXES}
+    stiffness = 4.0 * material.shear_modulus * plan.study.surface.length
+    units["stiffness"] = xr.DataArray(stiffness)  # 4 G L, N/m
+    units["tau"] = xr.DataArray(material.tau)
+    if "temperature" in grid:
+        shifted = [material.tau_at(value) for value in grid["temperature"]]
+        units["tau"] = xr.DataArray(shifted, dims="temperature")
+    return units
+
+
+def _factor(scaling: Powers, units: Units) -> xr.DataArray:
     """Return what turns a dimensionless value into SI, over the axes that it depends on."""
     factor = xr.DataArray(1.0)
-    for axis, power in scaling.items():
-        values = xr.DataArray(coords[axis], dims=axis)
+    for unit, power in scaling.items():
+        values = units[unit]
         factor = factor * values**power if power > 0 else factor / values**-power
     return factor
 
@@ -60,4 +96,11 @@ def _annotate(dataset: xr.Dataset, freedom: int) -> None:
             dataset[name].attrs["degrees_of_freedom"] = freedom
     for name in dataset.coords:
         units, long_name = AXIS_ATTRIBUTES[str(name)]
-        dataset[name].attrs = {"units": units, "long_name": long_name}
+        dataset[name].attrs = (
+            {"long_name": long_name}
+            if name == "law"
+            else {
+                "units": units,
+                "long_name": long_name,
+            }
+        )

@@ -1,36 +1,19 @@
 """Every variable of a result file, declared once: meaning, how it scales, units, dims."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from workflow.reduce import ACCURACY_MEANINGS, MODEL_MEANINGS, STATUS_COMMENT, STATUS_MEANINGS
-from workflow.study import AXES
-
-GRID = AXES
-CURVE = (*AXES, "sample")
-PER_HURST = ("hurst",)
-
-Powers = dict[str, int]  # of axes of the grid, by which a dimensionless value is multiplied
-
-PLAIN: Powers = {}
-HEIGHT: Powers = {"roughness": 1}
-SLOPE: Powers = {"roughness": 1, "spacing": -1}
-FLAG, COUNT = "int8", "int32"
-
-ERRORS = "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
-
-
-class Variable(NamedTuple):
-    """Declaration of one variable."""
-
-    long_name: str
-    scaling: Powers = PLAIN  # from the plan's units to SI
-    units: str = "1"
-    dims: tuple[str, ...] = GRID
-    comment: str = ""
-    dtype: str = "float64"
-
+from workflow.result.declaration import (
+    COUNT,
+    CURVE,
+    ERRORS,
+    FLAG,
+    HEIGHT,
+    PER_HURST,
+    SLOPE,
+    Variable,
+)
+from workflow.result.scenes import SCENES
 
 AXIS_ATTRIBUTES = {
     "hurst": ("1", "Hurst exponent H"),
@@ -39,6 +22,14 @@ AXIS_ATTRIBUTES = {
     "roughness": ("m", "rms roughness h"),
     "velocity": ("m s-1", "sliding velocity v1 before the jump"),
     "velocity_step": ("1", "relative velocity jump dv/v1"),
+    "temperature": ("degree_Celsius", "temperature of the elastomer"),
+    "hold": ("s", "duration of the hold"),
+    "prescribed_indentation": ("m", "prescribed indentation d over the mean line"),
+    "event": ("1", "sample of a trace; 0 is the start"),
+    "bin": ("1", "lower edge of a bin of contact lengths, in spacings"),
+    "law": ("1", "law of the state"),
+    "x": ("m", "place along the foundation"),
+    "unit": ("1", "internal variable of an element"),
     "sample": ("1", "sample of the relaxation curve; 0 is just after the jump"),
 }
 
@@ -100,7 +91,10 @@ VARIABLES = {
     "alpha_points": Variable("number of points in the fit of eq. 13", dims=PER_HURST, dtype=COUNT),
 }
 
+VARIABLES |= SCENES
+
 FLAGS = {
+    "rate_state_status": STATUS_MEANINGS,
     "accuracy_status": ACCURACY_MEANINGS,
     "fit_status": STATUS_MEANINGS,
     "best_model": MODEL_MEANINGS,

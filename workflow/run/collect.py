@@ -9,19 +9,21 @@ from distributed import Client
 
 from workflow.cluster import Watch, stream
 from workflow.errors import UserError
-from workflow.plan import Plan, Variant, line_slope, speed_ratio
+from workflow.plan import Plan, Variant
 from workflow.reduce import (
     Attained,
     Blocks,
     Estimates,
     attained,
-    fit_exponents,
+    blocks_of,
+    completed,
+    exponents_of,
     grouped_means,
     reduce_blocks,
 )
 from workflow.result import build_dataset
 from workflow.run.summary import Summary
-from workflow.simulate import Task, record_steps, record_times
+from workflow.simulate import Task
 from workflow.store import Store
 from workflow.system import Reporter
 
@@ -38,6 +40,7 @@ class Collector:
         """``watch`` : tells when to give up."""
         self.client, self.store, self.plan = client, store, plan
         self.summary, self.watch = summary, watch
+        self.widths = {variant.label: plan.widest_row(variant) for variant in plan.variants}
         self.fitted = {variant.label: Fitted(variant) for variant in plan.variants}
 
     def datasets(self, blocks: dict[str, int]) -> dict[str, xr.Dataset]:
@@ -55,7 +58,7 @@ class Collector:
             if not self.fit(variant, sound, blocks, "fitting"):
                 return {}
             estimates = self._complete(variant, np.array(sound), blocks)
-            exponents = _exponents(self.plan, variant, estimates)
+            exponents = exponents_of(self.plan, variant, estimates)
             datasets[variant.label] = build_dataset(self.plan, variant, estimates, exponents)
         return datasets
 
@@ -77,7 +80,7 @@ class Collector:
                     loaded = self._load(variant, [variant.tasks[row] for row in portion], blocks)
                 yield portion, loaded
 
-        marched = "relaxation" in self.plan.study.scene.quantities
+        marched = self.plan.asked.relaxation
         each = (self.plan.jackknife_groups(variant) + 1) * marched * SECONDS_PER_FIT
         with Reporter(what, len(open_rows) * each) as reporter:
             work = stream(self.client, _reduce_portion, load(), self.watch)
@@ -105,39 +108,21 @@ class Collector:
             estimates["accuracy_reached"] = found.reached
             estimates["accuracy_status"] = found.status
             estimates["bias_bound"] = np.array(bias)
-        spread = {name: _spread(v, sound, len(tasks)) for name, v in estimates.items()}
         each = self.plan.study.realizations_per_block
         counts = np.zeros(len(tasks), np.int32)
         counts[sound] = [blocks[tasks[row].key] * each for row in rows]
-        return spread | {
-            "realizations": counts,
-            "rms_slope": self._slopes(tasks),
-            "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
-            "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
-        }
+        return completed(self.plan, variant, estimates, sound, counts)
 
     def _load(self, variant: Variant, tasks: list[Task], blocks: dict[str, int]) -> Blocks:
-        numerics = variant.numerics
-        samples = numerics.curve_samples - 1
         groups = self.plan.jackknife_groups(variant)
         records = [(task.key, block) for task in tasks for block in range(blocks[task.key])]
         ends = np.cumsum([blocks[task.key] for task in tasks])[:-1]
-        read = self.store.read(records, samples)
-        scalars, curves = (
+        read = self.store.read(records, self.widths[variant.label])
+        scalars, rows = (
             np.stack([grouped_means(own, groups) for own in np.split(whole, ends)])
             for whole in read
         )
-        time = np.full((len(tasks), samples), np.nan)
-        if "relaxation" in self.plan.study.scene.quantities:
-            for row, task in enumerate(tasks):
-                steps_per_tau = task.problem.speed * task.problem.ratio * task.steps_per_spacing
-                kept = record_steps(task.march_steps, numerics.curve_samples)
-                time[row, : kept.size] = record_times(kept, steps_per_tau, numerics.scheme)
-        return Blocks(scalars, curves, time, self._slopes(tasks), self.plan.study.scene.quantities)
-
-    def _slopes(self, tasks: list[Task]) -> np.ndarray:
-        normalisation = self.plan.study.surface.normalisation
-        return np.array([line_slope(task.problem, normalisation) for task in tasks])
+        return blocks_of(self.plan, variant, tasks, scalars, rows)
 
 
 class Fitted:
@@ -158,24 +143,6 @@ class Fitted:
     def at(self, rows: list[int]) -> Estimates:
         """Return the estimates of some tasks, all fitted."""
         return {name: values[rows] for name, values in self.arrays.items()}
-
-
-def _exponents(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:
-    """Take the replicates of b out of the estimates, return the exponents of eq. 13 from them."""
-    rates = estimates.pop("rate_replicates", None)
-    if rates is None:
-        return {}
-    hurst = np.array([task.problem.hurst for task in variant.tasks])
-    x, status = estimates["speed_ratio"], estimates["fit_status"]
-    return fit_exponents(plan.study.grid["hurst"], hurst, x, status, rates)
-
-
-def _spread(values: np.ndarray, sound: np.ndarray, count: int) -> np.ndarray:
-    """Return estimates of the sound tasks as an array over all tasks, NaN or -1 elsewhere."""
-    nothing = np.nan if values.dtype.kind == "f" else -1
-    spread = np.full((count, *values.shape[1:]), nothing, values.dtype)
-    spread[sound] = values
-    return spread
 
 
 def _reduce_portion(portion: tuple[list[int], Blocks]) -> tuple[Estimates, float]:

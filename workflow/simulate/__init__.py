@@ -9,13 +9,31 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.simulate.code import CODE
-    from workflow.simulate.realizations import (
-        block_means,
-        line_generator,
-        load_kernels,
-        record_steps,
-        record_times,
+    from workflow.simulate.kept import kept_steps, programme_steps, record_steps, record_times
+    from workflow.simulate.layout import (
+        EDGES,
+        ENERGIES,
+        TRACES,
+        Layout,
+        row_layout,
+        row_width,
+        unpack,
     )
-    from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Problem, Record, Task
+    from workflow.simulate.programmes import scene_of
+    from workflow.simulate.realizations import block_means, line_generator, load_kernels
+    from workflow.simulate.tasks import (
+        PHASES,
+        SCALARS,
+        START,
+        Batch,
+        BatchResult,
+        Origin,
+        Problem,
+        Record,
+        Recording,
+        ScaledHistory,
+        Surface,
+        Task,
+    )
 
 __all__, __getattr__ = public_names(__name__, __file__)

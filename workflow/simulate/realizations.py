@@ -1,32 +1,18 @@
 """Run a batch: draw its lines, run every realization, average over blocks."""
 
 import time
+from collections.abc import Callable
 from functools import lru_cache
 
 import numpy as np
 
-from kernels import SCHEMES, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
+from kernels import Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
 from kernels.cache import compiling
+from workflow.simulate.kept import record_steps
+from workflow.simulate.layout import Layout, row_layout, row_width
+from workflow.simulate.programmes import add_programme, steady_ends
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
 from workflow.system import peak_bytes, this_maker
-
-
-def record_steps(march_steps: int, curve_samples: int) -> np.ndarray:
-    """Return the numbers of the steps that the curve of a record keeps.
-
-    They increase from 1 to ``march_steps``, and are ``curve_samples`` - 1 at most. Sample 0 of a
-    curve is the moment just after the jump and needs no step.
-    """
-    return np.unique(np.round(np.linspace(1, march_steps, curve_samples - 1)).astype(np.int64))
-
-
-def record_times(kept_steps: np.ndarray, steps_per_tau: float, scheme: str) -> np.ndarray:
-    """Return the times since the jump, in tau, to which the friction of kept steps belongs.
-
-    It is a mean over the step and acts ``lag`` of a step before its end (rheology/law.py). At
-    the end it would be an error of first order. steps_per_tau : of the march.
-    """
-    return (kept_steps - SCHEMES[scheme](1.0 / steps_per_tau).lag) / steps_per_tau
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
@@ -51,18 +37,19 @@ def load_kernels(scheme: str, asked: Quantities) -> None:
 
 def block_means(batch: Batch) -> BatchResult:
     """Run the batch, on one thread of any process."""
-    load_kernels(batch.scheme, batch.quantities)
+    if batch.quantities.anything:
+        load_kernels(batch.scheme, batch.quantities)
     began = time.thread_time()
+    layouts = [row_layout(t, batch.quantities, batch.scheme, batch.recording) for t in batch.tasks]
+    width = max(1, *(row_width(own) for own in layouts))  # netCDF knows no empty rows
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
-    curves = np.zeros((len(batch.tasks), batch.blocks, batch.curve_samples - 1))
+    curves = np.zeros((len(batch.tasks), batch.blocks, width))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
-    problem = batch.tasks[0].problem  # all tasks are of its H and N
-    amplitude = amplitudes(problem.hurst, problem.elements, batch.normalisation)
     for block in range(batch.blocks):
-        first = (batch.first_block + block) * batch.realizations_per_block
-        for index in range(first, first + batch.realizations_per_block):
+        first = block * batch.realizations_per_block
+        for number in range(first, first + batch.realizations_per_block):
             sums = scalars[:, block], curves[:, block]
-            _add_realization(batch, amplitude, index, sums, spent)
+            _add_realization(batch, layouts, number, sums, spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
     used = time.thread_time() - began
@@ -71,27 +58,59 @@ def block_means(batch: Batch) -> BatchResult:
 
 def _add_realization(
     batch: Batch,
-    amplitude: np.ndarray,
-    index: int,
+    layouts: list[Layout],
+    number: int,
     sums: tuple[np.ndarray, np.ndarray],
     spent: np.ndarray,
 ) -> None:
-    """Add one realization of every task to the sums of scalars and curves, one row per task."""
+    """Add one realization of every task to the sums of scalars and curves, one row per task.
+
+    number : of the realization, counted from the first of the batch.
+    """
     began = time.thread_time()
-    hurst, elements = batch.tasks[0].problem.hurst, batch.tasks[0].problem.elements
-    phases = draw_phases(line_generator(batch.seed, hurst, elements, index), elements)
+    draw = _drawer(batch, number)
     line = None
     drawing = 0.0
     for rows in _shared_cases(batch.tasks):
         steps = batch.tasks[rows[0]].steps_per_spacing
         if line is None or line.steps_per_spacing != steps:
-            line = Line.self_affine(amplitude, phases, elements, steps)
+            line = draw(steps)
             drawing += time.thread_time() - began
-        outcome = run_case(line, _case(batch, rows), batch.quantities)
-        _add_outcome(outcome, rows, *sums)
-        spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
+        outcome = None
+        if batch.quantities.anything:
+            outcome = run_case(line, _case(batch, rows), batch.quantities)
+            spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
+        for k, row in enumerate(rows):
+            began = time.thread_time()
+            record = sums[0][row], sums[1][row]
+            task, places = batch.tasks[row], layouts[row]
+            if outcome is None:
+                record[0][:] = np.nan
+            else:
+                _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
+            add_programme(batch, line, task, places, record[1])
+            spent[row, -1] += time.thread_time() - began
         began = time.thread_time()
     spent[:, 0] += drawing / len(batch.tasks)
+
+
+def _drawer(batch: Batch, number: int) -> Callable[[int], Line]:
+    """Return what draws the line of a realization with so many steps per spacing."""
+    problem = batch.tasks[0].problem  # all tasks are of its lines
+    elements = problem.elements
+    if batch.heights is not None:
+        heights = batch.heights[number]
+        return lambda steps: Line.measured(heights, steps)
+    if batch.modes is not None:
+        amplitude = batch.modes
+    else:
+        rolloff, cutoff = problem.surface.rolloff, problem.surface.cutoff
+        normalisation = batch.normalisation
+        amplitude = amplitudes(problem.hurst, elements, normalisation, rolloff, cutoff)
+    index = batch.first_block * batch.realizations_per_block + number
+    generator = line_generator(batch.seed, problem.hurst, elements, index)
+    phases = draw_phases(generator, elements)
+    return lambda steps: Line.self_affine(amplitude, phases, elements, steps)
 
 
 def _shared_cases(tasks: tuple[Task, ...]) -> list[list[int]]:
@@ -106,21 +125,32 @@ def _shared_cases(tasks: tuple[Task, ...]) -> list[list[int]]:
 
 def _case(batch: Batch, rows: list[int]) -> Case:
     tasks = [batch.tasks[row] for row in rows]
+    samples = batch.recording.samples
     return Case(
         load=tasks[0].problem.load,
         speed=tasks[0].problem.speed,
         ratios=tuple(task.problem.ratio for task in tasks),
-        kept_steps=tuple(record_steps(task.march_steps, batch.curve_samples) for task in tasks),
+        kept_steps=tuple(record_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks),
         scheme=batch.scheme,
+        spectrum=tasks[0].problem.spectrum,
     )
 
 
 def _add_outcome(
-    outcome: Outcome, rows: list[int], scalars: np.ndarray, curves: np.ndarray
+    outcome: Outcome, k: int, ends: dict[str, float], places: Layout, sums: tuple[np.ndarray, ...]
 ) -> None:
+    """Add velocity jump k of a case to the sums of one record, scalars and row.
+
+    ends : what of the scalars belongs to other slides of a programme.
+    """
+    scalars, values = sums
     for column, name in enumerate(SCALARS):  # one number, or one per velocity jump
-        scalars[rows, column] += getattr(outcome, name)
-    for k, row in enumerate(rows):
-        curve = outcome.curves[k] if outcome.curves else np.empty(0)
-        curves[row, : curve.size] += curve
-        curves[row, curve.size :] = np.nan
+        own = getattr(outcome, name)
+        scalars[column] += ends.get(name, own[k] if isinstance(own, np.ndarray) else own)
+    if outcome.curves:
+        first, (size,) = places["curve"]
+        curve = outcome.curves[k]
+        values[first : first + curve.size] += curve
+        values[first + curve.size : first + size] = np.nan
+    if "initial_rate" in places:
+        values[places["initial_rate"][0]] += outcome.initial_rate[k]

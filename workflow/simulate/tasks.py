@@ -1,30 +1,68 @@
 """What a worker is given and gives back: problems, tasks, batches, block means. Plain data."""
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import NamedTuple
 
 import numpy as np
 
-from kernels import Outcome, Quantities, Seconds
+from kernels import KELVIN, Outcome, Programme, Quantities, Saved, Seconds, Slide, Spectrum
 from workflow.system import Maker
+
+ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, indentations in h
+
+
+class Surface(NamedTuple):
+    """What lines are, but for H and N: random with these modes, or measured."""
+
+    rolloff: float = 0.0  # wave number below which the spectrum is flat, in 2 pi/L; 0: none
+    cutoff: int = 0  # number of the last mode; 0: N/2
+    measured: str = ""  # what measured lines, or random ones like them, are known by
+    slope: float = 0.0  # their rms slope, in h/dx
 
 
 class Problem(NamedTuple):
-    """One dimensionless problem."""
+    """One dimensionless problem: the numbers of the paper, then what a scene adds to them."""
 
-    hurst: float
+    hurst: float  # of measured lines a typical one, for predictions alone
     elements: int  # N = L / dx
-    load: float  # Fbar = F_N / (4 G L h)
-    speed: float  # vbar = v1 tau / dx
-    ratio: float  # r = v2 / v1
+    load: float  # Fbar = F_N / (4 G L h); 0 where the indentation is prescribed
+    speed: float  # vbar = v1 tau / dx; of the first slide of a programme
+    ratio: float  # r = v2 / v1; of the first velocity step of a programme
+    spectrum: Spectrum = KELVIN
+    surface: Surface = Surface()
+    programme: Programme = ()  # empty: only steady states and the step from v1 to v2
+    start: str = "steady"
+    indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a load
+
+    @property
+    def ends(self) -> tuple[float, float]:
+        """Return the speeds that mu_1 and mu_2 belong to: of the first and of the last slide."""
+        slides = [leg.speed for leg in self.programme if isinstance(leg, Slide)]
+        return (slides[0], slides[-1]) if slides else (self.speed, self.ratio * self.speed)
 
 
 Record = tuple[str, int]  # (key of a task, block of realizations)
 
-# Block means of these are stored: all that a case gives but its curves and what it cost.
-SCALARS = tuple(f for f in Outcome._fields if f not in ("curves", "work", "seconds"))
+# Block means of these are stored as they are; all else of a record is laid out by layout.py.
+NOT_SCALARS = ("curves", "work", "seconds", "initial_rate")
+SCALARS = tuple(f for f in Outcome._fields if f not in NOT_SCALARS)
 
 PHASES = ("surfaces", *Seconds._fields)  # of the work on a line; the rest is calls
+
+
+Origin = tuple[float, float, float]  # position in samples, speed in dx/tau, time in tau
+START: Origin = (0.0, 0.0, 0.0)
+
+
+class Recording(NamedTuple):
+    """What is kept of a march."""
+
+    samples: int  # of a curve, about
+    record: str = "time"  # samples evenly over "time", "distance", or the "log" of time in a leg
+    every: int = 0  # keep every so many steps instead; 0: samples
+    asked: tuple[str, ...] = ()  # what of a programme is asked for (kernels/scene.py)
+    dense: tuple[str, ...] = ()  # "healing", "loop": what needs samples of its own
+    origin: Origin = START  # where a programme begins that is resumed
 
 
 @dataclass(frozen=True)
@@ -45,19 +83,24 @@ class Batch:
     normalisation: str
     quantities: Quantities
     scheme: str
-    curve_samples: int
+    recording: Recording
     tasks: tuple[Task, ...]
     first_block: int
     blocks: int
     realizations_per_block: int
     seconds: float  # predicted
+    # Measured lines, a row for each realization of the batch, or the amplitudes of the modes of
+    # random ones like them, both in h. None: random lines of H alone.
+    heights: np.ndarray | None = field(default=None, compare=False)
+    modes: np.ndarray | None = field(default=None, compare=False)
+    resumed: Saved | None = field(default=None, compare=False)  # where a programme goes on
 
 
 class BatchResult(NamedTuple):
     """Block means of a batch, dimensionless: mu in h/dx, indentation in h; and what they cost."""
 
     scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS)); NaN: not asked for
-    curves: np.ndarray  # shape (tasks, blocks, samples - 1); NaN beyond the recorded steps
+    curves: np.ndarray  # shape (tasks, blocks, values): rows as layout.py says, NaN beyond
     spent: np.ndarray  # shape (tasks, len(PHASES)), CPU seconds; shared work in equal parts
     seconds: float  # CPU time used in all
     peak: int  # bytes, the most memory this process has had so far

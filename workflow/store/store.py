@@ -120,10 +120,11 @@ class Store:
     def read(self, records: list[Record], curve_samples: int) -> tuple[np.ndarray, np.ndarray]:
         """Return scalars (records, 5) and curves (records, curve_samples) of the records.
 
+        Curves are filled up with NaN where a shard holds shorter ones.
         Raises DamagedShard once the shard is set aside, or what the journal says of it is mended.
         """
         scalars = np.empty((len(records), len(SCALARS)))
-        curves = np.empty((len(records), curve_samples))
+        curves = np.full((len(records), curve_samples), np.nan)
         wanted: dict[str, list[tuple[int, int]]] = {}
         for row, record in enumerate(records):
             shard, position = self.index.find(record)
@@ -135,7 +136,8 @@ class Store:
                 raise DamagedShard(shard)
             rows, positions = np.array(pairs).T
             scalars[rows] = contents.scalars[positions]
-            curves[rows] = contents.curves[positions, :curve_samples]
+            found = contents.curves[positions, :curve_samples]
+            curves[rows, : found.shape[1]] = found
         return scalars, curves
 
     def _path(self, name: str) -> Path:

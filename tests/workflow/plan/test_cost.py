@@ -12,7 +12,7 @@ from kernels.motion.stretches import touchable
 from kernels.rheology.kelvin import SCHEMES
 from kernels.steady import steady_sliding
 from workflow.plan.cost import TYPICAL, SecondsBySize, sweeps, task_seconds, touchable_share
-from workflow.simulate.tasks import Problem, Task
+from workflow.simulate.tasks import Problem, Recording, Task
 
 CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
 ALL = Quantities()
@@ -21,7 +21,7 @@ ALL = Quantities()
 def seconds(elements=2500, march_steps=100, asked=ALL, timings=TYPICAL):
     """Return the predicted time of a task."""
     problem = Problem(0.7, elements, 0.05, 1.0, 1.2)
-    return task_seconds(timings, asked, Task(problem, 4, march_steps, ""))
+    return task_seconds(timings, asked, Task(problem, 4, march_steps, ""), Recording(64))
 
 
 def test_a_curve_passes_through_what_was_measured():

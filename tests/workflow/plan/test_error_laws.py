@@ -6,7 +6,7 @@ import pytest
 from kernels import Quantities
 from workflow.plan.error_laws import LAWS, Error
 from workflow.simulate.realizations import block_means
-from workflow.simulate.tasks import SCALARS, Batch, Problem, Task
+from workflow.simulate.tasks import SCALARS, Batch, Problem, Recording, Task
 
 POINTS = [
     Problem(0.3, 600, 0.05, 5.0, 1.2),
@@ -23,7 +23,7 @@ def scalars(problem, steps):
     """Return the scalars of every line, shape (lines, scalars)."""
     task = Task(problem, steps, 0, "")
     asked = Quantities(relaxation=False)
-    batch = Batch(3, "modal", asked, "exponential", 16, (task,), 0, LINES, 1, 0.0)
+    batch = Batch(3, "modal", asked, "exponential", Recording(16), (task,), 0, LINES, 1, 0.0)
     return block_means(batch).scalars[0]
 
 

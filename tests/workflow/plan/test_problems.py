@@ -8,7 +8,8 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.small import complaint, keys, small_plan, small_study
-from workflow.plan.problems import canonical, distinct_problems, speed_ratio
+from workflow.plan.motion import canonical
+from workflow.plan.problems import distinct_problems, speed_ratio
 from workflow.simulate.tasks import Problem
 from workflow.study.grid import AXES
 
@@ -60,7 +61,7 @@ def test_every_point_is_mapped_to_its_own_problem_and_copies_to_one():
         assert problem.hurst == point["hurst"]
         assert problem.elements == round(0.01 / point["spacing"])
         expected = (load, speed, 1.0 + point["velocity_step"])
-        assert problem[2:] == pytest.approx(expected, rel=1e-11)
+        assert problem[2:5] == pytest.approx(expected, rel=1e-11)
 
 
 @given(st.floats(1e-9, 0.9), st.sampled_from([-1.0, 1.0]))

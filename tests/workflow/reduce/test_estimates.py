@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.curves import RATE, exponential_blocks
-from workflow.reduce.estimates import Blocks, reduce_blocks
+from workflow.reduce.estimates import reduce_blocks
 from workflow.reduce.fits import FITTED
 from workflow.simulate.tasks import SCALARS
 
@@ -76,7 +76,13 @@ def test_only_what_was_asked_for_is_there(asked):
 
 
 def test_reduction_does_not_depend_on_the_company_of_a_task():
-    *arrays, quantities = BLOCKS
-    alone = reduce_blocks(Blocks(*(array[1:2] for array in arrays), quantities))
+    alone = reduce_blocks(
+        BLOCKS._replace(
+            scalars=BLOCKS.scalars[1:2],
+            values={"curve": BLOCKS.values["curve"][1:2]},
+            time=BLOCKS.time[1:2],
+            rms_slope=BLOCKS.rms_slope[1:2],
+        )
+    )
     for name, values in alone.items():
         assert values.tobytes() == FOUND[name][1:2].tobytes()

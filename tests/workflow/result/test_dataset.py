@@ -59,7 +59,9 @@ SCALES = {
 @pytest.mark.parametrize("names", SCALES)
 def test_estimates_get_their_scale(made, dataset, names, point):
     plan, estimates, _ = made
-    task = plan.point_task[tuple(plan.study.grid[axis].index(point[axis]) for axis in AXES)]
+    task = plan.variants[0].point_task[
+        tuple(plan.study.grid[axis].index(point[axis]) for axis in AXES)
+    ]
     scale = SCALES[names](point["roughness"], point["spacing"])
     for name in names.split():
         found, expected = dataset[name].sel(point).values, estimates[name][task] * scale
@@ -72,7 +74,7 @@ def test_a_variable_may_scale_with_any_axes(made, monkeypatch):
     monkeypatch.setitem(VARIABLES, "mu_1", power)
     found = build_dataset(plan, plan.variants[0], estimates, {})
     for name in ("mu_1", "mu_1_error"):
-        plain = xr.DataArray(estimates[name][plan.point_task], dims=AXES)
+        plain = xr.DataArray(estimates[name][plan.variants[0].point_task], dims=AXES)
         expected = plain * (found.normal_force * found.velocity**2 / found.spacing)
         np.testing.assert_allclose(found[name], expected)
 
@@ -86,8 +88,8 @@ def test_speed_ratio_is_that_of_the_point(dataset):
 def test_power_law_uses_fitted_points_beyond_one_only(made, dataset):
     x = dataset.speed_ratio.values[0]
     fitted = dataset.fit_status.values[0] == FITTED
-    distinct = np.unique(made[0].point_task[0][(x > 1.0) & fitted])
-    assert 3 <= distinct.size < np.unique(made[0].point_task[0]).size
+    distinct = np.unique(made[0].variants[0].point_task[0][(x > 1.0) & fitted])
+    assert 3 <= distinct.size < np.unique(made[0].variants[0].point_task[0]).size
     assert dataset.alpha_points.values[0] == distinct.size
     assert np.isfinite(dataset.alpha).all()
 

@@ -34,7 +34,7 @@ def collector(client, store):
 
 def test_estimates_of_every_point_are_the_means_of_its_own_blocks(collector, store):
     data = collector.datasets(BLOCKS)[""]
-    task = PLAN.point_task
+    task = VARIANT.point_task
     h_over_dx = 1e-5 / 1e-4
     for place in np.ndindex(task.shape):
         records = [(VARIANT.tasks[task[place]].key, block) for block in range(4)]
@@ -67,7 +67,7 @@ def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):
     for task in VARIANT.tasks[1:]:
         store.record_failure(task.key, "why")
     data = collector.datasets(BLOCKS)[""]
-    sound = PLAN.point_task == 0
+    sound = VARIANT.point_task == 0
     assert np.array_equal(data.realizations.values > 0, sound)
     assert np.array_equal(np.isfinite(data.mu_1.values), sound)
     assert (data.fit_status.values[~sound] == -1).all()

@@ -79,7 +79,7 @@ def test_the_rest_of_the_study_is_finished_and_the_failed_point_marked(broken, f
     assert "ArithmeticError: no root" in broken.summary.failures[1]
     others = {record for record in all_records(PLAN) if record[0] != BAD}
     assert held(Store(store_folder(broken.path))) == others
-    whole, part, sound = finished.load(), broken.load(), PLAN.point_task != 1
+    whole, part, sound = finished.load(), broken.load(), PLAN.variants[0].point_task != 1
     assert np.array_equal(part.realizations > 0, sound)
     assert np.isnan(part.mu.values[~sound]).all()
     for name in ("mu_1", "jump", "mu", "fit_status", "realizations", "relaxation_rate_error"):

@@ -15,7 +15,7 @@ BATCH = next(cut_batches(small_plan("study.realizations=2"), set(), 1e9))
 def test_block_means_are_named_as_the_outcome_of_the_kernels():
     """By field, not by position: each column is the number that the kernels call so."""
     task = BATCH.tasks[0]
-    hurst, elements, load, speed, ratio = task.problem
+    hurst, elements, load, speed, ratio = task.problem[:5]
     phases = draw_phases(line_generator(BATCH.seed, hurst, elements, 0), elements)
     line = Line.self_affine(amplitudes(hurst, elements), phases, elements, task.steps_per_spacing)
     case = Case(load, speed, (ratio,), (np.array([1]),), BATCH.scheme)

@@ -18,7 +18,7 @@ def test_one_shard_holds_many_batches(tmp_path):
 
 
 def test_batches_of_different_length_share_a_shard(tmp_path):
-    longer = dataclasses.replace(WORK[1], curve_samples=40)
+    longer = dataclasses.replace(WORK[1], recording=WORK[1].recording._replace(samples=40))
     work = [(batch, random_result(batch)) for batch in (WORK[0], longer)]
     store = Store(tmp_path)
     store.add(work)

@@ -25,9 +25,12 @@ def grouped_means(blocks: np.ndarray, groups: int) -> np.ndarray:
 def replicates(blocks: np.ndarray, axis: int) -> np.ndarray:
     """Return the mean followed by the leave-one-block-out means along ``axis``.
 
-    With g blocks the axis grows to g + 1: entry 0 is the full mean.
+    With g blocks the axis grows to g + 1: entry 0 is the full mean. One block alone has no others,
+    and stays as it is: nothing is known of its scatter.
     """
     count = blocks.shape[axis]
+    if count == 1:
+        return blocks
     total = blocks.sum(axis=axis, keepdims=True)
     return np.concatenate([total / count, (total - blocks) / (count - 1)], axis=axis)
 
@@ -35,8 +38,10 @@ def replicates(blocks: np.ndarray, axis: int) -> np.ndarray:
 def standard_error(values: np.ndarray, axis: int) -> np.ndarray:
     """Return the jackknife standard error of an estimate from its replicates along ``axis``.
 
-    Entry 0 along the axis is the estimate itself and does not enter.
+    Entry 0 along the axis is the estimate itself and does not enter. NaN where it is alone.
     """
+    if values.shape[axis] == 1:
+        return np.full_like(np.take(values, 0, axis=axis), np.nan, dtype=float)
     left_out = np.take(values, range(1, values.shape[axis]), axis=axis)
     count = left_out.shape[axis]
     deviation = left_out - left_out.mean(axis=axis, keepdims=True)
@@ -58,8 +63,10 @@ def significant(values: np.ndarray) -> bool:
 
     NaN in the estimate or in one replicate is not significant. Nor is an estimate whose replicates
     agree to rounding: random lines always differ, so the data do not enter it, as where a fit has
-    run to the same end in every replicate.
+    run to the same end in every replicate. Of one block alone every number that is not zero counts.
     """
+    if values.size == 1:
+        return bool(np.isfinite(values[0]) and values[0] != 0.0)
     with np.errstate(over="ignore", invalid="ignore"):
         error = standard_error(values, 0)
         spread = error > ROUNDING * abs(values[0])

@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, draw_phases, run_case
-from workflow.simulate.realizations import record_steps, record_times
+from workflow.simulate.kept import record_steps, record_times
 
 
 @given(st.integers(8, 10**6), st.integers(8, 600))

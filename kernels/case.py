@@ -1,0 +1,77 @@
+"""What a realization is asked for and what it gives: cases and outcomes. Plain data."""
+
+import time
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.rheology.spectrum import KELVIN, Spectrum
+
+
+class Quantities(NamedTuple):
+    """What a scene asks for."""
+
+    steady: bool = True
+    jump: bool = True
+    relaxation: bool = True
+    indentation_rate: bool = True  # effect: d' in the force (eq. 3 as printed drops it)
+    initial_rate: bool = False  # d mu/dt just after the velocity step
+
+    @property
+    def anything(self) -> bool:
+        """Return whether any steady state is needed for what is asked."""
+        return self.steady or self.jump or self.relaxation or self.initial_rate
+
+
+class Case(NamedTuple):
+    """One load, one speed v1 and the jumps from it, on a line that is given."""
+
+    load: float  # Fbar = F_N / (4 G L h)
+    speed: float  # vbar = v1 tau / dx, signed
+    ratios: tuple[float, ...]  # v2 / v1
+    kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
+    scheme: str
+    spectrum: Spectrum = KELVIN
+
+    @property
+    def plain(self) -> bool:
+        """Return whether this is a Kelvin element that slides one way."""
+        forwards = self.speed > 0.0 and all(ratio > 0.0 for ratio in self.ratios)
+        return self.spectrum == KELVIN and forwards
+
+
+class Seconds(NamedTuple):
+    """CPU time of this thread in the phases of a case. No result depends on it."""
+
+    steady: float
+    jump: float
+    marching: float
+
+
+class Outcome(NamedTuple):
+    """Results of a case; mu in h/dx, indentation in h over the mean line."""
+
+    mu_1: float
+    indentation: float
+    contact_fraction: float
+    samples_per_contact: float  # of the march; where nothing is marched, of what friction rests on
+    mu_2: np.ndarray  # shape (ratios,)
+    jump: np.ndarray  # shape (ratios,)
+    curves: list[np.ndarray]  # per ratio: mu at the recorded steps, ending towards mu_2
+    work: int  # element updates, the measure of cost
+    seconds: Seconds
+    initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN where not asked for
+
+
+class Clock:
+    """Books the time since its last reading to a phase."""
+
+    def __init__(self) -> None:
+        self.spent = dict.fromkeys(Seconds._fields, 0.0)
+        self.last = time.thread_time()
+
+    def lap(self, phase: str) -> None:
+        """Book the time to a phase."""
+        now = time.thread_time()
+        self.spent[phase] += now - self.last
+        self.last = now

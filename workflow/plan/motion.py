@@ -1,0 +1,152 @@
+"""What a scene adds to a problem, without units: lines, programme, prescribed indentation.
+
+Lengths along x are in dx, heights in h, times in tau, speeds in dx/tau.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+import kernels
+from kernels import Programme, rms_slope
+from workflow.errors import UserError
+from workflow.simulate import Problem, ScaledHistory, Surface
+from workflow.study import (
+    FromFile,
+    Hold,
+    Oscillate,
+    Ramp,
+    Segment,
+    Slide,
+    Study,
+    Velocity,
+    velocity_steps,
+    with_hold,
+)
+
+MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
+
+
+def canonical(values: np.ndarray) -> np.ndarray:
+    """Round to 40 bits of mantissa; commutes with scaling by powers of two."""
+    mantissa, exponent = np.frexp(values)
+    return np.ldexp(np.round(np.ldexp(mantissa, MANTISSA_BITS)), exponent - MANTISSA_BITS)
+
+
+def rounded(value: float) -> float:
+    """Return one value as ``canonical`` rounds it."""
+    return float(canonical(np.array(value)))
+
+
+class Scale(NamedTuple):
+    """What the units of a point of the grid are, in SI, and the velocity of the grid there."""
+
+    spacing: float  # dx, m
+    tau: float  # s
+    roughness: float  # h, m
+    reference: float  # m/s
+
+
+class Setting(NamedTuple):
+    """The fields of a problem that a scene adds or takes from its programme."""
+
+    surface: Surface
+    programme: Programme = ()
+    speeds: tuple[float, float] | None = None  # speed and ratio; None: those of the grid
+    start: str = "steady"
+    indentation: float | ScaledHistory | None = None
+
+    def problem(
+        self, hurst: float, elements: int, load: float, speed: float, ratio: float
+    ) -> Problem:
+        """Return the problem of a point of the grid, but for the spectrum of the material."""
+        speed, ratio = self.speeds or (speed, ratio)
+        return Problem(
+            hurst,
+            elements,
+            load,
+            speed,
+            ratio,
+            surface=self.surface,
+            programme=self.programme,
+            start=self.start,
+            indentation=self.indentation,
+        )
+
+
+def setting(study: Study, scale: Scale, elements: int, hold: float, depth: float) -> Setting:
+    """Return what the scene of a study adds at a point.
+
+    hold : duration of the hold that has several, s. depth : prescribed indentation, m. Either is
+    NaN where the study has none.
+    """
+    surface, scene = line_modes(study, elements), study.scene
+    if not scene.programme:
+        return Setting(surface)
+    segments = with_hold(scene.segments, hold)
+    indentation: float | ScaledHistory | None = None
+    if scene.indentation_history is not None:
+        times, depths = scene.indentation_history
+        indentation = (
+            tuple(rounded(time / scale.tau) for time in times),
+            tuple(rounded(each / scale.roughness) for each in depths),
+        )
+    elif scene.control == "indentation":
+        indentation = rounded(depth / scale.roughness)
+    programme = tuple(_leg(segment, scale) for segment in segments)
+    return Setting(surface, programme, _speeds(study, scale), scene.start, indentation)
+
+
+def _speeds(study: Study, scale: Scale) -> tuple[float, float]:
+    """Return the speed before the first velocity step, and that after it over it.
+
+    Without a step the speed is that at which the programme begins, or, where it begins at rest,
+    the first that it has.
+    """
+    segments = study.scene.segments
+    steps = velocity_steps(segments)
+    if steps:
+        pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, Slide)]
+        before, after = (slide.velocity.at(scale.reference) for slide in pair)
+        return rounded(before * scale.tau / scale.spacing), after / before
+    speed = study.scene.start_velocity(scale.reference) or study.scene.typical_speed
+    return rounded(speed * scale.tau / scale.spacing), 1.0
+
+
+def line_modes(study: Study, elements: int) -> Surface:
+    """Return what lines of so many elements are."""
+    profile = study.surface.profile
+    if profile is None:
+        return Surface(*study.surface.modes(elements))
+    modes = study.surface.amplitudes
+    own = profile.amplitudes if modes is None else modes
+    slope = rms_slope(own / profile.roughness, elements)
+    return Surface(measured=study.surface.identity, slope=slope)
+
+
+def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
+    dx, tau = scale.spacing, scale.tau
+
+    def speed(velocity: Velocity) -> float:
+        return rounded(velocity.at(scale.reference) * tau / dx)
+
+    match segment:
+        case Slide():
+            metres = abs(segment.velocity.at(scale.reference)) * segment.seconds(scale.reference)
+            distance = metres if segment.distance is None else segment.distance
+            return kernels.Slide(speed(segment.velocity), rounded(distance / dx))
+        case Hold():
+            (duration,) = segment.durations
+            return kernels.Hold(rounded(duration / tau))
+        case Ramp():
+            ends = speed(segment.first), speed(segment.last)
+            return kernels.Ramp(*ends, rounded(segment.duration / tau))
+        case Oscillate():
+            amplitude, frequency = rounded(segment.amplitude / dx), rounded(segment.frequency * tau)
+            return kernels.Oscillation(
+                speed(segment.velocity), amplitude, frequency, int(segment.cycles)
+            )
+        case FromFile():
+            times = tuple(rounded(time / tau) for time in segment.times)
+            return kernels.Sampled(times, tuple(rounded(v * tau / dx) for v in segment.velocities))
+    raise UserError(f"scene.programme: {segment!r:.60} is no segment")

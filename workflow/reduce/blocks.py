@@ -1,0 +1,110 @@
+"""What of the store is reduced: block means of some tasks, and when and where they were kept."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels import Programme, Saved, trace_stamps
+from workflow.plan import Plan, Variant, line_slope
+from workflow.reduce.statistics import standard_error
+from workflow.simulate import (
+    ENERGIES,
+    TRACES,
+    Layout,
+    Task,
+    record_steps,
+    record_times,
+    row_layout,
+    scene_of,
+    unpack,
+)
+
+Estimates = dict[str, np.ndarray]
+
+
+class Blocks(NamedTuple):
+    """Block means of some tasks, dimensionless, and what is needed to reduce them."""
+
+    scalars: np.ndarray  # shape (tasks, blocks, len(SCALARS))
+    values: dict[str, np.ndarray]  # parts of a row (layout.py), each (tasks, blocks, *its shape)
+    time: np.ndarray  # of the curves, shape (tasks, samples - 1), in tau; NaN beyond the last
+    rms_slope: np.ndarray  # shape (tasks,), in h/dx
+    quantities: tuple[str, ...]
+    jumps: bool = True  # whether friction jumps with the velocity: whether there is a dashpot
+    speeds: np.ndarray = np.empty((0, 2))  # before and after the velocity step, dx/tau, (tasks, 2)
+    programmes: tuple[Programme, ...] = ()  # of the tasks
+    stamps: dict[str, np.ndarray] | None = None  # of traces (kernels/scene), each (tasks, events)
+
+
+def enter(estimates: Estimates, name: str, values: np.ndarray) -> None:
+    """Enter an estimate and its standard error from replicates along axis 1."""
+    estimates[name] = values[:, 0]
+    estimates[f"{name}_error"] = standard_error(values, 1)
+
+
+def blocks_of(
+    plan: Plan, variant: Variant, tasks: list[Task], scalars: np.ndarray, rows: np.ndarray
+) -> Blocks:
+    """Return some tasks of a variant as they are reduced.
+
+    scalars : shape (tasks, blocks, len(SCALARS)). rows : (tasks, blocks, width), as laid out by
+    simulate/layout.py. What differs in length between tasks is filled up with NaN.
+    """
+    parts = [
+        unpack(own, _layout(plan, variant, task)) for own, task in zip(rows, tasks, strict=True)
+    ]
+    traces = {name for name in parts[0] if name in (*TRACES, *ENERGIES)}
+    values = {
+        name: np.stack([_filled(p[name], variant.events if name in traces else 0) for p in parts])
+        for name in parts[0]
+    }
+    speeds = [(t.problem.speed, t.problem.speed * t.problem.ratio) for t in tasks]
+    slopes = [line_slope(t.problem, plan.study.surface.normalisation) for t in tasks]
+    return Blocks(
+        scalars,
+        values,
+        _times(plan, variant, tasks),
+        np.array(slopes),
+        plan.study.scene.quantities,
+        variant.material.jumps,
+        np.array(speeds),
+        tuple(task.problem.programme for task in tasks),
+        _stamps(variant, tasks) if variant.recording.asked else None,
+    )
+
+
+def _layout(plan: Plan, variant: Variant, task: Task) -> Layout:
+    return row_layout(task, plan.asked, variant.numerics.scheme, variant.recording)
+
+
+def _filled(values: np.ndarray, length: int) -> np.ndarray:
+    """Return values with NaN after the last along the last axis, up to a length."""
+    missing = max(length - values.shape[-1], 0) if length else 0
+    ends = [(0, 0)] * (values.ndim - 1) + [(0, missing)]
+    return np.pad(values, ends, constant_values=np.nan) if missing else values
+
+
+def _stamps(variant: Variant, tasks: list[Task]) -> dict[str, np.ndarray]:
+    """Return when and where the traces of tasks are kept, each of shape (tasks, events)."""
+    each = []
+    for task in tasks:
+        scene = scene_of(task, variant.numerics.scheme, variant.recording)
+        position, speed, time = variant.recording.origin
+        nothing = np.empty(0)
+        saved = Saved(nothing, nothing, 0.0, position, time, speed)
+        each.append(trace_stamps(scene, task.steps_per_spacing, saved))
+    return {
+        name: np.stack([_filled(own[name].astype(float), variant.events) for own in each])
+        for name in each[0]
+    }
+
+
+def _times(plan: Plan, variant: Variant, tasks: list[Task]) -> np.ndarray:
+    """Return the times of the curves after the velocity step, shape (tasks, samples - 1)."""
+    samples, scheme = variant.numerics.curve_samples, variant.numerics.scheme
+    time = np.full((len(tasks), samples - 1), np.nan)
+    for row, task in enumerate(tasks) if plan.asked.relaxation else ():
+        steps_per_tau = abs(task.problem.speed * task.problem.ratio) * task.steps_per_spacing
+        kept = record_steps(task.march_steps, samples, task.problem.spectrum)
+        time[row, : kept.size] = record_times(kept, steps_per_tau, scheme, task.problem.spectrum)
+    return time

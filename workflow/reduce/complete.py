@@ -1,0 +1,44 @@
+"""What the result says of every task beside its estimates, and of all tasks together."""
+
+import numpy as np
+
+from workflow.plan import Plan, Variant, line_slope, speed_ratio
+from workflow.reduce.blocks import Estimates
+from workflow.reduce.estimates import fit_exponents
+
+
+def completed(
+    plan: Plan, variant: Variant, estimates: Estimates, sound: np.ndarray, counts: np.ndarray
+) -> Estimates:
+    """Return name -> array over all tasks of a variant.
+
+    estimates : of the tasks at the rows ``sound``; the others are marked, NaN or -1. counts :
+    realizations of each task, shape (tasks,).
+    """
+    tasks = variant.tasks
+    spread = {name: _spread(v, sound, len(tasks)) for name, v in estimates.items()}
+    slopes = [line_slope(task.problem, plan.study.surface.normalisation) for task in tasks]
+    return spread | {
+        "realizations": counts,
+        "rms_slope": np.array(slopes),
+        "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
+        "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
+    }
+
+
+def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:
+    """Take the replicates of b out of the estimates, return the exponents of eq. 13 from them."""
+    rates = estimates.pop("rate_replicates", None)
+    if rates is None:
+        return {}
+    hurst = np.array([task.problem.hurst for task in variant.tasks])
+    x, status = estimates["speed_ratio"], estimates["fit_status"]
+    return fit_exponents(plan.study.grid["hurst"], hurst, x, status, rates)
+
+
+def _spread(values: np.ndarray, sound: np.ndarray, count: int) -> np.ndarray:
+    """Return estimates of the sound tasks as an array over all tasks, NaN or -1 elsewhere."""
+    nothing = np.nan if values.dtype.kind == "f" else -1
+    spread = np.full((count, *values.shape[1:]), nothing, values.dtype)
+    spread[sound] = values
+    return spread

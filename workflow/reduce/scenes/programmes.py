@@ -1,0 +1,127 @@
+"""What a programme of motion tells: traces, energies, peaks, healing, loops, rate and state."""
+
+from collections.abc import Callable
+from typing import Any
+
+import numpy as np
+
+from workflow.reduce.blocks import Blocks, Estimates, enter
+from workflow.reduce.scenes.healing import healing
+from workflow.reduce.scenes.loop import loop
+from workflow.reduce.scenes.peak import extremum
+from workflow.reduce.scenes.rate_state import LAWS, RateState, fit_rate_state
+from workflow.reduce.statistics import replicates
+from workflow.simulate import ENERGIES, TRACES
+
+STAMPS = {"time": "trace_time", "distance": "trace_distance", "speed": "trace_velocity"}
+ALONE = ("snapshot_", "state_")  # of one realization: no error
+
+
+def reduce_steps(
+    estimates: Estimates,
+    blocks: Blocks,
+    time: np.ndarray,
+    curves: np.ndarray,
+    values: dict[str, np.ndarray],
+) -> None:
+    """Enter what follows from the friction after the velocity step: its peak, rate and state.
+
+    time : since the step, in tau, shape (tasks, samples). curves : mu, shape (tasks, replicates,
+    samples). values : replicates of the scalars, each of shape (tasks, replicates).
+    """
+    if "peak" in blocks.quantities:
+        found = [_peak(*each) for each in zip(time, curves, blocks.speeds, strict=True)]
+        peaks, times = np.moveaxis(np.array(found), 1, 0)
+        enter(estimates, "peak", peaks - values["mu_1"])
+        enter(estimates, "peak_time", times)
+        if "initial_rate" in blocks.values:
+            enter(estimates, "initial_rate", replicates(blocks.values["initial_rate"], 1))
+    if "rate_state" in blocks.quantities:
+        change = values["mu_2"] - values["mu_1"]
+        deviation = curves - values["mu_2"][..., None]
+        _rate_state(estimates, blocks, time, deviation, change)
+
+
+def _peak(time: np.ndarray, curves: np.ndarray, speeds: np.ndarray) -> tuple:
+    kept = np.isfinite(time)
+    before, after = speeds
+    return extremum(time[kept], curves[:, kept], 1.0 if after > before else -1.0)
+
+
+def _rate_state(
+    estimates: Estimates,
+    blocks: Blocks,
+    time: np.ndarray,
+    deviation: np.ndarray,
+    change: np.ndarray,
+) -> None:
+    """Enter a, b and D_c (in dx) of both laws; arrays of shape (tasks, laws)."""
+    fits: list[list[RateState]] = []
+    for task, (before, after) in enumerate(blocks.speeds):
+        kept = np.isfinite(time[task])
+        distance, curves = abs(after) * time[task][kept], deviation[task][:, kept]
+        ratio, sign = after / before, np.sign(before)
+        data = distance, sign * curves, sign * change[task], ratio
+        fits.append([fit_rate_state(*data, law) for law in LAWS])
+    for name in ("a", "b", "dc"):
+        each = np.array([[getattr(fit, name) for fit in own] for own in fits])
+        enter(estimates, f"rate_state_{name}", np.moveaxis(each, 2, 1))
+    residuals = [[fit.residual for fit in own] for own in fits]
+    estimates["rate_state_residual"] = np.array(residuals)
+    status = [[fit.status for fit in own] for own in fits]
+    estimates["rate_state_status"] = np.array(status, np.int8)
+
+
+def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
+    """Enter what a programme was asked for."""
+    asked, values, stamps = blocks.quantities, blocks.values, blocks.stamps
+    means = {name: replicates(values[name], 1) for name in (*TRACES, *ENERGIES) if name in values}
+    if stamps and ("trace" in asked or "energy" in asked):
+        for name, own in STAMPS.items():
+            estimates[own] = stamps[name]
+        leg = stamps["leg"]
+        estimates["trace_segment"] = np.where(np.isnan(leg), -1, leg).astype(np.int32)
+    for name in TRACES if "trace" in asked else ():
+        enter(estimates, name, means[name])
+    if "energy" in asked:
+        for name in ENERGIES:
+            enter(estimates, name, means[name])
+        enter(estimates, "balance_residual", _residual(means))
+    if "healing" in asked:
+        _each(estimates, blocks, healing, means["trace_mu"])
+    if "loop" in asked:
+        _each(estimates, blocks, loop, means["trace_mu"], means["trace_friction_force"])
+    if "contact_lengths" in asked:
+        enter(estimates, "contact_length", replicates(values["contact_length"], 1))
+    estimates |= {name: own.mean(axis=1) for name, own in values.items() if name.startswith(ALONE)}
+
+
+def _residual(means: dict[str, np.ndarray]) -> np.ndarray:
+    """Return what the work lacks of stored, dissipated and closing energy, over what is dissipated.
+
+    Shape (tasks, replicates): at the last kept sample of each trace.
+    """
+    stored, dissipated, work, closing = (_last(means[name]) for name in ENERGIES)
+    with np.errstate(all="ignore"):
+        change = stored - means["stored_energy"][:, :, 0]
+        return (work - change - dissipated - closing) / dissipated
+
+
+def _last(traces: np.ndarray) -> np.ndarray:
+    """Return the last sample of each trace that is not NaN, shape (tasks, replicates)."""
+    known = np.isfinite(traces[:, 0])
+    ends = known.shape[1] - 1 - np.argmax(known[:, ::-1], axis=1)
+    return np.take_along_axis(traces, ends[:, None, None], axis=2)[:, :, 0]
+
+
+def _each(
+    estimates: Estimates, blocks: Blocks, find: Callable[..., Any], *traces: np.ndarray
+) -> None:
+    """Enter the fields of what ``find`` says of every task, from replicates of its traces."""
+    found, every = [], blocks.stamps or {}
+    for task, programme in enumerate(blocks.programmes):
+        kept = np.isfinite(every["time"][task])
+        stamps = {name: values[task][kept] for name, values in every.items()}
+        found.append(find(programme, stamps, *(trace[task][:, kept] for trace in traces)))
+    for name in found[0]._fields:
+        enter(estimates, name, np.array([getattr(each, name) for each in found]))

@@ -1,0 +1,131 @@
+"""Rate-and-state friction: a, b and D_c of a velocity step, by Ruina's and by Dieterich's law.
+
+mu = mu* + a ln(v/v*) + b ln(v* theta/D_c), with the state theta after Ruina (slip law),
+d theta/dt = -(v theta/D_c) ln(v theta/D_c), or after Dieterich (ageing law), d theta/dt =
+1 - v theta/D_c. From steady sliding at v1 a step to v2 = r v1 at once gives over the distance s
+
+    mu - mu_2 = b ln(r) exp(-s/D_c)                     (Ruina)
+    mu - mu_2 = b ln(1 + (r - 1) exp(-s/D_c))           (Dieterich)
+
+and mu_2 - mu_1 = (a - b) ln r. So b and D_c are fitted to the decay with mu_2 known, and a
+follows. Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
+doi:10.1146/annurev.earth.26.1.643; A. Ruina, J. Geophys. Res. 88, 10359 (1983).
+"""
+
+import math
+from collections.abc import Callable
+from typing import NamedTuple
+
+import numpy as np
+
+from workflow.reduce.fits import (
+    FITTED,
+    NO_STATE,
+    NOT_EXPONENTIAL,
+    NOT_FINITE,
+    UNDETERMINED,
+    fit_window,
+)
+from workflow.reduce.statistics import fit_curves, significant
+
+LAWS = ("ruina", "dieterich")
+LEAST_SAMPLES = 4
+WORST = 0.5  # residual over b ln r: beyond it the law says nothing
+
+
+class RateState(NamedTuple):
+    """One law of one step; arrays hold the estimate, then its jackknife replicates."""
+
+    a: np.ndarray  # in units of mu, shape (replicates,)
+    b: np.ndarray
+    dc: np.ndarray  # in units of the distance
+    residual: float  # rms of the residual over |b ln r|, of the mean curve
+    status: int  # as of the fit of eq. 6 (fits.py); NO_STATE: b does not differ from zero
+
+
+def fit_rate_state(
+    distance: np.ndarray, deviation: np.ndarray, change: np.ndarray, ratio: float, law: str
+) -> RateState:
+    """Fit one law to the friction after a step of the velocity by a ratio r > 0.
+
+    distance : slid since the step, increasing from the first sample, shape (samples,). deviation :
+    mu - mu_2, shape (replicates, samples), row 0 the mean curve. change : mu_2 - mu_1 of the same
+    replicates. The window starts where the deviation is largest in the direction of the step and
+    ends where it has fallen to 5 % of that.
+    """
+    size = len(deviation)
+    if not (np.isfinite(deviation).all() and np.isfinite(change).all()):
+        return _nothing(size, NOT_FINITE)
+    if not ratio > 0.0 or ratio == 1.0:
+        return _nothing(size, NO_STATE)
+    sign = _sign(deviation[0], ratio)
+    first = int(np.argmax(sign * deviation[0]))
+    window = slice(first, first + fit_window(deviation[0, first:]))
+    s, curves = distance[window], deviation[:, window]
+    if s.size < LEAST_SAMPLES:
+        return _nothing(size, UNDETERMINED)
+    scale, span = sign * max(abs(curves[0, 0]), 1e-300), s[-1]
+    model, start = _model(law, ratio), _start(s / span, curves[0] / scale, ratio, law)
+    with np.errstate(all="ignore"):
+        mean = fit_curves(model, s / span, curves[:1] / scale, start)
+        others = fit_curves(model, s / span, curves[1:] / scale, mean[0])
+        fits = np.concatenate([mean, others])
+        b, dc = fits[:, 0] * scale, span / np.exp(fits[:, 1])
+        values, _ = model(fits[:1], s / span)
+    residual = float(np.sqrt(np.mean((values[0] * scale - curves[0]) ** 2)))
+    a = b + change / math.log(ratio)
+    relative = residual / abs(b[0] * math.log(ratio)) if b[0] else math.inf
+    if not np.isfinite(fits[0]).all():
+        return _nothing(size, UNDETERMINED)
+    if not significant(b):
+        return RateState(a, b, np.full(size, np.nan), relative, NO_STATE)
+    if not relative < WORST:
+        return RateState(a, b, np.full(size, np.nan), relative, NOT_EXPONENTIAL)
+    if not significant(dc):
+        return RateState(a, b, np.full(size, np.nan), relative, UNDETERMINED)
+    return RateState(a, b, dc, relative, FITTED)
+
+
+def _sign(deviation: np.ndarray, ratio: float) -> float:
+    """Return in which direction friction deviates after the step: up as a rule, where r > 1.
+
+    Where the state is reversed, b < 0, the largest deviation of the other sign is the larger one.
+    """
+    up = 1.0 if ratio > 1.0 else -1.0
+    return up if np.max(up * deviation) >= np.max(-up * deviation) else -up
+
+
+def _model(law: str, ratio: float) -> Callable:
+    """Return the law for parameters (b over the scale, log of span/D_c)."""
+    if law == "ruina":
+        return lambda p, s: _ruina(p, s, math.log(ratio))
+    return lambda p, s: _dieterich(p, s, ratio)
+
+
+def _ruina(p: np.ndarray, s: np.ndarray, log_ratio: float) -> tuple[np.ndarray, np.ndarray]:
+    b, rate = p[:, :1], np.exp(p[:, 1:])
+    shape = log_ratio * np.exp(-rate * s)
+    return b * shape, np.stack([shape, -b * rate * s * shape], axis=2)
+
+
+def _dieterich(p: np.ndarray, s: np.ndarray, ratio: float) -> tuple[np.ndarray, np.ndarray]:
+    b, rate = p[:, :1], np.exp(p[:, 1:])
+    excess = (ratio - 1.0) * np.exp(-rate * s)
+    shape = np.log1p(excess)
+    return b * shape, np.stack([shape, -b * rate * s * excess / (1.0 + excess)], axis=2)
+
+
+def _start(s: np.ndarray, curve: np.ndarray, ratio: float, law: str) -> np.ndarray:
+    """Return a first guess through the first sample and where the deviation is a third of it."""
+    low = np.flatnonzero(curve < curve[0] / math.e)
+    k = int(low[0]) if low.size else s.size - 1
+    rate = 1.0 / max(s[k] - s[0], 1e-12)
+    if law == "dieterich":  # ln(1 + (r - 1) e) falls faster at first, or slower
+        rate *= 1.0 if ratio < 1.0 else (ratio - 1.0) / (ratio * math.log(ratio))
+    size = math.log(ratio) * math.exp(-min(rate * s[0], 30.0))
+    return np.array([curve[0] / size, math.log(rate)])
+
+
+def _nothing(size: int, status: int) -> RateState:
+    nothing = np.full(size, np.nan)
+    return RateState(nothing, nothing, nothing, math.nan, status)

@@ -1,0 +1,31 @@
+"""How a variable of a result file is declared: meaning, scaling to SI, units, dims."""
+
+from typing import NamedTuple
+
+from workflow.study import AXES
+
+GRID = AXES
+CURVE = (*AXES, "sample")
+PER_HURST = ("hurst",)
+
+# By which powers of axes of the grid, of 4 G L ("stiffness") and of tau a dimensionless value is
+# multiplied.
+Powers = dict[str, int]
+
+PLAIN: Powers = {}
+HEIGHT: Powers = {"roughness": 1}
+SLOPE: Powers = {"roughness": 1, "spacing": -1}
+FLAG, COUNT = "int8", "int32"
+
+ERRORS = "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
+
+
+class Variable(NamedTuple):
+    """Declaration of one variable."""
+
+    long_name: str
+    scaling: Powers = PLAIN  # from the plan's units to SI
+    units: str = "1"
+    dims: tuple[str, ...] = GRID
+    comment: str = ""
+    dtype: str = "float64"

@@ -1,0 +1,15 @@
+"""A scene from Python: one point of the grid, computed in the calling process.
+
+``run`` takes what a study says as arguments; no dask, no files, no store.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.report import animate
+    from workflow.scene.alone import computed
+    from workflow.scene.call import run
+
+__all__, __getattr__ = public_names(__name__, __file__)

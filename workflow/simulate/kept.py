@@ -1,0 +1,131 @@
+"""Which steps of a march are kept, and the times that they belong to."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels import (
+    KELVIN,
+    SCHEMES,
+    Hold,
+    Oscillation,
+    Programme,
+    Saved,
+    Scene,
+    Spectrum,
+    form_of,
+    law_of,
+    scene_steps,
+)
+from workflow.simulate.tasks import START, Origin, Problem, Recording, ScaledHistory
+
+RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
+LOOP = 256  # samples of the last cycle of an oscillation
+
+
+def record_steps(march_steps: int, samples: int, spectrum: Spectrum = KELVIN) -> np.ndarray:
+    """Return the numbers of the steps that the relaxation curve of a record keeps.
+
+    They increase from 1 to ``march_steps``, and are ``samples`` - 1 at most; evenly for a Kelvin
+    element, which has one time, and by a factor where there are many. Sample 0 of a curve is the
+    moment just after the jump and needs no step.
+    """
+    spread = np.linspace if spectrum == KELVIN else np.geomspace
+    return np.unique(np.round(spread(1, march_steps, samples - 1)).astype(np.int64))
+
+
+def record_times(
+    kept: np.ndarray, steps_per_tau: float, scheme: str, spectrum: Spectrum = KELVIN
+) -> np.ndarray:
+    """Return the times since the jump, in tau, to which the friction of kept steps belongs.
+
+    It is a mean over the step and acts ``lag`` of a step before its end (rheology/law.py). At
+    the end it would be an error of first order. steps_per_tau : of the march.
+    """
+    dt = 1.0 / steps_per_tau
+    if spectrum == KELVIN:
+        return (kept - SCHEMES[scheme](dt).lag) / steps_per_tau
+    return (kept - law_of(form_of(spectrum, scheme), dt).lag) / steps_per_tau
+
+
+class March(NamedTuple):
+    """The steps of a programme, all arrays of shape (S,)."""
+
+    time: np.ndarray  # at the end of each step since the start of the programme, in tau
+    moved: np.ndarray  # by each step, in samples, not negative
+    leg: np.ndarray  # number of the leg of each
+
+
+@lru_cache(maxsize=1000)
+def _march(
+    programme: Programme, history: float | ScaledHistory | None, m: int, origin: Origin
+) -> March:
+    nothing = np.empty(0)
+    position, speed, time = origin
+    saved = Saved(nothing, nothing, 0.0, position, time, speed)
+    scene = Scene(
+        KELVIN, "exponential", programme, 1.0, history, "steady", (), nothing, nothing, nothing
+    )
+    steps = scene_steps(scene, m, saved)
+    moved = np.abs(np.diff(steps.position, prepend=position))
+    return March(np.cumsum(steps.dt), moved, steps.leg)
+
+
+def programme_steps(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> March:
+    """Return the steps of the programme of a problem that begins at ``origin``."""
+    return _march(problem.programme, problem.indentation, steps_per_spacing, origin)
+
+
+@lru_cache(maxsize=1000)
+def kept_steps(problem: Problem, steps_per_spacing: int, recording: Recording) -> np.ndarray:
+    """Return the increasing numbers of the steps at which a trace is kept; 0 is the start."""
+    programme = problem.programme
+    time, moved, leg = programme_steps(problem, steps_per_spacing, recording.origin)
+    count = time.size
+    chosen = [np.array([0, count])]
+    if recording.every:
+        chosen.append(np.arange(0, count + 1, recording.every))
+    elif recording.record == "log":
+        each = max(2, recording.samples // len(programme))
+        chosen += [_by_factor(*_range(leg, k), time, each) for k in range(len(programme))]
+    else:
+        passed = time if recording.record == "time" else np.cumsum(moved)
+        chosen.append(_evenly(passed, 0, count, recording.samples))
+    for k in range(1, len(programme)):
+        if "healing" in recording.dense and isinstance(programme[k - 1], Hold):
+            chosen.append(_by_factor(*_range(leg, k), time, RESTART))
+    for k, motion in enumerate(programme):
+        if "loop" in recording.dense and isinstance(motion, Oscillation):
+            first, last = _range(leg, k)
+            begin = time[last - 1] - 1.0 / motion.frequency
+            first = int(np.searchsorted(time, begin * (1.0 - 1e-12)))
+            chosen.append(_evenly(time, first, last, LOOP))
+    return np.unique(np.concatenate(chosen))
+
+
+def _range(leg: np.ndarray, k: int) -> tuple[int, int]:
+    """Return the number of the last step before leg k, and of the last step in it."""
+    first, last = np.searchsorted(leg, [k, k + 1])
+    return int(first), int(last)
+
+
+def _evenly(passed: np.ndarray, first: int, last: int, count: int) -> np.ndarray:
+    """Return steps after ``first`` to ``last`` that lie evenly over what has passed by each."""
+    if last <= first:
+        return np.empty(0, np.int64)
+    begin = passed[first - 1] if first else 0.0
+    wanted = np.linspace(begin, passed[last - 1], count)[1:]
+    found = first + 1 + np.searchsorted(passed[first : last - 1], wanted * (1.0 - 1e-12))
+    return np.minimum(found, last)
+
+
+def _by_factor(first: int, last: int, time: np.ndarray, count: int) -> np.ndarray:
+    """Return steps after ``first`` to ``last`` whose times since ``first`` grow by a factor."""
+    if last <= first:
+        return np.empty(0, np.int64)
+    begin = time[first - 1] if first else 0.0
+    since = time[first:last] - begin
+    wanted = np.geomspace(since[0], since[-1], count)
+    found = np.searchsorted(since, wanted * (1.0 - 1e-12))
+    return np.append(first, first + 1 + np.minimum(found, since.size - 1))

@@ -1,0 +1,75 @@
+"""How a row of the store is laid out: which values of a record stand where, and their times.
+
+A row holds, one after the other, what is a curve or belongs to a programme. Its layout follows
+from the task and from what is asked for; rows of a shard are filled up with NaN.
+"""
+
+import math
+
+import numpy as np
+
+from kernels import Quantities, form_of, memories
+from workflow.simulate.kept import kept_steps
+from workflow.simulate.tasks import Recording, Task
+
+TRACES = (
+    "trace_mu",
+    "trace_indentation",
+    "trace_normal_force",
+    "trace_friction_force",
+    "trace_contact_fraction",
+)
+ENERGIES = ("stored_energy", "dissipated_energy", "work", "closing_work")
+STATE = ("state_d", "state_position", "state_time", "state_speed")
+BINS = 40
+EDGES = 2.0 ** (0.5 * np.arange(BINS + 1) - 4.0)  # of contact lengths, in dx
+
+Layout = dict[str, tuple[int, tuple[int, ...]]]  # name -> first column, shape
+
+
+def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recording) -> Layout:
+    """Return where the values of a record stand in its row, and their shapes."""
+    shapes: dict[str, tuple[int, ...]] = {}
+    if quantities.relaxation:
+        shapes["curve"] = (recording.samples - 1,)
+    if quantities.initial_rate:
+        shapes["initial_rate"] = ()
+    if recording.asked:
+        shapes |= _programme_shapes(task, scheme, recording)
+    places: Layout = {}
+    first = 0
+    for name, shape in shapes.items():
+        places[name] = first, shape
+        first += math.prod(shape)
+    return places
+
+
+def row_width(places: Layout) -> int:
+    """Return the number of values in a row."""
+    return sum(math.prod(shape) for _, shape in places.values())
+
+
+def unpack(rows: np.ndarray, places: Layout) -> dict[str, np.ndarray]:
+    """Return name -> values of rows, shape (..., width), each of shape (..., *its own)."""
+    return {
+        name: rows[..., first : first + math.prod(shape)].reshape(*rows.shape[:-1], *shape)
+        for name, (first, shape) in places.items()
+    }
+
+
+def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str, tuple[int, ...]]:
+    kept = (kept_steps(task.problem, task.steps_per_spacing, recording).size,)
+    samples = task.problem.elements * task.steps_per_spacing
+    units = memories(form_of(task.problem.spectrum, scheme))
+    shapes: dict[str, dict[str, tuple[int, ...]]] = {
+        "trace": dict.fromkeys(TRACES, kept),
+        "energy": dict.fromkeys(ENERGIES, kept),
+        "contact_lengths": {"contact_length": (BINS,)},
+        "snapshots": dict.fromkeys(("snapshot_height", "snapshot_displacement"), (*kept, samples)),
+        "state": {
+            "state_memory": (units, samples),
+            "state_p": (samples,),
+            **dict.fromkeys(STATE, ()),
+        },
+    }
+    return {name: shape for asked in recording.asked for name, shape in shapes[asked].items()}

@@ -1,0 +1,61 @@
+"""What a programme of motion adds to the record of a realization."""
+
+import math
+
+import numpy as np
+
+from kernels import Case, Line, Quantities, Scene, run_case, run_scene
+from workflow.simulate.kept import kept_steps
+from workflow.simulate.layout import EDGES, Layout, row_width
+from workflow.simulate.tasks import SCALARS, Batch, Recording, Task
+
+STEADY = Quantities(steady=True, jump=False, relaxation=False)
+
+
+def add_programme(batch: Batch, line: Line, task: Task, places: Layout, values: np.ndarray) -> None:
+    """Add one realization of a task to the sums of its row, laid out as ``places`` say."""
+    if batch.recording.asked:
+        found = run_scene(line, scene_of(task, batch.scheme, batch.recording), batch.resumed)
+        for name, (first, shape) in places.items():
+            if name not in found:
+                continue
+            value = found[name]
+            values[first : first + math.prod(shape)] += np.ravel(value)
+    values[row_width(places) :] = np.nan
+
+
+def scene_of(task: Task, scheme: str, recording: Recording) -> Scene:
+    """Return the scene of a task for the kernels."""
+    problem, steps = task.problem, task.steps_per_spacing
+    asked = recording.asked
+    kept = kept_steps(problem, steps, recording)
+    return Scene(
+        spectrum=problem.spectrum,
+        scheme=scheme,
+        programme=problem.programme,
+        load=problem.load if problem.indentation is None else math.nan,
+        indentation=problem.indentation,
+        start=problem.start,
+        asked=asked,
+        kept=kept,
+        edges=EDGES,
+        frames=kept if "snapshots" in asked else np.empty(0, np.int64),
+    )
+
+
+def steady_ends(batch: Batch, line: Line, task: Task) -> dict[str, float]:
+    """Return steady values at the first and the last slide of a programme, by name of the scalar.
+
+    Empty where they are those before and after the velocity step, which the case gives.
+    """
+    problem = task.problem
+    first, last = problem.ends
+    if not batch.quantities.steady or (first, last) == (
+        problem.speed,
+        problem.ratio * problem.speed,
+    ):
+        return {}
+    case = Case(problem.load, first, (last / first,), (), batch.scheme, problem.spectrum)
+    found = run_case(line, case, STEADY)
+    values = {name: getattr(found, name) for name in SCALARS if name not in ("mu_2", "jump")}
+    return values | {"mu_2": float(found.mu_2[0])}
