@@ -49,18 +49,6 @@ def stored_energy(form, memory, p):
 
 
 @kernel
-def displacement(form, memory, p):
-    """Return the displacements of the elements, -J_g p + sum y_k, shape (n,), in h."""
-    u = np.empty(p.size)
-    for i in range(p.size):
-        u[i] = -form.glass * p[i]
-    for k in range(form.times.size):
-        for i in range(p.size):
-            u[i] += memory[k, i]
-    return u
-
-
-@kernel
 def book(form, law, dt, memory, p, new, work, closing, sums):
     """Add a step, before its memory settles, to the sums of a ledger.
 

@@ -9,8 +9,8 @@ import numpy as np
 
 from kernels.control.balance import balance
 from kernels.jit import kernel
-from kernels.rheology.law import Elements, law_of, predict, settle
-from kernels.scene.energy import book, displacement, stored_energy
+from kernels.rheology.law import Elements, displacement, law_of, predict, settle
+from kernels.scene.energy import book, stored_energy
 from kernels.scene.records import count_lengths, keep_frame, keep_trace
 
 

@@ -7,9 +7,9 @@ from kernels.control.indentation import PrescribedIndentation
 from kernels.motion.programme import first_speed, last_speed
 from kernels.motion.track import Track, tracks
 from kernels.rheology.forms import FORMS
-from kernels.rheology.law import Elements, law_of
+from kernels.rheology.law import Elements, displacement, law_of
 from kernels.scene.begin import Form, fresh, relaxed, steady
-from kernels.scene.energy import ENERGIES, Ledger, displacement, stored_energy
+from kernels.scene.energy import ENERGIES, Ledger, stored_energy
 from kernels.scene.follow import follow
 from kernels.scene.records import Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
 from kernels.scene.scene import Saved, Scene, check_scene, indentation_at, scene_steps

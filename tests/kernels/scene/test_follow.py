@@ -1,20 +1,29 @@
 """Following a programme: against the march, analytic answers, symmetries, the other scheme."""
 
+import ast
+import inspect
 import math
+import textwrap
 
+import numba
 import numpy as np
 import pytest
 
 from kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
-from kernels.motion.programme import Hold, Oscillation, Ramp, Slide
+from kernels.jit import FLAGS
+from kernels.motion.programme import Hold, Oscillation, Ramp, Slide, steps_of
+from kernels.motion.track import tracks
 from kernels.rheology.forms import FORMS
 from kernels.rheology.retardation import retardation
 from kernels.rheology.spectrum import KELVIN, complex_modulus, relaxation_modulus
 from kernels.scene import run_scene, trace_stamps
+from kernels.scene.begin import relaxed
+from kernels.scene.follow import follow
+from kernels.scene.records import Trace
 from kernels.surfaces.line import Line
 from tests.convergence import observed_order
 from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, a_scene, trace
-from tests.sizes import size
+from tests.sizes import PLAIN_PYTHON, size
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -117,7 +126,9 @@ def test_a_small_oscillation_in_full_contact_shows_the_complex_modulus(name, ome
         abs(response(MATERIALS[name], omega, m, cycles) / expected - 1.0) for m in refinements
     ]
     assert errors[0] < 5e-3
-    assert errors[-1] < size(0.35, 1.1) * errors[0]
+    # With a dashpot beside branches the order is lower where one of them is a few steps long.
+    fall = 0.6 if name == "damped" else 0.35
+    assert errors[-1] < size(fall, 1.1) * errors[0]
 
 
 def test_stress_relaxes_as_the_modulus_at_second_order():
@@ -189,3 +200,53 @@ def test_a_reversal_within_a_contact_turns_friction_round():
     assert np.isfinite(mu).all()
     back = trace(a_line(), (Slide(-0.5, 1.0),), SOLID)
     assert mu[-1] == pytest.approx(back["trace_mu"][0], rel=1e-2)
+
+
+RECORDERS = ("trace", "ledger", "lengths", "film")
+
+
+class WithoutRecorders(ast.NodeTransformer):
+    """Take out of ``follow`` all that has to do with recorders, and the decorator."""
+
+    def visit_FunctionDef(self, node):
+        node.decorator_list = []
+        return self.generic_visit(node)
+
+    def visit_If(self, node):
+        names = {n.id for n in ast.walk(node.test) if isinstance(n, ast.Name)}
+        return None if names & set(RECORDERS) else self.generic_visit(node)
+
+    def visit_Expr(self, node):
+        called = getattr(getattr(node.value, "func", None), "id", "")
+        return None if called == "_keep" else node
+
+
+def instructions(function, arguments):
+    """Return how many machine instructions a function has for arguments of these types."""
+    compiled = numba.njit(**FLAGS)(function)
+    compiled(*arguments)
+    (assembly,) = compiled.inspect_asm().values()
+    lines = [line for line in assembly.splitlines() if line.startswith("\t")]
+    return sum(not line.startswith("\t.") for line in lines)
+
+
+@pytest.mark.exhaustive
+@pytest.mark.skipif(PLAIN_PYTHON, reason="there is no machine code")
+def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
+    function = follow.py_func
+    tree = WithoutRecorders().visit(ast.parse(textwrap.dedent(inspect.getsource(function))))
+    assert not set(RECORDERS) & {
+        n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)
+    }
+    names = dict(function.__globals__)
+    exec(compile(ast.fix_missing_locations(tree), "<stripped>", "exec"), names)
+    line = a_line(10)
+    form, control = FORMS["exponential"](SOLID), ConstantForce(0.3 * line.z.size)
+    (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0)
+    elements = relaxed(form, line.z, control.load, np.nan)
+    none = np.arange(0)
+    arguments = (form, control, track, elements, 0, none, none, None, None, None, None)
+    stripped = instructions(names["follow"], arguments)
+    assert instructions(function, arguments) <= 1.02 * stripped
+    trace = Trace(*np.empty((5, 0)))
+    assert instructions(function, (*arguments[:7], trace, *arguments[8:])) > 1.05 * stripped
