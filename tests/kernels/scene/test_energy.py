@@ -42,7 +42,7 @@ def test_with_branches_beside_a_dashpot_the_balance_closes_with_the_step():
     refinements, errors = np.array([4, 8, 16, 32])[: size(4, 2)], []
     for m in refinements:
         line = a_line(20, 1.0, m, 0)
-        found = trace(line, PROGRAMMES["reversal"], DAMPED, start="relaxed", asked=ALL)
+        found = trace(line, PROGRAMMES["reversal"], MATERIALS["damped"], start="relaxed", asked=ALL)
         missing, closing, dissipated = balance(found)
         errors.append([(missing[-1] - closing[-1]) / dissipated[-1]])
     assert observed_order(refinements, errors) > 1.2
