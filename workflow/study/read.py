@@ -52,15 +52,19 @@ def _setting(text: str) -> dict:
 
 
 def find_study(study: str) -> Path:
-    """Return the path of study.toml for a name under studies/ or a path to a TOML file."""
+    """Return the path of study.toml for a name under studies/ or a path to a TOML file.
+
+    In a name hyphens stand for underscores as well: folders are packages of Python.
+    """
     if study.endswith(".toml"):
         path = Path(study)
         if path.is_file():
             return path
         raise UserError(f"study {study!r}: no such file")
     known = known_studies()
-    if study in known:
-        return known[study]
+    for name in (study, study.replace("-", "_")):
+        if name in known:
+            return known[name]
     names = ", ".join(sorted(known))
     raise UserError(f"study {study!r}: not among {names}, nor the path of a .toml file")
 

@@ -46,3 +46,12 @@ def test_a_study_is_named_after_its_file_or_its_folder(tmp_path):
     assert (study.name, study.folder) == ("small", tmp_path)
     (tmp_path / "study.toml").write_text(TEXT)
     assert read_study(str(tmp_path / "study.toml")).name == tmp_path.name
+
+
+@pytest.mark.parametrize("name", ["my_study", "my-study"])
+def test_a_hyphen_stands_for_an_underscore(tmp_path, monkeypatch, name):
+    folder = tmp_path / "studies" / "my_study"
+    folder.mkdir(parents=True)
+    (folder / "study.toml").write_text(TEXT, encoding="utf-8")
+    monkeypatch.chdir(tmp_path)
+    assert find_study(name) == folder / "study.toml"

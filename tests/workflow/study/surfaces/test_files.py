@@ -30,7 +30,7 @@ def test_a_stylus_line_is_read_with_its_mean_step():
 
 
 def test_scan_lines_of_a_microscope_are_an_ensemble():
-    lines = read(ROOT / "studies" / "measured-line" / "afm-lines.nc")
+    lines = read(ROOT / "studies" / "measured_line" / "afm-lines.nc")
     assert lines.heights.shape == (64, 512)
     assert lines.step * 512 == pytest.approx(10e-6, rel=1e-12)  # n steps, not n - 1
     assert lines.heights.std() == pytest.approx(6.2e-8, rel=0.02)

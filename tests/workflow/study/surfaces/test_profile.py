@@ -12,7 +12,7 @@ from workflow.study.surfaces.prepare import DETRENDS, PERIODICS
 from workflow.study.surfaces.profile import check_load, given_profile, read_profile
 
 ROOT = Path(__file__).resolve().parents[4]
-AFM = ROOT / "studies" / "measured-line" / "afm-lines.nc"
+AFM = ROOT / "studies" / "measured_line" / "afm-lines.nc"
 STYLUS = ROOT / "tests" / "resources" / "stylus-line.csv"
 Z = 1e-6 * np.random.default_rng(3).normal(size=(2, 64)).cumsum(axis=1)
 LENGTH = 1e-4
