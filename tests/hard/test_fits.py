@@ -12,12 +12,12 @@ import pytest
 from scipy.stats import chi2, norm, t
 
 from tests.support.sweeps import sweep
+from workflow.reduce.exponents import fit_power_law
 from workflow.reduce.fits import (
     FITTED,
     NO_RELAXATION,
     NOT_EXPONENTIAL,
     UNDETERMINED,
-    fit_power_law,
     fit_relaxation,
 )
 from workflow.reduce.models import compare_models

@@ -7,7 +7,9 @@ from workflow.plan.problems import speed_ratio
 from workflow.reduce.blocks import Blocks
 from workflow.reduce.complete import exponents_of
 from workflow.reduce.estimates import reduce_blocks
+from workflow.reduce.resolution import resolution
 from workflow.result.dataset import build_dataset
+from workflow.study.effects.quantities import judged
 
 QUANTITIES = ("steady", "jump", "relaxation", "models")
 RATE, JUMP, STEP = 1.5, 0.3, 0.2  # b, dmu_0, mu_2 - mu_1
@@ -26,7 +28,9 @@ def exponential_blocks(tasks=3, blocks=5, samples=33, quantities=QUANTITIES, see
     curves = mu_2[..., None] + share[..., None] * (JUMP - STEP) * decay
     contact = rng.random((tasks, blocks))
     indentation = rng.standard_normal((tasks, blocks))
-    scalars = np.stack([mu_1, indentation, contact, mu_2, JUMP * np.ones_like(mu_1)], axis=2)
+    samples_per_contact = 10.0 + rng.random((tasks, blocks))
+    means = [mu_1, indentation, contact, samples_per_contact, mu_2, JUMP * np.ones_like(mu_1)]
+    scalars = np.stack(means, axis=2)
     time[-1, -4:] = np.nan
     curves[-1, :, -4:] = np.nan
     return Blocks(scalars, {"curve": curves}, time, np.ones(tasks), quantities)
@@ -52,5 +56,7 @@ def assembled(*settings):
     estimates["speed_ratio"] = np.array([speed_ratio(t.problem) for t in variant.tasks])
     steps = [task.steps_per_spacing for task in variant.tasks]
     estimates["steps_per_spacing"] = np.array(steps, np.int32)
+    names = judged(plan.study.scene.quantities)
+    estimates |= resolution(variant.tasks, estimates, names, variant.numerics.scheme)
     exponents = exponents_of(plan, variant, estimates)
     return plan, estimates, build_dataset(plan, variant, estimates, exponents)

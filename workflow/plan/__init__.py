@@ -18,6 +18,7 @@ if TYPE_CHECKING:
         total_seconds,
     )
     from workflow.plan.cost import Timings
+    from workflow.plan.error_laws import LAWS, first_order_rate_error, known, rate_error
     from workflow.plan.goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
     from workflow.plan.machine import this_machine
     from workflow.plan.plan import Plan, Variant, make_plan

@@ -10,13 +10,20 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from kernels import KELVIN
 from workflow.plan.problems import expected_rate, speed_ratio, viscous_pressure
 from workflow.simulate import Problem
 
 FINE = 4  # steps per spacing, from which the kernels refine narrow contacts
 
 
-def mu_1_error(problem: Problem, steps: int) -> float:
+def known(problem: Problem) -> bool:
+    """Return whether the laws of error hold: a Kelvin element under load, forwards, one step."""
+    plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
+    return plain and problem.load > 0.0 and problem.speed > 0.0 and problem.ratio > 0.0
+
+
+def mu_1_error(problem: Problem, steps: float) -> float:
     """Return the error of mu_1 (and mu_2): second order."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
@@ -25,7 +32,7 @@ def mu_1_error(problem: Problem, steps: int) -> float:
     return min(coarse, 0.010 / steps) if steps >= FINE else coarse
 
 
-def jump_error(problem: Problem, steps: int) -> float:
+def jump_error(problem: Problem, steps: float) -> float:
     """Return the error of the jump: second order."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
@@ -34,20 +41,36 @@ def jump_error(problem: Problem, steps: int) -> float:
     return min(coarse, 0.024 / steps) if steps >= FINE else coarse
 
 
-def relaxation_rate_error(problem: Problem, steps: int) -> float:
+def relaxation_rate_error(problem: Problem, steps: float) -> float:
     """Return the error of b as expected before anything is computed; see ``rate_error``."""
     return rate_error(problem, steps, contact_width(problem) * steps, expected_rate(problem))
 
 
-def rate_error(problem: Problem, steps: int, samples: float, rate: float) -> float:
+def rate_error(problem: Problem, steps: float, samples: float, rate: float) -> float:
     """Return the error of b from the steps of the march and the samples of the contacts.
 
     samples : per contact. rate : b. Contacts matter where they slide past, above x = 1.
     """
-    share = max(rate, expected_rate(problem)) / (problem.speed * min(1.0, problem.ratio) * steps)
+    share = _share(problem, steps, rate)
     stepping = 0.02 * (share / allowed_share(problem)) ** 1.5
-    edges = 1.8 * samples**-1.8 if speed_ratio(problem) >= 1.0 else 0.0
+    edges = 1.8 * max(samples, 1.0) ** -1.8 if speed_ratio(problem) >= 1.0 else 0.0
     return math.hypot(stepping, edges)
+
+
+def first_order_rate_error(problem: Problem, steps: float, rate: float) -> float:
+    """Return what the implicit Euler scheme adds to the error of b.
+
+    It lets a mode of rate b decay at ln(1 + s)/s of it, s the share of a relaxation time that a
+    step takes; up to four times as far off in a spectrum of them.
+    """
+    share = _share(problem, steps, rate)
+    return 4.0 * (1.0 - math.log1p(share) / share)
+
+
+def _share(problem: Problem, steps: float, rate: float) -> float:
+    """Return the share of a relaxation time that a step takes, at the slower speed."""
+    fastest = max(rate, expected_rate(problem))
+    return fastest / (problem.speed * min(1.0, problem.ratio) * steps)
 
 
 def allowed_share(problem: Problem) -> float:
@@ -101,7 +124,7 @@ def relaxation_rate_scatter(problem: Problem) -> float:
 class Laws(NamedTuple):
     """The laws of one estimate."""
 
-    error: Callable[[Problem, int], float]  # at so many steps per spacing
+    error: Callable[[Problem, float], float]  # at so many steps per spacing
     scatter: Callable[[Problem], float]
 
 

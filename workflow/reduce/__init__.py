@@ -17,7 +17,8 @@ if TYPE_CHECKING:
     )
     from workflow.reduce.blocks import Blocks, Estimates, blocks_of
     from workflow.reduce.complete import completed, exponents_of
-    from workflow.reduce.estimates import fit_exponents, reduce_blocks
+    from workflow.reduce.estimates import reduce_blocks
+    from workflow.reduce.exponents import fit_exponents, fit_power_law
     from workflow.reduce.fits import (
         FITTED,
         NO_RELAXATION,
@@ -27,7 +28,6 @@ if TYPE_CHECKING:
         STATUS_MEANINGS,
         UNDETERMINED,
         fit_exponential,
-        fit_power_law,
         fit_relaxation,
     )
     from workflow.reduce.models import (
@@ -38,6 +38,12 @@ if TYPE_CHECKING:
         compare_models,
     )
     from workflow.reduce.prony_fit import PronyFit, fit_prony
+    from workflow.reduce.resolution import (
+        RESOLUTION_COMMENT,
+        RESOLUTION_MEANINGS,
+        RESOLVED,
+        UNRESOLVED,
+    )
     from workflow.reduce.scenes import LAWS, fit_rate_state
     from workflow.reduce.statistics import (
         grouped_means,

@@ -4,7 +4,9 @@ import numpy as np
 
 from workflow.plan import Plan, Variant, line_slope, speed_ratio
 from workflow.reduce.blocks import Estimates
-from workflow.reduce.estimates import fit_exponents
+from workflow.reduce.exponents import fit_exponents
+from workflow.reduce.resolution import resolution
+from workflow.study import judged
 
 
 def completed(
@@ -16,6 +18,9 @@ def completed(
     realizations of each task, shape (tasks,).
     """
     tasks = variant.tasks
+    names = judged(plan.study.scene.quantities)
+    done = [tasks[row] for row in sound]
+    estimates = estimates | resolution(done, estimates, names, variant.numerics.scheme)
     spread = {name: _spread(v, sound, len(tasks)) for name, v in estimates.items()}
     slopes = [line_slope(task.problem, plan.study.surface.normalisation) for task in tasks]
     return spread | {
@@ -32,8 +37,7 @@ def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimate
     if rates is None:
         return {}
     hurst = np.array([task.problem.hurst for task in variant.tasks])
-    x, status = estimates["speed_ratio"], estimates["fit_status"]
-    return fit_exponents(plan.study.grid["hurst"], hurst, x, status, rates)
+    return fit_exponents(plan.study.grid["hurst"], hurst, estimates, rates)
 
 
 def _spread(values: np.ndarray, sound: np.ndarray, count: int) -> np.ndarray:

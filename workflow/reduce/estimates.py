@@ -3,7 +3,7 @@
 import numpy as np
 
 from workflow.reduce.blocks import Blocks, Estimates, enter
-from workflow.reduce.fits import FITTED, RelaxationFit, fit_power_law, fit_relaxation
+from workflow.reduce.fits import RelaxationFit, fit_relaxation
 from workflow.reduce.models import COEFFICIENTS, GAINS, Comparison, compare_models
 from workflow.reduce.scenes import reduce_programmes, reduce_steps
 from workflow.reduce.statistics import replicates
@@ -19,6 +19,7 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
     asked = blocks.quantities
     values = dict(zip(SCALARS, np.moveaxis(replicates(blocks.scalars, 1), 2, 0), strict=True))
     estimates: Estimates = {}
+    enter(estimates, "samples_per_contact", values["samples_per_contact"])
     for quantity in asked:
         for name in QUANTITIES[quantity].means:
             enter(estimates, name, values[name])
@@ -69,23 +70,3 @@ def _models(estimates: Estimates, found: list[Comparison]) -> None:
     for name in GAINS:
         gains = np.array([getattr(c, name) for c in found])
         estimates[name], estimates[f"{name}_error"] = gains.T
-
-
-def fit_exponents(
-    axis: tuple[float, ...], hurst: np.ndarray, x: np.ndarray, status: np.ndarray, rates: np.ndarray
-) -> Estimates:
-    """Return name -> array over ``axis``: the fits of eq. 13 over distinct problems with x > 1.
-
-    axis : the Hurst exponents to fit for. hurst, x, status : per task, shape (tasks,). rates : b
-    and its jackknife replicates, shape (tasks, blocks + 1).
-    """
-    usable = (status == FITTED) & (x > 1.0)
-    chosen = [usable & (hurst == value) for value in axis]
-    laws = [fit_power_law(x[rows], rates[rows]) for rows in chosen]
-    found: Estimates = {}
-    enter(found, "alpha", np.array([law.alpha for law in laws]))
-    enter(found, "alpha_free", np.array([law.alpha_free for law in laws]))
-    enter(found, "alpha_prefactor", np.array([law.prefactor for law in laws]))
-    found["alpha_scatter"] = np.array([law.scatter for law in laws])
-    found["alpha_points"] = np.array([law.points for law in laws], dtype=np.int32)
-    return found

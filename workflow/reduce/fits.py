@@ -1,7 +1,4 @@
-"""Fits of the paper's laws: eq. 6 to a relaxation curve, eq. 13 to the rates of one H.
-
-Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 6 and 13.
-"""
+"""Fits of eq. 6 to relaxation curves. Source: Li et al. (2014), doi:10.1038/srep05795."""
 
 from typing import NamedTuple
 
@@ -125,8 +122,13 @@ def _fit_all(time: np.ndarray, curves: np.ndarray, start: np.ndarray) -> np.ndar
 
 
 def _least_squares(time: np.ndarray, curve: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """Levenberg-Marquardt fit in scaled variables; the rate is kept positive by its logarithm."""
+    """Levenberg-Marquardt fit in scaled variables; the rate is kept positive by its logarithm.
+
+    Samples weigh as much as the time that they stand for: the sum is that of the curve in between,
+    whatever the steps, and does not lean on the first sample half a step after the jump.
+    """
     scale, span = start[0], time[-1]
+    weight = np.sqrt(_durations(time) / span)
 
     def model(p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
         phase = np.exp(p[1]) * time / span
@@ -134,12 +136,12 @@ def _least_squares(time: np.ndarray, curve: np.ndarray, start: np.ndarray) -> np
 
     def residual(p: np.ndarray) -> np.ndarray:
         offset = p[2] if p.size > 2 else 0.0
-        return p[0] * model(p)[1] + offset - curve / scale
+        return weight * (p[0] * model(p)[1] + offset - curve / scale)
 
     def jacobian(p: np.ndarray) -> np.ndarray:
         phase, decay = model(p)
         columns = [decay, -p[0] * phase * decay]
-        return np.column_stack([*columns, np.ones_like(time)][: p.size])
+        return weight[:, None] * np.column_stack([*columns, np.ones_like(time)][: p.size])
 
     first = np.array([1.0, np.log(start[1] * span), *(start[2:] / scale)])
     with np.errstate(all="ignore"):
@@ -150,34 +152,12 @@ def _least_squares(time: np.ndarray, curve: np.ndarray, start: np.ndarray) -> np
     return np.array([p[0] * scale, rate, *(p[2:] * scale)])
 
 
+def _durations(time: np.ndarray) -> np.ndarray:
+    """Return the time that each sample stands for, from the jump on, to halfway to the next."""
+    halfway = 0.5 * (time[1:] + time[:-1])
+    return np.diff(np.concatenate([[0.0], halfway, [2.0 * time[-1] - halfway[-1]]]))
+
+
 def _unfitted(status: int, size: int) -> RelaxationFit:
     nothing = np.full(size, np.nan)
     return RelaxationFit(status, nothing, nothing, nothing, np.nan, np.nan)
-
-
-class PowerLaw(NamedTuple):
-    """Fit of eq. 13; arrays hold the estimate, then its jackknife replicates."""
-
-    alpha: np.ndarray  # b = x^alpha, shape (replicates,)
-    alpha_free: np.ndarray  # b = c x^alpha, shape (replicates,)
-    prefactor: np.ndarray  # c, shape (replicates,)
-    scatter: float  # rms of log10(b / x^alpha)
-    points: int
-
-
-def fit_power_law(x: np.ndarray, rate: np.ndarray) -> PowerLaw:
-    """Fit log b = alpha log x (eq. 13) over the given points, all with x > 1.
-
-    x : shape (points,). rate : b, shape (points, replicates). NaN where fewer than 3 points.
-    """
-    count, size = rate.shape
-    if count < 3 or np.ptp(x) == 0.0:
-        nothing = np.full(size, np.nan)
-        return PowerLaw(nothing, nothing, nothing, np.nan, count)
-    log_x, log_b = np.log(x), np.log(rate)
-    alpha = log_x @ log_b / (log_x @ log_x)
-    centred = log_x - log_x.mean()
-    free = centred @ log_b / (centred @ centred)
-    prefactor = np.exp(log_b.mean(axis=0) - free * log_x.mean())
-    residual = (log_b[:, 0] - alpha[0] * log_x) / np.log(10.0)
-    return PowerLaw(alpha, free, prefactor, float(np.sqrt(np.mean(residual**2))), count)

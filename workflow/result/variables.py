@@ -2,8 +2,16 @@
 
 import numpy as np
 
-from workflow.reduce import ACCURACY_MEANINGS, MODEL_MEANINGS, STATUS_COMMENT, STATUS_MEANINGS
+from workflow.reduce import (
+    ACCURACY_MEANINGS,
+    MODEL_MEANINGS,
+    RESOLUTION_COMMENT,
+    RESOLUTION_MEANINGS,
+    STATUS_COMMENT,
+    STATUS_MEANINGS,
+)
 from workflow.result.declaration import (
+    BIAS,
     COUNT,
     CURVE,
     ERRORS,
@@ -80,7 +88,15 @@ VARIABLES = {
     ),
     "accuracy_status": Variable("whether numerics.accuracy was met", dtype=FLAG),
     "bias_bound": Variable(
-        "bound of the relative discretisation error, the largest of what was asked for"
+        "bound of the relative discretisation error, the largest of what was asked for",
+        comment=BIAS,
+    ),
+    "samples_per_contact": Variable(
+        "samples per patch of contact at v1, median over the load",
+        comment="of the march; of the samples that friction rests on where nothing is marched",
+    ),
+    "resolution_status": Variable(
+        "whether contacts are resolved", comment=RESOLUTION_COMMENT, dtype=FLAG
     ),
     "alpha": Variable(
         "exponent of eq. 13, b = x^alpha, over fitted points with x > 1", dims=PER_HURST
@@ -88,6 +104,18 @@ VARIABLES = {
     "alpha_free": Variable("exponent of b = c x^alpha over the same points", dims=PER_HURST),
     "alpha_prefactor": Variable("prefactor c of b = c x^alpha", dims=PER_HURST),
     "alpha_scatter": Variable("rms of log10(b / x^alpha)", dims=PER_HURST),
+    "alpha_bias": Variable(
+        "what the bias of b may add to alpha, all points off in one direction", dims=PER_HURST
+    ),
+    "alpha_free_bias": Variable(
+        "what the bias of b may add to alpha_free, fast and slow points off in opposite directions",
+        dims=PER_HURST,
+    ),
+    "alpha_unresolved": Variable(
+        "number of fitted points with x > 1 left out of the fit of eq. 13, as unresolved",
+        dims=PER_HURST,
+        dtype=COUNT,
+    ),
     "alpha_points": Variable("number of points in the fit of eq. 13", dims=PER_HURST, dtype=COUNT),
 }
 
@@ -97,14 +125,18 @@ FLAGS = {
     "rate_state_status": STATUS_MEANINGS,
     "accuracy_status": ACCURACY_MEANINGS,
     "fit_status": STATUS_MEANINGS,
+    "resolution_status": RESOLUTION_MEANINGS,
     "best_model": MODEL_MEANINGS,
 }
 
 
 def declared(name: str) -> Variable:
-    """Return the declaration of a variable, or of the estimate NAME for NAME_error."""
+    """Return the declaration of a variable, or of the estimate NAME for NAME_error, NAME_bias."""
     if name in VARIABLES:
         return VARIABLES[name]
+    if name.endswith("_bias"):
+        of = VARIABLES[name.removesuffix("_bias")].long_name
+        return Variable(f"bound of the relative discretisation error of {of}", comment=BIAS)
     variable = VARIABLES[name.removesuffix("_error")]
     return variable._replace(long_name=f"standard error of {variable.long_name}", comment=ERRORS)
 

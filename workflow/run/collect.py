@@ -104,10 +104,8 @@ class Collector:
         estimates = self.fitted[variant.label].at(rows)
         if variant.goals:
             found = self.attained(variant, rows)
-            bias = [max(variant.goals[tasks[row].key].bias.values()) for row in rows]
             estimates["accuracy_reached"] = found.reached
             estimates["accuracy_status"] = found.status
-            estimates["bias_bound"] = np.array(bias)
         each = self.plan.study.realizations_per_block
         counts = np.zeros(len(tasks), np.int32)
         counts[sound] = [blocks[tasks[row].key] * each for row in rows]

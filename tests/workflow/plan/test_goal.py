@@ -32,7 +32,7 @@ def test_half_of_the_accuracy_at_most_is_discretisation(problem, wanted, asked):
     assert coarse or max(goal.bias.values()) <= 0.5 * wanted
     assert problem.elements * goal.steps <= MAX_SAMPLES_PER_LINE
     for name, bias in goal.bias.items():
-        assert bias == LAWS[name].error(problem).at(goal.steps)
+        assert bias == LAWS[name].error(problem, goal.steps)
         need = (LAWS[name].scatter(problem) / allowed(wanted, bias)) ** 2
         assert goal.realizations >= need * (1 - 1e-12)
 

@@ -8,7 +8,16 @@ from hypothesis import strategies as st
 
 from tests.support.small import small_plan
 from workflow.errors import UserError
-from workflow.plan.resolution import MAX_SAMPLES_PER_LINE, horizon_steps, steps_per_spacing
+from workflow.plan.error_laws import LAWS
+from workflow.plan.resolution import (
+    BIAS,
+    MAX_SAMPLES_PER_LINE,
+    MOST_FOR_CONTACTS,
+    horizon_steps,
+    least_steps,
+    rung,
+    steps_per_spacing,
+)
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene
@@ -16,6 +25,7 @@ from workflow.study.study import Scene
 HURST = st.floats(0.0, 1.0)
 SPEED = st.floats(1e-3, 1e3)
 RATIO = st.floats(0.1, 10.0)
+LOAD = st.floats(1e-3, 25.0)
 ALL = Scene()
 
 
@@ -25,22 +35,54 @@ def problem(hurst=0.7, elements=100, speed=1.0, ratio=1.2):
 
 
 @given(HURST, SPEED, RATIO)
-def test_automatic_steps_resolve_tau_and_the_relaxation_and_are_not_twice_as_many(
-    hurst, speed, ratio
-):
-    steps = steps_per_spacing(problem(hurst, 100, speed, ratio), ALL, Numerics())
+def test_automatic_steps_resolve_the_relaxation_at_the_slower_speed(hurst, speed, ratio):
+    one = problem(hurst, 100, speed, ratio)
+    steps = steps_per_spacing(one, ALL, Numerics())
     assert steps >= 4
-    assert steps & (steps - 1) == 0  # a power of two
     rate = max(1.0, (math.pi * speed) ** (1.0 - hurst))
-    dt = rate / (steps * speed * min(1.0, ratio))  # in tau or relaxation times, at the slower speed
-    assert dt <= 0.5 * (1 + 1e-6)
-    assert steps == 4 or 2.0 * dt > 0.5
+    share = rate / (steps * speed * min(1.0, ratio))  # of a relaxation time, in a step
+    assert share <= (0.27 if math.pi * speed >= 1.0 else 1.0) * (1 + 1e-6)
+
+
+@given(HURST, st.integers(100, 10_000), LOAD, st.floats(0.03, 1e3), RATIO)
+def test_automatic_steps_keep_two_per_cent_or_go_to_the_end_and_are_no_finer(
+    hurst, elements, load, speed, ratio
+):
+    one = Problem(hurst, elements, load, speed, ratio)
+    steps = steps_per_spacing(one, ALL, Numerics())
+    kept = [law.error(one, steps) <= BIAS for law in LAWS.values()]
+    assert all(kept) or steps >= MOST_FOR_CONTACTS
+    if steps > 4:
+        coarser = max(m for m in range(4, steps) if m == rung(m))
+        bad = LAWS["relaxation_rate"].error(one, coarser) > BIAS
+        assert bad or coarser < least_steps(one, ALL)
+
+
+@given(HURST, LOAD, SPEED, st.floats(1.0, 1e4))
+def test_a_lighter_load_never_takes_fewer_steps(hurst, load, speed, by):
+    heavy, light = (
+        steps_per_spacing(Problem(hurst, 1000, f, speed, 1.2), ALL, Numerics())
+        for f in (load * by, load)
+    )
+    assert light >= heavy
 
 
 @given(HURST, SPEED, RATIO)
-def test_eight_steps_without_a_relaxation(hurst, speed, ratio):
+def test_four_steps_without_a_relaxation(hurst, speed, ratio):
     scene = Scene(("steady", "jump"))
-    assert steps_per_spacing(problem(hurst, 100, speed, ratio), scene, Numerics()) == 8
+    assert steps_per_spacing(problem(hurst, 100, speed, ratio), scene, Numerics()) == 4
+
+
+@given(st.floats(0.1, 1e6))
+def test_a_rung_is_at_most_half_as_much_again_as_is_needed(need):
+    assert need * (1 - 1e-9) <= rung(need) <= max(1.0, 1.5 * need, need + 1.0)
+
+
+def test_contacts_alone_refuse_no_study():
+    """Beyond what a line may hold contacts stay coarse, and are marked so."""
+    one = Problem(0.0, 200_000, 1e-3, 1000.0, 1.2)
+    assert LAWS["relaxation_rate"].error(one, steps_per_spacing(one, ALL, Numerics())) > BIAS
+    assert steps_per_spacing(one, ALL, Numerics()) * one.elements <= MAX_SAMPLES_PER_LINE
 
 
 @given(HURST, SPEED)

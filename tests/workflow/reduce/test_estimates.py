@@ -66,7 +66,7 @@ SCENES = [("steady",), ("jump",), ("relaxation",), ("steady", "jump"), tuple(NAM
 
 @pytest.mark.parametrize("asked", SCENES)
 def test_only_what_was_asked_for_is_there(asked):
-    names = set().union(*(NAMES[quantity] for quantity in asked))
+    names = {"samples_per_contact"}.union(*(NAMES[quantity] for quantity in asked))
     expected = names | {f"{name}_error" for name in names}
     if "relaxation" in asked:
         expected |= WITHOUT_ERROR

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workflow.reduce.fits import fit_power_law
+from workflow.reduce.exponents import fit_power_law
 
 X = np.geomspace(1.5, 300.0, 12)
 
