@@ -5,19 +5,29 @@ cache folder carries a hash of all kernel sources: any edit opens a new folder. 
 disk of the machine itself, and a file damaged there or a full disk cost a compilation, no more.
 """
 
+import atexit
 import contextlib
+import errno
 import fcntl
 import hashlib
 import os
 import pickle
+import shutil
+import stat
+import sys
 import tempfile
+import time
 import warnings
 from collections.abc import Callable, Iterator
 from pathlib import Path
-from typing import Any
+from typing import IO, Any
 
 import numba
 from numba.core.caching import FunctionCache, IndexDataCacheFile
+
+NAME = "elastomer-friction"
+OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
+LOCK_SECONDS, POLL_SECONDS = 600.0, 0.05  # to wait for whoever compiles
 
 
 def source_hash() -> str:
@@ -31,19 +41,60 @@ def source_hash() -> str:
 
 
 def _cache_folder() -> str:
-    """Return a folder of our own, under XDG_CACHE_HOME or among the temporary files."""
-    own = f"elastomer-friction-{os.getuid()}"
-    base = os.environ.get("XDG_CACHE_HOME") or Path(tempfile.gettempdir(), own)
-    folder = Path(base, "elastomer-friction", source_hash())
+    """Return a folder that nobody else can write to: machine code of others is not to be run.
+
+    It lies under NUMBA_CACHE_DIR, XDG_CACHE_HOME or among the temporary files; where that is not
+    safe or cannot be written to, in a private folder that ends with this process.
+    """
+    shared = Path(tempfile.gettempdir(), f"{NAME}-{os.getuid()}")
+    base = os.environ.get("NUMBA_CACHE_DIR") or os.environ.get("XDG_CACHE_HOME") or shared
     try:
-        Path(base).mkdir(mode=0o700, parents=True, exist_ok=True)
-        folder.mkdir(parents=True, exist_ok=True)
-        if Path(base).stat().st_uid == os.getuid():  # machine code of others is not to be run
-            with tempfile.TemporaryFile(dir=folder):
-                return str(folder)
-    except OSError:  # read-only, as on some batch nodes
-        pass
-    return tempfile.mkdtemp(prefix="elastomer-friction-")
+        return str(_own_folder(Path(base)))
+    except OSError as error:  # read-only, as on some batch nodes, or open to others
+        private = tempfile.mkdtemp(prefix=f"{NAME}-")
+        atexit.register(shutil.rmtree, private, ignore_errors=True)
+        os.environ["NUMBA_CACHE_DIR"] = private  # for the processes that this one starts
+        if sys.stderr:
+            reason = f"{error.filename}: {error.strerror}"
+            with contextlib.suppress(OSError, ValueError):
+                print(f"machine code is kept for this run alone: {reason}", file=sys.stderr)
+        return str(_own_folder(Path(private)))
+
+
+def _own_folder(base: Path) -> Path:
+    """Return our folder in ``base``, made if need be. Raises OSError where it would not be safe."""
+    base.mkdir(mode=0o700, parents=True, exist_ok=True)
+    folder = Path(base, NAME).resolve()
+    for parent in folder.parents:
+        _check_parent(parent)
+    with contextlib.suppress(FileExistsError):
+        folder.mkdir(mode=0o700)
+    found = folder.stat()
+    if found.st_uid != os.getuid():
+        raise PermissionError(errno.EPERM, "belongs to another user", str(folder))
+    if found.st_mode & OTHERS_WRITE:  # who knows what lies in it
+        shutil.rmtree(folder)
+        folder.mkdir(mode=0o700)
+    elif stat.S_IMODE(found.st_mode) != 0o700:
+        folder.chmod(0o700)
+    own = folder / source_hash()
+    own.mkdir(mode=0o700, exist_ok=True)
+    with tempfile.TemporaryFile(dir=own):
+        return own
+
+
+def _check_parent(folder: Path) -> None:
+    """Raise PermissionError where others can exchange what lies in a folder.
+
+    The group may write to folders of our own (umask 002, where the group is the user's alone).
+    """
+    found = folder.stat()
+    if found.st_mode & stat.S_ISVTX:  # sticky: each user moves their own entries alone
+        return
+    if found.st_uid not in (0, os.getuid()):
+        raise PermissionError(errno.EPERM, "belongs to another user", str(folder))
+    if found.st_mode & stat.S_IWOTH:
+        raise PermissionError(errno.EPERM, "can be written to by anyone", str(folder))
 
 
 class _CheckedFile(IndexDataCacheFile):
@@ -92,7 +143,7 @@ class CheckedCache(FunctionCache):
             warnings.warn(f"machine code is not cached: {error}", RuntimeWarning, stacklevel=2)
 
 
-FOLDER = os.environ.get("NUMBA_CACHE_DIR") or _cache_folder()
+FOLDER = _cache_folder()
 
 
 @contextlib.contextmanager
@@ -104,9 +155,33 @@ def compiling() -> Iterator[None]:
 
 @contextlib.contextmanager
 def _one_process(name: str) -> Iterator[None]:
-    """Wait until no other process of this machine holds the lock of a name."""
+    """Wait until no other process of this machine holds the lock of a name, or it is stopped."""
     with contextlib.ExitStack() as stack:
         with contextlib.suppress(OSError):  # no lock: each works for itself
-            file = stack.enter_context(Path(FOLDER, name).open("w"))
-            fcntl.flock(file, fcntl.LOCK_EX)
+            file = stack.enter_context(Path(FOLDER, name).open("a"))
+            _lock(file)
         yield
+
+
+def _lock(file: IO[str]) -> None:
+    """Lock a file. Raises BlockingIOError where another process does not let go of it."""
+    end = time.monotonic() + LOCK_SECONDS
+    while True:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            break
+        except BlockingIOError:
+            if time.monotonic() > end or _is_stopped(file):
+                raise
+        time.sleep(POLL_SECONDS)
+    file.truncate(0)
+    os.write(file.fileno(), str(os.getpid()).encode())
+
+
+def _is_stopped(file: IO[str]) -> bool:
+    """Return whether the process that has locked a file has been stopped (SIGSTOP)."""
+    with contextlib.suppress(OSError, IndexError):  # no such process, or no /proc
+        pid = Path(file.name).read_text(encoding="ascii")
+        status = Path("/proc", pid, "stat").read_text(encoding="utf-8")
+        return status.rpartition(")")[2].split()[0] in ("T", "t")
+    return False

@@ -17,7 +17,7 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from distributed import Client
 
-from workflow.cluster import stream
+from workflow.cluster import Call, Roll, stream
 
 SPREAD = 0.5  # of a task's time, about its mean, each way
 BEGAN = 1000.0  # s; no clock of a machine starts at zero with a program, and flow looks at once
@@ -50,7 +50,7 @@ class VirtualClient:
         self.now = BEGAN
         self.busy = 0.0  # worker-seconds spent on tasks
         self.tasks = 0  # done
-        self._threads = dict.fromkeys(range(workers), 1)
+        self._roll = Roll({str(number): 1 for number in range(workers)}, {}, {})
         self._idle = workers
         self._server = 0.0  # when the scheduler will have dealt with all messages it has
         self._numbers = count()
@@ -69,9 +69,10 @@ class VirtualClient:
         """Time that has passed (s)."""
         return self.now - BEGAN
 
-    def nthreads(self) -> dict[int, int]:
-        """Return threads per worker."""
-        return self._threads
+    def run_on_scheduler(self, function: Callable) -> Roll:
+        """Return the roll of the workers, all of them alive."""
+        del function
+        return self._roll._replace(heard=dict.fromkeys(self._roll.threads, self.now))
 
     def map(self, function: Callable, items: Iterable[Any], **_: Any) -> list[VirtualFuture]:
         """Submit tasks."""
@@ -131,12 +132,30 @@ class VirtualClient:
             self._send(self._server + self.costs.latency + seconds, [future], done=True)
 
 
+class AtOnce(Call):
+    """A call that has returned when it is made."""
+
+    def __init__(self, function: Callable, *arguments: Any) -> None:
+        self._value = function(*arguments)
+
+    def wait(self, seconds: float) -> bool:
+        """Return that it has returned."""
+        del seconds
+        return True
+
+    def result(self) -> Any:
+        """Return what the call has returned."""
+        return self._value
+
+
 def virtual_stream(
     client: VirtualClient, function: Callable[[Any], Any], items: Iterable[Any]
 ) -> Iterator[tuple[Any, Any]]:
     """Let the workflow stream its work through a virtual cluster, by its clock."""
     real = cast(Client, client)  # of its interface the stream uses what is above
-    return stream(real, function, items, clock=client, completed=lambda *_, **__: client)
+    return stream(
+        real, function, items, clock=client, completed=lambda *_, **__: client, call=AtOnce
+    )
 
 
 def simulated(workers: int, items: list[float], costs: Costs) -> VirtualClient:

@@ -2,8 +2,10 @@
 
 import fcntl
 import itertools
+import signal
 import time
 from concurrent.futures import ThreadPoolExecutor
+from threading import Thread
 
 import numba
 import pytest
@@ -11,6 +13,7 @@ import pytest
 from kernels.cache import CheckedCache, _CheckedFile, compiling
 from kernels.jit import kernel
 from tests.support.disks import mounted
+from tests.support.runs import standing
 
 
 def twice(x):
@@ -92,6 +95,28 @@ def test_one_process_of_a_machine_at_a_time_compiles(cache):
         with compiling(), pytest.raises(BlockingIOError):
             fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
         fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+HOLDER = """
+import sys, time
+from kernels import cache
+cache.FOLDER = sys.argv[1]
+with cache.compiling():
+    print("holds it", flush=True)
+    time.sleep(600)
+"""
+
+
+def test_a_process_that_was_stopped_while_it_compiled_is_not_waited_for(cache):
+    """As long as it runs, it is."""
+    with standing(HOLDER, str(cache)) as (holder, _):
+        waiting = Thread(target=lambda: compiling().__enter__(), daemon=True)
+        waiting.start()
+        waiting.join(0.2)
+        assert waiting.is_alive()
+        holder.send_signal(signal.SIGSTOP)
+        waiting.join(60.0)
+        assert not waiting.is_alive()
 
 
 def test_without_a_folder_to_lock_each_compiles_for_itself(monkeypatch):

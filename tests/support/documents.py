@@ -17,6 +17,9 @@ CLUSTER = {  # every key of the table [cluster]
     "interface": "ib0",
     "log_folder": "logs",
     "patience": 86400,
+    "tls_ca_file": "ca.pem",
+    "tls_cert": "me.pem",
+    "tls_key": "me.key",
 }
 
 

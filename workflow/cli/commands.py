@@ -11,7 +11,7 @@ from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
 from workflow.cli.stores import add_merge_options, add_verify_options, run_merge, run_verify
 from workflow.errors import UserError
 from workflow.result import check_result, result_file
-from workflow.study import AnyStudy, read_study
+from workflow.study import AnyStudy, find_study, read_study
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -90,7 +90,8 @@ def _share(text: str) -> float:
 def _lines(options: argparse.Namespace) -> int:
     """Print what the commands plan and status say."""
     study, result = _study(options)
-    print("\n".join(KINDS[study.kind][options.command](study, result)))
+    lines = KINDS[study.kind][options.command](study, result)
+    print("\n".join([*lines, f"settings    {find_study(options.study).resolve()}"]))
     return DONE
 
 

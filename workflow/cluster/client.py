@@ -3,25 +3,45 @@
 import contextlib
 import importlib.util
 import logging
+import os
 import signal
-import sys
+import socket
+import ssl
+import tempfile
 from collections.abc import Iterator
+from typing import Any
 
 import dask
 from dask.system import CPU_COUNT
-from distributed import Client, LocalCluster
+from distributed import Client, Nanny, SpecCluster
+from distributed.comm import get_address_host_port
+from distributed.system import MEMORY_LIMIT
 
+from workflow.cluster.calls import patiently
 from workflow.cluster.jobs import job_cluster
+from workflow.cluster.security import (
+    ENCRYPTED,
+    PagelessWorker,
+    own_security,
+    scheduler_kind,
+    security_of,
+)
+from workflow.cluster.watch import NO_ANSWER, Watch, say
 from workflow.errors import UserError
 from workflow.study import BATCH_SYSTEMS, LOCAL, Cluster
 from workflow.system import WORKER_ENVIRONMENT
 
 CONNECT_SECONDS = 10
+CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye
+HERE = "127.0.0.1"
 
 
 @contextlib.contextmanager
 def open_client(
-    cluster: Cluster, workers: int | None = None, dashboard: bool = False
+    cluster: Cluster,
+    workers: int | None = None,
+    dashboard: bool = False,
+    watch: Watch | None = None,
 ) -> Iterator[Client]:
     """Yield a client of the cluster; ``workers`` is the number of processes of this machine.
 
@@ -34,35 +54,95 @@ def open_client(
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
         **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in WORKER_ENVIRONMENT.items()},
     }
-    # A lost scheduler is said in one line, by the flow.
-    logging.getLogger("distributed.client").setLevel(logging.CRITICAL)
+    # What is lost is said in one line, by the flow.
+    for name in ("distributed.client", "distributed.scheduler"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
         if cluster.where == LOCAL:
-            client = Client(stack.enter_context(_local_cluster(workers)))
+            client = Client(stack.enter_context(_local_cluster(workers, dashboard)))
         elif cluster.where in BATCH_SYSTEMS:
-            client = Client(stack.enter_context(job_cluster(cluster)))
+            client = Client(stack.enter_context(job_cluster(cluster, dashboard)))
         else:
-            try:
-                client = Client(cluster.where, timeout=CONNECT_SECONDS)
-            except (OSError, ValueError) as error:
-                text = f"--scheduler {cluster.where}: no scheduler answers there"
-                raise UserError(text) from error
-        stack.enter_context(client)
+            client = _client_of(cluster, watch or Watch())
+        stack.callback(_close, client)
         if dashboard:
-            print(f"dashboard: {client.dashboard_link}", file=sys.stderr)
+            say(f"dashboard: {client.dashboard_link} (anyone on the machine can look)")
         yield client
 
 
-def _local_cluster(workers: int | None) -> LocalCluster:
-    # Ctrl-C reaches the whole process group: worker processes must be born ignoring it.
-    previous = signal.signal(signal.SIGINT, signal.SIG_IGN)
+@contextlib.contextmanager
+def _local_cluster(workers: int | None, dashboard: bool) -> Iterator[SpecCluster]:
+    """Yield processes of this machine, which listen to whoever has the certificate of this run."""
+    count = workers or CPU_COUNT
+    security = own_security()
+    kind, options = scheduler_kind(dashboard)
+    ends = {"host": HERE, "protocol": ENCRYPTED, "security": security}
+    # What lies here is put in the path of imports: it must be nobody else's.
+    with tempfile.TemporaryDirectory(prefix="elastomer-friction-") as folder:
+        one = {"nthreads": 1, "memory_limit": MEMORY_LIMIT // count, "local_directory": folder}
+        how = ends | one | {"worker_class": PagelessWorker, "silence_logs": logging.ERROR}
+        parts: dict[str, Any] = {
+            "scheduler": {"cls": kind, "options": ends | options},
+            "workers": {number: {"cls": Nanny, "options": how} for number in range(count)},
+        }
+        # Ctrl-C reaches the whole process group: worker processes must be born ignoring it.
+        previous = signal.signal(signal.SIGINT, signal.SIG_IGN)
+        try:
+            local = SpecCluster(**parts, security=security, silence_logs=logging.ERROR)
+        finally:
+            signal.signal(signal.SIGINT, previous)
+        with local:
+            try:
+                yield local
+            finally:
+                _wake(local)
+
+
+def _wake(local: SpecCluster) -> None:
+    """Let worker processes go on that were stopped, so that they can end."""
+    for nanny in local.workers.values():
+        process = getattr(nanny, "process", None)
+        if process is not None and process.pid is not None:
+            with contextlib.suppress(ProcessLookupError):
+                os.kill(process.pid, signal.SIGCONT)
+
+
+def _client_of(cluster: Cluster, watch: Watch) -> Client:
+    """Return a client of a scheduler that stands; wait for one that is there and says nothing."""
+    security = security_of(cluster)
+    while True:
+        try:
+            return patiently(watch, NO_ANSWER, _connected, cluster.where, security)
+        except (OSError, ValueError) as error:
+            if not _is_mute(cluster.where):
+                whose = " that the certificates fit" if security else ""
+                text = f"--scheduler {cluster.where}: no scheduler answers there{whose}"
+                raise UserError(text) from error
+
+
+def _connected(address: str, security: Any) -> Client:
+    return Client(address, timeout=CONNECT_SECONDS, security=security)
+
+
+def _is_mute(address: str) -> bool:
+    """Return whether somebody takes connections at an address and says nothing, as if stopped."""
     try:
-        return LocalCluster(
-            n_workers=workers or CPU_COUNT,
-            threads_per_worker=1,
-            processes=True,
-            dashboard_address="127.0.0.1:0",  # any free port: 8787 may be taken
-        )
-    finally:
-        signal.signal(signal.SIGINT, previous)
+        with socket.create_connection(get_address_host_port(address), CONNECT_SECONDS) as end:
+            if address.startswith(ENCRYPTED):
+                context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
+                context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
+                context.wrap_socket(end).close()  # it is only seen whether it answers
+            else:
+                end.recv(1)
+            return False
+    except TimeoutError:
+        return True
+    except (OSError, ValueError):
+        return False
+
+
+def _close(client: Client) -> None:
+    """Close a client, whether or not its scheduler answers."""
+    with contextlib.suppress(TimeoutError):
+        client.close(timeout=CLOSE_SECONDS)

@@ -1,43 +1,28 @@
-"""Stream items through the cluster: a bounded window, refilled in bulk, gathered in batches."""
+"""Stream items through the cluster: a bounded window, refilled in bulk, gathered in batches.
+
+Nothing here waits for a process that may have been stopped: whatever asks one is a call in a
+thread, and what a worker keeps is computed elsewhere.
+"""
 
 import time
-from collections.abc import Callable, Hashable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
+from functools import partial
 from itertools import islice
-from typing import Any, Protocol
+from typing import Any
 
+from dask.utils import funcname
 from distributed import Client, Future, as_completed
-from distributed.client import FutureCancelledError
 from distributed.scheduler import KilledWorker
 
-from workflow.cluster.watch import Watch
+from workflow.cluster.calls import Call, Clock, Fetches
+from workflow.cluster.crew import SILENT_SECONDS, RollCalls
+from workflow.cluster.flight import Flight, Retry, Work, raise_error, unknown
+from workflow.cluster.watch import BEAT_SECONDS, NO_ANSWER, NO_SIGN, QUIET_SECONDS, Watch, say
+from workflow.cluster.worker import placed
 from workflow.errors import UserError
 
-# What to do instead of an item that failed with an error, alone in the cluster or not.
-Retry = Callable[[Any, Exception, bool], list[Any]]
-
-
-class Clock(Protocol):
-    """What tells the time: the module time, or a simulation."""
-
-    def monotonic(self) -> float:
-        """Return the time in s."""
-
-    def sleep(self, seconds: float, /) -> None:
-        """Let time pass."""
-
-
-LOST = "the scheduler was lost; run again to resume"
-POLL_SECONDS = 0.02
-BEAT_SECONDS = 1.0
 PER_THREAD, LEAST = 4, 8  # items in flight
-
-
-def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
-    """Let an error on a worker end the stream; an item whose worker died gets another chance."""
-    if isinstance(error, KilledWorker) and not alone:
-        return [item]
-    raise error
 
 
 def stream(
@@ -46,113 +31,166 @@ def stream(
     items: Iterable[Any],
     watch: Watch | None = None,
     retry: Retry = raise_error,
+    predicted: Callable[[Any], float] = unknown,
     *,
     clock: Clock = time,
     completed: Callable[..., Any] = as_completed,
+    call: Callable[..., Call] = Call,
 ) -> Iterator[tuple[Any, Any]]:
     """Yield (item, function(item)) as they finish; once watch() is true, only what is running.
 
     At most a few items per worker thread are in flight, so memory does not grow with the
-    study. ``retry`` returns what to do instead of an item that failed; what follows a killed
-    worker is done last, one item at a time, so that the item to blame is certain. Raises
-    UserError when the scheduler is lost. ``clock`` and ``completed`` (distributed.as_completed)
-    are others in a simulation.
+    study. An item that raises is tried on another worker; ``retry`` returns what to do instead
+    of one that failed on two, or twice on the only one. What follows a killed worker is done
+    last, one item at a time, so that the item to blame is certain. An item that takes far
+    longer than ``predicted`` (s), or whose worker falls silent, is computed a second time on
+    another; the first result counts. Raises UserError when the scheduler is lost, or patience
+    ends. ``clock``, ``completed`` (distributed.as_completed) and ``call`` are others in a
+    simulation.
     """
-    running = completed([], loop=client.loop)
-    return iter(_Stream(client, function, iter(items), watch or Watch(), retry, clock, running))
+    running, placing = completed([], loop=client.loop), partial(placed, function=function)
+    watch = watch or Watch()
+    asking = RollCalls(client, watch, clock, call), Fetches(client, clock, call)
+    how = (placing, funcname(function), iter(items), watch, retry, predicted)
+    return iter(_Stream(client, *how, clock, running, *asking))
 
 
 @dataclass
 class _Stream:
     client: Client
     function: Callable
+    name: str
     source: Iterator[Any]
     watch: Watch
     retry: Retry
+    predicted: Callable[[Any], float]
     clock: Clock
     running: Any  # of distributed.as_completed
-    again: list[Any] = field(default_factory=list)  # before the rest of the source
-    alone: list[Any] = field(default_factory=list)  # after it
-    pending: dict[Hashable, tuple[Future, Any]] = field(default_factory=dict)  # by key
+    rolls: RollCalls
+    fetches: Fetches
+    flight: Flight = field(default_factory=Flight)
+    again: list[Work] = field(default_factory=list)  # before the rest of the source
+    alone: list[Work] = field(default_factory=list)  # after it
+    left: list[Future] = field(default_factory=list)  # copies that nobody waits for any more
+    looked: float = float("-inf")
     isolated: bool = False  # what is in flight is alone there
     window: int = LEAST
-    shedding: bool = False
-    last_beat: float = 0.0
 
     def __iter__(self) -> Iterator[tuple[Any, Any]]:
         self._tick()
-        if not self.watch():
-            self._submit()
-        while self.pending:
-            finished = self.running.next_batch(block=False)
-            done = self._take([future for future in finished if future.key in self.pending])
-            if not finished:
-                self.clock.sleep(POLL_SECONDS)
-            del finished
+        while not (self.rolls.answered() or self.watch()):
+            self.fetches.rest()
             self._tick()
-            if not self.watch():
+        self._submit()
+        try:
+            while self.flight:
+                ended = self.running.next_batch(block=False)
+                self.fetches.begin([f for f in ended if f.key in self.flight.works])
+                del ended
+                done = self._take()
+                if not done:
+                    self.fetches.rest()
+                self._tick()
                 self._submit()
-            yield from done
+                yield from done
+        finally:
+            if self.left:
+                self.client.cancel(self.left)
 
     def _submit(self) -> None:
         """Fill the window from what is to be done again and the source; then one alone."""
-        free = self.window - len(self.pending)
-        if free <= self.window // 8 or (self.isolated and self.pending):
+        free = self.window - len(self.flight)
+        if self.watch() or free <= self.window // 8 or (self.isolated and self.flight):
             return  # refilled in bulk
         fresh = self.again[:free]
         del self.again[:free]
-        fresh += islice(self.source, free - len(fresh))
+        fresh += map(self._work, islice(self.source, free - len(fresh)))
         self.isolated = False if fresh else self.isolated
-        if not fresh and not self.pending and self.alone:
+        if not fresh and not self.flight and self.alone:
             fresh, self.isolated = [self.alone.pop()], True
-        if not fresh:
-            return
-        futures = self.client.map(self.function, fresh, pure=False)
-        self.pending |= {f.key: (f, item) for f, item in zip(futures, fresh, strict=True)}
-        self.running.update(futures)
+        self._send(
+            [w for w in fresh if not w.failed],
+            self.rolls.crew.fit() if self.rolls.crew.left_out else [],
+        )
+        for work in fresh:
+            if work.failed:
+                self._send([work], self.rolls.crew.fit(work.failed))
 
-    def _take(self, futures: list[Future]) -> list[tuple[Any, Any]]:
-        """Return (item, result) of what went well, and note what to do instead of the rest."""
-        if any(future.status in ("cancelled", "lost") for future in futures):
-            raise UserError(LOST)
-        while True:
-            failed = [future for future in futures if future.status == "error"]
-            sound = [future for future in futures if future not in failed]
-            try:
-                results = self.client.gather(sound)
-                break
-            except (FutureCancelledError, OSError) as error:
-                raise UserError(LOST) from error
-            except Exception:  # a result was lost with its worker, and failed the second time
-                if all(future.status != "error" for future in sound):
-                    raise
-        done = [(self.pending.pop(f.key)[1], r) for f, r in zip(sound, results, strict=True)]
-        for future in failed:
-            item, raised = self.pending.pop(future.key)[1], future.exception()
-            killed = isinstance(raised, KilledWorker)
-            (self.alone if killed else self.again).extend(self.retry(item, raised, self.isolated))
+    def _work(self, item: Any) -> Work:
+        return Work(item, self.predicted(item))
+
+    def _send(self, works: list[Work], workers: list[str]) -> None:
+        """Submit works, to some workers if there are any."""
+        if works:
+            where: dict[str, Any] = (
+                {"workers": workers, "allow_other_workers": True} if workers else {}
+            )
+            items = [work.item for work in works]
+            futures = self.client.map(self.function, items, pure=False, key=self.name, **where)
+            for work, future in zip(works, futures, strict=True):
+                self.flight.add(work, future)
+            self.running.update(futures)
+
+    def _take(self) -> list[tuple[Any, Any]]:
+        """Return (item, result) of what has come, and note what to do instead of what failed."""
+        done: list[tuple[Any, Any]] = []
+        for found in self.fetches.done():
+            for key, (address, result) in found.results.items():
+                if work := self.flight.works.get(key):  # else a copy of it was faster
+                    self.left += self.flight.done(work)
+                    self.rolls.crew.succeeded(address, work.failed)
+                    done.append((work.item, result))
+            for key, (address, error) in found.errors.items():
+                self._fail(key, address, error)
         return done
 
-    def _tick(self) -> None:
-        """Now and then look at the workers; shed what no worker has begun after a stop."""
-        stopping = self.watch()
-        if self.shedding == stopping and self.clock.monotonic() - self.last_beat < BEAT_SECONDS:
+    def _fail(self, key: str, address: str, error: Exception) -> None:
+        """Note what to do instead of an item that failed on a worker."""
+        work = self.flight.fall(key)
+        if work is None:
             return
-        self.shedding = stopping
-        try:
-            threads = sum(self.client.nthreads().values())
-            if stopping:
-                self._shed()
-        except OSError as error:
-            raise UserError(LOST) from error
-        self.window = max(PER_THREAD * threads, LEAST)
-        self.watch.look(threads, len(self.pending))
-        self.last_beat = self.clock.monotonic()
+        work.failed.append(address)
+        if work.copies:
+            return  # the other may go well
+        killed = isinstance(error, KilledWorker)
+        sick = not (killed or isinstance(error, UserError))
+        if sick and work.to_be_tried_again(bool(self.rolls.crew.fit(work.failed))):
+            self.again.append(work)
+        else:
+            instead = self.retry(work.item, error, self.isolated)
+            (self.alone if killed else self.again).extend(map(self._work, instead))
 
-    def _shed(self) -> None:
-        """Take back what no worker has yet, so that an interrupted run ends soon."""
-        begun = {key for keys in self.client.processing().values() for key in keys}
-        waiting = [future for key, (future, _) in self.pending.items() if key not in begun]
-        for future in waiting:
-            del self.pending[future.key]
-        self.client.cancel(waiting)
+    def _tick(self) -> None:
+        """Now and then look at the workers, and at what they do."""
+        now, stopping = self.clock.monotonic(), self.watch()
+        if self.rolls.tick(stopping):
+            self._look_after(now)
+        if now - self.looked >= BEAT_SECONDS:
+            self.looked = now
+            unanswered, crew = self.rolls.unanswered(), self.rolls.crew
+            if stopping:
+                left = [*self.flight.works.values()] if unanswered else self.flight.lost(crew)
+                self._leave(left)
+            lack = NO_ANSWER if unanswered else NO_SIGN if crew.all_quiet() else ""
+            self.watch.look(crew.threads(), len(self.flight), lack)
+
+    def _look_after(self, now: float) -> None:
+        """Compute elsewhere what does not come; after a stop, shed what no worker has begun."""
+        crew, stopping = self.rolls.crew, self.rolls.stopping
+        self.window = max((2 if crew.left_out else PER_THREAD) * crew.threads(), LEAST)
+        self.flight.note(crew, now)
+        self.flight.stick(self.fetches.overdue(QUIET_SECONDS if stopping else SILENT_SECONDS))
+        if stopping:
+            for work in self.flight.unbegun(crew):
+                self.left += self.flight.drop(work)
+        else:
+            for work, workers in self.flight.second_copies(crew, now):
+                self._send([work], workers)
+
+    def _leave(self, works: list[Work]) -> None:
+        """After a stop, do not wait for what workers have that do not answer."""
+        left = dict.fromkeys(works)
+        if left:
+            say(f"left behind: {len(left)} batches of workers that do not answer")
+        for work in left:
+            self.left += self.flight.drop(work)

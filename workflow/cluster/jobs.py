@@ -1,44 +1,60 @@
 """Workers as jobs of a batch system, through dask-jobqueue: lost and expired ones are replaced."""
 
 import contextlib
+import shlex
 import subprocess
 import sys
+import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+from workflow.cluster.security import ENCRYPTED, own_security, scheduler_kind
 from workflow.errors import UserError
 from workflow.study import BATCH_SYSTEMS, Cluster, walltime_seconds
-from workflow.system import WORKER_ENVIRONMENT
+from workflow.system import ROOT, WORKER_ENVIRONMENT, refused
 
+# What a worker keeps on a disk is put in the path of imports: it must be nobody else's. Nor is
+# anything imported from the folder where the job was submitted.
+PRIVATE = (
+    "export PYTHONSAFEPATH=1",
+    f"export PYTHONPATH={shlex.quote(str(ROOT))}${{PYTHONPATH:+:$PYTHONPATH}}",
+    "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
+    "trap 'rm -rf \"$DASK_TEMPORARY_DIRECTORY\"' EXIT",
+)
 ADAPT_SECONDS = "5s"  # between looks at whether jobs have to be replaced
 STAGGER = 0.1  # of the lifetime, so that workers do not all retire at once
 
 
 @contextlib.contextmanager
-def job_cluster(cluster: Cluster) -> Iterator[Any]:
+def job_cluster(cluster: Cluster, dashboard: bool = False) -> Iterator[Any]:
     """Yield a cluster whose scheduler is here and whose workers are ``cluster.jobs`` jobs.
 
+    All have a certificate of this run, which lies in a folder of our own beside the jobs' logs.
     Raises UserError where the batch system is not there or would refuse the jobs.
     """
-    name = cluster.where
+    name, logs = cluster.where, Path(cluster.log_folder)
     try:
         import dask_jobqueue
     except ImportError as error:
         raise UserError(
             f"--{name}: needs dask-jobqueue (the extra '{name}' of this package)"
         ) from error
-    Path(cluster.log_folder).mkdir(parents=True, exist_ok=True)
     start = getattr(dask_jobqueue, BATCH_SYSTEMS[name].jobqueue)
-    with start(**_settings(cluster)) as jobs:
+    with refused(logs, "cannot be used:"):
+        logs.mkdir(parents=True, exist_ok=True)
+        keys = tempfile.TemporaryDirectory(prefix=".tls-", dir=logs.resolve())
+    with keys as folder, start(**_settings(cluster, dashboard, folder)) as jobs:
         _try_submitting(name, jobs.job_script())
         jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_SECONDS)
         yield jobs
 
 
-def _settings(cluster: Cluster) -> dict[str, Any]:
+def _settings(cluster: Cluster, dashboard: bool, keys: str) -> dict[str, Any]:
+    """Return what dask-jobqueue is told; ``keys`` is the folder of the certificates."""
     lifetime = cluster.lifetime
     exported = [f"export {name}={value}" for name, value in WORKER_ENVIRONMENT.items()]
+    kind, options = scheduler_kind(dashboard)
     return {
         "queue": cluster.queue or None,
         "account": cluster.account or None,
@@ -50,13 +66,18 @@ def _settings(cluster: Cluster) -> dict[str, Any]:
         "log_directory": cluster.log_folder,
         "python": sys.executable,
         "job_extra_directives": [*BATCH_SYSTEMS[cluster.where].directives],
-        "job_script_prologue": [*exported, *cluster.prologue],
+        "job_script_prologue": [*exported, *PRIVATE, *cluster.prologue],
         "worker_extra_args": [
             *("--lifetime", f"{lifetime:.0f}s"),
             *("--lifetime-stagger", f"{STAGGER * lifetime:.0f}s"),
             *("--preload", "workflow.cluster.worker"),
+            *("--worker-class", "workflow.cluster.security.PagelessWorker"),
         ],
-        "scheduler_options": {"dashboard_address": ":0"},
+        "scheduler_cls": kind,
+        "scheduler_options": options,
+        "security": own_security(),
+        "protocol": ENCRYPTED,
+        "shared_temp_directory": keys,
     }
 
 

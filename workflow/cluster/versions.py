@@ -7,12 +7,14 @@ from functools import cache
 
 from distributed import Client
 
+from workflow.cluster.calls import Call, patiently
+from workflow.cluster.watch import NO_ANSWER, Watch
 from workflow.errors import UserError
 from workflow.system import ROOT, version_of
 
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")
 FOLDERS = ("kernels", "workflow")
-
+ANSWER_SECONDS = 10.0  # to wait for the answers of all workers
 
 Versions = dict[str, str]  # what a process runs
 
@@ -33,19 +35,29 @@ def require(expected: Versions) -> None:
         raise UserError(*_table(expected, {socket.gethostname(): own_versions()}))
 
 
-def check_versions(client: Client) -> None:
+def check_versions(client: Client, watch: Watch) -> None:
     """Raise UserError with a table where scheduler or workers differ from this process.
 
-    Workers that come later check by themselves, at their first batch.
+    Workers that come later, or do not answer now, check by themselves at their first batch.
     """
-    others: dict = client.run(own_versions, on_error="return")
+    others: dict[str, Versions | BaseException] = {}
     try:
-        others["scheduler"] = client.run_on_scheduler(own_versions)
+        ask = (client.run_on_scheduler, own_versions)
+        others["scheduler"] = patiently(watch, NO_ANSWER, *ask)
+    except UserError:
+        raise
     except Exception as error:  # whatever importing our package there may raise
         others["scheduler"] = error
+    workers = Call(_workers_run, client)
+    if workers.wait(ANSWER_SECONDS):
+        others |= workers.result()
     odd = {name: found for name, found in others.items() if found != own_versions()}
     if odd:
         raise UserError(*_table(own_versions(), odd))
+
+
+def _workers_run(client: Client) -> dict[str, Versions | BaseException]:
+    return client.run(own_versions, on_error="return")
 
 
 def _table(mine: Versions, others: dict[str, Versions | BaseException]) -> list[str]:

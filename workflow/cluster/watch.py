@@ -6,13 +6,28 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from typing import TYPE_CHECKING
 
 from workflow.errors import UserError
 from workflow.system import duration
 
-SILENCE_SECONDS = 10.0  # without workers, before that is said; then twice as long each time
+if TYPE_CHECKING:
+    from workflow.cluster.crew import Crew
+
+BEAT_SECONDS = 1.0  # between looks
+LONGEST_BEAT = 5.0  # that counts: a process that was stopped itself has not been waiting
+QUIET_SECONDS = 4.0  # after a stop, whom nobody has heard of for so long is not waited for
+NO_WORKER, NO_ANSWER = "worker", "answer of the scheduler"  # what may be lacking
+NO_SIGN = "sign of life of any worker"
+# Without workers, or answers, before that is said; then twice as long each time.
+SILENCE_SECONDS = {NO_WORKER: 10.0, NO_ANSWER: 30.0, NO_SIGN: 30.0}
 
 Listener = Callable[[int, int], None]  # is told (worker threads, items in flight)
+
+
+def say(line: str) -> None:
+    """Tell the user at once."""
+    print(line, file=sys.stderr, flush=True)
 
 
 @dataclass
@@ -20,10 +35,13 @@ class Watch:
     """What a stream of work asks while it goes on."""
 
     stop: Callable[[], bool] = lambda: False  # whether to take up no more work
-    patience: float = math.inf  # s to wait without workers
+    patience: float = math.inf  # s to wait without workers, or for answers
     listeners: list[Listener] = field(default_factory=list)
-    idle_since: float | None = None
-    next_line: float = SILENCE_SECONDS
+    crew: "Crew | None" = None  # what earlier streams know of the workers
+    lacking: str = ""
+    waited: float = 0.0  # s that something has been lacking
+    next_line: float = 0.0
+    looked: float = 0.0
 
     def __call__(self) -> bool:
         """Return whether no more work is to be taken up."""
@@ -38,19 +56,29 @@ class Watch:
         finally:
             self.listeners.remove(listener)
 
-    def look(self, threads: int, in_flight: int) -> None:
-        """Note how many worker threads there are. Raises UserError when patience ends."""
+    def look(self, threads: int, in_flight: int, lack: str = "") -> None:
+        """Note how many worker threads there are, and what work waits for: workers, or ``lack``.
+
+        Raises UserError when patience ends.
+        """
         for listener in self.listeners:
             listener(threads, in_flight)
+        lack = lack or ("" if threads else NO_WORKER)
         now = time.monotonic()
-        if threads:
-            self.idle_since, self.next_line = None, SILENCE_SECONDS
-            return
-        self.idle_since = now if self.idle_since is None else self.idle_since
-        waited = now - self.idle_since
-        if waited > self.patience:
-            raise UserError(f"no worker for {duration(waited)}: given up; run again to resume")
-        if waited >= self.next_line:
+        passed, self.looked = min(now - self.looked, LONGEST_BEAT), now
+        if lack != self.lacking:
+            self.waited = self.waited if lack and self.lacking else 0.0
+            self.lacking = lack
+            self.next_line = max(SILENCE_SECONDS.get(lack, 0.0), self.waited)
+        elif lack:
+            self.waited += passed
+            self._wait()
+
+    def _wait(self) -> None:
+        if self.waited > self.patience:
+            said = f"no {self.lacking} for {duration(self.waited)}: given up; run again to resume"
+            raise UserError(said)
+        if self.waited >= self.next_line:
             until = f", at most {duration(self.patience)}" if self.patience < math.inf else ""
-            print(f"no worker for {duration(waited)}: waiting{until}", file=sys.stderr, flush=True)
-            self.next_line *= 2.0
+            say(f"no {self.lacking} for {duration(self.waited)}: waiting{until}")
+            self.next_line = 2.0 * max(self.waited, self.next_line)

@@ -4,8 +4,10 @@ Imported by name; needs nothing set up beforehand.
 """
 
 import signal
+from collections.abc import Callable
+from typing import Any
 
-from distributed import Worker
+from distributed import Worker, get_worker
 
 from workflow.cluster.versions import Versions, require
 from workflow.simulate import Batch, BatchResult, block_means
@@ -21,3 +23,12 @@ def run_batch(batch: Batch, expected: Versions) -> BatchResult:
     """Run a batch, if this process runs what the driver runs (else UserError)."""
     require(expected)
     return block_means(batch)
+
+
+def placed(item: Any, function: Callable) -> tuple[str, Any]:
+    """Return the address of the worker that this is, and function(item)."""
+    try:
+        address = get_worker().address
+    except ValueError:  # a simulation
+        address = ""
+    return address, function(item)

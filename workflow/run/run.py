@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable
 from functools import partial
+from operator import attrgetter
 from pathlib import Path
 from typing import NamedTuple
 
@@ -75,8 +76,9 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
         if run.missing and how.cluster.where == LOCAL:  # workers elsewhere compile for themselves
             for variant in plan.variants:
                 load_kernels(variant.numerics.scheme, plan.asked)
-        with run.interrupt, open_client(how.cluster, how.workers, how.dashboard) as client:
-            check_versions(client)
+        where = (how.cluster, how.workers, how.dashboard, run.watch)
+        with run.interrupt, open_client(*where) as client:
+            check_versions(client, run.watch)
             run.summary.start = time.monotonic() - began
             run.finish(client)
     run.summary.wall = time.monotonic() - began
@@ -172,7 +174,9 @@ class _Run:
                 shelf.flush_when_due()
 
             with self.watch.telling(look):
-                for batch, done in stream(client, function, work, self.watch, self.failures):
+                predicted = attrgetter("seconds")
+                streamed = stream(client, function, work, self.watch, self.failures, predicted)
+                for batch, done in streamed:
                     self.makers.add(done.maker)
                     require_one(self.makers, self.how.one_kind)
                     with self.summary.filing():

@@ -28,7 +28,7 @@ BATCH_SYSTEMS = {"slurm": BatchSystem("SLURMCluster", ("--no-requeue",), ("sbatc
 class Cluster(NamedTuple):
     """Processes of this machine, the jobs of a batch system, or a scheduler that is there."""
 
-    where: str = LOCAL  # or a batch system, or the address of a scheduler, tcp://host:port
+    where: str = LOCAL  # or a batch system, or the address of a scheduler, tls://host:port
     patience: float = 600.0  # s to wait while there is no worker
     jobs: int = 1
     cores: int = 1  # of each job
@@ -39,6 +39,9 @@ class Cluster(NamedTuple):
     interface: str = ""  # network interface between nodes
     log_folder: str = "results/jobs"
     prologue: tuple[str, ...] = ()  # lines of the job script before the workers start
+    tls_ca_file: str = ""  # PEM; who has signed the certificates of a scheduler tls://host:port
+    tls_cert: str = ""  # PEM; shows that scheduler who we are
+    tls_key: str = ""  # PEM; of that certificate, unless it stands in the same file
 
     @property
     def lifetime(self) -> float:
@@ -71,7 +74,7 @@ def _where(key: str, value: object) -> str:
     text = as_text(key, value)
     if text != LOCAL and text not in BATCH_SYSTEMS and "://" not in text:
         known = ", ".join((LOCAL, *BATCH_SYSTEMS))
-        raise UserError(f"{key} = {text!r}: must be {known} or tcp://host:port")
+        raise UserError(f"{key} = {text!r}: must be {known}, tls://host:port or tcp://host:port")
     return text
 
 
@@ -93,20 +96,39 @@ def _walltime(key: str, value: object) -> str:
     return text
 
 
+def _line(key: str, value: object) -> str:
+    """Return a text that stays within its line of a job script."""
+    text = as_text(key, value)
+    if not text.replace("\t", " ").isprintable():
+        raise UserError(f"{key} = {text!r}: must be one line")
+    return text
+
+
+def _word(key: str, value: object) -> str:
+    """Return a text that stays one word in a directive or a command of a job script."""
+    text = as_text(key, value)
+    if not re.fullmatch(r"[\w.,:@%+/=-]*", text):
+        raise UserError(f"{key} = {text!r}: must be one word of letters, digits and .,:@%+/=-")
+    return text
+
+
 def _prologue(key: str, value: object) -> tuple[str, ...]:
-    return tuple(as_text(key, line) for line in (value if isinstance(value, list) else [value]))
+    return tuple(_line(key, line) for line in (value if isinstance(value, list) else [value]))
 
 
-CHECKS: dict[str, Callable[[str, object], object]] = {  # other keys are texts
+CHECKS: dict[str, Callable[[str, object], object]] = {  # other keys are texts of one line
     "where": _where,
     "patience": positive,
     "jobs": partial(integer, least=1),
     "cores": partial(integer, least=1),
     "memory": _memory,
     "walltime": _walltime,
+    "queue": _word,
+    "account": _word,
+    "interface": _word,
     "prologue": _prologue,
 }
-CLUSTER = {key: Key(CHECKS.get(key, as_text), usual) for key, usual in HERE._asdict().items()}
+CLUSTER = {key: Key(CHECKS.get(key, _line), usual) for key, usual in HERE._asdict().items()}
 
 
 def read_cluster(table: object) -> Cluster:

@@ -1,6 +1,7 @@
 """Load the scripts of a study's folder: figure.py, and measure.py of a measured study."""
 
 import importlib
+import pwd
 import re
 import sys
 from pathlib import Path
@@ -8,16 +9,24 @@ from types import ModuleType
 
 from workflow.errors import UserError
 
+OWN = Path(__file__).resolve().parents[2] / "studies"
+named: set[Path] = set()  # scripts that the user was told of
+
 
 def load_script(script: Path) -> ModuleType:
     """Return the module of a script, loaded anew; ``from .other import …`` reaches its folder.
 
-    The folder counts as a package of its own, wherever it lies. Raises UserError where there is
-    no such file.
+    The folder counts as a package of its own, wherever it lies. A script that is not part of
+    this program is named, with its owner, before it runs. Raises UserError where there is no
+    such file.
     """
     if not script.is_file():
         raise UserError(f"{script}: not found")
-    folder = script.resolve().parent
+    script = script.resolve()
+    folder = script.parent
+    if OWN not in script.parents and script not in named:
+        named.add(script)
+        print(f"note: runs {script}, a file of {_owner(script)}", file=sys.stderr)
     package = "study" + re.sub(r"\W", "_", str(folder))
     for name in [n for n in sys.modules if n == package or n.startswith(f"{package}.")]:
         del sys.modules[name]
@@ -26,3 +35,12 @@ def load_script(script: Path) -> ModuleType:
     sys.modules[package] = parent
     importlib.invalidate_caches()
     return importlib.import_module(f"{package}.{script.stem}")
+
+
+def _owner(file: Path) -> str:
+    """Return the name of the user to whom a file belongs."""
+    number = file.stat().st_uid
+    try:
+        return pwd.getpwuid(number).pw_name
+    except KeyError:
+        return f"user {number}"

@@ -4,20 +4,31 @@ import contextlib
 import os
 import signal
 import socket
+from pathlib import Path
 
 import dask
 import pytest
 
-from tests.support.runs import run
+from tests.support.small import small_plan
 from workflow.cluster import client as module
 from workflow.cluster.client import open_client
 from workflow.errors import UserError
+from workflow.run.run import How, run_plan
 from workflow.study.cluster import Cluster
 
 
 def facts():
     """Return what a worker says of itself."""
     return os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN, dict(os.environ)
+
+
+def written(security, folder):
+    """Write certificate and key of a cluster into files; return the keys of [cluster] for them."""
+    certificate, key = folder / "certificate.pem", folder / "key.pem"
+    certificate.write_text(security.tls_client_cert)
+    key.write_text(security.tls_client_key)
+    files = (certificate, certificate, key)
+    return dict(zip(("tls_ca_file", "tls_cert", "tls_key"), map(str, files), strict=True))
 
 
 def test_workers_of_our_own_are_processes_that_give_the_same_bytes(finished, tmp_path):
@@ -33,14 +44,45 @@ def test_workers_of_our_own_are_processes_that_give_the_same_bytes(finished, tmp
             assert pid != os.getpid()
             assert ignores_ctrl_c
             assert int(environment["MALLOC_TRIM_THRESHOLD_"]) >= 2**28  # large arrays are kept
-            found = run(client.scheduler.address, tmp_path)
-    assert found.path.read_bytes() == finished.path.read_bytes()
+            where = Cluster(client.scheduler.address, **written(client.security, tmp_path))
+            path = tmp_path / "small.nc"
+            run_plan(small_plan(), path, How(where, batch_seconds=3.0))
+    assert path.read_bytes() == finished.path.read_bytes()
 
 
-def test_a_scheduler_that_is_there_is_used(scheduler):
+def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(scheduler, capsys):
     with open_client(Cluster(scheduler)) as client:
         assert client.scheduler.address == scheduler
         assert len(client.nthreads()) == 2
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"warning: --scheduler {scheduler}: neither encrypted nor authentic")
+
+
+def listening(pids):
+    """Return the TCP ports at which processes listen."""
+    inodes = set()
+    for pid in pids:
+        for entry in Path(f"/proc/{pid}/fd").iterdir():
+            with contextlib.suppress(OSError):
+                inodes.add(str(entry.readlink()).removeprefix("socket:[").removesuffix("]"))
+    rows = [line.split() for line in Path("/proc/net/tcp").read_text().splitlines()[1:]]
+    rows += [line.split() for line in Path("/proc/net/tcp6").read_text().splitlines()[1:]]
+    return {
+        int(row[1].rpartition(":")[2], 16) for row in rows if row[3] == "0A" and row[9] in inodes
+    }
+
+
+def test_every_port_of_our_own_processes_is_one_of_dask_with_a_certificate():
+    before = listening([os.getpid()])
+    with open_client(Cluster(), 2) as client:
+        workers = client.run(os.getpid)
+        family = [os.getpid(), *workers.values()]
+        nannies = [nanny.address for nanny in client.cluster.workers.values()]
+        known = [client.scheduler.address, *workers, *nannies]
+        assert len(set(known)) == 5
+        assert all(address.startswith("tls://127.0.0.1:") for address in known)
+        ports = {int(address.rpartition(":")[2]) for address in known}
+        assert listening(family) - before == ports
 
 
 @pytest.mark.parametrize(

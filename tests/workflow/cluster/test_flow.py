@@ -1,15 +1,16 @@
 """Streaming: each item once, a bounded number in flight, and no silent end."""
 
+import errno
 import math
+import threading
 import time
 
 import pytest
-from distributed import Client
-from distributed.comm import CommClosedError
-from distributed.scheduler import KilledWorker
+from distributed import Client, get_worker
 
 from tests.support.runs import PATIENCE, standing
-from workflow.cluster.flow import raise_error, stream
+from workflow.cluster import flight
+from workflow.cluster.flow import stream
 from workflow.cluster.watch import Watch
 from workflow.errors import UserError
 
@@ -53,26 +54,72 @@ def test_an_error_on_a_worker_is_raised_here(client):
         list(stream(client, math.sqrt, [1.0, -1.0]))
 
 
-def test_an_item_whose_worker_died_gets_one_chance_alone():
-    killed = KilledWorker("key", None, 3)
-    assert raise_error(7, killed, False) == [7]
-    with pytest.raises(KilledWorker):
-        raise_error(7, killed, True)
-
-
 def test_what_failed_is_replaced_and_the_rest_goes_on(client):
     twice = {"retry": lambda item, error, alone: [abs(item) / 2.0] * 2}
     found = list(stream(client, math.sqrt, [4.0, -2.0, 9.0], **twice))
     assert sorted(found) == [(1.0, 1.0), (1.0, 1.0), (4.0, 2.0), (9.0, 3.0)]
 
 
-def test_a_scheduler_that_dies_during_a_transfer_is_reported(client, monkeypatch):
-    def lost(_):
-        raise CommClosedError("in <TCP (closed) ConnectionPool.gather>")
+def sick(item):
+    """Fail on whichever worker began first, as on a node with a broken disk; work on the other."""
+    worker = get_worker()
+    if worker.address == min(item):
+        raise OSError(errno.EIO, "Input/output error")
+    time.sleep(0.005)
+    return worker.address
 
-    monkeypatch.setattr(client, "gather", lost)
-    with pytest.raises(UserError, match="the scheduler was lost; run again to resume"):
-        list(stream(client, abs, [1]))
+
+def test_one_sick_worker_fails_nothing_and_is_left_out_and_named(client, capsys):
+    workers = tuple(client.nthreads())
+    done = [result for _, result in stream(client, sick, [workers] * 40)]
+    assert done == [max(workers)] * 40
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"worker {min(workers)}: 3 batches in a row failed there")
+
+
+def test_what_fails_everywhere_is_tried_on_two_workers_before_it_is_given_up(client):
+    tried = []
+
+    def note(item, error, alone):
+        tried.append((item, alone))
+        assert isinstance(error, ArithmeticError)
+        return []
+
+    assert list(stream(client, nowhere, [7], retry=note)) == []
+    assert tried == [(7, False)]
+    assert set(PLACES) == set(client.nthreads())
+
+
+PLACES = []  # the workers of these tests are threads of this process
+
+
+def nowhere(_):
+    """Fail."""
+    PLACES.append(get_worker().address)
+    raise ArithmeticError("no root")
+
+
+def test_an_item_that_a_second_worker_does_first_is_not_waited_for(client, monkeypatch, capsys):
+    """Time flies, so that a batch is late soon; its first copy ends with the test."""
+    monkeypatch.setattr(flight, "LATE_SECONDS", 0.5)
+    over.clear()
+    try:
+        assert sorted(stream(client, first_hangs, range(6), predicted=abs)) == [
+            (i, i) for i in range(6)
+        ]
+    finally:
+        over.set()
+    assert "take over 10 times their prediction" in capsys.readouterr().err
+
+
+over, begun = threading.Event(), threading.Lock()
+
+
+def first_hangs(item):
+    """Return the item; hang where zero is computed first."""
+    if item == 0 and begun.acquire(blocking=False):
+        over.wait(600.0)
+    return item
 
 
 SCHEDULER = """

@@ -3,6 +3,7 @@
 import subprocess
 
 import pytest
+from distributed.security import Security
 
 from tests.support.documents import CLUSTER
 from workflow.cluster import jobs as slurm
@@ -19,6 +20,8 @@ LINES = (
     "export NUMBA_NUM_THREADS=1",
     "export MALLOC_TRIM_THRESHOLD_=268435456",
     "module load python",
+    "export PYTHONSAFEPATH=1",
+    "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
 )
 OPTIONS = (
     "--nthreads 1",
@@ -26,15 +29,20 @@ OPTIONS = (
     "--interface ib0",
     "--lifetime 6480s --lifetime-stagger 648s",
     "--preload workflow.cluster.worker",
+    "--worker-class workflow.cluster.security.PagelessWorker",
+    "--protocol tls://",
+    "--tls-ca-file a --tls-cert c --tls-key k",
 )
 
 
 def test_jobs_are_asked_for_as_the_table_says():
     from dask_jobqueue.slurm import SLURMJob
 
-    settings = slurm._settings(read_cluster(CLUSTER))
-    settings.pop("scheduler_options")
-    script = SLURMJob("tcp://here:1", "name", **settings).job_script()
+    settings = slurm._settings(read_cluster(CLUSTER), False, "keys")
+    for name in ("scheduler_cls", "scheduler_options", "shared_temp_directory"):
+        settings.pop(name)  # of the cluster, not of its jobs
+    settings["security"] = Security(tls_ca_file="a", tls_worker_cert="c", tls_worker_key="k")
+    script = SLURMJob("tls://here:1", "name", **settings).job_script()
     assert set(LINES) <= set(script.splitlines())
     for option in OPTIONS:
         assert option in script

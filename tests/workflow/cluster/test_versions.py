@@ -4,6 +4,7 @@ import pytest
 
 from workflow.cluster import versions as module
 from workflow.cluster.versions import check_versions, own_versions, require
+from workflow.cluster.watch import Watch
 from workflow.errors import UserError
 
 
@@ -14,7 +15,7 @@ def other(name, value):
 
 def test_same_versions_of_packages_python_and_our_own_sources_are_accepted(client):
     require(own_versions())
-    check_versions(client)
+    check_versions(client, Watch())
     assert set(own_versions()) == {*module.PACKAGES, "python", "our sources"}
     assert all("not installed" not in value for value in own_versions().values())
 
@@ -53,7 +54,7 @@ class Strangers:
 
 def test_all_who_differ_are_named():
     with pytest.raises(UserError) as error:
-        check_versions(Strangers())
+        check_versions(Strangers(), Watch())
     scheduler, worker = str(error.value).splitlines()[2:]
     assert scheduler.split()[0] == "scheduler"
     assert scheduler.endswith("cannot import it: No module named 'workflow'")

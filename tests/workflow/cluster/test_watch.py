@@ -2,15 +2,15 @@
 
 import pytest
 
-from workflow.cluster.watch import Watch
+from workflow.cluster.watch import NO_ANSWER, Watch
 from workflow.errors import UserError
 
 
-def waited(watch, clock, seconds):
-    """Let seconds pass without workers."""
+def waited(watch, clock, seconds, threads=0, lack=""):
+    """Let seconds pass without workers, or without something else."""
     for _ in range(seconds):
         clock[0] += 1.0
-        watch.look(0, 3)
+        watch.look(threads, 3, lack)
 
 
 def test_silence_is_broken_less_and_less_often(clock, capsys):
@@ -30,6 +30,23 @@ def test_patience_begins_anew_with_every_worker(clock, capsys):
         waited(watch, clock, 25)
         watch.look(1, 3)
     assert capsys.readouterr().err.count("10 s") == 5
+
+
+def test_answers_that_do_not_come_are_waited_for_with_the_same_patience(clock, capsys):
+    watch = Watch(patience=70.0)
+    watch.look(2, 3)
+    with pytest.raises(UserError, match=r"^no answer of the scheduler for 71 s: given up"):
+        waited(watch, clock, 90, 2, NO_ANSWER)
+    said = capsys.readouterr().err.splitlines()
+    assert said == [f"no {NO_ANSWER} for {s} s: waiting, at most 70 s" for s in (30, 60)]
+
+
+def test_what_this_process_did_not_watch_is_no_waiting(clock):
+    """It may have been stopped itself, or the computer suspended."""
+    watch = Watch(patience=30.0)
+    waited(watch, clock, 20)
+    clock[0] += 1e5
+    waited(watch, clock, 5)
 
 
 def test_a_watch_tells_what_it_sees_and_when_to_stop():

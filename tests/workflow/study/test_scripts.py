@@ -1,9 +1,12 @@
 """Scripts of a study's folder: loaded anew each time, from any folder, with their neighbours."""
 
+import os
+import pwd
+
 import pytest
 
 from workflow.errors import UserError
-from workflow.study.scripts import load_script
+from workflow.study.scripts import OWN, load_script
 
 
 def write(folder, value):
@@ -27,3 +30,24 @@ def test_scripts_of_one_name_in_two_folders_do_not_meet(tmp_path):
 def test_a_script_that_is_not_there_is_named(tmp_path):
     with pytest.raises(UserError, match=r"figure\.py: not found$"):
         load_script(tmp_path / "figure.py")
+
+
+def test_a_script_of_the_program_is_run_in_silence(capsys):
+    load_script(OWN / "fig7" / "figure.py")
+    assert capsys.readouterr().err == ""
+
+
+@pytest.mark.parametrize("owner", [os.getuid(), 54321])
+def test_another_script_is_named_with_its_owner_before_it_runs(tmp_path, capsys, owner):
+    """And so are those of studies/ in the working folder, which come before our own."""
+    script = tmp_path / "figure.py"
+    script.write_text("import sys\nsys.stderr.write('it runs\\n')\n")
+    if owner != os.getuid():
+        if os.getuid() != 0:
+            pytest.skip("only root can give a file away")
+        os.chown(script, owner, -1)
+    load_script(script)
+    load_script(script)
+    name = pwd.getpwuid(owner).pw_name if owner == os.getuid() else f"user {owner}"
+    said = capsys.readouterr().err.splitlines()
+    assert said == [f"note: runs {script}, a file of {name}", "it runs", "it runs"]

@@ -1,0 +1,136 @@
+"""What is in flight: late or silent work gets a second copy, the first result counts."""
+
+import pytest
+from distributed.scheduler import KilledWorker
+
+from workflow.cluster.crew import Crew, Roll
+from workflow.cluster.flight import Flight, Work, raise_error, unknown
+
+A, B, C = (f"tls://127.0.0.1:{port}" for port in (1, 2, 3))
+
+
+class Future:
+    """Stands in for a future of dask."""
+
+    def __init__(self, key, status="pending"):
+        self.key, self.status = key, status
+
+
+def crew_of(busy, beat=0.0, crew=None, silent=()):
+    """Return a crew of three, with the keys that each computes."""
+    crew = crew or Crew()
+    heard = {address: 0.0 if address in silent else beat for address in (A, B, C)}
+    crew.note(Roll(dict.fromkeys((A, B, C), 1), heard, {A: [], B: [], C: []} | busy), 1.0)
+    return crew
+
+
+@pytest.fixture
+def flight():
+    """Return two items in flight, of 1 s and 100 s, some other being done."""
+    flight = Flight()
+    for key, seconds in (("done", 1.0), ("short", 1.0), ("long", 100.0)):
+        flight.add(Work(key, seconds), Future(key))
+    flight.done(flight.works["done"])
+    crew = crew_of({A: ["short"], B: ["long"]})
+    flight.note(crew, 1000.0)
+    return flight
+
+
+def copies(flight, crew, now):
+    """Return the items that are to be computed a second time, and where."""
+    return [(work.item, workers) for work, workers in flight.second_copies(crew, now)]
+
+
+def test_what_takes_over_ten_times_its_prediction_and_a_minute_is_said_once(flight, capsys):
+    crew = crew_of({A: ["short"], B: ["long"], C: ["other"]})
+    assert copies(flight, crew, 1060.0) == []
+    assert capsys.readouterr().err == ""
+    assert copies(flight, crew, 1061.0) == []
+    said = "1 batches take over 10 times their prediction, the longest 61 s instead of 1 s on "
+    assert capsys.readouterr().err == f"{said}{A}; no other worker is idle\n"
+    assert copies(flight, crew_of({A: ["short"], B: ["long"]}), 1062.0) == [("short", [C])]
+    assert copies(flight, crew, 1999.0) == []
+    assert capsys.readouterr().err == ""
+    assert copies(flight, crew, 2001.0) == []
+    assert "1001 s" not in capsys.readouterr().err  # in minutes
+
+
+def test_before_anything_is_done_machine_code_may_have_to_be_made():
+    flight = Flight()
+    flight.add(Work("first", 1.0), Future("first"))
+    crew = crew_of({A: ["first"]})
+    flight.note(crew, 0.0)
+    assert copies(flight, crew, 290.0) == []
+    assert copies(flight, crew, 301.0) == [("first", [B])]
+
+
+def test_what_was_given_to_another_worker_begins_anew(flight):
+    crew = crew_of({B: ["long"], C: ["short"]})
+    flight.note(crew, 1050.0)
+    assert copies(flight, crew, 1100.0) == []
+    assert copies(flight, crew, 1111.0) == [("short", [A])]
+
+
+def test_nothing_is_known_of_what_is_not_predicted():
+    flight = Flight()
+    flight.add(Work("item", unknown("item")), Future("item"))
+    crew = crew_of({A: ["item"]})
+    flight.note(crew, 0.0)
+    assert copies(flight, crew, 1e9) == []
+
+
+def test_what_a_silent_worker_has_is_computed_by_others_busy_or_not(flight):
+    crew, busy = None, {A: ["short"], B: ["long"], C: ["other"]}
+    for beat in range(1, 33):
+        crew = crew_of(busy, beat, crew, silent=[A])
+    assert copies(flight, crew, 1031.0) == [("short", [B, C])]
+
+
+def test_a_result_that_does_not_come_is_computed_again(flight):
+    flight.stick(["short", "unknown"])
+    assert copies(flight, crew_of({A: ["short"], B: ["long"]}), 1001.0) == [("short", [B, C])]
+
+
+def test_an_item_with_two_copies_gets_no_third_and_the_first_result_counts(flight):
+    work = flight.works["short"]
+    flight.add(work, Future("again"))
+    flight.note(crew_of({A: ["short"], C: ["again"]}), 1001.0)
+    assert copies(flight, crew_of({}), 1900.0) == []
+    assert len(flight) == 3
+    work.copies["again"].future.status = "finished"
+    assert [future.key for future in flight.done(work)] == ["short"]
+    assert list(flight.works) == ["long"]
+
+
+def test_a_copy_that_fails_leaves_the_other(flight):
+    work = flight.works["short"]
+    flight.add(work, Future("again"))
+    assert flight.fall("short") is work
+    assert list(work.copies) == ["again"]
+    assert flight.fall("short") is None
+
+
+def test_after_a_stop_what_no_worker_has_is_shed_and_what_silent_ones_have_left(flight):
+    flight.add(Work("waiting", 1.0), Future("waiting"))
+    flight.add(Work("fetched", 1.0), Future("fetched", "finished"))
+    crew, busy = None, {A: ["short"], B: ["long"]}
+    for beat in range(1, 8):
+        crew = crew_of(busy, beat, crew, silent=[A])
+    assert [work.item for work in flight.unbegun(crew)] == ["waiting"]
+    assert [work.item for work in flight.lost(crew)] == ["short"]
+
+
+FAILED = [([A], True, True), ([A], False, True), ([A, A], False, False), ([A, A], True, True)]
+FAILED += [([A, B], True, False), ([A, A, A, A], True, False)]
+
+
+@pytest.mark.parametrize(("failed", "elsewhere", "again"), FAILED)
+def test_an_item_is_given_up_after_two_workers_or_twice_on_the_only_one(failed, elsewhere, again):
+    assert Work("item", 1.0, failed=failed).to_be_tried_again(elsewhere) == again
+
+
+def test_an_item_whose_worker_died_gets_one_chance_alone():
+    killed = KilledWorker("key", None, 3)
+    assert raise_error(7, killed, False) == [7]
+    with pytest.raises(KilledWorker):
+        raise_error(7, killed, True)

@@ -1,0 +1,68 @@
+"""Who may connect: certificates of ours or of the user, or a warning."""
+
+import dask
+import pytest
+from distributed import Scheduler
+
+from workflow.cluster.security import (
+    PagelessScheduler,
+    own_security,
+    scheduler_kind,
+    security_of,
+)
+from workflow.errors import UserError
+from workflow.study.cluster import Cluster
+
+THERE = "tls://127.0.0.1:8786"
+
+
+@pytest.fixture
+def files(tmp_path):
+    """Return the keys of [cluster] for certificate and key in files."""
+    security = own_security()
+    (tmp_path / "certificate.pem").write_text(security.tls_client_cert)
+    (tmp_path / "key.pem").write_text(security.tls_client_key)
+    certificate = str(tmp_path / "certificate.pem")
+    return {
+        "tls_ca_file": certificate,
+        "tls_cert": certificate,
+        "tls_key": str(tmp_path / "key.pem"),
+    }
+
+
+def test_no_page_is_served_unless_it_is_asked_for():
+    assert scheduler_kind(False) == (PagelessScheduler, {"dashboard": False})
+    kind, options = scheduler_kind(True)
+    assert kind is Scheduler
+    assert options["dashboard_address"].startswith("127.0.0.1:")
+
+
+def test_certificates_of_the_user_are_used(files, capsys):
+    security = security_of(Cluster(THERE, **files))
+    assert security.require_encryption
+    assert security.get_tls_config_for_role("client")["key"] == files["tls_key"]
+    assert capsys.readouterr().err == ""
+
+
+def test_certificates_of_dask_s_own_configuration_are_used(files):
+    with dask.config.set({"distributed.comm.tls.ca-file": files["tls_ca_file"]}):
+        assert security_of(Cluster(THERE)).tls_ca_file == files["tls_ca_file"]
+
+
+def test_without_certificates_a_scheduler_that_asks_for_them_is_refused():
+    with pytest.raises(UserError, match=r"needs cluster\.tls_ca_file, cluster\.tls_cert and"):
+        security_of(Cluster(THERE))
+
+
+@pytest.mark.parametrize("name", ["tls_ca_file", "tls_cert", "tls_key"])
+def test_certificates_that_cannot_be_read_are_refused_by_name(files, name, tmp_path):
+    files[name] = str(tmp_path / "none.pem")
+    said = rf"cluster\.{name} = '{files[name]}'.*: cannot be used for TLS: .*No such file"
+    with pytest.raises(UserError, match=said):
+        security_of(Cluster(THERE, **files))
+
+
+def test_a_scheduler_that_asks_for_nothing_is_warned_of(capsys):
+    assert security_of(Cluster("tcp://127.0.0.1:8786")) is None
+    (line,) = capsys.readouterr().err.splitlines()
+    assert "neither encrypted nor authenticated: whoever reaches it runs code as you" in line

@@ -1,0 +1,179 @@
+"""What is in flight: each item computed once, or where that takes too long, a second time."""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from typing import Any
+
+from distributed import Future
+from distributed.scheduler import KilledWorker
+
+from workflow.cluster.crew import Crew
+from workflow.cluster.watch import say
+from workflow.system import duration
+
+LATE_FACTOR, LATE_SECONDS = 10.0, 60.0  # an item is late that takes more than both
+FIRST_SECONDS = 300.0  # instead, until something is done: machine code may have to be made
+TRIES = 4  # of an item that raises, at most
+
+# What to do instead of an item that failed with an error, alone in the cluster or not.
+Retry = Callable[[Any, Exception, bool], list[Any]]
+
+
+def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
+    """Let an error on a worker end the stream; an item whose worker died gets another chance."""
+    if isinstance(error, KilledWorker) and not alone:
+        return [item]
+    raise error
+
+
+def unknown(item: Any) -> float:
+    """Predict nothing of an item: it is never late."""
+    del item
+    return float("inf")
+
+
+@dataclass
+class Copy:
+    """One future of an item."""
+
+    future: Future
+    address: str = ""  # of the worker that has it
+    since: float = 0.0  # when it was seen there first
+    stuck: bool = False  # its result does not come
+
+
+@dataclass(eq=False)
+class Work:
+    """An item on its way."""
+
+    item: Any
+    predicted: float  # s
+    copies: dict[str, Copy] = field(default_factory=dict)  # by key
+    failed: list[str] = field(default_factory=list)  # addresses of workers where it raised
+    told: bool = False  # that it is late
+
+    def late(self, now: float, least: float) -> float:
+        """Return for how long its first copy has been computed, if it is late; else 0.
+
+        least : s that every item may take.
+        """
+        copy = next(iter(self.copies.values()))
+        taken = now - copy.since if copy.address else 0.0
+        return taken if taken > max(least, LATE_FACTOR * self.predicted) else 0.0
+
+    def to_be_tried_again(self, elsewhere: bool) -> bool:
+        """Return whether it has not failed on two workers yet, or twice on the only one."""
+        if len(set(self.failed)) > 1 or len(self.failed) >= TRIES:
+            return False
+        return elsewhere or len(self.failed) < 2
+
+    def where(self) -> list[str]:
+        """Return the addresses of workers that have it, or where it failed."""
+        return [copy.address for copy in self.copies.values()] + self.failed
+
+
+class Flight:
+    """All that is in flight, by the keys of its copies."""
+
+    def __init__(self) -> None:
+        self.works: dict[str, Work] = {}
+        self.least = FIRST_SECONDS
+
+    def __len__(self) -> int:
+        """Return the number of copies."""
+        return len(self.works)
+
+    def add(self, work: Work, future: Future) -> None:
+        """Take up a copy of an item."""
+        key = str(future.key)
+        work.copies[key] = Copy(future)
+        self.works[key] = work
+
+    def fall(self, key: str) -> Work | None:
+        """Take out a copy that failed; return its item, if it was still waited for."""
+        work = self.works.pop(key, None)
+        if work is not None:
+            del work.copies[key]
+        return work
+
+    def drop(self, work: Work) -> list[Future]:
+        """Wait for no copy of an item any more; return those that still run, or cannot be had."""
+        for key in work.copies:
+            del self.works[key]
+        open_ones = [c for c in work.copies.values() if c.stuck or c.future.status == "pending"]
+        return [copy.future for copy in open_ones]
+
+    def done(self, work: Work) -> list[Future]:
+        """Take out an item that is done; as ``drop``."""
+        self.least = LATE_SECONDS
+        return self.drop(work)
+
+    def note(self, crew: Crew, now: float) -> None:
+        """Note from a roll call which worker has what."""
+        for address, keys in crew.roll.busy.items():
+            for key in keys:
+                if key in self.works:
+                    copy = self.works[key].copies[key]
+                    if copy.address != address:
+                        copy.address, copy.since = address, now
+
+    def stick(self, keys: list[str]) -> None:
+        """Note that the results of copies do not come."""
+        for key in keys:
+            if key in self.works:
+                self.works[key].copies[key].stuck = True
+
+    def unbegun(self, crew: Crew) -> list[Work]:
+        """Return items that no worker has yet."""
+        begun = {key for keys in crew.roll.busy.values() for key in keys}
+        return [
+            work
+            for work in dict.fromkeys(self.works.values())
+            if all(c.future.status == "pending" for c in work.copies.values())
+            and begun.isdisjoint(work.copies)
+        ]
+
+    def lost(self, crew: Crew) -> list[Work]:
+        """Return items that only workers have of whom nothing is heard."""
+        return [
+            work
+            for work in dict.fromkeys(self.works.values())
+            if all(c.stuck or (c.address and crew.quiet(c.address)) for c in work.copies.values())
+        ]
+
+    def second_copies(self, crew: Crew, now: float) -> list[tuple[Work, list[str]]]:
+        """Return items to be computed a second time, and by which workers; say what is late.
+
+        What a silent worker has goes to any other, what is late to an idle one.
+        """
+        idle = crew.idle()
+        copies, late = [], []
+        for work in [*self.works.values()]:
+            first, *others = work.copies.values()
+            if others:
+                continue
+            workers = []
+            if first.stuck or crew.silent(first.address):
+                workers = crew.fit(work.where())
+            elif work.late(now, self.least):
+                late.append(work)
+                workers = [address for address in idle if address not in work.where()][:1]
+                idle = [address for address in idle if address not in workers]
+            if workers:
+                copies.append((work, workers))
+        self._say({w: w.late(now, self.least) for w in late if not w.told}, len(copies))
+        return copies
+
+    def _say(self, late: dict[Work, float], copies: int) -> None:
+        """Say once of every item that it is late; values are the seconds it has taken."""
+        if not late:
+            return
+        worst = max(late, key=lambda work: late[work])
+        (copy,) = worst.copies.values()
+        then = "computed on another worker too" if copies else "no other worker is idle"
+        say(
+            f"{len(late)} batches take over {LATE_FACTOR:.0f} times their prediction, the longest "
+            f"{duration(late[worst])} instead of {worst.predicted:.2g} s on {copy.address}; {then}"
+        )
+        for work in late:
+            work.told = True

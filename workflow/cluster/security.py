@@ -1,0 +1,86 @@
+"""Who may connect: certificates on every connection, and no page that anyone may open.
+
+Whoever reaches a port of dask without them runs code as its owner.
+"""
+
+import ssl
+import sys
+from pathlib import Path
+from typing import Any
+
+import dask
+from distributed import Scheduler, Worker
+from distributed.security import Security
+
+from workflow.errors import UserError
+from workflow.study import Cluster
+
+ENCRYPTED = "tls://"
+
+
+class _Pageless:
+    """Of a server of dask: opens no port for web pages, which know nothing of certificates."""
+
+    def start_http_server(self, *_: Any, **__: Any) -> None:
+        """Open nothing."""
+
+
+class PagelessScheduler(_Pageless, Scheduler):
+    """A scheduler without web pages."""
+
+
+class PagelessWorker(_Pageless, Worker):
+    """A worker without web pages."""
+
+
+def scheduler_kind(dashboard: bool) -> tuple[type[Scheduler], dict[str, Any]]:
+    """Return class and options of a scheduler, with dask's dashboard for this machine or none."""
+    if dashboard:
+        return Scheduler, {"dashboard": True, "dashboard_address": "127.0.0.1:0"}  # any free port
+    return PagelessScheduler, {"dashboard": False}
+
+
+def own_security() -> Security:
+    """Return a certificate made for this run: who does not have it is refused."""
+    return Security.temporary()
+
+
+def security_of(cluster: Cluster) -> Security | None:
+    """Return what a scheduler that stands asks of us; say so where it asks nothing.
+
+    Raises UserError where the certificates are not given or cannot be used.
+    """
+    if not cluster.where.startswith(ENCRYPTED):
+        print(
+            f"warning: --scheduler {cluster.where}: neither encrypted nor authenticated: whoever "
+            "reaches it runs code as you; start it with TLS (docs/cluster.md, Who may connect)",
+            file=sys.stderr,
+        )
+        return None
+    if not (cluster.tls_ca_file and cluster.tls_cert):
+        if dask.config.get("distributed.comm.tls.ca-file"):
+            return Security(require_encryption=True)  # as dask's own configuration says
+        raise UserError(
+            f"--scheduler {cluster.where}: needs cluster.tls_ca_file, cluster.tls_cert and "
+            "cluster.tls_key, or dask's own configuration of TLS"
+        )
+    files = {name: getattr(cluster, name) for name in ("tls_ca_file", "tls_cert", "tls_key")}
+    paths = {name: str(Path(file).expanduser()) for name, file in files.items() if file}
+    return _checked(
+        Security(
+            require_encryption=True,
+            tls_ca_file=paths["tls_ca_file"],
+            tls_client_cert=paths["tls_cert"],
+            tls_client_key=paths.get("tls_key"),
+        ),
+        files,
+    )
+
+
+def _checked(security: Security, files: dict[str, str]) -> Security:
+    try:
+        security.get_connection_args("client")
+    except (OSError, ssl.SSLError) as error:
+        said = ", ".join(f"cluster.{name} = {file!r}" for name, file in files.items() if file)
+        raise UserError(f"{said}: cannot be used for TLS: {error}") from error
+    return security
