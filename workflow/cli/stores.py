@@ -6,7 +6,7 @@ from pathlib import Path
 from workflow.cli.run import DONE, FAILED
 from workflow.errors import UserError
 from workflow.result import result_file
-from workflow.store import Verified, holds_a_store, merge, store_folder
+from workflow.store import Verified, holds_a_store, merge_into, store_folder
 from workflow.study import read_study
 
 
@@ -36,7 +36,7 @@ def run_merge(options: argparse.Namespace) -> int:
     """Join two stores; return the exit status."""
     target = Path(options.target)
     into = target if holds_a_store(target) else target / "store"
-    print("\n".join(merge(_in_folder(options.source), into, no_lock=options.no_lock)))
+    print("\n".join(merge_into(_in_folder(options.source), into, no_lock=options.no_lock)))
     return DONE
 
 

@@ -9,7 +9,7 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.store.journal import size
-    from workflow.store.merge import merge
+    from workflow.store.merge import merge_into
     from workflow.store.shelf import Shelf
     from workflow.store.store import DamagedShard, Store, store_folder
     from workflow.store.verify import Verified, holds_a_store

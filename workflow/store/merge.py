@@ -10,7 +10,7 @@ from workflow.store.store import DamagedShard, Store
 from workflow.system import hold, read_whole, sizes_in, write_durably
 
 
-def merge(source: Path, target: Path, *, no_lock: bool = False) -> list[str]:
+def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str]:
     """Take over into the store ``target`` what ``source`` holds; return what to print.
 
     The source is left as it is: what is damaged there is named and left out, and so is what failed

@@ -24,9 +24,20 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
     def interrupt(_):
         raise KeyboardInterrupt
 
-    monkeypatch.setitem(cli.COMMANDS, "plan", interrupt)
-    assert main(["plan", study]) == 130
-    assert "to resume run again: python -m workflow" in capsys.readouterr().err
+    for command, said in (("run", "to resume run again: python -m workflow"), ("plan", "")):
+        monkeypatch.setitem(cli.COMMANDS, command, interrupt)
+        assert main([command, study]) == 130
+        err = capsys.readouterr().err
+        assert said in err
+        assert ("kept" in err) == bool(said)
+
+
+def test_ctrl_c_in_a_measured_study_does_not_claim_that_work_was_kept(capsys, powers):
+    (powers / "helper.py").write_text("def power(base, n):\n    raise KeyboardInterrupt\n")
+    assert main(["run", "powers"]) == 130
+    err = capsys.readouterr().err
+    assert err.endswith("interrupted; nothing was written, an earlier result is as it was\n")
+    assert "kept" not in err
 
 
 @pytest.mark.parametrize("arguments", [[], ["paint", "fig7"], ["plan"], ["plan", "x", "--no"]])

@@ -4,6 +4,7 @@ import pytest
 
 from tests.support.shards import WORK, held
 from tests.support.small import random_result
+from workflow.errors import UserError
 from workflow.store import shelf as module
 from workflow.store.shelf import Shelf
 from workflow.store.store import Store
@@ -64,6 +65,41 @@ def test_much_is_stored_at_once(store, clock, monkeypatch):
     with shelf_of(store, clock) as shelf:
         put(shelf, *range(10))
         assert len(held(store)) >= 6
+
+
+def test_shards_are_of_sixteen_mebibytes_and_of_two_minutes_at_most(store, clock, monkeypatch):
+    assert (module.MOST_BYTES, module.LONGEST_SECONDS) == (2**24, 120.0)
+    each = random_result(WORK[0]).scalars.nbytes + random_result(WORK[0]).curves.nbytes
+    monkeypatch.setattr(module, "MOST_BYTES", 3 * each)
+    with shelf_of(store, clock) as shelf:
+        put(shelf, 0, 1)
+        assert held(store) == set()
+        put(shelf, 2)  # at the bound itself, not only beyond it
+        assert len(held(store)) == 3
+        clock[0] += 1e6  # a thousandth of it is more than two minutes
+        shelf.flush()
+        put(shelf, 3)
+        clock[0] += 119.9
+        shelf.flush_when_due()
+        assert len(held(store)) == 3
+        clock[0] += 0.2
+        shelf.flush_when_due()
+        assert len(held(store)) == 4
+
+
+def test_what_the_disk_refuses_waits_on(store, clock, monkeypatch):
+    def refuse(_):
+        raise UserError("full")
+
+    with shelf_of(store, clock) as shelf:
+        put(shelf, 0, 1)
+        with monkeypatch.context() as full:
+            full.setattr(store, "add", refuse)
+            with pytest.raises(UserError, match="full"):
+                shelf.flush()
+        assert held(store) == set()
+        put(shelf, 2)
+    assert len(held(store)) == 3
 
 
 def test_what_waits_is_stored_whatever_ends_the_run(store, clock):

@@ -8,7 +8,8 @@ from workflow.system.process import Interrupt
 
 
 def test_first_signal_asks_even_if_it_comes_twice_at_once_and_a_later_one_aborts(clock, capsys):
-    handlers = [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)]
+    numbers = signal.SIGINT, signal.SIGTERM, signal.SIGHUP
+    handlers = [signal.getsignal(number) for number in numbers]
     with Interrupt() as interrupt:
         assert not interrupt()
         signal.raise_signal(signal.SIGTERM)
@@ -19,4 +20,18 @@ def test_first_signal_asks_even_if_it_comes_twice_at_once_and_a_later_one_aborts
         with pytest.raises(KeyboardInterrupt):
             signal.raise_signal(signal.SIGINT)
     assert capsys.readouterr().err.count("\n") == 1
-    assert [signal.getsignal(number) for number in (signal.SIGINT, signal.SIGTERM)] == handlers
+    assert [signal.getsignal(number) for number in numbers] == handlers
+
+
+def test_a_terminal_that_hangs_up_asks_too_unless_nohup_ignores_it(capsys):
+    with Interrupt() as interrupt:
+        signal.raise_signal(signal.SIGHUP)
+        assert interrupt()
+    before = signal.signal(signal.SIGHUP, signal.SIG_IGN)
+    try:
+        with Interrupt() as interrupt:
+            signal.raise_signal(signal.SIGHUP)
+            assert not interrupt()
+    finally:
+        signal.signal(signal.SIGHUP, before)
+    assert "stopping" in capsys.readouterr().err

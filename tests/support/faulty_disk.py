@@ -1,0 +1,39 @@
+"""A disk that refuses, for real processes: a library that is loaded before all others."""
+
+import errno
+import shutil
+import subprocess
+from pathlib import Path
+from typing import NamedTuple
+
+import pytest
+
+SOURCE = Path(__file__).with_name("disk.c")
+
+
+class FaultyDisk(NamedTuple):
+    """Faults of the disk that begin and end when one likes."""
+
+    library: Path
+    flag: Path  # while it exists, calls fail
+    always: Path  # exists
+
+    def environment(self, *rules: str) -> dict[str, str]:
+        """Return the environment of a process: rules are "CALL ERRNO PREFIX", "always" or not."""
+        lines = []
+        for rule in rules:
+            call, error, prefix, *when = rule.split()
+            flag = self.always if when else self.flag
+            lines.append(f"{call} {getattr(errno, error)} {prefix} {flag}")
+        return {"LD_PRELOAD": str(self.library), "DISK_FAULTS": "\n".join(lines)}
+
+
+def faulty_disk(folder: Path) -> FaultyDisk:
+    """Return a disk whose faults are steered from a folder, or skip without a compiler."""
+    compiler = shutil.which("cc")
+    if compiler is None:
+        pytest.skip("no compiler of C: faults of the disk cannot be made")
+    library = folder / "disk.so"
+    command = [compiler, "-shared", "-fPIC", "-o", str(library), str(SOURCE), "-ldl"]
+    subprocess.run(command, check=True)
+    return FaultyDisk(library, folder / "flag", SOURCE)
