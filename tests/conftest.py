@@ -9,6 +9,7 @@ from distributed import LocalCluster
 from hypothesis import settings
 
 from tests.last_bit import perturb
+from tests.support import skips
 
 perturb()
 settings.register_profile("usual", deadline=None)  # no test depends on the speed of the machine
@@ -17,6 +18,11 @@ settings.load_profile("usual")
 
 # What takes longest comes first, so that no process is left alone with it in the end.
 ORDER = ("studies", "workflow/run", "workflow/cluster", "hard", "workflow", "independent")
+
+
+def pytest_configure(config: pytest.Config) -> None:
+    """Let CI fail on a skip that is not on its list."""
+    skips.register(config)
 
 
 def pytest_xdist_auto_num_workers() -> int:

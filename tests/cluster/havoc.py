@@ -1,4 +1,4 @@
-"""Havoc: a study under fire, and what can be killed of that which computes it."""
+"""Havoc: a study under fire, and what can be killed or stopped of that which computes it."""
 
 import os
 import random
@@ -17,6 +17,7 @@ from workflow.store import journal
 
 ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM}  # of drivers
 BATCH_SECONDS = "0.15"  # short, so that much can happen in a small study
+STOPPABLE = ("worker", "nanny", "scheduler", "worker of a job", "nanny of a job", "local worker")
 Weapon = Callable[[], bool]  # returns whether it found something to kill
 
 
@@ -27,12 +28,17 @@ class FinishedTooSoonError(Exception):
 class Chaos:
     """A study under fire."""
 
-    def __init__(self, folder: Path, study: list[str], seed: int) -> None:
+    def __init__(
+        self, folder: Path, study: list[str], seed: int, longest_stop: float = 0.0
+    ) -> None:
+        """``longest_stop`` : s for which half of the victims are stopped; 0: all are killed."""
         self.folder, self.study, self.random = folder, study, random.Random(seed)
+        self.longest_stop = longest_stop
         self.store, self.log = folder / "store", folder / "driver.log"
         self.kills: Counter[str] = Counter()
         self.endings: Counter[int] = Counter()  # of drivers, by exit status
         self.driver: subprocess.Popen | None = None
+        self.stopping = False  # instead of killing
         self.options: list[str] = []
         self.environment: dict[str, str] = {}
 
@@ -84,6 +90,10 @@ class Chaos:
         return self.driver is not None and self.driver.poll() == 0
 
     def _leg(self, kills: int, weapons: dict[str, Weapon], heal: Callable[[], None]) -> None:
+        if self.longest_stop:
+            kills_of = {name: weapon for name, weapon in weapons.items() if name in STOPPABLE}
+            weapons |= {f"{name}, stopped": self._stop_instead(w) for name, w in kills_of.items()}
+            weapons["driver, stopped"] = lambda: self._stop(self.driver.pid)
         for number in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
             weapons[f"driver, {number.name}"] = lambda number=number: self._at_driver(number)
         aim = sum(self.kills.values()) + kills
@@ -92,7 +102,8 @@ class Chaos:
             self._wait_for_progress(heal)
             if self.finished():
                 raise FinishedTooSoonError
-            name = self.random.choice(sorted(weapons))
+            stops = self.longest_stop and self.random.random() < 0.5
+            name = self.random.choice(sorted(n for n in weapons if ("stopped" in n) == bool(stops)))
             if self.driver.poll() is None and weapons[name]():
                 self.kills[name] += 1
                 print(f"{sum(self.kills.values()):3d} {name}", flush=True)
@@ -121,8 +132,32 @@ class Chaos:
 
     def _any(self, pids: list[int], number: int = signal.SIGKILL) -> bool:
         if pids:
-            kill(self.random.choice(sorted(pids)), number)
+            victim = self.random.choice(sorted(pids))
+            if self.stopping:
+                return self._stop(victim)
+            kill(victim, number)
         return bool(pids)
+
+    def _stop_instead(self, weapon: Weapon) -> Weapon:
+        """Return a weapon that stops for a while what the other one kills."""
+
+        def stop() -> bool:
+            self.stopping = True
+            try:
+                return weapon()
+            finally:
+                self.stopping = False
+
+        return stop
+
+    def _stop(self, pid: int) -> bool:
+        """Stop a process for a random time, then let it go on."""
+        kill(pid, signal.SIGSTOP)
+        try:
+            time.sleep(self.random.uniform(0.0, self.longest_stop))
+        finally:
+            kill(pid, signal.SIGCONT)
+        return True
 
     def _at_driver(self, number: int) -> bool:
         """Signal the driver, as Ctrl-C does its whole group; wait for its end."""

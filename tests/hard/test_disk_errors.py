@@ -8,9 +8,10 @@ import time
 
 import pytest
 
-from tests.support.faults import TRUTH, checked
+from tests.support.faults import TRUTH, checked, fill
 from tests.support.faulty_disk import faulty_disk
 from tests.support.runs import PATIENCE, ROOT
+from tests.support.shards import reopened
 from workflow.store.store import Store
 
 # Stores three shards and reads them again, with as much patience as it is told.
@@ -85,7 +86,7 @@ def test_what_waits_for_the_disk_is_stored_when_it_is_back(disk, store, fault):
 
 @pytest.mark.parametrize("fault", READING)
 def test_a_shard_that_cannot_be_read_for_a_while_is_no_damaged_one(disk, store, fault):
-    assert started(disk, store, 0, "write").wait(timeout=PATIENCE) == 0
+    fill(reopened(store))
     disk.flag.touch()
     said = after_a_while(disk, started(disk, store, 60, "read", f"{fault} {store}"))
     assert "cannot be read:" in said

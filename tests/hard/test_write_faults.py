@@ -12,6 +12,7 @@ import os
 import shutil
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from tests.support.disks import make_read_only, mounted
@@ -62,6 +63,20 @@ def test_spoilt_shard_is_missing_and_the_others_are_there(sound, spoil, stride):
 def test_spoilt_journal_loses_nothing(sound, spoil, stride):
     path = sound / journal.NAME
     for folder in copies(sound, path, spoil(path.read_bytes(), 1 + stride // 256)):
+        assert readable(folder) == TRUTH.keys()
+
+
+@sweep("trials", 12, 500)
+def test_journal_in_another_order_repeated_or_run_together_loses_nothing(sound, trials):
+    path, random = sound / journal.NAME, np.random.default_rng(7)
+    lines = path.read_bytes().splitlines(keepends=True)
+    contents = []
+    for _ in range(trials):
+        chosen = random.permutation(np.repeat(np.arange(len(lines)), random.integers(1, 4)))
+        whole = [lines[i] for i in chosen]
+        torn = set(random.integers(0, len(whole), random.integers(0, 3)).tolist())
+        contents.append(b"".join(x[:-1] if i in torn else x for i, x in enumerate(whole)))
+    for folder in copies(sound, path, contents):
         assert readable(folder) == TRUTH.keys()
 
 

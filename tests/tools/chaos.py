@@ -1,10 +1,12 @@
-"""Chaos: kill whatever computes a study, again and again, and look at what comes of it.
+"""Chaos: kill and stop whatever computes a study, again and again; look at what comes of it.
 
     python -m tests.tools.chaos --kills 50 --seed 1
+    python -m tests.tools.chaos --kills 200 --stop-seconds 60      half of them stops (SIGSTOP)
 
 One study in one folder of results is computed by a scheduler that stands, then by jobs of a
 private SLURM, then by processes of this machine, while a seeded random plan kills workers,
-nannies, drivers, schedulers and nodes. A driver that ends is started again.
+nannies, drivers, schedulers and nodes, or stops them for a while. A driver that ends is started
+again.
 """
 
 import argparse
@@ -35,21 +37,26 @@ def stored(store: Path) -> tuple[int, int, int]:
     return chunks, len(seen), sum(count > 1 for count in seen.values())
 
 
-def run_chaos(folder: Path, kills: int, seed: int, core_seconds: float) -> list[str]:
+def run_chaos(
+    folder: Path, kills: int, seed: int, core_seconds: float, longest_stop: float = 0.0
+) -> list[str]:
     """Run it all in ``folder``; return a report. Raises AssertionError where a promise breaks.
 
+    longest_stop : seconds for which about half of the victims are stopped instead of killed.
     A study that a fast machine finishes before the last kill is made twice as long.
     """
     while True:
         attempt = folder / f"{core_seconds:.0f}"
         attempt.mkdir()
         try:
-            return _one_study(attempt, kills, seed, core_seconds)
+            return _one_study(attempt, kills, seed, core_seconds, longest_stop)
         except FinishedTooSoonError:
             core_seconds *= 2.0
 
 
-def _one_study(folder: Path, kills: int, seed: int, core_seconds: float) -> list[str]:
+def _one_study(
+    folder: Path, kills: int, seed: int, core_seconds: float, longest_stop: float
+) -> list[str]:
     blocks = max(2, round(core_seconds / 3.0))  # 3 s for 10 realizations
     study = ["--set", f"study.realizations={10 * blocks}"]
     study += ["--set", "study.realizations_per_block=10"]
@@ -59,7 +66,7 @@ def _one_study(folder: Path, kills: int, seed: int, core_seconds: float) -> list
     counts = {name: round(share * kills) for name, share in SHARES.items()}
     if missing():
         counts["standing"] += counts.pop("slurm")
-    war = Chaos(folder / "war", study, seed)
+    war = Chaos(folder / "war", study, seed, longest_stop)
     with contextlib.ExitStack() as afterwards:
         afterwards.callback(war.stop)
         cluster = Standing(folder / "standing")
@@ -78,7 +85,7 @@ def _one_study(folder: Path, kills: int, seed: int, core_seconds: float) -> list
     assert twice == 0, f"{twice} records were computed again"
     runs = sum("run" in entry for entry, _ in journal.entries(war.store))
     return [
-        f"{sum(war.kills.values())} kills: {dict(sorted(war.kills.items()))}",
+        f"{sum(war.kills.values())} kills and stops: {dict(sorted(war.kills.items()))}",
         f"{runs} runs; drivers ended with {dict(sorted(war.endings.items()))}",
         f"{records} records in {chunks} batches stored, none twice; result bit-identical",
         f"wasted on the standing cluster: {tally - standing} of {tally} batches begun",
@@ -91,9 +98,12 @@ def main() -> None:
     parser.add_argument("--kills", type=int, default=50)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--core-seconds", type=float, default=60.0, help="of the study")
+    text = "stop half of the victims for up to so many seconds instead of killing them"
+    parser.add_argument("--stop-seconds", type=float, default=0.0, help=text)
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        report = run_chaos(Path(folder), options.kills, options.seed, options.core_seconds)
+        how = (options.kills, options.seed, options.core_seconds, options.stop_seconds)
+        report = run_chaos(Path(folder), *how)
     print("\n".join(report))
 
 

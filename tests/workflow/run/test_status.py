@@ -1,5 +1,6 @@
 """Status: what a run writes, brought up to date from the journal, or counted anew."""
 
+import dataclasses
 import json
 import os
 import socket
@@ -63,18 +64,53 @@ def test_a_run_says_how_far_it_is_and_whether_it_was_killed(place):
     assert killed[5].startswith("run         was killed, 20")
 
 
+HOUR = dataclasses.replace(BATCH, seconds=3600.0)
+
+
 def test_what_the_journal_got_since_is_counted_by_the_reader_and_the_writer(place):
     _, store, writer = place
     writer.write(3, 2)
-    store.add([(BATCH, random_result(BATCH))])
+    store.add([(HOUR, random_result(HOUR))])
     store.record_failure("0" * 32, "why")
     found = read(place)
     assert (found.done, found.failed) == (16, 1)
-    assert found.left == pytest.approx(7200.0 - BATCH.seconds)
+    assert found.left == pytest.approx(3600.0)
     assert written(place)["done"] == 0
     writer.end("interrupted")
     found = written(place)
     assert (found["done"], found["state"], found["workers"]) == (16, "interrupted", 0)
+    assert found["left"] == pytest.approx(3600.0)
+
+
+def test_nothing_is_left_once_all_is_done_whatever_was_predicted(place):
+    _, store, writer = place
+    writer.status.total = 16
+    writer.write(1, 1)
+    store.add([(HOUR, random_result(HOUR))])
+    assert read(place).left == 0.0
+
+
+def test_a_status_that_cannot_be_written_is_said_once_and_ends_nothing(place, clock, capsys):
+    result, _, writer = place
+    status_file(result).mkdir()
+    for _ in range(3):
+        writer.write(1, 1)
+        clock[0] += 10.0
+    writer.end("finished")
+    said = capsys.readouterr().err
+    assert said.startswith(f"warning: {status_file(result)}: cannot be written: ")
+    assert said.endswith("; the run goes on\n")
+    assert said.count("\n") == 1
+    assert read(place).state == "not running"
+    status_file(result).rmdir()
+    writer.end("finished")
+    assert written(place)["state"] == "finished"
+
+
+def test_the_status_of_another_version_of_the_program_is_another(monkeypatch):
+    before = identity(STUDY)
+    monkeypatch.setattr("workflow.run.status.CODE", "0123456789abcdef")
+    assert identity(STUDY) != before
 
 
 def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):

@@ -1,0 +1,81 @@
+"""A study of 1e5 points with pretended work, run to its end: prints the most memory, in MiB.
+
+    python -m tests.cluster.many_points FOLDER [POINTS]
+
+Workers return results of the right size that took no time; all the rest is real.
+"""
+
+import sys
+import threading
+import time
+from pathlib import Path
+
+import psutil
+
+from studies.scaling.paper import pretend
+from workflow.plan import make_plan
+from workflow.run import How, run_plan
+from workflow.study import read_study
+from workflow.system import peak_bytes
+
+STUDY = """
+[study]
+realizations = 8
+realizations_per_block = 2
+[material]
+shear_modulus = 1e7
+relaxation_time = 1e-3
+[surface]
+length = 0.01
+[grid]
+hurst = {{linspace = [0, 1, 10]}}
+normal_force = {{geomspace = [0.04, 40, 100]}}
+spacing = 1e-4
+roughness = 1e-5
+velocity = {{geomspace = [0.01, 10, {velocities}]}}
+velocity_step = 0.2
+"""
+
+
+def pretended(batch, expected):
+    """Stand in for run_batch: compute nothing."""
+    del expected
+    return pretend(batch)
+
+
+def highest(found: list[int], done: threading.Event) -> None:
+    """Note the largest resident size of any process that this one has started."""
+    while not done.wait(0.5):
+        for child in psutil.Process().children(recursive=True):
+            try:
+                found[0] = max(found[0], child.memory_info().rss)
+            except psutil.Error:
+                continue
+
+
+def main() -> None:
+    """Run from the command line."""
+    folder = Path(sys.argv[1])
+    points = int(sys.argv[2]) if len(sys.argv) > 2 else 100_000
+    file = folder / "many.toml"
+    file.write_text(STUDY.format(velocities=points // 1000), encoding="utf-8")
+    began = time.monotonic()
+    plan = make_plan(read_study(str(file)))
+    print(f"{plan.points} points, {plan.records} records, {time.monotonic() - began:.0f} s to plan")
+    workers, done = [0], threading.Event()
+    thread = threading.Thread(target=highest, args=(workers, done))
+    thread.start()
+    try:
+        run_plan(plan, folder / "many.nc", How(workers=1, work=pretended, batch_seconds=100.0))
+    finally:
+        done.set()
+        thread.join()
+    driver = peak_bytes()
+    size = (folder / "many.nc").stat().st_size
+    print(f"{time.monotonic() - began:.0f} s in all, result of {size / 2**20:.0f} MiB")
+    print(f"predicted {plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver")
+    print(f"driver {driver / 2**20:.0f} MiB, worker {workers[0] / 2**20:.0f} MiB")
+
+
+if __name__ == "__main__":
+    main()

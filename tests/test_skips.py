@@ -1,0 +1,58 @@
+"""A skip that is not on the list lets the tests fail where a list is given."""
+
+import os
+import subprocess
+import sys
+
+import pytest
+
+from tests.support.runs import PATIENCE, ROOT
+
+TESTS = """
+import pytest
+def test_known():
+    pytest.skip("no moon: it is day")
+def test_stranger():
+    pytest.skip("no sun")
+"""
+FILE = """
+import pytest
+pytest.importorskip("no_such_package_as_this")
+"""
+
+
+def tried(folder, skips, *options):
+    """Return the exit status and the output of the tests in a folder."""
+    (folder / "test_some.py").write_text(TESTS)
+    (folder / "pytest.ini").write_text("[pytest]\n")
+    (folder / "skips.txt").write_text(skips)
+    (folder / "conftest.py").write_text(
+        "from tests.support.skips import register\ndef pytest_configure(config): register(config)\n"
+    )
+    done = subprocess.run(
+        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options],
+        cwd=folder,
+        env={**os.environ, "SKIPS": "skips.txt", "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    return done.returncode, done.stdout
+
+
+@pytest.mark.parametrize("options", [("-n", "0"), ("-n", "1")], ids=["alone", "spread"])
+def test_a_skip_that_is_not_on_the_list_is_a_failure(tmp_path, options):
+    (tmp_path / "test_file.py").write_text(FILE)
+    status, out = tried(tmp_path, "# a list\ntest_some.py: no moon\n", *options)
+    assert status == 1
+    strangers = [line for line in out.splitlines() if line.startswith("skipped, but not on")]
+    assert len(strangers) == 2
+    assert "test_file.py: could not import 'no_such_package_as_this'" in out
+    assert strangers[-1].endswith("test_some.py::test_stranger: no sun")
+
+
+def test_skips_on_the_list_are_none(tmp_path):
+    status, out = tried(tmp_path, "test_some.py: no \n", "-n", "0")
+    assert status == 0
+    assert "not on the list" not in out
