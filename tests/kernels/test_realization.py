@@ -142,7 +142,7 @@ def test_the_indentation_rate_is_an_effect_of_the_relaxation_alone():
 
 BAD_CASES = [
     *[({"load": value}, "load") for value in (0.0, -1.0, np.nan, np.inf)],
-    *[({"speed": value}, "speed") for value in (0.0, -1.0, 1e-13, np.nan)],
+    *[({"speed": value}, "speed") for value in (0.0, 1e-13, np.nan)],
     *[({"ratios": ratios}, "speed") for ratios in ((0.0, 1.2, 1.5), (1.2, np.inf, 1.5))],
     ({"speed": 5e9}, "rounding"),  # with the ratio 1.5 and M = 2 samples per spacing
     ({"ratios": (1.0, 1.0 + 1e-11, 1.2)}, "rounding"),

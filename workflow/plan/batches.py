@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.plan.plan import Plan
-from workflow.simulate import Batch, Record, Recording, Task
-from workflow.study import Numerics, Study
+from workflow.plan.plan import Plan, Variant
+from workflow.simulate import Batch, Record, Task
+from workflow.study import Study, Surface
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
 MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds
@@ -20,8 +20,7 @@ MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler millis
 class Missing(NamedTuple):
     """Tasks on the same random lines that lack the same blocks."""
 
-    numerics: Numerics
-    recording: Recording
+    variant: Variant
     tasks: list[Task]
     first_block: int
     blocks: int
@@ -44,9 +43,7 @@ def missing_work(
     """
     wanted = blocks or plan.expected
     return [
-        Missing(
-            variant.numerics, variant.recording, tasks, first, count, block_seconds(plan, tasks)
-        )
+        Missing(variant, tasks, first, count, block_seconds(plan, tasks))
         for variant in plan.variants
         for line in variant.by_line
         for tasks, first, count in _missing_runs(line, wanted, stored)
@@ -93,33 +90,33 @@ def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[B
             number = min(blocks, end - start)
             yield Batch(
                 seed=plan.study.seed,
-                normalisation=plan.study.surface.normalisation,
+                normalisation=piece.variant.lines.normalisation,
                 quantities=plan.asked,
-                scheme=piece.numerics.scheme,
-                recording=piece.recording,
+                scheme=piece.variant.numerics.scheme,
+                recording=piece.variant.recording,
                 tasks=tuple(piece.tasks),
                 first_block=start,
                 blocks=number,
                 realizations_per_block=plan.study.realizations_per_block,
                 seconds=number * piece.seconds,
-                heights=_heights(plan.study, start, number),
-                modes=_modes(plan.study),
+                heights=_heights(plan.study, piece.variant.lines, start, number),
+                modes=_modes(piece.variant.lines),
             )
 
 
-def _heights(study: Study, first_block: int, blocks: int) -> np.ndarray | None:
+def _heights(study: Study, surface: Surface, first_block: int, blocks: int) -> np.ndarray | None:
     """Return the measured lines of the realizations of some blocks, in h; None for random ones."""
-    profile = study.surface.profile
-    if profile is None or study.surface.amplitudes is not None:
+    profile = surface.profile
+    if profile is None or surface.amplitudes is not None:
         return None
     each = study.realizations_per_block
     rows = slice(first_block * each, (first_block + blocks) * each)
     return profile.heights[rows] / profile.roughness
 
 
-def _modes(study: Study) -> np.ndarray | None:
+def _modes(surface: Surface) -> np.ndarray | None:
     """Return the amplitudes of random lines like measured ones, in h; None for other lines."""
-    profile, modes = study.surface.profile, study.surface.amplitudes
+    profile, modes = surface.profile, surface.amplitudes
     return None if profile is None or modes is None else modes / profile.roughness
 
 

@@ -23,6 +23,7 @@ from workflow.study import (
     velocity_steps,
     with_hold,
 )
+from workflow.study import Surface as LinesOfStudy
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
 
@@ -74,13 +75,13 @@ class Setting(NamedTuple):
         )
 
 
-def setting(study: Study, scale: Scale, elements: int, hold: float, depth: float) -> Setting:
+def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: float) -> Setting:
     """Return what the scene of a study adds at a point.
 
-    hold : duration of the hold that has several, s. depth : prescribed indentation, m. Either is
-    NaN where the study has none.
+    surface : of the lines there. hold : duration of the hold that has several, s. depth :
+    prescribed indentation, m. Either is NaN where the study has none.
     """
-    surface, scene = line_modes(study, elements), study.scene
+    scene = study.scene
     if not scene.programme:
         return Setting(surface)
     segments = with_hold(scene.segments, hold)
@@ -113,15 +114,14 @@ def _speeds(study: Study, scale: Scale) -> tuple[float, float]:
     return rounded(speed * scale.tau / scale.spacing), 1.0
 
 
-def line_modes(study: Study, elements: int) -> Surface:
+def line_modes(surface: LinesOfStudy, elements: int) -> Surface:
     """Return what lines of so many elements are."""
-    profile = study.surface.profile
+    profile, modes = surface.profile, surface.amplitudes
     if profile is None:
-        return Surface(*study.surface.modes(elements))
-    modes = study.surface.amplitudes
+        return Surface(*surface.modes(elements))
     own = profile.amplitudes if modes is None else modes
     slope = rms_slope(own / profile.roughness, elements)
-    return Surface(measured=study.surface.identity, slope=slope)
+    return Surface(measured=surface.identity, slope=slope)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:

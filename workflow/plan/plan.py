@@ -25,6 +25,7 @@ from workflow.simulate import (
     row_width,
 )
 from workflow.study import Material, Numerics, Study
+from workflow.study import Surface as LinesOfStudy
 
 DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 200e6  # interpreter, libraries, machine code
@@ -42,6 +43,7 @@ class Variant(NamedTuple):
     label: str
     numerics: Numerics
     material: Material
+    lines: LinesOfStudy
     recording: Recording
     events: int  # samples of the longest trace; 0 where none is kept
     point_task: np.ndarray  # index into tasks per grid point, shape of the grid
@@ -158,7 +160,7 @@ def _variant(study: Study, asked: Quantities, label: str, origin: Origin) -> Var
     for problem in problems:
         goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
         steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
-        task = _task(study, problem, asked, recording, numerics, steps)
+        task = _task(study, label, problem, asked, recording, steps)
         tasks.append(task)
         lines.setdefault((problem.hurst, problem.elements, problem.surface), []).append(task)
         if goal:
@@ -170,19 +172,31 @@ def _variant(study: Study, asked: Quantities, label: str, origin: Origin) -> Var
     events = 0
     if recording.asked:
         events = max(kept_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
-    return Variant(label, numerics, material, recording, events, point_task, tasks, by_line, goals)
+    return Variant(
+        label,
+        numerics,
+        material,
+        study.surfaces[label],
+        recording,
+        events,
+        point_task,
+        tasks,
+        by_line,
+        goals,
+    )
 
 
 def _task(
     study: Study,
+    label: str,
     problem: Problem,
     asked: Quantities,
     recording: Recording,
-    numerics: Numerics,
     steps: int,
 ) -> Task:
+    numerics, surface = study.variants[label], study.surfaces[label]
     march_steps = horizon_steps(problem, numerics, steps) if asked.relaxation else 0
-    what = (CODE, study.seed, study.surface.normalisation, *problem, numerics.scheme, steps)
+    what = (CODE, study.seed, surface.normalisation, *problem, numerics.scheme, steps)
     how = (march_steps, recording, asked, study.realizations_per_block)
     key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
     return Task(problem, steps, march_steps, key)

@@ -14,7 +14,7 @@ from kernels import Spectrum, amplitudes, rms_slope
 from kernels.realization import LEAST_STEP, LOADS, SPEEDS
 from workflow.errors import UserError
 from workflow.kinetic_law import exponent
-from workflow.plan.motion import Scale, Setting, canonical, rounded, setting
+from workflow.plan.motion import Scale, Setting, canonical, line_modes, rounded, setting
 from workflow.simulate import Problem
 from workflow.study import Material, Study, check_load
 
@@ -36,7 +36,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     points["elements"] = np.round(length / points["spacing"]).astype(int)
     points["dx"] = length / points["elements"]
     points["tau"] = _times(material, points)
-    settings, which = _settings(study, points)
+    settings, which = _settings(study, label, points)
     hurst = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
     numbers = _numbers(study, material, points)
     rows = [a.ravel().tolist() for a in (hurst, points["elements"], *numbers, which)]
@@ -55,7 +55,7 @@ def _times(material: Material, points: Points) -> np.ndarray:
     return np.array([material.tau_at(value) for value in values])[inverse].reshape(inverse.shape)
 
 
-def _settings(study: Study, points: Points) -> tuple[list[Setting], np.ndarray]:
+def _settings(study: Study, label: str, points: Points) -> tuple[list[Setting], np.ndarray]:
     """Return the distinct settings of a scene and, per point, the index of its own."""
     names = ["elements"]
     if study.scene.programme:
@@ -65,11 +65,12 @@ def _settings(study: Study, points: Points) -> tuple[list[Setting], np.ndarray]:
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
     found: dict[Setting, int] = {}
     index = []
+    modes = {int(row[0]): line_modes(study.surfaces[label], int(row[0])) for row in different}
     for row in different.tolist():
         at = dict(zip(names, row, strict=True))
         scale = Scale(*(at.get(name, math.nan) for name in ("dx", "tau", "roughness", "velocity")))
         depth = at.get("prescribed_indentation", math.nan)
-        own = setting(study, scale, int(at["elements"]), at.get("hold", math.nan), depth)
+        own = setting(study, modes[int(row[0])], scale, at.get("hold", math.nan), depth)
         index.append(found.setdefault(own, len(found)))
     return list(found), np.array(index)[inverse].ravel()
 

@@ -59,7 +59,7 @@ def blocks_of(
         for name in parts[0]
     }
     speeds = [(t.problem.speed, t.problem.speed * t.problem.ratio) for t in tasks]
-    slopes = [line_slope(t.problem, plan.study.surface.normalisation) for t in tasks]
+    slopes = [line_slope(t.problem, variant.lines.normalisation) for t in tasks]
     return Blocks(
         scalars,
         values,

@@ -22,7 +22,7 @@ def completed(
     done = [tasks[row] for row in sound]
     estimates = estimates | resolution(done, estimates, names, variant.numerics.scheme)
     spread = {name: _spread(v, sound, len(tasks)) for name, v in estimates.items()}
-    slopes = [line_slope(task.problem, plan.study.surface.normalisation) for task in tasks]
+    slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
     return spread | {
         "realizations": counts,
         "rms_slope": np.array(slopes),

@@ -5,6 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
+from kernels import power_spectrum
 from workflow.plan import Plan, Variant
 from workflow.reduce import LAWS, Estimates
 from workflow.result.declaration import Powers
@@ -38,6 +39,7 @@ def build_dataset(
         data[name] = xr.DataArray(values, dims=declared(name).dims)
     if variant.material.branches or "temperature" in axes:
         data["tau"] = units["tau"]
+    data |= _spectrum(variant)
     coords: dict[str, object] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
     coords |= _coordinates(plan, variant, {str(dim) for each in data.values() for dim in each.dims})
     dataset = xr.Dataset(data, coords, provenance(plan.study, variant.numerics))
@@ -59,6 +61,16 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
         (spacing,) = plan.study.grid["spacing"]
         found["x"] = np.arange(samples) * spacing / task.steps_per_spacing
     return {name: values for name, values in found.items() if name in dims}
+
+
+def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
+    """Return the power spectrum of measured lines, or of random ones like them."""
+    profile, modes = variant.lines.profile, variant.lines.amplitudes
+    if profile is None:
+        return {}
+    own = profile.amplitudes if modes is None else modes
+    q, density = power_spectrum(own, profile.length)
+    return {"power_spectrum": xr.DataArray(density, {"wave_number": q}, "wave_number")}
 
 
 def _units(plan: Plan, variant: Variant) -> Units:

@@ -21,6 +21,9 @@ NO_STATE_COMMENT = (
 
 SCENES = {
     "tau": Variable("time scale: relaxation_time + sum g_b t_b/G", units="s"),
+    "power_spectrum": Variable(
+        "power spectrum C_1D of the lines", units="m3", dims=("wave_number",)
+    ),
     "trace_time": Variable("time to which the friction belongs", TIME, "s", EVENT),
     "trace_distance": Variable("position of the line", LENGTH, "m", EVENT),
     "trace_velocity": Variable("velocity of the line", SPEED, "m s-1", EVENT),

@@ -36,6 +36,7 @@ AXIS_ATTRIBUTES = {
     "event": ("1", "sample of a trace; 0 is the start"),
     "bin": ("1", "lower edge of a bin of contact lengths, in spacings"),
     "law": ("1", "law of the state"),
+    "wave_number": ("m-1", "wave number q of the line"),
     "x": ("m", "place along the foundation"),
     "unit": ("1", "internal variable of an element"),
     "sample": ("1", "sample of the relaxation curve; 0 is just after the jump"),

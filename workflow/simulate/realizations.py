@@ -89,7 +89,8 @@ def _add_realization(
             else:
                 _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
             add_programme(batch, line, task, places, record[1])
-            spent[row, -1] += time.thread_time() - began
+            if batch.recording.asked:
+                spent[row, -1] += time.thread_time() - began
         began = time.thread_time()
     spent[:, 0] += drawing / len(batch.tasks)
 
@@ -125,12 +126,15 @@ def _shared_cases(tasks: tuple[Task, ...]) -> list[list[int]]:
 
 def _case(batch: Batch, rows: list[int]) -> Case:
     tasks = [batch.tasks[row] for row in rows]
-    samples = batch.recording.samples
+    kept: tuple[np.ndarray, ...] = ()
+    if batch.quantities.relaxation:
+        samples = batch.recording.samples
+        kept = tuple(record_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks)
     return Case(
         load=tasks[0].problem.load,
         speed=tasks[0].problem.speed,
         ratios=tuple(task.problem.ratio for task in tasks),
-        kept_steps=tuple(record_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks),
+        kept_steps=kept,
         scheme=batch.scheme,
         spectrum=tasks[0].problem.spectrum,
     )

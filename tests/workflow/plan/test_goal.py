@@ -14,7 +14,7 @@ from workflow.study.numerics import Numerics
 from workflow.study.study import Scene
 
 PROBLEMS = st.builds(
-    Problem,
+    lambda *numbers: Problem(*numbers),  # a builder of Problem would draw the fields of scenes too
     st.floats(0.0, 1.0),
     st.integers(100, 5000),
     st.floats(1e-3, 10.0),

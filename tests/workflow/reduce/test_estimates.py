@@ -14,8 +14,9 @@ COUNT = BLOCKS.scalars.shape[1]
 
 
 VALUES = dict(zip(SCALARS, np.moveaxis(BLOCKS.scalars, 2, 0), strict=True))
+VALUES = {name: values for name, values in VALUES.items() if name in FOUND}
 START = VALUES["mu_1"] + VALUES["jump"]  # just after the jump
-VALUES["mu"] = np.concatenate([START[..., None], BLOCKS.curves], axis=2)
+VALUES["mu"] = np.concatenate([START[..., None], BLOCKS.values["curve"]], axis=2)
 VALUES["deviation"] = VALUES["mu"] - VALUES["mu_2"][..., None]
 
 

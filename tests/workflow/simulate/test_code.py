@@ -91,7 +91,7 @@ def test_copies_have_the_same_hash(copied):
 
 
 EDITS = {
-    "the steps that a record keeps": ("realizations.py", "np.linspace", "np.geomspace"),
+    "the steps that a record keeps": ("kept.py", "np.linspace", "np.geomspace"),
     "a number": ("kelvin.py", "1e-10", "1e-11"),
     "an operator": ("kernels/steady.py", "w[j] = free", "w[j] = -free"),
     "a body chosen by type": ("kelvin.py", "@reach.of(Kelvin)", "@reach.of(State)"),
@@ -114,7 +114,7 @@ NO_EDITS = {
     "a docstring": ("kernels/steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
     "a comment": ("kelvin.py", "# Shortest step", "# The shortest step"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
-    "brackets": ("realizations.py", "return (kept_steps - ", "return ((kept_steps) - "),
+    "brackets": ("kept.py", "return (kept - ", "return ((kept) - "),
 }
 
 

@@ -5,8 +5,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import SCHEMES, Case, Line, Quantities, amplitudes, draw_phases, run_case
-from workflow.simulate.kept import record_steps, record_times
+from kernels import (
+    SCHEMES,
+    Case,
+    Hold,
+    Line,
+    Oscillation,
+    Quantities,
+    Slide,
+    Spectrum,
+    amplitudes,
+    draw_phases,
+    run_case,
+)
+from workflow.simulate.kept import kept_steps, programme_steps, record_steps, record_times
+from workflow.simulate.tasks import Problem, Recording
 
 
 @given(st.integers(8, 10**6), st.integers(8, 600))
@@ -56,3 +69,49 @@ def test_recorded_times_lie_within_their_steps(scheme):
     for steps_per_tau in (0.1, 1.0, 30.0):
         times = record_times(recorded, steps_per_tau, scheme) * steps_per_tau
         assert np.all((times <= recorded) & (times > recorded - 1))
+
+
+PROGRAMME = (Slide(1.0, 6.0), Hold(50.0), Slide(1.0, 6.0), Oscillation(0.0, 2.0, 0.1, 2))
+PROBLEM = Problem(0.7, 64, 0.1, 1.0, 1.0, programme=PROGRAMME)
+
+
+@pytest.mark.parametrize("record", ["time", "distance", "log"])
+@pytest.mark.parametrize("dense", [(), ("healing", "loop")])
+def test_a_trace_is_kept_from_the_start_to_the_end(record, dense):
+    march = programme_steps(PROBLEM, 4)
+    kept = kept_steps(PROBLEM, 4, Recording(40, record, dense=dense))
+    assert (kept[0], kept[-1]) == (0, march.time.size)
+    assert (np.diff(kept) > 0).all()
+    legs = set(march.leg[kept[1:] - 1])
+    assert legs >= ({0, 2, 3} if record == "distance" else {0, 1, 2, 3})
+    if not dense:
+        assert kept.size <= 42
+
+
+def test_every_kth_step_is_kept_where_that_is_asked_for():
+    steps = programme_steps(PROBLEM, 4).time.size
+    assert kept_steps(PROBLEM, 4, Recording(40, every=1)).size == 1 + steps
+    third = kept_steps(PROBLEM, 4, Recording(40, every=3))
+    assert (third[:-1] % 3 == 0).all()
+
+
+def test_samples_over_time_and_distance_are_even():
+    march = programme_steps(PROBLEM, 16)
+    time = np.append(0.0, march.time)[kept_steps(PROBLEM, 16, Recording(20, "time"))]
+    assert np.diff(time).max() < 2.5 * time[-1] / 19
+    way = np.append(0.0, np.cumsum(march.moved))
+    distance = way[kept_steps(PROBLEM, 16, Recording(20, "distance"))]
+    assert np.diff(distance).max() < 2.5 * distance[-1] / 19
+
+
+def test_the_leg_after_a_hold_is_dense_at_its_beginning():
+    march = programme_steps(PROBLEM, 16)
+    kept = kept_steps(PROBLEM, 16, Recording(8, dense=("healing",)))
+    first = int(np.searchsorted(march.leg, 2))
+    assert {first, first + 1, first + 2, first + 3} <= set(kept.tolist())
+
+
+def test_recorded_steps_of_many_times_grow_by_a_factor():
+    recorded = record_steps(10_000, 64, Spectrum((1.0,), (1.0,), 0.0))
+    assert recorded[:3].tolist() == [1, 2, 3]
+    assert recorded[-1] / recorded[-2] == pytest.approx(recorded[-2] / recorded[-3], rel=0.01)

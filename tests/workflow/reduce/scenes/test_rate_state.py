@@ -1,0 +1,88 @@
+"""Rate and state: constants recovered from laws with noise, and said where there is nothing."""
+
+import math
+
+import numpy as np
+import pytest
+
+from workflow.reduce.fits import (
+    FITTED,
+    NO_STATE,
+    NOT_EXPONENTIAL,
+    NOT_FINITE,
+    UNDETERMINED,
+)
+from workflow.reduce.scenes.rate_state import LAWS, fit_rate_state
+from workflow.reduce.statistics import replicates, standard_error
+
+A, B, DC = 0.03, 0.05, 2.0
+DISTANCE = np.geomspace(0.01, 20.0, 80)
+BLOCKS = 32
+
+
+def deviation(law, ratio, b=B):
+    """Return mu - mu_2 over the distance after a step of the velocity."""
+    decay = np.exp(-DISTANCE / DC)
+    if law == "ruina":
+        return b * math.log(ratio) * decay
+    return b * np.log1p((ratio - 1.0) * decay)
+
+
+def fitted(law, ratio, noise=0.001, b=B, of=None):
+    """Return the fit of a law to noisy blocks of it, or of another law ``of``."""
+    rng = np.random.default_rng(7)
+    blocks = deviation(of or law, ratio, b) + noise * rng.standard_normal((BLOCKS, DISTANCE.size))
+    change = (A - b) * math.log(ratio) + 0.1 * noise * rng.standard_normal(BLOCKS)
+    return fit_rate_state(DISTANCE, replicates(blocks, 0), replicates(change, 0), ratio, law)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("ratio", [0.1, 0.5, 0.9, 1.1, 2.0, 10.0])
+def test_constants_are_recovered_within_their_errors(law, ratio):
+    found = fitted(law, ratio)
+    assert found.status == FITTED
+    for values, true in ((found.a, A), (found.b, B), (found.dc, DC)):
+        error = standard_error(values, 0)
+        assert abs(values[0] - true) < 5.0 * error  # the peak is chosen by the largest noise
+        assert error < 0.15 * true
+    assert found.residual < 0.06
+
+
+def test_without_noise_they_are_exact_also_of_one_line_and_where_b_is_negative():
+    for b in (B, -B):
+        curve = deviation("ruina", 2.0, b)[None]
+        change = np.array([(A - b) * math.log(2.0)])
+        found = fit_rate_state(DISTANCE, curve, change, 2.0, "ruina")
+        assert found.status == FITTED
+        assert [found.a[0], found.b[0], found.dc[0]] == pytest.approx([A, b, DC], rel=1e-6)
+
+
+def test_each_law_fits_its_own_step_best():
+    for law, other in (LAWS, LAWS[::-1]):
+        assert fitted(law, 10.0).residual < 0.3 * fitted(law, 10.0, of=other).residual
+
+
+@pytest.mark.parametrize("law", LAWS)
+def test_no_state_where_b_is_noise(law):
+    found = fitted(law, 2.0, b=0.0)
+    assert found.status != FITTED
+    assert np.isnan(found.dc).all()
+
+
+def test_what_has_no_step_no_numbers_or_no_samples_is_said():
+    curve, change = np.ones((3, DISTANCE.size)), np.zeros(3)
+    assert fit_rate_state(DISTANCE, curve, change, 1.0, "ruina").status == NO_STATE
+    assert fit_rate_state(DISTANCE, curve, change, -1.0, "ruina").status == NO_STATE
+    assert fit_rate_state(DISTANCE, curve * np.nan, change, 2.0, "ruina").status == NOT_FINITE
+    few = slice(0, 3)
+    found = fit_rate_state(DISTANCE[few], curve[:, few], change, 2.0, "ruina")
+    assert found.status == UNDETERMINED
+
+
+def test_a_curve_of_another_shape_is_refused():
+    rng = np.random.default_rng(1)
+    waves = 0.1 * np.cos(4.0 * DISTANCE) + 1e-4 * rng.standard_normal((BLOCKS, DISTANCE.size))
+    change = np.full(BLOCKS + 1, 0.02)
+    found = fit_rate_state(DISTANCE, replicates(waves, 0), change, 2.0, "ruina")
+    assert found.status in (NOT_EXPONENTIAL, UNDETERMINED)
+    assert np.isnan(found.dc).all()

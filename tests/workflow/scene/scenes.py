@@ -1,0 +1,33 @@
+"""A small scene that the tests of this room share."""
+
+import numpy as np
+
+from workflow import scene
+
+N, LENGTH = 128, 1e-4
+MATERIAL = {"shear_modulus": 1e6, "branches": [[5e6, 1e-3], [1e7, 1e-4]]}
+KELVIN = {"shear_modulus": 1e6, "relaxation_time": 1e-3}
+
+
+def heights(count=N):
+    """Return one period of a wavy line, in m."""
+    x = 2.0 * np.pi * np.arange(count) / count
+    return 1e-6 * (np.cos(x) + 0.3 * np.cos(5.0 * x + 1.0) + 0.1 * np.cos(17.0 * x))
+
+
+def slide(velocity=0.1, samples=32):
+    """Return a segment that slides by whole samples."""
+    return {"slide": {"velocity": velocity, "distance": samples * LENGTH / N}}
+
+
+def run(*programme, **changed):
+    """Return the dataset of the scene with other arguments."""
+    given = {
+        "profile": heights(),
+        "length": LENGTH,
+        "normal_force": 1.0,
+        "material": MATERIAL,
+        "programme": programme or [slide()],
+    }
+    given |= changed
+    return scene.run(**{name: value for name, value in given.items() if value is not None})

@@ -1,0 +1,120 @@
+"""A scene from Python: its physics, its units, its dataset."""
+
+import numpy as np
+import pytest
+
+from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, N, heights, run, slide
+from workflow.errors import UserError
+
+EVERYTHING = ["steady", "trace", "peak", "relaxation", "rate_state", "energy", "contact_lengths"]
+
+
+@pytest.fixture(scope="module")
+def stepped():
+    """Return a velocity step with all that can be asked of it."""
+    return run(slide(0.1, 64), slide(0.2, 64), quantities=EVERYTHING, numerics={"trace": 1})
+
+
+def test_a_trace_starts_from_steady_sliding_and_has_a_sample_per_step(stepped):
+    assert stepped.sizes["event"] == 129
+    before = stepped.trace_segment.values[1:] == 0
+    steady = stepped.trace_mu.values[1:][before]
+    assert np.ptp(steady) < 1e-9 * abs(steady).max()
+    assert set(stepped.dims) == {"event", "sample", "law", "bin", "wave_number"}
+    assert np.isnan(stepped.trace_mu_error).all()  # of one line
+
+
+def test_everything_is_in_si(stepped):
+    velocity = stepped.trace_velocity.values[1:]
+    assert sorted(set(velocity.round(12))) == [0.1, 0.2]
+    assert stepped.trace_distance.values[-1] == pytest.approx(LENGTH, rel=0.02)
+    assert stepped.trace_time.values[-1] == pytest.approx(0.5 * LENGTH * (10 + 5), rel=0.02)
+    assert stepped.trace_normal_force.values == pytest.approx(np.ones(129), rel=1e-9)
+    mu = stepped.trace_friction_force / stepped.trace_normal_force
+    assert mu.values == pytest.approx(stepped.trace_mu.values, rel=1e-9)
+    assert float(stepped.tau) == pytest.approx(5 * 1e-3 + 10 * 1e-4)
+    assert stepped["time"].attrs["units"] == stepped.peak_time.attrs["units"] == "s"
+
+
+def test_friction_rises_at_the_rate_that_is_told_and_peaks(stepped):
+    assert float(stepped.peak) > 0.0
+    assert 0.0 < float(stepped.peak_time) < 1e-3
+    assert float(stepped.initial_rate) > 0.0
+    mu, time = stepped.mu.values, stepped["time"].values
+    slope = (mu[1] - stepped.mu_1.item()) / time[1]
+    assert slope == pytest.approx(stepped.initial_rate.item(), rel=0.5)
+
+
+def test_energy_is_balanced(stepped):
+    assert abs(float(stepped.balance_residual)) < 0.02
+    assert (np.diff(stepped.dissipated_energy.values) >= 0.0).all()
+    assert stepped.stored_energy.attrs["units"] == "J"
+
+
+def test_contacts_are_counted_by_their_length(stepped):
+    assert 1.0 <= stepped.contact_length.sum() <= N / 2
+
+
+def test_random_lines_have_errors():
+    surface = {"length": 1e-4, "hurst": 0.7, "roughness": 1e-6, "spacing": 2e-6}
+    found = run(slide(), profile=None, length=None, surface=surface, realizations=4, seed=3)
+    assert (found.mu_1_error > 0.0).all()
+    assert (found.trace_mu_error.values > 0.0).all()
+
+
+def test_a_dashpot_jumps_and_holds_make_a_dimension():
+    hold = {"hold": {"duration": [1e-4, 1e-3]}}
+    programme = slide(), hold, slide()
+    found = run(*programme, material=KELVIN, quantities=["trace", "healing"])
+    assert found.static_peak.dims == ("hold",)
+    assert found.hold.values.tolist() == [1e-4, 1e-3]
+    assert (found.static_peak > found.mu_end_of_hold).all()
+    jump = run(slide(0.1), slide(0.2), material=KELVIN, quantities=["jump"])
+    assert float(jump["jump"]) > 0.0
+
+
+def test_sliding_back_over_the_mirrored_line_is_the_mirror_image():
+    there = run(slide(0.1), quantities=["steady", "trace"])
+    back = run(slide(-0.1), quantities=["steady", "trace"], profile=heights()[::-1].copy())
+    assert back.mu_1.item() == pytest.approx(-there.mu_1.item(), rel=1e-9)
+    assert back.trace_mu.values == pytest.approx(-there.trace_mu.values, rel=1e-8)
+
+
+def test_an_oscillation_at_an_indentation_makes_loops():
+    swing = {"oscillate": {"amplitude": 1e-7, "frequency": 100.0, "cycles": 2}}
+    pressed = {"normal_force": None, "prescribed_indentation": 1e-6}
+    found = run(swing, **pressed, start="relaxed", quantities=["trace", "loop"])
+    assert found.loop_work.item() > 0.0
+    assert found.mu_quadrature.item() > 0.0
+    assert found.prescribed_indentation.item() == 1e-6
+    assert run(slide(), **pressed).attrs["quantities"] == "trace"
+
+
+def test_colder_is_slower_exactly():
+    wlf = {"c1": 10.0, "c2": 50.0, "reference": 20.0}
+    cold = run(slide(0.1), material={**MATERIAL, "wlf": wlf, "temperature": 10.0})
+    shift = 10.0 ** (100.0 / 40.0)
+    fast = run(slide(0.1 * shift))
+    assert cold.mu_1.item() == pytest.approx(fast.mu_1.item(), rel=1e-9)
+    assert cold.trace_mu.values == pytest.approx(fast.trace_mu.values, rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"normal_force": None}, "normal_force: give either"),
+        ({"surface": {"length": 1.0}}, "profile: give either profile"),
+        ({"length": None}, "length: missing"),
+        ({"length": -1.0}, "length = -1.0: must be greater than zero"),
+        ({"profile": heights() * 1e3}, "slope"),
+        ({"profile": heights() * 1e-6}, "slope"),
+        ({"normal_force": 1e12}, "grid.normal_force"),
+        ({"material": 3.0}, "material = 3.0: must be a dictionary"),
+        ({"quantities": ["jump"]}, "jump"),
+    ],
+)
+def test_what_cannot_be_meant_is_refused_in_one_line(changed, words):
+    with pytest.raises(UserError) as error:
+        run(slide(), **changed)
+    assert words in str(error.value)
+    assert "\n" not in str(error.value)
