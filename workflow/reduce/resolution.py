@@ -32,6 +32,8 @@ def resolution(
     those expected. A first order scheme has an eighth of its steps to show for them.
     """
     found: dict[str, np.ndarray] = {}
+    if not names:  # nothing steady: a programme alone
+        return found
     samples = estimates["samples_per_contact"]
     rates = np.nan_to_num(estimates.get("relaxation_rate", np.zeros(len(tasks))))
     first_order = scheme == "implicit-euler"
