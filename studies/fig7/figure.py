@@ -1,5 +1,7 @@
 """Figure 7: relaxation rate b over x = v1 tau q_max, as the paper steps and converged in time."""
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
@@ -31,7 +33,8 @@ def draw(groups: Groups) -> Figure:
         (paper, "implicit Euler", "s", COLOURS[4]),
         (converged, "converged", "o", COLOURS[0]),
     ):
-        error_bars(axes[2], data, "alpha", "hurst", fmt=marker, color=colour, label=label)
+        style: dict[str, Any] = {"fmt": marker, "color": colour, "label": label}
+        error_bars(axes[2], data, "alpha", "hurst", bias=data.alpha_bias, **style)
     axes[2].plot([0, 1], [1, 0], "k--", label="$1 - H$ (paper)")
     axes[2].set(xlabel="Hurst exponent $H$", ylabel="$\\alpha$ of $b = x^\\alpha$")
     axes[2].set_title("(c) exponent, $x > 1$")
@@ -39,8 +42,8 @@ def draw(groups: Groups) -> Figure:
     foot_line(
         figure,
         converged,
-        "lines: eq. 13; hollow: over 80 % in contact; below the axis line, by $H$: | nothing "
-        "to relax, x not exponential, + lost in noise",
+        "bars: with the bound of the bias; lines: eq. 13; hollow: over 80 % in contact; below the "
+        "axis line, by $H$: | nothing to relax, x not exponential, + lost in noise",
     )
     return figure
 
@@ -57,7 +60,8 @@ def _rates(ax: Axes, dataset: xr.Dataset) -> None:
         for part, face, label in ((~full, colour, f"$H = {hurst:g}$"), (full, "none", None)):
             style = DOTS | {"color": colour, "mfc": face, "label": label, "alpha": 0.8}
             shown = points.isel(point=(fitted & part).values)
-            error_bars(ax, shown, "relaxation_rate", "speed_ratio", log=True, **style)
+            bias = shown.relaxation_rate_bias * shown.relaxation_rate
+            error_bars(ax, shown, "relaxation_rate", "speed_ratio", log=True, bias=bias, **style)
         ax.plot(span[span > 1], span[span > 1] ** (1.0 - hurst), color=colour, lw=1.2)
         for code, marker in MARKS.items():  # what was not fitted, one row per Hurst exponent
             there = np.unique(points.speed_ratio[(points.fit_status == code).values])

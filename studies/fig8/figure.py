@@ -1,5 +1,7 @@
 """Figure 8: exponent alpha of eq. 13 over the Hurst exponent, for x > 1."""
 
+from typing import Any
+
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
@@ -18,8 +20,10 @@ def draw(groups: Groups) -> Figure:
         ):
             text = f"{label}, $b = {law}$"
             data = groups[group]
-            error_bars(ax, data, name, "hurst", fmt=marker, color=colour, mfc=face, label=text)
-    foot_line(figure, groups[CONVERGED])
+            style: dict[str, Any] = {"color": colour, "mfc": face, "label": text}
+            bias = data[f"{name}_bias"]
+            error_bars(ax, data, name, "hurst", bias=bias, fmt=marker, **style)
+    foot_line(figure, groups[CONVERGED], "bars: with what the bias of b may add")
     ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")
     ax.set(xlabel="Hurst exponent $H$", ylabel="exponent $\\alpha$ for $x > 1$", ylim=(-0.1, 1.45))
     ax.legend(loc="upper right", fontsize=6)

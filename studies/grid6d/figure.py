@@ -10,7 +10,7 @@ from matplotlib.transforms import Bbox
 from studies.style import DOTS, X_LABEL, by_hurst, normalised
 from workflow.kinetic_law import normalised_jump
 from workflow.reduce import FITTED
-from workflow.report import COLOURS, error_bars, foot_line
+from workflow.report import COLOURS, error_bars, foot_line, without_unresolved
 from workflow.result import Groups
 
 from .prediction import LIMITS, law_error, shares_within
@@ -37,9 +37,14 @@ def draw(groups: Groups) -> Figure:
         fitted = points.isel(point=(points.fit_status == FITTED).values)
         _points(flat[2], fitted, "relaxation_rate", "speed_ratio", colour)
         flat[3].plot(points.speed_ratio, law_error(points), "o", color=colour, ms=2.2, alpha=0.7)
-    _cumulative(flat[4], dataset)
-    _table(flat[5], dataset)
-    foot_line(figure, dataset, "hollow: standard error over 50 %")
+    judged, left_out = without_unresolved(dataset)
+    _cumulative(flat[4], judged)
+    _table(flat[5], judged)
+    foot_line(
+        figure,
+        dataset,
+        f"hollow: standard error over 50 %; (e), (f) without {left_out} unresolved points",
+    )
     span = np.geomspace(1e-6, 2.0, 100)
     flat[1].plot(span, normalised_jump(span), "k-", lw=1, label="eq. 12", zorder=0)
     for ax, (x_label, y_label, title) in zip(flat, PANELS, strict=True):
@@ -69,7 +74,10 @@ def _cumulative(ax: Axes, dataset: xr.Dataset) -> None:
     )
     for time_below_one, label, colour, ls in branches:
         error = law_error(dataset, time_below_one).fillna(np.inf)  # not known: never reached
-        ax.ecdf(error.values.ravel(), color=colour, label=label, ls=ls)
+        judged = np.isfinite(dataset.mu_1.values)  # not those without a result
+        ax.ecdf(
+            error.transpose(*dataset.mu_1.dims).values[judged], color=colour, label=label, ls=ls
+        )
     for limit in LIMITS:
         ax.axvline(limit, color="0.6", lw=0.6, ls=":")
     ax.set(xscale="log", xlim=(1e-6, 2.0), ylim=(0, 1))

@@ -36,6 +36,7 @@ if TYPE_CHECKING:
         write_below,
     )
     from workflow.report.report import write_report
+    from workflow.report.resolution import not_resolved, without_unresolved
     from workflow.report.table import write_grid_table, write_measured_table
 
 __all__, __getattr__ = public_names(__name__, __file__)

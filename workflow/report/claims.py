@@ -14,6 +14,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
+from workflow.report.resolution import Resolved
 from workflow.study import known_studies, load_script
 
 Results = Mapping[str, xr.Dataset]  # "fig7", and "fig7/paper_step" for its comparison
@@ -113,5 +114,16 @@ def known_claims() -> list[Judge]:
 
 
 def evaluate(claims: list[Judge], results: Results) -> list[Claim]:
-    """Return what the claims say that these results can judge."""
-    return [claim for judged in claims if (claim := judged(results)) is not None]
+    """Return what the claims say that these results can judge, unresolved points left out."""
+    found = []
+    for judged in claims:
+        seen = Resolved(results)
+        claim = judged(seen)
+        if claim is None:
+            continue
+        count = sum(seen.left_out.values())
+        if count:
+            words = f"{claim.found}; {count} points left out, whose contacts are unresolved"
+            claim = claim._replace(found=words)
+        found.append(claim)
+    return found

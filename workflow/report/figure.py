@@ -16,6 +16,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from workflow.errors import UserError
+from workflow.report.resolution import HOLLOW, not_resolved
 from workflow.result import BROKEN, Groups, broken, open_result
 from workflow.study import AnyStudy, load_script
 from workflow.system import write_durably
@@ -101,7 +102,8 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
         f"{points} grid points, {int(dataset.realizations.max())} realizations each, "
         f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"
     )
-    write_below(figure, text, note)
+    hollow = int(not_resolved(dataset).sum())
+    write_below(figure, text, note, f"{HOLLOW} ({hollow} points)" if hollow else "")
 
 
 def write_below(figure: Figure, *notes: str) -> None:
@@ -112,14 +114,27 @@ def write_below(figure: Figure, *notes: str) -> None:
 
 
 def error_bars(
-    ax: Axes, points: xr.Dataset, name: str, over: str, log: bool = False, **style: Any
+    ax: Axes,
+    points: xr.Dataset,
+    name: str,
+    over: str,
+    log: bool = False,
+    bias: xr.DataArray | float = 0.0,
+    **style: Any,
 ) -> None:
     """Draw an estimate with its standard errors over another variable of a result.
 
-    ``log`` : bars as of ``log_bars``. ``style`` : as for matplotlib's errorbar.
+    Points whose contacts are not resolved are hollow. ``log`` : bars as of ``log_bars``.
+    ``bias`` : added to the standard errors. ``style`` : as for matplotlib's errorbar.
     """
-    value, error = points[name].values, points[f"{name}_error"].values
-    ax.errorbar(points[over], value, log_bars(value, error) if log else error, **style)
+    value, error = points[name].values, (points[f"{name}_error"] + bias).values
+    bars = log_bars(value, error) if log else error
+    drawn = ax.errorbar(points[over], value, bars, **style)
+    hollow = not_resolved(points)
+    if hollow.shape == value.shape and hollow.any():
+        ring: dict[str, Any] = {"color": drawn.lines[2][0].get_color()[0], "mfc": "white"}
+        ring |= {"ms": style["ms"]} if "ms" in style else {}
+        ax.plot(points[over].values[hollow], value[hollow], "o", mew=0.6, zorder=2.5, **ring)
 
 
 def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:

@@ -1,0 +1,60 @@
+"""What figures and claims do with points whose contacts are not resolved."""
+
+from collections.abc import Iterator, Mapping
+
+import numpy as np
+import xarray as xr
+
+from workflow.reduce import RESOLVED, UNRESOLVED
+
+STATUS = "resolution_status"
+HOLLOW = "hollow rings: contacts of fewer than 4 samples"
+
+
+def not_resolved(points: xr.Dataset) -> np.ndarray:
+    """Return where contacts are coarse or unresolved; nowhere where the result does not say."""
+    if STATUS not in points:
+        return np.zeros(points.realizations.shape if "realizations" in points else (), bool)
+    status = points[STATUS].values
+    return (status >= 0) & (status < RESOLVED)
+
+
+def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
+    """Return a dataset in which unresolved points are as if they had failed, and their number.
+
+    Their estimates are NaN and their flags -1.
+    """
+    if STATUS not in dataset:
+        return dataset, 0
+    known = dataset[STATUS] != UNRESOLVED
+    count = int((~known).sum())
+    if not count:
+        return dataset, 0
+    grid = set(known.dims)
+    kept = {
+        name: values.where(known, np.nan if values.dtype.kind == "f" else -1).astype(values.dtype)
+        for name, values in dataset.data_vars.items()
+        if grid <= set(values.dims)
+    }
+    return dataset.assign(kept), count
+
+
+class Resolved(Mapping[str, xr.Dataset]):
+    """Results without their unresolved points; knows how many those looked at had."""
+
+    def __init__(self, results: Mapping[str, xr.Dataset]) -> None:
+        self.results = results
+        self.left_out: dict[str, int] = {}
+
+    def __getitem__(self, key: str) -> xr.Dataset:
+        """Return a dataset as claims may use it."""
+        dataset, self.left_out[key] = without_unresolved(self.results[key])
+        return dataset
+
+    def __iter__(self) -> Iterator[str]:
+        """Iterate over the names."""
+        return iter(self.results)
+
+    def __len__(self) -> int:
+        """Return the number of results."""
+        return len(self.results)
