@@ -109,7 +109,7 @@ def test_given_indentation_carries_the_load_that_leads_to_it(name):
 
 @pytest.mark.parametrize("name", ["standard", "Prony3"])
 def test_both_schemes_converge_to_one_steady_state(name):
-    refinements = np.array([1, 2, 4, 8])
+    refinements = np.array([1, 2, 4, 8])[: size(4, 3)]
     gaps = []
     for k in refinements * 64:
         gap = []
@@ -120,7 +120,8 @@ def test_both_schemes_converge_to_one_steady_state(name):
             ]
             gap.append(d[0].elements.d - d[1].elements.d)
         gaps.append(gap)
-    assert observed_order(refinements, gaps) > 1.4  # the fastest branch is resolved at the end
+    # The fastest branch is resolved at the end.
+    assert observed_order(refinements, gaps) > size(1.4, 1.2)
     assert np.abs(gaps[-1]).max() < 1e-3
 
 

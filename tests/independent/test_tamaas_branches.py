@@ -1,0 +1,68 @@
+"""The contact package tamaas as a foundation with two branches, followed forth and back.
+
+A branch of tamaas, a spring g and a dashpot of time t, is stepped by backward Euler: its stress
+becomes (s + g du) t / (t + dt). That of the relaxation form becomes E s + g phi du. With the time
+E dt / (1 - E) and the modulus g phi / E the first is the second, for steps of one length: the
+contact, the memory and the balance are then solved twice, by programs that share nothing.
+(tamaas: J. Open Source Softw. 5, 2121 (2020); see test_tamaas.py.)
+"""
+
+import numpy as np
+import pytest
+
+from kernels.motion.programme import Slide
+from kernels.rheology.forms import FORMS
+from kernels.rheology.law import law_of
+from kernels.rheology.spectrum import Spectrum
+from kernels.scene import Saved, Scene, run_scene
+from kernels.surfaces.line import Line
+from tests.lines import random_line
+
+tamaas = pytest.importorskip("tamaas", reason="needs the extra 'verify': pip install '.[verify]'")
+
+tamaas.set_log_level(tamaas.LogLevel.warning)  # or every solution is a table on stderr
+
+SPECTRUM = Spectrum((2.0, 5.0), (0.8, 0.1), 0.0)
+ELEMENTS, LOAD, SPEED = 1000, 0.02, 4.0
+FORTH, BACK = 60, 40  # steps
+TOLERANCE = 1e-6
+
+
+def by_tamaas(line):
+    """Return mu at the end of every step, from a foundation that nothing has touched."""
+    law = law_of(FORMS["implicit-euler"](SPECTRUM), 1.0 / SPEED)
+    model = tamaas.ModelFactory.createModel(tamaas.model_type.basic_1d, [1.0], [line.z.size])
+    model.nu, model.E = 0.0, 2.0  # shear modulus 1, the spring beside the branches
+    times = law.decay / (1.0 - law.decay) / SPEED
+    branches = (law.gain / law.decay).tolist(), times.tolist()
+    solver = tamaas.MaxwellViscoelastic(model, -line.z, 1e-14, 1.0 / SPEED, *branches)
+    for name in ("Westergaard::neumann", "westergaard_neumann"):
+        model.operators[name]["influence"][...] = 1.0
+    mu = []
+    for place in [*range(1, FORTH + 1), *range(FORTH - 1, FORTH - BACK - 1, -1)]:
+        solver.surface[:] = -np.roll(line.z, place)
+        solver.solve(LOAD)
+        forces = np.array(model.traction)
+        mu.append(float(forces @ np.roll(line.slope, place) / forces.sum()))
+    return mu
+
+
+def test_two_branches_forth_and_back():
+    line = Line.from_samples(*random_line(ELEMENTS, 0.7, 1, seed=1), 1)
+    nothing = np.zeros(line.z.size)
+    untouched = Saved(np.zeros((3, line.z.size)), nothing, 0.0, 0.0, 0.0, 0.0)
+    scene = Scene(
+        spectrum=SPECTRUM,
+        scheme="implicit-euler",
+        programme=(Slide(SPEED, FORTH), Slide(-SPEED, BACK)),
+        load=LOAD,
+        indentation=None,
+        start="relaxed",
+        asked=("trace",),
+        kept=np.arange(1, FORTH + BACK + 1),
+        edges=np.empty(0),
+        frames=np.empty(0, np.int64),
+    )
+    mu = run_scene(line, scene, untouched)["trace_mu"]
+    np.testing.assert_allclose(by_tamaas(line), mu, rtol=0.0, atol=TOLERANCE * np.ptp(mu))
+    assert mu[-1] < 0.0 < mu[FORTH - 1]  # there is something to follow
