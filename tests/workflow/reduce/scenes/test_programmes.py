@@ -1,0 +1,63 @@
+"""What a programme was asked for, from block means that are known."""
+
+import numpy as np
+import pytest
+
+from kernels import Slide
+from workflow.reduce.blocks import Blocks
+from workflow.reduce.scenes.programmes import reduce_programmes, reduce_steps
+
+EVENTS = 5
+TIME = np.array([[0.0, 1.0, 2.0, 3.0, np.nan]])
+STAMPS = {"time": TIME, "distance": 2.0 * TIME, "speed": 0.0 * TIME + 2.0, "leg": 0.0 * TIME}
+
+
+def blocks(quantities, **values):
+    """Return one task of three blocks with parts of its row."""
+    rng = np.random.default_rng(3)
+    made = {name: value + 0.01 * rng.standard_normal((1, 3, 1)) for name, value in values.items()}
+    speeds, programmes = np.array([[1.0, 2.0]]), ((Slide(2.0, 6.0),),)
+    slopes, scalars = np.ones(1), np.zeros((1, 3, 6))
+    how = quantities, False, speeds, programmes, STAMPS
+    return Blocks(scalars, made, TIME[:, 1:], slopes, *how)
+
+
+def test_the_balance_is_taken_at_the_last_sample_that_is_there():
+    way = TIME[:, None, :]
+    energies = {
+        "stored_energy": 5.0 + way,
+        "dissipated_energy": 2.0 * way,
+        "work": 3.3 * way,
+        "closing_work": 0.1 * way,
+    }
+    estimates = {}
+    found = blocks(("energy",), **energies)
+    found = found._replace(values={name: v + np.zeros((1, 3, 1)) for name, v in energies.items()})
+    reduce_programmes(estimates, found)
+    assert estimates["balance_residual"] == pytest.approx([(9.9 - 3.0 - 6.0 - 0.3) / 6.0])
+    assert estimates["trace_segment"].tolist() == [[0, 0, 0, 0, -1]]
+
+
+def test_traces_are_means_with_errors_and_nothing_else_is_there():
+    estimates = {}
+    trace = np.broadcast_to(TIME[:, None, :], (1, 3, EVENTS))
+    reduce_programmes(estimates, blocks(("steady",), trace_mu=trace))
+    assert not estimates
+    names = ("mu", "indentation", "normal_force", "friction_force", "contact_fraction")
+    parts = {f"trace_{name}": trace for name in names}
+    reduce_programmes(estimates, blocks(("trace",), **parts))
+    assert estimates["trace_mu"][0, :4] == pytest.approx([0.0, 1.0, 2.0, 3.0], abs=0.05)
+    assert (estimates["trace_mu_error"][0, :4] > 0.0).all()
+
+
+def test_the_peak_is_that_above_the_friction_before():
+    time = np.linspace(0.0, 2.0, 41)[None]
+    curves = (1.0 + 0.5 * time * np.exp(1.0 - time))[:, None, :] + np.zeros((1, 4, 1))
+    before, after = np.ones((1, 4)), np.full((1, 4), 1.1)
+    estimates = {}
+    found = blocks(("peak",), initial_rate=np.ones((1, 3)))
+    found = found._replace(values={"initial_rate": np.ones((1, 3))})
+    reduce_steps(estimates, found, time, curves, {"mu_1": before, "mu_2": after})
+    assert estimates["peak"] == pytest.approx([0.5], rel=1e-3)
+    assert estimates["peak_time"] == pytest.approx([1.0], rel=1e-3)
+    assert estimates["initial_rate"].tolist() == [1.0]

@@ -1,0 +1,26 @@
+"""What the result says of every task: those that failed are marked."""
+
+import numpy as np
+
+from tests.support.small import small_plan
+from workflow.reduce.complete import completed
+
+PLAN = small_plan('scene.quantities=["steady"]')
+VARIANT = PLAN.variants[0]
+
+
+def test_failed_tasks_are_marked_and_others_keep_their_values():
+    count = len(VARIANT.tasks)
+    sound = np.arange(1, count)
+    estimates = {
+        "mu_1": np.ones(count - 1),
+        "samples_per_contact": np.full(count - 1, 9.0),
+        "flag": np.zeros(count - 1, np.int8),
+    }
+    counts = np.full(count, 4, np.int32)
+    found = completed(PLAN, VARIANT, estimates, sound, counts)
+    assert np.isnan(found["mu_1"][0])
+    assert found["flag"][0] == -1
+    assert (found["mu_1"][1:] == 1.0).all()
+    assert (found["rms_slope"] > 0.0).all()
+    assert found["realizations"] is counts
