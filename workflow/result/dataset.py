@@ -42,7 +42,10 @@ def build_dataset(
     data |= _spectrum(variant)
     coords: dict[str, object] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
     coords |= _coordinates(plan, variant, {str(dim) for each in data.values() for dim in each.dims})
-    dataset = xr.Dataset(data, coords, provenance(plan.study, variant.numerics))
+    said = provenance(plan.study, variant.numerics)
+    if variant.lines.profile is not None:
+        said |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
+    dataset = xr.Dataset(data, coords, said)
     _annotate(dataset, plan.jackknife_groups(variant) - 1)
     return dataset
 

@@ -74,11 +74,6 @@ def provenance(study: Study, numerics: Numerics) -> dict[str, str | int | float]
         "steps_per_spacing": str(numerics.steps_per_spacing or "auto"),
         "horizon": numerics.horizon,
     }
-    if study.surface.profile is not None:
-        found |= {
-            "lines": study.surface.profile.notes,
-            "lines_digest": study.surface.profile.digest,
-        }
     if numerics.accuracy:
         found |= {"accuracy": numerics.accuracy, "max_realizations": numerics.max_realizations}
     return found

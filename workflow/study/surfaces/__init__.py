@@ -9,10 +9,10 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.study.surfaces.profile import Profile, check_load, given_profile
+    from workflow.study.surfaces.surface import Surface
     from workflow.study.surfaces.table import (
         LIKE,
         SURFACE,
-        Surface,
         check_cutoff,
         lines_like,
         read_surface,

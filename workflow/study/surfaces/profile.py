@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import measured_amplitudes, power_spectrum, rms_slope
+from kernels import measured_amplitudes, rms_slope
 from workflow.errors import UserError
 from workflow.study.surfaces.files import read_lines
 from workflow.study.surfaces.lines import KEY, LEAST_SAMPLES, Asked
@@ -50,11 +50,6 @@ class Profile(NamedTuple):
     def slope(self) -> float:
         """Return the spectral rms slope over all lines."""
         return rms_slope(self.amplitudes, self.heights.shape[1]) / self.spacing
-
-    @property
-    def spectrum(self) -> tuple[np.ndarray, np.ndarray]:
-        """Return wave numbers (1/m) and the mean power spectrum C_1D (m^3) of the lines."""
-        return power_spectrum(self.amplitudes, self.length)
 
 
 def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:

@@ -2,11 +2,8 @@
 
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
-import numpy as np
-
-from kernels import amplitudes, matching_rolloff
 from kernels.surfaces.self_affine import NORMALISATIONS
 from workflow.errors import UserError
 from workflow.study.settings import (
@@ -22,57 +19,9 @@ from workflow.study.settings import (
 )
 from workflow.study.surfaces.lines import Asked
 from workflow.study.surfaces.prepare import DETRENDS, PERIODICS
-from workflow.study.surfaces.profile import Profile, read_profile
+from workflow.study.surfaces.profile import read_profile
+from workflow.study.surfaces.surface import LINES, Surface
 from workflow.study.surfaces.units import METRES, metres
-
-LINES = ("measured", "random-phase", "self-affine")
-
-
-class Surface(NamedTuple):
-    """What the lines are, in SI units."""
-
-    length: float  # m; of a measured line, before it was mirrored
-    normalisation: str = "modal"
-    snap_spacing: bool = False
-    rolloff: float = 0.0  # m, the wavelength above which the spectrum is flat; 0: none
-    cutoff: float = 0.0  # m, the shortest wavelength; 0: twice the spacing
-    profile: Profile | None = None  # the measured lines
-    lines: str = "measured"  # with a profile: its lines, or random ones like them (LINES)
-    hurst: float = 1.0  # of lines that are self-affine like the measured ones
-
-    def modes(self, elements: int) -> tuple[float, int]:
-        """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 where there is none.
-
-        A cut-off at what the elements resolve is none.
-        """
-        rolloff = self.length / self.rolloff if self.rolloff else 0.0
-        last = int(self.length / self.cutoff * (1.0 + 1e-9)) if self.cutoff else elements // 2
-        return rolloff, last if last < elements // 2 else 0
-
-    @property
-    def amplitudes(self) -> np.ndarray | None:
-        """The mode amplitudes (m) of random lines like measured ones; None: lines are others.
-
-        ``random-phase`` lines have the mean power spectrum of the measured ones, ``self-affine``
-        ones their rms height and slope, by a long-wave roll-off.
-        """
-        profile = self.profile
-        if profile is None or self.lines == "measured":
-            return None
-        if self.lines == "random-phase":
-            return profile.amplitudes
-        elements = profile.heights.shape[1]
-        slope = profile.slope * profile.spacing / profile.roughness
-        rolloff = matching_rolloff(self.hurst, elements, slope)
-        return profile.roughness * amplitudes(self.hurst, elements, "modal", rolloff)
-
-    @property
-    def identity(self) -> str:
-        """What measured lines, and those made like them, are known by; empty without a file."""
-        if self.profile is None:
-            return ""
-        own = f" H = {self.hurst!r}" if self.lines == "self-affine" else ""
-        return f"{self.profile.digest} {self.lines}{own}"
 
 
 def _columns(key: str, value: object) -> tuple:

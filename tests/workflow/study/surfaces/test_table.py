@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from kernels import amplitudes, rms_height, rms_slope
 from workflow.errors import UserError
-from workflow.study.surfaces.table import Surface, check_cutoff, read_surface
+from workflow.study.surfaces.surface import Surface
+from workflow.study.surfaces.table import check_cutoff, read_surface
 
 HERE = {"file": "line.txt"}
 
@@ -30,15 +30,6 @@ def test_a_random_surface_is_as_it_was(folder):
     assert read_surface({"length": 0.01}, folder).modes(100) == (0.0, 0)
 
 
-def test_roll_off_and_cut_off_are_modes_of_the_line(folder):
-    surface = read_surface({"length": 0.01, "rolloff": 2e-3, "cutoff": 4e-4}, folder)
-    rolloff, cutoff = surface.modes(1000)
-    assert rolloff == pytest.approx(5.0)
-    assert cutoff == 25  # rounding of 0.01/4e-4 aside
-    assert surface.modes(50) == (rolloff, 0)  # two spacings: none
-    assert amplitudes(0.7, 1000, "modal", rolloff, cutoff).size == 500
-
-
 def test_a_measured_line(folder):
     surface = read_surface(HERE, folder)
     assert surface.profile is not None
@@ -54,28 +45,6 @@ def test_settings_of_a_measured_line(folder):
     assert surface.profile.heights.shape == (2, 64)
     assert surface.length == pytest.approx(32e-3)
     assert surface.lines == "random-phase"
-
-
-def test_random_lines_are_like_the_measured_ones(folder):
-    """Of the same power spectrum, or self-affine of the same rms height and slope."""
-    measured = read_surface(HERE, folder)
-    profile = measured.profile
-    assert profile is not None
-    assert measured.amplitudes is None
-    same = read_surface(HERE | {"lines": "random-phase"}, folder).amplitudes
-    np.testing.assert_array_equal(same, profile.amplitudes)
-    like = read_surface(HERE | {"lines": "self-affine", "hurst": 0.9}, folder).amplitudes
-    assert rms_height(like) == pytest.approx(profile.roughness, rel=1e-12)
-    assert rms_slope(like, 128) / profile.spacing == pytest.approx(profile.slope, rel=1e-12)
-    assert like[59] / like[29] == pytest.approx(2.0**-1.4, rel=1e-12)
-
-
-def test_every_kind_of_lines_has_its_identity(folder):
-    tables = [{}, {"lines": "random-phase"}, {"lines": "self-affine"}]
-    tables += [{"lines": "self-affine", "hurst": 0.9}, {"detrend": "parabola"}]
-    found = {read_surface(HERE | table, folder).identity for table in tables}
-    assert len(found) == len(tables)
-    assert Surface(0.01).identity == ""
 
 
 def test_a_hurst_exponent_that_no_line_of_this_slope_has_is_refused(folder):

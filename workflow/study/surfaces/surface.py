@@ -1,0 +1,69 @@
+"""What the lines of a study are: random self-affine, measured, or random like measured ones."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels import amplitudes, matching_rolloff
+from workflow.study.surfaces.profile import Profile
+
+LINES = ("measured", "random-phase", "self-affine")
+
+
+class Surface(NamedTuple):
+    """What the lines are, in SI units."""
+
+    length: float  # m; of a measured line, before it was mirrored
+    normalisation: str = "modal"
+    snap_spacing: bool = False
+    rolloff: float = 0.0  # m, the wavelength above which the spectrum is flat; 0: none
+    cutoff: float = 0.0  # m, the shortest wavelength; 0: twice the spacing
+    profile: Profile | None = None  # what was measured
+    lines: str = "measured"  # with a profile: its lines, or random ones like them (LINES)
+    hurst: float = 1.0  # of lines that are self-affine like the measured ones
+
+    def modes(self, elements: int) -> tuple[float, int]:
+        """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 where there is none.
+
+        A cut-off at what the elements resolve is none.
+        """
+        rolloff = self.length / self.rolloff if self.rolloff else 0.0
+        last = int(self.length / self.cutoff * (1.0 + 1e-9)) if self.cutoff else elements // 2
+        return rolloff, last if last < elements // 2 else 0
+
+    @property
+    def amplitudes(self) -> np.ndarray | None:
+        """The mode amplitudes (m) of random lines like measured ones; None: lines are others.
+
+        ``random-phase`` lines have the mean power spectrum of the measured ones, ``self-affine``
+        ones their rms height and slope, by a long-wave roll-off.
+        """
+        profile = self.profile
+        if profile is None or self.lines == "measured":
+            return None
+        if self.lines == "random-phase":
+            return profile.amplitudes
+        elements = profile.heights.shape[1]
+        slope = profile.slope * profile.spacing / profile.roughness
+        rolloff = matching_rolloff(self.hurst, elements, slope)
+        return profile.roughness * amplitudes(self.hurst, elements, "modal", rolloff)
+
+    @property
+    def told(self) -> str:
+        """What the lines are, in words; empty without a file."""
+        if self.profile is None:
+            return ""
+        like = {
+            "measured": "",
+            "random-phase": "random lines of the power spectrum of ",
+            "self-affine": f"self-affine lines, H = {self.hurst:g}, of rms height and slope of ",
+        }
+        return like[self.lines] + self.profile.notes
+
+    @property
+    def identity(self) -> str:
+        """What measured lines, and those made like them, are known by; empty without a file."""
+        if self.profile is None:
+            return ""
+        own = f" H = {self.hurst!r}" if self.lines == "self-affine" else ""
+        return f"{self.profile.digest} {self.lines}{own}"
