@@ -149,7 +149,7 @@ def attributes(name: str) -> dict[str, object]:
     if variable.comment:
         found["comment"] = variable.comment
     if name in FLAGS:
-        meanings = FLAGS[name]
-        flags = np.arange(len(meanings.split()), dtype=FLAG)
+        meanings = f"failed {FLAGS[name]}"  # -1: the computation did
+        flags = np.arange(len(meanings.split()), dtype=FLAG) - np.int8(1)
         found |= {"flag_values": flags, "flag_meanings": meanings}
     return found

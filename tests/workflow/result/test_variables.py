@@ -3,6 +3,7 @@
 import re
 
 from workflow.reduce.fits import NO_STATE
+from workflow.reduce.statistics import errors_needed
 from workflow.result.scenes import SCENES
 from workflow.result.variables import FLAGS, VARIABLES, declared
 
@@ -37,8 +38,11 @@ def test_every_error_is_described_like_its_estimate(with_models):
 def test_fit_status_explains_its_codes(dataset):
     attributes = dataset["fit_status"].attrs
     meanings = attributes["flag_meanings"].split()
-    assert meanings[:3] == ["fitted", "no_relaxation", "not_exponential"]
-    assert list(attributes["flag_values"]) == list(range(NO_STATE + 1))
-    assert len(meanings) == NO_STATE + 1
-    for meaning in meanings[1:]:
+    assert meanings[:4] == ["failed", "fitted", "no_relaxation", "not_exponential"]
+    assert list(attributes["flag_values"]) == list(range(-1, NO_STATE + 1))
+    assert attributes["flag_values"].dtype == dataset["fit_status"].dtype
+    assert len(meanings) == NO_STATE + 2
+    for meaning in meanings[2:]:
         assert f"{meaning}: " in attributes["comment"]
+    assert [errors_needed(blocks) > 3.0 for blocks in (14, 15)] == [True, False]
+    assert "fewer than 15 blocks need more than three" in attributes["comment"]
