@@ -83,8 +83,9 @@ def workers_of(process: psutil.Process) -> list[int]:
 class Standing:
     """A scheduler and two workers with nannies, as a user would start them; healed on demand."""
 
-    def __init__(self, folder: Path) -> None:
-        self.folder = folder
+    def __init__(self, folder: Path, worker_1: dict[str, str] | None = None) -> None:
+        """``worker_1`` : variables of the environment of the first worker alone."""
+        self.folder, self.worker_1 = folder, worker_1 or {}
         self.port = free_port()
         self.address = f"tcp://127.0.0.1:{self.port}"
         self.tally = folder / "tally"
@@ -114,4 +115,5 @@ class Standing:
         if name == "scheduler":
             return start_scheduler(log, self.port)
         options = ["--preload", "tests.cluster.tally", "--death-timeout", "60"]
-        return start_worker(log, self.address, *options, TALLY=str(self.tally))
+        own = self.worker_1 if name == "worker-1" else {}
+        return start_worker(log, self.address, *options, TALLY=str(self.tally), **own)

@@ -72,11 +72,15 @@ class Slurm:
         (folder / "slurm.conf").write_text(text)
         self._start()
 
+    @property
+    def table(self) -> dict[str, str | int]:
+        """The keys of [cluster] for jobs of this SLURM."""
+        keys = {"queue": "normal", "jobs": 2, "memory": "1500MB", "walltime": "00:30:00"}
+        return keys | {"interface": "lo", "log_folder": str(self.folder / "jobs")}
+
     def options(self) -> list[str]:
         """Return the options of a run that computes in jobs of this SLURM."""
-        table = {"queue": "normal", "jobs": 2, "memory": "1500MB", "walltime": "00:30:00"}
-        table |= {"interface": "lo", "log_folder": str(self.folder / "jobs")}
-        settings = (("--set", f"cluster.{key}={value!r}") for key, value in table.items())
+        settings = (("--set", f"cluster.{key}={value!r}") for key, value in self.table.items())
         return ["--slurm", *itertools.chain(*settings)]
 
     def run(self, *command: str, check: bool = True) -> str:

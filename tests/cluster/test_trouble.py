@@ -1,10 +1,12 @@
 """What goes wrong on a cluster: kills, a problem that kills, another program, no workers."""
 
+import errno
 import os
 import re
 import shutil
 
 import pytest
+from distributed import Client
 
 from tests.cluster.processes import (
     PATIENCE,
@@ -47,6 +49,28 @@ def test_the_poisonous_problem_alone_is_blamed_and_the_rest_computed(standing, t
     assert store.failed[key].startswith("its worker died 4 times")
     assert held(store) == {record for record in all_records(plan) if record[0] != key}
     assert run(standing.address, tmp_path, retry_failed=True).summary.failures == []
+
+
+def sick(batch, expected):
+    """Stand in for run_batch; fail on a worker whose disk is broken."""
+    if "SICK" in os.environ:
+        raise OSError(errno.EIO, os.strerror(errno.EIO))
+    return work.run_batch(batch, expected)
+
+
+def test_a_sick_worker_fails_no_problem_and_is_left_out_and_named(tmp_path, capsys):
+    cluster = Standing(tmp_path / "standing", worker_1={"SICK": "yes"})
+    try:
+        with Client(cluster.address, timeout=PATIENCE) as client:
+            client.wait_for_workers(2, timeout=PATIENCE)
+        found = run(cluster.address, tmp_path, batch_seconds=1e-3, work=sick)
+    finally:
+        cluster.stop()
+    assert found.summary.failures == []
+    assert held(Store(store_folder(found.path))) == set(all_records(found.plan))
+    said = [line for line in capsys.readouterr().err.splitlines() if "left out" in line]
+    assert len(said) == 1
+    assert re.match(r"worker tcp://127\.0\.0\.1:\d+: 3 batches in a row failed there", said[0])
 
 
 def assert_refused(run, log):

@@ -7,7 +7,7 @@ def output(capsys, *arguments: str) -> str:
     """Return what a command that succeeds prints to stdout; else it names scripts it runs."""
     assert main(list(arguments)) == 0
     out, err = capsys.readouterr()
-    assert [line for line in err.splitlines() if not line.startswith("note: runs /")] == []
+    assert besides_notes(err) == []
     return out
 
 
@@ -16,10 +16,14 @@ def refusal(capsys, *arguments: str) -> str:
     assert main(list(arguments)) == 2
     out, err = capsys.readouterr()
     assert out == ""
-    assert err.startswith("error: ")
-    assert err.count("\n") == 1
-    assert err.endswith("\n")
-    return err
+    (line,) = besides_notes(err)
+    assert line.startswith("error: ")
+    return f"{line}\n"
+
+
+def besides_notes(err: str) -> list[str]:
+    """Return the lines of stderr but for those that name a script before it runs."""
+    return [line for line in err.splitlines() if not line.startswith("note: runs /")]
 
 
 def facts(text: str) -> dict[str, str]:

@@ -1,0 +1,121 @@
+"""Workers that end with what they compute: out of memory, a job or a node that is over."""
+
+import contextlib
+import os
+import threading
+import time
+from pathlib import Path
+
+import psutil
+import pytest
+
+from tests.cluster.processes import PATIENCE, Standing
+from tests.support.runs import run
+from tests.support.small import small_plan
+from workflow.cluster import worker as work
+from workflow.run.run import How, run_plan
+from workflow.study.cluster import Cluster
+
+pytestmark = pytest.mark.cluster
+
+GROUPS = Path("/sys/fs/cgroup/memory")  # version 1; version 2 has all in one
+LIMIT = 400 * 2**20  # bytes; a worker needs half of it
+MARKER = "FIRST_BATCH"
+
+
+@pytest.fixture(scope="module")
+def expected(standing, tmp_path_factory):
+    """Return the bytes of an undisturbed run."""
+    return run(standing.address, tmp_path_factory.mktemp("peace")).path.read_bytes()
+
+
+@contextlib.contextmanager
+def small_group(pids):
+    """Give processes, and what they start from now on, so much memory together at most."""
+    version_1 = GROUPS.is_dir()
+    folder = (GROUPS if version_1 else GROUPS.parent) / f"elastomer-{os.getpid()}"
+    limit = "memory.limit_in_bytes" if version_1 else "memory.max"
+    try:
+        folder.mkdir()
+        (folder / limit).write_text(str(LIMIT))
+    except OSError as error:
+        with contextlib.suppress(OSError):
+            folder.rmdir()
+        pytest.skip(f"no control group of memory can be made here: {error}")
+    for pid in pids:
+        (folder / "cgroup.procs").write_text(str(pid))
+    try:
+        yield folder / ("memory.oom_control" if version_1 else "memory.events")
+    finally:
+        for pid in (folder / "cgroup.procs").read_text().split():
+            (folder.parent / "cgroup.procs").write_text(pid)
+        folder.rmdir()
+
+
+def hungry(batch, expected):
+    """Run a batch, but take more memory than there is where there is little."""
+    if "SMALL" in os.environ:
+        assert len(bytearray(os.urandom(1)) * (2 * LIMIT)) == 2 * LIMIT
+    return work.run_batch(batch, expected)
+
+
+def kills(file):
+    """Return how many processes of a control group were killed for want of memory."""
+    rows = [line.split() for line in file.read_text().splitlines()]
+    return int(dict(rows)["oom_kill"])
+
+
+def test_what_runs_out_of_memory_on_one_node_is_computed_on_another(tmp_path, expected):
+    cluster = Standing(tmp_path / "standing", worker_1={"SMALL": "yes"})
+    nanny = psutil.Process(cluster.processes["worker-1"].pid)
+    try:
+        while len(cluster.workers()) < 2:
+            time.sleep(0.1)
+        family = [nanny.pid, *(child.pid for child in nanny.children(recursive=True))]
+        with small_group(family) as events:
+            found = run(cluster.address, tmp_path, work=hungry, batch_seconds=1e-3)
+            assert kills(events) >= 1
+            assert found.summary.failures == []
+            assert found.path.read_bytes() == expected
+            cluster.stop()
+    finally:
+        cluster.stop()
+
+
+def outliving(batch, expected):
+    """Run a batch; the first, once it has said where it is, would take forever."""
+    with contextlib.suppress(FileExistsError), Path(os.environ[MARKER]).open("x") as file:
+        file.write(f"{os.environ['SLURM_JOB_ID']} {os.environ['SLURMD_NODENAME']}\n")
+        file.flush()
+        time.sleep(1e4)
+    return work.run_batch(batch, expected)
+
+
+ENDS = {
+    "its walltime, as SLURM ends it": lambda slurm, job, node: slurm.run("scancel", job),
+    "its node": lambda slurm, job, node: slurm.set_down(node),
+}
+
+
+@pytest.mark.parametrize("end", ENDS)
+def test_a_batch_outlives_its_job(slurm, tmp_path, monkeypatch, expected, end):
+    """SLURM ends a job at its walltime as scancel does: SIGTERM, and SIGKILL some seconds later."""
+    marker = tmp_path / "first"
+    for name, value in {**slurm.environment, MARKER: str(marker)}.items():
+        monkeypatch.setenv(name, value)
+
+    def strike():
+        until = time.monotonic() + PATIENCE
+        while time.monotonic() < until and not (marker.is_file() and marker.read_text()):
+            time.sleep(0.1)
+        ENDS[end](slurm, *marker.read_text().split())
+
+    striking = threading.Thread(target=strike)
+    striking.start()
+    cluster = Cluster(**slurm.table, where="slurm", patience=PATIENCE)
+    path = tmp_path / "small.nc"
+    summary = run_plan(small_plan(), path, How(cluster, batch_seconds=1e-3, work=outliving))
+    striking.join()
+    slurm.heal()
+    assert summary.failures == []
+    assert path.read_bytes() == expected

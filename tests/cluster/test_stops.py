@@ -1,0 +1,140 @@
+"""Processes that are stopped (SIGSTOP): said, waited for with patience, done without."""
+
+import os
+import re
+import signal
+import time
+
+import pytest
+from distributed import Client
+
+from tests.cluster.processes import (
+    PATIENCE,
+    Standing,
+    end,
+    free_port,
+    start,
+    start_scheduler,
+)
+from tests.support.small import write_study
+from workflow.store import journal
+
+pytestmark = pytest.mark.cluster
+
+SETTINGS = ("--set", "study.realizations=20", "--batch-seconds", "1e-4")  # 320 batches
+
+
+class Trial:
+    """A run of the small study, of whose scheduler or workers some will be stopped."""
+
+    def __init__(self, folder, address, patience=600):
+        folder.mkdir()
+        self.folder, self.log = folder, folder / "log"
+        where = ("--scheduler", address, "--set", f"cluster.patience={patience}")
+        words = (write_study(folder), "--out", str(folder), *SETTINGS, *where)
+        self.driver = start(self.log, "workflow", "run", *words)
+
+    def wait_for_a_shard(self):
+        until = time.monotonic() + PATIENCE
+        while not any("shard" in entry for entry, _ in journal.entries(self.folder / "store")):
+            assert self.driver.poll() is None, self.log.read_text()
+            assert time.monotonic() < until
+            time.sleep(0.02)
+
+    def ended(self):
+        """Return the exit status and what was said."""
+        return self.driver.wait(timeout=PATIENCE), self.log.read_text().splitlines()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Return the folder of all trials."""
+    return tmp_path_factory.mktemp("stops")
+
+
+@pytest.fixture(scope="module")
+def hopeless(folder):
+    """Return a run on a scheduler that is stopped before and for good; it waits from now on."""
+    port, log = free_port(), folder / "scheduler.log"
+    scheduler = start_scheduler(log, port)
+    address = f"tcp://127.0.0.1:{port}"
+    with Client(address, timeout=PATIENCE):
+        pass
+    scheduler.send_signal(signal.SIGSTOP)
+    trial = Trial(folder / "hopeless", address, patience=35)
+    yield trial
+    end(trial.driver)
+    end(scheduler)
+
+
+@pytest.fixture(scope="module")
+def cluster(folder, hopeless):
+    """Return a scheduler and two workers."""
+    del hopeless  # it waits meanwhile
+    standing = Standing(folder / "standing")
+    yield standing
+    for process in standing.processes.values():
+        os.killpg(process.pid, signal.SIGCONT)
+    standing.stop()
+
+
+def said(pattern, lines):
+    """Return how many lines are of a pattern."""
+    return sum(re.fullmatch(pattern, line) is not None for line in lines)
+
+
+def test_what_a_stopped_worker_has_is_computed_elsewhere(folder, cluster):
+    """Its nanny is stopped with it, as where a node hangs."""
+    trial = Trial(folder / "worker", cluster.address)
+    nanny = cluster.processes["worker-1"].pid
+    try:
+        trial.wait_for_a_shard()
+        os.killpg(nanny, signal.SIGSTOP)
+        status, lines = trial.ended()
+    finally:
+        end(trial.driver)
+        os.killpg(nanny, signal.SIGCONT)
+    assert status == 0
+    silent = r"worker tcp://\S+: no sign of life for 3\d s; its batches are computed elsewhere"
+    assert said(silent, lines) == 1
+    peace = folder / "peace"
+    peace.mkdir()
+    again = start(
+        peace / "log",
+        "workflow",
+        "run",
+        write_study(peace),
+        "--out",
+        str(peace),
+        "--set",
+        "study.realizations=20",
+        "--workers",
+        "2",
+    )
+    assert again.wait(timeout=PATIENCE) == 0
+    found, expected = (path / "small.nc" for path in (trial.folder, peace))
+    assert found.read_bytes() == expected.read_bytes()
+
+
+def test_ctrl_c_does_not_wait_for_a_scheduler_that_is_stopped(folder, cluster):
+    trial = Trial(folder / "interrupted", cluster.address)
+    scheduler = cluster.processes["scheduler"].pid
+    try:
+        trial.wait_for_a_shard()
+        os.killpg(scheduler, signal.SIGSTOP)
+        os.killpg(trial.driver.pid, signal.SIGINT)
+        status, lines = trial.ended()  # in 5 s, where the machine has time
+    finally:
+        end(trial.driver)
+        os.killpg(scheduler, signal.SIGCONT)
+    assert status == 130
+    assert said(r"left behind: \d+ batches of workers that do not answer", lines) == 1
+    assert lines[-1].startswith("interrupted; what is finished is kept, to resume run again: ")
+
+
+def test_a_scheduler_that_is_stopped_before_a_run_is_said_and_given_up(hopeless):
+    status, lines = hopeless.ended()
+    assert status == 2
+    assert said(r"no answer of the scheduler for 3[0-4] s: waiting, at most 35 s", lines) == 1
+    last = r"error: no answer of the scheduler for \d+ s: given up; run again to resume"
+    assert re.fullmatch(last, lines[-1])

@@ -1,0 +1,115 @@
+"""Another user of the machine gets nowhere on any port that a run opens."""
+
+import os
+import subprocess
+import sys
+import time
+
+import psutil
+import pytest
+
+from tests.cluster.processes import PATIENCE, STUDY, end, free_port, start, start_scheduler
+from tests.support.runs import ROOT
+from workflow.store import journal
+
+pytestmark = [
+    pytest.mark.cluster,
+    pytest.mark.skipif(os.getuid() != 0, reason="only root can become another user"),
+]
+
+NOBODY = 65534
+STRANGER = """
+import asyncio, os, sys
+from distributed import Client, Nanny, Scheduler, Worker
+from distributed.comm import connect
+from distributed.security import Security
+
+async def probe(address, **arguments):
+    '''Ask who is there, as a client of dask would before it sends any code.'''
+    comm = await connect(address, timeout=3, **arguments)
+    await comm.write({"op": "identity", "reply": True})
+    return await asyncio.wait_for(comm.read(), 3)
+
+forged = Security.temporary().get_connection_args("client")
+os.setgroups([])
+os.setgid(int(sys.argv[1]))
+os.setuid(int(sys.argv[1]))
+for port in sys.argv[2:]:
+    for how, arguments in (("tcp", {}), ("tls", forged)):
+        try:
+            answer = asyncio.run(probe(f"{how}://127.0.0.1:{port}", **arguments))
+            print("reached", answer.get("type"), "by", how)
+        except Exception as error:
+            print("refused", type(error).__name__)
+"""
+
+
+def strange(ports):
+    """Return what another user comes to at ports of this machine, with a forged certificate too."""
+    words = [sys.executable, "-c", STRANGER, str(NOBODY), *map(str, sorted(ports))]
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
+    assert done.returncode == 0, done.stderr
+    return done.stdout.splitlines()
+
+
+def ports_of(pids):
+    """Return the TCP ports at which processes, and those that they started, listen."""
+    family = [psutil.Process(pid) for pid in pids]
+    family += [child for process in family for child in process.children(recursive=True)]
+    connections = [c for process in family for c in process.net_connections("tcp")]
+    return {c.laddr.port for c in connections if c.status == psutil.CONN_LISTEN}
+
+
+def underway(folder, *options, **environment):
+    """Return a long run that has stored something."""
+    long = ("--set", "study.realizations=10000", "--batch-seconds", "0.2")
+    words = (*STUDY, "--out", str(folder), *long, *options)
+    driver = start(folder / "log", *words, **environment)
+    until = time.monotonic() + PATIENCE
+    while not any("shard" in entry for entry, _ in journal.entries(folder / "store")):
+        if driver.poll() is not None or time.monotonic() > until:
+            end(driver)
+            pytest.fail((folder / "log").read_text())
+        time.sleep(0.1)
+    return driver
+
+
+def assert_refused(ports, count):
+    """Assert that a stranger reaches nothing at so many ports."""
+    assert len(ports) == count
+    answers = strange(ports)
+    assert len(answers) == 2 * count
+    assert [line for line in answers if not line.startswith("refused")] == []
+
+
+def test_a_stranger_would_reach_a_scheduler_without_certificates(tmp_path):
+    """Or the tests below would show nothing."""
+    port = free_port()
+    scheduler = start_scheduler(tmp_path / "log", port)
+    try:
+        while port not in ports_of([scheduler.pid]):
+            time.sleep(0.1)
+        assert "reached Scheduler by tcp" in strange([port])
+    finally:
+        end(scheduler)
+
+
+def test_a_stranger_reaches_no_process_of_a_run_on_this_machine(tmp_path):
+    driver = underway(tmp_path, "--workers", "2")
+    try:
+        assert_refused(ports_of([driver.pid]), 5)  # scheduler, two workers, and their nannies
+    finally:
+        end(driver)
+
+
+def test_a_stranger_reaches_no_process_of_jobs(slurm, tmp_path):
+    driver = underway(tmp_path, *slurm.options(), **slurm.environment)
+    try:
+        nannies = [nanny.pid for nanny in slurm.nannies()]
+        ports = ports_of([driver.pid, *nannies])
+        assert_refused(ports, 1 + 2 * len(nannies))
+        keys = [path for path in (slurm.folder / "jobs").glob(".tls-*/*") if path.is_file()]
+        assert len(keys) == 3
+        assert {path.stat().st_mode & 0o777 for path in (*keys, keys[0].parent)} == {0o600, 0o700}
+    finally:
+        end(driver)
