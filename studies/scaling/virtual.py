@@ -12,12 +12,13 @@ from collections.abc import Callable, Iterable, Iterator
 from heapq import heappop, heappush
 from itertools import count
 from operator import pos
+from types import SimpleNamespace
 from typing import Any, NamedTuple, cast
 
 import numpy as np
 from distributed import Client
 
-from workflow.cluster import Call, Roll, stream
+from workflow.cluster import ROLL, Call, Roll, stream
 
 SPREAD = 0.5  # of a task's time, about its mean, each way
 BEGAN = 1000.0  # s; no clock of a machine starts at zero with a program, and flow looks at once
@@ -51,6 +52,7 @@ class VirtualClient:
         self.busy = 0.0  # worker-seconds spent on tasks
         self.tasks = 0  # done
         self._roll = Roll({str(number): 1 for number in range(workers)}, {}, {})
+        self.scheduler = SimpleNamespace(**{ROLL: self._call_roll})
         self._idle = workers
         self._server = 0.0  # when the scheduler will have dealt with all messages it has
         self._numbers = count()
@@ -69,9 +71,15 @@ class VirtualClient:
         """Time that has passed (s)."""
         return self.now - BEGAN
 
-    def run_on_scheduler(self, function: Callable) -> Roll:
+    def run_on_scheduler(self, function: Callable) -> None:
+        """Run nothing."""
+
+    def sync(self, function: Callable[[], Any]) -> Any:
+        """Return what a function of the scheduler returns."""
+        return function()
+
+    def _call_roll(self) -> Roll:
         """Return the roll of the workers, all of them alive."""
-        del function
         return self._roll._replace(heard=dict.fromkeys(self._roll.threads, self.now))
 
     def map(self, function: Callable, items: Iterable[Any], **_: Any) -> list[VirtualFuture]:

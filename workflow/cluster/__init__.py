@@ -10,7 +10,7 @@ from workflow.lazy import public_names
 if TYPE_CHECKING:
     from workflow.cluster.calls import Call
     from workflow.cluster.client import open_client
-    from workflow.cluster.crew import Roll
+    from workflow.cluster.crew import ROLL, Roll
     from workflow.cluster.flow import stream
     from workflow.cluster.versions import check_versions, own_versions
     from workflow.cluster.watch import Watch

@@ -18,6 +18,7 @@ from workflow.system import duration
 
 SILENT_SECONDS = 30.0  # without a heartbeat, before that is said and its work done elsewhere
 QUIET_PER_WORKER = 0.01  # s; the more workers, the rarer dask's heartbeats
+ROLL = "elastomer_friction_roll"  # what the scheduler is asked for
 ROW = 3  # failures in a row that others did not have, before a worker is left out
 
 
@@ -29,14 +30,25 @@ class Roll(NamedTuple):
     busy: dict[str, list[str]]  # keys of what they compute
 
 
-def call_roll(dask_scheduler: Scheduler) -> Roll:
-    """Return the roll; run on the scheduler."""
-    workers = dask_scheduler.workers.values()
-    return Roll(
-        {worker.address: worker.nthreads for worker in workers},
-        {worker.address: worker.last_seen for worker in workers},
-        {worker.address: [str(task.key) for task in worker.processing] for worker in workers},
-    )
+def answer_rolls(dask_scheduler: Scheduler) -> None:
+    """Let a scheduler answer roll calls; run there, once, as it logs whatever it is told to run."""
+
+    def roll() -> Roll:
+        workers = dask_scheduler.workers.values()
+        return Roll(
+            {worker.address: worker.nthreads for worker in workers},
+            {worker.address: worker.last_seen for worker in workers},
+            {worker.address: [str(task.key) for task in worker.processing] for worker in workers},
+        )
+
+    dask_scheduler.handlers[ROLL] = roll
+
+
+def call_roll(client: Client, first: bool) -> Roll:
+    """Return the roll."""
+    if first:
+        client.run_on_scheduler(answer_rolls)
+    return Roll(*client.sync(getattr(client.scheduler, ROLL)))
 
 
 def host_of(address: str) -> str:
@@ -83,12 +95,12 @@ class Crew:
         return self.silence.get(address, 0.0) >= SILENT_SECONDS
 
     def present(self) -> list[str]:
-        """Return the addresses of workers that show signs of life."""
-        return [address for address in self.roll.threads if not self.quiet(address)]
+        """Return the addresses of workers that are there and have not fallen silent."""
+        return [address for address in self.roll.threads if not self.silent(address)]
 
     def all_quiet(self) -> bool:
-        """Return whether there are workers, and none of them shows a sign of life."""
-        return bool(self.roll.threads) and not self.present()
+        """Return whether there are workers, and nothing is heard of any."""
+        return bool(self.roll.threads) and all(map(self.quiet, self.roll.threads))
 
     def threads(self) -> int:
         """Return the number of threads of workers that are there."""
@@ -153,7 +165,7 @@ class RollCalls:
         now = self.clock.monotonic()
         if not self.calling and (now - self.called >= BEAT_SECONDS or stopping != self.stopping):
             self.stopping, self.called = stopping, now
-            self.calling = self.call(self.client.run_on_scheduler, call_roll)
+            self.calling = self.call(call_roll, self.client, not self.answered())
         if not (self.calling and self.calling.wait(0.0)):
             return False
         try:
