@@ -5,7 +5,7 @@ from pathlib import Path
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from tests.support.commands import refusal
+from tests.support.commands import besides_notes, refusal
 from workflow.cli import main
 from workflow.result.netcdf import write_datasets
 
@@ -25,10 +25,11 @@ OLD = b"what was there before"
 
 
 def call(capsys, command: str, folder: Path, *more: str) -> tuple[int, str, str]:
-    """Run a command on the small study; return (exit status, stdout, stderr)."""
+    """Run a command on the small study; return (exit status, stdout, stderr but for notes)."""
     status = main([command, str(folder / "small.toml"), "--out", str(folder), *more])
     plt.close("all")
-    return (status, *capsys.readouterr())
+    out, err = capsys.readouterr()
+    return status, out, "".join(f"{line}\n" for line in besides_notes(err))
 
 
 def contents(folder: Path) -> dict[str, bytes]:
