@@ -3,6 +3,7 @@
 import time
 from collections.abc import Callable
 
+from workflow.errors import UserError
 from workflow.simulate import Batch, BatchResult
 from workflow.store.shard import Finished
 from workflow.store.store import Store
@@ -31,8 +32,12 @@ class Shelf:
     def __enter__(self) -> "Shelf":
         return self
 
-    def __exit__(self, *_: object) -> None:
-        self.flush()
+    def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
+        try:
+            self.flush()
+        except UserError:
+            if kind is None or not issubclass(kind, UserError):
+                raise  # or what ends the run anyway says why
 
     def add(self, batch: Batch, result: BatchResult) -> None:
         """Take a finished batch; it is durable after the next flush."""

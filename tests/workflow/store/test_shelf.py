@@ -102,6 +102,22 @@ def test_what_the_disk_refuses_waits_on(store, clock, monkeypatch):
     assert len(held(store)) == 3
 
 
+def test_the_error_that_ends_a_run_is_the_first_one(store, clock, monkeypatch):
+    def refuse(_):
+        raise UserError("the last attempt")
+
+    def ended(kind):
+        with shelf_of(store, clock) as shelf:
+            put(shelf, 0)
+            raise kind("given up")
+
+    monkeypatch.setattr(store, "add", refuse)
+    with pytest.raises(UserError, match="given up"):
+        ended(UserError)
+    with pytest.raises(UserError, match="the last attempt"):
+        ended(KeyboardInterrupt)
+
+
 def test_what_waits_is_stored_whatever_ends_the_run(store, clock):
     def aborted():
         with shelf_of(store, clock) as shelf:
