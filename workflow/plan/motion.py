@@ -1,4 +1,4 @@
-"""What a scene adds to a problem, without units: lines, programme, prescribed indentation.
+"""What a scene adds to a problem, without units, and what of it the kernels are asked for.
 
 Lengths along x are in dx, heights in h, times in tau, speeds in dx/tau.
 """
@@ -8,12 +8,13 @@ from typing import NamedTuple
 import numpy as np
 
 import kernels
-from kernels import Programme, rms_slope
+from kernels import Programme, Quantities, rms_slope
 from workflow.errors import UserError
-from workflow.simulate import Problem, ScaledHistory, Surface
+from workflow.simulate import Problem, Recording, ScaledHistory, Surface
 from workflow.study import (
     FromFile,
     Hold,
+    Numerics,
     Oscillate,
     Ramp,
     Segment,
@@ -150,3 +151,30 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
             times = tuple(rounded(time / tau) for time in segment.times)
             return kernels.Sampled(times, tuple(rounded(v * tau / dx) for v in segment.velocities))
     raise UserError(f"scene.programme: {segment!r:.60} is no segment")
+
+
+def asked_of(study: Study) -> Quantities:
+    """Return what the kernels are asked for; a relaxation starts from the jump."""
+    asked = study.scene.quantities
+    curve = any(name in asked for name in ("relaxation", "peak", "rate_state"))
+    return Quantities(
+        steady="steady" in asked,
+        jump="jump" in asked or curve,
+        relaxation=curve,
+        indentation_rate=study.scene.indentation_rate,
+        initial_rate="peak" in asked and not all(m.jumps for m in study.materials.values()),
+    )
+
+
+def recording_of(study: Study, numerics: Numerics) -> Recording:
+    """Return what is kept of the marches of a variant."""
+    asked = study.scene.quantities
+    traced = any(name in asked for name in ("trace", "loop", "healing", "energy"))
+    names = [name for name in ("energy", "contact_lengths", "snapshots", "state") if name in asked]
+    return Recording(
+        samples=numerics.curve_samples,
+        record=numerics.record,
+        every=numerics.trace or 0,
+        asked=("trace", *names) if traced else tuple(names),
+        dense=tuple(name for name in ("loop", "healing") if name in asked),
+    )

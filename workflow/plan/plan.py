@@ -2,6 +2,7 @@
 
 import hashlib
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -10,13 +11,13 @@ from kernels import Quantities
 from workflow.errors import UserError
 from workflow.plan.cost import TYPICAL, Timings, task_seconds
 from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
+from workflow.plan.motion import asked_of, recording_of
 from workflow.plan.problems import distinct_problems
 from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.simulate import (
     CODE,
     START,
     Origin,
-    Problem,
     Recording,
     Surface,
     Task,
@@ -121,7 +122,7 @@ def make_plan(study: Study, timings: Timings = TYPICAL, origin: Origin = START) 
     timings : how fast the machine is; the size of batches depends on it, no result does.
     origin : where a programme that is resumed begins.
     """
-    asked = _asked(study)
+    asked = asked_of(study)
     variants = [_variant(study, asked, label, origin) for label in study.variants]
     tasks = [task for variant in variants for task in variant.tasks]
     first = {task.key: study.blocks for task in tasks}
@@ -152,15 +153,21 @@ def _check_records(study: Study, records: int) -> None:
 
 def _variant(study: Study, asked: Quantities, label: str, origin: Origin) -> Variant:
     numerics = study.variants[label]
-    recording = _recording(study, numerics)._replace(origin=origin)
+    recording = recording_of(study, numerics)._replace(origin=origin)
     problems, point_task = distinct_problems(study, label)
     tasks: list[Task] = []
     goals = {}
     lines: dict[tuple[float, int, Surface], list[Task]] = {}
+    # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
+    shared = repr((CODE, study.seed, study.surfaces[label].normalisation, numerics.scheme))
+    shared += repr((recording, asked, study.realizations_per_block))
     for problem in problems:
         goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
         steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
-        task = _task(study, label, problem, asked, recording, steps)
+        march_steps = horizon_steps(problem, numerics, steps) if asked.relaxation else 0
+        what = (problem[:5], steps, march_steps)
+        key = hashlib.sha256(f"{shared}{what!r}{_written(problem[5:])}".encode()).hexdigest()[:32]
+        task = Task(problem, steps, march_steps, key)
         tasks.append(task)
         lines.setdefault((problem.hurst, problem.elements, problem.surface), []).append(task)
         if goal:
@@ -186,44 +193,7 @@ def _variant(study: Study, asked: Quantities, label: str, origin: Origin) -> Var
     )
 
 
-def _task(
-    study: Study,
-    label: str,
-    problem: Problem,
-    asked: Quantities,
-    recording: Recording,
-    steps: int,
-) -> Task:
-    numerics, surface = study.variants[label], study.surfaces[label]
-    march_steps = horizon_steps(problem, numerics, steps) if asked.relaxation else 0
-    what = (CODE, study.seed, surface.normalisation, *problem, numerics.scheme, steps)
-    how = (march_steps, recording, asked, study.realizations_per_block)
-    key = hashlib.sha256(repr((what, how)).encode()).hexdigest()[:32]
-    return Task(problem, steps, march_steps, key)
-
-
-def _asked(study: Study) -> Quantities:
-    """Return what the kernels are asked for; a relaxation starts from the jump."""
-    asked = study.scene.quantities
-    curve = any(name in asked for name in ("relaxation", "peak", "rate_state"))
-    return Quantities(
-        steady="steady" in asked,
-        jump="jump" in asked or curve,
-        relaxation=curve,
-        indentation_rate=study.scene.indentation_rate,
-        initial_rate="peak" in asked and not study.material.jumps,
-    )
-
-
-def _recording(study: Study, numerics: Numerics) -> Recording:
-    """Return what is kept of the marches of a variant."""
-    asked = study.scene.quantities
-    traced = any(name in asked for name in ("trace", "loop", "healing", "energy"))
-    names = [name for name in ("energy", "contact_lengths", "snapshots", "state") if name in asked]
-    return Recording(
-        samples=numerics.curve_samples,
-        record=numerics.record,
-        every=numerics.trace or 0,
-        asked=("trace", *names) if traced else tuple(names),
-        dense=tuple(name for name in ("loop", "healing") if name in asked),
-    )
+@lru_cache(maxsize=1000)
+def _written(setting: tuple) -> str:
+    """Return what a scene adds to a problem, for its key."""
+    return repr(setting)
