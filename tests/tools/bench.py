@@ -4,15 +4,12 @@ Times are medians of CPU time; compare them with each other, not between machine
 costs is the study of that name: `make study-accuracy`.
 """
 
-import statistics
-import time
-import timeit
-from collections.abc import Callable
 from functools import partial
 
 import numpy as np
 
 from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
+from tests.tools.scene_costs import scene_costs, seconds
 
 ELEMENTS = 2000
 LINES = 8
@@ -28,12 +25,6 @@ EFFECTS = {
     "steady states, jump, relaxation": Quantities(),
     "the same, indentation rate dropped": Quantities(indentation_rate=False),
 }
-
-
-def seconds(function: Callable[[], object], repeats: int = 15) -> float:
-    """Return the median CPU time of a call, after one that is not counted."""
-    clock = timeit.Timer(function, timer=time.process_time)
-    return statistics.median(clock.repeat(repeats + 1, number=1)[1:])
 
 
 def outcomes(lines: list[Line], load: float, x: float, span: float, asked: Quantities) -> None:
@@ -61,3 +52,4 @@ def effects() -> None:
 
 if __name__ == "__main__":
     effects()
+    scene_costs()

@@ -1,0 +1,74 @@
+"""Print the machine code of kernels as counts and digests: with all effects loaded, or none.
+
+    python -m tests.kernels.listing bare|whole
+
+Names of functions and addresses of constants are left out: they hold hashes.
+"""
+
+import hashlib
+import json
+import re
+import sys
+import types
+from collections.abc import Callable
+
+import numba
+import numpy as np
+
+
+def instructions(function: Callable, *arguments: object) -> list[str]:
+    """Return the machine instructions of a kernel, compiled anew for arguments of these types."""
+    from kernels.jit import FLAGS
+
+    compiled = numba.njit(**FLAGS)(getattr(function, "py_func", function))
+    compiled(*arguments)
+    (assembly,) = compiled.inspect_asm().values()
+    lines = [line for line in assembly.splitlines() if re.match(r"\t[^.]", line)]
+    return [re.sub(r'"?[\w.$-]*(_Z|\.bytes\.|\.L)[\w.$-]*"?', "NAME", line) for line in lines]
+
+
+def listings() -> dict[str, list[str]]:
+    """Return the instructions of kernels of which every effect is off."""
+    from kernels.control.force import ConstantForce
+    from kernels.march import march
+    from kernels.motion.track import Track
+    from kernels.rheology.kelvin import SCHEMES
+    from kernels.rheology.law import Elements, State
+    from kernels.rheology.prony import SCHEME
+    from kernels.rheology.retardation import retardation
+    from kernels.rheology.spectrum import KELVIN
+    from kernels.scene.follow import follow
+    from kernels.steady import steady_sliding
+
+    z, kelvin, control = np.array([3.0, 1.0, 0.0, 2.0]), SCHEMES[SCHEME](0.3), ConstantForce(4.0)
+    state = State(np.zeros(4), 2.0)
+    twice, steps = np.tile(z, (1, 2)), np.zeros(2, np.int64)
+    track = Track(twice, twice, steps, steps, np.ones(1))
+    elements, none = Elements(np.zeros((1, 4)), np.zeros(4), 2.0), np.arange(0)
+    off = (0, none, none, None, None, None, None)
+    return {
+        "steady_sliding": instructions(steady_sliding, kelvin, z, 4.0),
+        "march": instructions(march, kelvin, control, z, z, state, np.array([2]), 4.0),
+        "follow": instructions(follow, retardation(KELVIN), control, track, elements, *off),
+    }
+
+
+def main(loaded: str) -> None:
+    """Print the listings as JSON; ``bare`` imports nothing but what they name."""
+    if loaded == "bare":
+        for name in ("kernels", "kernels.scene"):
+            package = types.ModuleType(name)
+            package.__path__ = [name.replace(".", "/")]
+            sys.modules[name] = package
+    else:
+        import kernels  # noqa: F401
+    found = {
+        name: (len(lines), hashlib.sha256("\n".join(lines).encode()).hexdigest())
+        for name, lines in listings().items()
+    }
+    modules = sorted(name for name in sys.modules if name.startswith("kernels."))
+    print(json.dumps({"kernels": found, "modules": modules}))
+
+
+if __name__ == "__main__":
+    main(sys.argv[1])

@@ -1,0 +1,98 @@
+"""What is not asked for is not in the machine code: effects, recorders."""
+
+import ast
+import inspect
+import json
+import os
+import subprocess
+import sys
+import textwrap
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from kernels import ConstantForce
+from kernels.motion.programme import Slide, steps_of
+from kernels.motion.track import tracks
+from kernels.rheology.forms import FORMS
+from kernels.scene.begin import relaxed
+from kernels.scene.follow import follow
+from kernels.scene.records import Trace
+from tests.kernels.listing import instructions
+from tests.kernels.scene.given import SOLID, a_line
+from tests.sizes import PLAIN_PYTHON
+
+ROOT = Path(__file__).resolve().parents[2]
+RECORDERS = ("trace", "ledger", "lengths", "film")
+EFFECTS = (
+    "kernels.control.indentation",
+    "kernels.control.printed_eq3",
+    "kernels.memory.steady",
+    "kernels.rheology.relaxed",
+    "kernels.scene.run",
+    "kernels.surfaces.measured",
+)
+pytestmark = [
+    pytest.mark.exhaustive,
+    pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: there is no machine code"),
+]
+
+
+def listing(loaded, cache):
+    """Return what tests.kernels.listing prints, of kernels that are all compiled anew."""
+    done = subprocess.run(
+        [sys.executable, "-m", "tests.kernels.listing", loaded],
+        cwd=ROOT,
+        env={**os.environ, "NUMBA_CACHE_DIR": str(cache)},
+        stdout=subprocess.PIPE,
+        text=True,
+        check=True,
+    )
+    return json.loads(done.stdout)
+
+
+def test_effects_that_are_there_but_off_leave_nothing_in_the_machine_code(tmp_path):
+    """The march, the steady state and the general path without and with all other files."""
+    bare, whole = (listing(loaded, tmp_path / loaded) for loaded in ("bare", "whole"))
+    assert not set(EFFECTS) & set(bare["modules"])
+    assert set(EFFECTS) <= set(whole["modules"])
+    for name, (count, _) in bare["kernels"].items():
+        assert count > 1000
+        assert whole["kernels"][name][0] == pytest.approx(count, rel=0.02)
+
+
+class WithoutRecorders(ast.NodeTransformer):
+    """Take out of ``follow`` all that has to do with recorders, and the decorator."""
+
+    def visit_FunctionDef(self, node):
+        node.decorator_list = []
+        return self.generic_visit(node)
+
+    def visit_If(self, node):
+        names = {n.id for n in ast.walk(node.test) if isinstance(n, ast.Name)}
+        return None if names & set(RECORDERS) else self.generic_visit(node)
+
+    def visit_Expr(self, node):
+        called = getattr(getattr(node.value, "func", None), "id", "")
+        return None if called == "_keep" else node
+
+
+def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
+    function = follow.py_func
+    tree = WithoutRecorders().visit(ast.parse(textwrap.dedent(inspect.getsource(function))))
+    assert not set(RECORDERS) & {
+        n.id for n in ast.walk(tree) if isinstance(n, ast.Name) and isinstance(n.ctx, ast.Load)
+    }
+    names = dict(function.__globals__)
+    exec(compile(ast.fix_missing_locations(tree), "<stripped>", "exec"), names)
+    line = a_line(10)
+    form, control = FORMS["exponential"](SOLID), ConstantForce(0.3 * line.z.size)
+    (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0)
+    elements = relaxed(form, line.z, control.load, np.nan)
+    none = np.arange(0)
+    arguments = (form, control, track, elements, 0, none, none, None, None, None, None)
+    stripped = len(instructions(names["follow"], *arguments))
+    assert len(instructions(function, *arguments)) <= 1.02 * stripped
+    trace = Trace(*np.empty((5, 0)))
+    assert len(instructions(function, *arguments[:7], trace, *arguments[8:])) > 1.05 * stripped
