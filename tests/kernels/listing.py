@@ -24,7 +24,7 @@ def instructions(function: Callable, *arguments: object) -> list[str]:
     compiled(*arguments)
     (assembly,) = compiled.inspect_asm().values()
     lines = [line for line in assembly.splitlines() if re.match(r"\t[^.]", line)]
-    return [re.sub(r'"?[\w.$-]*(_Z|\.bytes\.|\.L)[\w.$-]*"?', "NAME", line) for line in lines]
+    return [re.sub(r'"?[\w.-]*(_Z|\.bytes\.|\.L)[\w.$-]*"?', "NAME", line) for line in lines]
 
 
 def listings() -> dict[str, list[str]]:

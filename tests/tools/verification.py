@@ -14,13 +14,12 @@ from kernels.memory.steady import steady_memory
 from kernels.motion.programme import Slide
 from kernels.rheology.retardation import retardation
 from kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
-from kernels.scene import trace_stamps
 from kernels.surfaces.line import Line
 from tests.convergence import observed_order
 from tests.kernels.memory.test_dissipation import friction
-from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, a_scene, trace
+from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, trace
 from tests.kernels.scene.test_energy import missing_work
-from tests.kernels.scene.test_follow import gaps_of_schemes
+from tests.kernels.scene.test_follow import errors_over_time, gaps_of_schemes
 from tests.kernels.scene.test_known_answers import Q, relaxation_errors, response
 from tests.lines import random_line
 from tests.viscoelastic import SBR
@@ -51,31 +50,18 @@ def oscillation(name: str, refinements: np.ndarray) -> np.ndarray:
     return errors
 
 
-def friction_over_time(name: str, refinements: np.ndarray) -> np.ndarray:
-    """Return rms errors of mu(t), over its rms, from rest and over a step of velocity."""
-    curves = []
-    for m in (*refinements, 4 * refinements[-1]):
-        programme = (Slide(2.0, 8.0), Slide(3.0, 8.0))
-        for seed in range(3):
-            line = a_line(8, 1.0, int(m), seed)
-            stamps = trace_stamps(a_scene(programme, MATERIALS[name], int(m), start="relaxed"), m)
-            mu = trace(line, programme, MATERIALS[name], start="relaxed")["trace_mu"]
-            curves.append(np.interp(np.linspace(0.25, 6.5, 400), stamps["time"], mu))
-    found = np.array(curves).reshape(-1, 3, 400)
-    return np.sqrt(np.mean((found[:-1] - found[-1]) ** 2, axis=2) / np.mean(found[-1] ** 2, axis=1))
-
-
 def closing_work(refinements: np.ndarray) -> np.ndarray:
     """Return the closing work over what is dissipated, of Kelvin elements."""
     return missing_work("kelvin", "slide, hold, slide", refinements, 3)
 
 
 def to_kelvin(glass: np.ndarray) -> np.ndarray:
-    """Return by how much friction at G_g/G differs from that of the Kelvin element."""
-    line = a_line(64, 0.7, 4, 0)
-    kelvin = friction(KELVIN, line, 2.0)[0]
-    ways = (friction(Spectrum((g,), (1.0 / g,), 0.0), line, 2.0)[0] / kelvin - 1.0 for g in glass)
-    return np.array([[error] for error in ways])
+    """Return by how much mu of a step at G_g/G differs from that of the Kelvin element."""
+    line, programme = a_line(64, 0.7, 4, 0), (Slide(2.0, 0.25),)
+    kelvin = trace(line, programme, KELVIN)["trace_mu"][0]
+    materials = (Spectrum((g,), (1.0 / g,), 0.0) for g in glass)
+    found = [trace(line, programme, material)["trace_mu"][0] for material in materials]
+    return np.array(found)[:, None] / kelvin - 1.0
 
 
 def split(parts: np.ndarray) -> np.ndarray:
@@ -125,7 +111,7 @@ def row(name: str, refinements: np.ndarray, errors: np.ndarray) -> None:
 ROWS: dict[str, tuple[Callable[[str, np.ndarray], np.ndarray], tuple[int, ...]]] = {
     "full-contact sinusoid": (sinusoid, (1, 2, 4, 8, 16)),
     "G* by oscillation": (oscillation, (4, 8, 16)),
-    "mu(t)": (friction_over_time, (4, 8, 16, 32)),
+    "mu(t)": (errors_over_time, (4, 8, 16, 32)),
 }
 
 

@@ -7,9 +7,10 @@ from kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
 from kernels.motion.programme import Hold, Ramp, Slide
 from kernels.rheology.forms import FORMS
 from kernels.rheology.spectrum import KELVIN
+from kernels.scene import trace_stamps
 from kernels.surfaces.line import Line
 from tests.convergence import observed_order
-from tests.kernels.scene.given import MATERIALS, a_line, trace
+from tests.kernels.scene.given import MATERIALS, a_line, a_scene, trace
 from tests.sizes import size
 
 
@@ -92,3 +93,28 @@ def test_both_schemes_agree_at_second_order(name):
     gaps = gaps_of_schemes(name, refinements, size(2, 1))
     assert observed_order(refinements, gaps) > size(1.5, 0.5)
     assert gaps[-1].max() < size(1e-3, 1e-1)
+
+
+def errors_over_time(name, refinements):
+    """Return rms errors of mu(t), over its rms, of three lines: (refinements, 3).
+
+    From rest and over a step of velocity, against a march four times as fine as the last one.
+    """
+    curves = []
+    for m in (*refinements, 4 * refinements[-1]):
+        programme = (Slide(2.0, 8.0), Slide(3.0, 8.0))
+        for seed in range(3):
+            line = a_line(8, 1.0, m, seed)
+            stamps = trace_stamps(a_scene(programme, MATERIALS[name], m, start="relaxed"), m)
+            mu = trace(line, programme, MATERIALS[name], start="relaxed")["trace_mu"]
+            curves.append(np.interp(np.linspace(0.25, 6.5, 400), stamps["time"], mu))
+    found = np.array(curves).reshape(-1, 3, 400)
+    return np.sqrt(np.mean((found[:-1] - found[-1]) ** 2, axis=2) / np.mean(found[-1] ** 2, axis=1))
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+def test_friction_over_time_converges_at_second_order(name):
+    refinements = np.array([4, 8, 16])[: size(3, 2)]
+    errors = errors_over_time(name, refinements)
+    assert observed_order(refinements, errors) > size(1.4, 1.0)
+    assert errors[-1].max() < size(1e-2, 5e-2)
