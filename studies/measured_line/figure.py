@@ -1,0 +1,106 @@
+"""Measured lines beside random ones: what a spectrum, and what height and slope, leave out.
+
+To be read beside Persson et al., J. Phys.: Condens. Matter 17, R1 (2005), for spectra of measured
+surfaces, and beside Li et al. (2014), figure 3a, for mu over velocity.
+"""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from studies.style import X_LABEL, normalised
+from workflow.reduce import FITTED
+from workflow.report import COLOURS, error_bars, foot_line
+from workflow.result import Groups
+
+RANDOM = "random_phase"  # the group that others are held against
+STYLES: dict[str, dict[str, Any]] = {
+    "": {"fmt": "o", "ms": 3.0, "label": "measured"},
+    "random_phase": {"fmt": "-", "lw": 1.2, "label": "random phases"},
+    "self_affine": {"fmt": "--", "lw": 0.9, "label": "self-affine, $H = 1$"},
+}
+
+
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    shown = {name: normalised(_points(data)) for name, data in groups.items()}
+    figure, axes = plt.subplots(2, 3, figsize=(7.4, 5.0))
+    _spectra(axes[0, 0], groups)
+    for ax, name, label, title in zip(
+        axes.flat[1:3],
+        ("mu_bar", "relaxation_rate"),
+        ("$\\mu_1 / \\nabla z$", "relaxation rate $b$"),
+        ("(b) steady friction", "(c) relaxation after the step"),
+        strict=True,
+    ):
+        _by_force(ax, shown, name)
+        ax.set(yscale="log", ylabel=label, title=title)
+    for ax, name, title in zip(
+        axes[1],
+        ("mu_1", "jump", "contact_fraction"),
+        ("(d) steady friction $\\mu_1$", "(e) jump $\\Delta\\mu_0$", "(f) contact fraction"),
+        strict=True,
+    ):
+        others = {each: against(shown, each, name) for each in shown if each != RANDOM}
+        _by_force(ax, others, "ratio")
+        ax.axhline(1.0, color="k", lw=0.8)
+        ax.set_title(title)
+    axes[1, 0].set_ylabel("over that of random phases")
+    for ax in axes.flat[1:]:
+        ax.set(xscale="log", xlabel=X_LABEL)
+    _legends(axes[0, 1], axes[0, 2], groups[""])
+    foot_line(figure, groups[""], f"lines: {groups[''].attrs['lines']}")
+    return figure
+
+
+def _points(data: xr.Dataset) -> xr.Dataset:
+    """Return the points over force and velocity alone; rates where they are fitted."""
+    chosen = data.isel(hurst=0, spacing=0, roughness=0, velocity_step=0)
+    rate = chosen.relaxation_rate.where(chosen.fit_status == FITTED)
+    return chosen.assign(relaxation_rate=rate)
+
+
+def against(shown: Groups, label: str, name: str) -> xr.Dataset:
+    """Return the points of a variant with ``ratio``, a variable over that of random-phase lines.
+
+    Relative errors add in squares, as of independent ensembles. Self-affine lines are drawn with
+    the same phases as random-phase ones; their ratios are known better than their bars say.
+    """
+    own, other = shown[label], shown[RANDOM]
+    ratio = own[name] / other[name]
+    parts = (own[f"{name}_error"] / own[name], other[f"{name}_error"] / other[name])
+    return own.assign(ratio=ratio, ratio_error=abs(ratio) * np.hypot(*parts))
+
+
+def _spectra(ax: Axes, groups: Groups) -> None:
+    """Draw the power spectra; that of the random-phase lines is the measured one."""
+    for name in ("", "self_affine"):
+        spectrum = groups[name].power_spectrum
+        colour = COLOURS[6] if name == "" else COLOURS[4]
+        label = "measured, random phases" if name == "" else STYLES[name]["label"]
+        ax.plot(spectrum.wave_number, spectrum, color=colour, lw=0.9, label=label)
+    ax.set(xscale="log", yscale="log", xlabel="$q$ (1/m)", ylabel="$C_{1D}$ (m³)")
+    ax.set_title("(a) power spectra")
+    ax.legend(loc="lower left")
+
+
+def _by_force(ax: Axes, shown: Groups, name: str) -> None:
+    """Draw a variable over the velocity, a colour for every force."""
+    for label, data in shown.items():
+        for i, force in enumerate(data.normal_force.values):
+            style = STYLES[label] | {"color": COLOURS[i], "label": None}
+            error_bars(ax, data.sel(normal_force=force), name, "speed_ratio", **style)
+
+
+def _legends(kinds: Axes, forces: Axes, data: xr.Dataset) -> None:
+    """Say what stands for the kinds of lines, and which colour for which load."""
+    for style in STYLES.values():
+        kinds.plot([], [], style["fmt"], color="0.3", ms=3.0, label=style["label"])
+    kinds.legend(loc="lower right")
+    for i, force in enumerate(data.normal_force.values):
+        forces.plot([], [], "o", color=COLOURS[i], label=f"$F_N$ = {force:g} N")
+    forces.legend(loc="upper left")
