@@ -16,7 +16,6 @@ SETTINGS = {  # what makes a study smaller than at smoke scale
     "fig6": ("grid.spacing=1e-5",),
     "fig8": ("grid.spacing=1e-5",),
     "beyond": ("grid.spacing=1e-5", "grid.velocity=[1e-4, 1e-3, 1e-2, 1e-1]"),
-    "measured_line": (),
     "grid6d": ("grid.hurst=0.5", "grid.roughness=[1e-6, 1e-4]", "grid.velocity=[1e-4, 1e-2]"),
 }
 
@@ -98,24 +97,3 @@ def test_grid6d_scales_exactly_and_the_law_holds_at_low_friction(results):
     assert (100.0 * one.mu_1).values == pytest.approx(two.mu_1.values, rel=1e-12)
     error = law_error(dataset).where(dataset.speed_ratio < 1.0)
     assert error.max() < 0.05
-
-
-def test_measured_line_and_random_lines_like_it(results):
-    """Height and slope make mu to 20 %; the phases of the measured lines make contact larger."""
-    groups = {name: data.squeeze() for name, data in results["measured_line"].items()}
-    measured, random, fractal = (groups[name] for name in ("", "random_phase", "self_affine"))
-    for data in groups.values():  # of one rms height and slope, whatever the spectrum
-        step = data.wave_number[0]
-        height = np.sqrt((data.power_spectrum * step).sum())
-        slope = np.sqrt((data.power_spectrum * data.wave_number**2 * step).sum())
-        assert float(height) == pytest.approx(float(data.roughness), rel=1e-9)
-        np.testing.assert_allclose(data.rms_slope, slope, rtol=1e-9)
-    np.testing.assert_array_equal(measured.power_spectrum, random.power_spectrum)
-    assert float(abs(np.log(fractal.power_spectrum / random.power_spectrum)).max()) > 1.0
-    for data in (measured, fractal):
-        np.testing.assert_allclose(data.mu_1 / random.mu_1, 1.0, atol=0.2)
-        np.testing.assert_allclose(data.contact_fraction / random.contact_fraction, 1.0, atol=0.5)
-    exponent = np.log(measured.mu_1[1] / measured.mu_1[0]) / np.log(10.0)
-    assert float(exponent) == pytest.approx(1.0, abs=0.05)  # x = 0.3 to 3
-    assert measured.attrs["lines"].startswith("afm-lines.nc: 64 lines of 512 samples")
-    assert random.attrs["lines"].startswith("random lines of the power spectrum of afm-lines.nc")
