@@ -46,7 +46,7 @@ test-cluster: $(READY) ## Run the tests with real clusters on this machine (SLUR
 	$(BIN)/python -m pytest -m cluster tests/cluster
 
 test-nojit: $(READY) ## Run the tests of the kernels as plain Python
-	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py)
+	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py)
 
 test-processors: test-generic test-rounding ## Run the numerical tests as other processors do
 
