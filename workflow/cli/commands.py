@@ -1,10 +1,11 @@
-"""Command line: python -m workflow plan|run|status|figure|table STUDY, report, verify, merge."""
+"""Command line: python -m workflow plan|run|status|figure|table STUDY, and others."""
 
 import argparse
 import sys
 from pathlib import Path
 
 from workflow import report
+from workflow.cli.animate import add_animate_options, run_animate
 from workflow.cli.kinds import KINDS
 from workflow.cli.prony import add_prony_options, run_prony
 from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
@@ -40,6 +41,7 @@ def _parser() -> argparse.ArgumentParser:
         "status": "say what is done and what is missing",
         "figure": "draw the figure of a finished run",
         "table": "write all coefficients of a finished run as CSV",
+        "animate": "draw one line of a scene on its way, as .gif or .mp4",
     }
     for name, text in texts.items():
         command = commands.add_parser(name, help=text, description=text)
@@ -52,6 +54,9 @@ def _parser() -> argparse.ArgumentParser:
             metavar="TABLE.KEY=VALUE",
             help="override one setting, e.g. grid.hurst=0.7 (repeatable)",
         )
+        if name == "animate":
+            add_animate_options(command)
+            continue
         command.add_argument("--accuracy", help="as --set numerics.accuracy=0.01: 1%% or 0.01")
         command.add_argument(
             "--out", default="results", help="folder of results, or path of the .nc file"
@@ -130,6 +135,7 @@ COMMANDS = {
     "figure": _figure,
     "table": _table,
     "report": _report,
+    "animate": run_animate,
     "prony": run_prony,
     "verify": run_verify,
     "merge": run_merge,

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.report.animation import animate
+    from workflow.report.animation import animate, check_animation
     from workflow.report.claims import (
         FACTOR,
         HOLDS,

@@ -8,7 +8,7 @@ import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
-from matplotlib.animation import AbstractMovieWriter, FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 
 from workflow.errors import UserError
@@ -16,6 +16,7 @@ from workflow.report.figure import COLOURS, STYLE
 from workflow.system import write_durably
 
 NEEDED = ("snapshot_height", "snapshot_displacement", "trace_mu", "trace_time")
+WRITERS: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
 FRAMES_PER_SECOND = 20
 FRAMES = 200  # most; of more snapshots every k-th is drawn
 SHOWN = 400  # most elements in view, those around the deepest contact
@@ -36,7 +37,8 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
             f"{path}: the scene has no {', '.join(lacking)}; ask for the quantities "
             '"trace" and "snapshots"'
         )
-    writer = _writer(path)
+    check_animation(path)
+    writer = WRITERS[path.suffix](fps=FRAMES_PER_SECOND)
     with mpl.rc_context(cast(Any, STYLE)), tempfile.TemporaryDirectory() as folder:
         drawn = Path(folder) / path.name
         try:
@@ -47,14 +49,12 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
     return path
 
 
-def _writer(path: Path) -> AbstractMovieWriter:
-    if path.suffix == ".gif":
-        return PillowWriter(fps=FRAMES_PER_SECOND)
-    if path.suffix != ".mp4":
-        raise UserError(f"{path}: must end in .gif or .mp4")
-    if not FFMpegWriter.isAvailable():
+def check_animation(path: Path) -> None:
+    """Raise UserError where ``path`` is of a kind of file that cannot be drawn here."""
+    if path.suffix not in WRITERS:
+        raise UserError(f"{path}: must end in {' or '.join(WRITERS)}")
+    if not WRITERS[path.suffix].isAvailable():
         raise UserError(f"{path}: an .mp4 file needs the program ffmpeg; install it or use .gif")
-    return FFMpegWriter(fps=FRAMES_PER_SECOND)
 
 
 def _animation(scene: xr.Dataset) -> FuncAnimation:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from workflow.study.measured import Measured
     from workflow.study.moduli import FREQUENCIES, MODULI, Moduli, read_moduli
     from workflow.study.numerics import Numerics
-    from workflow.study.read import find_study, known_studies, read_study
+    from workflow.study.read import find_study, known_studies, read_scene, read_study
     from workflow.study.scripts import load_script
     from workflow.study.settings import integer, positive, read_columns
     from workflow.study.study import MOST_BLOCKS, AnyStudy, Study, read_grid_study

@@ -11,7 +11,7 @@ from workflow.errors import UserError
 from workflow.study.grid import AXES
 from workflow.study.measured import read_measured
 from workflow.study.settings import as_table
-from workflow.study.study import AnyStudy, read_grid_study
+from workflow.study.study import AnyStudy, Study, read_grid_study
 
 
 def load_tables(path: Path, scale: str | None, settings: list[str]) -> dict:
@@ -82,11 +82,34 @@ def read_study(study: str, scale: str | None = None, settings: list[str] | None 
 
     Raises UserError, one line, for anything a user can have got wrong.
     """
+    name, folder, tables = _found(study, scale, settings or [])
+    read = read_measured if "measure" in tables else read_grid_study
+    return read(name, folder, tables)
+
+
+def read_scene(study: str, scale: str | None, settings: list[str], quantities: list[str]) -> Study:
+    """Return the scene of a study for a single line, asked for other quantities.
+
+    Its comparisons are left out. Raises UserError as ``read_study`` does, and where the study is
+    not of one point.
+    """
+    name, folder, tables = _found(study, scale, settings)
+    if "measure" in tables:
+        raise UserError(f"{study}: measures the program itself; it has no scene to show")
+    tables.pop("compare", None)
+    for table, extra in (
+        ("study", {"realizations": 1, "realizations_per_block": 1}),
+        ("scene", {"quantities": quantities}),
+    ):
+        tables[table] = {**as_table(table, tables.get(table, {})), **extra}
+    return read_grid_study(name, folder, tables, one_point=True)
+
+
+def _found(study: str, scale: str | None, settings: list[str]) -> tuple[str, Path, dict]:
+    """Return name, folder and tables of a study."""
     path = find_study(study)
     name = path.parent.name if path.name == "study.toml" else path.stem
     try:
-        tables = load_tables(path, scale, settings or [])
-        read = read_measured if "measure" in tables else read_grid_study
-        return read(name, path.parent, tables)
+        return name, path.parent, load_tables(path, scale, settings)
     except RecursionError:
         raise UserError(f"{path}: holds brackets within brackets too deep to read") from None
