@@ -21,7 +21,7 @@ from kernels.surfaces.line import Line
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump
 FINE = 48.0  # samples per contact that are aimed at; half of it will do
-MOST_FOLD = 2**14  # samples for one
+MOST_FOLD = 2**17  # fine samples for one
 MOST_SAMPLES = 2_000_000  # fine ones of all
 BELOW = 1.5  # times the indentation over the deepest point: what lies lower is refined
 TRIED = 12

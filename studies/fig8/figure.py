@@ -21,9 +21,9 @@ def draw(groups: Groups) -> Figure:
             text = f"{label}, $b = {law}$"
             data = groups[group]
             style: dict[str, Any] = {"color": colour, "mfc": face, "label": text}
-            bias = data[f"{name}_bias"]
+            bias = data[f"{name}_bias"] if group == CONVERGED else 0.0  # the other is all step
             error_bars(ax, data, name, "hurst", bias=bias, fmt=marker, **style)
-    foot_line(figure, groups[CONVERGED], "bars: with what the bias of b may add")
+    foot_line(figure, groups[CONVERGED], "where converged with what the bias of b may add")
     ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")
     ax.set(xlabel="Hurst exponent $H$", ylabel="exponent $\\alpha$ for $x > 1$", ylim=(-0.1, 1.45))
     ax.legend(loc="upper right", fontsize=6)
