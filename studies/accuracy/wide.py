@@ -13,7 +13,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
-from workflow.plan.resolution import horizon_steps, steps_per_spacing
+from workflow.plan import horizon_steps, steps_per_spacing
 from workflow.reduce import FITTED, fit_relaxation, replicates
 from workflow.simulate import Problem, record_steps, record_times
 from workflow.study import Numerics, Scene
