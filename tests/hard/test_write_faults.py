@@ -7,7 +7,6 @@ anywhere: all is kept but what was not yet stored.
 
 import contextlib
 import errno
-import io
 import os
 import shutil
 from pathlib import Path
@@ -16,6 +15,7 @@ import numpy as np
 import pytest
 
 from tests.support.disks import make_read_only, mounted
+from tests.support.failing_calls import Crash, Faults
 from tests.support.faults import SHARDS, TRUTH, checked, copies, fill, flips, prefixes, readable
 from tests.support.shards import WORK, held, records, reopened
 from tests.support.small import random_result
@@ -123,53 +123,6 @@ def test_read_only_folder_is_read_and_left_as_it_is(tmp_path, sound):
         with pytest.raises(UserError, match="cannot be written: Read-only file system"):
             store.add([(WORK[4], random_result(WORK[4]))])
         assert held(store) == TRUTH.keys()
-
-
-class Crash(BaseException):
-    """The end of the process, wherever it is."""
-
-
-class Faults:
-    """Lets the nth call that changes a folder fail, a write half-way; counts the calls."""
-
-    def __init__(self, nth, error, share):
-        self.nth, self.error, self.share, self.calls = nth, error, share, 0
-
-    def count(self):
-        """Count a call; raise if it is the one to fail."""
-        self.calls += 1
-        if self.calls == self.nth:
-            raise self.error
-
-    def before(self, function):
-        """Return the function, failing in its turn."""
-
-        def call(*args, **named):
-            self.count()
-            return function(*args, **named)
-
-        return call
-
-    def opened(self, function):
-        """Return Path.open, whose files for writing fail in their turn."""
-        faults = self
-
-        class Torn(io.FileIO):
-            def write(self, content):
-                try:
-                    faults.count()
-                except BaseException:
-                    super().write(content[: int(faults.share * len(content))])
-                    raise
-                return super().write(content)
-
-        def call(path, mode="r", *args, **named):
-            if mode == "rb":
-                return function(path, mode, *args, **named)
-            self.count()
-            return Torn(path, mode.replace("b", ""))
-
-        return call
 
 
 FULL, BROKEN = OSError(errno.ENOSPC, "No space left"), OSError(errno.EIO, "Input/output error")

@@ -2,9 +2,8 @@
 
 A shard is built in memory, written aside, flushed, renamed, its folder flushed; then a line is
 added to the journal. Records are found by (key of the task, block), so that widening a grid,
-another batch size or another study reuses what is there. One process writes, the one that
-holds the lock of the folder; any number may read. Every read compares the keys that the shard
-itself holds with those asked for.
+another batch size or another study reuses what is there. One process writes, the holder of the
+folder's lock; any number may read. Every read compares keys in the shard with those asked for.
 """
 
 import contextlib
@@ -118,9 +117,8 @@ class Store:
         self._write([{"retry": key} for key in sorted(keys & self.failed.keys())])
 
     def read(self, records: list[Record], curve_samples: int) -> tuple[np.ndarray, np.ndarray]:
-        """Return scalars (records, 5) and curves (records, curve_samples) of the records.
+        """Return scalars (records, 6) and curves (records, curve_samples), filled up with NaN.
 
-        Curves are filled up with NaN where a shard holds shorter ones.
         Raises DamagedShard once the shard is set aside, or what the journal says of it is mended.
         """
         scalars = np.empty((len(records), len(SCALARS)))

@@ -5,6 +5,7 @@ import pytest
 import xarray as xr
 
 from tests.support.curves import assembled
+from workflow.plan import LAWS
 from workflow.reduce.fits import FITTED
 from workflow.result.dataset import build_dataset
 from workflow.result.provenance import provenance
@@ -12,7 +13,9 @@ from workflow.result.variables import VARIABLES
 from workflow.study.grid import AXES
 
 ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing"}
+ALWAYS |= {"bias_bound", "resolution_status", "samples_per_contact", "samples_per_contact_error"}
 HURST_FITS = {"alpha", "alpha_free", "alpha_prefactor", "alpha_scatter", "alpha_points"}
+HURST_FITS |= {"alpha_bias", "alpha_free_bias", "alpha_unresolved"}
 
 
 def test_all_six_dims_are_there_in_order_with_the_axes_of_the_study(made, dataset):
@@ -36,7 +39,8 @@ def test_all_six_dims_are_there_in_order_with_the_axes_of_the_study(made, datase
 def test_only_what_was_asked_for_is_there(asked, expected):
     _, _, dataset = assembled(f'scene.quantities=["{asked}"]')
     names = set(expected.split())
-    names |= {f"{name}_error" for name in names} | ALWAYS
+    biases = {f"{name}_bias" for name in names & LAWS.keys()}
+    names |= {f"{name}_error" for name in names} | biases | ALWAYS
     if asked == "relaxation":
         names |= {"time", "fit_status", "fit_window", "fit_quality"} | HURST_FITS
         names |= {"alpha_error", "alpha_free_error", "alpha_prefactor_error"}

@@ -1,0 +1,53 @@
+"""How far results are from the limit of fine samples: what is said of contacts and of biases."""
+
+import numpy as np
+import pytest
+
+from workflow.plan import LAWS
+from workflow.reduce.resolution import COARSE, RESOLVED, UNRESOLVED, resolution, resolution_status
+from workflow.simulate import Problem, Task
+
+NAMES = ("mu_1", "jump", "relaxation_rate")
+PROBLEM = Problem(0.7, 1000, 0.1, 1.0, 1.2)
+
+
+def found(steps=8, scheme="exponential", samples=12.0, problem=PROBLEM, names=NAMES):
+    """Return the resolution of one task whose contacts have so many samples and whose b is 2."""
+    estimates = {"samples_per_contact": np.array([samples]), "relaxation_rate": np.array([2.0])}
+    return resolution([Task(problem, steps, 100, "key")], estimates, names, scheme)
+
+
+def test_status_follows_the_samples_per_contact():
+    status = resolution_status(np.array([0.5, 1.0, 1.5, 3.9, 4.0, 1e3, np.nan]))
+    assert status.tolist() == [UNRESOLVED] * 2 + [COARSE] * 2 + [RESOLVED] * 2 + [-1]
+
+
+def test_biases_follow_the_laws_and_fall_with_finer_steps():
+    coarse, fine = found(8), found(64)
+    for name in NAMES[:2]:
+        assert coarse[f"{name}_bias"] == LAWS[name].error(PROBLEM, 8)
+    for name in NAMES:
+        assert 0.0 < fine[f"{name}_bias"] < coarse[f"{name}_bias"]
+        assert coarse["bias_bound"] >= coarse[f"{name}_bias"]
+
+
+def test_rate_is_judged_by_the_contacts_that_were_found():
+    assert found(samples=2.0)["relaxation_rate_bias"] > found(samples=50.0)["relaxation_rate_bias"]
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_first_order_has_a_larger_bias(name):
+    assert found(scheme="implicit-euler")[f"{name}_bias"] > found()[f"{name}_bias"]
+
+
+def test_no_bias_is_beyond_the_value_itself():
+    assert found(1, samples=0.5)["bias_bound"] == 1.0
+
+
+def test_no_law_is_known_for_lines_that_were_measured():
+    measured = PROBLEM._replace(surface=PROBLEM.surface._replace(measured="lines"))
+    assert np.isnan(found(problem=measured)["mu_1_bias"]).all()
+
+
+def test_nothing_is_said_where_nothing_steady_is_asked_for():
+    assert found(names=()) == {}
