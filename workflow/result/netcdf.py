@@ -24,6 +24,7 @@ MARKS = {"study", "code", "seed", "source"}  # attributes that every result has
 # What a script raises that reads a result it was not made for, or one with a damaged variable.
 BROKEN = (AttributeError, LookupError, OSError, RuntimeError, TypeError, ValueError)
 NO_MATTER = ("cluster.",)  # settings that no number depends on
+MORE_BYTES = 2**20  # than were written, to find out whether a disk is full
 SHOWN = 5  # differing settings
 
 
@@ -42,10 +43,23 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
 
     with replacing(path) as aside, dask.config.set(scheduler="synchronous"):
         # or xarray asks a scheduler for its lock
-        for label, dataset in datasets.items():
-            dataset.to_netcdf(
-                aside, "a" if label else "w", group=label or None, encoding=_encoding(dataset)
-            )
+        try:
+            for label, dataset in datasets.items():
+                dataset.to_netcdf(
+                    aside, "a" if label else "w", group=label or None, encoding=_encoding(dataset)
+                )
+        except (OSError, RuntimeError) as error:
+            _ask_the_disk(aside)
+            raise RuntimeError(str(error)) from error
+
+
+def _ask_the_disk(path: Path) -> None:
+    """Raise what the disk says to a plain write of as much and more, if it refuses that.
+
+    HDF5 says "Permission denied", or nothing, where the disk is full.
+    """
+    size = path.stat().st_size if path.exists() else 0
+    path.write_bytes(bytes(size + MORE_BYTES))
 
 
 def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:

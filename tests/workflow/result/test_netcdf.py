@@ -6,6 +6,7 @@ import os
 import pytest
 import xarray as xr
 
+from tests.support.disks import fill, mounted
 from workflow.errors import UserError
 from workflow.result.netcdf import write_datasets
 
@@ -35,6 +36,21 @@ def test_failed_write_keeps_the_old_file_and_leaves_nothing(tmp_path, monkeypatc
         write_datasets(path, {"": dataset})
     assert path.read_bytes() == b"old"
     assert list(tmp_path.iterdir()) == [path]
+
+
+def test_the_disk_itself_is_asked_why_where_hdf5_does_not_know(tmp_path, monkeypatch, dataset):
+    def refuse(*_, **__):
+        raise PermissionError(errno.EACCES, "Permission denied")
+
+    monkeypatch.setattr(type(dataset), "to_netcdf", refuse)
+    with pytest.raises(UserError, match=r"cannot be written: .*Permission denied") as error:
+        write_datasets(tmp_path / "small.nc", {"": dataset})
+    assert isinstance(error.value.__cause__, RuntimeError)  # which may pass
+    with mounted(tmp_path / "disk", "64k") as disk:
+        fill(disk)
+        with pytest.raises(UserError, match=r"cannot be written: No space left on device$"):
+            write_datasets(disk / "small.nc", {"": dataset})
+    assert list(tmp_path.iterdir()) == [tmp_path / "disk"]
 
 
 @pytest.mark.parametrize("place", ["folder", "nowhere/small.nc"])
