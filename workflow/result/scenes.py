@@ -14,6 +14,7 @@ ENERGY = {"stiffness": 1, "roughness": 2}
 TIME, RATE = {"tau": 1}, {"roughness": 1, "spacing": -1, "tau": -1}
 LENGTH, SPEED = {"spacing": 1}, {"spacing": 1, "tau": -1}
 
+CHANGE_COMMENT = "since the last kept sample of the segment before"
 NO_STATE_COMMENT = (
     "mu = mu* + a ln(v/v*) + b ln(v* theta/D_c); b and D_c from mu - mu_2 after the velocity step, "
     "from its largest value until it has fallen to 5 %, with mu_2 known; (a - b) ln r = mu_2 - mu_1"
@@ -29,6 +30,16 @@ SCENES = {
     "trace_velocity": Variable("velocity of the line", SPEED, "m s-1", EVENT),
     "trace_segment": Variable("segment of the programme, from 0", dims=EVENT, dtype=COUNT),
     "trace_mu": Variable("coefficient of friction", SLOPE, dims=EVENT),
+    "trace_mu_change": Variable(
+        "change of mu in the segment of the programme", SLOPE, dims=EVENT, comment=CHANGE_COMMENT
+    ),
+    "trace_indentation_change": Variable(
+        "change of the indentation in the segment of the programme",
+        HEIGHT,
+        "m",
+        EVENT,
+        comment=CHANGE_COMMENT,
+    ),
     "trace_indentation": Variable("indentation d over the mean line", HEIGHT, "m", EVENT),
     "trace_normal_force": Variable("normal force", FORCE, "N", EVENT),
     "trace_friction_force": Variable("friction force", FRICTION, "N", EVENT),
@@ -37,6 +48,7 @@ SCENES = {
     "peak_time": Variable("time of the peak since the velocity step", TIME, "s"),
     "initial_rate": Variable("rate of mu just after the velocity step", RATE, "s-1"),
     "static_peak": Variable("largest mu on sliding after the last hold", SLOPE),
+    "healing": Variable("static peak over mu before the last hold", SLOPE),
     "mu_end_of_hold": Variable("mu at the end of the last hold", SLOPE),
     "peak_distance": Variable("distance from the end of the hold to the peak", LENGTH, "m"),
     "loop_work": Variable("work of friction in the last cycle of an oscillation", ENERGY, "J"),

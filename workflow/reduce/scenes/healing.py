@@ -13,6 +13,7 @@ class Healing(NamedTuple):
     """Of the mean trace, then of its jackknife replicates; each of shape (replicates,)."""
 
     static_peak: np.ndarray  # mu
+    healing: np.ndarray  # mu: the static peak over the friction before the hold
     mu_end_of_hold: np.ndarray
     peak_distance: np.ndarray  # slid since the end of the hold, in dx
 
@@ -36,12 +37,13 @@ def healing(programme: Programme, stamps: dict[str, np.ndarray], mu: np.ndarray)
     found = last_hold(programme)
     nothing = np.full(len(mu), np.nan)
     if found is None:
-        return Healing(nothing, nothing, nothing)
+        return Healing(nothing, nothing, nothing, nothing)
     k, speed = found
     held, slid = stamps["leg"] == k, stamps["leg"] == k + 1
-    if not (held.any() and slid.any()):
-        return Healing(nothing, nothing, nothing)
+    before = np.flatnonzero(stamps["leg"] < k)  # the last of them ends the slide before the hold
+    if not (held.any() and slid.any() and before.size):
+        return Healing(nothing, nothing, nothing, nothing)
     end = np.flatnonzero(held)[-1]
     distance = np.abs(stamps["distance"][slid] - stamps["distance"][end])
     peak, where = extremum(distance, mu[:, slid], float(np.sign(speed)))
-    return Healing(peak, mu[:, end], where)
+    return Healing(peak, peak - mu[:, before[-1]], mu[:, end], where)

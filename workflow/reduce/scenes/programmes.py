@@ -14,6 +14,7 @@ from workflow.reduce.statistics import replicates
 from workflow.simulate import ENERGIES, TRACES
 
 STAMPS = {"time": "trace_time", "distance": "trace_distance", "speed": "trace_velocity"}
+CHANGING = ("trace_mu", "trace_indentation")
 ALONE = ("snapshot_", "state_")  # of one realization: no error
 
 
@@ -83,6 +84,8 @@ def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
         estimates["trace_segment"] = np.where(np.isnan(leg), -1, leg).astype(np.int32)
     for name in TRACES if "trace" in asked else ():
         enter(estimates, name, means[name])
+        if stamps and name in CHANGING:
+            enter(estimates, f"{name}_change", _changes(means[name], stamps["leg"]))
     if "energy" in asked:
         for name in ENERGIES:
             enter(estimates, name, means[name])
@@ -94,6 +97,17 @@ def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
     if "contact_lengths" in asked:
         enter(estimates, "contact_length", replicates(values["contact_length"], 1))
     estimates |= {name: own.mean(axis=1) for name, own in values.items() if name.startswith(ALONE)}
+
+
+def _changes(traces: np.ndarray, legs: np.ndarray) -> np.ndarray:
+    """Return what each trace has changed by since the last sample before the leg of a sample.
+
+    traces : shape (tasks, replicates, events). legs : of the events, ascending, NaN beyond the
+    last one, shape (tasks, events). Lines scatter together, so that the error of a change is much
+    less than that of its two ends.
+    """
+    before = [np.maximum(np.searchsorted(leg, leg) - 1, 0) for leg in legs]
+    return traces - np.take_along_axis(traces, np.array(before)[:, None], axis=2)
 
 
 def _residual(means: dict[str, np.ndarray]) -> np.ndarray:

@@ -18,6 +18,7 @@ def test_peak_and_end_of_the_hold_have_the_sign_of_the_motion():
     found = healing(PROGRAMME, STAMPS, MU)
     assert found.mu_end_of_hold.tolist() == [-0.2]
     assert found.static_peak[0] == pytest.approx(-0.8, abs=0.01)
+    assert found.healing[0] == found.static_peak[0] + 0.5
     assert found.peak_distance[0] == pytest.approx(2.2, abs=0.1)
 
 

@@ -1,0 +1,102 @@
+"""Oscillation about rest: loops of the friction, and its small response beside G*(omega).
+
+The temperature shifts all times by a_T, so that one frequency stands for five decades, as in
+dynamic mechanical analysis. To be read beside oscillating and reversing slides on rubber: "Memory
+effects in friction: the role of sliding heterogeneities" (silicone on glass) and T. Baumberger,
+"Transient processes in soft tribology"; of the first the abstract was read. There contacts creep
+and stick, while here deformation alone gives friction, so that loops over velocity pass through the
+origin where the rubber forgets at once.
+"""
+
+from itertools import pairwise
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from studies.oscillation.prediction import Motion, modulus, motions, shift, unit
+from workflow.report import COLOURS, foot_line, log_bars
+from workflow.result import Groups
+
+LABELS = {"": "Kelvin element", "rubber": "nine branches"}
+REFERENCE = 20.0  # °C
+SHOWN = (20.0, 35.0, 50.0)  # °C, of the large loops
+
+
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    figure, axes = plt.subplots(2, 2, figsize=(6.9, 5.4))
+    for (name, label), colour in zip(LABELS.items(), COLOURS, strict=False):
+        data = groups[name].squeeze()
+        at = data.sel(temperature=REFERENCE)
+        force = abs(modulus(data, name, 2.0 * np.pi * motions(data)[-1].frequency))
+        scale = float(unit(data)[0]) * force
+        _loop(axes[0, 0], at, motions(data)[-1], scale, colour, label)
+        _response(axes[0, 1], data, name, colour, label)
+    for ax, (name, label), letter in zip(axes[1], LABELS.items(), "cd", strict=True):
+        data = groups[name].squeeze()
+        for temperature, colour in zip(SHOWN, COLOURS, strict=False):
+            at = data.sel(temperature=temperature)
+            factor = float(shift(data)[list(data.temperature.values).index(temperature)])
+            text = f"{temperature:g} °C, $a_T = {factor:.2g}$"
+            _loop(ax, at, motions(data)[0], float(at.rms_slope), colour, text)
+        ax.set_title(f"({letter}) {label}, amplitude {1e3 * motions(data)[0].amplitude:g} mm")
+        ax.set(xlabel="velocity over its amplitude", ylabel="$\\mu\\,/\\,\\nabla z$")
+        low, high = ax.get_ylim()
+        ax.set_ylim(low, high + 0.45 * (high - low))  # room for the legend
+        ax.legend(loc="upper left")
+    axes[0, 0].set_title(f"(a) amplitude {1e9 * motions(data)[-1].amplitude:g} nm, 20 °C")
+    axes[0, 0].set(xlabel="velocity over its amplitude", ylabel="$\\mu$ over that of $G^* - G$")
+    axes[0, 0].legend(loc="upper left")
+    axes[0, 1].set_title("(b) small response; lines: $G^*/G - 1$")
+    foot_line(
+        figure,
+        groups[""],
+        "bands: one standard error; nothing is fitted. (b) filled: the part of mu in phase with "
+        "the velocity, hollow: with the displacement, of which a Kelvin element has none. (d) at "
+        "20 °C the rubber has not forgotten where the line stood before, which it passes at its "
+        "largest velocity",
+    )
+    return figure
+
+
+def _loop(
+    ax: Axes, data: xr.Dataset, motion: Motion, scale: float, colour: str, label: str
+) -> None:
+    """Draw the last cycle of an oscillation over the velocity, with its band."""
+    own = data.isel(event=data.trace_segment.values == motion.segment)
+    cycles = (own.trace_time.values - motion.end) * motion.frequency
+    own, cycles = own.isel(event=cycles > -1.005), cycles[cycles > -1.005]
+    speed = np.cos(2.0 * np.pi * cycles)
+    mu, error = own.trace_mu.values / scale, own.trace_mu_error.values / scale
+    ax.plot(speed, mu, color=colour, label=label)
+    ends = [0, int(np.argmin(speed)), speed.size - 1]
+    for first, last in pairwise(ends):
+        part = slice(first, last + 1)
+        low, high = mu[part] - error[part], mu[part] + error[part]
+        ax.fill_between(speed[part], low, high, color=colour, alpha=0.2, lw=0)
+    ax.axhline(0.0, color="0.7", lw=0.5)
+    ax.axvline(0.0, color="0.7", lw=0.5)
+
+
+def _response(ax: Axes, data: xr.Dataset, name: str, colour: str, label: str) -> None:
+    """Draw in-phase and quadrature part of the small response over the shifted frequency."""
+    omega = 2.0 * np.pi * motions(data)[-1].frequency * shift(data)
+    fine = np.geomspace(omega.min() / 2.0, omega.max() * 2.0, 200)
+    lines = modulus(data, name, fine)
+    parts = (
+        ("mu_quadrature", lines.imag, colour, "-", f"{label}, $G''/G$"),
+        ("mu_in_phase", lines.real, "w", "--", f"{label}, $G'/G - 1$"),
+    )
+    for variable, line, face, dashes, text in parts:
+        if not line.any():
+            continue
+        value, error = (data[f"{variable}{end}"].values / unit(data) for end in ("", "_error"))
+        style = {"fmt": "o", "color": colour, "mfc": face, "label": text}
+        ax.errorbar(omega, value, log_bars(value, error), **style)
+        ax.plot(fine, line, dashes, color=colour, lw=0.8)
+    ax.set(xscale="log", yscale="log", xlabel="$\\omega a_T$ (rad/s)")
+    ax.set_ylabel("response in units of $G$")
+    ax.legend(loc="upper left")

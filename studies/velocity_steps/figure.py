@@ -1,0 +1,103 @@
+"""Velocity steps up and down: friction and indentation over the distance slid, and their peaks.
+
+To be read beside what a step shows in rate-and-state friction (A. Ruina, J. Geophys. Res. 88,
+10359 (1983); C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998)): a direct effect a ln r, then
+a decay over one distance D_c to (a - b) ln r, the same for all sizes, up and down. Beside it steps
+on rubber (O. Ronsin and K. L. Coeyrehourcq, "State, rate and temperature-dependent sliding friction
+of elastomers": kinetics, not magnitudes, as deformation is negligible there), and an ensemble of
+viscoelastic elements on a rough rigid surface (S. Hulikal, K. Bhattacharya, N. Lapusta,
+arXiv:1405.3643). The abstracts of the last two were read; the others are cited from memory.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from workflow.report import COLOURS, foot_line
+from workflow.result import Groups
+
+LABELS = {"": "Kelvin element", "rubber": "nine branches"}
+MICRO = 1e6
+
+
+class Step(NamedTuple):
+    """A velocity step from v1, and the slide after it."""
+
+    ratio: float  # of the velocity after it to v1
+    slide: xr.Dataset  # along "event", with slid, the distance (m) since the step
+    peak: tuple[float, float]  # change of mu that is largest in the direction of the step, error
+    rest: tuple[float, float]  # change of mu at the end of the slide, error
+
+
+def steps_of(data: xr.Dataset) -> list[Step]:
+    """Return the steps from v1 of a result without axes of length 1, in order of their ratio."""
+    found = []
+    number = data.trace_segment.values
+    for k in range(1, int(number.max()) + 1, 2):
+        before, after = (data.isel(event=number == i) for i in (k - 1, k))
+        ratio = float(after.trace_velocity[-1] / before.trace_velocity[-1])
+        change, error = after.trace_mu_change.values, after.trace_mu_change_error.values
+        top = int(np.argmax(np.sign(ratio - 1.0) * change))
+        slide = after.assign(slid=after.trace_distance - float(before.trace_distance[-1]))
+        found.append(Step(ratio, slide, (change[top], error[top]), (change[-1], error[-1])))
+    return sorted(found, key=lambda step: step.ratio)
+
+
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    figure, axes = plt.subplots(2, 3, figsize=(7.4, 4.7), width_ratios=(1.0, 1.0, 0.85))
+    for column, (name, label) in enumerate(LABELS.items()):
+        data = groups[name].squeeze()
+        steps = steps_of(data)
+        _histories(axes[0, column], steps, "trace_mu_change", 1.0)
+        _histories(axes[1, column], steps, "trace_indentation_change", MICRO)
+        axes[0, column].set_title(f"({'ab'[column]}) {label}, $\\mu_1 = {float(data.mu_1):.2g}$")
+        axes[1, column].set_xlabel("distance since the step (m)")
+        style = {"fmt": "os"[column], "color": COLOURS[column], "label": label}
+        _per_decade(axes[0, 2], steps, "peak", **style)
+        _per_decade(axes[1, 2], steps, "rest", **style)
+    axes[0, 0].set_ylabel("change of $\\mu$")
+    axes[1, 0].set_ylabel("change of indentation (µm)")
+    axes[0, 0].legend(loc="center right", handlelength=1.2)
+    axes[0, 2].set_title("(c) direct effect: peak$\\,/\\,\\ln r$")
+    axes[1, 2].set_title("(d) lasting: $(\\mu_2 - \\mu_1)/\\ln r$")
+    axes[1, 2].set_xlabel("velocity ratio $r = v_2/v_1$")
+    axes[0, 2].legend(loc="upper left")
+    foot_line(
+        figure,
+        groups[""],
+        "bands: one standard error of the change; solid: velocity up, dashed: down; dotted: "
+        "$D_c = 1/q_\\mathrm{max}$, the paper's remark. In rate-and-state friction all points of "
+        "(c) are one a, those of (d) one a - b",
+    )
+    return figure
+
+
+def _histories(ax: Axes, steps: list[Step], name: str, scale: float) -> None:
+    """Draw the change of a trace after every step, over the distance slid since."""
+    sizes = sorted({round(max(step.ratio, 1.0 / step.ratio), 6) for step in steps})
+    for step in steps:
+        up = step.ratio > 1.0
+        colour = COLOURS[sizes.index(round(max(step.ratio, 1.0 / step.ratio), 6))]
+        slid = step.slide.slid.values
+        change, error = (scale * step.slide[f"{name}{end}"].values for end in ("", "_error"))
+        label = f"$r = {step.ratio:g}^{{\\pm 1}}$" if up else None
+        ax.plot(slid, change, "-" if up else "--", color=colour, label=label)
+        ax.fill_between(slid, change - error, change + error, color=colour, alpha=0.25, lw=0)
+    reach = float(steps[0].slide.spacing) / np.pi
+    ax.axvline(reach, color="0.6", lw=0.7, ls=":")
+    ax.axhline(0.0, color="0.7", lw=0.5)
+    ax.set(xscale="log")
+
+
+def _per_decade(ax: Axes, steps: list[Step], kind: str, **style: str) -> None:
+    """Draw a change of friction over ln r, for every step."""
+    ratio = np.array([step.ratio for step in steps])
+    value, error = np.array([getattr(step, kind) for step in steps]).T / np.log(ratio)
+    ax.errorbar(ratio, value, np.abs(error), **style)
+    ax.axhline(0.0, color="0.7", lw=0.5)
+    ax.set(xscale="log")

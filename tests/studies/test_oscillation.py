@@ -1,0 +1,69 @@
+"""Oscillation about rest: the small response is the complex modulus, the large one saturates."""
+
+import numpy as np
+import pytest
+
+from studies.oscillation.prediction import modulus, motions, shift, unit
+from tests.support.studies import check_drawing, run
+
+FORCE = 1.6  # N
+
+
+@pytest.fixture(scope="module")
+def groups(scheduler, tmp_path_factory):
+    """Return the groups of the study."""
+    return run(scheduler, tmp_path_factory.mktemp("oscillation"), "oscillation")
+
+
+@pytest.fixture(scope="module")
+def found(groups):
+    """Return, by name, the data, G*/G - 1 and the measured response in its units."""
+    named = {}
+    for name, group in groups.items():
+        data = group.squeeze()
+        omega = 2.0 * np.pi * motions(data)[-1].frequency * shift(data)
+        response = data.mu_in_phase.values + 1j * data.mu_quadrature.values
+        named[name] = data, modulus(data, name, omega), response / unit(data)
+    return named
+
+
+@pytest.mark.parametrize("name", ["", "rubber"])
+def test_the_small_response_is_the_complex_modulus(found, name):
+    data, expected, response = found[name]
+    error = np.hypot(data.mu_quadrature_error, data.mu_in_phase_error).values / unit(data)
+    assert (abs(response - expected) < 3.5 * error + 0.02 * abs(expected)).all()
+    assert (error < 0.15 * abs(expected)).all()
+
+
+@pytest.mark.parametrize("name", ["", "rubber"])
+def test_all_frequencies_see_the_same_contact(found, name):
+    """Lines scatter, but alike at all temperatures: one real factor, and no phase.
+
+    In phase there is, besides, the force that samples leave of a line at rest: 0.1 % of G.
+    """
+    _, expected, response = found[name]
+    factor = (response / expected).real.mean()
+    assert (abs(response / factor - expected) < 0.01 * abs(expected) + 2e-3).all()
+
+
+def test_work_of_a_loop_is_that_of_the_quadrature_part(found):
+    for data, _, _ in found.values():
+        amplitude = motions(data)[-1].amplitude
+        expected = np.pi * amplitude * FORCE * data.mu_quadrature
+        np.testing.assert_allclose(data.loop_work, expected, rtol=5e-3)
+
+
+def test_the_large_response_of_cold_rubber_saturates(found):
+    for data, _, _ in found.values():
+        large, small = motions(data)
+        peaks = [
+            abs(data.trace_mu.where(data.trace_segment == motion.segment)).max("event")
+            for motion in (large, small)
+        ]
+        linear = peaks[1] * large.amplitude / small.amplitude
+        assert peaks[0][0] < 0.2 * linear[0]
+        assert (peaks[0] < 3.0 * data.rms_slope).all()
+
+
+def test_figure_is_drawn(groups):
+    check_drawing("oscillation", groups)

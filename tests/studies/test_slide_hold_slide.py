@@ -1,0 +1,74 @@
+"""Slide, hold, slide: a Kelvin element heals in tau, a broad spectrum until its longest time."""
+
+import numpy as np
+import pytest
+
+from studies.slide_hold_slide.figure import LONGEST, TAU, law
+from tests.support.studies import check_drawing, run
+
+
+@pytest.fixture(scope="module")
+def groups(scheduler, tmp_path_factory):
+    """Return the groups of the study."""
+    folder = tmp_path_factory.mktemp("holds")
+    return run(scheduler, folder, "slide_hold_slide", "study.realizations=8")
+
+
+@pytest.fixture(scope="module")
+def slow(groups):
+    """Return both materials at the lower velocity."""
+    return {name: data.squeeze().isel(velocity=0) for name, data in groups.items()}
+
+
+@pytest.fixture(scope="module")
+def fast(groups):
+    """Return both materials at the higher velocity."""
+    return {name: data.squeeze().isel(velocity=1) for name, data in groups.items()}
+
+
+def test_a_kelvin_element_heals_in_tau(fast):
+    healing = fast[""].healing / fast[""].healing[-1]
+    assert healing[0] < 0.2
+    late = healing.isel(hold=fast[""].hold.values >= 9.0 * TAU)
+    assert late.values == pytest.approx(1.0, abs=1e-2)
+    assert float(fast[""].healing[-1]) > 3.0 * float(fast[""].healing_error[-1])
+
+
+def test_a_broad_spectrum_heals_until_its_longest_time(slow, fast):
+    for point in (slow["rubber"], fast["rubber"]):
+        within = point.healing.isel(hold=point.hold.values < LONGEST)
+        assert (np.diff(within) > 0.0).all()
+        over = point.healing.isel(hold=point.hold.values > 15.0 * LONGEST)
+        assert over[-1] == pytest.approx(float(over[0]), rel=1e-2)
+        assert over[0] > 1.2 * within[-1]
+
+
+def test_holds_follow_the_law_of_dieterich_with_what_the_step_says(slow):
+    point = slow["rubber"]
+    holds = point.hold.values
+    rise, _ = law(point, holds)
+    ratio = point.healing.values / rise
+    within = (holds > 1e-3) & (holds < LONGEST)
+    assert within.sum() >= 3
+    assert ratio[within] == pytest.approx(1.0, abs=0.35)
+    assert ratio[-1] < 0.8  # the law goes on
+
+
+def test_friction_decays_in_a_hold_at_a_fixed_position(fast):
+    left = {name: p.mu_end_of_hold / (p.static_peak - p.healing) for name, p in fast.items()}
+    hold = fast[""].hold.values
+    some = (hold > 5.0 * TAU) & (hold < 20.0 * TAU)
+    assert (left[""].values[some] < 0.01).all()
+    assert (left["rubber"].values[some] > 0.02).all()
+    assert abs(left["rubber"].values[-1]) < 1e-3
+
+
+def test_friction_before_the_hold_is_steady(slow, fast):
+    for points in (slow, fast):
+        for point in points.values():
+            before = point.static_peak - point.healing
+            np.testing.assert_allclose(before, point.mu_1, rtol=0.05)
+
+
+def test_figure_is_drawn(groups):
+    check_drawing("slide_hold_slide", groups)

@@ -1,0 +1,66 @@
+"""Velocity steps: a broad spectrum answers as rate and state does, a Kelvin element does not."""
+
+import numpy as np
+import pytest
+
+from studies.velocity_steps.figure import steps_of
+from tests.support.studies import check_drawing, run
+
+RATIOS = [0.1, 0.5, 1.0 / 1.2, 1.2, 2.0, 10.0]
+
+
+@pytest.fixture(scope="module")
+def groups(scheduler, tmp_path_factory):
+    """Return the groups of the study."""
+    return run(scheduler, tmp_path_factory.mktemp("steps"), "velocity_steps")
+
+
+@pytest.fixture(scope="module")
+def steps(groups):
+    """Return the six steps of both materials."""
+    return {name: steps_of(data.squeeze()) for name, data in groups.items()}
+
+
+@pytest.mark.parametrize("name", ["", "rubber"])
+def test_the_steps_are_those_of_the_programme_and_start_from_no_change(steps, name):
+    assert [step.ratio for step in steps[name]] == pytest.approx(RATIOS)
+    for step in steps[name]:
+        assert (np.diff(step.slide.slid) > 0.0).all()
+        assert step.slide.slid[-1] == pytest.approx(5e-3, rel=1e-3)
+
+
+def test_the_direct_effect_of_a_broad_spectrum_is_one_a_up_and_down(steps):
+    a = np.array([step.peak[0] / np.log(step.ratio) for step in steps["rubber"]])
+    assert a.min() > 0.0
+    assert a.max() / a.min() < 1.3
+
+
+def test_a_broad_spectrum_weakens_with_velocity(steps):
+    for step in steps["rubber"]:
+        change, error = step.rest
+        assert change / np.log(step.ratio) < -3.0 * error / abs(np.log(step.ratio))
+
+
+def test_a_kelvin_element_strengthens_and_its_direct_effect_is_no_constant(steps):
+    slowest, *_, fastest = steps[""]
+    for step in steps[""]:
+        assert step.rest[0] / np.log(step.ratio) > 3.0 * step.rest[1] / abs(np.log(step.ratio))
+    a = [step.peak[0] / np.log(step.ratio) for step in (slowest, fastest)]
+    assert a[1] > 3.0 * a[0]
+
+
+@pytest.mark.parametrize("name", ["", "rubber"])
+def test_indentation_falls_as_the_line_speeds_up(steps, name):
+    for step in steps[name]:
+        near = step.slide.isel(event=step.slide.slid.values > 5e-4)
+        sign = np.sign(np.log(step.ratio))
+        assert (sign * near.trace_indentation_change < 0.0).all()
+
+
+def test_a_change_is_known_better_than_friction_itself(steps):
+    small = next(step for step in steps["rubber"] if step.ratio == pytest.approx(1.2))
+    assert (small.slide.trace_mu_change_error < 0.5 * small.slide.trace_mu_error).all()
+
+
+def test_figure_is_drawn(groups):
+    check_drawing("velocity_steps", groups)
