@@ -50,6 +50,20 @@ def test_traces_are_means_with_errors_and_nothing_else_is_there():
     assert (estimates["trace_mu_error"][0, :4] > 0.0).all()
 
 
+def test_a_change_counts_from_the_leg_before_and_its_error_is_that_of_the_difference():
+    trace = np.array([1.0, 2.0, 5.0, 7.0, np.nan]) + np.arange(3.0)[None, :, None]
+    parts = dict.fromkeys(("trace_normal_force", "trace_friction_force"), trace)
+    parts |= dict.fromkeys(("trace_mu", "trace_indentation", "trace_contact_fraction"), trace)
+    legs = STAMPS | {"leg": np.array([[0.0, 0.0, 1.0, 1.0, np.nan]])}
+    found = blocks(("trace",), **parts)._replace(values=parts, stamps=legs)
+    estimates = {}
+    reduce_programmes(estimates, found)
+    for name in ("trace_mu", "trace_indentation"):
+        assert estimates[f"{name}_change"][0, :4] == pytest.approx([0.0, 1.0, 3.0, 5.0])
+        assert estimates[f"{name}_change_error"][0, :4] == pytest.approx(0.0, abs=1e-12)
+        assert (estimates[f"{name}_error"][0, :4] > 0.5).all()
+
+
 def test_the_peak_is_that_above_the_friction_before():
     time = np.linspace(0.0, 2.0, 41)[None]
     curves = (1.0 + 0.5 * time * np.exp(1.0 - time))[:, None, :] + np.zeros((1, 4, 1))
