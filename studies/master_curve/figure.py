@@ -1,0 +1,162 @@
+"""Friction over speed at several forces or indentations, temperatures and sizes, on one curve."""
+
+from typing import Any
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LogNorm, Normalize
+from matplotlib.figure import Figure
+
+from workflow.report import COLOURS, foot_line, log_bars
+from workflow.result import Groups
+from workflow.study import Study, read_study
+
+from .collapse import ALONG_BOTH, OVERLAP, UNSHIFTED
+from .curves import LARGEST_ERROR
+from .judge import WAYS, Found, remaining, resolved, thermal
+
+MARKERS = ("o", "s", "^", "D")  # of the sizes
+SHORT = ("unshifted", "along $v$", "and $\\mu$")
+NAMES = {"": "SBR", "kelvin": "Kelvin"}
+NOTE = (
+    "read beside: Popov et al., Tribol. Int. 120, 376 (2018), arXiv:1604.03407 (indentation "
+    "robust, shifts along both axes), and Li et al., Phys. Rev. Lett. 111, 034301 (2013) (Kelvin: "
+    "friction below the plateau depends on two combinations of force, speed, size ...); of both "
+    "the abstract was read, not the text"
+)
+
+
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    layout = [[*"abe"]] * 2 + [[*"abf"], [*"cdf"]] + [[*"cdg"]] * 2
+    figure, axes = plt.subplot_mosaic(layout, figsize=(7.6, 6.0), width_ratios=(1.0, 1.25, 0.95))
+    sound = {name: resolved(groups[name]) for name in NAMES if name in groups}
+    found = {}
+    for name, (dataset, _) in sound.items():
+        for how, each in remaining(dataset).items():
+            found[name, how] = each
+    _pair(figure, (axes["a"], axes["b"]), found["", "force"], LogNorm, "normal force $F_N$ (N)")
+    _pair(figure, (axes["c"], axes["d"]), found["", "indentation"], Normalize, "indentation $d/h$")
+    axes["a"].set_title("(a) SBR at given normal forces")
+    axes["b"].set_title("(b) the same, shifted")
+    axes["c"].set_title("(c) SBR at given indentations")
+    axes["d"].set_title("(d) the same, shifted")
+    _shifts(axes["e"], found)
+    _thermal(axes["f"], found["", "force"], found["", "indentation"])
+    _residuals(axes["g"], found)
+    rule = _rule(found, sum(count for _, count in sound.values()))
+    foot_line(figure, sound[""][0], f"{rule}; {NOTE}")
+    return figure
+
+
+def _rule(found: dict[tuple[str, str], Found], coarse: int) -> str:
+    """Say how curves were shifted and which points were left out."""
+    without = ", ".join(str(each.family.left_out) for each in found.values())
+    beyond = ", ".join(str(each.ways[ALONG_BOTH].left_out) for each in found.values())
+    points = ", ".join(str(sum(c.x.size for c in each.family.curves)) for each in found.values())
+    return (
+        "one shift per curve by least squares over a grid of 0.01 decades (collapse.py), at least "
+        f"{OVERLAP:.0%} of its points over the reference (black); left out: {coarse} points "
+        f"with contacts of fewer than 4 samples; in the order of (g), all without a number or with "
+        f"errors over {LARGEST_ERROR:.0%} {without}, beyond the reference {beyond} of {points}; "
+        "(f): one marker for every curve, side by side"
+    )
+
+
+def _pair(figure: Figure, axes: tuple[Axes, Axes], found: Found, norm: type, label: str) -> None:
+    """Draw curves as they are, and shifted along both axes."""
+    pressed = [place.pressed for place in found.family.places]
+    colours = ScalarMappable(norm(min(pressed), max(pressed)), "viridis")
+    _curves(axes[0], found, UNSHIFTED, colours)
+    _curves(axes[1], found, ALONG_BOTH, colours)
+    axes[0].set(xlabel="speed $v$ (m/s)", ylabel="friction $\\mu$")
+    axes[1].set(xlabel="shifted speed (m/s)", ylabel="shifted friction")
+    for marker, size in zip(MARKERS, sorted({p.size for p in found.family.places}), strict=False):
+        axes[0].plot([], [], marker, color="0.4", ms=2.4, label=f"{size:g} times as long")
+    axes[0].legend(loc="lower right", fontsize=6.0, handletextpad=0.1)
+    figure.colorbar(colours, ax=axes[1], label=label)
+
+
+def _curves(ax: Axes, found: Found, way: str, colours: ScalarMappable) -> None:
+    family, sizes = found.family, sorted({place.size for place in found.family.places})
+    reference = family.reference()
+    rows = zip(family.places, family.curves, found.ways[way].shifts, strict=True)
+    for k, (place, curve, shift) in enumerate(rows):
+        mu = 10.0 ** (curve.y + shift.along_friction)
+        bars = log_bars(mu, mu * curve.error * np.log(10.0))
+        style: dict[str, Any] = {
+            "fmt": MARKERS[sizes.index(place.size)],
+            "ms": 1.6,
+            "lw": 0.4,
+            "mew": 0.3,
+        }
+        colour = "k" if k == reference else colours.to_rgba(np.array(place.pressed))
+        front = 3.0 if k == reference else 2.0
+        ax.errorbar(
+            10.0 ** (curve.x + shift.along_speed), mu, bars, color=colour, zorder=front, **style
+        )
+    ax.set(xscale="log", yscale="log")
+
+
+def _shifts(ax: Axes, found: dict[tuple[str, str], Found]) -> None:
+    """Draw the shifts of the smallest system at the highest temperature over the normal force."""
+    for name, colour in zip(NAMES, (COLOURS[0], COLOURS[1]), strict=True):
+        if (name, "force") not in found:
+            continue
+        each = found[name, "force"]
+        own = each.family.places[each.family.reference()]
+        rows = zip(each.family.places, each.ways[ALONG_BOTH].shifts, strict=True)
+        chosen = [(p.pressed, *s[:3]) for p, s in rows if p[1:] == own[1:]]
+        force, along, lift, error = np.array(chosen).T
+        label = NAMES[name]
+        ax.errorbar(force, along, error, fmt="o-", color=colour, lw=0.7, label=f"{label}, of $v$")
+        ax.plot(force, lift, "s--", color=colour, lw=0.7, mfc="white", label=f"{label}, of $\\mu$")
+    ax.set(xscale="log", xlabel="normal force (N)", ylabel="shift (decades)")
+    ax.set_title("(e) shifts over force")
+    ax.legend(loc="lower left", fontsize=5.5)
+
+
+def _thermal(ax: Axes, force: Found, depth: Found) -> None:
+    """Draw the shift along speed that is fitted, less that of WLF, for every pair of curves."""
+    study = read_study("master_curve")
+    assert isinstance(study, Study)
+    material = study.material
+    for found, label, colour, marker, aside in (
+        (force, "given force", COLOURS[4], "s", -1.0),
+        (depth, "given indentation", COLOURS[2], "o", 1.0),
+    ):
+        temperature, fitted, error = thermal(found)
+        known = np.log10([material.shift(t) for t in temperature])
+        spread = aside * (1.0 + 4.0 * np.arange(known.size) / max(known.size, 1))
+        style: dict[str, Any] = {
+            "fmt": marker,
+            "color": colour,
+            "ms": 2.0,
+            "lw": 0.5,
+            "capsize": 0.0,
+        }
+        ax.errorbar(temperature + spread, fitted - known, error, label=label, **style)
+    ax.axhline(0.0, color="k", lw=0.7, ls="--")
+    ax.set_xticks(np.unique(temperature))
+    ax.set(xlabel="temperature (°C)", ylabel="fitted $-$ WLF (decades)")
+    ax.set_title("(f) shift with temperature")
+    ax.legend(loc="best", fontsize=5.5)
+
+
+def _residuals(ax: Axes, found: dict[tuple[str, str], Found]) -> None:
+    """Draw what remains of the differences from the reference, in all ways."""
+    shades = ("0.75", COLOURS[5], COLOURS[0])
+    for k, each in enumerate(found.values()):
+        for j, (way, shade) in enumerate(zip(WAYS, shades, strict=True)):
+            rms = each.ways[way].rms
+            ax.bar(k + 0.27 * (j - 1), rms, 0.25, color=shade, label=SHORT[j] if k == 0 else None)
+            ax.text(k + 0.27 * (j - 1), rms * 1.1, f"{rms:.2g}", ha="center", fontsize=5.0)
+    symbols = {"force": "$F_N$", "indentation": "$d$"}
+    names = [f"{NAMES[name]}\nat {symbols[how]}" for name, how in found]
+    ax.set_xticks(range(len(found)), names, fontsize=5.5)
+    ax.set(yscale="log", ylabel="rms difference\n(decades of $\\mu$)", title="(g) what remains")
+    low, high = ax.get_ylim()
+    ax.set_ylim(0.7 * low, high * 5.0)
+    ax.legend(loc="upper right", fontsize=5.5, ncols=3, columnspacing=0.5, handlelength=0.7)

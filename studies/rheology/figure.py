@@ -1,0 +1,194 @@
+"""Three rheologies: moduli, friction over nine decades of speed, temperature, and a step."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from kernels.rheology.spectrum import Spectrum, complex_modulus
+from studies.master_curve.collapse import UNSHIFTED, Collapse, Curve, collapse
+from workflow.report import COLOURS, error_bars, foot_line
+from workflow.result import Groups
+from workflow.study import Material, Study, read_study
+
+RUBBER, KELVIN, STANDARD = "", "kelvin", "standard"
+LABELS = {
+    KELVIN: ("Kelvin element", COLOURS[1], "s"),
+    STANDARD: ("standard linear solid", COLOURS[2], "^"),
+    RUBBER: ("SBR, 13 branches", COLOURS[0], "o"),
+}
+HEAT = (COLOURS[5], COLOURS[0], COLOURS[4])
+NOTE = (
+    "read beside: Grosch 1963 (doi:10.1098/rspa.1963.0112), whose friction of rubber over speed at "
+    "several temperatures falls on one bell when shifted by WLF; known here from citations and "
+    "abstracts, not the text. Deformation alone is simulated: no adhesion, so no adhesion peak, "
+    "and no heating. (f): at the speed of each with the largest friction in (b); bands: one "
+    "standard error of $\\mu$, most of it common to a whole curve; triangles: steady at $2 v_1$. "
+    "Hollow: contacts of fewer than 4 samples"
+)
+
+
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    known = {name: groups[name].squeeze() for name in LABELS if name in groups}
+    study = read_study("rheology")
+    assert isinstance(study, Study)
+    materials = study.materials
+    figure, axes = plt.subplots(2, 3, figsize=(7.4, 4.9))
+    _moduli(axes[0, 0], {name: materials[name] for name in known})
+    _friction(axes[0, 1], known)
+    _contact(axes[0, 2], known)
+    _temperatures(axes[1, 0], known[RUBBER])
+    _master(axes[1, 1], known[RUBBER], materials[RUBBER])
+    _step(axes[1, 2], known)
+    foot_line(figure, groups[RUBBER], NOTE)
+    return figure
+
+
+def warmest(data: xr.Dataset) -> xr.Dataset:
+    """Return the points at the highest temperature, at which the times are given."""
+    return data.sel(temperature=data.temperature.max())
+
+
+def master(data: xr.Dataset, material: Material) -> tuple[Collapse, list[Curve]]:
+    """Return how mu(v) at all temperatures meets in one curve of a_T v, and the curves.
+
+    The shift is that of the material, nothing is fitted; the reference is the highest temperature.
+    """
+    curves = []
+    for temperature in data.temperature.values:
+        one = data.sel(temperature=temperature)
+        speed = material.shift(float(temperature)) * one.velocity.values
+        error = (one.mu_1_error / one.mu_1).values / np.log(10.0)
+        curves.append(Curve(np.log10(speed), np.log10(one.mu_1.values), error))
+    reference = curves[int(np.argmax(data.temperature.values))]
+    return collapse(curves, reference, UNSHIFTED), curves
+
+
+def _moduli(ax: Axes, materials: dict[str, Material]) -> None:
+    for name, material in materials.items():
+        label, colour, _ = LABELS[name]
+        spectrum: Spectrum = material.spectrum()
+        omega = np.geomspace(1e-4, 1e12, 300)
+        modulus = material.shear_modulus * np.array(
+            [complex_modulus(spectrum, w * material.tau) for w in omega]
+        )
+        ax.plot(omega, modulus.real / 1e6, color=colour, label=label)
+        ax.plot(omega, modulus.imag / 1e6, "--", color=colour)
+    ax.set(xscale="log", yscale="log", ylim=(1e-3, 3e3), title="(a) moduli at 20 °C")
+    ax.set(xlabel="frequency $\\omega$ (rad/s)", ylabel="$G'$ (full), $G''$ (dashed) (MPa)")
+
+
+def _friction(ax: Axes, known: dict[str, xr.Dataset]) -> None:
+    for name, data in known.items():
+        label, colour, marker = LABELS[name]
+        one = warmest(data)
+        style: dict[str, Any] = {
+            "fmt": f"{marker}-",
+            "color": colour,
+            "ms": 2.4,
+            "lw": 0.7,
+            "label": label,
+        }
+        error_bars(ax, one, "mu_1", "velocity", log=True, **style)
+    ax.axhline(float(known[RUBBER].rms_slope.max()), color="0.4", lw=0.7, ls=":")
+    ax.annotate("rms slope", (0.98, 0.90), xycoords="axes fraction", ha="right", fontsize=6.5)
+    ax.set(xscale="log", yscale="log", ylim=(1e-5, 0.3), title="(b) steady sliding at 20 °C")
+    ax.set(xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
+
+
+def _contact(ax: Axes, known: dict[str, xr.Dataset]) -> None:
+    for name, data in known.items():
+        label, colour, marker = LABELS[name]
+        style: dict[str, Any] = {"fmt": f"{marker}-", "color": colour, "ms": 2.4, "lw": 0.7}
+        style |= {"label": label}
+        error_bars(ax, warmest(data), "contact_fraction", "velocity", log=True, **style)
+    ax.set(xscale="log", yscale="log", ylim=(1e-4, 1.5), title="(c) share in contact at 20 °C")
+    ax.set(xlabel="speed $v$ (m/s)", ylabel="share of the line in contact")
+    ax.legend(loc="lower left", fontsize=6.5)
+
+
+def _temperatures(ax: Axes, data: xr.Dataset) -> None:
+    for temperature, colour in zip(data.temperature.values, HEAT, strict=False):
+        one = data.sel(temperature=temperature)
+        style: dict[str, Any] = {
+            "fmt": "o-",
+            "color": colour,
+            "ms": 2.4,
+            "lw": 0.7,
+            "label": f"{temperature:g} °C",
+        }
+        error_bars(ax, one, "mu_1", "velocity", **style)
+    ax.set(xscale="log", xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
+    ax.set(title="(d) SBR at three temperatures", ylim=(0.0, None))
+    ax.legend(loc="upper left")
+
+
+def _master(ax: Axes, data: xr.Dataset, material: Material) -> None:
+    found, curves = master(data, material)
+    for curve, colour in zip(curves, HEAT, strict=False):
+        mu = 10.0**curve.y
+        bars = mu * curve.error * np.log(10.0)
+        ax.errorbar(10.0**curve.x, mu, bars, fmt="o", color=colour, ms=2.4, lw=0.7)
+    before = collapse([_unmoved(data, t) for t in data.temperature.values], curves[-1], UNSHIFTED)
+    ax.text(
+        0.03,
+        0.97,
+        "rms difference in the overlap:\n"
+        f"{_percent(found.rms)}, unshifted {_percent(before.rms)}\n"
+        f"({found.left_out} of {sum(c.x.size for c in curves)} points beyond it)",
+        transform=ax.transAxes,
+        va="top",
+        fontsize=6.5,
+    )
+    ax.set(xscale="log", xlabel="shifted speed $a_T v$ (m/s)", ylim=(0.0, None))
+    ax.set(ylabel="coefficient of friction $\\mu$", title="(e) SBR, times shifted by $a_T$ (WLF)")
+
+
+def _unmoved(data: xr.Dataset, temperature: float) -> Curve:
+    one = data.sel(temperature=temperature)
+    error = (one.mu_1_error / one.mu_1).values / np.log(10.0)
+    return Curve(np.log10(one.velocity.values), np.log10(one.mu_1.values), error)
+
+
+def _percent(decades: float) -> str:
+    """Return a difference of log10 mu as a share of mu."""
+    percent = 100.0 * (10.0**decades - 1.0)
+    return f"{percent:.2g} %" if percent < 10.0 else f"{percent:.0f} %"
+
+
+def at_its_largest(data: xr.Dataset) -> xr.Dataset:
+    """Return the warmest point at the speed at which friction is largest."""
+    one = warmest(data)
+    return one.isel(velocity=int(np.argmax(one.mu_1.values)))
+
+
+def after_step(point: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return distance since the step (m), mu and its standard error, from the step on."""
+    moved, part = point.trace_distance.values, point.trace_segment.values
+    begin = moved[part == 0].max()
+    later = moved > begin
+    values = point.trace_mu.values[later], point.trace_mu_error.values[later]
+    return moved[later] - begin, *values
+
+
+def _step(ax: Axes, known: dict[str, xr.Dataset]) -> None:
+    for name, data in known.items():
+        _, colour, _ = LABELS[name]
+        point = at_its_largest(data)
+        slip, mu, error = after_step(point)
+        one, two = float(point.mu_1), float(point.mu_2)
+        ax.plot(slip, mu / one, color=colour, label=f"$v_1$ = {_speed(point)}")
+        ax.fill_between(slip, (mu - error) / one, (mu + error) / one, color=colour, alpha=0.15)
+        ax.plot(slip[-1] * 1.3, two / one, "<", color=colour, ms=4.0, clip_on=False)
+    ax.set(xscale="log", xlabel="slip since the step (m)", ylabel="$\\mu/\\mu_1$")
+    ax.set(title="(f) after a step to $2 v_1$")
+    ax.legend(loc="lower left", fontsize=6.5)
+
+
+def _speed(point: xr.Dataset) -> str:
+    speed = float(point.velocity)
+    return f"{speed:g} m/s" if speed >= 1.0 else f"{1e3 * speed:.2g} mm/s"

@@ -1,0 +1,97 @@
+"""The study of three rheologies: their bells, the shift with temperature, the step."""
+
+import numpy as np
+import pytest
+
+from kernels.rheology.spectrum import complex_modulus
+from studies.rheology.figure import after_step, master, warmest
+from tests.support.studies import check_drawing, run
+from workflow.study.read import read_study
+
+DECADES = 2  # by which the times are longer at the colder temperature
+
+
+@pytest.fixture(scope="module")
+def study():
+    """Return the study, at the temperature that shifts times by whole steps of the grid."""
+    wlf = read_study("rheology", "smoke").material.wlf
+    cold = wlf.reference - DECADES * wlf.c2 / (wlf.c1 + DECADES)
+    assert wlf.decades(cold) == pytest.approx(DECADES, abs=1e-12)
+    return f"material.temperature=[{cold!r}, {wlf.reference!r}]"
+
+
+@pytest.fixture(scope="module")
+def groups(scheduler, tmp_path_factory, study):
+    """Return the groups of the study on a short line, without the axes of length 1."""
+    settings = (study, "surface.length=2.5e-4", "grid.normal_force=1.25e-3")
+    found = run(scheduler, tmp_path_factory.mktemp("rheology"), "rheology", *settings)
+    return {name: data.squeeze() for name, data in found.items()}
+
+
+def sbr(omega):
+    """Return G* (Pa) of the source: springpots of the Shull group (studies/rheology/sbr.csv)."""
+    turn = 1j * omega / (2.0 * np.pi * 6.94e7)
+    glass = 1.0 / (1.0 / (1.12e9 * turn ** (55 / 90)) + 1.0 / (1.12e9 * turn ** (2 / 90)))
+    return (1.76e6 * turn ** (2.3 / 90) + glass) / 3.0
+
+
+def test_branches_are_those_of_the_source():
+    material = read_study("rheology").material
+    omega = np.geomspace(1e-2, 1e10, 49)
+    spectrum = material.spectrum()
+    modulus = [material.shear_modulus * complex_modulus(spectrum, w * material.tau) for w in omega]
+    assert abs(np.array(modulus) / sbr(omega) - 1.0).max() < 0.02
+    shift = material.shift(-30.0)  # Vogel's law of the source
+    assert np.log(shift) == pytest.approx(481.0 / 48.4 - 481.0 / 98.4, rel=1e-4)
+
+
+def test_rheologies_share_the_slowest_loss():
+    materials = read_study("rheology").materials
+    assert [m.tau for m in materials.values()] == pytest.approx([2.42723] * 3, rel=1e-4)
+    glassy = {name: sum(g for g, _ in m.branches) for name, m in materials.items()}
+    assert glassy["standard"] == pytest.approx(glassy[""], rel=1e-4)
+
+
+def test_temperature_shifts_the_speed_exactly(groups):
+    """mu(v, T) = mu(a_T v): with a_T = 100 the speeds of the grid fall on each other."""
+    data = groups[""]
+    cold, warm = (data.mu_1.isel(temperature=k).values for k in (0, 1))
+    np.testing.assert_allclose(cold[:-DECADES], warm[DECADES:], rtol=1e-9)
+    found, _ = master(data, read_study("rheology").material)
+    assert found.rms < 0.1
+
+
+def test_linear_solid_has_a_bell_and_kelvin_loses_its_contact(groups):
+    standard, kelvin = warmest(groups["standard"]), warmest(groups["kelvin"])
+    mu = standard.mu_1.values
+    top = int(mu.argmax())
+    assert 0 < top < mu.size - 1
+    assert mu[-1] < 1e-2 * mu[top]
+    np.testing.assert_allclose(mu[-2] / mu[-1], 10.0, rtol=0.05)  # glassy: mu falls as 1/v
+    np.testing.assert_allclose(kelvin.mu_1[1] / kelvin.mu_1[0], 10.0, rtol=0.05)  # mu rises as v
+    np.testing.assert_allclose(standard.mu_1[:3], kelvin.mu_1[:3], rtol=0.05)
+    assert kelvin.contact_fraction[-1] < 0.1 * standard.contact_fraction[-1]
+
+
+def test_rubber_has_the_broadest_bell(groups):
+    data = groups[""].mu_1
+    rubber = np.concatenate([data.isel(temperature=1)[:DECADES], data.isel(temperature=0)])
+    widths = []
+    for mu in (rubber, groups["standard"].mu_1.isel(temperature=1).values):
+        widths.append(int((mu > 0.03 * mu.max()).sum()))
+    assert widths[0] > widths[1]
+    assert 0 < rubber.argmax() < rubber.size - 1
+
+
+def test_friction_goes_from_one_steady_state_to_the_other(groups):
+    fast = groups[""].sel(velocity=1e-6, method="nearest").isel(temperature=1)
+    _, mu, _ = after_step(fast)
+    before = fast.trace_mu.values[0]
+    assert before == pytest.approx(float(fast.mu_1), rel=0.05)
+    assert mu[0] == pytest.approx(before, rel=0.1)  # no dashpot: mu is continuous
+    assert mu[-1] == pytest.approx(float(fast.mu_2), rel=0.05)
+
+
+def test_figure_is_drawn(groups):
+    axes = ("hurst", "normal_force", "spacing", "roughness", "velocity_step")
+    check_drawing("rheology", {name: data.expand_dims(axes) for name, data in groups.items()})
