@@ -9,6 +9,7 @@ origin where the rubber forgets at once.
 """
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -31,8 +32,8 @@ def draw(groups: Groups) -> Figure:
     for (name, label), colour in zip(LABELS.items(), COLOURS, strict=False):
         data = groups[name].squeeze()
         at = data.sel(temperature=REFERENCE)
-        force = abs(modulus(data, name, 2.0 * np.pi * motions(data)[-1].frequency))
-        scale = float(unit(data)[0]) * force
+        omega = np.array(2.0 * np.pi * motions(data)[-1].frequency)
+        scale = float(unit(data)[0] * abs(modulus(data, name, omega)))
         _loop(axes[0, 0], at, motions(data)[-1], scale, colour, label)
         _response(axes[0, 1], data, name, colour, label)
     for ax, (name, label), letter in zip(axes[1], LABELS.items(), "cd", strict=True):
@@ -94,7 +95,7 @@ def _response(ax: Axes, data: xr.Dataset, name: str, colour: str, label: str) ->
         if not line.any():
             continue
         value, error = (data[f"{variable}{end}"].values / unit(data) for end in ("", "_error"))
-        style = {"fmt": "o", "color": colour, "mfc": face, "label": text}
+        style: dict[str, Any] = {"fmt": "o", "color": colour, "mfc": face, "label": text}
         ax.errorbar(omega, value, log_bars(value, error), **style)
         ax.plot(fine, line, dashes, color=colour, lw=0.8)
     ax.set(xscale="log", yscale="log", xlabel="$\\omega a_T$ (rad/s)")

@@ -12,6 +12,8 @@ glass, where deformation is negligible: kinetics, not magnitudes). The abstracts
 and of Ronsin and Coeyrehourcq were read, the others are cited from memory.
 """
 
+from typing import Any
+
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
@@ -52,7 +54,7 @@ def draw(groups: Groups) -> Figure:
             label = f"$v = {float(point.velocity):g}$ m/s"
             error_bars(ax, point, "healing", "hold", fmt="o", color=colour, label=label)
             _expected(ax, point, name, colour)
-            style = {"fmt": "o-" if name == KELVIN else "s--", "color": colour}
+            style: dict[str, Any] = {"fmt": "o-" if name == KELVIN else "s--", "color": colour}
             _held(axes[1, 0], point, **style)
         ax.set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
         ax.axvline(TAU if name == KELVIN else LONGEST, color="0.6", lw=0.7, ls=":")
@@ -87,7 +89,7 @@ def _expected(ax: Axes, point: xr.Dataset, name: str, colour: str) -> None:
     ax.fill_between(hold, rise - error, rise + error, color=colour, alpha=0.2, lw=0)
 
 
-def _held(ax: Axes, point: xr.Dataset, **style: str) -> None:
+def _held(ax: Axes, point: xr.Dataset, **style: Any) -> None:
     """Draw what a hold leaves of the friction before it."""
     before = point.static_peak - point.healing
     ax.errorbar(

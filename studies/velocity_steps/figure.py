@@ -9,7 +9,7 @@ viscoelastic elements on a rough rigid surface (S. Hulikal, K. Bhattacharya, N. 
 arXiv:1405.3643). The abstracts of the last two were read; the others are cited from memory.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import xarray as xr
@@ -57,7 +57,7 @@ def draw(groups: Groups) -> Figure:
         _histories(axes[1, column], steps, "trace_indentation_change", MICRO)
         axes[0, column].set_title(f"({'ab'[column]}) {label}, $\\mu_1 = {float(data.mu_1):.2g}$")
         axes[1, column].set_xlabel("distance since the step (m)")
-        style = {"fmt": "os"[column], "color": COLOURS[column], "label": label}
+        style: dict[str, Any] = {"fmt": "os"[column], "color": COLOURS[column], "label": label}
         _per_decade(axes[0, 2], steps, "peak", **style)
         _per_decade(axes[1, 2], steps, "rest", **style)
     axes[0, 0].set_ylabel("change of $\\mu$")
@@ -94,7 +94,7 @@ def _histories(ax: Axes, steps: list[Step], name: str, scale: float) -> None:
     ax.set(xscale="log")
 
 
-def _per_decade(ax: Axes, steps: list[Step], kind: str, **style: str) -> None:
+def _per_decade(ax: Axes, steps: list[Step], kind: str, **style: Any) -> None:
     """Draw a change of friction over ln r, for every step."""
     ratio = np.array([step.ratio for step in steps])
     value, error = np.array([getattr(step, kind) for step in steps]).T / np.log(ratio)
