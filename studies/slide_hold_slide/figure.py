@@ -112,4 +112,4 @@ def _after(ax: Axes, point: xr.Dataset) -> None:
     ax.axhline(float(point.mu_1[0]), color="0.4", lw=0.7, ls=":")
     ax.set(xscale="log", xlabel="distance since the hold (m)", ylabel="$\\mu$")
     ax.set_title(f"(d) nine branches, $v = {float(point.velocity):g}$ m/s, after holds")
-    ax.legend(loc="upper right")
+    ax.legend(loc="upper left")
