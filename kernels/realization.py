@@ -14,8 +14,9 @@ from kernels.march import march
 from kernels.memory_case import run_memory_case
 from kernels.patches.steady_friction import jump as jump_to
 from kernels.patches.steady_friction import steady_friction
-from kernels.rheology.kelvin import SCHEMES, SHORTEST, Kelvin
+from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
+from kernels.rheology.spectrum import shortest_step
 from kernels.surfaces.line import Line
 
 LOADS = (1e-100, 1e100)  # Fbar; the rounding of d does not depend on it
@@ -34,7 +35,7 @@ def _check(line: Line, case: Case, asked: Quantities) -> None:
         if 0.0 < abs(ratio - 1.0) < 0.99 * LEAST_STEP:  # or 1e-9 itself would round out of it
             raise ValueError(f"ratio = 1 + {ratio - 1.0:g}: the step is lost in rounding")
     shortest = 1.0 / (line.steps_per_spacing * max(speeds))
-    if shortest < SHORTEST:
+    if shortest < shortest_step(case.spectrum):
         raise ValueError(f"speed = {max(speeds):g}: steps of {shortest:g} tau are lost in rounding")
     for kept in case.kept_steps if asked.relaxation else ():
         if not (len(kept) and kept[0] >= 1 and np.all(np.diff(kept) > 0)):

@@ -37,7 +37,7 @@ ELSEWHERE = {"find_study", "_one_point", "_realizations"}
 # Of arrays and netCDF, of profiles from Python, and where a package is not installed
 # (tests/workflow/study/surfaces); their words are among the other refusals.
 ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography", "_check_finite"}
-ELSEWHERE |= {"given_profile", "check_load"}
+ELSEWHERE |= {"given_profile", "check_load", "read_scene"}
 
 
 def _module(path):

@@ -20,9 +20,9 @@ from kernels.motion.path import (
     oscillating,
     piecewise,
 )
+from kernels.rheology.spectrum import SHORTEST
 
 FIRST_OF_HOLD = 1e-6  # of a hold, where no speed before it tells how soon something happens
-SHORTEST = 1e-10  # tau; of a shorter step only rounding would be seen in the force
 
 
 class Slide(NamedTuple):
@@ -75,22 +75,26 @@ class Steps(NamedTuple):
 
 
 def steps_of(
-    programme: Programme, steps_per_spacing: int, position: float = 0.0, speed: float = 0.0
+    programme: Programme,
+    steps_per_spacing: int,
+    position: float = 0.0,
+    speed: float = 0.0,
+    shortest: float = SHORTEST,
 ) -> Steps:
     """Return the steps of a programme.
 
     steps_per_spacing : m, samples (and steps of constant sliding) to a spacing. It also sets how
     finely holds, ramps and oscillations are stepped through.
     position, speed : of the line before the first leg, in samples and in dx/tau; the speed before
-    a hold sets its first steps. Raises ValueError for a leg without meaning, and for steps so
-    short that they are lost in rounding.
+    a hold sets its first steps. shortest : step, in tau; shorter ones are lost in rounding.
+    Raises ValueError for a leg without meaning, and for shorter steps.
     """
     places, times, legs = [np.empty(0)], [np.empty(0)], [np.empty(0, np.int64)]
     for number, leg in enumerate(programme):
         _check(leg)
-        place, dt = _steps(leg, steps_per_spacing, position, speed)
+        place, dt = _steps(leg, steps_per_spacing, position, speed, shortest)
         if place.size:
-            if dt.min() < SHORTEST:
+            if dt.min() < shortest:
                 raise ValueError(f"{leg}: steps of {dt.min():g} tau are lost in rounding")
             position, speed = float(place[-1]), last_speed(leg)
         places.append(place)
@@ -138,6 +142,7 @@ def _check(leg: Leg) -> None:
         sound = leg.duration > 0.0
     elif isinstance(leg, Oscillation):
         sound = leg.amplitude > 0.0 and leg.frequency > 0.0 and leg.cycles >= 1
+        sound = sound and leg.cycles == int(leg.cycles)
     else:
         times = np.asarray(leg.times)
         sound = times.size > 1 and times.size == len(leg.speeds) and times[0] == 0.0
@@ -146,7 +151,9 @@ def _check(leg: Leg) -> None:
         raise ValueError(f"{leg}: a leg like this has no meaning")
 
 
-def _steps(leg: Leg, m: int, position: float, speed: float) -> tuple[np.ndarray, np.ndarray]:
+def _steps(
+    leg: Leg, m: int, position: float, speed: float, shortest: float
+) -> tuple[np.ndarray, np.ndarray]:
     """Return (positions, dt) of one leg."""
     if isinstance(leg, Slide):
         end = position + math.copysign(leg.distance * m, leg.speed)
@@ -154,7 +161,7 @@ def _steps(leg: Leg, m: int, position: float, speed: float) -> tuple[np.ndarray,
         return place[1:], np.abs(np.diff(place)) / (m * abs(leg.speed))
     if isinstance(leg, Hold):
         first = 0.25 / (m * abs(speed)) if speed else FIRST_OF_HOLD * leg.duration
-        dt = geometric(leg.duration, max(first, SHORTEST), growth(m))
+        dt = geometric(leg.duration, max(first, shortest), growth(m))
         return np.full(dt.size, position), dt
     if isinstance(leg, Oscillation):
         path = oscillating(leg.speed, leg.amplitude, leg.frequency, leg.cycles, m)

@@ -10,10 +10,6 @@ from typing import NamedTuple
 
 from kernels.rheology.law import NEGLIGIBLE, reach
 
-# Shortest step, in units of tau: displacements change by dt of themselves in a step, so that
-# rounding, 1e-16 of them, comes back as 1e-16 / dt of the force.
-SHORTEST = 1e-10
-
 
 class Kelvin(NamedTuple):
     """Constants of one step; K (1 - E) = 1, as an element that is held carries f = -u."""

@@ -8,7 +8,7 @@ import numpy as np
 from kernels.motion.programme import Programme, Steps, first_speed, steps_of
 from kernels.rheology.forms import FORMS
 from kernels.rheology.law import law_of
-from kernels.rheology.spectrum import Spectrum
+from kernels.rheology.spectrum import Spectrum, shortest_step
 
 ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
 STARTS = ("steady", "relaxed", "fresh")
@@ -50,7 +50,8 @@ def scene_steps(scene: Scene, steps_per_spacing: int, state: Saved | None = None
     Raises ValueError as steps_of, and where there is none.
     """
     position, speed, time = (state.position, state.speed, state.time) if state else (0.0, 0.0, 0.0)
-    steps = steps_of(scene.programme, steps_per_spacing, position, speed)
+    shortest = shortest_step(scene.spectrum)
+    steps = steps_of(scene.programme, steps_per_spacing, position, speed, shortest)
     if not steps.dt.size:
         raise ValueError("programme: its legs take no time")
     if isinstance(scene.indentation, tuple):

@@ -41,6 +41,27 @@ def test_the_mirror_image_slides_back():
     assert back.contact_fraction == there.contact_fraction
 
 
+def test_a_slow_weak_branch_changes_nothing_however_fast_it_makes_the_speed():
+    """In its time, 1e7 of the others, a step is 1e-11: what it adds up is small, not lost."""
+    slow = 1e7
+    with_it = SOLID._replace(
+        speed=2.0 * slow, spectrum=Spectrum((8.0, 1e-6), (0.125 / slow, 1.0), 0.0)
+    )
+    for found, expected in zip(
+        run_case(LINE, with_it, ASKED)[:4], run_case(LINE, SOLID, ASKED)[:4], strict=True
+    ):
+        assert found == pytest.approx(expected, rel=1e-5)
+
+
+def test_steps_that_the_fastest_branch_loses_in_rounding_are_refused():
+    solid = Spectrum((8.0, 1.0), (1e-2, 1.0), 0.0)
+    run_case(LINE, SOLID._replace(speed=1e10, spectrum=solid), Quantities(False, False, False))
+    for spectrum in (solid._replace(viscosity=1.0), solid):
+        with pytest.raises(ValueError, match="lost in rounding"):
+            speed = 1e10 if spectrum.viscosity else 1e11
+            run_case(LINE, SOLID._replace(speed=speed, spectrum=spectrum), ASKED)
+
+
 def test_only_what_is_asked_for_is_there():
     found = run_case(LINE, SOLID, Quantities(jump=False, relaxation=False))
     assert np.isfinite(found.mu_2).all()

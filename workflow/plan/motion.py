@@ -145,7 +145,7 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
         case Oscillate():
             amplitude, frequency = rounded(segment.amplitude / dx), rounded(segment.frequency * tau)
             return kernels.Oscillation(
-                speed(segment.velocity), amplitude, frequency, int(segment.cycles)
+                speed(segment.velocity), amplitude, frequency, segment.cycles
             )
         case FromFile():
             times = tuple(rounded(time / tau) for time in segment.times)

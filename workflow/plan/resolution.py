@@ -4,7 +4,7 @@ import math
 
 from kernels import KELVIN
 from kernels.realization import SPEEDS
-from kernels.rheology.kelvin import SHORTEST
+from kernels.rheology.spectrum import shortest_step
 from workflow.errors import UserError
 from workflow.plan.error_laws import LAWS, allowed_share, contact_width
 from workflow.plan.problems import expected_rate
@@ -77,10 +77,11 @@ def check_resolution(problem: Problem, steps: int, numerics: Numerics) -> None:
             "a higher velocity or a larger spacing"
         )
     speeds = (abs(problem.speed), abs(problem.speed * problem.ratio))
-    if min(speeds) < SPEEDS[0] or steps * max(speeds) * SHORTEST > 1.0:
+    most = min(SPEEDS[1], 1.0 / shortest_step(problem.spectrum) / steps)
+    if not SPEEDS[0] <= min(speeds) <= max(speeds) <= most:
         raise UserError(
             f"grid.velocity: v tau/dx runs from {min(speeds):.3g} to {max(speeds):.3g}, but must "
-            f"lie between {SPEEDS[0]:g} and {1.0 / SHORTEST / steps:.3g}, where rounding shows"
+            f"lie between {SPEEDS[0]:g} and {most:.3g}, where rounding shows"
         )
 
 

@@ -59,13 +59,17 @@ class March(NamedTuple):
 
 @lru_cache(maxsize=1000)
 def _march(
-    programme: Programme, history: float | ScaledHistory | None, m: int, origin: Origin
+    programme: Programme,
+    history: float | ScaledHistory | None,
+    spectrum: Spectrum,
+    m: int,
+    origin: Origin,
 ) -> March:
     nothing = np.empty(0)
     position, speed, time = origin
     saved = Saved(nothing, nothing, 0.0, position, time, speed)
     scene = Scene(
-        KELVIN, "exponential", programme, 1.0, history, "steady", (), nothing, nothing, nothing
+        spectrum, "exponential", programme, 1.0, history, "steady", (), nothing, nothing, nothing
     )
     steps = scene_steps(scene, m, saved)
     moved = np.abs(np.diff(steps.position, prepend=position))
@@ -74,7 +78,8 @@ def _march(
 
 def programme_steps(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> March:
     """Return the steps of the programme of a problem that begins at ``origin``."""
-    return _march(problem.programme, problem.indentation, steps_per_spacing, origin)
+    what = problem.programme, problem.indentation, problem.spectrum
+    return _march(*what, steps_per_spacing, origin)
 
 
 @lru_cache(maxsize=1000)

@@ -5,7 +5,6 @@ import math
 import pytest
 
 from kernels.motion.programme import (
-    SHORTEST,
     Hold,
     Oscillation,
     Ramp,
@@ -15,6 +14,7 @@ from kernels.motion.programme import (
     last_speed,
     steps_of,
 )
+from kernels.rheology.spectrum import SHORTEST
 
 M = 4
 
@@ -44,6 +44,7 @@ def test_first_and_last_speed(leg, first, last):
         Ramp(1.0, 2.0, 0.0),
         Oscillation(0.0, 0.0, 1.0, 1),
         Oscillation(0.0, 1.0, 1.0, 0),
+        Oscillation(0.0, 1.0, 1.0, 2.5),
         Sampled((0.0,), (1.0,)),
         Sampled((1.0, 2.0), (1.0, 1.0)),
         Sampled((0.0, 0.0), (1.0, 1.0)),

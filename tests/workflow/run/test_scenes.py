@@ -1,27 +1,114 @@
-"""What is asked for is simulated, and nothing else: runs of other scenes."""
+"""A run of scenes: several rheologies and a programme over a grid, with all that a run promises."""
 
 import numpy as np
+import pytest
 
-from tests.support.runs import run
+from tests.support.runs import Run, shards
+from tests.support.shards import held
+from tests.support.small import all_records, small_plan
+from workflow.cluster import run_batch
+from workflow.run.run import How, run_plan
+from workflow.store.store import Store, store_folder
+from workflow.study.cluster import Cluster
+
+TEXT = """
+[study]
+title = "scenes"
+seed = 1
+realizations = 4
+
+[material]
+shear_modulus = 1e7
+branches = [[1e8, 1e-4], [2e7, 1e-3]]
+
+[surface]
+length = 0.01
+
+[grid]
+hurst = [0.3, 0.7]
+normal_force = [0.04, 0.4]
+spacing = 2e-4
+roughness = 1e-5
+velocity = [0.03, 0.1]
+
+[scene]
+quantities = ["steady", "trace", "peak", "healing"]
+
+[[scene.programme]]
+slide = { ratio = 1, distance = 1e-3 }
+
+[[scene.programme]]
+hold = { duration = 1e-2 }
+
+[[scene.programme]]
+slide = { ratio = 1, distance = 4e-4 }
+
+[[scene.programme]]
+slide = { ratio = 1.2, distance = 4e-4 }
+
+[numerics]
+steps_per_spacing = 2
+samples = 16
+
+[compare.solid]
+branches = [[8e7, 1e-3]]
+
+[compare.other_scheme]
+scheme = "implicit-euler"
+"""
 
 
-def test_without_the_indentation_rate_little_is_left_to_relax(scheduler, tmp_path):
-    where = ("grid.velocity=[0.1, 1.0]", "study.realizations=20")  # where much relaxes
-    kept = run(scheduler, tmp_path, *where).load()
-    dropped = run(scheduler, tmp_path, *where, "scene.indentation_rate=false").load()
-    for name in ("mu_1", "mu_2", "jump", "indentation"):
-        assert np.array_equal(kept[name], dropped[name])
-    first, second = (abs(kept.deviation).isel(sample=i) for i in (0, 1))
-    assert (second > 0.35 * first).all()
-    first, second = (abs(dropped.deviation).isel(sample=i) for i in (0, 1))
-    assert (second < 0.3 * first).all()
-    relaxations, fewer = ((data.fit_status == 0).sum().item() for data in (kept, dropped))
-    assert relaxations >= 6
-    assert fewer < 0.5 * relaxations
+def run(scheduler, folder, *settings, batch_seconds=0.05, **how):
+    """Run the scenes on the cluster of the tests."""
+    plan, path = small_plan(*settings, text=TEXT), folder / "small.nc"
+    how = How(Cluster(scheduler), batch_seconds=batch_seconds, **how)
+    return Run(plan, run_plan(plan, path, how), path)
 
 
-def test_steady_sliding_alone_leaves_the_rest_out(scheduler, tmp_path):
-    steady = run(scheduler, tmp_path, 'scene.quantities=["steady"]').load()
-    assert {"mu_1", "mu_2"} < set(steady.data_vars)
-    assert not {"jump", "mu", "fit_status", "alpha"} & set(steady.data_vars)
-    assert "sample" not in steady.dims
+@pytest.fixture(scope="module")
+def whole(scheduler, tmp_path_factory):
+    """Return a finished run. Leave its folder as it is."""
+    return run(scheduler, tmp_path_factory.mktemp("scenes"))
+
+
+def test_every_rheology_has_its_own_result(whole):
+    assert held(Store(store_folder(whole.path))) == set(all_records(whole.plan))
+    shape = (2, 2, 1, 1, 2)  # hurst, load, spacing, roughness, velocity
+    found = [whole.load(group).squeeze("velocity_step", drop=True) for group in (None, "solid")]
+    for dataset in found:
+        assert dataset.mu_1.shape == shape
+        assert (dataset.mu_1 > 0.0).all()
+        assert dataset.trace_mu.shape[:5] == shape
+        assert np.isfinite(dataset.trace_mu.values[..., 0]).all()
+    assert not np.allclose(found[0].mu_1, found[1].mu_1, rtol=0.01)
+    other = whole.load("other_scheme")
+    np.testing.assert_allclose(other.mu_1.squeeze(), found[0].mu_1.squeeze(), rtol=0.2)
+
+
+def test_other_batches_give_the_same_bytes(whole, scheduler, tmp_path):
+    cut = run(scheduler, tmp_path, batch_seconds=1e-6)
+    assert cut.summary.batches > 2 * whole.summary.batches
+    assert cut.path.read_bytes() == whole.path.read_bytes()
+
+
+def _ends_early(batch):
+    """Do what a worker does, but for the problems of the rougher lines."""
+    if batch.hurst < 0.5:
+        raise RuntimeError("ended")
+    return run_batch(batch)
+
+
+def test_a_run_that_ends_early_goes_on_and_a_second_one_computes_nothing(
+    whole, scheduler, tmp_path
+):
+    ended = run(scheduler, tmp_path, max_failures=10**6, work=_ends_early)
+    stored = held(Store(store_folder(ended.path)))
+    assert 0 < len(stored) < len(all_records(ended.plan))
+    before = shards(tmp_path)
+    resumed = run(scheduler, tmp_path, retry_failed=True)
+    assert resumed.summary.reused == len(stored)
+    assert before.items() <= shards(tmp_path).items()
+    assert resumed.path.read_bytes() == whole.path.read_bytes()
+    again = run(scheduler, tmp_path)
+    assert (again.summary.batches, again.summary.reused) == (0, len(all_records(whole.plan)))
+    assert again.path.read_bytes() == whole.path.read_bytes()

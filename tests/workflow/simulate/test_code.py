@@ -92,7 +92,7 @@ def test_copies_have_the_same_hash(copied):
 
 EDITS = {
     "the steps that a record keeps": ("kept.py", "np.linspace", "np.geomspace"),
-    "a number": ("kelvin.py", "1e-10", "1e-11"),
+    "a number": ("rheology/spectrum.py", "1e-10", "1e-11"),
     "an operator": ("kernels/steady.py", "w[j] = free", "w[j] = -free"),
     "a body chosen by type": ("kelvin.py", "@reach.of(Kelvin)", "@reach.of(State)"),
     "a default": ("self_affine.py", '= "modal"', '= "integral"'),
@@ -112,7 +112,7 @@ def test_a_file_more_or_less_changes_the_hash(copied):
 
 NO_EDITS = {
     "a docstring": ("kernels/steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
-    "a comment": ("kelvin.py", "# Shortest step", "# The shortest step"),
+    "a comment": ("rheology/spectrum.py", "# Shortest step", "# The shortest step"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
     "brackets": ("kept.py", "return (kept - ", "return ((kept) - "),
 }
