@@ -91,11 +91,11 @@ def test_other_batches_give_the_same_bytes(whole, scheduler, tmp_path):
     assert cut.path.read_bytes() == whole.path.read_bytes()
 
 
-def _ends_early(batch):
+def _ends_early(batch, **how):
     """Do what a worker does, but for the problems of the rougher lines."""
-    if batch.hurst < 0.5:
+    if batch.tasks[0].problem.hurst < 0.5:
         raise RuntimeError("ended")
-    return run_batch(batch)
+    return run_batch(batch, **how)
 
 
 def test_a_run_that_ends_early_goes_on_and_a_second_one_computes_nothing(
@@ -112,3 +112,22 @@ def test_a_run_that_ends_early_goes_on_and_a_second_one_computes_nothing(
     again = run(scheduler, tmp_path)
     assert (again.summary.batches, again.summary.reused) == (0, len(all_records(whole.plan)))
     assert again.path.read_bytes() == whole.path.read_bytes()
+
+
+def test_a_temperature_that_acts_as_a_velocity_does_is_computed_once(scheduler, tmp_path):
+    """At 70 degrees all times are a tenth: there 0.1 m/s is the problem of 0.01 m/s at 20."""
+    settings = (
+        "material.wlf={c1=2, c2=50, reference=20}",
+        "material.temperature=[20, 70]",
+        "grid.velocity=[0.01, 0.1]",
+        "grid.hurst=0.7",
+        "scene.programme=[{slide={ratio=1, distance=1e-3}}, {slide={ratio=1.2, distance=4e-4}}]",
+        'scene.quantities=["steady", "trace"]',
+    )
+    found = run(scheduler, tmp_path, *settings)
+    assert (found.plan.points, found.plan.problems) == (8, 6)
+    dataset = found.load()
+    cold = dataset.sel(temperature=20, velocity=0.01)
+    warm = dataset.sel(temperature=70, velocity=0.1)
+    assert (cold.mu_1.values == warm.mu_1.values).all()
+    assert not (cold.mu_1.values == dataset.sel(temperature=20, velocity=0.1).mu_1.values).any()
