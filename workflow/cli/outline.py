@@ -2,6 +2,8 @@
 
 from pathlib import Path
 
+import numpy as np
+
 from workflow.cli.effects import effect_lines
 from workflow.plan import (
     JACKKNIFE_GROUPS,
@@ -14,8 +16,11 @@ from workflow.plan import (
     this_machine,
     total_seconds,
 )
+from workflow.simulate import programme_steps
 from workflow.study import Measured, Study
 from workflow.system import duration
+
+SHOWN = 8  # legs of a programme
 
 
 def outline_grid(study: Study, result: Path) -> list[str]:
@@ -48,7 +53,38 @@ def outline(plan: Plan, result: Path, speed: str) -> list[str]:
         f"variants    {', '.join(v.label or 'study' for v in plan.variants)}",
         *_realizations(plan),
     ]
-    return [*lines, *effect_lines(study), *_costs(plan, speed)]
+    lines += effect_lines(study)
+    for variant in plan.variants:
+        lines += march_lines(variant)
+    return [*lines, *_costs(plan, speed)]
+
+
+def march_lines(variant: Variant) -> list[str]:
+    """Return which legs of a variant are marched, in how many steps, and how far it remembers."""
+    found = []
+    if variant.recording.asked:
+        legs = [type(leg).__name__.lower() for leg in variant.tasks[0].problem.programme]
+        marches = [programme_steps(t.problem, t.steps_per_spacing) for t in variant.tasks]
+        steps = np.array([np.bincount(march.leg, minlength=len(legs)) for march in marches])
+        found = [f"{leg} {_span(steps[:, k])}" for k, leg in enumerate(legs[:SHOWN])]
+        found += ["..."] * (len(legs) > SHOWN) + [f"in all {_span(steps.sum(axis=1))}"]
+    if any(task.march_steps for task in variant.tasks):
+        steps = np.array([task.march_steps for task in variant.tasks])
+        found.append(f"after the velocity step {_span(steps)}")
+    what = f"steps: {', '.join(found)}" if found else "none: steady sliding is solved"
+    problems = [task.problem for task in variant.tasks]
+    longest = variant.material.longest_time / variant.material.tau
+    reach = np.array([abs(p.speed) * max(1.0, p.ratio) * longest / p.elements for p in problems])
+    return [
+        f"marches     {variant.label or 'study'}: {what}",
+        f"remembers   {variant.label or 'study'}: v t_max / L = {_span(reach)}",
+    ]
+
+
+def _span(values: np.ndarray) -> str:
+    """Return the least and the largest of some numbers."""
+    low, high = f"{values.min():.4g}", f"{values.max():.4g}"
+    return low if low == high else f"{low} ... {high}"
 
 
 def _costs(plan: Plan, speed: str) -> list[str]:

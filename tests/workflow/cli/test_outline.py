@@ -1,6 +1,11 @@
 """What `plan` prints: points, problems, effects, costs; it computes and writes nothing."""
 
+import re
+
 from tests.support.commands import facts, output
+from tests.support.documents import without
+from tests.support.small import small_plan
+from workflow.cli.outline import march_lines
 
 
 def test_plan_prints_axes_points_problems_and_realizations(capsys, study):
@@ -24,6 +29,24 @@ def test_plan_says_which_effects_are_simulated(capsys, study):
     assert "not simulated jump: it is not asked for" in steady
     assert "not simulated relaxation: it is not asked for" in steady
     assert "indentation rate in the force: dropped" in steady
+
+
+def test_plan_says_what_is_marched_and_how_far_memory_reaches():
+    programme = "[{slide={ratio=1, distance=1e-3}}, {hold={duration=1}}]"
+    settings = [f"scene.programme={programme}", 'scene.quantities=["steady", "trace"]']
+    text = without("grid.velocity_step", "compare.coarse")
+    (variant,) = small_plan(*settings, text=text).variants
+    marches, reach = march_lines(variant)
+    # 10 spacings in 8 steps each; a hold that begins with a quarter of a step
+    assert re.fullmatch(r"marches     study: steps: slide 80, hold (\d+) .* in all .*", marches)
+    assert reach == "remembers   study: v t_max / L = 0.003 ... 0.01"  # 1 ms at 0.03, 0.1 m/s, 1 cm
+
+
+def test_plan_says_that_nothing_is_marched_where_steady_sliding_is_solved(capsys, study):
+    found = facts(output(capsys, "plan", study))
+    assert "after the velocity step" in found["marches"]
+    found = facts(output(capsys, "plan", study, "--set", 'scene.quantities=["steady"]'))
+    assert found["marches"].endswith("none: steady sliding is solved")
 
 
 def test_plan_predicts_time_and_memory(capsys, study):

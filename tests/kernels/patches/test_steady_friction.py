@@ -1,0 +1,56 @@
+"""Friction of steady sliding: on the line where contacts are wide, on finer samples elsewhere."""
+
+import numpy as np
+import pytest
+
+from kernels import Line, amplitudes, draw_phases
+from kernels.patches.refined import NARROW
+from kernels.patches.steady_friction import jump, steady_friction
+
+ELEMENTS = 200
+
+
+def slide(speed, load, steps=8, scheme="exponential"):
+    """Return steady sliding on a random line, at vbar and Fbar."""
+    phases = draw_phases(np.random.default_rng(4), ELEMENTS)
+    line = Line.self_affine(amplitudes(0.7, ELEMENTS), phases, ELEMENTS, steps)
+    return line, steady_friction(line, speed, scheme, load * line.z.size)
+
+
+def test_wide_contacts_are_seen_on_the_line_itself():
+    line, found = slide(0.1, 3.0)
+    assert found.samples >= NARROW
+    assert found.seen.line is line
+    assert (found.seen.share, found.seen.state) == (1.0, found.state)
+
+
+def test_narrow_contacts_are_seen_on_finer_samples_of_a_part_of_the_line():
+    line, found = slide(100.0, 1e-3)
+    assert found.seen.line.steps_per_spacing > line.steps_per_spacing
+    assert found.seen.samples > found.samples
+    assert found.samples < NARROW
+    assert found.seen.share < 1.0
+    assert found.updates > line.z.size
+    assert 0.0 < found.contact < found.seen.share
+
+
+@pytest.mark.parametrize(("speed", "load"), [(0.1, 3.0), (100.0, 1e-3)])
+def test_jump_has_the_sign_of_the_step_and_vanishes_with_it(speed, load):
+    _, found = slide(speed, load)
+    assert jump(found, 1.2 * speed) > 0.0 > jump(found, 0.8 * speed)
+    assert jump(found, speed) == pytest.approx(0.0, abs=1e-12)
+
+
+def test_few_samples_that_are_refined_agree_with_many():
+    few, many = slide(30.0, 1e-2, 4)[1], slide(30.0, 1e-2, 64)[1]
+    assert few.mu == pytest.approx(many.mu, rel=0.02)
+    assert few.indentation == pytest.approx(many.indentation, rel=0.02)
+    assert few.contact == pytest.approx(many.contact, rel=0.05)
+
+
+def test_rigid_shapes_of_samples_alone_are_never_refined():
+    z = np.abs(np.linspace(-1.0, 1.0, 64, endpoint=False))
+    slope = np.sign(np.linspace(-1.0, 1.0, 64, endpoint=False)) / 32.0
+    line = Line.from_samples(z, slope, 8)
+    assert not line.band_limited
+    assert steady_friction(line, 10.0, "exponential", 1e-3 * z.size).seen.line is line
