@@ -99,9 +99,10 @@ def _kelvin(timings: Timings, asked: Quantities, task: Task) -> float:
     hurst, elements, load = task.problem[:3]
     n, pressure = elements * task.steps_per_spacing, viscous_pressure(task.problem)
     steady_states = 1 + (asked.steady or asked.relaxation)
-    states = steady_states * sweeps(load, pressure) * timings.sweep(n)
+    sweep = timings.sweep(n)
+    states = steady_states * sweeps(load, pressure) * sweep
     touching = n * touchable_share(hurst, load, pressure)
-    look = LOOK * timings.sweep(n)
+    look = LOOK * sweep
     friction = (steady_states + asked.jump) * (look + timings.quadrature(touching))
     march = 0.0
     if task.march_steps:
