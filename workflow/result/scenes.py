@@ -74,6 +74,9 @@ SCENES = {
     "snapshot_displacement": Variable("displacement of the foundation", HEIGHT, "m", FRAME),
     "rate_state_a": Variable("a of rate and state", SLOPE, dims=LAW, comment=NO_STATE_COMMENT),
     "rate_state_b": Variable("b of rate and state", SLOPE, dims=LAW, comment=NO_STATE_COMMENT),
+    "rate_state_a_minus_b": Variable(
+        "a - b of rate and state", SLOPE, comment="(mu_2 - mu_1)/ln(v2/v1), whatever the law"
+    ),
     "rate_state_dc": Variable("critical distance D_c", LENGTH, "m", LAW, comment=NO_STATE_COMMENT),
     "rate_state_residual": Variable("rms residual of the fit over |b ln r|", dims=LAW),
     "rate_state_status": Variable(

@@ -40,6 +40,7 @@ def reduce_steps(
     if "rate_state" in blocks.quantities:
         change = values["mu_2"] - values["mu_1"]
         deviation = curves - values["mu_2"][..., None]
+        enter(estimates, "rate_state_a_minus_b", _a_minus_b(blocks.speeds, change))
         _rate_state(estimates, blocks, time, deviation, change)
 
 
@@ -47,6 +48,17 @@ def _peak(time: np.ndarray, curves: np.ndarray, speeds: np.ndarray) -> tuple:
     kept = np.isfinite(time)
     before, after = speeds
     return extremum(time[kept], curves[:, kept], 1.0 if after > before else -1.0)
+
+
+def _a_minus_b(speeds: np.ndarray, change: np.ndarray) -> np.ndarray:
+    """Return (mu_2 - mu_1)/ln(v2/v1), NaN where the velocity does not step or turns round.
+
+    speeds : before and after, shape (tasks, 2). change : mu_2 - mu_1, shape (tasks, replicates).
+    """
+    before, after = speeds.T
+    steps = (before * after > 0.0) & (before != after)
+    logs = np.log(after / before, where=steps, out=np.full(before.shape, np.nan))
+    return change * (np.sign(before) / logs)[:, None]
 
 
 def _rate_state(

@@ -75,3 +75,22 @@ def test_the_peak_is_that_above_the_friction_before():
     assert estimates["peak"] == pytest.approx([0.5], rel=1e-3)
     assert estimates["peak_time"] == pytest.approx([1.0], rel=1e-3)
     assert estimates["initial_rate"].tolist() == [1.0]
+
+
+@pytest.mark.parametrize(
+    ("before", "after", "expected"),
+    [(1.0, 2.0, -0.1), (-1.0, -2.0, 0.1), (1.0, 1.0, np.nan), (1.0, -2.0, np.nan)],
+)
+def test_a_minus_b_is_the_slope_of_steady_friction(before, after, expected):
+    """Sliding back, friction is negative: weakening is then a rise."""
+    time = np.linspace(0.0, 2.0, 41)[None]
+    change = -0.1 * np.log(2.0)
+    steady = {"mu_1": np.full((1, 4), before), "mu_2": np.full((1, 4), before + change)}
+    curves = steady["mu_2"][..., None] + np.zeros((1, 4, time.size))
+    estimates = {}
+    found = blocks(("rate_state",))._replace(speeds=np.array([[before, after]]))
+    reduce_steps(estimates, found, time, curves, steady)
+    assert estimates["rate_state_a_minus_b"] == pytest.approx([expected], nan_ok=True)
+    assert estimates["rate_state_a_minus_b_error"] == pytest.approx(
+        [0.0 * expected], nan_ok=True, abs=1e-12
+    )

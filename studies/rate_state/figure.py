@@ -1,0 +1,181 @@
+"""a, b and D_c of velocity steps: where friction is rate-and-state friction, and where it is not.
+
+To be read beside O. Ronsin and K. L. Coeyrehourcq, "State, rate and temperature-dependent sliding
+friction of elastomers", Proc. R. Soc. A (2001): a rough elastomer on rough glass, described by
+these laws. The deformation of the elastomer was negligible there: kinetics are to be compared, not
+magnitudes (of a listing; the paper was not read). S. Hulikal, K. Bhattacharya and N. Lapusta,
+arXiv:1405.3643 and arXiv:1811.03811: arrays of viscoelastic elements against the same laws, many
+relaxation times for what a wide range of times shows (the abstracts were read). That steps follow
+Ruina's law while holds follow Dieterich's is said of rocks (from memory); for holds see the study
+slide-hold-slide. Li et al. (2014) remark that D_c is about 1/q_max, and fit no a, b and D_c.
+"""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
+
+from workflow.reduce import FITTED, NO_STATE
+from workflow.report import COLOURS, error_bars, write_below
+from workflow.result import Groups
+
+BROAD, KELVIN = "", "kelvin"
+TIME = 1e-3  # s, tau of the Kelvin element, the middle of the times of the rubber
+RATIO_LABEL = "$v_2/v_1$"
+TITLES = (
+    "(a) Kelvin: $a$ is no constant",
+    "(b) Kelvin: $b$ changes sign",
+    "(c) the rubber weakens",
+    "(d) a length for the rubber alone",
+    "(e) rubber: $D_c$ grows with the load",
+    "(f) rubber: $D_c$ is not $1/q_\\mathrm{max}$",
+)
+STYLES: dict[str, dict[str, Any]] = {
+    BROAD: {"fmt": "o-", "ms": 3.2, "lw": 0.6},
+    KELVIN: {"fmt": "s--", "ms": 3.2, "lw": 0.6, "mfc": "white"},
+}
+SHOWN = ("rate_state_a", "rate_state_b", "rate_state_a_minus_b", "rate_state_dc")
+
+
+def points(data: xr.Dataset) -> xr.Dataset:
+    """Return the points over force, spacing, velocity, step and law, with what is drawn.
+
+    a, b and a - b are over the rms slope, D_c is known where the law was fitted, ``ratio`` is
+    v2/v1, ``x`` is v2 TIME q_max, ``load`` is F_N/(4 G L h) and ``q_max`` is in 1/m.
+    """
+    one = data.isel(hurst=0, roughness=0)
+    fitted = one.rate_state_status == FITTED
+    scaled = {}
+    for name in SHOWN:
+        divisor = 1.0 if name == "rate_state_dc" else one.rms_slope
+        known = fitted if name == "rate_state_dc" else True
+        for each in (name, f"{name}_error"):
+            scaled[each] = (one[each] / divisor).where(known)
+    found = one.assign(scaled)
+    ratio = 1.0 + found.velocity_step
+    q_max = np.pi / found.spacing
+    for each in ("", "_error"):
+        found[f"length{each}"] = found[f"rate_state_dc{each}"] * q_max
+    return found.assign(ratio=ratio, q_max=q_max, x=found.velocity * ratio * TIME * q_max)
+
+
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    figure, axes = plt.subplots(2, 3, figsize=(7.6, 5.2))
+    shown = {name: points(data) for name, data in groups.items()}
+    middle = {name: _middle(data).isel(spacing=0) for name, data in shown.items()}
+    for name, data in middle.items():
+        _by_velocity(axes[0, 0], data, name, "rate_state_a", "ratio", log=True)
+        _by_velocity(axes[0, 1], data, name, "rate_state_b", "ratio")
+        _by_velocity(axes[0, 2], data, name, "rate_state_a_minus_b", "x")
+        _by_velocity(axes[1, 0], data, name, "length", "x", log=True)
+    _other_law(axes[1, 0], middle[BROAD])
+    broad = shown[BROAD].sel(law="ruina")
+    fastest = broad.isel(velocity=-1, spacing=0)
+    _by_step(axes[1, 1], fastest, "rate_state_dc", "normal_force")
+    _by_step(axes[1, 2], _middle(broad).isel(velocity=-1), "rate_state_dc", "q_max")
+    _dress(axes, broad)
+    _legends(axes, middle[BROAD])
+    _notes(figure, groups)
+    return figure
+
+
+def _middle(data: xr.Dataset) -> xr.Dataset:
+    """Return the middle one of the loads."""
+    return data.isel(normal_force=data.sizes["normal_force"] // 2)
+
+
+def _by_velocity(
+    ax: Axes, data: xr.Dataset, name: str, variable: str, over: str, log: bool = False
+) -> None:
+    """Draw a variable of Ruina's law, a colour for every velocity v1; NaN is left out."""
+    for i, velocity in enumerate(data.velocity.values):
+        line = data.sel(velocity=velocity, law="ruina")
+        error_bars(ax, line, variable, over, log=log, color=COLOURS[i], **STYLES[name])
+
+
+def _other_law(ax: Axes, data: xr.Dataset) -> None:
+    """Draw D_c q_max of Dieterich's law beside that of Ruina's."""
+    for i, velocity in enumerate(data.velocity.values):
+        line = data.sel(velocity=velocity, law="dieterich")
+        style = {"fmt": "x:", "ms": 3.2, "lw": 0.6, "color": COLOURS[i]}
+        error_bars(ax, line, "length", "x", log=True, **style)
+
+
+def _by_step(ax: Axes, data: xr.Dataset, variable: str, over: str) -> None:
+    """Draw a variable, a colour for every velocity step."""
+    for i, step in enumerate(data.velocity_step.values):
+        line = data.sel(velocity_step=step)
+        label = f"$v_2/v_1 = {float(line.ratio):g}$"
+        colour = COLOURS[3 + i % 4]
+        error_bars(ax, line, variable, over, log=True, color=colour, label=label, **STYLES[BROAD])
+
+
+def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
+    """Set scales, labels and what is to be compared with."""
+    a, b, weakening, length, load, cutoff = axes.flat
+    a.set(yscale="log", ylim=(3e-3, 1.0), xlabel=RATIO_LABEL, ylabel="$a/\\nabla z$")
+    b.set(xlabel=RATIO_LABEL, ylabel="$b/\\nabla z$")
+    weakening.set(xlabel="$x = v_2 \\, t \\, q_\\mathrm{max}$", ylabel="$(a-b)/\\nabla z$")
+    length.set(yscale="log", xlabel="$x = v_2 \\, t \\, q_\\mathrm{max}$")
+    length.set_ylabel("$D_c \\, q_\\mathrm{max}$")
+    load.set(yscale="log", xlabel="$F_N$ (N)", ylabel="$D_c$ (m)")
+    cutoff.set(
+        yscale="log", ylim=(1e-5, 1e-3), xlabel="$q_\\mathrm{max}$ (1/m)", ylabel="$D_c$ (m)"
+    )
+    for ax, title in zip(axes.flat, TITLES, strict=True):
+        ax.set(xscale="log")
+        ax.set_title(title)
+    for ax in (b, weakening):
+        ax.axhline(0.0, color="0.5", lw=0.6)
+    x = np.array([0.3, 3.0])
+    length.plot(x, x, "-", color="0.6", lw=0.8, label="a time, $D_c = v_2 t$")
+    length.legend(loc="lower right")
+    q_max = np.sort(broad.q_max.values)
+    cutoff.xaxis.set_minor_formatter(NullFormatter())
+    cutoff.plot(q_max, 1.0 / q_max, "-", color="0.6", lw=0.8, label="$1/q_\\mathrm{max}$")
+
+
+def _legends(axes: np.ndarray, data: xr.Dataset) -> None:
+    """Say what stands for velocities, materials and laws."""
+    for i, velocity in enumerate(data.velocity.values):
+        axes[0, 0].plot([], [], "-", color=COLOURS[i], label=f"$v_1 = {velocity:g}$ m/s")
+    axes[0, 0].legend(loc="lower right", fontsize=6)
+    for label, style in (("nine branches", "ko-"), ("Kelvin", "ks--")):
+        face = {"mfc": "white"} if label == "Kelvin" else {}
+        axes[0, 1].plot([], [], style, ms=3.2, lw=0.6, label=label, **face)
+    axes[0, 1].legend(loc="upper left")
+    axes[1, 1].legend(loc="upper left")
+    line = axes[1, 2].lines[-1]
+    axes[1, 2].legend(handles=[line], loc="lower left")
+
+
+def _notes(figure: Figure, groups: Groups) -> None:
+    """Say below how large the study was, and how many points are not fitted."""
+    data = groups[BROAD]
+    write_below(
+        figure,
+        f"{data.realizations.size} grid points of either material, "
+        f"{int(data.realizations.max())} realizations each, seed {data.attrs['seed']}; bars: one "
+        "jackknife standard error. " + "; ".join(left_out(groups)) + ".",
+        "Ruina's law; crosses in (d): Dieterich's, rubber. (a-d): middle load, finest spacing; "
+        "(e, f): fastest v1; (f): colours of (e). t = 1 ms. What is not fitted is left out.",
+    )
+
+
+def left_out(groups: Groups) -> list[str]:
+    """Return how many fits of each material by Ruina's law say nothing, in words."""
+    said = []
+    for name, data in groups.items():
+        status = data.rate_state_status.sel(law="ruina").values
+        none, others = int((status == NO_STATE).sum()), int((status != FITTED).sum())
+        label = "nine branches" if name == BROAD else "Kelvin"
+        said.append(
+            f"{label}: {others} of {status.size} steps not fitted by Ruina's law, {none} of them "
+            "as there is no state (|b| below three errors)"
+        )
+    return said
