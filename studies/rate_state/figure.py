@@ -92,17 +92,20 @@ def _middle(data: xr.Dataset) -> xr.Dataset:
 def _by_velocity(
     ax: Axes, data: xr.Dataset, name: str, variable: str, over: str, log: bool = False
 ) -> None:
-    """Draw a variable of Ruina's law, a colour for every velocity v1; NaN is left out."""
+    """Draw a variable of Ruina's law, a colour for every velocity v1; pluses for NaN."""
     for i, velocity in enumerate(data.velocity.values):
         line = data.sel(velocity=velocity, law="ruina")
         error_bars(ax, line, variable, over, log=log, color=COLOURS[i], **STYLES[name])
+        left = line[over].values[np.isnan(line[variable].values)]
+        low = np.full(left.size, 0.02)  # of the height of the panel
+        ax.plot(left, low, "+", ms=5, color=COLOURS[i], transform=ax.get_xaxis_transform())
 
 
 def _other_law(ax: Axes, data: xr.Dataset) -> None:
     """Draw D_c q_max of Dieterich's law beside that of Ruina's."""
     for i, velocity in enumerate(data.velocity.values):
         line = data.sel(velocity=velocity, law="dieterich")
-        style = {"fmt": "x:", "ms": 3.2, "lw": 0.6, "color": COLOURS[i]}
+        style: dict[str, Any] = {"fmt": "x:", "ms": 3.2, "lw": 0.6, "color": COLOURS[i]}
         error_bars(ax, line, "length", "x", log=True, **style)
 
 
@@ -125,7 +128,11 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
     length.set_ylabel("$D_c \\, q_\\mathrm{max}$")
     load.set(yscale="log", xlabel="$F_N$ (N)", ylabel="$D_c$ (m)")
     cutoff.set(
-        yscale="log", ylim=(1e-5, 1e-3), xlabel="$q_\\mathrm{max}$ (1/m)", ylabel="$D_c$ (m)"
+        xlim=(1e4, 1e5),
+        ylim=(1e-5, 1e-3),
+        yscale="log",
+        xlabel="$q_\\mathrm{max}$ (1/m)",
+        ylabel="$D_c$ (m)",
     )
     for ax, title in zip(axes.flat, TITLES, strict=True):
         ax.set(xscale="log")
@@ -163,7 +170,7 @@ def _notes(figure: Figure, groups: Groups) -> None:
         f"{int(data.realizations.max())} realizations each, seed {data.attrs['seed']}; bars: one "
         "jackknife standard error. " + "; ".join(left_out(groups)) + ".",
         "Ruina's law; crosses in (d): Dieterich's, rubber. (a-d): middle load, finest spacing; "
-        "(e, f): fastest v1; (f): colours of (e). t = 1 ms. What is not fitted is left out.",
+        "(e, f): fastest v1; (f): colours of (e). t = 1 ms. Pluses: not fitted, Kelvin.",
     )
 
 
