@@ -23,7 +23,8 @@ def test_a_full_disk_is_one_line_and_what_was_there_stays(capsys, disk, schedule
     fill(disk)
     assert "cannot be written: No space left" in assert_refused(capsys, "figure", disk)
     before = (disk / "small.nc").read_bytes()
-    status, _, err = call(capsys, "run", disk, "--scheduler", scheduler)
+    waiting = "cluster.patience=0.5"  # s, for a disk that stays full
+    status, _, err = call(capsys, "run", disk, "--scheduler", scheduler, "--set", waiting)
     assert status == 2
     assert "No space left" in err
     assert "Traceback" not in err
