@@ -98,8 +98,9 @@ def _script(study: AnyStudy) -> Callable[[Groups], Figure]:
 def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
     """Say under the figure how large the study was, and from which seed."""
     points = int(dataset.realizations.size)
+    plural = "s" if points != 1 else ""
     text = (
-        f"{points} grid point{'s' * (points != 1)}, {int(dataset.realizations.max())} realizations each, "
+        f"{points} grid point{plural}, {int(dataset.realizations.max())} realizations each, "
         f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"
     )
     hollow = int(not_resolved(dataset).sum())
