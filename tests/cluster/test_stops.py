@@ -129,7 +129,7 @@ def test_ctrl_c_does_not_wait_for_a_scheduler_that_is_stopped(folder, cluster):
         os.killpg(scheduler, signal.SIGCONT)
     assert status == 130
     assert said(r"left behind: \d+ batches of workers that do not answer", lines) == 1
-    assert lines[-1].startswith("interrupted; what is finished is kept, to resume run again: ")
+    assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
 
 
 def test_a_scheduler_that_is_stopped_before_a_run_is_said_and_given_up(hopeless):

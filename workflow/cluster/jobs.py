@@ -44,10 +44,20 @@ def job_cluster(cluster: Cluster, dashboard: bool = False) -> Iterator[Any]:
     with refused(logs, "cannot be used:"):
         logs.mkdir(parents=True, exist_ok=True)
         keys = tempfile.TemporaryDirectory(prefix=".tls-", dir=logs.resolve())
-    with keys as folder, start(**_settings(cluster, dashboard, folder)) as jobs:
+    with keys as folder, contextlib.ExitStack() as stack:
+        jobs = start(**_settings(cluster, dashboard, folder))
+        stack.callback(_close_certificates, jobs, folder)
+        stack.enter_context(jobs)
         _try_submitting(name, jobs.job_script())
         jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_SECONDS)
         yield jobs
+
+
+def _close_certificates(jobs: Any, folder: str) -> None:
+    """Close the files of certificates, or their own closing finds them gone with the folder."""
+    for held in vars(jobs).values():
+        if str(getattr(held, "name", "")).startswith(folder):
+            held.close()
 
 
 def _settings(cluster: Cluster, dashboard: bool, keys: str) -> dict[str, Any]:
