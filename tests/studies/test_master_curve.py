@@ -15,6 +15,8 @@ from studies.master_curve.judge import remaining, resolved, thermal
 from tests.support.studies import check_drawing, run
 from workflow.study.read import read_study
 
+pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
+
 X = np.linspace(-6.0, 3.0, 19)
 
 

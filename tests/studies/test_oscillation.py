@@ -6,6 +6,8 @@ import pytest
 from studies.oscillation.prediction import modulus, motions, shift, unit
 from tests.support.studies import check_drawing, run
 
+pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
+
 FORCE = 1.6  # N
 
 

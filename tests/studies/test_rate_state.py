@@ -9,6 +9,8 @@ import pytest
 from tests.support.studies import check_drawing, run
 from workflow.reduce import FITTED, NO_STATE
 
+pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
+
 DOWN, UP = 0, 1
 SLOW, FAST = 0, 1
 

@@ -8,6 +8,8 @@ from studies.rheology.figure import after_step, master, warmest
 from tests.support.studies import check_drawing, run
 from workflow.study.read import read_study
 
+pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
+
 DECADES = 2  # by which the times are longer at the colder temperature
 
 

@@ -6,6 +6,8 @@ import pytest
 from studies.slide_hold_slide.figure import LONGEST, TAU, law
 from tests.support.studies import check_drawing, run
 
+pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
+
 
 @pytest.fixture(scope="module")
 def groups(scheduler, tmp_path_factory):

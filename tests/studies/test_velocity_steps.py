@@ -6,6 +6,8 @@ import pytest
 from studies.velocity_steps.figure import steps_of
 from tests.support.studies import check_drawing, run
 
+pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
+
 RATIOS = [0.1, 0.5, 1.0 / 1.2, 1.2, 2.0, 10.0]
 
 
