@@ -47,8 +47,8 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
 
 
 @pytest.fixture(scope="session")
-def scheduler() -> Iterator[str]:
-    """Return the address of a scheduler with two workers, threads that need no start of their own.
+def local() -> Iterator[LocalCluster]:
+    """Return a scheduler with two workers, threads that need no start of their own.
 
     They talk as processes do; what processes alone can show, starts its own.
     """
@@ -57,4 +57,10 @@ def scheduler() -> Iterator[str]:
         dask.config.set({"distributed.scheduler.worker-ttl": None}),  # some tests stop the clock
         LocalCluster(n_workers=2, threads_per_worker=1, **threads) as local,
     ):
-        yield local.scheduler_address
+        yield local
+
+
+@pytest.fixture(scope="session")
+def scheduler(local: LocalCluster) -> str:
+    """Return the address of a scheduler with two workers."""
+    return str(local.scheduler_address)

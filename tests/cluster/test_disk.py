@@ -76,12 +76,9 @@ def assert_whole(folder, expected):
 def test_a_run_waits_for_the_disk_and_ends_with_the_same_bytes(disk, tmp_path, expected, fault):
     run = begun(tmp_path, **disk.environment(f"{fault} {tmp_path / 'store'}/"))
     wait_for_shards(tmp_path, run)
-    disk.flag.touch()
-    try:
+    with disk.failing():
         wait_for(tmp_path, r"cannot be (written|read): .*; tried again for 10\.0 min", run)
         time.sleep(3.0)
-    finally:
-        disk.flag.unlink()
     assert run.wait(timeout=PATIENCE) == 0
     assert_whole(tmp_path, expected)
 
@@ -90,11 +87,8 @@ def test_a_full_disk_ends_a_run_in_one_line_and_it_is_resumed(disk, tmp_path, ex
     rules = disk.environment(f"write ENOSPC {tmp_path}/store")
     run = begun(tmp_path, "--set", "cluster.patience=2", **rules)
     wait_for_shards(tmp_path, run)
-    disk.flag.touch()
-    try:
+    with disk.failing():
         assert run.wait(timeout=PATIENCE) == 2
-    finally:
-        disk.flag.unlink()
     last = said(tmp_path).splitlines()[-1]
     assert re.fullmatch(r"error: .*cannot be written: No space left on device; given.*", last)
     assert begun(tmp_path, **rules).wait(timeout=PATIENCE) == 0
@@ -118,13 +112,10 @@ def test_a_file_system_that_flushes_no_folder_is_said_and_serves(disk, tmp_path,
 
 
 def test_a_result_waits_for_the_disk_too(disk, tmp_path, expected):
-    disk.flag.touch()
-    run = begun(tmp_path, **disk.environment(f"write ENOSPC {tmp_path}/.small.nc"))
-    try:
+    with disk.failing():
+        run = begun(tmp_path, **disk.environment(f"write ENOSPC {tmp_path}/.small.nc"))
         wait_for(tmp_path, r"small\.nc: cannot be written: .*; tried again", run)
         time.sleep(3.0)
-    finally:
-        disk.flag.unlink()
     assert run.wait(timeout=PATIENCE) == 0
     assert_whole(tmp_path, expected)
 

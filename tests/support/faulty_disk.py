@@ -1,8 +1,10 @@
 """A disk that refuses, for real processes: a library that is loaded before all others."""
 
+import contextlib
 import errno
 import shutil
 import subprocess
+from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -26,6 +28,15 @@ class FaultyDisk(NamedTuple):
             flag = self.always if when else self.flag
             lines.append(f"{call} {getattr(errno, error)} {prefix} {flag}")
         return {"LD_PRELOAD": str(self.library), "DISK_FAULTS": "\n".join(lines)}
+
+    @contextlib.contextmanager
+    def failing(self) -> Iterator[None]:
+        """Let calls fail within this block."""
+        self.flag.touch()
+        try:
+            yield
+        finally:
+            self.flag.unlink()
 
 
 def faulty_disk(folder: Path) -> FaultyDisk:

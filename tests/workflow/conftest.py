@@ -58,9 +58,9 @@ def powers(tmp_path, monkeypatch) -> Path:
 
 
 @pytest.fixture(scope="session")
-def client(scheduler) -> Iterator[Client]:
-    """Return a client of the scheduler."""
-    with Client(scheduler) as client:
+def client(local) -> Iterator[Client]:
+    """Return a client of the scheduler, in its thread: a new one must start within ten seconds."""
+    with Client(local) as client:
         yield client
 
 

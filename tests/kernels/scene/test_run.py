@@ -25,7 +25,7 @@ def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
     one = a_scene(EVERY[:cut], MATERIALS[name], M, **ALL)
     first = run_scene(LINE, one)
     two = whole._replace(programme=EVERY[cut:])
-    two = two._replace(kept=np.arange(1, scene_steps(two, M, saved(first)).dt.size + 1))
+    two = two._replace(kept=np.arange(1, scene_steps(two, M, saved(first).origin).dt.size + 1))
     second, found = run_scene(LINE, two, saved(first)), run_scene(LINE, whole)
     for key in ("mu", "indentation", "normal_force", "friction_force", "contact_fraction"):
         joined = np.append(first[f"trace_{key}"], second[f"trace_{key}"])
