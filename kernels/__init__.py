@@ -34,7 +34,17 @@ from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State, law_of, memories
 from kernels.rheology.spectrum import KELVIN, Spectrum
-from kernels.scene import Saved, Scene, run_scene, scene_steps, trace_stamps
+from kernels.scene import (
+    ENERGIES,
+    START,
+    TRACES,
+    Origin,
+    Saved,
+    Scene,
+    run_scene,
+    scene_steps,
+    trace_stamps,
+)
 from kernels.steady import steady_sliding
 from kernels.surfaces.equivalent import equivalent_amplitudes, equivalent_spectrum
 from kernels.surfaces.line import Line

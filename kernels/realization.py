@@ -10,6 +10,7 @@ from kernels.case import Case, Clock, Outcome, Quantities, Seconds
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import lagged_slope, step_average
+from kernels.limits import LOADS, SPEEDS, check_between
 from kernels.march import march
 from kernels.memory_case import run_memory_case
 from kernels.patches.steady_friction import jump as jump_to
@@ -19,18 +20,15 @@ from kernels.rheology.law import State
 from kernels.rheology.spectrum import shortest_step
 from kernels.surfaces.line import Line
 
-LOADS = (1e-100, 1e100)  # Fbar; the rounding of d does not depend on it
-SPEEDS = (1e-12, 1e12)  # vbar; slower, rounding would show in the jump, which falls with v
 LEAST_STEP = 1e-9  # |r - 1|, or zero; r is then known to 1e-7 of it, the jump to 1e-5
 
 
 def _check(line: Line, case: Case, asked: Quantities) -> None:
     """Raise ValueError for a case without meaning, or beyond what doubles can resolve."""
     speeds = [abs(speed) for speed in (case.speed, *(r * case.speed for r in case.ratios))]
-    for name, values, (least, most) in (("load", [case.load], LOADS), ("speed", speeds, SPEEDS)):
-        for value in values:
-            if not least <= value <= most:
-                raise ValueError(f"{name} = {value:g}: must lie between {least:g} and {most:g}")
+    check_between("load", case.load, LOADS)
+    for speed in speeds:
+        check_between("speed", speed, SPEEDS)
     for ratio in case.ratios:
         if 0.0 < abs(ratio - 1.0) < 0.99 * LEAST_STEP:  # or 1e-9 itself would round out of it
             raise ValueError(f"ratio = 1 + {ratio - 1.0:g}: the step is lost in rounding")

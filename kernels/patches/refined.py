@@ -11,11 +11,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.contact import solve_indentation
 from kernels.jit import kernel
 from kernels.patches.samples import samples_per_contact
 from kernels.rheology.kelvin import SCHEMES
-from kernels.rheology.law import NEGLIGIBLE, State
+from kernels.rheology.law import State
+from kernels.steady import steady_sliding
 from kernels.surfaces.line import Line
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
@@ -57,7 +57,7 @@ def refined(line: Line, speed: float, scheme: str, load: float, state: State) ->
         law = SCHEMES[scheme](1.0 / (fine * speed))
         heights, slopes = interpolate(z, slope, curvature, at, 1.0 / steps, fold)
         decay = decays(at, fold, z.size, math.exp(-1.0 / (fine * speed)))
-        w, d = steady_on_stretches(law, heights, decay, load * fold)
+        (w, d), _ = steady_sliding(law, heights, load * fold, decay)
         lowest = float(heights.min())  # perhaps between samples, below all of them
         beyond, reach_to = d > reach_to, lowest + BELOW * (d - lowest)
         if beyond:
@@ -137,38 +137,3 @@ def decays(at, fold, n, once):
         after = at[i + 1] if i + 1 < at.size else at[0] + n
         left[(i + 1) * fold - 1] = once ** ((after - at[i] - 1) * fold + 1)
     return left
-
-
-@kernel
-def steady_on_stretches(law, z, decay, load):
-    """Return (w, d) of steady sliding, as steady.py does for a line without gaps.
-
-    z : fine samples, shape (n,). decay : as from ``decays``. load : sum of the forces on them.
-    """
-    n = z.size
-    deepest = np.argmin(z)
-    w = np.empty(n)
-    d, _ = solve_indentation(z, load, z[deepest] + load / n)
-    fewest, least = n + 1, np.inf
-    while True:
-        u, du = z[deepest] - d, 1.0
-        total = slope = 0.0
-        touching = 0
-        for k in range(1, n + 1):
-            j = (deepest - k) % n
-            free = decay[j] * u if decay[j] * u < -NEGLIGIBLE else 0.0
-            du = decay[j] * du if decay[j] * du > NEGLIGIBLE else 0.0
-            w[j] = free
-            u = free
-            if z[j] - d < free:
-                total += free - (z[j] - d)
-                slope += 1.0 - du
-                touching += 1
-                u, du = z[j] - d, 1.0
-        excess = law.stiffness * total - load
-        new = d - excess / (law.stiffness * slope)
-        progress = touching < fewest or excess < 0.5 * least
-        if not (excess > 4e-16 * load and new < d and progress):
-            return w, d
-        fewest, least = min(fewest, touching), min(least, excess)
-        d = new

@@ -73,8 +73,7 @@ def _friction(seen: Refined, speed: float) -> tuple[float, float, float]:
         # Where a contact is narrower than a sample nothing is sure, but that mu is a mean of slopes
         steepest = float(np.abs(slope[z - w < d]).max())
         corrected = min(max(corrected, -steepest), steepest)
-    if (
-        line.band_limited and corrected <= 0.0
-    ):  # ... and that it takes work: what the forces do while the line rises
+    if line.band_limited and corrected <= 0.0:
+        # ... and that it takes work: what the forces do while the line rises.
         corrected = step_average(steps * (np.roll(z, -1) - z), z - w, d)
     return corrected, mu, contact

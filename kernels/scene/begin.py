@@ -4,7 +4,7 @@ import numpy as np
 
 from kernels.contact import solve_indentation
 from kernels.memory.steady import steady_at, steady_memory
-from kernels.rheology.forms import FORMS
+from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import Elements, rest
 from kernels.rheology.relaxed import Moduli
@@ -62,7 +62,7 @@ def steady(
 
     speed : signed, in samples per tau.
     """
-    form = FORMS[scheme](spectrum)
+    form = form_of(spectrum, scheme)
     if load is None and d <= z.min():  # nothing touches
         return relaxed(form, z, None, d)
     if spectrum == KELVIN:

@@ -24,6 +24,9 @@ class Trace(NamedTuple):
     contact_fraction: np.ndarray
 
 
+TRACES = tuple(f"trace_{name}" for name in Trace._fields)
+
+
 class Lengths(NamedTuple):
     """How many contacts of which length there were at the steps that are kept."""
 

@@ -6,13 +6,21 @@ from kernels.control.force import ConstantForce
 from kernels.control.indentation import PrescribedIndentation
 from kernels.motion.programme import first_speed, last_speed
 from kernels.motion.track import Track, tracks
-from kernels.rheology.forms import FORMS
+from kernels.rheology.forms import form_of
 from kernels.rheology.law import Elements, displacement, law_of
 from kernels.scene.begin import Form, fresh, relaxed, steady
 from kernels.scene.energy import ENERGIES, Ledger, stored_energy
 from kernels.scene.follow import follow
-from kernels.scene.records import Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
-from kernels.scene.scene import Saved, Scene, check_scene, indentation_at, scene_steps
+from kernels.scene.records import (
+    TRACES,
+    Film,
+    Lengths,
+    Trace,
+    count_lengths,
+    keep_frame,
+    keep_trace,
+)
+from kernels.scene.scene import START, Saved, Scene, check_scene, indentation_at, scene_steps
 from kernels.surfaces.line import Line
 
 
@@ -57,7 +65,7 @@ class Recorders:
         """Return what was kept, by name; datum : as of a Line."""
         values: dict[str, np.ndarray] = {}
         if self.trace is not None:
-            values |= {f"trace_{name}": kept for name, kept in self.trace._asdict().items()}
+            values |= zip(TRACES, self.trace, strict=True)
             values["trace_indentation"] = self.trace.indentation + datum
         if self.ledger is not None:
             values |= zip(ENERGIES, self.ledger.kept, strict=True)
@@ -85,9 +93,9 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
     "updates" : of elements, the measure of cost. Raises ValueError for a scene without meaning.
     """
     m, z, slope = line.steps_per_spacing, line.z, line.slope
-    steps = scene_steps(scene, m, state)
+    steps = scene_steps(scene, m, state.origin if state else START)
     check_scene(scene, steps, state is not None)
-    form = FORMS[scene.scheme](scene.spectrum)
+    form = form_of(scene.spectrum, scene.scheme)
     begin = state or _begin(line, scene, form)
     times = np.cumsum(np.append(begin.time, steps.dt))
     control: ConstantForce | PrescribedIndentation = ConstantForce(scene.load * z.size)

@@ -5,15 +5,14 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kernels.limits import LOADS, SPEEDS, check_between
 from kernels.motion.programme import Programme, Steps, first_speed, steps_of
-from kernels.rheology.forms import FORMS
+from kernels.rheology.forms import form_of
 from kernels.rheology.law import law_of
 from kernels.rheology.spectrum import Spectrum, shortest_step
 
 ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
 STARTS = ("steady", "relaxed", "fresh")
-LOADS = (1e-100, 1e100)  # Fbar, as of a case (realization.py)
-SPEEDS = (1e-12, 1e12)  # of steady sliding, in dx/tau
 
 
 class Scene(NamedTuple):
@@ -33,6 +32,17 @@ class Scene(NamedTuple):
     frames: np.ndarray  # numbers of the steps at which a snapshot is taken; 0 is the start
 
 
+class Origin(NamedTuple):
+    """Where a programme begins: all that its steps depend on beside itself."""
+
+    position: float = 0.0  # of the line, in samples
+    speed: float = 0.0  # of the leg before, in dx/tau
+    time: float = 0.0  # in tau
+
+
+START = Origin()
+
+
 class Saved(NamedTuple):
     """What a programme needs to go on to the bit."""
 
@@ -43,13 +53,18 @@ class Saved(NamedTuple):
     time: float  # in tau
     speed: float  # of the leg before, in dx/tau
 
+    @property
+    def origin(self) -> Origin:
+        """Return where a programme goes on."""
+        return Origin(self.position, self.speed, self.time)
 
-def scene_steps(scene: Scene, steps_per_spacing: int, state: Saved | None = None) -> Steps:
-    """Return all time steps of a scene; steps_per_spacing : m.
+
+def scene_steps(scene: Scene, steps_per_spacing: int, origin: Origin = START) -> Steps:
+    """Return all time steps of a scene that begins at ``origin``; steps_per_spacing : m.
 
     Raises ValueError as steps_of, and where there is none.
     """
-    position, speed, time = (state.position, state.speed, state.time) if state else (0.0, 0.0, 0.0)
+    position, speed, time = origin
     shortest = shortest_step(scene.spectrum)
     steps = steps_of(scene.programme, steps_per_spacing, position, speed, shortest)
     if not steps.dt.size:
@@ -85,18 +100,17 @@ def indentation_at(scene: Scene, times: np.ndarray, datum: float) -> np.ndarray:
 
 
 def trace_stamps(
-    scene: Scene, steps_per_spacing: int, state: Saved | None = None
+    scene: Scene, steps_per_spacing: int, origin: Origin = START
 ) -> dict[str, np.ndarray]:
     """Return when and where a trace is kept: the same for every line, each of shape (kept,).
 
     "time" (in tau), "distance" (of the line, in dx), "speed" (in dx/tau) and "leg" (int).
     Forces of a step act law.lag of it before its end. The start has the speed and leg that follow.
     """
-    steps = scene_steps(scene, steps_per_spacing, state)
-    begin, position = (state.time, state.position) if state else (0.0, 0.0)
-    form = FORMS[scene.scheme](scene.spectrum)
-    end = np.cumsum(np.append(begin, steps.dt))
-    place = np.append(position, steps.position) / steps_per_spacing
+    steps = scene_steps(scene, steps_per_spacing, origin)
+    form = form_of(scene.spectrum, scene.scheme)
+    end = np.cumsum(np.append(origin.time, steps.dt))
+    place = np.append(origin.position, steps.position) / steps_per_spacing
     last = scene.kept
     step = np.maximum(last - 1, 0)
     dt, same = np.unique(steps.dt[step], return_inverse=True)
@@ -132,13 +146,8 @@ def check_scene(scene: Scene, steps: Steps, resumed: bool) -> None:
 def _check_control(scene: Scene, resumed: bool) -> None:
     """Raise ValueError where load, indentation or first speed have no meaning."""
     if scene.indentation is None:
-        limits = {"load": (scene.load, *LOADS)}
-    elif math.isnan(scene.load):
-        limits = {}
-    else:
+        check_between("load", scene.load, LOADS)
+    elif not math.isnan(scene.load):
         raise ValueError("load and indentation are both given: one of them follows from the other")
     if scene.start == "steady" and not resumed:
-        limits["first speed"] = (abs(first_speed(scene.programme)), *SPEEDS)
-    for name, (value, least, most) in limits.items():
-        if not least <= value <= most:
-            raise ValueError(f"{name} = {value:g}: must lie between {least:g} and {most:g}")
+        check_between("first speed", abs(first_speed(scene.programme)), SPEEDS)

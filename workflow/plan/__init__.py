@@ -23,6 +23,6 @@ if TYPE_CHECKING:
     from workflow.plan.machine import this_machine
     from workflow.plan.plan import Plan, Variant, make_plan
     from workflow.plan.problems import line_slope, speed_ratio
-    from workflow.plan.resolution import horizon_steps, steps_per_spacing
+    from workflow.plan.resolution import FIRST_ORDER, horizon_steps, steps_per_spacing
 
 __all__, __getattr__ = public_names(__name__, __file__)

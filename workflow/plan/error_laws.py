@@ -11,10 +11,9 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from kernels import KELVIN
+from kernels.patches.refined import LEAST_STEPS
 from workflow.plan.problems import expected_rate, speed_ratio, viscous_pressure
 from workflow.simulate import Problem
-
-FINE = 4  # steps per spacing, from which the kernels refine narrow contacts
 
 
 def known(problem: Problem) -> bool:
@@ -29,7 +28,7 @@ def mu_1_error(problem: Problem, steps: float) -> float:
     contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
     line = (elements / 88.0) ** (-1.22 * problem.hurst)
     coarse = 0.060 * contacts * (1.0 + 1.0 / speed) ** 0.92 * line / steps**2
-    return min(coarse, 0.010 / steps) if steps >= FINE else coarse
+    return min(coarse, 0.010 / steps) if steps >= LEAST_STEPS else coarse
 
 
 def jump_error(problem: Problem, steps: float) -> float:
@@ -38,7 +37,7 @@ def jump_error(problem: Problem, steps: float) -> float:
     contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
     line = (elements / 94.0) ** (-1.36 * problem.hurst)
     coarse = 0.158 * contacts * (1.0 + 1.0 / speed) ** 0.68 * line / steps**2
-    return min(coarse, 0.024 / steps) if steps >= FINE else coarse
+    return min(coarse, 0.024 / steps) if steps >= LEAST_STEPS else coarse
 
 
 def relaxation_rate_error(problem: Problem, steps: float) -> float:

@@ -117,10 +117,9 @@ def _speeds(study: Study, scale: Scale) -> tuple[float, float]:
 
 def line_modes(surface: LinesOfStudy, elements: int) -> Surface:
     """Return what lines of so many elements are."""
-    profile, modes = surface.profile, surface.amplitudes
-    if profile is None:
+    profile, own = surface.profile, surface.spectrum
+    if profile is None or own is None:
         return Surface(*surface.modes(elements))
-    own = profile.amplitudes if modes is None else modes
     slope = rms_slope(own / profile.roughness, elements)
     return Surface(measured=surface.identity, slope=slope)
 

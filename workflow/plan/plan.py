@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import Quantities
+from kernels import START, Origin, Quantities
 from workflow.errors import UserError
 from workflow.plan.cost import TYPICAL, Timings, task_seconds
 from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
@@ -16,8 +16,6 @@ from workflow.plan.problems import distinct_problems
 from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.simulate import (
     CODE,
-    START,
-    Origin,
     Recording,
     Surface,
     Task,

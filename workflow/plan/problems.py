@@ -11,7 +11,8 @@ from functools import cache, lru_cache
 import numpy as np
 
 from kernels import Spectrum, amplitudes, rms_slope
-from kernels.realization import LEAST_STEP, LOADS, SPEEDS
+from kernels.limits import LOADS, SPEEDS
+from kernels.realization import LEAST_STEP
 from workflow.errors import UserError
 from workflow.kinetic_law import exponent
 from workflow.plan.motion import Scale, Setting, canonical, line_modes, rounded, setting

@@ -3,10 +3,11 @@
 import math
 
 from kernels import KELVIN
-from kernels.realization import SPEEDS
+from kernels.limits import SPEEDS
+from kernels.patches.refined import LEAST_STEPS
 from kernels.rheology.spectrum import shortest_step
 from workflow.errors import UserError
-from workflow.plan.error_laws import LAWS, allowed_share, contact_width
+from workflow.plan.error_laws import allowed_share, contact_width, rate_error
 from workflow.plan.problems import expected_rate
 from workflow.simulate import Problem
 from workflow.study import Numerics, Scene
@@ -16,7 +17,7 @@ MIN_STEPS = 8  # of a march
 BIAS = 0.02  # relative discretisation error that "auto" keeps
 GENERAL_STEPS = 8  # where elements have internal variables, or a programme is marched
 RENEWAL = 0.04  # of the line, slid until contacts are others
-LEAST_STEPS = 4  # from which lines are refined where contacts are narrow (kernels/patches)
+FIRST_ORDER = 8  # times the steps, that a scheme of first order takes
 MOST_FOR_CONTACTS = 64
 WIDE = 40.0  # samples per contact, beyond which more of them change nothing
 
@@ -41,7 +42,7 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
     Steady friction and jumps do so with 4 (kernels/patches/refined.py), a relaxation where steps
     and contacts are resolved (error_laws.py). For contacts alone m goes up to MOST_FOR_CONTACTS and
     as far as a line fits into a worker; what is coarse then is marked in the result. First order
-    schemes take 8 times as many.
+    schemes take FIRST_ORDER times as many.
     """
     steps = numerics.steps_per_spacing
     if steps is None and problem.surface.measured:
@@ -51,16 +52,23 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
     elif steps is None:
         steps = max(LEAST_STEPS, least_steps(problem, scene))
         if "relaxation" in scene.quantities:
-            most = min(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
-            while (
-                LAWS["relaxation_rate"].error(problem, steps) > BIAS
-                and rung(steps + 1) <= most
-                and contact_width(problem) * steps < WIDE
-            ):
-                steps = rung(steps + 1)
+            steps = _for_contacts(problem, steps)
         if numerics.scheme == "implicit-euler":
-            steps *= 8
+            steps *= FIRST_ORDER
     check_resolution(problem, steps, numerics)
+    return steps
+
+
+def _for_contacts(problem: Problem, steps: int) -> int:
+    """Return m, from ``steps`` on, for which the law of b keeps BIAS, as far as m may go."""
+    most = min(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
+    width, rate = contact_width(problem), expected_rate(problem)
+    while (
+        rate_error(problem, steps, width * steps, rate) > BIAS
+        and rung(steps + 1) <= most
+        and width * steps < WIDE
+    ):
+        steps = rung(steps + 1)
     return steps
 
 

@@ -4,12 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import Programme, Saved, trace_stamps
+from kernels import ENERGIES, TRACES, Programme, trace_stamps
 from workflow.plan import Plan, Variant, line_slope
 from workflow.reduce.statistics import standard_error
 from workflow.simulate import (
-    ENERGIES,
-    TRACES,
     Layout,
     Task,
     record_steps,
@@ -89,10 +87,7 @@ def _stamps(variant: Variant, tasks: list[Task]) -> dict[str, np.ndarray]:
     each = []
     for task in tasks:
         scene = scene_of(task, variant.numerics.scheme, variant.recording)
-        position, speed, time = variant.recording.origin
-        nothing = np.empty(0)
-        saved = Saved(nothing, nothing, 0.0, position, time, speed)
-        each.append(trace_stamps(scene, task.steps_per_spacing, saved))
+        each.append(trace_stamps(scene, task.steps_per_spacing, variant.recording.origin))
     return {
         name: np.stack([_filled(own[name].astype(float), variant.events) for own in each])
         for name in each[0]

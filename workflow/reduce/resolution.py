@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workflow.plan import LAWS, first_order_rate_error, known, rate_error
+from workflow.plan import FIRST_ORDER, LAWS, first_order_rate_error, known, rate_error
 from workflow.simulate import Task
 
 UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
@@ -29,7 +29,7 @@ def resolution(
 
     A bias is a bound of the relative discretisation error; bias_bound is the largest. By the laws
     of plan/error_laws.py, with the samples per contact and the rate b that were found in place of
-    those expected. A first order scheme has an eighth of its steps to show for them.
+    those expected. Of a first order scheme FIRST_ORDER steps are worth one.
     """
     found: dict[str, np.ndarray] = {}
     if not names:  # nothing steady: a programme alone
@@ -45,7 +45,7 @@ def resolution(
                 bias[row] = np.nan
                 continue
             if name != "relaxation_rate":
-                bias[row] = LAWS[name].error(problem, steps / 8 if first_order else steps)
+                bias[row] = LAWS[name].error(problem, steps / FIRST_ORDER if first_order else steps)
                 continue
             bias[row] = rate_error(problem, steps, samples[row], rates[row])
             if first_order:

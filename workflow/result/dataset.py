@@ -68,10 +68,9 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
 
 def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
     """Return the power spectrum of measured lines, or of random ones like them."""
-    profile, modes = variant.lines.profile, variant.lines.amplitudes
-    if profile is None:
+    profile, own = variant.lines.profile, variant.lines.spectrum
+    if profile is None or own is None:
         return {}
-    own = profile.amplitudes if modes is None else modes
     q, density = power_spectrum(own, profile.length)
     return {"power_spectrum": xr.DataArray(density, {"wave_number": q}, "wave_number")}
 
@@ -111,11 +110,6 @@ def _annotate(dataset: xr.Dataset, freedom: int) -> None:
             dataset[name].attrs["degrees_of_freedom"] = freedom
     for name in dataset.coords:
         units, long_name = AXIS_ATTRIBUTES[str(name)]
-        dataset[name].attrs = (
-            {"long_name": long_name}
-            if name == "law"
-            else {
-                "units": units,
-                "long_name": long_name,
-            }
-        )
+        dataset[name].attrs = {"units": units, "long_name": long_name}
+        if name == "law":  # names, not numbers
+            del dataset[name].attrs["units"]

@@ -5,11 +5,11 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from kernels import Saved
+from kernels import START, Saved
 from workflow.plan import Plan, Variant, cut, make_batches, make_plan, missing_work
 from workflow.reduce import Estimates, blocks_of, completed, reduce_blocks
 from workflow.result import build_dataset
-from workflow.simulate import START, block_means
+from workflow.simulate import block_means
 from workflow.study import Study
 
 PER_TAU = ("relaxation_rate", "relaxation_rate_free", "stretched_rate", "fast_rate", "slow_rate")
@@ -22,10 +22,7 @@ def computed(study: Study, resumed: Saved | None = None) -> xr.Dataset:
     resumed : where the programme goes on, on one line; by default it starts as the study says.
     Raises UserError where the plan is refused, ValueError as the kernels do.
     """
-    origin = START
-    if resumed is not None:
-        origin = (float(resumed.position), float(resumed.speed), float(resumed.time))
-    plan = make_plan(study, origin=origin)
+    plan = make_plan(study, origin=resumed.origin if resumed else START)
     (variant,) = plan.variants
     dataset = build_dataset(plan, variant, _estimates(plan, variant, resumed), {})
     single = {axis: 0 for axis in study.axes if axis != "hold"}

@@ -12,8 +12,6 @@ if TYPE_CHECKING:
     from workflow.simulate.kept import kept_steps, programme_steps, record_steps, record_times
     from workflow.simulate.layout import (
         EDGES,
-        ENERGIES,
-        TRACES,
         Layout,
         row_layout,
         row_width,
@@ -24,10 +22,8 @@ if TYPE_CHECKING:
     from workflow.simulate.tasks import (
         PHASES,
         SCALARS,
-        START,
         Batch,
         BatchResult,
-        Origin,
         Problem,
         Record,
         Recording,

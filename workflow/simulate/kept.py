@@ -8,17 +8,18 @@ import numpy as np
 from kernels import (
     KELVIN,
     SCHEMES,
+    START,
     Hold,
+    Origin,
     Oscillation,
     Programme,
-    Saved,
     Scene,
     Spectrum,
     form_of,
     law_of,
     scene_steps,
 )
-from workflow.simulate.tasks import START, Origin, Problem, Recording, ScaledHistory
+from workflow.simulate.tasks import Problem, Recording, ScaledHistory
 
 RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
 LOOP = 256  # samples of the last cycle of an oscillation
@@ -66,13 +67,11 @@ def _march(
     origin: Origin,
 ) -> March:
     nothing = np.empty(0)
-    position, speed, time = origin
-    saved = Saved(nothing, nothing, 0.0, position, time, speed)
     scene = Scene(
         spectrum, "exponential", programme, 1.0, history, "steady", (), nothing, nothing, nothing
     )
-    steps = scene_steps(scene, m, saved)
-    moved = np.abs(np.diff(steps.position, prepend=position))
+    steps = scene_steps(scene, m, origin)
+    moved = np.abs(np.diff(steps.position, prepend=origin.position))
     return March(np.cumsum(steps.dt), moved, steps.leg)
 
 

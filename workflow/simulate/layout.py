@@ -8,19 +8,11 @@ import math
 
 import numpy as np
 
-from kernels import Quantities, form_of, memories
+from kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memories
 from workflow.simulate.kept import kept_steps
 from workflow.simulate.tasks import Recording, Task
 
-TRACES = (
-    "trace_mu",
-    "trace_indentation",
-    "trace_normal_force",
-    "trace_friction_force",
-    "trace_contact_fraction",
-)
-ENERGIES = ("stored_energy", "dissipated_energy", "work", "closing_work")
-STATE = ("state_d", "state_position", "state_time", "state_speed")
+STATE = tuple(f"state_{name}" for name in Saved._fields if name not in ("memory", "p"))
 BINS = 40
 EDGES = 2.0 ** (0.5 * np.arange(BINS + 1) - 4.0)  # of contact lengths, in dx
 

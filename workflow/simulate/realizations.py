@@ -2,7 +2,7 @@
 
 import time
 from collections.abc import Callable
-from functools import lru_cache
+from functools import lru_cache, partial
 
 import numpy as np
 
@@ -13,6 +13,8 @@ from workflow.simulate.layout import Layout, row_layout, row_width
 from workflow.simulate.programmes import add_programme, steady_ends
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
 from workflow.system import peak_bytes, this_maker
+
+Draw = Callable[[int], Callable[[int], Line]]  # number of a realization -> steps -> its line
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
@@ -45,11 +47,12 @@ def block_means(batch: Batch) -> BatchResult:
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
     curves = np.zeros((len(batch.tasks), batch.blocks, width))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
+    lines = _lines(batch)
     for block in range(batch.blocks):
         first = block * batch.realizations_per_block
         for number in range(first, first + batch.realizations_per_block):
             sums = scalars[:, block], curves[:, block]
-            _add_realization(batch, layouts, number, sums, spent)
+            _add_realization(batch, layouts, lines, number, sums, spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
     used = time.thread_time() - began
@@ -59,6 +62,7 @@ def block_means(batch: Batch) -> BatchResult:
 def _add_realization(
     batch: Batch,
     layouts: list[Layout],
+    lines: Draw,
     number: int,
     sums: tuple[np.ndarray, np.ndarray],
     spent: np.ndarray,
@@ -68,7 +72,7 @@ def _add_realization(
     number : of the realization, counted from the first of the batch.
     """
     began = time.thread_time()
-    draw = _drawer(batch, number)
+    draw = lines(number)
     line = None
     drawing = 0.0
     for rows in _shared_cases(batch.tasks):
@@ -95,23 +99,25 @@ def _add_realization(
     spent[:, 0] += drawing / len(batch.tasks)
 
 
-def _drawer(batch: Batch, number: int) -> Callable[[int], Line]:
-    """Return what draws the line of a realization with so many steps per spacing."""
-    problem = batch.tasks[0].problem  # all tasks are of its lines
-    elements = problem.elements
+def _lines(batch: Batch) -> Draw:
+    """Return what draws the line of a realization, by its number in the batch."""
     if batch.heights is not None:
-        heights = batch.heights[number]
-        return lambda steps: Line.measured(heights, steps)
-    if batch.modes is not None:
-        amplitude = batch.modes
-    else:
-        rolloff, cutoff = problem.surface.rolloff, problem.surface.cutoff
-        normalisation = batch.normalisation
-        amplitude = amplitudes(problem.hurst, elements, normalisation, rolloff, cutoff)
-    index = batch.first_block * batch.realizations_per_block + number
-    generator = line_generator(batch.seed, problem.hurst, elements, index)
-    phases = draw_phases(generator, elements)
-    return lambda steps: Line.self_affine(amplitude, phases, elements, steps)
+        heights = batch.heights
+        return lambda number: partial(Line.measured, heights[number])
+    problem = batch.tasks[0].problem  # all tasks are of its lines
+    hurst, elements, surface = problem.hurst, problem.elements, problem.surface
+    amplitude = batch.modes
+    if amplitude is None:
+        modes = surface.rolloff, surface.cutoff
+        amplitude = amplitudes(hurst, elements, batch.normalisation, *modes)
+    first = batch.first_block * batch.realizations_per_block
+
+    def draw(number: int) -> Callable[[int], Line]:
+        generator = line_generator(batch.seed, hurst, elements, first + number)
+        phases = draw_phases(generator, elements)
+        return lambda steps: Line.self_affine(amplitude, phases, elements, steps)
+
+    return draw
 
 
 def _shared_cases(tasks: tuple[Task, ...]) -> list[list[int]]:

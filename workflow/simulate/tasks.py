@@ -5,7 +5,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import KELVIN, Outcome, Programme, Quantities, Saved, Seconds, Slide, Spectrum
+from kernels import (
+    KELVIN,
+    START,
+    Origin,
+    Outcome,
+    Programme,
+    Quantities,
+    Saved,
+    Seconds,
+    Slide,
+    Spectrum,
+)
 from workflow.system import Maker
 
 ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, indentations in h
@@ -48,10 +59,6 @@ NOT_SCALARS = ("curves", "work", "seconds", "initial_rate")
 SCALARS = tuple(f for f in Outcome._fields if f not in NOT_SCALARS)
 
 PHASES = ("surfaces", *Seconds._fields)  # of the work on a line; the rest is calls
-
-
-Origin = tuple[float, float, float]  # position in samples, speed in dx/tau, time in tau
-START: Origin = (0.0, 0.0, 0.0)
 
 
 class Recording(NamedTuple):

@@ -1,5 +1,6 @@
 """What the lines of a study are: random self-affine, measured, or random like measured ones."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -45,8 +46,13 @@ class Surface(NamedTuple):
             return profile.amplitudes
         elements = profile.heights.shape[1]
         slope = profile.slope * profile.spacing / profile.roughness
-        rolloff = matching_rolloff(self.hurst, elements, slope)
-        return profile.roughness * amplitudes(self.hurst, elements, "modal", rolloff)
+        return profile.roughness * _like(self.hurst, elements, slope)
+
+    @property
+    def spectrum(self) -> np.ndarray | None:
+        """The mode amplitudes (m) of the lines, measured or like measured ones; None: others."""
+        modes = self.amplitudes
+        return self.profile.amplitudes if self.profile is not None and modes is None else modes
 
     @property
     def told(self) -> str:
@@ -67,3 +73,9 @@ class Surface(NamedTuple):
             return ""
         own = f" H = {self.hurst!r}" if self.lines == "self-affine" else ""
         return f"{self.profile.digest} {self.lines}{own}"
+
+
+@lru_cache
+def _like(hurst: float, elements: int, slope: float) -> np.ndarray:
+    """Return the amplitudes (h) of self-affine lines of a slope (h/dx): found by halving."""
+    return amplitudes(hurst, elements, "modal", matching_rolloff(hurst, elements, slope))
