@@ -2,11 +2,13 @@
 
 import os
 from collections.abc import Iterator
+from typing import Any
 
 import dask
 import pytest
 from distributed import LocalCluster
 from hypothesis import settings
+from xdist.scheduler import LoadScopeScheduling
 
 from tests.last_bit import perturb
 from tests.support import skips
@@ -18,6 +20,7 @@ settings.load_profile("usual")
 
 # What takes longest comes first, so that no process is left alone with it in the end.
 ORDER = ("studies", "workflow/run", "workflow/cluster", "hard", "workflow", "independent")
+SHARED = {"tests/studies/test_explore.py": "tests/studies/test_fig7.py"}  # one result for both
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -31,18 +34,36 @@ def pytest_xdist_auto_num_workers() -> int:
     return min(8, max(2, len(cores)))
 
 
-@pytest.hookimpl(tryfirst=True)
+class ByFile(LoadScopeScheduling):
+    """Keep the tests of a file in one process, and files that share a study: they share fixtures.
+
+    xdist's own groups (--dist loadgroup) are lost in silence from pytest 9.2 on.
+    """
+
+    def _split_scope(self, nodeid: str) -> str:
+        """Return the name of the group of a test."""
+        return group_of(nodeid)
+
+
+def group_of(nodeid: str) -> str:
+    """Return the name of the group of a test: its file, or one that it shares a study with."""
+    file = nodeid.partition("::")[0]
+    return SHARED.get(file, file)
+
+
+def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> ByFile:
+    """Return how tests are spread over processes."""
+    return ByFile(config, log)
+
+
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    """Keep the tests of a file, or of a group, in one process: they share their fixtures."""
+    """Begin with what takes longest."""
     folder = config.rootpath / "tests"
 
     def place(item: pytest.Item) -> int:
         path = item.path.relative_to(folder).as_posix()
         return next((i for i, name in enumerate(ORDER) if path.startswith(name)), len(ORDER))
 
-    for item in items:
-        if item.get_closest_marker("xdist_group") is None:
-            item.add_marker(pytest.mark.xdist_group(f"{item.path.parent.name}/{item.path.stem}"))
     items.sort(key=place)
 
 

@@ -7,8 +7,6 @@ from pathlib import Path
 import nbformat
 import pytest
 
-pytestmark = pytest.mark.xdist_group("fig7")
-
 NOTEBOOK = Path(__file__).resolve().parents[2] / "studies" / "explore.ipynb"
 # In a process of its own: the kernel and its event loop stay out of the tests' process.
 EXECUTE = """

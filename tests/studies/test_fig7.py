@@ -7,8 +7,6 @@ from tests.studies.conftest import FULL_CONTACT
 from tests.support.studies import check_drawing, rates
 from workflow.reduce.fits import FITTED, NO_RELAXATION
 
-pytestmark = pytest.mark.xdist_group("fig7")
-
 
 @pytest.fixture(scope="module")
 def converged(fig7):
