@@ -8,11 +8,13 @@ import time
 from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
+from typing import NamedTuple
 
 import psutil
 
 from tests.cluster.processes import PATIENCE, STUDY, Standing, end, kill, start, workers_of
 from tests.cluster.slurm import NODES, Slurm
+from tests.cluster.stops import Stops
 from workflow.store import journal
 
 ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM}  # of drivers
@@ -21,29 +23,33 @@ STOPPABLE = ("worker", "nanny", "scheduler", "worker of a job", "nanny of a job"
 Weapon = Callable[[], bool]  # returns whether it found something to kill
 
 
+class Count(NamedTuple):
+    """How many strikes."""
+
+    kills: int
+    stops: int = 0
+
+
 class FinishedTooSoonError(Exception):
-    """The study was finished before the last kill."""
+    """The study was finished before the last strike."""
 
 
 class Chaos:
     """A study under fire."""
 
-    def __init__(
-        self, folder: Path, study: list[str], seed: int, longest_stop: float = 0.0
-    ) -> None:
-        """``longest_stop`` : s for which half of the victims are stopped; 0: all are killed."""
+    def __init__(self, folder: Path, study: list[str], seed: int) -> None:
         self.folder, self.study, self.random = folder, study, random.Random(seed)
-        self.longest_stop = longest_stop
+        self.stops = Stops(self.random)
         self.store, self.log = folder / "store", folder / "driver.log"
-        self.kills: Counter[str] = Counter()
+        self.strikes: Counter[str] = Counter()
         self.endings: Counter[int] = Counter()  # of drivers, by exit status
         self.driver: subprocess.Popen | None = None
         self.stopping = False  # instead of killing
         self.options: list[str] = []
         self.environment: dict[str, str] = {}
 
-    def standing(self, kills: int, cluster: Standing) -> None:
-        """Kill what belongs to a scheduler with two workers."""
+    def standing(self, count: Count, cluster: Standing) -> None:
+        """Strike what belongs to a scheduler with two workers."""
         self.options, self.environment = ["--scheduler", cluster.address], {}
 
         def at(*names: str) -> bool:
@@ -55,10 +61,10 @@ class Chaos:
             "nanny": lambda: at("worker-1", "worker-2"),
             "scheduler": lambda: at("scheduler"),
         }
-        self._leg(kills, weapons, cluster.heal)
+        self._leg(count, weapons, cluster.heal)
 
-    def slurm(self, kills: int, cluster: Slurm) -> None:
-        """Kill what belongs to jobs of SLURM."""
+    def slurm(self, count: Count, cluster: Slurm) -> None:
+        """Strike what belongs to jobs of SLURM."""
         self.options, self.environment = cluster.options(), cluster.environment
 
         weapons = {
@@ -66,13 +72,13 @@ class Chaos:
             "nanny of a job": lambda: self._any([nanny.pid for nanny in cluster.nannies()]),
             "node down": lambda: cluster.set_down(self.random.choice(NODES)),
         }
-        self._leg(kills, weapons, cluster.heal)
+        self._leg(count, weapons, cluster.heal)
 
-    def local(self, kills: int) -> None:
-        """Kill what belongs to processes of this machine."""
+    def local(self, count: Count) -> None:
+        """Strike what belongs to processes of this machine."""
         self.options, self.environment = ["--workers", "2"], {}
         weapons = {"local worker": lambda: self._any(workers_of(psutil.Process(self.driver.pid)))}
-        self._leg(kills, weapons, lambda: None)
+        self._leg(count, weapons, lambda: None)
 
     def finish(self) -> None:
         """Let the study be finished in peace."""
@@ -82,6 +88,7 @@ class Chaos:
 
     def stop(self) -> None:
         """End the driver."""
+        self.stops.let_go()
         if self.driver is not None:
             end(self.driver)
 
@@ -89,25 +96,32 @@ class Chaos:
         """Return whether the driver has ended well."""
         return self.driver is not None and self.driver.poll() == 0
 
-    def _leg(self, kills: int, weapons: dict[str, Weapon], heal: Callable[[], None]) -> None:
-        if self.longest_stop:
-            kills_of = {name: weapon for name, weapon in weapons.items() if name in STOPPABLE}
-            weapons |= {f"{name}, stopped": self._stop_instead(w) for name, w in kills_of.items()}
-            weapons["driver, stopped"] = lambda: self._stop(self.driver.pid)
+    def _leg(self, count: Count, weapons: dict[str, Weapon], heal: Callable[[], None]) -> None:
+        """Kill and stop so often, in any order: kill after some progress, stop whatever happens.
+
+        What is stopped goes on by itself; kills and further stops come meanwhile.
+        """
         for number in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
             weapons[f"driver, {number.name}"] = lambda number=number: self._at_driver(number)
-        aim = sum(self.kills.values()) + kills
-        while sum(self.kills.values()) < aim:
+        brakes = {
+            f"{n}, stopped": self._stop_instead(weapons[n]) for n in STOPPABLE if n in weapons
+        }
+        brakes["driver, stopped"] = lambda: self._stop(self.driver.pid)
+        plan = [weapons] * count.kills + [brakes] * count.stops
+        self.random.shuffle(plan)
+        while plan:
             self._run_on()
-            self._wait_for_progress(heal)
+            if plan[-1] is weapons:
+                self._wait_for_progress(heal)
             if self.finished():
                 raise FinishedTooSoonError
-            stops = self.longest_stop and self.random.random() < 0.5
-            name = self.random.choice(sorted(n for n in weapons if ("stopped" in n) == bool(stops)))
-            if self.driver.poll() is None and weapons[name]():
-                self.kills[name] += 1
-                print(f"{sum(self.kills.values()):3d} {name}", flush=True)
+            name = self.random.choice(sorted(plan[-1]))
+            if self.driver.poll() is None and plan[-1][name]():
+                plan.pop()
+                self.strikes[name] += 1
+                print(f"{sum(self.strikes.values()):3d} {name}", flush=True)
             time.sleep(self.random.uniform(0.0, 1.0))
+        self.stops.let_go()
         self._at_driver(signal.SIGINT)
 
     def _run_on(self) -> None:
@@ -151,12 +165,7 @@ class Chaos:
         return stop
 
     def _stop(self, pid: int) -> bool:
-        """Stop a process for a random time, then let it go on."""
-        kill(pid, signal.SIGSTOP)
-        try:
-            time.sleep(self.random.uniform(0.0, self.longest_stop))
-        finally:
-            kill(pid, signal.SIGCONT)
+        self.stops.stop(pid)
         return True
 
     def _at_driver(self, number: int) -> bool:

@@ -1,7 +1,7 @@
 """Chaos: kill and stop whatever computes a study, again and again; look at what comes of it.
 
     python -m tests.tools.chaos --kills 50 --seed 1
-    python -m tests.tools.chaos --kills 200 --stop-seconds 60      half of them stops (SIGSTOP)
+    python -m tests.tools.chaos --kills 100 --stops 100      stops (SIGSTOP) of up to 60 s
 
 One study in one folder of results is computed by a scheduler that stands, then by jobs of a
 private SLURM, then by processes of this machine, while a seeded random plan kills workers,
@@ -15,13 +15,13 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
-from tests.cluster.havoc import Chaos, FinishedTooSoonError
+from tests.cluster.havoc import Chaos, Count, FinishedTooSoonError
 from tests.cluster.processes import Standing, result_of
 from tests.cluster.slurm import Slurm, missing
 from tests.cluster.tally import begun
 from workflow.store import journal
 
-SHARES = {"standing": 0.5, "slurm": 0.3, "local": 0.2}  # of the kills
+SHARES = {"slurm": 0.3, "local": 0.2}  # of the strikes; the rest at a scheduler that stands
 
 
 def stored(store: Path) -> tuple[int, int, int]:
@@ -37,36 +37,38 @@ def stored(store: Path) -> tuple[int, int, int]:
     return chunks, len(seen), sum(count > 1 for count in seen.values())
 
 
-def run_chaos(
-    folder: Path, kills: int, seed: int, core_seconds: float, longest_stop: float = 0.0
-) -> list[str]:
+def run_chaos(folder: Path, count: Count, seed: int, core_seconds: float) -> list[str]:
     """Run it all in ``folder``; return a report. Raises AssertionError where a promise breaks.
 
-    longest_stop : seconds for which about half of the victims are stopped instead of killed.
-    A study that a fast machine finishes before the last kill is made twice as long.
+    A study that a fast machine finishes before the last strike is made twice as long.
     """
     while True:
         attempt = folder / f"{core_seconds:.0f}"
         attempt.mkdir()
         try:
-            return _one_study(attempt, kills, seed, core_seconds, longest_stop)
+            return _one_study(attempt, count, seed, core_seconds)
         except FinishedTooSoonError:
             core_seconds *= 2.0
 
 
-def _one_study(
-    folder: Path, kills: int, seed: int, core_seconds: float, longest_stop: float
-) -> list[str]:
+def legs(count: Count) -> dict[str, Count]:
+    """Return how many strikes which leg has; SLURM's go to the first where there is none."""
+    of = {name: [round(SHARES[name] * number) for number in count] for name in ("slurm", "local")}
+    if missing():
+        of["slurm"] = [0, 0]
+    rest = [whole - a - b for whole, a, b in zip(count, *of.values(), strict=True)]
+    return {"standing": Count(*rest)} | {name: Count(*own) for name, own in of.items()}
+
+
+def _one_study(folder: Path, count: Count, seed: int, core_seconds: float) -> list[str]:
     blocks = max(2, round(core_seconds / 3.0))  # 3 s for 10 realizations
     study = ["--set", f"study.realizations={10 * blocks}"]
     study += ["--set", "study.realizations_per_block=10"]
     for name in ("peace", "war"):
         (folder / name).mkdir()
     expected, _ = result_of(folder / "peace", *study, "--workers", "2")
-    counts = {name: round(share * kills) for name, share in SHARES.items()}
-    if missing():
-        counts["standing"] += counts.pop("slurm")
-    war = Chaos(folder / "war", study, seed, longest_stop)
+    counts = legs(count)
+    war = Chaos(folder / "war", study, seed)
     with contextlib.ExitStack() as afterwards:
         afterwards.callback(war.stop)
         cluster = Standing(folder / "standing")
@@ -74,7 +76,7 @@ def _one_study(
         war.standing(counts["standing"], cluster)
         tally, (standing, _, _) = begun(cluster.tally), stored(war.store)
         cluster.stop()
-        if "slurm" in counts:
+        if any(counts["slurm"]):
             private = Slurm(folder / "slurm")
             afterwards.callback(private.stop)
             war.slurm(counts["slurm"], private)
@@ -85,7 +87,8 @@ def _one_study(
     assert twice == 0, f"{twice} records were computed again"
     runs = sum("run" in entry for entry, _ in journal.entries(war.store))
     return [
-        f"{sum(war.kills.values())} kills and stops: {dict(sorted(war.kills.items()))}",
+        f"{sum(war.strikes.values())} kills and stops: {dict(sorted(war.strikes.items()))}",
+        war.stops.line(),
         f"{runs} runs; drivers ended with {dict(sorted(war.endings.items()))}",
         f"{records} records in {chunks} batches stored, none twice; result bit-identical",
         f"wasted on the standing cluster: {tally - standing} of {tally} batches begun",
@@ -98,12 +101,11 @@ def main() -> None:
     parser.add_argument("--kills", type=int, default=50)
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--core-seconds", type=float, default=60.0, help="of the study")
-    text = "stop half of the victims for up to so many seconds instead of killing them"
-    parser.add_argument("--stop-seconds", type=float, default=0.0, help=text)
+    parser.add_argument("--stops", type=int, default=0, help="for up to 60 s")
     options = parser.parse_args()
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
-        how = (options.kills, options.seed, options.core_seconds, options.stop_seconds)
-        report = run_chaos(Path(folder), *how)
+        count = Count(options.kills, options.stops)
+        report = run_chaos(Path(folder), count, options.seed, options.core_seconds)
     print("\n".join(report))
 
 
