@@ -21,8 +21,9 @@ if TYPE_CHECKING:
     from workflow.plan.error_laws import LAWS, first_order_rate_error, known, rate_error
     from workflow.plan.goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
     from workflow.plan.machine import this_machine
-    from workflow.plan.plan import Plan, Variant, make_plan
+    from workflow.plan.plan import Plan, make_plan
     from workflow.plan.problems import line_slope, speed_ratio
     from workflow.plan.resolution import FIRST_ORDER, horizon_steps, steps_per_spacing
+    from workflow.plan.variant import Variant
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -3,13 +3,15 @@
 The store is asked once, record by record; what is missing is then cut to any length.
 """
 
+from bisect import bisect_right
 from collections.abc import Container, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
 
-from workflow.plan.plan import Plan, Variant
+from workflow.plan.plan import Plan
+from workflow.plan.variant import Variant, samples_of
 from workflow.simulate import Batch, Record, Task
 from workflow.study import Study, Surface
 
@@ -43,7 +45,7 @@ def missing_work(
     """
     wanted = blocks or plan.expected
     return [
-        Missing(variant, tasks, first, count, block_seconds(plan, tasks))
+        Missing(variant, tasks, first, count, block_seconds(plan, variant, tasks))
         for variant in plan.variants
         for line in variant.by_line
         for tasks, first, count in _missing_runs(line, wanted, stored)
@@ -60,11 +62,11 @@ def total_records(missing: list[Missing]) -> int:
     return sum(entry.blocks * len(entry.tasks) for entry in missing)
 
 
-def block_seconds(plan: Plan, tasks: list[Task]) -> float:
+def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
     """Return the predicted time of one block of tasks that share their lines."""
-    lines = {_line_samples(task) for task in tasks}
-    drawing = sum(plan.timings.draw(samples) for samples in sorted(lines))
-    each = drawing + sum(plan.task_seconds[task.key] for task in tasks)
+    lines = {samples_of(task) for task in tasks}
+    drawing = sum(variant.drawing[samples] for samples in sorted(lines))
+    each = drawing + sum(variant.seconds[task.key] for task in tasks)
     return plan.study.realizations_per_block * each
 
 
@@ -124,11 +126,16 @@ def _missing_runs(
     line: list[Task], blocks: dict[str, int], stored: Container[Record]
 ) -> Iterator[tuple[list[Task], int, int]]:
     """Yield (tasks, first block, number of blocks) where the same tasks are missing."""
+    counts = [(task, blocks[task.key]) for task in line]
+    ends = sorted({count for _, count in counts})
 
     def lacking(block: int) -> list[Task]:
-        return [t for t in line if block < blocks[t.key] and (t.key, block) not in stored]
+        if not stored:  # nothing lacks but what is not wanted: the same up to the next end
+            return wanted[bisect_right(ends, block)]
+        return [t for t, count in counts if block < count and (t.key, block) not in stored]
 
-    for tasks, run in groupby(range(max(blocks[task.key] for task in line)), lacking):
+    wanted = [[task for task, count in counts if count >= end] for end in ends]
+    for tasks, run in groupby(range(ends[-1]), lacking):
         if tasks:
             first, *others = run
             yield tasks, first, 1 + len(others)
@@ -137,12 +144,13 @@ def _missing_runs(
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
     """Yield the tasks of missing work, as many together as take ``target`` seconds a block."""
     block = plan.study.realizations_per_block
+    predicted, draw = whole.variant.seconds, whole.variant.drawing
     chosen: list[Task] = []
     lines: set[int] = set()
     total = 0.0
     for task in whole.tasks:
-        samples, own = _line_samples(task), plan.task_seconds[task.key]
-        drawing = plan.timings.draw(samples)
+        samples, own = samples_of(task), predicted[task.key]
+        drawing = draw[samples]
         shared = own if samples in lines else own + drawing
         if chosen and total + block * shared > target:
             yield whole._replace(tasks=chosen, seconds=total)
@@ -151,7 +159,3 @@ def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
         lines.add(samples)
         total += block * shared
     yield whole._replace(tasks=chosen, seconds=total)
-
-
-def _line_samples(task: Task) -> int:
-    return task.problem.elements * task.steps_per_spacing

@@ -1,15 +1,16 @@
 """Predicted cost of a case: how much work it is (laws below) times how fast a machine works.
 
 The amounts (sweeps, touching samples) belong to the problem, the timings to a machine; those are
-measured by timing.py.
+measured by timing.py. Laws take a problem, or many of them together (problems.py).
 """
 
-import math
 from typing import NamedTuple
 
+import numpy as np
+
 from kernels import KELVIN, Quantities
-from workflow.plan.problems import viscous_pressure
-from workflow.simulate import Problem, Recording, Task, programme_steps
+from workflow.plan.problems import Numbers, viscous_pressure
+from workflow.simulate import Problem, Recording, programme_steps
 
 # Of elements with internal variables, in steps (of all samples) and sweeps of a Kelvin element.
 # Ratios of CPU times on one machine, H = 0.7, m = 4, Prony series without a dashpot. March at
@@ -30,16 +31,10 @@ class SecondsBySize(NamedTuple):
     sizes: tuple[float, ...]  # increasing
     seconds: tuple[float, ...]
 
-    def __call__(self, size: float) -> float:
-        """Return the seconds for ``size`` samples; at either end in proportion to the size."""
-        sizes, seconds = self
-        if size <= sizes[0]:
-            return seconds[0]
-        for k in range(1, len(sizes)):
-            if size <= sizes[k]:
-                share = math.log(size / sizes[k - 1]) / math.log(sizes[k] / sizes[k - 1])
-                return seconds[k - 1] * (seconds[k] / seconds[k - 1]) ** share
-        return seconds[-1] * size / sizes[-1]
+    def __call__(self, size: Numbers) -> Numbers:
+        """Return the seconds for ``size`` samples: a call takes some, many in proportion."""
+        between = np.interp(np.log(size), np.log(self.sizes), np.log(self.seconds))
+        return np.exp(between) * np.maximum(1.0, size / self.sizes[-1])
 
 
 class Timings(NamedTuple):
@@ -64,66 +59,83 @@ TYPICAL = Timings(
 )
 
 
-def touchable_share(hurst: float, load: float, viscous_pressure: float) -> float:
+def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
     """Return the share of the line that is marched: what lies below the indentation.
 
     At rest it grows with the load; at speed little area carries it, load over viscous pressure.
     Measured on 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000: half of
     them within 20 %, nine of ten within a factor of 2.2.
     """
-    rest = math.exp(-0.40 + 0.78 * hurst) * load**0.635
-    speed = math.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
+    rest = np.exp(-0.40 + 0.78 * hurst) * load**0.635
+    speed = np.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
     return (1.0 + rest**-2.8 + speed**-2.8) ** (-1.0 / 2.8)
 
 
-def sweeps(load: float, viscous_pressure: float) -> float:
+def sweeps(load: Numbers, viscous_pressure: Numbers) -> Numbers:
     """Return the number of sweeps of a steady state, 1 to 8: within 40 %, same problems."""
-    light = min(max(3.8 + 0.9 * math.log10(viscous_pressure), 2.5), 5.5)
+    light = np.clip(3.8 + 0.9 * np.log10(viscous_pressure), 2.5, 5.5)
     return 1.2 + (light - 1.2) / (1.0 + load / 3.0)
 
 
-def task_seconds(timings: Timings, asked: Quantities, task: Task, recording: Recording) -> float:
-    """Return the predicted time of one realization of a task on a line that exists."""
+class Work(NamedTuple):
+    """What is computed of a problem on each line, or of many together."""
+
+    problem: Problem
+    steps: Numbers  # per spacing
+    march_steps: Numbers  # after the jump; 0: none
+
+    @property
+    def samples(self) -> Numbers:
+        """Number of samples of the line."""
+        return self.problem.elements * self.steps
+
+    @property
+    def units(self) -> int:
+        """Number of internal variables of an element."""
+        return len(self.problem.spectrum.moduli) + (self.problem.spectrum.viscosity > 0.0)
+
+
+def work_seconds(timings: Timings, asked: Quantities, work: Work, recording: Recording) -> Numbers:
+    """Return the predicted time of one realization on a line that exists."""
     seconds = timings.case
     if asked.anything:
-        plain = task.problem.spectrum == KELVIN
-        seconds += (_kelvin if plain else _memory)(timings, asked, task)
+        plain = work.problem.spectrum == KELVIN
+        seconds = seconds + (_kelvin if plain else _memory)(timings, asked, work)
     if recording.asked:
-        march = programme_steps(task.problem, task.steps_per_spacing)
-        seconds += timings.case + march.time.size * _dense_step(timings, task)
+        seconds = seconds + timings.case + _programme_steps(work) * _dense_step(timings, work)
     return seconds
 
 
-def _kelvin(timings: Timings, asked: Quantities, task: Task) -> float:
+def _programme_steps(work: Work) -> np.ndarray:
+    """Return the number of steps of the programme of a problem, which the steps per spacing say."""
+    different, inverse = np.unique(work.steps, return_inverse=True)
+    counts = [programme_steps(work.problem, int(steps)).time.size for steps in different]
+    return np.array(counts)[inverse]
+
+
+def _kelvin(timings: Timings, asked: Quantities, work: Work) -> Numbers:
     """Return the time of a case of Kelvin elements, of which those that can touch are marched."""
-    hurst, elements, load = task.problem[:3]
-    n, pressure = elements * task.steps_per_spacing, viscous_pressure(task.problem)
+    hurst, load = work.problem.hurst, work.problem.load
+    n, pressure = work.samples, viscous_pressure(work.problem)
     steady_states = 1 + (asked.steady or asked.relaxation)
     sweep = timings.sweep(n)
     states = steady_states * sweeps(load, pressure) * sweep
     touching = n * touchable_share(hurst, load, pressure)
     look = LOOK * sweep
     friction = (steady_states + asked.jump) * (look + timings.quadrature(touching))
-    march = 0.0
-    if task.march_steps:
-        march = timings.setup(n) + task.march_steps * timings.step(touching)
+    march: Numbers = 0.0
+    if asked.relaxation:
+        march = timings.setup(n) + work.march_steps * timings.step(touching)
     return states + friction + march
 
 
-def _memory(timings: Timings, asked: Quantities, task: Task) -> float:
+def _memory(timings: Timings, asked: Quantities, work: Work) -> Numbers:
     """Return the time of a case of elements with internal variables, all of which are marched."""
-    n, units = task.problem.elements * task.steps_per_spacing, _units(task.problem)
     steady_states = 1 + (asked.steady or asked.relaxation)
-    states = steady_states * (NEWTON + TANGENT * units) * timings.sweep(n)
-    return states + task.march_steps * _dense_step(timings, task)
+    states = steady_states * (NEWTON + TANGENT * work.units) * timings.sweep(work.samples)
+    return states + work.march_steps * _dense_step(timings, work)
 
 
-def _dense_step(timings: Timings, task: Task) -> float:
+def _dense_step(timings: Timings, work: Work) -> Numbers:
     """Return the time of a step in which every element moves all that it remembers."""
-    n = task.problem.elements * task.steps_per_spacing
-    return (DENSE + UNIT * _units(task.problem)) * timings.step(n)
-
-
-def _units(problem: Problem) -> int:
-    """Return the number of internal variables of an element."""
-    return len(problem.spectrum.moduli) + (problem.spectrum.viscosity > 0.0)
+    return (DENSE + UNIT * work.units) * timings.step(work.samples)

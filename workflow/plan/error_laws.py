@@ -4,80 +4,84 @@ All are relative and measured with the scheme ``exponential``, r = 1.2. Errors: 
 H 0 ... 1, Fbar 1e-3 ... 25, x 0.03 ... 3200, N 320 ... 10 000, against the finest m (64 to 512) on
 the same lines; upper bounds that 9 in 10 problems keep (docs/accuracy.md). Scatter: 139 problems,
 Fbar ... 2, x ... 100, N ... 3000, over 12 to 128 lines; right within 1.5 for two in three.
+
+They take a problem, or many of them together (problems.py), and steps for each.
 """
 
-import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+import numpy as np
+
 from kernels import KELVIN
 from kernels.patches.refined import LEAST_STEPS
-from workflow.plan.problems import expected_rate, speed_ratio, viscous_pressure
+from workflow.plan.problems import Numbers, expected_rate, speed_ratio, viscous_pressure
 from workflow.simulate import Problem
 
 
-def known(problem: Problem) -> bool:
+def known(problem: Problem) -> Numbers:
     """Return whether the laws of error hold: a Kelvin element under load, forwards, one step."""
     plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
-    return plain and problem.load > 0.0 and problem.speed > 0.0 and problem.ratio > 0.0
+    numbers = np.stack([problem.load, problem.speed, problem.ratio])
+    return plain & (numbers > 0.0).all(axis=0)
 
 
-def mu_1_error(problem: Problem, steps: float) -> float:
+def mu_1_error(problem: Problem, steps: Numbers) -> Numbers:
     """Return the error of mu_1 (and mu_2): second order."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
     line = (elements / 88.0) ** (-1.22 * problem.hurst)
     coarse = 0.060 * contacts * (1.0 + 1.0 / speed) ** 0.92 * line / steps**2
-    return min(coarse, 0.010 / steps) if steps >= LEAST_STEPS else coarse
+    return np.where(steps >= LEAST_STEPS, np.minimum(coarse, 0.010 / steps), coarse)
 
 
-def jump_error(problem: Problem, steps: float) -> float:
+def jump_error(problem: Problem, steps: Numbers) -> Numbers:
     """Return the error of the jump: second order."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
     line = (elements / 94.0) ** (-1.36 * problem.hurst)
     coarse = 0.158 * contacts * (1.0 + 1.0 / speed) ** 0.68 * line / steps**2
-    return min(coarse, 0.024 / steps) if steps >= LEAST_STEPS else coarse
+    return np.where(steps >= LEAST_STEPS, np.minimum(coarse, 0.024 / steps), coarse)
 
 
-def relaxation_rate_error(problem: Problem, steps: float) -> float:
+def relaxation_rate_error(problem: Problem, steps: Numbers) -> Numbers:
     """Return the error of b as expected before anything is computed; see ``rate_error``."""
     return rate_error(problem, steps, contact_width(problem) * steps, expected_rate(problem))
 
 
-def rate_error(problem: Problem, steps: float, samples: float, rate: float) -> float:
+def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers) -> Numbers:
     """Return the error of b from the steps of the march and the samples of the contacts.
 
     samples : per contact. rate : b. Contacts matter where they slide past, above x = 1.
     """
     share = _share(problem, steps, rate)
     stepping = 0.02 * (share / allowed_share(problem)) ** 1.5
-    edges = 1.8 * max(samples, 1.0) ** -1.8 if speed_ratio(problem) >= 1.0 else 0.0
-    return math.hypot(stepping, edges)
+    edges = 1.8 * np.maximum(samples, 1.0) ** -1.8
+    return np.hypot(stepping, np.where(speed_ratio(problem) >= 1.0, edges, 0.0))
 
 
-def first_order_rate_error(problem: Problem, steps: float, rate: float) -> float:
+def first_order_rate_error(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:
     """Return what the implicit Euler scheme adds to the error of b.
 
     It lets a mode of rate b decay at ln(1 + s)/s of it, s the share of a relaxation time that a
     step takes; up to four times as far off in a spectrum of them.
     """
     share = _share(problem, steps, rate)
-    return 4.0 * (1.0 - math.log1p(share) / share)
+    return 4.0 * (1.0 - np.log1p(share) / share)
 
 
-def _share(problem: Problem, steps: float, rate: float) -> float:
+def _share(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:
     """Return the share of a relaxation time that a step takes, at the slower speed."""
-    fastest = max(rate, expected_rate(problem))
-    return fastest / (problem.speed * min(1.0, problem.ratio) * steps)
+    fastest = np.maximum(rate, expected_rate(problem))
+    return fastest / (problem.speed * np.minimum(1.0, problem.ratio) * steps)
 
 
-def allowed_share(problem: Problem) -> float:
+def allowed_share(problem: Problem) -> Numbers:
     """Return the share of a relaxation time that a step may take for 2 % of b."""
-    return min(1.0, 0.27 * min(speed_ratio(problem), 1.0) ** -0.8)
+    return np.minimum(1.0, 0.27 * np.minimum(speed_ratio(problem), 1.0) ** -0.8)
 
 
-def contact_width(problem: Problem) -> float:
+def contact_width(problem: Problem) -> Numbers:
     """Return how wide the contacts are that carry half of the load, in dx; above x = 1.
 
     Where one peak carries all, its front alone touches, over 2 sqrt(R F_N / (8 G v tau)): the
@@ -85,46 +89,46 @@ def contact_width(problem: Problem) -> float:
     Of 88 measured ones narrower than 15 dx eight in ten are within a factor 1.5.
     """
     hurst, elements, load, speed, _ = problem[:5]
-    line = math.log(elements)
-    pressure = math.log(load / viscous_pressure(problem))
-    one = 0.5 * (pressure + line) - 0.712 + hurst * (1.385 - 0.079 * line) + 0.045 * math.log(speed)
+    line, fast = np.log(elements), np.log(speed)
+    pressure = np.log(load / viscous_pressure(problem))
+    one = 0.5 * (pressure + line) - 0.712 + hurst * (1.385 - 0.079 * line) + 0.045 * fast
     many = 0.124 * pressure + 0.916 + hurst * (0.399 + 0.281 * line)
-    return math.exp(min(one, many - 0.139 * math.log(speed) - 0.021 * line))
+    return np.exp(np.minimum(one, many - 0.139 * fast - 0.021 * line))
 
 
-def mu_1_scatter(problem: Problem) -> float:
+def mu_1_scatter(problem: Problem) -> Numbers:
     """Return the standard deviation of mu_1 (and mu_2) between lines."""
     hurst, elements, load, _, _ = problem[:5]
     contacts = (
         load**-0.09 * (1.0 + load) ** -1.41 * (1.0 + viscous_pressure(problem) / load) ** 0.08
     )
-    return 1.04 * contacts * math.exp(-1.54 * hurst) * elements ** (0.30 * hurst - 0.34)
+    return 1.04 * contacts * np.exp(-1.54 * hurst) * elements ** (0.30 * hurst - 0.34)
 
 
-def jump_scatter(problem: Problem) -> float:
+def jump_scatter(problem: Problem) -> Numbers:
     """Return the standard deviation of the jump between lines; heavy tails at light loads."""
     hurst, elements, load, _, _ = problem[:5]
-    if speed_ratio(problem) < 1.0:
-        return mu_1_scatter(problem)
     contacts = (1.0 + load) ** -1.1 * (1.0 + viscous_pressure(problem) / load) ** 0.30
-    return 2.6 * contacts * math.exp(-3.35 * hurst) * elements ** (0.633 * hurst - 0.545)
+    sliding = 2.6 * contacts * np.exp(-3.35 * hurst) * elements ** (0.633 * hurst - 0.545)
+    return np.where(speed_ratio(problem) < 1.0, mu_1_scatter(problem), sliding)
 
 
-def relaxation_rate_scatter(problem: Problem) -> float:
+def relaxation_rate_scatter(problem: Problem) -> Numbers:
     """Return the error of b from a mean curve, times the root of the number of lines."""
     hurst, elements, load, _, _ = problem[:5]
     x = speed_ratio(problem)
-    if x < 1.0:  # creep: b is next to 1, but for heavy loads, where hardly anything relaxes
-        return 0.6 if load > 0.1 and x > 0.2 else min(0.1, 0.5 * x)
     contacts = load**0.43 * (1.0 + load) ** -1.32 * (1.0 + viscous_pressure(problem) / load) ** 0.53
-    return 0.114 * contacts * math.exp(0.77 * hurst) * elements ** (0.34 * hurst - 0.05)
+    sliding = 0.114 * contacts * np.exp(0.77 * hurst) * elements ** (0.34 * hurst - 0.05)
+    # Below x = 1 creep: b is next to 1, but for heavy loads, where hardly anything relaxes.
+    creep = np.where((load > 0.1) & (x > 0.2), 0.6, np.minimum(0.1, 0.5 * x))
+    return np.where(x < 1.0, creep, sliding)
 
 
 class Laws(NamedTuple):
     """The laws of one estimate."""
 
-    error: Callable[[Problem, float], float]  # at so many steps per spacing
-    scatter: Callable[[Problem], float]
+    error: Callable[[Problem, Numbers], Numbers]  # at so many steps per spacing
+    scatter: Callable[[Problem], Numbers]
 
 
 LAWS = {

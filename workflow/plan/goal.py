@@ -4,14 +4,14 @@ Elements are tied to steps in these kernels: an element sits at every sample, so
 spacing are more elements per spacing too.
 """
 
-import math
-from itertools import count, takewhile
 from typing import NamedTuple
+
+import numpy as np
 
 from workflow.errors import UserError
 from workflow.plan.cost import touchable_share
 from workflow.plan.error_laws import LAWS
-from workflow.plan.problems import viscous_pressure
+from workflow.plan.problems import Numbers, viscous_pressure
 from workflow.plan.resolution import (
     MAX_SAMPLES_PER_LINE,
     check_resolution,
@@ -28,11 +28,18 @@ STATES = 28.0  # updates of the march that drawing and both steady states of a s
 
 
 class Goal(NamedTuple):
-    """How one problem is to reach the accuracy."""
+    """How a problem, or each of many together, is to reach the accuracy."""
 
-    steps: int  # per spacing
-    bias: dict[str, float]  # bound of the relative discretisation error of each estimate judged
-    realizations: float  # predicted need
+    steps: Numbers  # per spacing
+    bias: dict[str, Numbers]  # bound of the relative discretisation error of each estimate judged
+    realizations: Numbers  # predicted need
+
+    def each(self, number: int) -> "list[Goal]":
+        """Return the goals of so many problems that this one is of together."""
+        names = list(self.bias)
+        columns = (self.steps, self.realizations, *self.bias.values())
+        rows = zip(*(np.broadcast_to(values, number).tolist() for values in columns), strict=True)
+        return [Goal(m, dict(zip(names, bias, strict=True)), need) for m, need, *bias in rows]
 
 
 def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
@@ -49,32 +56,45 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         check_resolution(problem, numerics.steps_per_spacing, numerics)
         bias = dict.fromkeys(names, 0.0)
         return Goal(numerics.steps_per_spacing, bias, _need(wanted, bias, scatter))
-    least = least_steps(problem, scene)
+    least = np.broadcast_to(least_steps(problem, scene), np.shape(problem.load))
     check_resolution(problem, least, numerics)
-    found: list[tuple[float, Goal]] = []
-    tried = (least << doublings for doublings in count())
-    for steps in takewhile(lambda m: m * problem.elements <= MAX_SAMPLES_PER_LINE, tried):
+    best, tried = _coarsest(least, names), np.zeros_like(least)
+    lowest, steps = np.full(least.shape, np.inf), least
+    while (open_ones := (steps * problem.elements <= MAX_SAMPLES_PER_LINE) & (tried < TRIED)).any():
         bias = {name: LAWS[name].error(problem, steps) for name in names}
         goal = Goal(steps, bias, _need(wanted, bias, scatter))
-        if max(bias.values()) <= 0.5 * wanted:
-            lines = max(goal.realizations, JACKKNIFE_GROUPS)
-            found.append((lines * _updates(problem, scene, numerics, steps), goal))
-            if len(found) == TRIED:
-                break
-    return min(found, key=lambda one: one[0])[1] if found else goal
+        fine = np.max([*bias.values()], axis=0) <= 0.5 * wanted
+        lines = np.maximum(goal.realizations, JACKKNIFE_GROUPS)
+        cost = np.where(fine, lines * _updates(problem, scene, numerics, steps), np.inf)
+        best = _where(open_ones & ((cost < lowest) | (tried == 0)), goal, best)
+        lowest, tried = np.where(open_ones, np.minimum(cost, lowest), lowest), tried + fine
+        steps = 2 * steps
+    return best
 
 
-def _need(wanted: float, bias: dict[str, float], scatter: dict[str, float]) -> float:
+def _coarsest(least: Numbers, names: tuple[str, ...]) -> Goal:
+    """Return where the search begins, to be replaced by the first steps that are tried."""
+    return Goal(least, dict.fromkeys(names, np.inf), np.inf)
+
+
+def _where(chosen: np.ndarray, one: Goal, other: Goal) -> Goal:
+    """Return one goal for the problems that are chosen, the other for the rest."""
+    bias = {name: np.where(chosen, one.bias[name], other.bias[name]) for name in one.bias}
+    realizations = np.where(chosen, one.realizations, other.realizations)
+    return Goal(np.where(chosen, one.steps, other.steps), bias, realizations)
+
+
+def _need(wanted: float, bias: dict[str, Numbers], scatter: dict[str, Numbers]) -> Numbers:
     """Return how many realizations bring every standard error down to what the bias leaves."""
-    return max((scatter[name] / allowed(wanted, bias[name])) ** 2 for name in bias)
+    return np.max([(scatter[name] / allowed(wanted, bias[name])) ** 2 for name in bias], axis=0)
 
 
-def allowed(wanted: float, bias: float) -> float:
+def allowed(wanted: float, bias: Numbers) -> Numbers:
     """Return the relative standard error that is left beside a bias, at least half of all."""
-    return max(wanted - bias, 0.5 * wanted)
+    return np.maximum(wanted - bias, 0.5 * wanted)
 
 
-def _updates(problem: Problem, scene: Scene, numerics: Numerics, steps: int) -> float:
+def _updates(problem: Problem, scene: Scene, numerics: Numerics, steps: Numbers) -> Numbers:
     """Return the cost of one realization per spacing, in element updates of the march."""
     march = 0.0
     if "relaxation" in scene.quantities:
@@ -99,7 +119,8 @@ def most_blocks(study: Study, most: int) -> int:
     return blocks
 
 
-def whole_blocks(study: Study, realizations: float, most: int) -> int:
+def whole_blocks(study: Study, realizations: Numbers, most: int) -> Numbers:
     """Return the number of blocks for at least so many realizations, within the cap."""
-    layers = math.ceil(realizations / (JACKKNIFE_GROUPS * study.realizations_per_block) - 1e-9)
-    return min(JACKKNIFE_GROUPS * max(layers, 1), most_blocks(study, most))
+    layers = np.ceil(realizations / (JACKKNIFE_GROUPS * study.realizations_per_block) - 1e-9)
+    blocks = np.minimum(JACKKNIFE_GROUPS * np.maximum(layers, 1), most_blocks(study, most))
+    return blocks.astype(np.int64)

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 import kernels
-from kernels import Programme, Quantities, rms_slope
+from kernels import Programme, Quantities, Spectrum, rms_slope
 from workflow.errors import UserError
 from workflow.simulate import Problem, Recording, ScaledHistory, Surface
 from workflow.study import (
@@ -59,9 +59,15 @@ class Setting(NamedTuple):
     indentation: float | ScaledHistory | None = None
 
     def problem(
-        self, hurst: float, elements: int, load: float, speed: float, ratio: float
+        self,
+        hurst: float,
+        elements: int,
+        load: float,
+        speed: float,
+        ratio: float,
+        spectrum: Spectrum,
     ) -> Problem:
-        """Return the problem of a point of the grid, but for the spectrum of the material."""
+        """Return the problem of a point of the grid."""
         speed, ratio = self.speeds or (speed, ratio)
         return Problem(
             hurst,
@@ -69,6 +75,7 @@ class Setting(NamedTuple):
             load,
             speed,
             ratio,
+            spectrum,
             surface=self.surface,
             programme=self.programme,
             start=self.start,

@@ -1,30 +1,18 @@
 """The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
 
-import hashlib
 import math
-from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
 from kernels import START, Origin, Quantities
 from workflow.errors import UserError
-from workflow.plan.cost import TYPICAL, Timings, task_seconds
-from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, Goal, goal_of, whole_blocks
-from workflow.plan.motion import asked_of, recording_of
-from workflow.plan.problems import distinct_problems
-from workflow.plan.resolution import horizon_steps, steps_per_spacing
-from workflow.simulate import (
-    CODE,
-    Recording,
-    Surface,
-    Task,
-    kept_steps,
-    row_layout,
-    row_width,
-)
-from workflow.study import Material, Numerics, Study
-from workflow.study import Surface as LinesOfStudy
+from workflow.plan.cost import TYPICAL, Timings
+from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, whole_blocks
+from workflow.plan.motion import asked_of
+from workflow.plan.variant import Variant, problems_of, variant_of
+from workflow.simulate import Task, row_layout, row_width
+from workflow.study import Study
 
 DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 200e6  # interpreter, libraries, machine code
@@ -36,21 +24,6 @@ MOST_RECORDS = 20_000_000  # planned, indexed and collected in minutes and in 2 
 BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
 
 
-class Variant(NamedTuple):
-    """All tasks of one discretisation of the study, grouped by random line."""
-
-    label: str
-    numerics: Numerics
-    material: Material
-    lines: LinesOfStudy
-    recording: Recording
-    events: int  # samples of the longest trace; 0 where none is kept
-    point_task: np.ndarray  # index into tasks per grid point, shape of the grid
-    tasks: list[Task]  # in the order of the distinct problems
-    by_line: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
-    goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
-
-
 class Plan(NamedTuple):
     """Everything a study will do."""
 
@@ -58,7 +31,6 @@ class Plan(NamedTuple):
     variants: list[Variant]
     asked: Quantities  # of the kernels
     timings: Timings  # of the machine that the prediction is for
-    task_seconds: dict[str, float]  # predicted, of one realization, by key of the task
     first: dict[str, int]  # blocks of the first round by key of the task, all where no goals are
     expected: dict[str, int]  # blocks that the goals are predicted to need
 
@@ -83,7 +55,7 @@ class Plan(NamedTuple):
 
     def longest_line(self) -> int:
         """Return the largest number of samples of any line."""
-        return max(t.problem.elements * t.steps_per_spacing for v in self.variants for t in v.tasks)
+        return max(max(variant.drawing) for variant in self.variants)
 
     def widest_row(self, variant: Variant) -> int:
         """Return the largest number of values in a row of the store, of any task of a variant."""
@@ -121,22 +93,22 @@ def make_plan(study: Study, timings: Timings = TYPICAL, origin: Origin = START) 
     origin : where a programme that is resumed begins.
     """
     asked = asked_of(study)
-    variants = [_variant(study, asked, label, origin) for label in study.variants]
+    problems = problems_of(study)
+    variants = [
+        variant_of(study, asked, timings, label, problems[label], origin)
+        for label in study.variants
+    ]
     tasks = [task for variant in variants for task in variant.tasks]
     first = {task.key: study.blocks for task in tasks}
     expected = dict(first)
     for variant in variants:
         most = variant.numerics.max_realizations
-        for key, goal in variant.goals.items():
-            first[key] = whole_blocks(study, FIRST_SHARE * goal.realizations, most)
-            expected[key] = whole_blocks(study, goal.realizations, most)
+        needs = np.array([goal.realizations for goal in variant.goals.values()])
+        for blocks, share in ((first, FIRST_SHARE), (expected, 1.0)):
+            counts = whole_blocks(study, share * needs, most).tolist()
+            blocks.update(zip(variant.goals, counts, strict=True))
     _check_records(study, sum(expected.values()))
-    seconds = {
-        task.key: task_seconds(timings, asked, task, v.recording)
-        for v in variants
-        for task in v.tasks
-    }
-    return Plan(study, variants, asked, timings, seconds, first, expected)
+    return Plan(study, variants, asked, timings, first, expected)
 
 
 def _check_records(study: Study, records: int) -> None:
@@ -147,51 +119,3 @@ def _check_records(study: Study, records: int) -> None:
             f"study.realizations_per_block = {study.realizations_per_block}: {records} records "
             f"(problem x block), more than {MOST_RECORDS}; set it to {least} or more"
         )
-
-
-def _variant(study: Study, asked: Quantities, label: str, origin: Origin) -> Variant:
-    numerics = study.variants[label]
-    recording = recording_of(study, numerics)._replace(origin=origin)
-    problems, point_task = distinct_problems(study, label)
-    tasks: list[Task] = []
-    goals = {}
-    lines: dict[tuple[float, int, Surface], list[Task]] = {}
-    # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
-    shared = repr((CODE, study.seed, study.surfaces[label].normalisation, numerics.scheme))
-    shared += repr((recording, asked, study.realizations_per_block))
-    for problem in problems:
-        goal = goal_of(problem, study.scene, numerics) if numerics.accuracy else None
-        steps = goal.steps if goal else steps_per_spacing(problem, study.scene, numerics)
-        march_steps = horizon_steps(problem, numerics, steps) if asked.relaxation else 0
-        what = (problem[:5], steps, march_steps)
-        key = hashlib.sha256(f"{shared}{what!r}{_written(problem[5:])}".encode()).hexdigest()[:32]
-        task = Task(problem, steps, march_steps, key)
-        tasks.append(task)
-        lines.setdefault((problem.hurst, problem.elements, problem.surface), []).append(task)
-        if goal:
-            goals[task.key] = goal
-    by_line = [
-        sorted(one, key=lambda t: (t.steps_per_spacing, t.problem[:5])) for one in lines.values()
-    ]
-    material = study.materials[label]
-    events = 0
-    if recording.asked:
-        events = max(kept_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
-    return Variant(
-        label,
-        numerics,
-        material,
-        study.surfaces[label],
-        recording,
-        events,
-        point_task,
-        tasks,
-        by_line,
-        goals,
-    )
-
-
-@lru_cache(maxsize=1000)
-def _written(setting: tuple) -> str:
-    """Return what a scene adds to a problem, for its key."""
-    return repr(setting)

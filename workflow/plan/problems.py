@@ -6,7 +6,8 @@ and tau, the modes of the lines and its programme; a temperature changes tau alo
 """
 
 import math
-from functools import cache, lru_cache
+from functools import cache
+from typing import Any
 
 import numpy as np
 
@@ -14,13 +15,14 @@ from kernels import Spectrum, amplitudes, rms_slope
 from kernels.limits import LOADS, SPEEDS
 from kernels.realization import LEAST_STEP
 from workflow.errors import UserError
-from workflow.kinetic_law import exponent
+from workflow.kinetic_law import relaxation_rate
 from workflow.plan.motion import Scale, Setting, canonical, line_modes, rounded, setting
 from workflow.simulate import Problem
 from workflow.study import Material, Study, check_load
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
 TYPICAL_HURST = 0.8  # of measured lines, for predictions of cost alone
+Numbers = Any  # one, or an array of one for each of many problems together
 Points = dict[str, np.ndarray]  # axis -> its value at every point of the grid
 
 
@@ -44,8 +46,30 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     found: dict[tuple, int] = {}
     index = [found.setdefault(row, len(found)) for row in zip(*rows, strict=True)]
     spectrum = _rounded_spectrum(material)
-    problems = [settings[row[-1]].problem(*row[:-1])._replace(spectrum=spectrum) for row in found]
+    problems = [settings[row[-1]].problem(*row[:-1], spectrum) for row in found]
     return problems, np.array(index).reshape(study.shape)
+
+
+def together(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
+    """Return (numbers of problems, those as one whose fields are arrays): for the laws at once.
+
+    They share all but the five numbers of the paper, arrays of shape (P,) in the one problem, and
+    the slopes of their lines, which stand in its surface.
+    """
+    rows: dict[tuple, list[int]] = {}
+    for row, problem in enumerate(problems):
+        rows.setdefault(problem[5:], []).append(row)
+    found = []
+    for others, chosen in rows.items():
+        table = np.array([problems[row][:5] for row in chosen])
+        hurst, elements, *numbers = np.ascontiguousarray(table.T)
+        many = Problem(hurst, elements.astype(int), *numbers, *others)
+        lines = {problems[row][:2]: problems[row] for row in chosen}
+        slopes = {line: line_slope(problem) for line, problem in lines.items()}
+        slope: Numbers = np.array([slopes[problems[row][:2]] for row in chosen])
+        many = many._replace(surface=many.surface._replace(slope=slope))
+        found.append((np.array(chosen), many))
+    return found
 
 
 def _times(material: Material, points: Points) -> np.ndarray:
@@ -104,32 +128,27 @@ def _rounded_spectrum(material: Material) -> Spectrum:
     return Spectrum(tuple(map(rounded, moduli)), tuple(map(rounded, times)), rounded(viscosity))
 
 
-def speed_ratio(problem: Problem) -> float:
+def speed_ratio(problem: Problem) -> Numbers:
     """Return x = v1 tau q_max, the abscissa of figure 7: pi vbar where all waves are there."""
     if problem.surface.cutoff:
         return abs(problem.speed) * 2.0 * math.pi * problem.surface.cutoff / problem.elements
     return math.pi * abs(problem.speed)
 
 
-def expected_rate(problem: Problem) -> float:
+def expected_rate(problem: Problem) -> Numbers:
     """Return the rate b to plan for (eq. 13): x^(1 - H) above x = 1, creep with tau below."""
-    return _rate(speed_ratio(problem), problem.hurst)
+    return relaxation_rate(speed_ratio(problem), problem.hurst, time_below_one=True)
 
 
-@lru_cache(maxsize=100_000)  # thousands of problems of a grid share x and H
-def _rate(x: float, hurst: float) -> float:
-    return x ** float(exponent(x, hurst, time_below_one=True))
-
-
-def viscous_pressure(problem: Problem) -> float:
+def viscous_pressure(problem: Problem) -> Numbers:
     """Return vbar grad z, the viscous pressure on a mean slope in units of G h."""
     return abs(problem.speed) * line_slope(problem)
 
 
-def line_slope(problem: Problem, normalisation: str = "modal") -> float:
+def line_slope(problem: Problem, normalisation: str = "modal") -> Numbers:
     """Return the spectral rms slope of the lines of a problem, in h/dx."""
     rolloff, cutoff, measured, slope = problem.surface
-    if measured:
+    if measured or np.ndim(slope):  # of many problems together
         return slope
     return _slope(problem.hurst, problem.elements, normalisation, rolloff, cutoff)
 

@@ -1,6 +1,6 @@
-"""Steps per spacing and horizon of each problem."""
+"""Steps per spacing and horizon of each problem, or of many together (problems.py)."""
 
-import math
+import numpy as np
 
 from kernels import KELVIN
 from kernels.limits import SPEEDS
@@ -8,7 +8,7 @@ from kernels.patches.refined import LEAST_STEPS
 from kernels.rheology.spectrum import shortest_step
 from workflow.errors import UserError
 from workflow.plan.error_laws import allowed_share, contact_width, rate_error
-from workflow.plan.problems import expected_rate
+from workflow.plan.problems import Numbers, expected_rate
 from workflow.simulate import Problem
 from workflow.study import Numerics, Scene
 
@@ -22,21 +22,22 @@ MOST_FOR_CONTACTS = 64
 WIDE = 40.0  # samples per contact, beyond which more of them change nothing
 
 
-def rung(need: float) -> int:
+def rung(need: Numbers) -> Numbers:
     """Return the least of 1, 2, 3, 4, 6, 8, 12 ... that is not below ``need``."""
-    below = 2 ** max(0, math.floor(math.log2(max(need, 1.0))))
-    return next(m for m in (below, 3 * below // 2, 2 * below) if m >= need * (1.0 - 1e-9))
+    below = 1 << (np.frexp(np.maximum(need, 1.0))[1] - 1).astype(np.int64)
+    between, least = 3 * below // 2, need * (1.0 - 1e-9)
+    return np.where(below >= least, below, np.where(between >= least, between, 2 * below))
 
 
-def least_steps(problem: Problem, scene: Scene) -> int:
+def least_steps(problem: Problem, scene: Scene) -> Numbers:
     """Return the least m for what is asked: a step must be short enough for the relaxation."""
     if "relaxation" not in scene.quantities:
         return 1
-    slowest = max(problem.speed * min(1.0, problem.ratio), SPEEDS[0])
+    slowest = np.maximum(problem.speed * np.minimum(1.0, problem.ratio), SPEEDS[0])
     return rung(expected_rate(problem) / slowest / allowed_share(problem))
 
 
-def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int:
+def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers:
     """Return m: the given number, or for "auto" the least that keeps BIAS of all that is asked.
 
     Steady friction and jumps do so with 4 (kernels/patches/refined.py), a relaxation where steps
@@ -44,56 +45,59 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> int
     as far as a line fits into a worker; what is coarse then is marked in the result. First order
     schemes take FIRST_ORDER times as many.
     """
-    steps = numerics.steps_per_spacing
+    steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.measured:
         steps = 1  # samples as they were measured
     elif steps is None and (problem.programme or problem.spectrum != KELVIN):
         steps = GENERAL_STEPS
     elif steps is None:
-        steps = max(LEAST_STEPS, least_steps(problem, scene))
+        steps = np.maximum(LEAST_STEPS, least_steps(problem, scene))
         if "relaxation" in scene.quantities:
             steps = _for_contacts(problem, steps)
         if numerics.scheme == "implicit-euler":
-            steps *= FIRST_ORDER
+            steps = steps * FIRST_ORDER
     check_resolution(problem, steps, numerics)
     return steps
 
 
-def _for_contacts(problem: Problem, steps: int) -> int:
+def _for_contacts(problem: Problem, steps: Numbers) -> Numbers:
     """Return m, from ``steps`` on, for which the law of b keeps BIAS, as far as m may go."""
-    most = min(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
+    most = np.minimum(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
     width, rate = contact_width(problem), expected_rate(problem)
-    while (
-        rate_error(problem, steps, width * steps, rate) > BIAS
-        and rung(steps + 1) <= most
-        and width * steps < WIDE
-    ):
-        steps = rung(steps + 1)
-    return steps
+    while True:
+        finer, wide = rung(steps + 1), width * steps
+        coarse = (rate_error(problem, steps, wide, rate) > BIAS) & (finer <= most) & (wide < WIDE)
+        if not coarse.any():
+            return steps
+        steps = np.where(coarse, finer, steps)
 
 
-def check_resolution(problem: Problem, steps: int, numerics: Numerics) -> None:
+def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
     """Raise UserError where a line does not fit into a worker, or rounding would show.
 
     The kernels refuse the same speeds (kernels/realization.py).
     """
-    if problem.elements * steps > MAX_SAMPLES_PER_LINE:
+    elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
+    long = elements * steps > MAX_SAMPLES_PER_LINE
+    if long.any():
         raise UserError(
             f"numerics.steps_per_spacing = {numerics.steps_per_spacing or 'auto'}: "
-            f"{problem.elements} elements at v tau/dx = {problem.speed:.3g} need {steps} steps per "
-            f"spacing, more than {MAX_SAMPLES_PER_LINE} samples per line; set a smaller number, "
-            "a higher velocity or a larger spacing"
+            f"{elements[long][0]} elements at v tau/dx = {speed[long][0]:.3g} need "
+            f"{steps[long][0]} steps per spacing, more than {MAX_SAMPLES_PER_LINE} samples per "
+            "line; set a smaller number, a higher velocity or a larger spacing"
         )
-    speeds = (abs(problem.speed), abs(problem.speed * problem.ratio))
-    most = min(SPEEDS[1], 1.0 / shortest_step(problem.spectrum) / steps)
-    if not SPEEDS[0] <= min(speeds) <= max(speeds) <= most:
+    speeds = np.sort(np.abs([speed, speed * ratio]), axis=0)
+    most = np.minimum(SPEEDS[1], 1.0 / shortest_step(problem.spectrum) / steps)
+    odd = ~((speeds[0] >= SPEEDS[0]) & (speeds[1] <= most))
+    if odd.any():
         raise UserError(
-            f"grid.velocity: v tau/dx runs from {min(speeds):.3g} to {max(speeds):.3g}, but must "
-            f"lie between {SPEEDS[0]:g} and {most:.3g}, where rounding shows"
+            f"grid.velocity: v tau/dx runs from {speeds[0][odd][0]:.3g} to "
+            f"{speeds[1][odd][0]:.3g}, but must lie between {SPEEDS[0]:g} and {most[odd][0]:.3g}, "
+            "where rounding shows"
         )
 
 
-def horizon_steps(problem: Problem, numerics: Numerics, steps: int) -> int:
+def horizon_steps(problem: Problem, numerics: Numerics, steps: Numbers) -> Numbers:
     """Return the number of steps to march: ``horizon`` expected relaxation times, at least 8.
 
     Where there are internal variables, at least ``horizon`` times the distance over which contacts
@@ -102,5 +106,5 @@ def horizon_steps(problem: Problem, numerics: Numerics, steps: int) -> int:
     time = numerics.horizon / expected_rate(problem)
     need = time * steps * abs(problem.speed) * abs(problem.ratio)
     if problem.spectrum != KELVIN:
-        need = max(need, numerics.horizon * RENEWAL * problem.elements * steps)
-    return max(MIN_STEPS, math.ceil(need))
+        need = np.maximum(need, numerics.horizon * RENEWAL * problem.elements * steps)
+    return np.maximum(MIN_STEPS, np.ceil(need)).astype(np.int64)

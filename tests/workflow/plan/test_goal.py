@@ -8,6 +8,7 @@ from tests.support.small import small_plan, small_study
 from workflow.errors import UserError
 from workflow.plan.error_laws import LAWS
 from workflow.plan.goal import JACKKNIFE_GROUPS, allowed, goal_of, whole_blocks
+from workflow.plan.problems import together
 from workflow.plan.resolution import MAX_SAMPLES_PER_LINE
 from workflow.simulate.tasks import Problem
 from workflow.study.numerics import Numerics
@@ -73,3 +74,18 @@ def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
         assert blocks % JACKKNIFE_GROUPS == 0
         assert JACKKNIFE_GROUPS <= wanted.first[key] <= blocks
     assert wanted.records > plain.records
+
+
+@given(st.lists(PROBLEMS, min_size=2, max_size=5), WANTED, SCENES)
+def test_goals_of_many_problems_are_those_of_each(problems, wanted, asked):
+    scene, numerics = Scene(asked), Numerics(accuracy=wanted)
+    found = [
+        goal
+        for rows, many in together(problems)
+        for goal in goal_of(many, scene, numerics).each(rows.size)
+    ]
+    for problem, goal in zip(problems, found, strict=True):
+        (alone,) = goal_of(problem, scene, numerics).each(1)
+        assert goal.steps == alone.steps
+        assert goal.realizations == pytest.approx(alone.realizations, rel=1e-9)
+        assert goal.bias == pytest.approx(alone.bias, rel=1e-9)

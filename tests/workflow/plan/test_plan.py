@@ -3,7 +3,7 @@
 import pytest
 
 from tests.support.small import all_records, keys, small_plan
-from workflow.plan import plan as planning
+from workflow.plan import variant
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 PLAN = small_plan(*GRID)
@@ -68,7 +68,7 @@ def test_a_setting_that_changes_results_changes_every_key(setting):
 
 def test_other_program_code_changes_every_key(monkeypatch):
     before = keys(small_plan())
-    monkeypatch.setattr(planning, "CODE", "0" * 16)
+    monkeypatch.setattr(variant, "CODE", "0" * 16)
     assert set(before).isdisjoint(keys(small_plan()))
 
 

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from tests.support.small import complaint, keys, small_plan, small_study
 from workflow.plan.motion import canonical
-from workflow.plan.problems import distinct_problems, speed_ratio
+from workflow.plan.problems import distinct_problems, speed_ratio, together, viscous_pressure
 from workflow.simulate.tasks import Problem
 from workflow.study.grid import AXES
 
@@ -92,3 +92,16 @@ def test_speed_ratio_is_the_abscissa_of_figure_7():
     velocity, tau, spacing = 0.05, 1e-3, 1e-5
     problem = Problem(0.7, 100, 0.1, velocity * tau / spacing, 1.2)
     assert speed_ratio(problem) == pytest.approx(velocity * tau * math.pi / spacing)
+
+
+@pytest.mark.parametrize("surface", ["surface.normalisation=modal", "surface.cutoff=1e-3"])
+def test_together_problems_keep_their_numbers_slopes_and_speeds(surface):
+    grid = "grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]"
+    each = problems(*grid, surface)
+    ((rows, many),) = together(each)
+    assert rows.tolist() == list(range(len(each)))
+    assert list(zip(*(column.tolist() for column in many[:5]), strict=True)) == [
+        problem[:5] for problem in each
+    ]
+    for law in (speed_ratio, viscous_pressure):
+        assert law(many) == pytest.approx([law(problem) for problem in each])

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from tests.support.small import small_plan
 from workflow.errors import UserError
 from workflow.plan.error_laws import LAWS
+from workflow.plan.problems import together
 from workflow.plan.resolution import (
     BIAS,
     MAX_SAMPLES_PER_LINE,
@@ -124,3 +125,27 @@ def test_march_covers_the_horizon_and_no_more(hurst, speed, ratio, horizon, step
     assert march >= 8
     assert march >= needed
     assert march == 8 or march < needed * (1 + 1e-9) + 1
+
+
+LIST = st.lists(
+    st.builds(
+        lambda *five: Problem(*five),
+        HURST,
+        st.integers(100, 5000),
+        LOAD,
+        st.floats(0.1, 1e3),
+        RATIO,
+    ),
+    min_size=2,
+    max_size=6,
+)
+
+
+@given(LIST, st.sampled_from(["exponential", "implicit-euler"]))
+def test_many_problems_take_the_steps_of_each(problems, scheme):
+    numerics = Numerics(scheme)
+    ((_, many),) = together(problems)
+    steps = steps_per_spacing(many, ALL, numerics)
+    assert steps.tolist() == [steps_per_spacing(one, ALL, numerics) for one in problems]
+    marches = [horizon_steps(*each) for each in zip(problems, [numerics] * 9, steps, strict=False)]
+    assert horizon_steps(many, numerics, steps).tolist() == marches

@@ -1,0 +1,158 @@
+"""The variants of a study: all tasks of each discretisation, as the laws size them."""
+
+import hashlib
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels import Origin, Quantities
+from workflow.plan.cost import Timings, Work, work_seconds
+from workflow.plan.goal import Goal, goal_of
+from workflow.plan.motion import recording_of
+from workflow.plan.problems import distinct_problems, together
+from workflow.plan.resolution import horizon_steps, steps_per_spacing
+from workflow.simulate import CODE, Problem, Recording, Surface, Task, kept_steps
+from workflow.study import Material, Numerics, Study
+from workflow.study import Surface as LinesOfStudy
+
+
+class Variant(NamedTuple):
+    """All tasks of one discretisation of the study, grouped by random line."""
+
+    label: str
+    numerics: Numerics
+    material: Material
+    lines: LinesOfStudy
+    recording: Recording
+    events: int  # samples of the longest trace; 0 where none is kept
+    point_task: np.ndarray  # index into tasks per grid point, shape of the grid
+    tasks: list[Task]  # in the order of the distinct problems
+    by_line: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
+    goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
+    seconds: dict[str, float]  # predicted, of one realization, by key of the task
+    drawing: dict[int, float]  # predicted, of one line, by its number of samples
+
+
+class Problems(NamedTuple):
+    """The distinct problems of a variant, which others may share."""
+
+    each: list[Problem]
+    written: list[str]  # as they stand in keys
+    points: np.ndarray  # number of the problem of each grid point
+    together: list[tuple[np.ndarray, Problem]]  # for the laws
+
+
+class _Sizes(NamedTuple):
+    """What the laws say of each problem, in the order of the problems."""
+
+    steps: list[int]  # per spacing
+    march_steps: list[int]
+    seconds: list[float]  # predicted, of one realization
+    goals: list[Goal]  # empty where no accuracy is asked for
+
+
+def problems_of(study: Study) -> dict[str, Problems]:
+    """Return the problems of each variant, once for those of one material and surface."""
+    found: dict[str, Problems] = {}
+    for label, material in study.materials.items():
+        for other, known in found.items():
+            if (study.materials[other], study.surfaces[other]) == (material, study.surfaces[label]):
+                found[label] = known
+                break
+        else:
+            each, points = distinct_problems(study, label)
+            found[label] = Problems(each, _written(each), points, together(each))
+    return found
+
+
+def _written(problems: list[Problem]) -> list[str]:
+    """Return problems as text; what a scene adds, which many share, is written out once."""
+    settings = {setting: repr(setting) for setting in {problem[5:] for problem in problems}}
+    return [f"{problem[:5]!r}{settings[problem[5:]]}" for problem in problems]
+
+
+def _sizes(
+    study: Study, asked: Quantities, timings: Timings, label: str, problems: Problems
+) -> _Sizes:
+    """Return what the laws say, of problems that are alike at once."""
+    numerics, recording = study.variants[label], recording_of(study, study.variants[label])
+    count = len(problems.each)
+    found: Sequence[np.ndarray] = [np.zeros(count, kind) for kind in (np.int64, np.int64, float)]
+    goals: list[Goal] = []
+    for rows, many in problems.together:
+        goal = goal_of(many, study.scene, numerics) if numerics.accuracy else None
+        steps = goal.steps if goal else steps_per_spacing(many, study.scene, numerics)
+        march_steps = horizon_steps(many, numerics, steps) if asked.relaxation else 0 * steps
+        seconds = work_seconds(timings, asked, Work(many, steps, march_steps), recording)
+        for values, own in zip(found, (steps, march_steps, seconds), strict=True):
+            values[rows] = own  # one for all where it is given
+        if goal:
+            goals = goals or [goal] * count
+            for row, single in zip(rows.tolist(), goal.each(rows.size), strict=True):
+                goals[row] = single
+    steps, march_steps, seconds = found
+    return _Sizes(steps.tolist(), march_steps.tolist(), seconds.tolist(), goals)
+
+
+def variant_of(
+    study: Study,
+    asked: Quantities,
+    timings: Timings,
+    label: str,
+    problems: Problems,
+    origin: Origin,
+) -> Variant:
+    """Return a variant of a study; ``problems`` are its own, ``origin`` as for ``make_plan``."""
+    numerics = study.variants[label]
+    recording = recording_of(study, numerics)._replace(origin=origin)
+    said = _sizes(study, asked, timings, label, problems)
+    # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
+    shared = repr((CODE, study.seed, study.surfaces[label].normalisation, numerics.scheme))
+    shared += repr((recording, asked, study.realizations_per_block))
+    tasks = _tasks(shared, problems, said)
+    lines: dict[tuple[float, int, Surface], list[Task]] = {}
+    for task in tasks:
+        hurst, elements = task.problem[:2]
+        lines.setdefault((hurst, elements, task.problem.surface), []).append(task)
+    by_line = [
+        sorted(one, key=lambda t: (t.steps_per_spacing, t.problem[:5])) for one in lines.values()
+    ]
+    keys = [task.key for task in tasks]
+    sizes = {samples_of(task) for task in tasks}
+    material = study.materials[label]
+    events = 0
+    if recording.asked:
+        events = max(kept_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
+    return Variant(
+        label,
+        numerics,
+        material,
+        study.surfaces[label],
+        recording,
+        events,
+        problems.points,
+        tasks,
+        by_line,
+        dict(zip(keys, said.goals, strict=True)) if said.goals else {},
+        dict(zip(keys, said.seconds, strict=True)),
+        {samples: float(timings.draw(samples)) for samples in sizes},
+    )
+
+
+def samples_of(task: Task) -> int:
+    """Return the number of samples of the lines of a task."""
+    return task.problem.elements * task.steps_per_spacing
+
+
+def _tasks(shared: str, problems: Problems, said: _Sizes) -> list[Task]:
+    """Return the tasks of some problems, with their keys."""
+    first = hashlib.sha256(shared.encode())
+    tasks = []
+    for problem, written, steps, march_steps in zip(
+        problems.each, problems.written, said.steps, said.march_steps, strict=True
+    ):
+        digest = first.copy()
+        digest.update(f"{written}{steps} {march_steps}".encode())
+        tasks.append(Task(problem, steps, march_steps, digest.hexdigest()[:32]))
+    return tasks
