@@ -47,7 +47,7 @@ from kernels.scene import (
 )
 from kernels.steady import steady_sliding
 from kernels.surfaces.equivalent import equivalent_amplitudes, equivalent_spectrum
-from kernels.surfaces.line import Line
+from kernels.surfaces.line import QUARTET, Line
 from kernels.surfaces.measured import measured_amplitudes
 from kernels.surfaces.self_affine import (
     amplitudes,

@@ -1,5 +1,6 @@
 """A sampled rigid line, checked once: what the kernels take for granted holds from here on."""
 
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -7,6 +8,7 @@ import numpy as np
 from kernels.surfaces.measured import measured_modes
 from kernels.surfaces.self_affine import sample_line
 
+QUARTET = 4  # lines that one drawing of phases gives
 TALLEST = 1e50  # and its inverse: heights far above numbers that count as zero
 
 
@@ -29,18 +31,18 @@ class Line(NamedTuple):
         Raises ValueError where a sample is not finite, where a height has no slope, and for
         heights that cannot be in units of their rms roughness.
         """
-        if not (np.isfinite(z).all() and np.isfinite(slope).all()):
-            raise ValueError("the line holds samples that are not finite numbers")
         if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or steps_per_spacing < 1:
             raise ValueError("a line needs one slope per height, one sample per spacing or more")
-        height = float(np.abs(z).max())
+        top = int(np.argmax(z))
+        highest, datum = float(z[top]), float(z.min())
+        if not (np.isfinite([highest, datum]).all() and np.isfinite(slope).all()):
+            raise ValueError("the line holds samples that are not finite numbers")
+        height = max(highest, -datum)
         if height > 0.0 and not 1.0 / TALLEST <= height <= TALLEST:
             raise ValueError(f"height = {height:g}: heights must be in units of their roughness")
-        top = int(np.argmax(z))
         # Heights over the deepest point keep full precision where light loads touch.
-        datum = float(z.min())
-        heights, slopes = np.roll(z, -top) - datum, np.roll(slope, -top)
-        return cls(heights, slopes, datum, steps_per_spacing, band_limited)
+        heights = _beginning_at(top, z) - datum
+        return cls(heights, _beginning_at(top, slope), datum, steps_per_spacing, band_limited)
 
     @classmethod
     def self_affine(
@@ -55,6 +57,23 @@ class Line(NamedTuple):
         return cls.from_samples(z, slope, steps_per_spacing, band_limited=True)
 
     @classmethod
+    def quartet(
+        cls, amplitude: np.ndarray, phases: np.ndarray, elements: int, steps_per_spacing: int
+    ) -> Iterator["Line"]:
+        """Yield the QUARTET of lines whose phases are all turned by 0, pi, pi/2 and 3 pi/2.
+
+        Arguments as of self_affine, which is the first. Turned uniform phases are as uniform, so
+        all four are as probable; they are z, -z, the Hilbert transform of z and minus that. They
+        are not independent of each other (docs/errors.md says what they are worth); lines of other
+        phases are.
+        """
+        for turn in (0.0, 0.5 * np.pi):
+            z, slope = sample_line(amplitude, phases + turn, elements, steps_per_spacing)
+            for sign in (1.0, -1.0):
+                samples = sign * z, sign * slope
+                yield cls.from_samples(*samples, steps_per_spacing, band_limited=True)
+
+    @classmethod
     def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Line":
         """Prepare a measured line (measured.py), sampled m times as finely as it was given.
 
@@ -64,3 +83,8 @@ class Line(NamedTuple):
         modes = measured_modes(heights)
         z, slope = sample_line(*modes, heights.size, steps_per_spacing)
         return cls.from_samples(z + heights.mean(), slope, steps_per_spacing, band_limited=True)
+
+
+def _beginning_at(first: int, values: np.ndarray) -> np.ndarray:
+    """Return periodic values from sample ``first`` on."""
+    return np.concatenate((values[first:], values[:first]))

@@ -108,12 +108,12 @@ def sample_line(
     Every m samples the same function: sample j of m = 1 is sample j m of any other m.
     """
     samples = elements * steps_per_spacing
-    spectrum = np.zeros(samples // 2 + 1, dtype=complex)
-    spectrum[1 : amplitude.size + 1] = 0.5 * samples * amplitude * np.exp(1j * phases)
-    q = 2.0 * np.pi * np.arange(spectrum.size) / elements
-    derivative = 1j * q * spectrum
+    both = np.zeros((2, samples // 2 + 1), dtype=complex)  # of heights and of slopes
+    modes = both[:, 1 : amplitude.size + 1]
+    modes[0] = 0.5 * samples * amplitude * np.exp(1j * phases)
+    modes[1] = (2.0j * np.pi / elements) * mode_numbers(elements) * modes[0]
     if 2 * amplitude.size == samples:
         # The Nyquist mode of an even grid: its two complex halves fall on one coefficient.
-        spectrum[-1] = 2.0 * spectrum[-1].real
-        derivative[-1] = 2.0 * derivative[-1].real
-    return np.fft.irfft(spectrum, samples), np.fft.irfft(derivative, samples)
+        both[:, -1] = 2.0 * both[:, -1].real
+    z, slope = np.fft.irfft(both, samples)
+    return z, slope

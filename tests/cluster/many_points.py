@@ -20,8 +20,8 @@ from workflow.system import peak_bytes
 
 STUDY = """
 [study]
-realizations = 8
-realizations_per_block = 2
+realizations = 16
+realizations_per_block = 4
 [material]
 shear_modulus = 1e7
 relaxation_time = 1e-3

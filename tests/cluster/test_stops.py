@@ -21,7 +21,7 @@ from workflow.store import journal
 
 pytestmark = pytest.mark.cluster
 
-SETTINGS = ("--set", "study.realizations=20", "--batch-seconds", "1e-4")  # 320 batches
+SETTINGS = ("--set", "study.realizations=80", "--batch-seconds", "1e-4")  # 320 batches
 
 
 class Trial:
@@ -107,7 +107,7 @@ def test_what_a_stopped_worker_has_is_computed_elsewhere(folder, cluster):
         "--out",
         str(peace),
         "--set",
-        "study.realizations=20",
+        "study.realizations=80",
         "--workers",
         "2",
     )

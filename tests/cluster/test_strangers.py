@@ -62,7 +62,7 @@ def ports_of(pids):
 
 def underway(folder, *options, **environment):
     """Return a long run that has stored something."""
-    long = ("--set", "study.realizations=10000", "--batch-seconds", "0.2")
+    long = ("--set", "study.realizations=40000", "--batch-seconds", "0.2")
     words = (*STUDY, "--out", str(folder), *long, *options)
     driver = start(folder / "log", *words, **environment)
     until = time.monotonic() + PATIENCE

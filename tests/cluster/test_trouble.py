@@ -92,7 +92,7 @@ def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
     with (edited / "kernels" / "steady.py").open("a") as file:
         file.write("# edited\n")
     options = ("--out", str(tmp_path), "--scheduler", cluster.address, "--batch-seconds", "0.2")
-    options += ("--set", "study.realizations=200")
+    options += ("--set", "study.realizations=800")
     processes = [start(log, *STUDY, *options)]
     try:
         while not any("shard" in entry for entry, _ in journal.entries(tmp_path / "store")):

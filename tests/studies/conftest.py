@@ -17,7 +17,7 @@ def fig7_folder(tmp_path_factory):
 def fig7(scheduler, fig7_folder) -> Groups:
     """Return the groups of figure 7: a rough and a smooth line, two loads and full contact."""
     settings = (
-        "study.realizations=16",
+        "study.realizations=32",
         f"grid.normal_force=[0.1, 1.0, {FULL_CONTACT}]",
         "grid.spacing=1e-5",
         "grid.velocity=[1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1]",  # x = 0.03 ... 31

@@ -13,7 +13,7 @@ pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 def groups(scheduler, tmp_path_factory):
     """Return the groups of the study."""
     folder = tmp_path_factory.mktemp("holds")
-    return run(scheduler, folder, "slide_hold_slide", "study.realizations=8")
+    return run(scheduler, folder, "slide_hold_slide", "study.realizations=24")
 
 
 @pytest.fixture(scope="module")

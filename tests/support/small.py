@@ -19,7 +19,7 @@ TEXT = """
 [study]
 title = "small"
 seed = 1
-realizations = 4
+realizations = 16
 
 [material]
 shear_modulus = 1e7

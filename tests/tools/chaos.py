@@ -61,9 +61,9 @@ def legs(count: Count) -> dict[str, Count]:
 
 
 def _one_study(folder: Path, count: Count, seed: int, core_seconds: float) -> list[str]:
-    blocks = max(2, round(core_seconds / 3.0))  # 3 s for 10 realizations
-    study = ["--set", f"study.realizations={10 * blocks}"]
-    study += ["--set", "study.realizations_per_block=10"]
+    blocks = max(2, round(core_seconds / 3.0))  # 3 s for 12 realizations
+    study = ["--set", f"study.realizations={12 * blocks}"]
+    study += ["--set", "study.realizations_per_block=12"]
     for name in ("peace", "war"):
         (folder / name).mkdir()
     expected, _ = result_of(folder / "peace", *study, "--workers", "2")

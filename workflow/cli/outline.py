@@ -105,7 +105,10 @@ def _realizations(plan: Plan) -> list[str]:
     block = study.realizations_per_block
     runs = plan.records * block
     if not any(variant.goals for variant in plan.variants):
-        return [f"realizations {study.realizations} each, {runs} in all"]
+        asked = study.realizations_asked
+        rounded = asked < study.realizations
+        up = f" ({asked} rounded up to whole quartets of lines)" if rounded else ""
+        return [f"realizations {study.realizations} each{up}, {runs} in all"]
     lines = [f"realizations {runs} in all, predicted; rounds add more until the accuracy is met"]
     for variant in plan.variants:
         if variant.goals:

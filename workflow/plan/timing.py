@@ -14,6 +14,7 @@ from statistics import median
 import numpy as np
 
 from kernels import (
+    QUARTET,
     SCHEMES,
     ConstantForce,
     Line,
@@ -48,16 +49,16 @@ def seconds(call: Callable[[], object]) -> float:
     return median(found)
 
 
-def _line(amplitude: np.ndarray, elements: int) -> Line:
+def _quartet(amplitude: np.ndarray, elements: int) -> list[Line]:
     phases = draw_phases(np.random.default_rng(1), elements)
-    return Line.self_affine(amplitude, phases, elements, STEPS)
+    return list(Line.quartet(amplitude, phases, elements, STEPS))
 
 
 def _at(samples: int) -> dict[str, float]:
     """Return the seconds of every kernel on a line of this size, all of which is marched."""
     elements = samples // STEPS
     amplitude = amplitudes(HURST, elements)  # the lines of a batch share it
-    line, load = _line(amplitude, elements), LOAD * samples
+    line, load = _quartet(amplitude, elements)[0], LOAD * samples
     law, control = SCHEMES["exponential"](1.0 / (STEPS * SPEED)), ConstantForce(load)
     state, sweeps = steady_sliding(law, line.z, load)
 
@@ -71,7 +72,7 @@ def _at(samples: int) -> dict[str, float]:
     each = max(many - few, 0.1 * many) / (MANY - FEW)
     steady = seconds(lambda: steady_sliding(law, line.z, load))
     return {
-        "draw": seconds(lambda: _line(amplitude, elements)),
+        "draw": seconds(lambda: _quartet(amplitude, elements)) / QUARTET,
         "sweep": steady / sweeps,
         "quadrature": seconds(
             lambda: quadrature(line.z, line.slope, *touching, SPEED, 1.2 * SPEED, whole)

@@ -30,7 +30,7 @@ def saved_state(state: xr.Dataset, study: Study) -> Saved:
             "with those of the run before"
         )
     if study.realizations != 1:
-        raise UserError(f"realizations = {study.realizations}: a state is that of one line")
+        raise UserError(f"realizations = {study.realizations_asked}: a state is that of one line")
     numerics = study.variants[""]
     units = memories(form_of(study.material.spectrum(), numerics.scheme))
     memory = np.ascontiguousarray(state["state_memory"].values[:units])

@@ -1,26 +1,31 @@
 """Run a batch: draw its lines, run every realization, average over blocks."""
 
 import time
-from collections.abc import Callable
-from functools import lru_cache, partial
+from collections.abc import Callable, Iterable
+from functools import lru_cache
+from itertools import groupby, islice
+from operator import itemgetter
 
 import numpy as np
 
-from kernels import Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
+from kernels import QUARTET, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
 from kernels.cache import compiling
 from workflow.simulate.kept import record_steps
 from workflow.simulate.layout import Layout, row_layout, row_width
 from workflow.simulate.programmes import add_programme, steady_ends
-from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult, Task
+from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
 from workflow.system import peak_bytes, this_maker
 
-Draw = Callable[[int], Callable[[int], Line]]  # number of a realization -> steps -> its line
+# Steps per spacing -> the lines of realizations in a row that one drawing gives.
+Draw = Callable[[int], Iterable[Line]]
+# Steps per spacing, then all cases on such a line, each with the rows of its tasks.
+Cases = list[tuple[int, list[tuple[list[int], Case]]]]
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
-    """Return the generator of one line: a function of study seed, H, N and index alone.
+    """Return the generator of one drawing: a function of study seed, H, N and index alone.
 
-    Every m, scheme, load and speed sees the same line; batching and order play no part.
+    Every m, scheme, load and speed sees the same lines; batching and order play no part.
     """
     hurst_bits = int(np.float64(hurst).view(np.uint64))
     return np.random.default_rng([seed, hurst_bits, elements, index])
@@ -47,87 +52,89 @@ def block_means(batch: Batch) -> BatchResult:
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
     curves = np.zeros((len(batch.tasks), batch.blocks, width))
     spent = np.zeros((len(batch.tasks), len(PHASES)))
-    lines = _lines(batch)
-    for block in range(batch.blocks):
-        first = block * batch.realizations_per_block
-        for number in range(first, first + batch.realizations_per_block):
-            sums = scalars[:, block], curves[:, block]
-            _add_realization(batch, layouts, lines, number, sums, spent)
+    cases = _cases(batch)
+    size, draw = _drawing(batch)
+    for number in range(0, batch.blocks * batch.realizations_per_block, size):
+        block = number // batch.realizations_per_block
+        sums = scalars[:, block], curves[:, block]
+        _add_realizations(batch, layouts, cases, draw(number), sums, spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
     used = time.thread_time() - began
     return BatchResult(scalars, curves, spent, used, peak_bytes(), this_maker())
 
 
-def _add_realization(
+def _add_realizations(
     batch: Batch,
     layouts: list[Layout],
-    lines: Draw,
-    number: int,
+    cases: Cases,
+    draw: Draw,
     sums: tuple[np.ndarray, np.ndarray],
     spent: np.ndarray,
 ) -> None:
-    """Add one realization of every task to the sums of scalars and curves, one row per task.
-
-    number : of the realization, counted from the first of the batch.
-    """
-    began = time.thread_time()
-    draw = lines(number)
-    line = None
+    """Add the realizations of one drawing to the sums of scalars and curves, one row per task."""
     drawing = 0.0
-    for rows in _shared_cases(batch.tasks):
-        steps = batch.tasks[rows[0]].steps_per_spacing
-        if line is None or line.steps_per_spacing != steps:
-            line = draw(steps)
-            drawing += time.thread_time() - began
-        outcome = None
-        if batch.quantities.anything:
-            outcome = run_case(line, _case(batch, rows), batch.quantities)
-            spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
-        for k, row in enumerate(rows):
-            began = time.thread_time()
-            record = sums[0][row], sums[1][row]
-            task, places = batch.tasks[row], layouts[row]
-            if outcome is None:
-                record[0][:] = np.nan
-            else:
-                _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
-            add_programme(batch, line, task, places, record[1])
-            if batch.recording.asked:
-                spent[row, -1] += time.thread_time() - began
+    for steps, on_a_line in cases:
         began = time.thread_time()
+        for line in draw(steps):
+            drawing += time.thread_time() - began
+            for rows, case in on_a_line:
+                outcome = None
+                if batch.quantities.anything:
+                    outcome = run_case(line, case, batch.quantities)
+                    spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
+                for k, row in enumerate(rows):
+                    began = time.thread_time()
+                    record = sums[0][row], sums[1][row]
+                    task, places = batch.tasks[row], layouts[row]
+                    if outcome is None:
+                        record[0][:] = np.nan
+                    else:
+                        _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
+                    add_programme(batch, line, task, places, record[1])
+                    if batch.recording.asked:
+                        spent[row, -1] += time.thread_time() - began
+            began = time.thread_time()
     spent[:, 0] += drawing / len(batch.tasks)
 
 
-def _lines(batch: Batch) -> Draw:
-    """Return what draws the line of a realization, by its number in the batch."""
+def _drawing(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
+    """Return how many realizations one drawing is for, and what draws them from a number on.
+
+    Random self-affine lines come in quartets, those of a block together. Lines that were measured
+    come one by one, and so do random ones like them, which are as many.
+    """
     if batch.heights is not None:
         heights = batch.heights
-        return lambda number: partial(Line.measured, heights[number])
+        return 1, lambda number: lambda steps: (Line.measured(heights[number], steps),)
     problem = batch.tasks[0].problem  # all tasks are of its lines
     hurst, elements, surface = problem.hurst, problem.elements, problem.surface
+    size = 1 if surface.measured else min(QUARTET, batch.realizations_per_block)
     amplitude = batch.modes
     if amplitude is None:
         modes = surface.rolloff, surface.cutoff
         amplitude = amplitudes(hurst, elements, batch.normalisation, *modes)
     first = batch.first_block * batch.realizations_per_block
 
-    def draw(number: int) -> Callable[[int], Line]:
-        generator = line_generator(batch.seed, hurst, elements, first + number)
+    def draw(number: int) -> Draw:
+        generator = line_generator(batch.seed, hurst, elements, (first + number) // size)
         phases = draw_phases(generator, elements)
-        return lambda steps: Line.self_affine(amplitude, phases, elements, steps)
+        return lambda steps: islice(Line.quartet(amplitude, phases, elements, steps), size)
 
-    return draw
+    return size, draw
 
 
-def _shared_cases(tasks: tuple[Task, ...]) -> list[list[int]]:
-    """Return rows of tasks that share a steady state at v1, those of one m together."""
-    cases: dict[tuple, list[int]] = {}
-    for row, task in enumerate(tasks):
+def _cases(batch: Batch) -> Cases:
+    """Return what is run on every line; tasks that share a steady state at v1 are one case."""
+    shared: dict[tuple, list[int]] = {}
+    for row, task in enumerate(batch.tasks):
         problem = task.problem
         key = (task.steps_per_spacing, problem.speed, problem.load)
-        cases.setdefault(key, []).append(row)
-    return [cases[key] for key in sorted(cases)]
+        shared.setdefault(key, []).append(row)
+    found: Cases = []
+    for steps, keys in groupby(sorted(shared), itemgetter(0)):
+        found.append((steps, [(shared[key], _case(batch, shared[key])) for key in keys]))
+    return found
 
 
 def _case(batch: Batch, rows: list[int]) -> Case:

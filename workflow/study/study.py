@@ -1,11 +1,13 @@
 """The study: everything a user says in study.toml, checked once and then immutable."""
 
 import json
+import math
 from dataclasses import dataclass
 from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
+from kernels import QUARTET
 from workflow.errors import UserError
 from workflow.study.cluster import HERE, Cluster, read_cluster
 from workflow.study.effects import (
@@ -20,7 +22,7 @@ from workflow.study.grid import GRID, Grid, read_grid
 from workflow.study.numerics import NUMERICS, Numerics
 from workflow.study.settings import Key, as_text, check_keys, integer, read_table
 from workflow.study.surfaces import SURFACE, Profile, Surface, read_surface
-from workflow.study.variants import read_variants
+from workflow.study.variants import check_accuracy, read_variants
 
 MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
 HEAD = {"title": Key(as_text, ""), "seed": Key(partial(integer, least=0), 0)}
@@ -63,7 +65,8 @@ class Study(AnyStudy):
     """A checked study of a grid, in SI units."""
 
     kind: ClassVar[str] = "grid"
-    realizations: int
+    realizations_asked: int  # as the study says
+    realizations: int  # of random lines in whole quartets, whole blocks and two blocks at least
     realizations_per_block: int
     grid: Grid
     scene: Scene
@@ -122,10 +125,14 @@ def read_grid_study(
     scene = read_scene(tables.get("scene", {}), folder, materials.values())
     grid = read_grid(tables.get("grid", {}), surface, scene, materials[""].temperatures)
     head["realizations"] = _realizations(head["realizations"], surfaces)
-    _check_blocks(head, one_point)
-    alone = one_point and head["realizations"] == 1 and not scene.holds
+    head["realizations_asked"] = head["realizations"]
+    single = one_point and head["realizations"] == 1
+    if not single:
+        drawn = not any(surface.profile for surface in surfaces.values())
+        head |= _blocks(head["realizations"], head["realizations_per_block"], drawn)
+    alone = single and not scene.holds
     check_quantities(scene, materials, alone)
-    _check_accuracy(variants, materials, scene, surface)
+    check_accuracy(variants, materials, scene, surface)
     found = Study(
         **head,
         grid=grid,
@@ -151,34 +158,26 @@ def _realizations(given: int | None, surfaces: dict[str, Surface]) -> int:
     return given or lines or 1
 
 
-def _check_blocks(head: dict[str, Any], one_point: bool) -> None:
-    realizations, block = head["realizations"], head["realizations_per_block"]
-    if one_point and realizations == 1:
-        return
+def _blocks(realizations: int, block: int, drawn: bool) -> dict[str, int]:
+    """Return the counts of realizations, in all and per block. Raises UserError.
+
+    drawn : whether lines are drawn: then both are rounded up, and quartets lie in one block.
+    """
+    given = f"study.realizations_per_block = {block}"
     if realizations % block or realizations // block < 2:
         raise UserError(
-            f"study.realizations_per_block = {block}: must divide realizations = {realizations} "
+            f"{given}: must divide realizations = {realizations} "
             "into at least 2 blocks, from which standard errors are estimated"
         )
+    if drawn:
+        block = QUARTET * math.ceil(block / QUARTET)
+        realizations = block * max(2, math.ceil(realizations / block))
     if realizations // block > MOST_BLOCKS:
         raise UserError(
-            f"study.realizations_per_block = {block}: divides realizations = {realizations} into "
+            f"{given}: divides realizations = {realizations} into "
             f"more than {MOST_BLOCKS} blocks; set it to {-(-realizations // MOST_BLOCKS)} or more"
         )
-
-
-def _check_accuracy(
-    variants: dict[str, Numerics], materials: dict[str, Material], scene: Scene, surface: Surface
-) -> None:
-    """Raise UserError where an accuracy is asked for beyond what its laws were measured on."""
-    beyond = scene.programme or surface.profile is not None or surface.rolloff or surface.cutoff
-    for label, numerics in variants.items():
-        if numerics.accuracy and (beyond or materials[label].branches):
-            where = f"compare.{label}" if label else "numerics"
-            raise UserError(
-                f"{where}.accuracy = {numerics.accuracy!r}: holds for one velocity step of Kelvin "
-                "elements on self-affine lines; give steps_per_spacing and study.realizations"
-            )
+    return {"realizations": realizations, "realizations_per_block": block}
 
 
 def _one_point(study: Study) -> Study:

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import Any
 
 from workflow.errors import UserError
-from workflow.study.effects import MATERIAL, Material, read_material
+from workflow.study.effects import MATERIAL, Material, Scene, read_material
 from workflow.study.numerics import NUMERICS, Numerics, read_numerics
 from workflow.study.settings import as_table, check_keys
 from workflow.study.surfaces import LIKE, Surface, lines_like
@@ -43,3 +43,17 @@ def read_variants(
         like = {key: given[key] for key in given if key in LIKE}
         surfaces[label] = lines_like(where, surface, like)
     return variants, materials, surfaces
+
+
+def check_accuracy(
+    variants: dict[str, Numerics], materials: dict[str, Material], scene: Scene, surface: Surface
+) -> None:
+    """Raise UserError where an accuracy is asked for beyond what its laws were measured on."""
+    beyond = scene.programme or surface.profile is not None or surface.rolloff or surface.cutoff
+    for label, numerics in variants.items():
+        if numerics.accuracy and (beyond or materials[label].branches):
+            where = f"compare.{label}" if label else "numerics"
+            raise UserError(
+                f"{where}.accuracy = {numerics.accuracy!r}: holds for one velocity step of Kelvin "
+                "elements on self-affine lines; give steps_per_spacing and study.realizations"
+            )

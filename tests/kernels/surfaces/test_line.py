@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import Line
+from kernels import QUARTET, Line, amplitudes, draw_phases
 from tests.cases import M, line_of
 
 
@@ -38,3 +38,43 @@ def test_lines_that_are_none_are_refused(heights, slopes, m):
 def test_heights_in_other_units_than_their_roughness_are_refused(scale):
     with pytest.raises(ValueError, match="units of their roughness"):
         Line.from_samples(np.array([-1.0, 1.0]) * scale, np.zeros(2), 1)
+
+
+@pytest.mark.parametrize("elements", [50, 51])
+@pytest.mark.parametrize("m", [1, 4])
+def test_a_quartet_is_the_lines_of_phases_that_are_as_probable(elements, m):
+    """Each phase turned by 0, pi, pi/2 and 3 pi/2."""
+    amplitude = amplitudes(0.7, elements)
+    phases = draw_phases(np.random.default_rng(5), elements)
+    quartet = list(Line.quartet(amplitude, phases, elements, m))
+    assert len(quartet) == QUARTET
+    for line, turn in zip(quartet, (0.0, 1.0, 0.5, 1.5), strict=True):
+        expected = Line.self_affine(amplitude, phases + turn * np.pi, elements, m)
+        np.testing.assert_allclose(line.z, expected.z, atol=1e-13)
+        np.testing.assert_allclose(line.slope, expected.slope, atol=1e-13)
+        assert line.datum == pytest.approx(expected.datum, rel=1e-13)
+        assert (line.steps_per_spacing, line.band_limited) == (m, True)
+
+
+def test_the_first_of_a_quartet_is_the_line_alone_and_every_other_one_stands_on_its_head():
+    amplitude = amplitudes(0.3, 50)
+    phases = draw_phases(np.random.default_rng(6), 50)
+    quartet = list(Line.quartet(amplitude, phases, 50, 3))
+    alone = Line.self_affine(amplitude, phases, 50, 3)
+    np.testing.assert_array_equal(quartet[0].z, alone.z)
+    np.testing.assert_array_equal(quartet[0].slope, alone.slope)
+    for line in quartet:
+        assert np.sqrt(np.mean((line.z + line.datum) ** 2)) == pytest.approx(1.0, rel=1e-13)
+    for line, below in (quartet[:2], quartet[2:]):
+        assert below.datum == -(line.z[0] + line.datum)  # its deepest point was the highest
+        np.testing.assert_allclose(np.sort(below.z), np.sort(line.z[0] - line.z), atol=1e-14)
+
+
+@pytest.mark.parametrize("samples", [64, 400, 2000, 4095])
+def test_a_transform_has_the_same_bits_alone_and_in_a_batch(samples):
+    """What sample_line relies on, which transforms heights and slopes together."""
+    rng = np.random.default_rng(samples)
+    both = rng.standard_normal((2, samples // 2 + 1, 2)) @ np.array([1.0, 1.0j])
+    together = np.fft.irfft(both, samples)
+    for row, alone in zip(together, both, strict=True):
+        np.testing.assert_array_equal(row, np.fft.irfft(alone, samples))

@@ -13,7 +13,7 @@ def test_plan_prints_axes_points_problems_and_realizations(capsys, study):
     found = facts(output(capsys, "plan", study, *settings))
     assert found["points"].split() == ["points", "16"]
     assert found["problems"].startswith("problems    12 distinct dimensionless problems (1.33 ")
-    assert found["realizations"] == "realizations 4 each, 96 in all"
+    assert found["realizations"] == "realizations 16 each, 384 in all"
     assert found["variants"].split(maxsplit=1)[1] == "study, coarse"
     assert found["normal_force"].split() == ["normal_force", "2", "0.04", "...", "0.4"]
     assert found["spacing"].split() == ["spacing", "1", "0.0001"]
@@ -61,3 +61,9 @@ def test_plan_computes_and_writes_nothing(capsys, study, tmp_path):
     found = facts(output(capsys, "plan", study, "--out", str(tmp_path / "out")))
     assert found["result"].split()[1] == str(tmp_path / "out" / "small.nc")
     assert not (tmp_path / "out").exists()
+
+
+def test_plan_says_when_realizations_are_rounded_up(capsys, study):
+    found = facts(output(capsys, "plan", study, "--set", "study.realizations=10"))
+    words = "realizations 12 each (10 rounded up to whole quartets of lines), 192 in all"
+    assert found["realizations"] == words

@@ -53,10 +53,10 @@ def test_given_steps_stand_and_their_error_is_not_counted(problem, wanted):
 
 
 def test_blocks_are_whole_and_capped():
-    study = small_study("study.realizations=8", "study.realizations_per_block=2")
+    study = small_study("study.realizations=16")
     assert whole_blocks(study, 1.0, 1000) == JACKKNIFE_GROUPS
-    assert whole_blocks(study, 2 * JACKKNIFE_GROUPS + 1, 1000) == 2 * JACKKNIFE_GROUPS
-    assert whole_blocks(study, 1e9, 1000) == 15 * JACKKNIFE_GROUPS  # 960 realizations
+    assert whole_blocks(study, 4 * JACKKNIFE_GROUPS + 1, 1000) == 2 * JACKKNIFE_GROUPS
+    assert whole_blocks(study, 1e9, 1000) == 7 * JACKKNIFE_GROUPS  # 896 realizations
 
 
 def test_a_cap_below_the_least_is_one_clear_line():

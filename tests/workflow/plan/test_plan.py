@@ -48,7 +48,7 @@ def test_widening_a_study_keeps_the_keys_it_had(setting):
 
 CHANGED = [
     "study.seed=2",
-    "study.realizations_per_block=2",
+    "study.realizations_per_block=8",
     "surface.normalisation=integral",
     'scene.quantities=["steady", "jump"]',
     "scene.indentation_rate=false",

@@ -33,7 +33,7 @@ def test_settings_and_surroundings_are_attributes_of_their_own_too():
         "horizon": 4.0,
         "quantities": "steady jump relaxation",
         "indentation_rate": "false",
-        "realizations_per_block": 1,
+        "realizations_per_block": 4,
         "title": "small",
         "code": CODE,
         "written_with": package_versions(),

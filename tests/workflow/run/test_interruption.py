@@ -11,7 +11,7 @@ from tests.support.small import write_study
 from workflow.cli import main
 from workflow.store.store import Store, store_folder
 
-LONG = "study.realizations=20"  # 320 batches
+LONG = "study.realizations=80"  # 320 batches
 
 
 def ended(folder, number, *options):

@@ -7,18 +7,19 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from kernels import QUARTET
 from tests.support.runs import run, shards
 from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
 from workflow.reduce.attainment import MET, MISSED
 from workflow.run.rounds import next_blocks
 
-WANTED = 0.08
+WANTED = 0.03
 SETTINGS = (
     f"numerics.accuracy={WANTED}",
     "grid.hurst=0.7",
-    "compare.coarse.max_realizations=64",
-    "compare.coarse.accuracy=0.05",
+    "compare.coarse.max_realizations=256",
+    "compare.coarse.accuracy=0.02",
 )
 
 
@@ -37,17 +38,18 @@ def test_points_end_with_what_they_need_after_more_than_one_round(reached):
         assert (data[f"{name}_error"] / abs(data[name]) <= data.accuracy_reached).all()
     assert (data.realizations % JACKKNIFE_GROUPS == 0).all()
     assert data.attrs["accuracy"] == WANTED
-    first = sum(reached.plan.first[task.key] for task in reached.plan.variants[0].tasks)
+    tasks = reached.plan.variants[0].tasks
+    first = QUARTET * sum(reached.plan.first[task.key] for task in tasks)
     assert data.realizations.sum() > first
 
 
 def test_points_that_hit_the_cap_are_named(reached):
     data = reached.load("coarse")
-    assert data.realizations.max() == 64
+    assert data.realizations.max() == 256
     missed = data.accuracy_status == MISSED
     assert missed.any()
-    assert (data.realizations.where(missed, 64) == 64).all()
-    assert (data.accuracy_reached.where(missed, 1.0) > 0.05).all()
+    assert (data.realizations.where(missed, 256) == 256).all()
+    assert (data.accuracy_reached.where(missed, 1.0) > 0.02).all()
     (line, worst) = reached.summary.accuracy[1:]
     assert f"met at {int((~missed).sum())} of {missed.size} points" in line
     assert f"{float(data.accuracy_reached.max()):.2g}" in worst

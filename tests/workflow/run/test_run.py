@@ -44,7 +44,7 @@ def test_other_batches_give_the_same_bytes(finished, cut):
 def test_a_larger_study_computes_only_what_is_new_and_gives_the_bytes_of_a_fresh_one(
     finished, scheduler, tmp_path
 ):
-    folder, more = copied(finished, tmp_path), ("study.realizations=6",)
+    folder, more = copied(finished, tmp_path), ("study.realizations=24",)
     before = shards(folder)
     wide = run(scheduler, folder, *more, scale="wide")
     fresh = run(scheduler, tmp_path, *more, scale="wide")
@@ -53,7 +53,7 @@ def test_a_larger_study_computes_only_what_is_new_and_gives_the_bytes_of_a_fresh
     after = shards(folder)
     assert {name: after[name] for name in before} == before
     assert len(after) > len(before)
-    assert wide.load().realizations.values.flat[0] == 6
+    assert wide.load().realizations.values.flat[0] == 24
     assert wide.path.read_bytes() == fresh.path.read_bytes()
     again = run(scheduler, folder, *more, scale="wide")
     assert (again.summary.batches, again.summary.used) == (0, 0.0)

@@ -29,7 +29,7 @@ def records(target):
 
 def test_no_batching_shows():
     whole = records(1e9)
-    assert len(whole) == 2 * 4
+    assert len(whole) == 2 * 2
     assert records(1e-9) == whole
 
 

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernels import Line
+from kernels import QUARTET, Line
 from tests.support.small import cut_batches, small_plan
 from workflow.simulate import realizations as module
 from workflow.simulate.realizations import block_means, line_generator
@@ -54,11 +54,11 @@ def test_numbers_do_not_depend_on_the_company_or_order_of_tasks(order, count):
 
 
 def test_a_block_is_the_mean_of_its_realizations():
-    pairs = block_means(one_batch("study.realizations_per_block=2"))
+    pairs = block_means(one_batch("study.realizations_per_block=8"))
     single = block_means(one_batch())
     for pair, one in zip(pairs[:2], single[:2], strict=True):
         expected = (one[:, ::2] + one[:, 1::2]) / 2
-        assert np.array_equal(pair, expected, equal_nan=True)
+        np.testing.assert_allclose(pair, expected, rtol=1e-14)
 
 
 def test_blocks_are_different_realizations():
@@ -94,14 +94,14 @@ def test_each_line_has_random_numbers_of_its_own(other):
 
 @pytest.fixture
 def drawn(monkeypatch):
-    """Return what lines are drawn from: (samples per spacing, phases) in order."""
+    """Return what quartets are drawn from: (samples per spacing, phases) in order."""
     found = []
 
     class Spy:
         @staticmethod
-        def self_affine(amplitude, phases, elements, steps_per_spacing):
+        def quartet(amplitude, phases, elements, steps_per_spacing):
             found.append((steps_per_spacing, phases.tolist()))
-            return Line.self_affine(amplitude, phases, elements, steps_per_spacing)
+            return Line.quartet(amplitude, phases, elements, steps_per_spacing)
 
     monkeypatch.setattr(module, "Line", Spy)
     monkeypatch.setattr(module, "load_kernels", lambda *_: None)  # draws a line of its own
@@ -131,7 +131,7 @@ def test_tasks_of_one_resolution_share_the_line(drawn):
     batch = one_batch("numerics.steps_per_spacing=4")
     assert len(batch.tasks) == 4
     block_means(batch)
-    assert len(drawn) == batch.blocks * batch.realizations_per_block
+    assert len(drawn) * QUARTET == batch.blocks * batch.realizations_per_block
 
 
 def test_time_is_booked_to_the_phases_that_were_asked_for():
@@ -147,3 +147,16 @@ def test_every_task_pays_its_part():
     done = block_means(WHOLE)
     assert (done.spent > 0.0).all()
     assert len(np.unique(done.spent[:, 0])) == 1  # of the lines all share
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_a_quartet_lies_in_one_block_and_a_single_line_is_its_first(drawn, count):
+    """A block of a scene of one line is that line; of several lines whole quartets."""
+    batch = one_batch("study.realizations=8", "numerics.steps_per_spacing=2")
+    whole = block_means(dataclasses.replace(batch, blocks=1, realizations_per_block=4 * count))
+    phases = [found for _, found in drawn]
+    assert len(phases) == len({tuple(found) for found in phases}) == count
+    drawn.clear()
+    single = block_means(dataclasses.replace(batch, blocks=1, realizations_per_block=1))
+    assert [found for _, found in drawn] == phases[:1]
+    assert not np.array_equal(single.scalars, whole.scalars, equal_nan=True)

@@ -18,7 +18,7 @@ from workflow.study.study import read_grid_study
 def test_values_of_the_file_reach_the_study():
     study = small_study()
     assert (study.name, study.title, study.seed) == ("small", "small", 1)
-    assert (study.realizations, study.realizations_per_block, study.blocks) == (4, 1, 4)
+    assert (study.realizations, study.realizations_per_block, study.blocks) == (16, 4, 4)
     assert (study.material.shear_modulus, study.material.tau, study.surface.length) == (
         1e7,
         1e-3,
@@ -107,3 +107,13 @@ grid = {hurst = 0.7, spacing = 1e-4, roughness = 1e-5, normal_force = 0.04}
 scene.quantities = ["state", "snapshots", "trace"]
 scene.programme = [{slide = {velocity = 0.1, distance = 1e-3}}]
 """
+
+
+@pytest.mark.parametrize(
+    ("asked", "block", "found"),
+    [(10, 1, (12, 4)), (2, 1, (8, 4)), (200, 10, (204, 12)), (64, 8, (64, 8)), (6, 3, (8, 4))],
+)
+def test_random_lines_are_counted_in_whole_quartets_and_blocks(asked, block, found):
+    study = small_study(f"study.realizations={asked}", f"study.realizations_per_block={block}")
+    assert (study.realizations, study.realizations_per_block) == found
+    assert study.realizations_asked == asked
