@@ -1,6 +1,7 @@
 """What a programme of motion adds to the record of a realization."""
 
 import math
+import time
 
 import numpy as np
 
@@ -12,16 +13,25 @@ from workflow.simulate.tasks import SCALARS, Batch, Recording, Task
 STEADY = Quantities(steady=True, jump=False, relaxation=False)
 
 
-def add_programme(batch: Batch, line: Line, task: Task, places: Layout, values: np.ndarray) -> None:
-    """Add one realization of a task to the sums of its row, laid out as ``places`` say."""
+def add_programme(
+    batch: Batch, line: Line, task: Task, places: Layout, values: np.ndarray
+) -> float:
+    """Add one realization of a task to the sums of its row, laid out as ``places`` say.
+
+    Returns the CPU seconds that it took.
+    """
+    seconds = 0.0
     if batch.recording.asked:
+        began = time.thread_time()
         found = run_scene(line, scene_of(task, batch.scheme, batch.recording), batch.resumed)
         for name, (first, shape) in places.items():
             if name not in found:
                 continue
             value = found[name]
             values[first : first + math.prod(shape)] += np.ravel(value)
+        seconds = time.thread_time() - began
     values[row_width(places) :] = np.nan
+    return seconds
 
 
 def scene_of(task: Task, scheme: str, recording: Recording) -> Scene:

@@ -84,16 +84,13 @@ def _add_realizations(
                     outcome = run_case(line, case, batch.quantities)
                     spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
                 for k, row in enumerate(rows):
-                    began = time.thread_time()
                     record = sums[0][row], sums[1][row]
                     task, places = batch.tasks[row], layouts[row]
                     if outcome is None:
                         record[0][:] = np.nan
                     else:
                         _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
-                    add_programme(batch, line, task, places, record[1])
-                    if batch.recording.asked:
-                        spent[row, -1] += time.thread_time() - began
+                    spent[row, -1] += add_programme(batch, line, task, places, record[1])
             began = time.thread_time()
     spent[:, 0] += drawing / len(batch.tasks)
 
