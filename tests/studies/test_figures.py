@@ -9,7 +9,7 @@ from workflow.kinetic_law import normalised_jump
 from workflow.reduce.fits import FITTED
 
 SETTINGS = {  # what makes a study smaller than at smoke scale
-    "fig2": ("grid.spacing=1e-5"),
+    "fig2": ("grid.spacing=1e-5",),
     "fig3": (),
     "fig4": (),
     "fig5": ("grid.spacing=1e-5", "grid.normal_force=[0.01, 1.0, 100.0]"),
