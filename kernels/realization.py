@@ -6,6 +6,8 @@ speeds, one steady state at v1 serves all velocity jumps.
 
 import numpy as np
 
+from kernels.active.march import active_march
+from kernels.active.setting import Setting
 from kernels.case import Case, Clock, Outcome, Quantities, Seconds
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
@@ -15,8 +17,7 @@ from kernels.march import march
 from kernels.memory_case import run_memory_case
 from kernels.patches.steady_friction import jump as jump_to
 from kernels.patches.steady_friction import steady_friction
-from kernels.rheology.kelvin import SCHEMES, Kelvin
-from kernels.rheology.law import State
+from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.spectrum import shortest_step
 from kernels.surfaces.line import Line
 
@@ -71,9 +72,12 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
         clock.lap("steady")
         if asked.relaxation:
             control = (ConstantForce if asked.indentation_rate else PrintedForce)(load)
-            law = SCHEMES[case.scheme](1.0 / (line.steps_per_spacing * speed))
-            states = one.state, two.state
-            curve, updates = _relaxation(line, law, control, states, case.kept_steps[k])
+            before, after = (
+                SCHEMES[case.scheme](1.0 / (line.steps_per_spacing * v))
+                for v in (case.speed, speed)
+            )
+            setting = Setting(line.z, line.slope, before, after, one.state, two.state)
+            curve, updates = _relaxation(setting, control, case.kept_steps[k])
             curves.append(mu_2[k] + curve)
             work += updates
             clock.lap("marching")
@@ -85,25 +89,19 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
 
 
 def _relaxation(
-    line: Line,
-    law: Kelvin,
-    control: ConstantForce | PrintedForce,
-    states: tuple[State, State],
-    kept_steps: np.ndarray,
+    setting: Setting, control: ConstantForce | PrintedForce, kept_steps: np.ndarray
 ) -> tuple[np.ndarray, int]:
-    """Return the deviation from the steady friction at v2, and the element updates.
-
-    states : of steady sliding at v1 and at v2.
-    """
-    one, two = states
-    weight = lagged_slope(line.slope, law.lag)
-    final = step_average(weight, line.z - two.w, two.d)
+    """Return the deviation from the steady friction at v2, and the element updates."""
+    mu, _, settled, work, inside = active_march(setting, control, kept_steps)
+    if inside:
+        return mu - settled, work
+    z, slope, _, law, one, two = setting
+    weight = lagged_slope(slope, law.lag)
     # d stays between its steady values but for a transient. It never exceeds what one element
     # needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.
-    work = 0
     for cap in (1.02 * max(one.d, two.d), 1.001 * max(one.d, control.load)):
-        mu, _, passes, inside = march(law, control, line.z, weight, one, kept_steps, cap)
-        work += passes * line.z.size
+        mu, _, passes, inside = march(law, control, z, weight, one, kept_steps, cap)
+        work += passes * z.size
         if inside:
             break
-    return mu - final, work
+    return mu - step_average(weight, z - two.w, two.d), work

@@ -14,6 +14,7 @@ from kernels import (
     steady_sliding,
     step_average,
 )
+from kernels.active.march import active_march
 from kernels.friction import elastic_correction
 from kernels.march import march
 from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
@@ -87,7 +88,7 @@ def test_curve_is_mu_2_plus_the_deviation_of_the_marched_step_average(scheme):
     np.testing.assert_allclose(outcome.curves[0] - outcome.mu_2[0], deviation, rtol=1e-9)
 
 
-def test_curve_is_marched_again_where_the_cap_is_exceeded(monkeypatch):
+def test_curve_is_marched_again_where_bounds_and_cap_are_exceeded(monkeypatch):
     caps = []
 
     def exceeded(*args):
@@ -96,7 +97,13 @@ def test_curve_is_marched_again_where_the_cap_is_exceeded(monkeypatch):
         again = len(caps) % 2 == 0
         return (mu, d, passes, inside) if again else (mu + 1.0, d, passes, False)
 
+    def left(*args):
+        mu, d, settled, work, _ = active_march(*args)
+        return mu + 2.0, d, settled, work, False
+
     line, case = line_of(), CASE._replace(load=10.0)
+    usual = run_case(line, case, ALL)
+    monkeypatch.setattr(realization, "active_march", left)
     expected = run_case(line, case, ALL)
     monkeypatch.setattr(realization, "march", exceeded)
     outcome = run_case(line, case, ALL)
@@ -104,6 +111,7 @@ def test_curve_is_marched_again_where_the_cap_is_exceeded(monkeypatch):
     assert set(caps[1::2]) == {1.001 * case.load * line.z.size}  # more than d can ever be
     assert min(caps) > outcome.indentation - line.datum
     np.testing.assert_array_equal(outcome.curves, expected.curves)  # not the wrong first try
+    np.testing.assert_allclose(outcome.curves, usual.curves, rtol=1e-12)
 
 
 @pytest.mark.parametrize("shift", [1, 17])

@@ -1,0 +1,132 @@
+"""The balance of one step: listed samples and those in sums carry the load together."""
+
+import numpy as np
+
+from kernels.active.setting import advance, rise
+from kernels.contact import overlap, weighted_overlap
+from kernels.control.force import ConstantForce
+from kernels.control.printed_eq3 import PrintedForce
+from kernels.jit import by_type, kernel
+
+MOST_PASSES = 100  # a few do; what takes more is left to the plain march
+
+
+@by_type
+def note(control, lists, arrivals, d):
+    """Return what ``settle`` and ``amend`` need to know of the step before, or None."""
+
+
+@by_type
+def settle(control, law, lists, arrivals, noted, sums, d, guess):
+    """Return (d, push, passes): the new indentation, D of the samples in sums, passes over c.
+
+    noted : before the shift. d : the old indentation. guess : of the new one.
+    d is NaN where no balance was found. c is left consistent with the new d.
+    """
+
+
+@by_type
+def amend(control, noted, flights, d):
+    """Correct what elements that left contact one step ago arrive with, now that d is known."""
+
+
+@note.of(ConstantForce)
+def _note(control, lists, arrivals, d):
+    return None
+
+
+@settle.of(ConstantForce)
+def _settle(control, law, lists, arrivals, noted, sums, d, guess):
+    """Solve n (D - level) + sum (level - a) + sum max(0, d - c) = load / K."""
+    target = control.load / law.stiffness
+    new, passes = _root(law, lists.c, None, sums, sums.samples, target, d, guess)
+    return new, advance(law, new, d), passes
+
+
+@amend.of(ConstantForce)
+def _amend(control, noted, flights, d):
+    return None
+
+
+@note.of(PrintedForce)
+def _held(control, lists, arrivals, d):
+    """Return which listed samples an element reaches straight from contact, and which flights."""
+    c, (neighbours, flights) = lists.c, arrivals
+    held, left = np.zeros(c.size, np.bool_), np.ones(flights.at.size, np.bool_)
+    for i in range(c.size - 1):
+        held[i] = c[i + 1] < d
+    held[neighbours.at] = True
+    for f in range(flights.at.size):
+        if flights.source[f] >= 0:
+            left[f] = c[flights.source[f]] < d
+        held[flights.at[f]] = left[f] and flights.begin[f + 1] - flights.begin[f] == 1
+    return held, left
+
+
+@settle.of(PrintedForce)
+def _balance(control, law, lists, arrivals, noted, sums, d, guess):
+    """Balance the load where held elements move with the line but not with the indentation.
+
+    As in printed_eq3.py: their last displacement counts as z - d with the new d, and so D is
+    d / K for them. c is left consistent with it.
+    """
+    held, _ = noted
+    c, z = lists.c, lists.z
+    steep = np.empty(c.size)
+    for i in range(c.size - 1):
+        steep[i] = rise(law, z[i], z[i + 1])
+    neighbours, flights = arrivals
+    steep[neighbours.at] = neighbours.rise
+    for f in range(flights.at.size):
+        steep[flights.at[f]] = rise(law, z[flights.at[f]], flights.height[f])
+    threshold, weight = c.copy(), np.ones(c.size)
+    for i in range(c.size):
+        if held[i]:
+            threshold[i], weight[i] = steep[i] * law.stiffness, 1.0 / law.stiffness
+    target, slope = control.load / law.stiffness, sums.samples / law.stiffness
+    new, passes = _root(law, threshold, weight, sums, slope, target, d, guess)
+    for i in range(c.size):
+        if held[i]:
+            c[i] = steep[i] + law.decay * new
+    return new, new / law.stiffness, passes
+
+
+@amend.of(PrintedForce)
+def _amend_held(control, noted, flights, d):
+    _, left = noted
+    for f in range(flights.at.size):
+        if flights.round[f] and left[f]:
+            begin, place = flights.begin[f], flights.place[f]
+            before = (place if place > begin else flights.begin[f + 1]) - 1
+            flights.values[before] = flights.crossing[f] * (flights.height[f] - d)
+
+
+@kernel
+def _root(law, c, weight, sums, slope, target, d, guess):
+    """Return (new, passes), the root of the balance by Newton's method.
+
+    The left side is increasing and convex in d, and linear but for the listed samples: right of
+    the root every pass has fewer of them touching, or is the last (contact.py).
+    slope : how the part of the samples in sums grows with d. weight : as of solve_indentation.
+    """
+    base = sums.samples * (d / law.stiffness - sums.level) + sums.depth - target  # were d to stay
+    now, before, fallen = guess, -1.0, c.size == 0
+    for passes in range(1, MOST_PASSES):
+        if weight is None:
+            force, count = overlap(c, now)
+            steep = count + slope
+        else:
+            force, listed, count = weighted_overlap(c, weight, now)
+            steep = listed + slope
+        if steep == 0.0:  # below every threshold: one element that carries all is above the root
+            if fallen:
+                break
+            lowest = np.argmin(c)
+            now, fallen = c[lowest] + (target if weight is None else target / weight[lowest]), True
+        else:
+            new = now - (force + slope * (now - d) + base) / steep
+            if passes > 1 and (count == before or not new < now):
+                return new, passes
+            now = new
+        before = count
+    return np.nan, MOST_PASSES

@@ -1,0 +1,145 @@
+"""Elements on their way to the runs: they come from contact next to one, or across a gap.
+
+In a gap no sample is touched: an element leaves the sample above it with u and arrives q steps
+later with E^q u. Slots hold the displacements of arrival, one for each step to come; where a gap
+is crossed within the march they go round, and the element that leaves takes the slot of the one
+that arrives.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.active.setting import rise
+from kernels.jit import kernel
+
+FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
+
+
+class Neighbours(NamedTuple):
+    """Runs that elements enter straight from a sample that always touches."""
+
+    at: np.ndarray  # where they enter the lists: the last sample of the run
+    rise: np.ndarray  # a_j there
+
+
+class Flights(NamedTuple):
+    """Runs that elements enter across a gap, or from a listed sample at the other end of the line.
+
+    Flight f has its slots in values[begin[f] : begin[f + 1]].
+    """
+
+    at: np.ndarray  # where they enter the lists
+    begin: np.ndarray  # shape (flights + 1,)
+    place: np.ndarray  # the slot of the next arrival; changes
+    round: np.ndarray  # whether slots go round, or the last one, zero, stays
+    values: np.ndarray
+    source: np.ndarray  # where elements leave the lists; -1 for a sample that always touches
+    height: np.ndarray  # z of the sample they leave
+    crossing: np.ndarray  # E^q
+
+
+@kernel
+def powers_of(decay, steps):
+    """Return E^k for k = 0 ... up to steps or to the first one that is as good as zero."""
+    powers = np.empty(steps + 1)
+    powers[0] = 1.0
+    for k in range(1, steps + 1):
+        powers[k] = powers[k - 1] * decay
+        if powers[k] < FORGOTTEN:
+            powers[k] = 0.0
+            return powers[: k + 1]
+    return powers
+
+
+@kernel
+def arrivals_of(law, lists, runs, state, line, steps):
+    """Return (Neighbours, Flights) of all runs.
+
+    line : heights of all samples. state : displacements w without force and indentation d of now,
+    of all samples that elements fly over. steps : still to come.
+    """
+    powers = powers_of(law.decay, steps)
+    near, far = np.empty((2, runs.top.size), np.int64)
+    a = f = 0
+    for r in range(runs.top.size):
+        if runs.sure[r] and runs.distance[r] == 1:
+            near[a] = r
+            a += 1
+        else:
+            far[f] = r
+            f += 1
+    steep = np.empty(a)
+    for i in range(a):
+        j = runs.top[near[i]]
+        steep[i] = rise(law, line[j], line[j + 1 if j + 1 < line.size else 0])
+    neighbours = Neighbours(lists.first[near[:a] + 1] - 1, steep)
+    return neighbours, _flights(lists, runs, far[:f], state, line, powers)
+
+
+@kernel
+def _flights(lists, runs, far, state, line, powers):
+    """Return the Flights of the runs ``far``."""
+    n, reach = line.size, powers.size - 1
+    begin = np.zeros(far.size + 1, np.int64)
+    goes = runs.distance[far] <= reach
+    for f in range(far.size):
+        q = runs.distance[far[f]]
+        begin[f + 1] = begin[f] + (q if goes[f] else reach + 1)
+    values = np.empty(begin[-1])
+    source, height, crossing = np.full(far.size, -1), np.empty(far.size), np.empty(far.size)
+    for f in range(far.size):
+        r = far[f]
+        q = runs.distance[r]
+        from_ = runs.top[r] + q
+        height[f] = line[from_ - n if from_ >= n else from_]
+        if not runs.sure[r]:
+            source[f] = lists.first[r - 1 if r > 0 else runs.top.size - 1]
+        crossing[f] = powers[q] if goes[f] else 0.0
+        _launch(values[begin[f] : begin[f + 1]], powers, state, line, runs.top[r])
+        if not goes[f]:
+            values[begin[f + 1] - 1] = 0.0  # all that comes later has been forgotten
+        elif runs.sure[r]:
+            values[begin[f + 1] - 1] = crossing[f] * (height[f] - state.d)
+    return Flights(
+        lists.first[far + 1] - 1, begin, begin[:-1].copy(), goes, values, source, height, crossing
+    )
+
+
+@kernel
+def _launch(values, powers, state, line, top):
+    """Fill in the displacements, at their arrival, of the elements now upstream of sample top."""
+    w, d = state
+    wrap = min(max(line.size - top - 1, 0), values.size)
+    last = min(values.size, powers.size - 1)
+    for k in range(min(wrap, last)):
+        j = top + 1 + k
+        values[k] = powers[k + 1] * min(w[j], line[j] - d)
+    for k in range(wrap, last):
+        j = k - wrap
+        values[k] = powers[k + 1] * min(w[j], line[j] - d)
+
+
+@kernel
+def arrive(law, lists, neighbours, flights, d):
+    """Set the thresholds where elements enter the lists. d : indentation before the step."""
+    for i in range(neighbours.at.size):
+        lists.c[neighbours.at[i]] = neighbours.rise[i] + law.decay * d
+    for f in range(flights.at.size):
+        i = flights.at[f]
+        lists.c[i] = lists.z[i] - flights.values[flights.place[f]]
+
+
+@kernel
+def depart(lists, flights, d):
+    """Send elements across the gaps at the end of a step, and go on to the next slots."""
+    for f in range(flights.at.size):
+        place = flights.place[f]
+        if flights.round[f]:
+            i = flights.source[f]
+            u = flights.height[f] - (d if i < 0 else max(lists.c[i], d))
+            flights.values[place] = flights.crossing[f] * u
+        place += 1
+        if place == flights.begin[f + 1]:
+            place = flights.begin[f] if flights.round[f] else place - 1
+        flights.place[f] = place

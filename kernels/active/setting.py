@@ -1,0 +1,35 @@
+"""What the active-set march is given, and the two numbers that say whether an element touches."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.jit import kernel
+from kernels.rheology.kelvin import Kelvin
+from kernels.rheology.law import State
+
+
+class Setting(NamedTuple):
+    """A line, and steady sliding on it before and after the velocity jump."""
+
+    z: np.ndarray  # in h, shape (n,)
+    slope: np.ndarray  # in h/dx, shape (n,)
+    before: Kelvin  # of steps of one sample at v1
+    law: Kelvin  # the same at v2
+    start: State  # of steady sliding at v1
+    end: State  # and at v2
+
+
+@kernel
+def advance(law, d, old):
+    """Return D(t) = d(t) - E d(t - 1), with 1 - E = 1/K, which loses no digits near E = 1."""
+    return (d - old) + old / law.stiffness
+
+
+@kernel
+def rise(law, z, upstream):
+    """Return a_j = z_j - E z_(j+1) of heights z_j and, upstream of it, z_(j+1).
+
+    The overlap d - c of an element that comes from contact upstream is D - a_j.
+    """
+    return (z - upstream) + upstream / law.stiffness

@@ -1,0 +1,1 @@
+"""Tests of kernels/control, one module per module."""
