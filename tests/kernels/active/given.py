@@ -59,3 +59,12 @@ def dense(setting, load, kept_steps):
             break
     assert inside
     return mu - step_average(weight, setting.z - w, d), found
+
+
+def rounding_of_mu(setting, load):
+    """Return what rounding leaves open of mu: of the overlaps, differences of heights."""
+    w, d = setting.end
+    touching = (setting.z - w < d).sum()
+    overlap = load / setting.law.stiffness / touching
+    share = 1e-16 * (setting.z.max() + d) / overlap
+    return (1e-14 + 2.0 * share) * np.abs(setting.slope).max()

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kernels import SCHEMES, ConstantForce, Line, PrintedForce
 from kernels.active.march import MARGINS, active_march
 from kernels.motion.stretches import touchable
-from tests.kernels.active.given import Jump, dense, setting_of, size_of_jump
+from tests.kernels.active.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
 from tests.reference_march import RigidElements, relaxation
 from tests.sizes import size
 
@@ -34,7 +34,7 @@ def assert_same(setting, load, jump, kept_steps, margins=MARGINS):
     assert inside
     deviation, expected = dense(setting, load, kept_steps)
     np.testing.assert_allclose(d, expected, rtol=1e-11, atol=1e-15)
-    allowed = 1e-9 * size_of_jump(setting, jump, load) + 1e-14 * np.abs(setting.slope).max()
+    allowed = 1e-9 * size_of_jump(setting, jump, load) + rounding_of_mu(setting, load)
     np.testing.assert_allclose(mu - settled, deviation, rtol=0.0, atol=allowed)
 
 
