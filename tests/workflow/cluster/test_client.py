@@ -4,6 +4,7 @@ import contextlib
 import os
 import signal
 import socket
+import time
 from pathlib import Path
 
 import dask
@@ -48,6 +49,31 @@ def test_workers_of_our_own_are_processes_that_give_the_same_bytes(finished, tmp
             path = tmp_path / "small.nc"
             run_plan(small_plan(), path, How(where, batch_seconds=3.0))
     assert path.read_bytes() == finished.path.read_bytes()
+
+
+def started_again(client, killed):
+    """Return the facts of the worker that takes the place of a killed one."""
+    for _ in range(600):
+        with contextlib.suppress(OSError):  # the killed one is still known
+            for pid, *rest in client.run(facts).values():
+                if pid != killed:
+                    return rest
+        time.sleep(0.1)
+    return pytest.fail("no worker was started again")
+
+
+def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
+    """And libraries start no threads of their own, whatever dask's own settings are."""
+    with (
+        dask.config.set({"distributed.nanny.pre-spawn-environ": {}}),
+        open_client(Cluster(), 1) as client,
+    ):
+        ((pid, *_),) = client.run(facts).values()
+        os.kill(pid, signal.SIGKILL)
+        ignores_ctrl_c, environment = started_again(client, pid)
+    assert ignores_ctrl_c
+    for library in ("OMP", "MKL", "OPENBLAS", "NUMBA"):
+        assert environment[f"{library}_NUM_THREADS"] == "1"
 
 
 def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(scheduler, capsys):

@@ -93,3 +93,18 @@ def test_the_next_round_grows_within_the_cap(layers, growth, most):
     else:
         assert now < found <= 4 * now + JACKKNIFE_GROUPS
         assert found == most or found >= min(growth, 4.0) * now - 1e-6
+
+
+@pytest.mark.parametrize(
+    ("growth", "expected"),
+    [
+        (1.01, 1.25),  # at least a quarter more, or many rounds would be needed
+        (2.0, 2.2),  # a tenth more than is lacking, or every other point would miss it by a hair
+        (3.6, 3.96),
+        (50.0, 4.0),  # no more than four times as many: the error is an estimate itself
+    ],
+)
+def test_the_next_round_has_a_margin_within_its_bounds(growth, expected):
+    assert next_blocks(100 * JACKKNIFE_GROUPS, growth, 10**9) == pytest.approx(
+        expected * 100 * JACKKNIFE_GROUPS, abs=JACKKNIFE_GROUPS
+    )

@@ -1,0 +1,199 @@
+"""Change code at random places, one at a time, and see whether its tests notice.
+
+    python -m tests.tools.mutation workflow/store --count 100 --seed 12
+    NUMBA_DISABLE_JIT=1 python -m tests.tools.mutation kernels/contact.py
+
+Each mutant (mutants.py) is tried in a process of its own, by the tests beside that reach the
+changed line: those of a folder are in the folder of the same name under tests, those of a file
+in that of its folder. A mutant is killed by a test that fails, or that takes far more CPU time
+than all of them do. The files are changed in place and restored: use a clone of its own.
+"""
+
+import argparse
+import contextlib
+import os
+import pickle
+import random
+import resource
+import signal
+import sys
+import tempfile
+import time
+import traceback
+from collections import Counter, defaultdict
+from collections.abc import Callable
+from pathlib import Path
+from typing import NamedTuple
+
+import coverage
+import distributed  # noqa: F401  what all tests import is imported once, before the children start
+import matplotlib.pyplot  # noqa: F401
+import netCDF4  # noqa: F401
+import numba  # noqa: F401
+import pytest
+import scipy.optimize  # noqa: F401
+import xarray  # noqa: F401
+
+from tests.tools.mutants import Mutant, mutants_of
+
+QUIET = ["-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--hypothesis-seed=0"]
+USUAL = ["-m", "not cluster and not exhaustive"]
+TIMES_LONGER = 10.0  # than the tests of the room took, in CPU and wall time
+SETUP = "setup of "
+
+
+class Reached:
+    """A pytest plugin that notes which tests reach which line, and how long each takes."""
+
+    def __init__(self, place: Path) -> None:
+        self.coverage = coverage.Coverage(
+            data_file=None, config_file=False, include=[f"{place.resolve()}*"]
+        )
+        self.fixtures: dict[str, set[str]] = {}  # of each test
+        self.seconds: dict[str, float] = defaultdict(float)
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item):
+        """Note lines for a test, and what it is made of."""
+        name = item.nodeid.partition("[")[0]
+        self.fixtures[name] = set(getattr(item, "fixturenames", ()))
+        self.coverage.switch_context(name)
+        began = time.process_time()
+        try:
+            return (yield)
+        finally:
+            self.seconds[name] += time.process_time() - began
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_fixture_setup(self, fixturedef: pytest.FixtureDef, request: pytest.FixtureRequest):
+        """Note lines that a fixture reaches for all who use it."""
+        self.coverage.switch_context(SETUP + fixturedef.argname)
+        try:
+            return (yield)
+        finally:
+            self.coverage.switch_context(request.node.nodeid.partition("[")[0])
+
+    def by_line(self) -> dict[str, dict[int, set[str]]]:
+        """Return path -> line -> tests that reach it."""
+        users = defaultdict(set)
+        for test, fixtures in self.fixtures.items():
+            for fixture in fixtures:
+                users[SETUP + fixture].add(test)
+        data = self.coverage.get_data()
+        return {
+            path: {
+                line: set().union(*(users.get(c, {c} & self.fixtures.keys()) for c in contexts))
+                for line, contexts in data.contexts_by_lineno(path).items()
+            }
+            for path in data.measured_files()
+        }
+
+
+class Room(NamedTuple):
+    """A folder or a file of ours, with the tests of it."""
+
+    mutants: list[Mutant]
+    lines: dict[str, dict[int, set[str]]]  # path -> line -> tests that reach it
+    cost: dict[str, float]  # CPU seconds of each test
+
+    def chosen(self, mutant: Mutant) -> list[str]:
+        """Return the tests that reach a mutant, those of its module first, the quick ones first.
+
+        All of the room where none does, as of what is reached on import.
+        """
+        lines = self.lines.get(str(mutant.path.resolve()), {})
+        found = set().union(*(lines.get(n, ()) for n in range(mutant.line, mutant.last + 1)))
+        own = f"test_{mutant.path.stem}.py"
+        return sorted(found or self.cost, key=lambda test: (own not in test, self.cost[test]))
+
+
+def room_of(place: Path, scratch: Path) -> Room:
+    """Run the tests of a place once, in a process of its own. Raises SystemExit if they fail."""
+    files = sorted(place.rglob("*.py")) if place.is_dir() else [place]
+    tests = Path("tests") / (place if place.is_dir() else place.with_name(f"test_{place.name}"))
+
+    def survey() -> int:
+        reached = Reached(place)
+        reached.coverage.start()
+        status = pytest.main([*QUIET, *USUAL, str(tests)], plugins=[reached])
+        reached.coverage.stop()
+        known = pickle.dumps((reached.by_line(), dict(reached.seconds)))
+        (scratch / "known").write_bytes(known)
+        return int(status)
+
+    if in_a_process(survey, 3600.0, scratch / "log"):
+        raise SystemExit(f"{(scratch / 'log').read_text()}\n{tests} fail before any change")
+    lines, cost = pickle.loads((scratch / "known").read_bytes())
+    return Room([mutant for file in files for mutant in mutants_of(file)], lines, cost)
+
+
+def in_a_process(work: Callable[[], int], seconds: float, log: Path) -> int:
+    """Return the exit status of some work in a child of this process, -1 where it takes longer."""
+    pid = os.fork()
+    if pid == 0:
+        status = 3
+        try:
+            os.setsid()
+            resource.setrlimit(resource.RLIMIT_CPU, (int(seconds), int(seconds) + 5))
+            with log.open("wb") as file:
+                os.dup2(file.fileno(), 1)
+                os.dup2(file.fileno(), 2)
+            status = int(work())
+        except BaseException:
+            traceback.print_exc()
+        finally:
+            sys.stdout.flush()
+            os._exit(status)
+    end = time.monotonic() + TIMES_LONGER * seconds
+    ended, found = 0, 0
+    while not ended and time.monotonic() < end:
+        time.sleep(0.05)
+        ended, found = os.waitpid(pid, os.WNOHANG)
+    with contextlib.suppress(ProcessLookupError):
+        os.killpg(pid, signal.SIGKILL)  # and whatever it started
+    if not ended:
+        os.waitpid(pid, 0)
+        return -1
+    return os.waitstatus_to_exitcode(found) if os.WIFEXITED(found) else -1
+
+
+def try_one(room: Room, mutant: Mutant, log: Path) -> str:
+    """Return what became of a mutant: killed, killed by its time, or survived."""
+    tests = room.chosen(mutant)
+    sound, known = mutant.path.read_text(encoding="utf-8"), mutant.path.stat()
+    try:
+        mutant.path.write_text(mutant.source(), encoding="utf-8")
+        longest = max(60.0, TIMES_LONGER * sum(room.cost[test] for test in tests))
+        status = in_a_process(lambda: pytest.main([*QUIET, *USUAL, *tests]), longest, log)
+    finally:
+        mutant.path.write_text(sound, encoding="utf-8")
+        os.utime(mutant.path, ns=(known.st_atime_ns, known.st_mtime_ns))  # its bytecode stays
+    return "survived" if status == 0 else "timed out" if status < 0 else "killed"
+
+
+def main() -> None:
+    """Try some mutants; print what became of each, and how many survived."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("place", type=Path)
+    parser.add_argument("--count", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=12)
+    given = parser.parse_args()
+    found: Counter[str] = Counter()
+    with tempfile.TemporaryDirectory() as folder:
+        scratch = Path(folder)
+        room = room_of(given.place, scratch)
+        sys.dont_write_bytecode = True  # of mutants: it would be taken for that of the code
+        os.environ["PYTHONDONTWRITEBYTECODE"] = "1"
+        count = min(given.count, len(room.mutants))
+        print(f"{given.place}: {len(room.cost)} tests of {sum(room.cost.values()):.0f} s of CPU")
+        for mutant in random.Random(given.seed).sample(room.mutants, count):
+            what = try_one(room, mutant, scratch / "log")
+            found[what] += 1
+            print(f"{what:9} {mutant}", flush=True)
+    times = os.times()
+    used = times.children_user + times.children_system
+    print(f"{given.place}: {dict(found)} of {count}, {used:.0f} s of CPU")
+
+
+if __name__ == "__main__":
+    main()
