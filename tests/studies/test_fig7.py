@@ -2,7 +2,9 @@
 
 import numpy as np
 import pytest
+from matplotlib import pyplot as plt
 
+from studies.fig7.figure import draw
 from tests.studies.conftest import FULL_CONTACT
 from tests.support.studies import check_drawing, rates
 from workflow.reduce.fits import FITTED, NO_RELAXATION
@@ -87,6 +89,26 @@ def test_relaxation_starts_at_the_jump_and_ends_at_the_steady_value(converged):
     deviation = abs(converged.deviation).where(converged.fit_status == FITTED)
     left = deviation.isel(sample=slice(48, None)).mean("sample") / deviation.isel(sample=0)
     assert left.quantile(0.5) < 0.1
+
+
+def test_bias_of_an_exponent_is_small_where_converged_and_less_than_at_one_step(
+    converged, paper_step
+):
+    assert (converged.alpha_bias > 0.0).all()
+    assert (converged.alpha_bias <= converged.alpha_free_bias).all()
+    assert (converged.alpha_bias < 0.02).all()
+    assert (paper_step.alpha_bias > 5.0 * converged.alpha_bias).all()
+
+
+def test_bars_of_exponents_contain_the_bias_where_converged(fig7):
+    figure = draw(fig7)
+    drawn = [
+        [np.ptp(bar[:, 1]) / 2.0 for bar in c.get_segments()] for c in figure.axes[2].collections
+    ]
+    paper, data = fig7["paper_step"], fig7[""]
+    np.testing.assert_allclose(drawn[0], paper.alpha_error)
+    np.testing.assert_allclose(drawn[1], data.alpha_error + data.alpha_bias)
+    plt.close(figure)
 
 
 def test_figure_is_drawn(fig7):

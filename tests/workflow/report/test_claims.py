@@ -3,6 +3,7 @@
 import numpy as np
 
 from tests.support.synthetic import result, with_alpha, with_rates
+from workflow.reduce import RESOLVED, UNRESOLVED
 from workflow.report.claims import evaluate, judge, judge_factor, known_claims, mean_error
 
 CLAIMS = known_claims()
@@ -16,6 +17,24 @@ def test_claims_without_their_study_are_left_out():
     found = evaluate(CLAIMS, {"fig7": both})
     assert 0 < len(found) < len(CLAIMS)
     assert all(text for claim in found for text in claim)
+
+
+def test_claims_leave_unresolved_points_out_and_say_how_many():
+    dataset = result()
+    dataset = with_rates(dataset, dataset.speed_ratio ** (1.0 - dataset.hurst))
+    status = np.full(dataset.rms_slope.shape, RESOLVED, np.int8)
+    status.flat[-3:] = UNRESOLVED  # the fastest of the smooth line
+    wrong = dataset.relaxation_rate.where(status != UNRESOLVED, 1e3)
+    spoilt = dataset.assign(
+        relaxation_rate=wrong, resolution_status=(dataset.rms_slope.dims, status)
+    )
+    sound = {claim.text: claim.found for claim in evaluate(CLAIMS, {"fig7": dataset})}
+    found = {claim.text: claim.found for claim in evaluate(CLAIMS, {"fig7": spoilt})}
+    assert len(found) == len(sound) > 0
+    said = "; 3 points left out, whose contacts are unresolved"
+    assert all(text.endswith(said) for text in found.values())
+    assert not any("left out" in text for text in sound.values())
+    assert not any("1e+03" in text or "1000" in text for text in found.values())
 
 
 def test_deviations_within_two_errors_are_chance():
