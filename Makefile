@@ -10,7 +10,7 @@ USUAL  := not cluster and not exhaustive
 NUMERICAL := tests/kernels tests/hard tests/independent tests/workflow/reduce
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding chaos fuzz coverage check bench mutation intervals clean
+.PHONY: help setup studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos fuzz coverage check bench mutation intervals clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 17
@@ -58,6 +58,12 @@ test-generic: $(READY) ## ... with none but the plainest instructions
 test-rounding: $(READY) ## ... with lines that are rounded otherwise
 	LAST_BIT=1 $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
 
+test-oldest: $(READY) ## Try the oldest supported packages: a smoke study and numerical tests
+	$(BIN)/python -m tests.tools.environments oldest
+
+test-newest: $(READY) ## Try the newest Python of this machine, likewise
+	$(BIN)/python -m tests.tools.environments newest
+
 chaos: $(READY) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
 	$(BIN)/python -m tests.tools.chaos $(ARGS)
 
@@ -80,16 +86,12 @@ check: $(READY) ## Lint, formatting, types and the import contracts
 bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
 	$(BIN)/python -m tests.tools.bench
 
-mutation: $(READY) ## Mutate the contact step, test every mutant (hours; edits it, then restores it)
-	$(BIN)/python -m pip install --quiet 'cosmic-ray>=8.4'
-	$(BIN)/cosmic-ray init tests/tools/mutation.toml results/mutation.sqlite
-	$(BIN)/cr-filter-operators results/mutation.sqlite tests/tools/mutation.toml
-	$(BIN)/cosmic-ray exec tests/tools/mutation.toml results/mutation.sqlite
-	$(BIN)/cr-report --surviving-only results/mutation.sqlite
+mutation: $(READY) ## Change code, see whether tests notice [ARGS="workflow/store --count 100 --seed 12"]
+	$(BIN)/python -m tests.tools.mutation $(or $(ARGS),workflow/store)
 
 intervals: $(READY) ## Check that stated errors are true, over many small studies (minutes)
 	$(BIN)/python -m tests.tools.intervals
 
 clean: ## Remove .venv and caches, keep results
-	rm -rf $(VENV) .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache *.egg-info
+	rm -rf $(VENV) $(VENV)-* .pytest_cache .ruff_cache .mypy_cache .hypothesis .import_linter_cache *.egg-info
 	find . -name __pycache__ -type d -prune -exec rm -rf {} +

@@ -41,8 +41,8 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
     """
     import dask
 
-    with replacing(path) as aside, dask.config.set(scheduler="synchronous"):
-        # or xarray asks a scheduler for its lock
+    with replacing(path) as aside, dask.config.set(scheduler=dask.get):
+        # in this thread, or xarray asks a scheduler for its lock
         try:
             for label, dataset in datasets.items():
                 dataset.to_netcdf(

@@ -1,0 +1,106 @@
+"""Try the program in other environments than that of the day: a smoke study, numerical tests.
+
+    python -m tests.tools.environments oldest     the lower bounds of pyproject.toml
+    python -m tests.tools.environments newest     the newest Python that is on this machine
+
+Each has a virtual environment of its own beside .venv, made anew when pyproject.toml changes.
+Where this machine has no such Python, or the packages cannot be had for it, one line says so.
+Warnings are no errors here: those of old packages about new ones are not ours to mend.
+"""
+
+import os
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[2]
+TESTERS = ["pytest", "pytest-xdist", "hypothesis"]
+TESTS = [
+    "tests/kernels/test_contact.py",
+    "tests/kernels/test_steady.py",
+    "tests/kernels/test_march.py",
+    "tests/workflow/reduce",
+    "tests/workflow/result",
+]
+LEAST = (3, 11)  # as in pyproject.toml
+ASK = "import sys; print(*sys.version_info[:3])"
+
+
+def requirements(oldest: bool) -> list[str]:
+    """Return what the program needs; ``oldest`` : at its lower bounds."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    needed = project["dependencies"] + project["optional-dependencies"]["slurm"]
+    return [need.replace(">=", "==") for need in needed] if oldest else needed
+
+
+def pythons() -> dict[tuple[int, ...], str]:
+    """Return version -> path of each Python of this machine that the program can run on."""
+    folders = [Path(folder) for folder in os.get_exec_path()]
+    pyenv = Path(os.environ.get("PYENV_ROOT", Path.home() / ".pyenv"))
+    folders += pyenv.glob("versions/3.*/bin")
+    found = {}
+    for folder in folders:
+        for path in sorted(folder.glob("python3.*")):
+            if re.fullmatch(r"python3\.\d+", path.name):
+                asked = subprocess.run(
+                    [path, "-c", ASK], capture_output=True, text=True, check=False
+                )
+                if asked.returncode == 0:  # a shim may lead nowhere
+                    found[tuple(int(part) for part in asked.stdout.split())] = str(path)
+    return {version: path for version, path in found.items() if version >= LEAST}
+
+
+def candidates(which: str) -> list[str]:
+    """Return the paths of the Pythons to try, the best first."""
+    there = pythons()
+    usual = sys.version_info[:2]
+    fit = [v for v in there if (v[:2] == LEAST if which == "oldest" else v[:2] > usual)]
+    return [there[version] for version in sorted(fit, reverse=True)]
+
+
+def made(python: str, folder: Path, needed: list[str]) -> Path | None:
+    """Return the Python of an environment with what is needed; None where that cannot be had."""
+    note, wanted = folder / "made-of", "\n".join([python, *needed])
+    inside = folder / "bin" / "python"
+    if note.is_file() and note.read_text(encoding="utf-8") == wanted:
+        return inside
+    shutil.rmtree(folder, ignore_errors=True)
+    if subprocess.run([python, "-m", "venv", folder], check=False).returncode:
+        return None
+    pip = [inside, "-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--no-compile"]
+    if subprocess.run([*pip, "--only-binary", ":all:", *needed], check=False).returncode:
+        return None
+    note.write_text(wanted, encoding="utf-8")
+    return inside
+
+
+def main() -> None:
+    """Try one environment."""
+    (which,) = sys.argv[1:]
+    needed = requirements(which == "oldest") + TESTERS
+    tried = candidates(which)
+    for python in tried:
+        inside = made(python, ROOT / f".venv-{which}", needed)
+        if inside:
+            break
+        print(f"{which}: the packages cannot be had for {python}", flush=True)
+    else:
+        print(f"{which}: not tried, no other Python of this machine will do ({tried or 'none'})")
+        return
+    print(f"{which}: {python} with", *needed, flush=True)
+    with tempfile.TemporaryDirectory() as out:
+        study = ["fig2", "--scale", "smoke", "--out", out]
+        for command in (
+            ["workflow", "run", *study],
+            ["workflow", "figure", *study],
+            ["pytest", "-q", "-n", "0", "-W", "default", "-m", "not exhaustive", *TESTS],
+        ):
+            subprocess.run([inside, "-m", *command], cwd=ROOT, check=True)
+
+
+if __name__ == "__main__":
+    main()
