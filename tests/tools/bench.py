@@ -1,4 +1,4 @@
-"""`make bench`: what effects cost, as ratios measured in one run.
+"""`make bench`: what a case costs beside other ways to compute it, and what effects cost.
 
 Times are medians of CPU time; compare them with each other, not between machines. What accuracy
 costs is the study of that name: `make study-accuracy`.
@@ -9,6 +9,7 @@ from functools import partial
 import numpy as np
 
 from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
+from tests.tools.march_costs import march_costs
 from tests.tools.scene_costs import scene_costs, seconds
 
 ELEMENTS = 2000
@@ -51,5 +52,6 @@ def effects() -> None:
 
 
 if __name__ == "__main__":
+    march_costs(with_then=True)
     effects()
     scene_costs()

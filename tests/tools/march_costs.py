@@ -1,0 +1,198 @@
+"""What a march and a whole case cost, beside other ways to do the same work.
+
+    python -m tests.tools.march_costs             with tamaas where it is installed
+    python -m tests.tools.march_costs --then      beside commit 9b0af71, checked out for it
+
+Nanoseconds of CPU time of one thread, per step and sample of the line (a nominal element step), and
+per sample of the line in a sweep. All ways march from the same state and must agree in mu.
+Printed by `make bench` (bench.py).
+"""
+
+import argparse
+import contextlib
+import json
+import math
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from collections.abc import Callable
+from pathlib import Path
+
+import numpy as np
+
+from kernels import (
+    Case,
+    ConstantForce,
+    Line,
+    Quantities,
+    amplitudes,
+    draw_phases,
+    lagged_slope,
+    march,
+    run_case,
+    steady_sliding,
+)
+from kernels.active.march import active_march
+from kernels.active.setting import Setting
+from kernels.rheology.kelvin import SCHEMES
+from studies.accuracy.marches import TamaasMarch
+from tests.tools.rivals.compiled import Compiled
+from tests.tools.rivals.plain import naive_march, numpy_march
+from tests.tools.rivals.rows import RATIO, ROWS, Row
+
+ROOT = Path(__file__).resolve().parents[2]
+COMMIT = "9b0af71"
+LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
+SLOW_STEPS = 3  # of ways so slow that a few steps tell
+AGREEMENT = 1e-8  # of the change of mu in the march
+HEAD = ("march", "dense", "numpy", "naive", "C", "tamaas", "then")
+PARTS = ("sweep", "then", "case", "C", "then")
+
+
+def fastest(function: Callable[[], object]) -> float:
+    """Return the least CPU time of a call, after one that is not counted."""
+    function()
+    taken: list[float] = []
+    while len(taken) < MOST and sum(taken) < LEAST:
+        began = time.thread_time()
+        function()
+        taken.append(time.thread_time() - began)
+    return min(taken)
+
+
+class Problem:
+    """A row with its line and its steady states."""
+
+    def __init__(self, row: Row) -> None:
+        self.row, self.speed = row, row.x / math.pi
+        phases = draw_phases(np.random.default_rng(1), row.elements)
+        amplitude = amplitudes(row.hurst, row.elements)
+        self.line = line = Line.self_affine(amplitude, phases, row.elements, row.m)
+        self.load = row.load * line.z.size
+        paces = (1.0 / (row.m * self.speed * ratio) for ratio in (1.0, RATIO))
+        self.before, self.law = (SCHEMES["exponential"](pace) for pace in paces)
+        self.one, self.sweeps = steady_sliding(self.before, line.z, self.load)
+        self.two, _ = steady_sliding(self.law, line.z, self.load)
+        self.weight = lagged_slope(line.slope, self.law.lag)
+        self.kept = np.array([row.steps])
+        self.control = ConstantForce(self.load)
+        self.setting = Setting(line.z, line.slope, self.before, self.law, self.one, self.two)
+
+    @property
+    def updates(self) -> int:
+        """Return the number of nominal element steps of the march."""
+        return self.line.z.size * self.row.steps
+
+
+def marches(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
+    """Return seconds per nominal element step of each way. Raises AssertionError: they differ."""
+    p, z, weight, steps = problem, problem.line.z, problem.weight, problem.row.steps
+    (w, d), law = p.one, p.law
+    cap = 1.02 * max(p.one.d, p.two.d)
+    target = p.load / law.stiffness
+    ways: dict[str, Callable[[int], float]] = {
+        "march": lambda n: active_march(p.setting, p.control, np.array([n]))[0][-1],
+        "dense": lambda n: march(law, p.control, z, weight, p.one, np.array([n]), cap)[0][-1],
+        "numpy": lambda n: numpy_march(z, weight, w, d, law.decay, target, n)[-1],
+        "naive": lambda n: naive_march(z, weight, w, d, law.decay, target, n)[-1],
+    }
+    if compiled:
+        ways["C"] = lambda n: compiled.march(z, weight, w, d, law.decay, law.stiffness, p.load, n)[
+            -1
+        ]
+    found, expected = {}, {}
+    for name, way in ways.items():
+        n = min(steps, SLOW_STEPS) if name in ("numpy", "naive") else steps
+        found[name] = fastest(lambda way=way, n=n: way(n)) / (z.size * n)  # type: ignore[misc]
+        mu = way(n)
+        scale = abs(expected.setdefault(n, mu)) + AGREEMENT
+        assert abs(mu - expected[n]) < AGREEMENT * scale, (name, problem.row, mu, expected[n])
+    with contextlib.suppress(ImportError, ArithmeticError):
+        solver = TamaasMarch(p.line, p.row.load)
+        dt = 1.0 / (p.row.m * p.speed * RATIO)
+        found["tamaas"] = fastest(lambda: solver.advance(1, dt)) / z.size
+    return found
+
+
+def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
+    """Return seconds of two steady states, the jump and the march: the program's, and in C."""
+    p = problem
+    case = Case(p.row.load, p.speed, (RATIO,), (p.kept,), "exponential")
+    found = {"case": fastest(lambda: run_case(p.line, case, Quantities()))}
+    if compiled:
+
+        def in_c() -> None:
+            ends = []
+            for law, speed in ((p.before, p.speed), (p.law, p.speed * RATIO)):
+                w, d = compiled.steady(p.line.z, law.decay, law.stiffness, p.load)
+                compiled.friction(p.line.z, p.line.slope, w, d, speed, p.load)
+                ends.append((w, d))
+            w, d = ends[0]
+            compiled.friction(p.line.z, p.line.slope, w, d, p.speed * RATIO, p.load)
+            law = p.law
+            compiled.march(p.line.z, p.weight, w, d, law.decay, law.stiffness, p.load, p.row.steps)
+
+        found["C"] = fastest(in_c)
+    return found
+
+
+def then() -> list[list[float]] | None:
+    """Return the times of commit 9b0af71, or None where it cannot be had."""
+    with tempfile.TemporaryDirectory() as folder:
+        checkout = Path(folder) / COMMIT
+        clone = ["git", "clone", "--quiet", "--shared", str(ROOT), str(checkout)]
+        switch = ["git", "-C", str(checkout), "checkout", "--quiet", COMMIT]
+        try:
+            for command in (clone, switch):
+                subprocess.run(command, check=True, capture_output=True)
+        except (OSError, subprocess.CalledProcessError):
+            return None
+        script = [sys.executable, str(ROOT / "tests/tools/rivals/then.py"), str(MOST)]
+        environment = {**os.environ, "PYTHONPATH": str(checkout)}
+        done = subprocess.run(
+            script, env=environment, cwd=checkout, capture_output=True, text=True, check=True
+        )
+        return json.loads(done.stdout)
+
+
+def march_costs(with_then: bool) -> None:
+    """Print the tables."""
+    earlier = then() if with_then else None
+    compiled = None
+    with contextlib.suppress(FileNotFoundError):
+        compiled = Compiled()
+    print("March: ns per nominal element step; then = 9b0af71; C: every element, vectorised")
+    print(f"{'H, N, m, x, Fbar, steps':36s}" + "".join(f"{name:>9s}" for name in HEAD))
+    below = []
+    for k, row in enumerate(ROWS):
+        problem = Problem(row)
+        found = marches(problem, compiled)
+        whole = cases(problem, compiled)
+        sweep = fastest(lambda p=problem: steady_sliding(p.before, p.line.z, p.load))
+        if earlier:
+            found["then"] = earlier[k][0] / problem.updates
+        print(f"{_name(row):36s}" + "".join(_number(found.get(name)) for name in HEAD))
+        n = problem.line.z.size
+        parts = [1e9 * sweep / problem.sweeps / n, 1e9 * earlier[k][1] / n if earlier else None]
+        parts += [1e3 * whole["case"], 1e3 * whole["C"] if "C" in whole else None]
+        below.append((row, [*parts, 1e3 * earlier[k][2] if earlier else None]))
+    print("\nSweep: ns per sample; whole case (two steady states, jump, march): ms")
+    print(f"{'H, N, m, x, Fbar, steps':36s}" + "".join(f"{name:>9s}" for name in PARTS))
+    for row, values in below:
+        print(f"{_name(row):36s}" + "".join(_number(value, 1.0) for value in values))
+
+
+def _name(row: Row) -> str:
+    return ", ".join(f"{value:g}" for value in row)
+
+
+def _number(value: float | None, scale: float = 1e9) -> str:
+    return f"{'-':>9s}" if value is None else f"{scale * value:9.3g}"
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--then", action="store_true")
+    march_costs(parser.parse_args().then)
