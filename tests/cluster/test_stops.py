@@ -5,6 +5,7 @@ import re
 import signal
 import time
 
+import psutil
 import pytest
 from distributed import Client
 
@@ -15,6 +16,7 @@ from tests.cluster.processes import (
     free_port,
     start,
     start_scheduler,
+    workers_of,
 )
 from tests.support.small import write_study
 from workflow.store import journal
@@ -27,10 +29,9 @@ SETTINGS = ("--set", "study.realizations=80", "--batch-seconds", "1e-4")  # 320 
 class Trial:
     """A run of the small study, of whose scheduler or workers some will be stopped."""
 
-    def __init__(self, folder, address, patience=600):
+    def __init__(self, folder, *where):
         folder.mkdir()
         self.folder, self.log = folder, folder / "log"
-        where = ("--scheduler", address, "--set", f"cluster.patience={patience}")
         words = (write_study(folder), "--out", str(folder), *SETTINGS, *where)
         self.driver = start(self.log, "workflow", "run", *words)
 
@@ -40,6 +41,12 @@ class Trial:
             assert self.driver.poll() is None, self.log.read_text()
             assert time.monotonic() < until
             time.sleep(0.02)
+
+    def interrupted(self):
+        """Press Ctrl-C; return the exit status, what was said, and how long it took (s)."""
+        began = time.monotonic()
+        os.killpg(self.driver.pid, signal.SIGINT)
+        return *self.ended(), time.monotonic() - began
 
     def ended(self):
         """Return the exit status and what was said."""
@@ -61,7 +68,8 @@ def hopeless(folder):
     with Client(address, timeout=PATIENCE):
         pass
     scheduler.send_signal(signal.SIGSTOP)
-    trial = Trial(folder / "hopeless", address, patience=35)
+    where = ("--scheduler", address, "--set", "cluster.patience=35")
+    trial = Trial(folder / "hopeless", *where)
     yield trial
     end(trial.driver)
     end(scheduler)
@@ -85,7 +93,7 @@ def said(pattern, lines):
 
 def test_what_a_stopped_worker_has_is_computed_elsewhere(folder, cluster):
     """Its nanny is stopped with it, as where a node hangs."""
-    trial = Trial(folder / "worker", cluster.address)
+    trial = Trial(folder / "worker", "--scheduler", cluster.address)
     nanny = cluster.processes["worker-1"].pid
     try:
         trial.wait_for_a_shard()
@@ -117,19 +125,37 @@ def test_what_a_stopped_worker_has_is_computed_elsewhere(folder, cluster):
 
 
 def test_ctrl_c_does_not_wait_for_a_scheduler_that_is_stopped(folder, cluster):
-    trial = Trial(folder / "interrupted", cluster.address)
+    trial = Trial(folder / "interrupted", "--scheduler", cluster.address)
     scheduler = cluster.processes["scheduler"].pid
     try:
         trial.wait_for_a_shard()
         os.killpg(scheduler, signal.SIGSTOP)
-        os.killpg(trial.driver.pid, signal.SIGINT)
-        status, lines = trial.ended()  # in 5 s, where the machine has time
+        status, lines, _ = trial.interrupted()
     finally:
         end(trial.driver)
         os.killpg(scheduler, signal.SIGCONT)
     assert status == 130
     assert said(r"left behind: \d+ batches of workers that do not answer", lines) == 1
     assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
+
+
+def test_ctrl_c_does_not_wait_for_a_worker_of_our_own_that_is_stopped(folder):
+    """Compared with a run where none is stopped: the machine may be slow."""
+    taken = {}
+    for stopped in (0, 1):
+        trial = Trial(folder / f"own-{stopped}", "--workers", "2")
+        try:
+            trial.wait_for_a_shard()
+            for pid in workers_of(psutil.Process(trial.driver.pid))[:stopped]:
+                os.kill(pid, signal.SIGSTOP)
+            status, lines, taken[stopped] = trial.interrupted()
+        finally:
+            end(trial.driver)
+        assert status == 130
+        left = r"left behind: \d+ batches of workers that do not answer"
+        assert said(left, lines) <= stopped  # none, where it had nothing to do
+        assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
+    assert taken[1] < 8.0 + 3.0 * taken[0]  # 7.6 s are waited
 
 
 def test_a_scheduler_that_is_stopped_before_a_run_is_said_and_given_up(hopeless):

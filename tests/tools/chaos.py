@@ -16,7 +16,7 @@ from collections import Counter
 from pathlib import Path
 
 from tests.cluster.havoc import Chaos, Count, FinishedTooSoonError
-from tests.cluster.processes import Standing, result_of
+from tests.cluster.processes import PATIENCE, STUDY, Standing, end, start
 from tests.cluster.slurm import Slurm, missing
 from tests.cluster.tally import begun
 from workflow.store import journal
@@ -66,11 +66,12 @@ def _one_study(folder: Path, count: Count, seed: int, core_seconds: float) -> li
     study += ["--set", "study.realizations_per_block=12"]
     for name in ("peace", "war"):
         (folder / name).mkdir()
-    expected, _ = result_of(folder / "peace", *study, "--workers", "2")
+    peace = start(folder / "peace" / "log", *STUDY, *study, "--out", str(folder / "peace"))
     counts = legs(count)
     war = Chaos(folder / "war", study, seed)
     with contextlib.ExitStack() as afterwards:
         afterwards.callback(war.stop)
+        afterwards.callback(end, peace)
         cluster = Standing(folder / "standing")
         afterwards.callback(cluster.stop)
         war.standing(counts["standing"], cluster)
@@ -82,6 +83,8 @@ def _one_study(folder: Path, count: Count, seed: int, core_seconds: float) -> li
             war.slurm(counts["slurm"], private)
         war.local(counts["local"])
         war.finish()
+        assert peace.wait(timeout=4.0 * PATIENCE) == 0
+        expected = (folder / "peace" / "fig7.nc").read_bytes()
     assert (war.folder / "fig7.nc").read_bytes() == expected, "another result"
     chunks, records, twice = stored(war.store)
     assert twice == 0, f"{twice} records were computed again"

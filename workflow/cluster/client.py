@@ -3,7 +3,6 @@
 import contextlib
 import importlib.util
 import logging
-import os
 import signal
 import socket
 import ssl
@@ -32,8 +31,16 @@ from workflow.study import BATCH_SYSTEMS, LOCAL, Cluster
 from workflow.system import WORKER_ENVIRONMENT
 
 CONNECT_SECONDS = 10
-CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye
+CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye, or a worker process to end by itself
 HERE = "127.0.0.1"
+
+
+class PromptNanny(Nanny):
+    """A nanny that kills its worker process soon where it does not end: it may be stopped."""
+
+    async def kill(self, timeout: float = CLOSE_SECONDS, reason: str = "nanny-kill") -> None:
+        """End the worker process."""
+        await super().kill(min(timeout, CLOSE_SECONDS), reason)
 
 
 @contextlib.contextmanager
@@ -84,7 +91,7 @@ def _local_cluster(workers: int | None, dashboard: bool) -> Iterator[SpecCluster
         how = ends | one | {"worker_class": PagelessWorker, "silence_logs": logging.ERROR}
         parts: dict[str, Any] = {
             "scheduler": {"cls": kind, "options": ends | options},
-            "workers": {number: {"cls": Nanny, "options": how} for number in range(count)},
+            "workers": {number: {"cls": PromptNanny, "options": how} for number in range(count)},
         }
         # Ctrl-C reaches the whole process group: worker processes must be born ignoring it.
         previous = signal.signal(signal.SIGINT, signal.SIG_IGN)
@@ -93,19 +100,7 @@ def _local_cluster(workers: int | None, dashboard: bool) -> Iterator[SpecCluster
         finally:
             signal.signal(signal.SIGINT, previous)
         with local:
-            try:
-                yield local
-            finally:
-                _wake(local)
-
-
-def _wake(local: SpecCluster) -> None:
-    """Let worker processes go on that were stopped, so that they can end."""
-    for nanny in local.workers.values():
-        process = getattr(nanny, "process", None)
-        if process is not None and process.pid is not None:
-            with contextlib.suppress(ProcessLookupError):
-                os.kill(process.pid, signal.SIGCONT)
+            yield local
 
 
 def _client_of(cluster: Cluster, watch: Watch) -> Client:

@@ -1,5 +1,6 @@
 """Where batches run: a scheduler that is there, or single-threaded processes of our own."""
 
+import asyncio
 import contextlib
 import os
 import signal
@@ -13,6 +14,7 @@ import pytest
 from tests.support.small import small_plan
 from workflow.cluster import client as module
 from workflow.cluster.client import open_client
+from workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
 from workflow.errors import UserError
 from workflow.run.run import How, run_plan
 from workflow.study.cluster import Cluster
@@ -109,6 +111,26 @@ def test_every_port_of_our_own_processes_is_one_of_dask_with_a_certificate():
         assert all(address.startswith("tls://127.0.0.1:") for address in known)
         ports = {int(address.rpartition(":")[2]) for address in known}
         assert listening(family) - before == ports
+
+
+def test_after_ctrl_c_ten_seconds_are_never_waited():
+    """One look to learn of it, some for who is quiet, then they are left behind."""
+    quiet = BEAT_SECONDS + QUIET_SECONDS + BEAT_SECONDS
+    assert quiet + module.CLOSE_SECONDS <= 8.0  # two are left for work
+
+
+class Deaf:
+    """Stands in for a process that does not end by itself."""
+
+    async def kill(self, timeout, reason):
+        self.timeout, self.reason = timeout, reason
+
+
+def test_a_worker_process_of_our_own_is_not_waited_for_long():
+    nanny = object.__new__(module.PromptNanny)
+    nanny.process = Deaf()
+    asyncio.run(nanny.kill(timeout=30.0, reason="test"))
+    assert (nanny.process.timeout, nanny.process.reason) == (module.CLOSE_SECONDS, "test")
 
 
 @pytest.mark.parametrize(
