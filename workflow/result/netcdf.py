@@ -22,7 +22,7 @@ SUFFIX = ".nc"
 ROOT = ""  # the study itself among its groups; the others are its comparisons
 MARKS = {"study", "code", "seed", "source"}  # attributes that every result has
 # What a script raises that reads a result it was not made for, or one with a damaged variable.
-BROKEN = (AttributeError, LookupError, OSError, RuntimeError, TypeError, ValueError)
+BROKEN = (AttributeError, LookupError, MemoryError, OSError, RuntimeError, TypeError, ValueError)
 NO_MATTER = ("cluster.",)  # settings that no number depends on
 MORE_BYTES = 2**20  # than were written, to find out whether a disk is full
 SHOWN = 5  # differing settings

@@ -3,6 +3,7 @@
 Each is answered with one line and exit status 2; nothing that was there is lost or overwritten.
 """
 
+import netCDF4
 import pytest
 import xarray as xr
 
@@ -38,6 +39,24 @@ def test_a_flipped_bit_in_a_variable_is_noticed(capsys, shown):
         number = dataset.mu_1.values.ravel()[1].tobytes()
     content = path.read_bytes()
     path.write_bytes(flipped(content, content.index(number)))
+    for command in READERS:
+        assert "small.nc: cannot be used by small" in assert_refused(capsys, command, shown)
+
+
+def test_a_result_that_promises_more_than_memory_holds_is_refused(capsys, shown):
+    """It is a file of no size: chunks that nobody wrote take none."""
+    (shown / "small.nc").rename(shown / "sound.nc")
+    with (
+        netCDF4.Dataset(shown / "sound.nc") as sound,
+        netCDF4.Dataset(shown / "small.nc", "w") as vast,
+    ):
+        vast.setncatts(sound.__dict__)
+        for name in sound.dimensions:
+            vast.createDimension(name, 200)
+        for name, variable in sound.variables.items():
+            chunks = [1] * variable.ndim or None
+            vast.createVariable(name, variable.dtype, variable.dimensions, chunksizes=chunks)
+    (shown / "sound.nc").unlink()
     for command in READERS:
         assert "small.nc: cannot be used by small" in assert_refused(capsys, command, shown)
 

@@ -9,6 +9,7 @@ from workflow.study.surfaces.lines import KEY, Asked, Lines, lines_of, plain, ro
 from workflow.study.surfaces.text import precision, read_text
 
 USUAL_COLUMNS = (0, 1)
+MOST_VALUES = 10**8  # heights in a netCDF file, of which a compressed one of 8 kB may hold more
 
 
 def read_lines(asked: Asked) -> Lines:
@@ -33,7 +34,7 @@ def _text(asked: Asked) -> Lines:
 
 def _npy(asked: Asked) -> Lines:
     columns = _numbered(asked)
-    values = np.load(asked.path, allow_pickle=False)
+    values = np.load(asked.path, mmap_mode="r", allow_pickle=False)  # no more than is there
     if not isinstance(values, np.ndarray):
         raise ValueError("holds several arrays")
     if values.ndim != 2 or values.shape[1] <= max(columns) or values.dtype.kind not in "fiu":
@@ -51,6 +52,8 @@ def _netcdf(asked: Asked) -> Lines:
 
     with netCDF4.Dataset(asked.path) as data:
         x, z = _variables(asked, data.variables)
+        if z.size > MOST_VALUES:
+            raise ValueError(f"{z.size} heights, more than {MOST_VALUES}")
         own = tuple(str(getattr(v, "units", getattr(v, "unit", ""))) for v in (x, z))
         known = np.full(x.size, rounding(x[:]))
         heights = np.moveaxis(plain(z[:]), z.dimensions.index(x.dimensions[0]), -1)

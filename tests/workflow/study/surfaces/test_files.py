@@ -109,6 +109,23 @@ def test_files_that_are_none_are_refused_in_a_line(tmp_path, name):
     assert "\n" not in str(error.value)
 
 
+def test_a_small_file_that_promises_more_than_memory_holds_is_refused(tmp_path):
+    path = tmp_path / "l.nc"
+    with netCDF4.Dataset(path, "w") as data:
+        data.createDimension("x", 10**11)
+        for name, unit in (("x", "um"), ("height", "nm")):
+            data.createVariable(name, "f8", ("x",), chunksizes=(10**6,)).units = unit
+    np.save(tmp_path / "l.npy", np.zeros((4, 2)))
+    content = (tmp_path / "l.npy").read_bytes()
+    (tmp_path / "l.npy").write_bytes(
+        content.replace(b"(4, 2), }           ", b"(40000000000, 2), } ")
+    )
+    for name, why in (("l.nc", "100000000000 heights, more than 100000000"), ("l.npy", "mmap len")):
+        assert (tmp_path / name).stat().st_size < 10**5
+        with pytest.raises(UserError, match=f"surface.file = '{name}': cannot be read: {why}"):
+            read(tmp_path / name)
+
+
 def test_arrays_that_are_no_table_are_refused(tmp_path):
     path = tmp_path / "l.npy"
     for array in (X, Z[:, :1], np.array([["a", "b"]] * 9)):
