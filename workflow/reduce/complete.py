@@ -42,6 +42,8 @@ def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimate
 
 def _spread(values: np.ndarray, sound: np.ndarray, count: int) -> np.ndarray:
     """Return estimates of the sound tasks as an array over all tasks, NaN or -1 elsewhere."""
+    if sound.size == count:
+        return values
     nothing = np.nan if values.dtype.kind == "f" else -1
     spread = np.full((count, *values.shape[1:]), nothing, values.dtype)
     spread[sound] = values

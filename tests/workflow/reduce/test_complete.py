@@ -24,3 +24,10 @@ def test_failed_tasks_are_marked_and_others_keep_their_values():
     assert (found["mu_1"][1:] == 1.0).all()
     assert (found["rms_slope"] > 0.0).all()
     assert found["realizations"] is counts
+
+
+def test_where_none_failed_estimates_are_not_copied():
+    count = len(VARIANT.tasks)
+    estimates = {"mu_1": np.ones(count), "samples_per_contact": np.full(count, 9.0)}
+    found = completed(PLAN, VARIANT, estimates, np.arange(count), np.full(count, 4, np.int32))
+    assert found["mu_1"] is estimates["mu_1"]
