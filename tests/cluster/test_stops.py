@@ -42,6 +42,13 @@ class Trial:
             assert time.monotonic() < until
             time.sleep(0.02)
 
+    def wait_for(self, pattern):
+        until = time.monotonic() + PATIENCE
+        while not said(pattern, self.log.read_text().splitlines()):
+            assert self.driver.poll() is None, self.log.read_text()
+            assert time.monotonic() < until
+            time.sleep(0.1)
+
     def interrupted(self):
         """Press Ctrl-C; return the exit status, what was said, and how long it took (s)."""
         began = time.monotonic()
@@ -50,7 +57,11 @@ class Trial:
 
     def ended(self):
         """Return the exit status and what was said."""
-        return self.driver.wait(timeout=PATIENCE), self.log.read_text().splitlines()
+        return self.driver.wait(timeout=4.0 * PATIENCE), self.log.read_text().splitlines()
+
+    def result(self):
+        """Return the bytes of the result."""
+        return (self.folder / "small.nc").read_bytes()
 
 
 @pytest.fixture(scope="module")
@@ -91,7 +102,15 @@ def said(pattern, lines):
     return sum(re.fullmatch(pattern, line) is not None for line in lines)
 
 
-def test_what_a_stopped_worker_has_is_computed_elsewhere(folder, cluster):
+@pytest.fixture(scope="module")
+def expected(folder):
+    """Return the bytes of an undisturbed run."""
+    peace = Trial(folder / "peace", "--workers", "2", "--batch-seconds", "3")
+    assert peace.ended()[0] == 0
+    return peace.result()
+
+
+def test_what_a_stopped_worker_has_is_computed_elsewhere(folder, cluster, expected):
     """Its nanny is stopped with it, as where a node hangs."""
     trial = Trial(folder / "worker", "--scheduler", cluster.address)
     nanny = cluster.processes["worker-1"].pid
@@ -105,23 +124,29 @@ def test_what_a_stopped_worker_has_is_computed_elsewhere(folder, cluster):
     assert status == 0
     silent = r"worker tcp://\S+: no sign of life for 3\d s; its batches are computed elsewhere"
     assert said(silent, lines) == 1
-    peace = folder / "peace"
-    peace.mkdir()
-    again = start(
-        peace / "log",
-        "workflow",
-        "run",
-        write_study(peace),
-        "--out",
-        str(peace),
-        "--set",
-        "study.realizations=80",
-        "--workers",
-        "2",
-    )
-    assert again.wait(timeout=PATIENCE) == 0
-    found, expected = (path / "small.nc" for path in (trial.folder, peace))
-    assert found.read_bytes() == expected.read_bytes()
+    assert trial.result() == expected
+
+
+LACKING = {"scheduler": "answer of the scheduler", "workers": "sign of life of any worker"}
+
+
+@pytest.mark.parametrize("who", LACKING)
+def test_who_is_stopped_during_a_run_is_said_to_be_and_waited_for(folder, cluster, expected, who):
+    trial = Trial(folder / who, "--scheduler", cluster.address)
+    try:
+        trial.wait_for_a_shard()
+        pids = cluster.workers() if who == "workers" else [cluster.processes["scheduler"].pid]
+        for pid in pids:
+            os.kill(pid, signal.SIGSTOP)
+        try:
+            trial.wait_for(rf"no {LACKING[who]} for 3\d s: waiting, at most 10.0 min")
+        finally:
+            for pid in pids:
+                os.kill(pid, signal.SIGCONT)
+        assert trial.ended()[0] == 0
+    finally:
+        end(trial.driver)
+    assert trial.result() == expected
 
 
 def test_ctrl_c_does_not_wait_for_a_scheduler_that_is_stopped(folder, cluster):
