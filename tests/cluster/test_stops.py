@@ -23,7 +23,7 @@ from workflow.store import journal
 
 pytestmark = pytest.mark.cluster
 
-SETTINGS = ("--set", "study.realizations=80", "--batch-seconds", "1e-4")  # 320 batches
+SETTINGS = ("--set", "study.realizations=80", "--batch-seconds", "1e-4")  # many batches
 
 
 class Trial:
@@ -178,7 +178,7 @@ def test_ctrl_c_does_not_wait_for_a_worker_of_our_own_that_is_stopped(folder):
             end(trial.driver)
         assert status == 130
         left = r"left behind: \d+ batches of workers that do not answer"
-        assert said(left, lines) <= stopped  # none, where it had nothing to do
+        assert stopped or said(left, lines) == 0
         assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
     assert taken[1] < 8.0 + 3.0 * taken[0]  # 7.6 s are waited
 
