@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from kernels.active.setting import advance
+from kernels.active.strips import overlaps
 from kernels.jit import kernel
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
@@ -54,33 +55,15 @@ def widened(law, bounds, d, push, margin):
 
 @kernel
 def first_indentation(setting, load):
-    """Return d after the first step, were the same elements to touch as before it.
+    """Return d after the first step, or somewhat more: two steps of Newton's method (contact.py).
 
-    For these, n of them, both steps balance the load: sum (d - z + (E / E_1) w) = load / K at
-    v2, where sum (d_1 - z + w) = load / K_1 at v1.
+    The thresholds of all elements at v2 are z - (E / E_1) w, as w = E_1 u at v1.
     """
     z, (w, d) = setting.z, setting.start
     before, law = setting.before, setting.law
-    w0 = w1 = w2 = w3 = 0.0
-    n0 = n1 = n2 = n3 = 0.0
-    whole = z.size - z.size % 4
-    for j in range(0, whole, 4):
-        t0, t1 = z[j] - w[j] < d, z[j + 1] - w[j + 1] < d
-        t2, t3 = z[j + 2] - w[j + 2] < d, z[j + 3] - w[j + 3] < d
-        w0 += w[j] if t0 else 0.0
-        w1 += w[j + 1] if t1 else 0.0
-        w2 += w[j + 2] if t2 else 0.0
-        w3 += w[j + 3] if t3 else 0.0
-        n0 += 1.0 if t0 else 0.0
-        n1 += 1.0 if t1 else 0.0
-        n2 += 1.0 if t2 else 0.0
-        n3 += 1.0 if t3 else 0.0
-    for j in range(whole, z.size):
-        if z[j] - w[j] < d:
-            w0 += w[j]
-            n0 += 1.0
-    free, touching = (w0 + w1) + (w2 + w3), (n0 + n1) + (n2 + n3)
-    if touching == 0.0 or before.decay == 0.0:
-        return d
-    lost = (before.decay - law.decay) / before.decay
-    return d + (load * (1.0 / law.stiffness - 1.0 / before.stiffness) + lost * free) / touching
+    factor = law.decay / before.decay if before.decay > 0.0 else 0.0
+    for _ in range(2):
+        total, count = overlaps(z, w, factor, d)
+        if count > 0.0:
+            d -= (total - load / law.stiffness) / count
+    return d

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.setting import rise
+from kernels.active.strips import STRIP, add_stretch, in_order
 from kernels.jit import kernel
 
 
@@ -52,42 +52,16 @@ def lists_of(setting, runs):
 
 @kernel
 def sums_of(setting, stretches):
-    """Return the Sums over stretches; four partial sums each, in a fixed order."""
-    level = setting.end.d / setting.law.stiffness
-    count = depth = weight = moment = 0.0
-    for s in range(stretches.start.size):
-        one = _stretch(setting, stretches.start[s], stretches.stop[s], level)
-        count += one.samples
-        depth += one.depth
-        weight += one.weight
-        moment += one.moment
-    return Sums(level, count, depth, weight, moment)
-
-
-@kernel
-def _stretch(setting, start, stop, level):
-    """Return the Sums over samples [start, stop)."""
+    """Return the Sums over stretches."""
     z, slope, law = setting.z, setting.slope, setting.law
-    p0 = p1 = p2 = p3 = 0.0
-    w0 = w1 = w2 = w3 = 0.0
-    m0 = m1 = m2 = m3 = 0.0
-    inner = min(stop, z.size - 1)  # the last sample of the line has its neighbour at z[0]
-    whole = inner - (inner - start) % 4
-    for j in range(start, whole, 4):
-        a0, a1 = level - rise(law, z[j], z[j + 1]), level - rise(law, z[j + 1], z[j + 2])
-        a2, a3 = level - rise(law, z[j + 2], z[j + 3]), level - rise(law, z[j + 3], z[j + 4])
-        s0, s1, s2, s3, s4 = slope[j], slope[j + 1], slope[j + 2], slope[j + 3], slope[j + 4]
-        s0, s1 = s0 + law.lag * (s1 - s0), s1 + law.lag * (s2 - s1)
-        s2, s3 = s2 + law.lag * (s3 - s2), s3 + law.lag * (s4 - s3)
-        p0, p1, p2, p3 = p0 + a0, p1 + a1, p2 + a2, p3 + a3
-        w0, w1, w2, w3 = w0 + s0, w1 + s1, w2 + s2, w3 + s3
-        m0, m1, m2, m3 = m0 + a0 * s0, m1 + a1 * s1, m2 + a2 * s2, m3 + a3 * s3
-    for j in range(whole, stop):
-        depth = level - rise(law, z[j], z[j + 1 if j + 1 < z.size else 0])
-        weight = lagged(slope, law.lag, j)
-        p0, w0, m0 = p0 + depth, w0 + weight, m0 + depth * weight
-    depth, weight = (p0 + p1) + (p2 + p3), (w0 + w1) + (w2 + w3)
-    return Sums(level, float(stop - start), depth, weight, (m0 + m1) + (m2 + m3))
+    level = setting.end.d / law.stiffness
+    depth, weight, moment = np.zeros(STRIP), np.zeros(STRIP), np.zeros(STRIP)
+    samples = 0
+    for s in range(stretches.start.size):
+        start, stop = stretches.start[s], stretches.stop[s]
+        add_stretch(law, z, slope, level, start, stop, depth, weight, moment)
+        samples += stop - start
+    return Sums(level, float(samples), in_order(depth), in_order(weight), in_order(moment))
 
 
 @kernel

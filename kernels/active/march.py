@@ -10,7 +10,7 @@ from kernels.active.runs import classes_of
 from kernels.active.setting import advance
 from kernels.jit import kernel
 
-MARGINS = (0.1, 0.5, 2.0)  # of the spread of d and D, one after the other
+MARGINS = (0.05, 0.3, 2.0)  # of the spread of d and D, one after the other
 
 
 @kernel
