@@ -14,8 +14,9 @@ from typing import NamedTuple
 import numpy as np
 from scipy.stats import t as student
 
-from kernels import Quantities, amplitudes, rms_slope
-from workflow.plan.goal import JACKKNIFE_GROUPS, Goal
+from kernels import QUARTET, Quantities, amplitudes, rms_slope
+from workflow.plan.error_laws import LAWS
+from workflow.plan.goal import JACKKNIFE_GROUPS, Goal, least_blocks
 from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.reduce.attainment import attained
 from workflow.reduce.blocks import Blocks, Estimates
@@ -23,20 +24,22 @@ from workflow.reduce.estimates import reduce_blocks
 from workflow.reduce.fits import FITTED
 from workflow.reduce.statistics.jackknife import grouped_means
 from workflow.run.rounds import next_blocks
-from workflow.simulate.realizations import block_means, record_steps, record_times
+from workflow.simulate.kept import record_steps, record_times
+from workflow.simulate.realizations import block_means
 from workflow.simulate.tasks import Batch, Problem, Recording, Task
 from workflow.study.numerics import Numerics
 from workflow.study.study import Scene
 
 SEED = 7
 STUDIES, LINES = 160, 256  # independent studies, lines of each at most
+BLOCKS = LINES // QUARTET
 POINTS = {  # name: problem, accuracy that takes a few rounds
     "H=0.7 x=10": (Problem(0.7, 500, 0.05, 10.0 / np.pi, 1.2), 0.05),
     "H=0.3 x=30": (Problem(0.3, 500, 0.05, 30.0 / np.pi, 1.2), 0.05),
     "H=0.5 x=3, light": (Problem(0.5, 500, 0.005, 3.0 / np.pi, 1.2), 0.05),
     "H=0 x=3": (Problem(0.0, 500, 0.1, 3.0 / np.pi, 1.2), 0.02),
 }
-SIZES = {n: n if n <= 50 else JACKKNIFE_GROUPS for n in (10, 20, 50, 128, 256)}  # lines: groups
+SIZES = (8, 16, 32, 64, 128, 256)  # lines, in quartets
 NAMES = ("mu_1", "jump", "relaxation_rate")
 LEVELS = np.array([0.68, 0.95])
 SINGLE = 4.0  # binomial errors that one cell may be off
@@ -45,29 +48,27 @@ ALL = ("steady", "jump", "relaxation")
 
 
 class Lines(NamedTuple):
-    """All lines of one point."""
+    """Block means of all quartets of one point."""
 
-    scalars: np.ndarray  # shape (studies, lines, scalars)
-    curves: np.ndarray  # shape (studies, lines, samples - 1)
+    scalars: np.ndarray  # shape (studies, blocks, scalars)
+    curves: np.ndarray  # shape (studies, blocks, samples - 1)
     time: np.ndarray  # shape (samples - 1,)
     slope: float
 
 
 def compute(problem: Problem, seed: int = SEED) -> Lines:
     """Run all lines of all studies of a point."""
-    steps = steps_per_spacing(problem, Scene(), Numerics())
-    march = horizon_steps(problem, Numerics(), steps)
+    steps = int(steps_per_spacing(problem, Scene(), Numerics()))
+    march = int(horizon_steps(problem, Numerics(), steps))
     task = Task(problem, steps, march, "")
-    count = STUDIES * LINES
-    batch = Batch(
-        seed, "modal", Quantities(), "exponential", Recording(SAMPLES), (task,), 0, count, 1, 0.0
-    )
-    done = block_means(batch)
+    count, recording = STUDIES * BLOCKS, Recording(SAMPLES)
+    what = seed, "modal", Quantities(), "exponential", recording, (task,)
+    done = block_means(Batch(*what, 0, count, QUARTET, 0.0))
     recorded = record_steps(march, SAMPLES)
     time = np.full(SAMPLES - 1, np.nan)
     steps_per_tau = problem.speed * problem.ratio * steps
     time[: recorded.size] = record_times(recorded, steps_per_tau, "exponential")
-    shape = (STUDIES, LINES, -1)
+    shape = (STUDIES, BLOCKS, -1)
     slope = rms_slope(amplitudes(problem.hurst, problem.elements), problem.elements)
     return Lines(done.scalars.reshape(shape), done.curves.reshape(shape), time, slope)
 
@@ -79,10 +80,11 @@ def reduced(lines: Lines, scalars: np.ndarray, curves: np.ndarray) -> Estimates:
     return reduce_blocks(Blocks(scalars, {"curve": curves}, time, slopes, ALL))
 
 
-def estimates(lines: Lines, studies: np.ndarray, size: int, groups: int) -> Estimates:
-    """Return the estimates of some studies from the first ``size`` lines of each."""
+def estimates(lines: Lines, studies: np.ndarray, blocks: int) -> Estimates:
+    """Return the estimates of some studies from the first blocks of each."""
+    groups = min(blocks, JACKKNIFE_GROUPS)
     scalars, curves = (
-        np.stack([grouped_means(whole[study, :size], groups) for study in studies])
+        np.stack([grouped_means(whole[study, :blocks], groups) for study in studies])
         for whole in (lines.scalars, lines.curves)
     )
     return reduced(lines, scalars, curves)
@@ -94,40 +96,46 @@ def reference(lines: Lines) -> Estimates:
 
 
 def stopped(lines: Lines, problem: Problem, wanted: float) -> tuple[Estimates, np.ndarray]:
-    """Return the estimates of studies that took rounds to an accuracy, and the lines they took."""
-    goal = Goal(0, dict.fromkeys(NAMES, 0.0), 0.0)
-    size = np.full(STUDIES, JACKKNIFE_GROUPS)
+    """Return the estimates of studies that took rounds to an accuracy, and their blocks."""
+    scatter = {name: float(LAWS[name].scatter(problem)) for name in NAMES}
+    goal = Goal(0, dict.fromkeys(NAMES, 0.0), scatter, 0.0)
+    size = np.full(STUDIES, least_blocks(NAMES))
     going = np.arange(STUDIES)
     found: Estimates = {}
     while going.size:
         for count in np.unique(size[going]):
             some = going[size[going] == count]
-            for name, values in estimates(lines, some, int(count), JACKKNIFE_GROUPS).items():
+            for name, values in estimates(lines, some, int(count)).items():
                 found.setdefault(name, np.empty((STUDIES, *values.shape[1:]), values.dtype))
                 found[name][some] = values
         goals, ratios = [goal] * going.size, np.full(going.size, problem.ratio)
-        growth = attained({n: v[going] for n, v in found.items()}, goals, ratios, wanted).growth
-        most = LINES // JACKKNIFE_GROUPS * JACKKNIFE_GROUPS
+        some = {name: values[going] for name, values in found.items()}
+        growth = attained(some, goals, ratios, wanted, QUARTET * size[going]).growth
         both = zip(size[going].tolist(), growth.tolist(), strict=True)
-        before, size[going] = size[going], [next_blocks(n, g, most) for n, g in both]
+        before, size[going] = size[going], [next_blocks(n, g, BLOCKS) for n, g in both]
         going = going[size[going] > before]
     return found, size
 
 
-def coverage(found: Estimates, truth: Estimates, name: str, freedom: int) -> tuple[np.ndarray, int]:
+def coverage(found: Estimates, truth: Estimates, name: str) -> tuple[np.ndarray, int]:
     """Return how often the intervals of LEVELS hold the reference, and in how many studies."""
     off = np.abs(found[name] - truth[name]) / found[f"{name}_error"]
-    off = off[~np.isnan(off)]
-    widths = student.ppf(0.5 + 0.5 * LEVELS, freedom)  # in standard errors
-    return np.mean(off[:, None] <= widths, axis=0), off.size
+    widths = student.ppf(0.5 + 0.5 * LEVELS, found["degrees_of_freedom"][:, None])
+    there = ~np.isnan(off)
+    if not there.any():
+        return np.full(LEVELS.size, np.nan), 0
+    return np.mean(off[there, None] <= widths[there], axis=0), int(there.sum())
 
 
-def row(what: str, found: Estimates, truth: Estimates, freedom: int) -> list[np.ndarray]:
+def row(what: str, found: Estimates, truth: Estimates) -> list[np.ndarray]:
     """Print the coverage of all estimates; return how far off each is, in binomial errors."""
     cells, off = [], []
     for name in NAMES:
-        shares, studies = coverage(found, truth, name, freedom)
-        off.append((shares - LEVELS) / np.sqrt(LEVELS * (1.0 - LEVELS) / max(studies, 1)))
+        shares, studies = coverage(found, truth, name)
+        if not studies:  # of two quartets no b is significant
+            cells.append(f"{'none':17s}")
+            continue
+        off.append((shares - LEVELS) / np.sqrt(LEVELS * (1.0 - LEVELS) / studies))
         mark = "*" if np.abs(off[-1]).max() > SINGLE else " "
         cells.append(f"{shares[0]:5.2f} {shares[1]:5.2f} {studies:4d}{mark}")
     print(f"  {what:32s}" + "   ".join(cells), flush=True)
@@ -145,12 +153,12 @@ def main() -> int:
             truth = reference(lines)
             assert truth["fit_status"][0] == FITTED
             print(f"{name}, F = {problem.load:g}")
-            for size, groups in SIZES.items():
-                found = estimates(lines, np.arange(STUDIES), size, groups)
-                off += row(f"{size} in {groups} blocks", found, truth, groups - 1)
+            for size in SIZES:
+                found = estimates(lines, np.arange(STUDIES), size // QUARTET)
+                off += row(f"{size} lines, {size // QUARTET} quartets", found, truth)
             found, sizes = stopped(lines, problem, wanted)
-            what = f"rounds to {wanted:.0%}, {sizes.mean():.0f} on average"
-            off += row(what, found, truth, JACKKNIFE_GROUPS - 1)
+            what = f"rounds to {wanted:.0%}, {QUARTET * sizes.mean():.0f} lines on average"
+            off += row(what, found, truth)
     mean = np.mean(off, axis=0)
     print(f"mean of all cells: {mean[0]:+.2f}, {mean[1]:+.2f} binomial errors from the claim")
     columns = len(POINTS) * len(NAMES)  # independent of each other, unlike sizes

@@ -6,7 +6,6 @@ import numpy as np
 
 from workflow.cli.effects import effect_lines
 from workflow.plan import (
-    JACKKNIFE_GROUPS,
     Plan,
     Variant,
     batch_target,
@@ -17,7 +16,7 @@ from workflow.plan import (
     total_seconds,
 )
 from workflow.simulate import programme_steps
-from workflow.study import Measured, Study
+from workflow.study import Measured, Study, judged
 from workflow.system import duration
 
 SHOWN = 8  # legs of a programme
@@ -120,9 +119,14 @@ def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
     numerics = variant.numerics
     counts = [plan.expected[task.key] * block for task in variant.tasks]
     steps = [task.steps_per_spacing for task in variant.tasks]
-    capped = sum(n + block * JACKKNIFE_GROUPS > numerics.max_realizations for n in counts)
+    capped = sum(n + block > numerics.max_realizations for n in counts)
     wanted = numerics.accuracy or 0.0
-    coarse = sum(max(goal.bias.values()) > 0.5 * wanted for goal in variant.goals.values())
+    sought = [
+        {name: goal.bias[name] for name, scatter in goal.scatter.items() if scatter > 0.0}
+        for goal in variant.goals.values()
+    ]
+    coarse = sum(max(bias.values()) > 0.5 * wanted for bias in sought)
+    nothing = sum(len(bias) < len(judged(plan.study.scene.quantities)) for bias in sought)
     given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
     return [
         f"accuracy    {wanted:g} {variant.label}",
@@ -130,4 +134,6 @@ def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
         f"  each      {min(counts)} ... {max(counts)} realizations",
         f"  missed    probably at {capped} problems that end at {numerics.max_realizations} "
         f"realizations, at {coarse} that no line in reach resolves",
+        f"  no rate   sought at {nothing} problems, where less than "
+        f"{numerics.negligible:g} of the jump is expected to relax",
     ]

@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kernels import QUARTET
 from workflow.errors import UserError
 from workflow.plan.cost import touchable_share
-from workflow.plan.error_laws import LAWS
+from workflow.plan.error_laws import LAWS, relaxing_share
 from workflow.plan.problems import Numbers, viscous_pressure
 from workflow.plan.resolution import (
     MAX_SAMPLES_PER_LINE,
@@ -21,7 +22,8 @@ from workflow.plan.resolution import (
 from workflow.simulate import Problem
 from workflow.study import MOST_BLOCKS, Numerics, Scene, Study, judged
 
-JACKKNIFE_GROUPS = 32  # of the jackknife; every number of blocks is a multiple of it
+JACKKNIFE_GROUPS = 32  # of the jackknife at most; fewer blocks are groups of their own
+LEAST_BLOCKS, LEAST_FOR_RATE = 2, 8  # of a point; with fewer, b is hardly ever significant
 FIRST_SHARE = 0.3  # of the predicted need: what is measured then says how many more
 TRIED = 3  # steps, each twice the one before, that are fine enough; finer ones never pay
 STATES = 28.0  # updates of the march that drawing and both steady states of a sample are worth
@@ -32,14 +34,22 @@ class Goal(NamedTuple):
 
     steps: Numbers  # per spacing
     bias: dict[str, Numbers]  # bound of the relative discretisation error of each estimate judged
+    scatter: dict[str, Numbers]  # predicted standard error of each, of one line
     realizations: Numbers  # predicted need
 
     def each(self, number: int) -> "list[Goal]":
         """Return the goals of so many problems that this one is of together."""
         names = list(self.bias)
-        columns = (self.steps, self.realizations, *self.bias.values())
+        columns = (self.steps, self.realizations, *self.bias.values(), *self.scatter.values())
         rows = zip(*(np.broadcast_to(values, number).tolist() for values in columns), strict=True)
-        return [Goal(m, dict(zip(names, bias, strict=True)), need) for m, need, *bias in rows]
+        goals = []
+        for steps, need, *rest in rows:
+            bias, scatter = (
+                dict(zip(names, own, strict=True))
+                for own in (rest[: len(names)], rest[len(names) :])
+            )
+            goals.append(Goal(steps, bias, scatter, need))
+        return goals
 
 
 def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
@@ -47,24 +57,29 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
 
     Discretisation may take up to half of the accuracy; where no line that fits a worker is that
     fine, the finest that does. A number of steps given by the user stands, and its error is not
-    counted: the accuracy is then that of the discretisation chosen.
+    counted: the accuracy is then that of the discretisation chosen. Nor is b counted where next to
+    nothing is expected to relax.
     """
     names = judged(scene.quantities)
     wanted = numerics.accuracy or 0.0
-    scatter = {name: LAWS[name].scatter(problem) for name in names}
+    counted = {name: np.ones(np.shape(problem.load)) for name in names}
+    if "relaxation_rate" in counted:
+        counted["relaxation_rate"] = 1.0 * (relaxing_share(problem) >= numerics.negligible)
+    scatter = {name: counted[name] * LAWS[name].scatter(problem) for name in names}
     if numerics.steps_per_spacing is not None:
         check_resolution(problem, numerics.steps_per_spacing, numerics)
         bias = dict.fromkeys(names, 0.0)
-        return Goal(numerics.steps_per_spacing, bias, _need(wanted, bias, scatter))
+        return Goal(numerics.steps_per_spacing, bias, scatter, _need(wanted, bias, scatter))
     least = np.broadcast_to(least_steps(problem, scene), np.shape(problem.load))
     check_resolution(problem, least, numerics)
-    best, tried = _coarsest(least, names), np.zeros_like(least)
+    # Where the search begins, to be replaced by the first steps that are tried.
+    best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
     while (open_ones := (steps * problem.elements <= MAX_SAMPLES_PER_LINE) & (tried < TRIED)).any():
         bias = {name: LAWS[name].error(problem, steps) for name in names}
-        goal = Goal(steps, bias, _need(wanted, bias, scatter))
-        fine = np.max([*bias.values()], axis=0) <= 0.5 * wanted
-        lines = np.maximum(goal.realizations, JACKKNIFE_GROUPS)
+        goal = Goal(steps, bias, scatter, _need(wanted, bias, scatter))
+        fine = np.max([counted[name] * bias[name] for name in names], axis=0) <= 0.5 * wanted
+        lines = np.maximum(goal.realizations, QUARTET * least_blocks(names))
         cost = np.where(fine, lines * _updates(problem, scene, numerics, steps), np.inf)
         best = _where(open_ones & ((cost < lowest) | (tried == 0)), goal, best)
         lowest, tried = np.where(open_ones, np.minimum(cost, lowest), lowest), tried + fine
@@ -72,16 +87,13 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     return best
 
 
-def _coarsest(least: Numbers, names: tuple[str, ...]) -> Goal:
-    """Return where the search begins, to be replaced by the first steps that are tried."""
-    return Goal(least, dict.fromkeys(names, np.inf), np.inf)
-
-
 def _where(chosen: np.ndarray, one: Goal, other: Goal) -> Goal:
     """Return one goal for the problems that are chosen, the other for the rest."""
     bias = {name: np.where(chosen, one.bias[name], other.bias[name]) for name in one.bias}
     realizations = np.where(chosen, one.realizations, other.realizations)
-    return Goal(np.where(chosen, one.steps, other.steps), bias, realizations)
+    return one._replace(
+        steps=np.where(chosen, one.steps, other.steps), bias=bias, realizations=realizations
+    )
 
 
 def _need(wanted: float, bias: dict[str, Numbers], scatter: dict[str, Numbers]) -> Numbers:
@@ -103,17 +115,23 @@ def _updates(problem: Problem, scene: Scene, numerics: Numerics, steps: Numbers)
     return steps * (STATES + march)
 
 
+def least_blocks(names: tuple[str, ...]) -> int:
+    """Return how many blocks a point takes at least, of which these estimates are judged."""
+    return LEAST_FOR_RATE if "relaxation_rate" in names else LEAST_BLOCKS
+
+
 def most_blocks(study: Study, most: int) -> int:
-    """Return the cap on the blocks of a point, a multiple of JACKKNIFE_GROUPS."""
-    blocks = most // (JACKKNIFE_GROUPS * study.realizations_per_block) * JACKKNIFE_GROUPS
+    """Return the cap on the blocks of a point."""
+    blocks = most // study.realizations_per_block
     if blocks > MOST_BLOCKS:
         raise UserError(
             f"numerics.max_realizations = {most}: up to {blocks} blocks of a problem, more than "
             f"{MOST_BLOCKS}; set study.realizations_per_block to {-(-most // MOST_BLOCKS)} or more"
         )
-    if not blocks:
+    least = least_blocks(judged(study.scene.quantities))
+    if blocks < least:
         raise UserError(
-            f"numerics.max_realizations = {most}: must be at least {JACKKNIFE_GROUPS} blocks of "
+            f"numerics.max_realizations = {most}: must be at least {least} blocks of "
             f"study.realizations_per_block = {study.realizations_per_block}"
         )
     return blocks
@@ -121,6 +139,6 @@ def most_blocks(study: Study, most: int) -> int:
 
 def whole_blocks(study: Study, realizations: Numbers, most: int) -> Numbers:
     """Return the number of blocks for at least so many realizations, within the cap."""
-    layers = np.ceil(realizations / (JACKKNIFE_GROUPS * study.realizations_per_block) - 1e-9)
-    blocks = np.minimum(JACKKNIFE_GROUPS * np.maximum(layers, 1), most_blocks(study, most))
-    return blocks.astype(np.int64)
+    blocks = np.ceil(realizations / study.realizations_per_block - 1e-9)
+    least = least_blocks(judged(study.scene.quantities))
+    return np.clip(blocks, least, most_blocks(study, most)).astype(np.int64)

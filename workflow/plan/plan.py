@@ -8,7 +8,7 @@ import numpy as np
 from kernels import START, Origin, Quantities
 from workflow.errors import UserError
 from workflow.plan.cost import TYPICAL, Timings
-from workflow.plan.goal import FIRST_SHARE, JACKKNIFE_GROUPS, whole_blocks
+from workflow.plan.goal import FIRST_SHARE, whole_blocks
 from workflow.plan.motion import asked_of
 from workflow.plan.variant import Variant, problems_of, variant_of
 from workflow.simulate import Task, row_layout, row_width
@@ -48,10 +48,6 @@ class Plan(NamedTuple):
     def records(self) -> int:
         """Number of records (task, block) of the whole study, predicted where there are goals."""
         return sum(self.expected[t.key] for v in self.variants for t in v.tasks)
-
-    def jackknife_groups(self, variant: Variant) -> int:
-        """Return the number of groups of blocks for the jackknife."""
-        return JACKKNIFE_GROUPS if variant.goals else self.study.blocks
 
     def longest_line(self) -> int:
         """Return the largest number of samples of any line."""

@@ -7,7 +7,7 @@ from kernels.limits import SPEEDS
 from kernels.patches.refined import LEAST_STEPS
 from kernels.rheology.spectrum import shortest_step
 from workflow.errors import UserError
-from workflow.plan.error_laws import allowed_share, contact_width, rate_error
+from workflow.plan.error_laws import allowed_share, contact_width, rate_error, window_rate
 from workflow.plan.problems import Numbers, expected_rate
 from workflow.simulate import Problem
 from workflow.study import Numerics, Scene
@@ -103,7 +103,7 @@ def horizon_steps(problem: Problem, numerics: Numerics, steps: Numbers) -> Numbe
     Where there are internal variables, at least ``horizon`` times the distance over which contacts
     are renewed.
     """
-    time = numerics.horizon / expected_rate(problem)
+    time = numerics.horizon / window_rate(problem)
     need = time * steps * abs(problem.speed) * abs(problem.ratio)
     if problem.spectrum != KELVIN:
         need = np.maximum(need, numerics.horizon * RENEWAL * problem.elements * steps)

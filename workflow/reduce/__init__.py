@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from workflow.reduce.exponents import fit_exponents, fit_power_law
     from workflow.reduce.fits import (
         FITTED,
+        NEGLIGIBLE,
         NO_RELAXATION,
         NO_STATE,
         NOT_EXPONENTIAL,

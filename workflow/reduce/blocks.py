@@ -31,6 +31,7 @@ class Blocks(NamedTuple):
     jumps: bool = True  # whether friction jumps with the velocity: whether there is a dashpot
     speeds: np.ndarray = np.empty((0, 2))  # before and after the velocity step, dx/tau, (tasks, 2)
     programmes: tuple[Programme, ...] = ()  # of the tasks
+    negligible: float = 0.0  # share of the jump
     stamps: dict[str, np.ndarray] | None = None  # of traces (kernels/scene), each (tasks, events)
 
 
@@ -67,6 +68,7 @@ def blocks_of(
         variant.material.jumps,
         np.array(speeds),
         tuple(task.problem.programme for task in tasks),
+        variant.numerics.negligible,
         _stamps(variant, tasks) if variant.recording.asked else None,
     )
 

@@ -2,11 +2,12 @@
 
 import numpy as np
 
+from workflow.plan import JACKKNIFE_GROUPS
 from workflow.reduce.blocks import Blocks, Estimates, enter
-from workflow.reduce.fits import RelaxationFit, fit_relaxation
+from workflow.reduce.fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
 from workflow.reduce.models import COEFFICIENTS, GAINS, Comparison, compare_models
 from workflow.reduce.scenes import reduce_programmes, reduce_steps
-from workflow.reduce.statistics import replicates
+from workflow.reduce.statistics import errors_needed, padded, replicates
 from workflow.simulate import SCALARS
 from workflow.study import QUANTITIES
 
@@ -14,11 +15,14 @@ from workflow.study import QUANTITIES
 def reduce_blocks(blocks: Blocks) -> Estimates:
     """Return name -> array over tasks (first axis); NAME_error beside each estimate.
 
-    ``rate_replicates`` (tasks, blocks + 1) carries the jackknife on to the fit of eq. 13.
+    ``rate_replicates`` carries the jackknife on to the fit of eq. 13, for which all points have as
+    many groups: shape (tasks, JACKKNIFE_GROUPS + 1).
     """
     asked = blocks.quantities
     values = dict(zip(SCALARS, np.moveaxis(replicates(blocks.scalars, 1), 2, 0), strict=True))
     estimates: Estimates = {}
+    freedom = np.full(len(blocks.scalars), blocks.scalars.shape[1] - 1, np.int32)
+    estimates["degrees_of_freedom"] = freedom
     enter(estimates, "samples_per_contact", values["samples_per_contact"])
     for quantity in asked:
         for name in QUANTITIES[quantity].means:
@@ -55,12 +59,26 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
     enter(estimates, "relaxation_rate", np.array([fit.rate for fit in fits]))
     enter(estimates, "amplitude", np.array([fit.amplitude for fit in fits]))
     enter(estimates, "relaxation_rate_free", np.array([fit.rate_free for fit in fits]))
-    estimates["fit_status"] = np.array([fit.status for fit in fits], dtype=np.int8)
+    status = np.array([fit.status for fit in fits], dtype=np.int8)
+    estimates["fit_status"] = np.where(_negligible(estimates, blocks), NEGLIGIBLE, status)
     estimates["fit_window"] = np.array([fit.window for fit in fits])
     estimates["fit_quality"] = np.array([fit.quality for fit in fits])
-    estimates["rate_replicates"] = np.array([fit.rate for fit in fits])
+    rates = np.array([fit.rate for fit in fits])
+    estimates["rate_replicates"] = padded(rates, JACKKNIFE_GROUPS)
     if compared:
         _models(estimates, compared)
+
+
+def _negligible(estimates: Estimates, blocks: Blocks) -> np.ndarray:
+    """Return where surely less relaxes than the share of the jump that is negligible.
+
+    Not where the curve holds no numbers. A bound of zero leaves every fit as it is.
+    """
+    groups = blocks.scalars.shape[1]
+    error = np.nan_to_num(estimates["deviation_error"][:, 0])  # of one block nothing is known
+    most = np.abs(estimates["deviation"][:, 0]) + errors_needed(max(groups, 2), 2.0, 0.05) * error
+    jump = np.abs(np.mean(blocks.scalars[:, :, SCALARS.index("jump")], axis=1))
+    return most < blocks.negligible * jump
 
 
 def _models(estimates: Estimates, found: list[Comparison]) -> None:

@@ -46,7 +46,8 @@ def build_dataset(
     if variant.lines.profile is not None:
         said |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
     dataset = xr.Dataset(data, coords, said)
-    _annotate(dataset, plan.jackknife_groups(variant) - 1)
+    known = estimates["degrees_of_freedom"][estimates["degrees_of_freedom"] >= 0]
+    _annotate(dataset, int(known.min()))
     return dataset
 
 
@@ -98,7 +99,10 @@ def _factor(scaling: Powers, units: Units) -> xr.DataArray:
 
 
 def _annotate(dataset: xr.Dataset, freedom: int) -> None:
-    """Check that every variable is what it is declared to be; say so in its attributes."""
+    """Check that every variable is what it is declared to be; say so in its attributes.
+
+    freedom : degrees of freedom that every standard error has at least.
+    """
     for name in dataset.data_vars:
         found, said = dataset[name].dtype, declared(str(name)).dtype
         if found != said:

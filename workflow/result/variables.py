@@ -81,6 +81,9 @@ VARIABLES = {
     "realizations": Variable(
         "number of realizations averaged", comment="0: the computation failed", dtype=COUNT
     ),
+    "degrees_of_freedom": Variable(
+        "degrees of freedom of the standard errors", comment="groups of blocks - 1", dtype=COUNT
+    ),
     "steps_per_spacing": Variable("steps, and elements, per spacing dx", dtype=COUNT),
     "accuracy_reached": Variable(
         "relative standard error plus bound of the discretisation error, the largest of what was "

@@ -9,7 +9,7 @@ from distributed import Client
 
 from workflow.cluster import Watch, stream
 from workflow.errors import UserError
-from workflow.plan import Plan, Variant
+from workflow.plan import JACKKNIFE_GROUPS, Plan, Variant
 from workflow.reduce import (
     Attained,
     Blocks,
@@ -71,8 +71,8 @@ class Collector:
         fitted = self.fitted[variant.label]
         counts = [blocks[task.key] for task in variant.tasks]
         open_rows = [row for row in rows if fitted.blocks[row] != counts[row]]
-        size = TASKS_PER_REDUCTION
-        portions = [open_rows[i : i + size] for i in range(0, len(open_rows), size)]
+        groups = {row: min(counts[row], JACKKNIFE_GROUPS) for row in open_rows}
+        portions = _portions(groups)
 
         def load() -> Iterator[tuple[list[int], Blocks]]:
             for portion in portions:
@@ -81,13 +81,13 @@ class Collector:
                 yield portion, loaded
 
         marched = self.plan.asked.relaxation
-        each = (self.plan.jackknife_groups(variant) + 1) * marched * SECONDS_PER_FIT
-        with Reporter(what, len(open_rows) * each) as reporter:
+        seconds_of = {row: (groups[row] + 1) * marched * SECONDS_PER_FIT for row in open_rows}
+        with Reporter(what, sum(seconds_of.values())) as reporter:
             work = stream(self.client, _reduce_portion, load(), self.watch)
             for (portion, _), (estimates, seconds) in work:
                 fitted.enter(portion, estimates, [counts[row] for row in portion])
                 self.summary.phases["fits"] += seconds
-                reporter.advance(len(portion) * each)
+                reporter.advance(sum(seconds_of[row] for row in portion))
         return not self.watch()
 
     def attained(self, variant: Variant, rows: list[int]) -> Attained:
@@ -96,7 +96,9 @@ class Collector:
         estimates = self.fitted[variant.label].at(rows)
         goals = [variant.goals[task.key] for task in tasks]
         ratios = np.array([task.problem.ratio for task in tasks])
-        return attained(estimates, goals, ratios, variant.numerics.accuracy or 0.0)
+        each = self.plan.study.realizations_per_block
+        realizations = each * self.fitted[variant.label].blocks[rows]
+        return attained(estimates, goals, ratios, variant.numerics.accuracy or 0.0, realizations)
 
     def _complete(self, variant: Variant, sound: np.ndarray, blocks: dict[str, int]) -> Estimates:
         """Return all that the result says of each task, sound rows from their fits."""
@@ -112,7 +114,7 @@ class Collector:
         return completed(self.plan, variant, estimates, sound, counts)
 
     def _load(self, variant: Variant, tasks: list[Task], blocks: dict[str, int]) -> Blocks:
-        groups = self.plan.jackknife_groups(variant)
+        groups = min(blocks[tasks[0].key], JACKKNIFE_GROUPS)  # of all, see _portions
         records = [(task.key, block) for task in tasks for block in range(blocks[task.key])]
         ends = np.cumsum([blocks[task.key] for task in tasks])[:-1]
         read = self.store.read(records, self.widths[variant.label])
@@ -143,6 +145,18 @@ class Fitted:
         if rows == list(range(self.blocks.size)):
             return dict(self.arrays)  # not copied: curves of 1e5 points are large
         return {name: values[rows] for name, values in self.arrays.items()}
+
+
+def _portions(groups: dict[int, int]) -> list[list[int]]:
+    """Return the rows of tasks in portions of as many jackknife groups each.
+
+    groups : by row. A portion is reduced in one call.
+    """
+    alike: dict[int, list[int]] = {}
+    for row, count in groups.items():
+        alike.setdefault(count, []).append(row)
+    size = TASKS_PER_REDUCTION
+    return [rows[i : i + size] for rows in alike.values() for i in range(0, len(rows), size)]
 
 
 def _reduce_portion(portion: tuple[list[int], Blocks]) -> tuple[Estimates, float]:

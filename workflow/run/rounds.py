@@ -6,7 +6,7 @@ same study takes the same rounds, with the same bits, whatever the workers, and 
 
 import math
 
-from workflow.plan import JACKKNIFE_GROUPS, Plan, Variant, most_blocks
+from workflow.plan import Plan, Variant, most_blocks
 from workflow.run.collect import Collector
 
 MARGIN = 1.1  # over the extrapolated need, or every other point would miss it by a hair
@@ -22,7 +22,7 @@ def next_blocks(now: int, growth: float, most: int) -> int:
         return now
     least, largest = GROWTH
     factor = min(max(MARGIN * growth, least), largest)
-    return min(JACKKNIFE_GROUPS * math.ceil(now * factor / JACKKNIFE_GROUPS), most)
+    return min(math.ceil(now * factor), most)
 
 
 class Rounds:

@@ -12,6 +12,7 @@ LONG_BELOW = 0.01
 # Beyond the one nothing is in reach, beyond the other no law holds.
 ACCURACY = partial(within, least=1e-4, most=0.3, hint=" (0.01 is 1 %)")
 AUTO = "auto"
+NEGLIGIBLE = 0.01  # share of the jump, where an accuracy is asked for
 RECORDS = ("time", "distance", "log")
 
 
@@ -24,6 +25,7 @@ class Numerics(NamedTuple):
     horizon: float = 4.0
     accuracy: float | None = None  # wanted relative error of what is asked for
     max_realizations: int = 10_000  # per point, on the way to the accuracy
+    negligible: float = 0.0  # share of the jump; of relaxations below it the rate is not sought
     record: str = "time"  # in what the kept samples of a trace are evenly spaced
     trace: int | None = None  # keep every so many steps instead
 
@@ -40,6 +42,7 @@ NUMERICS = {
     "horizon": Key(partial(within, least=1.0, most=100.0), None),
     "accuracy": Key(ACCURACY, None),
     "max_realizations": Key(partial(integer, least=1), USUAL.max_realizations),
+    "negligible": Key(partial(within, least=0.0, most=1.0), None),
     "record": Key(partial(choice, known=RECORDS), USUAL.record),
     "trace": Key(partial(integer, least=1), None),
 }
@@ -55,6 +58,8 @@ def read_numerics(where: str, table: dict[str, Any]) -> Numerics:
     if values["horizon"] is None:
         fine = values["accuracy"] is not None and values["accuracy"] < LONG_BELOW
         values["horizon"] = LONG_HORIZON if fine else USUAL.horizon
+    if values["negligible"] is None:
+        values["negligible"] = USUAL.negligible if values["accuracy"] is None else NEGLIGIBLE
     found = Numerics(curve_samples=values.pop("samples"), **values)
     if found.accuracy and found.scheme != USUAL.scheme and not found.steps_per_spacing:
         raise UserError(

@@ -6,8 +6,8 @@ from hypothesis import strategies as st
 
 from tests.support.small import small_plan, small_study
 from workflow.errors import UserError
-from workflow.plan.error_laws import LAWS
-from workflow.plan.goal import JACKKNIFE_GROUPS, allowed, goal_of, whole_blocks
+from workflow.plan.error_laws import LAWS, relaxing_share
+from workflow.plan.goal import LEAST_BLOCKS, LEAST_FOR_RATE, allowed, goal_of, whole_blocks
 from workflow.plan.problems import together
 from workflow.plan.resolution import MAX_SAMPLES_PER_LINE
 from workflow.simulate.tasks import Problem
@@ -54,13 +54,15 @@ def test_given_steps_stand_and_their_error_is_not_counted(problem, wanted):
 
 def test_blocks_are_whole_and_capped():
     study = small_study("study.realizations=16")
-    assert whole_blocks(study, 1.0, 1000) == JACKKNIFE_GROUPS
-    assert whole_blocks(study, 4 * JACKKNIFE_GROUPS + 1, 1000) == 2 * JACKKNIFE_GROUPS
-    assert whole_blocks(study, 1e9, 1000) == 7 * JACKKNIFE_GROUPS  # 896 realizations
+    assert whole_blocks(study, 1.0, 1000) == LEAST_FOR_RATE
+    assert whole_blocks(study, 129.0, 1000) == 33
+    assert whole_blocks(study, 1e9, 1000) == 250
+    steady = small_study("study.realizations=16", 'scene.quantities=["steady", "jump"]')
+    assert whole_blocks(steady, 1.0, 1000) == LEAST_BLOCKS
 
 
 def test_a_cap_below_the_least_is_one_clear_line():
-    with pytest.raises(UserError, match=r"^numerics.max_realizations = 31: must be at least 32 "):
+    with pytest.raises(UserError, match=r"^numerics.max_realizations = 31: must be at least 8 "):
         small_plan("numerics.accuracy=0.1", "numerics.max_realizations=31")
 
 
@@ -71,9 +73,18 @@ def test_an_accuracy_changes_steps_and_realizations_and_nothing_else():
     problems = [[task.problem for task in plan.variants[0].tasks] for plan in (plain, wanted)]
     assert problems[0] == problems[1]
     for key, blocks in wanted.expected.items():
-        assert blocks % JACKKNIFE_GROUPS == 0
-        assert JACKKNIFE_GROUPS <= wanted.first[key] <= blocks
+        assert LEAST_FOR_RATE <= wanted.first[key] <= blocks
     assert wanted.records > plain.records
+
+
+def test_a_rate_of_next_to_nothing_asks_for_nothing():
+    slow = Problem(0.7, 1000, 1.0, 0.1, 1.2)  # below 1e-3 of the jump relaxes
+    fast = slow._replace(load=0.01, speed=30.0)
+    asked = Scene()
+    for problem, share in ((slow, 0.01), (slow, 0.0), (fast, 0.01), (fast, 1.0)):
+        goal = goal_of(problem, asked, Numerics(accuracy=0.1, negligible=share))
+        assert (goal.scatter["relaxation_rate"] > 0.0) == (relaxing_share(problem) >= share)
+        assert goal.realizations >= (goal.scatter["mu_1"] / 0.1) ** 2
 
 
 @given(st.lists(PROBLEMS, min_size=2, max_size=5), WANTED, SCENES)

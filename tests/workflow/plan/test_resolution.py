@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from tests.support.small import small_plan
 from workflow.errors import UserError
-from workflow.plan.error_laws import LAWS
+from workflow.plan.error_laws import LAWS, window_rate
 from workflow.plan.problems import together
 from workflow.plan.resolution import (
     BIAS,
@@ -121,7 +121,8 @@ def test_a_velocity_next_to_zero_is_refused(velocity):
 def test_march_covers_the_horizon_and_no_more(hurst, speed, ratio, horizon, steps):
     one = problem(hurst, 100, speed, ratio)
     march = horizon_steps(one, Numerics(horizon=horizon), steps)
-    needed = horizon / max(1.0, (math.pi * speed) ** (1.0 - hurst)) * steps * speed * ratio
+    needed = horizon / window_rate(one) * steps * speed * ratio
+    assert window_rate(one) >= max(1.0, (math.pi * speed) ** (1.0 - hurst)) * (1.0 - 1e-12)
     assert march >= 8
     assert march >= needed
     assert march == 8 or march < needed * (1 + 1e-9) + 1

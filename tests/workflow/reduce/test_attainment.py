@@ -5,15 +5,30 @@ import pytest
 
 from workflow.plan.goal import Goal
 from workflow.reduce.attainment import MET, MET_WHERE_DEFINED, MISSED, attained
-from workflow.reduce.fits import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE, UNDETERMINED
+from workflow.reduce.fits import (
+    FITTED,
+    NEGLIGIBLE,
+    NO_RELAXATION,
+    NOT_EXPONENTIAL,
+    NOT_FINITE,
+    UNDETERMINED,
+)
 
 WANTED = 0.1
 NAN = (np.nan, np.nan)
 ZERO = (0.0, 0.0)
 
 
-def judge(bias=0.0, mu_1=(1.0, 0.01), rate=(2.0, 0.02), status=FITTED, first=(0.01, 1e-4)):
-    """Return the judgement of one task: accuracy reached, status, growth."""
+def judge(
+    bias=0.0,
+    mu_1=(1.0, 0.01),
+    rate=(2.0, 0.02),
+    status=FITTED,
+    first=(0.01, 1e-4),
+    groups=32,
+    scatter=0.1,
+):
+    """Return the judgement of one task of 100 lines: accuracy reached, status, growth."""
     estimates = {
         "mu_1": np.array([mu_1[0]]),
         "mu_1_error": np.array([mu_1[1]]),
@@ -23,9 +38,11 @@ def judge(bias=0.0, mu_1=(1.0, 0.01), rate=(2.0, 0.02), status=FITTED, first=(0.
         "mu": np.array([[1.0, 1.0]]),
         "deviation": np.array([[0.05, first[0]]]),
         "deviation_error": np.array([[0.0, first[1]]]),
+        "degrees_of_freedom": np.array([groups - 1]),
     }
-    goal = Goal(4, {"mu_1": bias, "relaxation_rate": bias}, 100.0)
-    found = attained(estimates, [goal], np.array([1.2]), WANTED)
+    names = ("mu_1", "relaxation_rate")
+    goal = Goal(4, dict.fromkeys(names, bias), dict.fromkeys(names, scatter), 100.0)
+    found = attained(estimates, [goal], np.array([1.2]), WANTED, np.array([100]))
     return float(found.reached[0]), int(found.status[0]), float(found.growth[0])
 
 
@@ -50,8 +67,25 @@ CASES = {
     "noise": ({"rate": NAN, "status": UNDETERMINED}, (np.inf, MISSED, np.inf)),
     "broken": ({"rate": NAN, "status": NOT_FINITE}, (np.inf, MISSED, 0.0)),
     "no exponential": ({"rate": NAN, "status": NOT_EXPONENTIAL}, (0.01, MET_WHERE_DEFINED, 0.01)),
+    "of few groups none is believed": (
+        {"rate": NAN, "status": NOT_EXPONENTIAL, "groups": 8},
+        (np.inf, MISSED, np.inf),
+    ),
     "an exact zero has no relative error": ({"mu_1": ZERO}, (0.01, MET_WHERE_DEFINED, 0.01)),
     "a zero within its error": ({"mu_1": (0.0, 0.1)}, (np.inf, MISSED, np.inf)),
+    "a negligible rate": (
+        {"rate": (2.0, 1.0), "status": NEGLIGIBLE},
+        (0.01, MET_WHERE_DEFINED, 0.01),
+    ),
+    "of many groups the law has no say": ({"scatter": 9.0}, (0.01, MET, 0.01)),
+    "two groups that agree by chance are not believed": (
+        {"groups": 2, "scatter": 2.0},  # (3 * 0.2^2 + 0.01^2)/4
+        (np.sqrt(0.030025), MISSED, 3.0025),
+    ),
+    "few groups that differ are, but call for little more": (
+        {"groups": 4, "scatter": 0.5, "mu_1": (1.0, 0.11)},  # (3 * 0.05^2 + 3 * 0.11^2)/6
+        (0.11, MISSED, 1.0),
+    ),
     "what is met needs no excuse": ({"first": (1e-9, 1e-12)}, (0.01, MET, 0.01)),
 }
 
@@ -63,7 +97,9 @@ def test_accuracy_reached_status_and_growth(name):
 
 
 def test_where_nothing_can_be_judged_nothing_is_reached():
-    estimates = {"jump": np.zeros(1), "jump_error": np.zeros(1)}
-    found = attained(estimates, [Goal(4, {"jump": 0.0}, 9.0)], np.ones(1), WANTED)
+    freedom = np.array([31])
+    estimates = {"jump": np.zeros(1), "jump_error": np.zeros(1), "degrees_of_freedom": freedom}
+    goal = Goal(4, {"jump": 0.0}, {"jump": 0.1}, 9.0)
+    found = attained(estimates, [goal], np.ones(1), WANTED, np.ones(1))
     assert np.isnan(found.reached[0])
     assert found.status[0] == MET_WHERE_DEFINED

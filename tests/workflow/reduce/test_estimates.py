@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from tests.support.curves import RATE, exponential_blocks
+from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.reduce.estimates import reduce_blocks
 from workflow.reduce.fits import FITTED
 from workflow.simulate.tasks import SCALARS
@@ -48,7 +49,7 @@ def test_amplitude_varies_as_the_curves_do():
 
 
 def test_replicates_of_the_rate_are_handed_on():
-    assert FOUND["rate_replicates"].shape == (3, COUNT + 1)
+    assert FOUND["rate_replicates"].shape == (3, JACKKNIFE_GROUPS + 1)
     assert np.array_equal(FOUND["rate_replicates"][:, 0], FOUND["relaxation_rate"])
 
 
@@ -68,7 +69,7 @@ SCENES = [("steady",), ("jump",), ("relaxation",), ("steady", "jump"), tuple(NAM
 @pytest.mark.parametrize("asked", SCENES)
 def test_only_what_was_asked_for_is_there(asked):
     names = {"samples_per_contact"}.union(*(NAMES[quantity] for quantity in asked))
-    expected = names | {f"{name}_error" for name in names}
+    expected = names | {f"{name}_error" for name in names} | {"degrees_of_freedom"}
     if "relaxation" in asked:
         expected |= WITHOUT_ERROR
     if "models" in asked:

@@ -2,7 +2,7 @@
 
 import re
 
-from workflow.reduce.fits import NO_STATE
+from workflow.reduce.fits import NEGLIGIBLE
 from workflow.reduce.statistics import errors_needed
 from workflow.result.scenes import SCENES
 from workflow.result.variables import FLAGS, VARIABLES, declared
@@ -39,9 +39,9 @@ def test_fit_status_explains_its_codes(dataset):
     attributes = dataset["fit_status"].attrs
     meanings = attributes["flag_meanings"].split()
     assert meanings[:4] == ["failed", "fitted", "no_relaxation", "not_exponential"]
-    assert list(attributes["flag_values"]) == list(range(-1, NO_STATE + 1))
+    assert list(attributes["flag_values"]) == list(range(-1, NEGLIGIBLE + 1))
     assert attributes["flag_values"].dtype == dataset["fit_status"].dtype
-    assert len(meanings) == NO_STATE + 2
+    assert len(meanings) == NEGLIGIBLE + 2
     for meaning in meanings[2:]:
         assert f"{meaning}: " in attributes["comment"]
     assert [errors_needed(blocks) > 3.0 for blocks in (14, 15)] == [True, False]

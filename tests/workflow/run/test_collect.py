@@ -6,6 +6,7 @@ import pytest
 from tests.support.small import cut_batches, random_result, small_plan
 from workflow.cluster.watch import Watch
 from workflow.errors import UserError
+from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.run import collect
 from workflow.run.collect import Collector, Fitted
 from workflow.run.summary import Summary
@@ -58,7 +59,7 @@ def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector, monkeypatc
     rows = [0, 2]
     collector.fit(VARIANT, rows, BLOCKS, "fitting")
     assert collector.fitted[""].blocks.tolist() == [4, 0, 4, 0, 0, 0, 0, 0]
-    assert collector.fitted[""].at(rows)["rate_replicates"].shape == (2, 5)
+    assert collector.fitted[""].at(rows)["rate_replicates"].shape == (2, JACKKNIFE_GROUPS + 1)
     monkeypatch.setattr(collector, "_load", pytest.fail)
     assert collector.fit(VARIANT, rows, BLOCKS, "fitting")
 

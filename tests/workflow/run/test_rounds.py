@@ -3,6 +3,7 @@
 import math
 import shutil
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
@@ -11,7 +12,8 @@ from kernels import QUARTET
 from tests.support.runs import run, shards
 from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
-from workflow.reduce.attainment import MET, MISSED
+from workflow.reduce.attainment import MISSED
+from workflow.reduce.fits import FITTED, NEGLIGIBLE
 from workflow.run.rounds import next_blocks
 
 WANTED = 0.03
@@ -31,12 +33,17 @@ def reached(scheduler, tmp_path_factory):
 
 def test_points_end_with_what_they_need_after_more_than_one_round(reached):
     data = reached.load()
-    assert (data.accuracy_status == MET).all()
+    assert (data.accuracy_status != MISSED).all()  # next to nothing relaxes at slow points
+    assert (data.fit_status == NEGLIGIBLE).any()
     assert (data.accuracy_reached <= WANTED).all()
-    assert (data.bias_bound <= 0.5 * WANTED).all()
     for name in ("mu_1", "jump", "relaxation_rate"):
-        assert (data[f"{name}_error"] / abs(data[name]) <= data.accuracy_reached).all()
-    assert (data.realizations % JACKKNIFE_GROUPS == 0).all()
+        sought = data.fit_status == FITTED if name == "relaxation_rate" else data.mu_1 > 0.0
+        assert (data[f"{name}_bias"].where(sought, 0.0) <= 0.5 * WANTED).all()
+        error = (data[f"{name}_error"] / abs(data[name])).where(sought, 0.0)
+        assert (error <= data.accuracy_reached).all()
+    groups = np.minimum(data.realizations // QUARTET, JACKKNIFE_GROUPS)
+    assert np.array_equal(data.degrees_of_freedom, groups - 1)
+    assert data.mu_1_error.attrs["degrees_of_freedom"] == data.degrees_of_freedom.min()
     assert data.attrs["accuracy"] == WANTED
     tasks = reached.plan.variants[0].tasks
     first = QUARTET * sum(reached.plan.first[task.key] for task in tasks)
@@ -82,16 +89,15 @@ def test_the_speed_of_the_machine_plays_no_part(reached):
     assert [v.tasks for v in plan.variants] == [v.tasks for v in reached.plan.variants]
 
 
-@given(st.integers(1, 20), st.floats(0.0, 1e9) | st.just(math.inf), st.integers(1, 500))
-def test_the_next_round_grows_within_the_cap(layers, growth, most):
-    now, most = JACKKNIFE_GROUPS * layers, JACKKNIFE_GROUPS * max(layers, most)
+@given(st.integers(2, 600), st.floats(0.0, 1e9) | st.just(math.inf), st.integers(2, 10_000))
+def test_the_next_round_grows_within_the_cap(now, growth, most):
+    most = max(now, most)
     found = next_blocks(now, growth, most)
-    assert found % JACKKNIFE_GROUPS == 0
     assert found <= most
     if growth <= 1.0 or now == most:
         assert found == now
     else:
-        assert now < found <= 4 * now + JACKKNIFE_GROUPS
+        assert now < found <= 4 * now
         assert found == most or found >= min(growth, 4.0) * now - 1e-6
 
 

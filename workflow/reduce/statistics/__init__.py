@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from workflow.reduce.statistics.jackknife import (
         errors_needed,
         grouped_means,
+        padded,
         replicates,
         significant,
         standard_error,

@@ -8,6 +8,7 @@ from hypothesis.extra.numpy import array_shapes, arrays
 
 from workflow.reduce.statistics.jackknife import (
     grouped_means,
+    padded,
     replicates,
     significant,
     standard_error,
@@ -63,3 +64,53 @@ def test_groups_share_the_blocks_that_two_points_have_in_common():
     blocks = np.arange(12.0)
     assert grouped_means(blocks, 4).tolist() == [4.0, 5.0, 6.0, 7.0]
     assert grouped_means(blocks[:4], 4).tolist() == [0.0, 1.0, 2.0, 3.0]
+
+
+@given(st.integers(2, 12), st.integers(0, 40))
+def test_groups_of_unequal_size_have_the_mean_and_the_error_of_all_blocks(groups, more):
+    """Over many draws: the expected square of the error is 1/count for blocks of variance one."""
+    count = groups + more
+    blocks = np.random.default_rng(count).standard_normal((count, 4000))
+    grouped = grouped_means(blocks, groups)
+    assert grouped.shape == (groups, 4000)
+    np.testing.assert_allclose(grouped.mean(axis=0), blocks.mean(axis=0), atol=1e-12)
+    error = standard_error(replicates(grouped, 0), 0)
+    expected = np.sqrt(2.0 / (groups - 1) / 4000)  # of the mean square, one standard deviation
+    if more == 0 or count >= 4 * groups:  # in between up to 12 % too small, see below
+        assert np.mean(error**2) * count == pytest.approx(1.0, abs=5.0 * expected + 0.03)
+
+
+@pytest.mark.parametrize("count", [33, 40, 48, 63, 65, 100])
+def test_from_32_groups_on_unequal_ones_make_no_difference(count):
+    """As planned: up to 32 blocks are groups of their own, more of them share 32."""
+    sizes = np.bincount(np.arange(count) % 32)
+    variance = 32 / 31 * (1.0 - np.sum(sizes**2) / count**2)  # times 1/count, exactly
+    assert variance == pytest.approx(1.0, abs=0.01)
+    blocks = np.random.default_rng(count).standard_normal((count, 20_000))
+    found = np.mean(standard_error(replicates(grouped_means(blocks, 32), 0), 0) ** 2)
+    assert found * count == pytest.approx(variance, abs=0.01)
+
+
+@given(st.integers(2, 20), st.integers(0, 20))
+def test_padded_replicates_have_the_same_estimate_and_error(own, more):
+    values = replicates(np.random.default_rng(own).standard_normal((3, own)), 1)
+    found = padded(values, own + more)
+    assert found.shape == (3, own + more + 1)
+    np.testing.assert_array_equal(found[:, 0], values[:, 0])
+    np.testing.assert_allclose(standard_error(found, 1), standard_error(values, 1), rtol=1e-12)
+
+
+def test_the_error_of_a_sum_knows_the_blocks_that_its_parts_have_in_common():
+    """One mean over 4 blocks and one over 16, the first 4 of them the same."""
+    rng = np.random.default_rng(3)
+    found = []
+    for _ in range(2000):
+        blocks = rng.standard_normal(16)
+        few, many = (padded(replicates(some, 0), 16) for some in (blocks[:4], blocks))
+        found.append(standard_error(few + many, 0) ** 2)
+    expected = 1 / 4 + 1 / 16 + 2 / 16  # the covariance of the means is 1/16
+    assert np.mean(found) == pytest.approx(expected, rel=0.05)
+
+
+def test_of_one_block_nothing_is_padded():
+    assert padded(np.ones((2, 1)), 32).shape == (2, 1)
