@@ -2,7 +2,7 @@
 
 Many small independent studies of the same points: the intervals value +- t * error, with t of
 Student for the degrees of freedom in the file, must hold the reference (the mean of all studies
-together) as often as they claim: each cell within four binomial errors (there are 144, and those of
+together) as often as they claim: each cell within four binomial errors (there are 84, and those of
 one column share their lines), all cells together within three errors of their mean. Studies that
 took realizations in rounds until an accuracy was met are held to the same.
 """
