@@ -45,10 +45,9 @@ SETUP = "setup of "
 class Reached:
     """A pytest plugin that notes which tests reach which line, and how long each takes."""
 
-    def __init__(self, place: Path) -> None:
-        self.coverage = coverage.Coverage(
-            data_file=None, config_file=False, include=[f"{place.resolve()}*"]
-        )
+    def __init__(self, files: list[Path]) -> None:
+        ours = [str(file.resolve()) for file in files]
+        self.coverage = coverage.Coverage(data_file=None, config_file=False, include=ours)
         self.fixtures: dict[str, set[str]] = {}  # of each test
         self.seconds: dict[str, float] = defaultdict(float)
 
@@ -113,7 +112,7 @@ def room_of(place: Path, scratch: Path) -> Room:
     tests = Path("tests") / (place if place.is_dir() else place.with_name(f"test_{place.name}"))
 
     def survey() -> int:
-        reached = Reached(place)
+        reached = Reached(files)
         reached.coverage.start()
         status = pytest.main([*QUIET, *USUAL, str(tests)], plugins=[reached])
         reached.coverage.stop()

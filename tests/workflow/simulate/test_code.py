@@ -110,6 +110,11 @@ def test_a_file_more_or_less_changes_the_hash(copied):
     assert code_hash(copied) != CODE
 
 
+def test_a_file_of_another_name_changes_the_hash(copied):
+    (copied[1] / "kept.py").rename(copied[1] / "kept2.py")
+    assert code_hash(copied) != CODE
+
+
 NO_EDITS = {
     "a docstring": ("kernels/steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
     "a comment": ("rheology/spectrum.py", "# Shortest step", "# The shortest step"),

@@ -104,6 +104,16 @@ def test_samples_over_time_and_distance_are_even():
     assert np.diff(distance).max() < 2.5 * distance[-1] / 19
 
 
+@pytest.mark.parametrize("record", ["time", "distance"])
+def test_samples_that_fall_on_steps_are_those_steps(record):
+    """Whatever the last bit of a sum of steps says."""
+    even = PROBLEM._replace(programme=(Slide(1.0, 30.0),))
+    assert programme_steps(even, 8).time.size == 240
+    for each in (2, 3, 5):
+        kept = kept_steps(even, 8, Recording(240 // each + 1, record))
+        assert kept.tolist() == list(range(0, 241, each))
+
+
 def test_the_leg_after_a_hold_is_dense_at_its_beginning():
     march = programme_steps(PROBLEM, 16)
     kept = kept_steps(PROBLEM, 16, Recording(8, dense=("healing",)))

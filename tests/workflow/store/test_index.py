@@ -5,9 +5,10 @@ import dataclasses
 import pytest
 
 from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
-from tests.support.small import random_result
+from tests.support.small import MAKER, random_result
 from workflow.store import journal
 from workflow.store.store import DamagedShard, Store
+from workflow.system import Maker
 
 
 @pytest.mark.parametrize("lost", [None, 0, 1, 2, 3, 4])
@@ -86,3 +87,25 @@ def test_a_part_whose_keys_do_not_match_its_checksum_is_not_taken_up(tmp_path):
     (tmp_path / journal.NAME).write_bytes(journal.lines_of(entries))
     assert held(Store(tmp_path)) == set()
     assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))
+
+
+def test_makers_are_those_of_the_blocks_that_are_asked_for(tmp_path):
+    other = Maker("python 3, numpy 3", "another processor")
+    first, later = (dataclasses.replace(BATCH, first_block=block, blocks=1) for block in (0, 1))
+    store = Store(tmp_path)
+    store.add([(first, random_result(first))])
+    store.add([(later, random_result(later)._replace(maker=other))])
+    key, *_, last = (task.key for task in BATCH.tasks)
+    for again in (store, Store(tmp_path)):
+        makers = again.index.makers_of
+        assert (makers({key: 1}), makers({key: 2})) == ({MAKER}, {MAKER, other})
+        assert makers({key: 1, last: 2}) == {MAKER, other}  # the most of any in the part
+        assert makers({key: 0}) == makers({"0" * 32: 9}) == makers({}) == set()
+
+
+def test_what_is_not_stored_is_not_found(tmp_path):
+    store, _ = filled(tmp_path, [BATCH])
+    with pytest.raises(KeyError):
+        store.index.find((BATCH.tasks[0].key, 99))
+    with pytest.raises(KeyError):
+        store.index.find(("0" * 32, 0))

@@ -80,3 +80,9 @@ def test_the_journal_tells_with_what_a_run_computes(tmp_path):
     (run,) = read(tmp_path)
     assert run.items() >= {"run": "a study", "versions": "numpy 2.4"}.items()
     assert run["processor"] == "a processor"
+
+
+def test_a_new_journal_begins_with_its_format_and_tells_it_once(tmp_path):
+    for _ in range(2):
+        Store(tmp_path).prepare()
+    assert read(tmp_path) == [{"format": journal.FORMAT}]
