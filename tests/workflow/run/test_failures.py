@@ -1,5 +1,7 @@
 """A failing chunk is split, tried alone, recorded by point; the rest of the study is finished."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 from distributed.scheduler import KilledWorker, WorkerState
@@ -29,6 +31,8 @@ def test_a_chunk_is_split_into_its_tasks(failures, error):
     assert parts == [((task,), 0, 4) for task in BATCH.tasks]
     assert sum(batch.seconds for batch in retried) == pytest.approx(BATCH.seconds)
     assert failures.lines() == []
+    pair = dataclasses.replace(BATCH, tasks=BATCH.tasks[:2])
+    assert [batch.tasks for batch in failures(pair, error, True)] == [(t,) for t in pair.tasks]
 
 
 def test_a_task_whose_worker_died_is_tried_alone_before_it_is_blamed(failures, capsys):
@@ -96,7 +100,7 @@ def test_a_failure_is_tried_again_when_asked_and_only_then(broken, finished, sch
 
 
 def test_no_result_is_written_after_too_many_failures(scheduler, tmp_path):
-    stopped = run(scheduler, tmp_path, max_failures=0, work=failing)
+    stopped = run(scheduler, tmp_path, work=failing)  # one is too many unless more are allowed
     assert not stopped.summary.written
     assert not stopped.path.exists()
     assert len(stopped.summary.failures) == 2

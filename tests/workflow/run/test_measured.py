@@ -1,10 +1,12 @@
 """A measured study is run: all its groups with their origin, or nothing at all."""
 
 import json
+import os
 
 import pytest
 import xarray as xr
 
+from workflow.errors import UserError
 from workflow.run.measured import run_measured
 from workflow.study.read import read_study
 
@@ -30,3 +32,17 @@ def test_an_interrupted_measurement_leaves_the_earlier_result(powers, tmp_path):
     with pytest.raises(KeyboardInterrupt):
         run_measured(read_study("powers"), result)
     assert result.read_bytes() == before
+
+
+def test_nothing_is_measured_where_the_result_could_not_be_written(powers, tmp_path):
+    (powers / "helper.py").write_text("def power(base, n):\n    raise AssertionError\n")
+    (tmp_path / "powers.nc").mkdir()
+    with pytest.raises(UserError, match=r"powers\.nc: cannot be written: Is a directory"):
+        run_measured(read_study("powers"), tmp_path / "powers.nc")
+
+
+def test_core_time_is_that_of_processors_not_of_the_clock(powers, tmp_path, monkeypatch):
+    hours = iter(range(9))
+    monkeypatch.setattr(os, "times", lambda: (1.0, 2.0, 3.0, 4.0, 3600.0 * next(hours)))
+    said = run_measured(read_study("powers"), tmp_path / "powers.nc").splitlines()
+    assert said[-1].startswith("0 s of core time used")

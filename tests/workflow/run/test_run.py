@@ -1,5 +1,6 @@
 """A run: the same bytes however it is cut, nothing computed twice, only what is asked."""
 
+import json
 import shutil
 
 import pytest
@@ -8,6 +9,8 @@ from tests.support.runs import run, shards
 from tests.support.shards import held
 from tests.support.small import all_records
 from workflow.errors import UserError
+from workflow.run.status import status_file
+from workflow.store import journal
 from workflow.store.store import Store, store_folder
 from workflow.system.lock import hold
 
@@ -34,6 +37,17 @@ def test_a_run_computes_everything_and_says_so(finished):
         assert (dataset.mu_1 > 0).all()
     names = {path.name for path in finished.path.parent.iterdir()}
     assert names == {"small.nc", "small.status.json", "store"}
+    assert json.loads(status_file(finished.path).read_text())["state"] == "finished"
+    begun = [entry for entry, _ in journal.entries(store_folder(finished.path)) if "run" in entry]
+    assert len(begun) == 1
+    assert 0.0 <= finished.summary.start <= finished.summary.wall < 3600.0
+
+
+def test_a_run_says_how_far_it_is(scheduler, tmp_path, capsys):
+    run(scheduler, tmp_path, "grid.hurst=0.7", "grid.velocity=0.1")
+    said = capsys.readouterr().err
+    assert "\ncomputing: 100%, 0 s left" in said
+    assert "\nfitting: 100%, 0 s left" in said
 
 
 def test_other_batches_give_the_same_bytes(finished, cut):

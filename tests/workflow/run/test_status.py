@@ -78,7 +78,8 @@ def test_what_the_journal_got_since_is_counted_by_the_reader_and_the_writer(plac
     assert written(place)["done"] == 0
     writer.end("interrupted")
     found = written(place)
-    assert (found["done"], found["state"], found["workers"]) == (16, "interrupted", 0)
+    assert (found["done"], found["state"]) == (16, "interrupted")
+    assert (found["workers"], found["running"]) == (0, 0)
     assert found["left"] == pytest.approx(3600.0)
 
 
@@ -121,6 +122,9 @@ def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):
     writer.write(1, 1)
     assert written(place)["done"] == 5
     assert "set aside" in capsys.readouterr().err
+    store.add([(BATCH, random_result(BATCH, 1))])
+    writer.end("running")
+    assert written(place)["done"] == 5 + 16  # not counted anew
 
 
 SPOILT = {

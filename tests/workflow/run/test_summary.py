@@ -59,3 +59,9 @@ def test_a_run_that_had_nothing_to_do_says_only_that():
 def test_prediction_is_compared_with_what_was_used():
     summary = dataclasses.replace(counted([0.0] * 6), used=15.0)
     assert "(factor 1.50)" in summary.lines(PLAN)[0]
+
+
+def test_a_summary_begins_with_nothing_done_by_one_worker():
+    begun = dict(vars(Summary()))
+    assert begun.pop("workers") == 1
+    assert not any(begun.values())
