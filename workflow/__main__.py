@@ -14,11 +14,15 @@ if __name__ == "__main__" and not SAFE:
     sys.path.remove(str(Path.cwd()))
     os.environ["PYTHONSAFEPATH"] = "1"
 
-from workflow.system import forgive_streams  # noqa: E402, the path comes first
+try:
+    from workflow.system import forgive_streams
 
-forgive_streams()
+    forgive_streams()
 
-from workflow.cli import main  # noqa: E402, the streams come first
+    from workflow.cli import main  # the streams come first
+except KeyboardInterrupt:  # importing takes seconds
+    print("aborted before anything was begun", file=sys.stderr)
+    sys.exit(130)
 
 if __name__ == "__main__":
     sys.exit(main())

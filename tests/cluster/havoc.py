@@ -17,7 +17,7 @@ from tests.cluster.slurm import NODES, Slurm
 from tests.cluster.stops import Stops
 from workflow.store import journal
 
-ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM}  # of drivers
+ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT}  # Ctrl-C: too early
 BATCH_SECONDS = "0.15"  # short, so that much can happen in a small study
 STOPPABLE = ("worker", "nanny", "scheduler", "worker of a job", "nanny of a job", "local worker")
 Weapon = Callable[[], bool]  # returns whether it found something to kill

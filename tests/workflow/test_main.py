@@ -1,4 +1,4 @@
-"""``python -m workflow`` in any folder: nothing of that folder is run."""
+"""``python -m workflow`` in any folder: nothing of it is run; interrupted at any time, one line."""
 
 import os
 import subprocess
@@ -26,3 +26,21 @@ def test_modules_of_the_working_folder_are_not_run_here_nor_in_workers(tmp_path)
     )
     assert done.returncode == 0, done.stderr
     assert (tmp_path / "small.nc").is_file()
+
+
+IMPATIENT = """
+import runpy, sys
+class CtrlC:
+    def find_spec(self, name, *_):
+        if name == "workflow.cli.commands":
+            raise KeyboardInterrupt
+sys.meta_path.insert(0, CtrlC())
+runpy.run_module("workflow", run_name="__main__")
+"""
+
+
+def test_ctrl_c_while_packages_are_imported_is_one_line():
+    words = [sys.executable, "-c", IMPATIENT, "run", "fig2"]
+    done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
+    assert (done.returncode, done.stdout) == (130, "")
+    assert done.stderr == "aborted before anything was begun\n"
