@@ -15,9 +15,10 @@ if __name__ == "__main__" and not SAFE:
     os.environ["PYTHONSAFEPATH"] = "1"
 
 try:
-    from workflow.system import forgive_streams
+    from workflow.system import THREADS, forgive_streams
 
     forgive_streams()
+    os.environ.update(THREADS)  # before numpy: what is computed here is what a worker computes
 
     from workflow.cli import main  # the streams come first
 except KeyboardInterrupt:  # importing takes seconds

@@ -12,8 +12,9 @@ import pytest
 from tests.cluster.processes import PATIENCE, Standing
 from tests.support.runs import run
 from tests.support.small import small_plan
-from workflow.cluster import worker as work
-from workflow.run.run import How, run_plan
+from workflow.run.run import run_plan
+from workflow.run.workers import How
+from workflow.simulate.realizations import block_means
 from workflow.study.cluster import Cluster
 
 pytestmark = pytest.mark.cluster
@@ -26,7 +27,7 @@ MARKER = "FIRST_BATCH"
 @pytest.fixture(scope="module")
 def expected(standing, tmp_path_factory):
     """Return the bytes of an undisturbed run."""
-    return run(standing.address, tmp_path_factory.mktemp("peace")).path.read_bytes()
+    return run(tmp_path_factory.mktemp("peace"), scheduler=standing.address).path.read_bytes()
 
 
 @contextlib.contextmanager
@@ -52,11 +53,11 @@ def small_group(pids):
         folder.rmdir()
 
 
-def hungry(batch, expected):
+def hungry(batch):
     """Run a batch, but take more memory than there is where there is little."""
     if "SMALL" in os.environ:
         assert len(bytearray(os.urandom(1)) * (2 * LIMIT)) == 2 * LIMIT
-    return work.run_batch(batch, expected)
+    return block_means(batch)
 
 
 def kills(file):
@@ -73,7 +74,7 @@ def test_what_runs_out_of_memory_on_one_node_is_computed_on_another(tmp_path, ex
             time.sleep(0.1)
         family = [nanny.pid, *(child.pid for child in nanny.children(recursive=True))]
         with small_group(family) as events:
-            found = run(cluster.address, tmp_path, work=hungry, batch_seconds=1e-3)
+            found = run(tmp_path, scheduler=cluster.address, work=hungry, batch_seconds=1e-3)
             assert kills(events) >= 1
             assert found.summary.failures == []
             assert found.path.read_bytes() == expected
@@ -82,13 +83,13 @@ def test_what_runs_out_of_memory_on_one_node_is_computed_on_another(tmp_path, ex
         cluster.stop()
 
 
-def outliving(batch, expected):
+def outliving(batch):
     """Run a batch; the first, once it has said where it is, would take forever."""
     with contextlib.suppress(FileExistsError), Path(os.environ[MARKER]).open("x") as file:
         file.write(f"{os.environ['SLURM_JOB_ID']} {os.environ['SLURMD_NODENAME']}\n")
         file.flush()
         time.sleep(1e4)
-    return work.run_batch(batch, expected)
+    return block_means(batch)
 
 
 ENDS = {

@@ -23,7 +23,7 @@ from tests.support.runs import ROOT, run
 from tests.support.shards import held
 from tests.support.small import all_records, small_plan
 from tests.tools.chaos import run_chaos
-from workflow.cluster import worker as work
+from workflow.simulate.realizations import block_means
 from workflow.store import journal
 from workflow.store.store import Store, store_folder
 
@@ -35,28 +35,28 @@ def test_kills_change_no_bit_and_lose_no_finished_work(tmp_path):
     assert report[0].startswith("8 kills and stops")
 
 
-def poisonous(batch, expected):
-    """Run a batch, but die of one problem; stands in for run_batch."""
+def poisonous(batch):
+    """Run a batch, but die of one problem; stands in for block_means."""
     if any(task.key == small_plan().variants[0].tasks[1].key for task in batch.tasks):
         os._exit(1)
-    return work.run_batch(batch, expected)
+    return block_means(batch)
 
 
 def test_the_poisonous_problem_alone_is_blamed_and_the_rest_computed(standing, tmp_path):
-    plan, _, path = run(standing.address, tmp_path, max_failures=1, work=poisonous)
+    plan, _, path = run(tmp_path, scheduler=standing.address, max_failures=1, work=poisonous)
     key = plan.variants[0].tasks[1].key
     store = Store(store_folder(path))
     assert list(store.failed) == [key]
     assert store.failed[key].startswith("its worker died 4 times")
     assert held(store) == {record for record in all_records(plan) if record[0] != key}
-    assert run(standing.address, tmp_path, retry_failed=True).summary.failures == []
+    assert run(tmp_path, scheduler=standing.address, retry_failed=True).summary.failures == []
 
 
-def sick(batch, expected):
-    """Stand in for run_batch; fail on a worker whose disk is broken."""
+def sick(batch):
+    """Stand in for block_means; fail on a worker whose disk is broken."""
     if "SICK" in os.environ:
         raise OSError(errno.EIO, os.strerror(errno.EIO))
-    return work.run_batch(batch, expected)
+    return block_means(batch)
 
 
 def test_a_sick_worker_fails_no_problem_and_is_left_out_and_named(tmp_path, capsys):
@@ -64,7 +64,7 @@ def test_a_sick_worker_fails_no_problem_and_is_left_out_and_named(tmp_path, caps
     try:
         with Client(cluster.address, timeout=PATIENCE) as client:
             client.wait_for_workers(2, timeout=PATIENCE)
-        found = run(cluster.address, tmp_path, batch_seconds=1e-3, work=sick)
+        found = run(tmp_path, scheduler=cluster.address, batch_seconds=1e-3, work=sick)
     finally:
         cluster.stop()
     assert found.summary.failures == []

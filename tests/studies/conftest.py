@@ -14,7 +14,7 @@ def fig7_folder(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def fig7(scheduler, fig7_folder) -> Groups:
+def fig7(fig7_folder) -> Groups:
     """Return the groups of figure 7: a rough and a smooth line, two loads and full contact."""
     settings = (
         "study.realizations=32",
@@ -22,4 +22,4 @@ def fig7(scheduler, fig7_folder) -> Groups:
         "grid.spacing=1e-5",
         "grid.velocity=[1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1]",  # x = 0.03 ... 31
     )
-    return run(scheduler, fig7_folder, "fig7", *settings)
+    return run(fig7_folder, "fig7", *settings)

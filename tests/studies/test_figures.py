@@ -21,10 +21,10 @@ SETTINGS = {  # what makes a study smaller than at smoke scale
 
 
 @pytest.fixture(scope="module")
-def results(scheduler, tmp_path_factory):
+def results(tmp_path_factory):
     """Run every study; return name -> groups of its result."""
     folder = tmp_path_factory.mktemp("studies")
-    return {name: run(scheduler, folder, name, *held) for name, held in SETTINGS.items()}
+    return {name: run(folder, name, *held) for name, held in SETTINGS.items()}
 
 
 @pytest.mark.parametrize("name", SETTINGS)

@@ -56,11 +56,11 @@ def test_a_curve_without_overlap_is_left_out():
 
 
 @pytest.fixture(scope="module")
-def groups(scheduler, tmp_path_factory):
+def groups(tmp_path_factory):
     """Return the groups of the study on a short line."""
     folder = tmp_path_factory.mktemp("master_curve")
     settings = ("grid.spacing=[2e-5, 1e-5]", "grid.normal_force={geomspace=[1e-3, 3e-2, 4]}")
-    return run(scheduler, folder, "master_curve", *settings)
+    return run(folder, "master_curve", *settings)
 
 
 @pytest.fixture(scope="module")

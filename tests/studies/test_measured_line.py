@@ -9,9 +9,9 @@ KINDS = ("", "random_phase", "self_affine")
 
 
 @pytest.fixture(scope="module")
-def result(scheduler, tmp_path_factory):
+def result(tmp_path_factory):
     """Return the groups of the study."""
-    return run(scheduler, tmp_path_factory.mktemp("measured"), "measured_line")
+    return run(tmp_path_factory.mktemp("measured"), "measured_line")
 
 
 @pytest.fixture(scope="module")

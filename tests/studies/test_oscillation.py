@@ -12,9 +12,9 @@ FORCE = 1.6  # N
 
 
 @pytest.fixture(scope="module")
-def groups(scheduler, tmp_path_factory):
+def groups(tmp_path_factory):
     """Return the groups of the study."""
-    return run(scheduler, tmp_path_factory.mktemp("oscillation"), "oscillation")
+    return run(tmp_path_factory.mktemp("oscillation"), "oscillation")
 
 
 @pytest.fixture(scope="module")

@@ -16,9 +16,9 @@ SLOW, FAST = 0, 1
 
 
 @pytest.fixture(scope="module")
-def result(scheduler, tmp_path_factory):
+def result(tmp_path_factory):
     """Return the groups of the study."""
-    return run(scheduler, tmp_path_factory.mktemp("rate_state"), "rate_state")
+    return run(tmp_path_factory.mktemp("rate_state"), "rate_state")
 
 
 @pytest.fixture(scope="module")

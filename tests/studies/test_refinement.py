@@ -10,10 +10,10 @@ VELOCITY = "grid.velocity=[4e-4, 1.25e-3, 4e-2, 4e-1]"  # x = 0.03, 0.1, 3, 31
 
 
 @pytest.fixture(scope="module")
-def groups(scheduler, tmp_path_factory):
+def groups(tmp_path_factory):
     """Return the groups of the study, without the axes of length 1."""
     folder = tmp_path_factory.mktemp("refinement")
-    found = run(scheduler, folder, "refinement", VELOCITY, variants=VARIANTS)
+    found = run(folder, "refinement", VELOCITY, variants=VARIANTS)
     return {name: data.squeeze() for name, data in found.items()}
 
 

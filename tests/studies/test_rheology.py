@@ -23,10 +23,10 @@ def study():
 
 
 @pytest.fixture(scope="module")
-def groups(scheduler, tmp_path_factory, study):
+def groups(tmp_path_factory, study):
     """Return the groups of the study on a short line, without the axes of length 1."""
     settings = (study, "surface.length=2.5e-4", "grid.normal_force=1.25e-3")
-    found = run(scheduler, tmp_path_factory.mktemp("rheology"), "rheology", *settings)
+    found = run(tmp_path_factory.mktemp("rheology"), "rheology", *settings)
     return {name: data.squeeze() for name, data in found.items()}
 
 

@@ -10,10 +10,10 @@ pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
 
 @pytest.fixture(scope="module")
-def groups(scheduler, tmp_path_factory):
+def groups(tmp_path_factory):
     """Return the groups of the study."""
     folder = tmp_path_factory.mktemp("holds")
-    return run(scheduler, folder, "slide_hold_slide", "study.realizations=24")
+    return run(folder, "slide_hold_slide", "study.realizations=24")
 
 
 @pytest.fixture(scope="module")

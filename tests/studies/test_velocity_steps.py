@@ -12,9 +12,9 @@ RATIOS = [0.1, 0.5, 1.0 / 1.2, 1.2, 2.0, 10.0]
 
 
 @pytest.fixture(scope="module")
-def groups(scheduler, tmp_path_factory):
+def groups(tmp_path_factory):
     """Return the groups of the study."""
-    return run(scheduler, tmp_path_factory.mktemp("steps"), "velocity_steps")
+    return run(tmp_path_factory.mktemp("steps"), "velocity_steps")
 
 
 @pytest.fixture(scope="module")

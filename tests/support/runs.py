@@ -13,10 +13,11 @@ import xarray as xr
 
 from tests.support.small import small_plan
 from workflow.plan.plan import Plan
-from workflow.run.run import How, run_plan
+from workflow.run.run import run_plan
 from workflow.run.summary import Summary
+from workflow.run.workers import How
 from workflow.store.store import store_folder
-from workflow.study.cluster import Cluster
+from workflow.study.cluster import LOCAL, Cluster
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE = 120.0  # seconds to wait for a process at most
@@ -36,14 +37,14 @@ class Run(NamedTuple):
 
 
 def run(
-    scheduler: str,
     folder: Path,
     *settings: str,
+    scheduler: str = LOCAL,
     scale: str | None = None,
     batch_seconds: float = 3.0,
     **how,
 ) -> Run:
-    """Run the small study with --set ``settings`` on the cluster of the tests."""
+    """Run the small study with --set ``settings``, in this process unless a scheduler is given."""
     plan, path = small_plan(*settings, scale=scale), folder / "small.nc"
     how = How(Cluster(scheduler), batch_seconds=batch_seconds, **how)
     return Run(plan, run_plan(plan, path, how), path)

@@ -1,36 +1,40 @@
 """The studies of this repository, run small and drawn."""
 
+import math
 from collections.abc import Sequence
 from dataclasses import replace
 from pathlib import Path
 
 import matplotlib as mpl
 import numpy as np
+import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
 from workflow.plan.plan import make_plan
 from workflow.reduce.fits import FITTED
 from workflow.report.figure import STYLE
-from workflow.run.run import How, run_plan
-from workflow.study.cluster import Cluster
+from workflow.run import workers
+from workflow.run.run import run_plan
+from workflow.run.workers import How
 from workflow.study.read import known_studies, read_study
 from workflow.study.scripts import load_script
 
 Groups = dict[str, xr.Dataset]
 
 
-def run(
-    scheduler: str, folder: Path, name: str, *settings: str, variants: Sequence[str] = ()
-) -> Groups:
+def run(folder: Path, name: str, *settings: str, variants: Sequence[str] = ()) -> Groups:
     """Run a study at smoke scale with --set ``settings``; return the groups of its result.
 
-    variants : those to compute, all by default.
+    It is computed in this process, whatever is predicted. variants : those to compute, all by
+    default.
     """
     study = read_study(name, "smoke", list(settings))
     chosen = {label: study.variants[label] for label in variants or study.variants}
     path = folder / f"{name}.nc"
-    run_plan(make_plan(replace(study, variants=chosen)), path, How(Cluster(scheduler)))
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(workers, "SECONDS_HERE", math.inf)
+        run_plan(make_plan(replace(study, variants=chosen)), path, How())
     return load(path)
 
 

@@ -13,8 +13,7 @@ from tests.support.powers import write_powers
 from tests.support.results import FIGURE
 from tests.support.runs import Run, run
 from tests.support.small import write_study
-from workflow.plan import machine
-from workflow.plan.cost import TYPICAL
+from workflow.plan.cost import TYPICAL, machine
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -65,9 +64,9 @@ def client(local) -> Iterator[Client]:
 
 
 @pytest.fixture(scope="session")
-def finished(scheduler, tmp_path_factory) -> Run:
-    """Return the small study run on two workers. Leave its folder as it is."""
-    return run(scheduler, tmp_path_factory.mktemp("finished"))
+def finished(tmp_path_factory) -> Run:
+    """Return the small study run in this process. Leave its folder as it is."""
+    return run(tmp_path_factory.mktemp("finished"))
 
 
 @pytest.fixture

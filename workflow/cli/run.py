@@ -23,7 +23,7 @@ def add_run_options(command: argparse.ArgumentParser) -> None:
         text = f"compute in jobs of {name.upper()}, see the table [cluster]"
         add(f"--{name}", action="store_const", const=name, dest="batch_system", help=text)
     add("--dashboard", action="store_true", help="start dask's dashboard and say where it is")
-    add("--workers", type=int, help="local worker processes (all cores)")
+    add("--workers", type=int, help="local worker processes (one per core, none for seconds)")
     add("--batch-seconds", type=float, help="predicted length of a batch (1 to 10)")
     add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
     add("--retry-failed", action="store_true", help="try what failed in earlier runs again")

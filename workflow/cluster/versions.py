@@ -1,6 +1,5 @@
 """The same program everywhere: what results depend on, compared before a worker does work."""
 
-import hashlib
 import platform
 import socket
 from functools import cache
@@ -10,10 +9,9 @@ from distributed import Client
 from workflow.cluster.calls import Call, patiently
 from workflow.cluster.watch import NO_ANSWER, Watch
 from workflow.errors import UserError
-from workflow.system import ROOT, version_of
+from workflow.system import our_sources, version_of
 
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")
-FOLDERS = ("kernels", "workflow")
 ANSWER_SECONDS = 10.0  # to wait for the answers of all workers
 
 Versions = dict[str, str]  # what a process runs
@@ -22,11 +20,8 @@ Versions = dict[str, str]  # what a process runs
 @cache
 def own_versions() -> Versions:
     """Return what this process runs; the hash of our own sources is last."""
-    digest = hashlib.sha256()
-    for source in sorted(path for name in FOLDERS for path in (ROOT / name).rglob("*.py")):
-        digest.update(source.relative_to(ROOT).as_posix().encode() + source.read_bytes())
     found = {name: version_of(name) for name in PACKAGES}
-    return found | {"python": platform.python_version(), "our sources": digest.hexdigest()[:16]}
+    return found | {"python": platform.python_version(), "our sources": our_sources()}
 
 
 def require(expected: Versions) -> None:

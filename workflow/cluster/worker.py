@@ -19,10 +19,12 @@ def dask_setup(worker: Worker) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
-def run_batch(batch: Batch, expected: Versions) -> BatchResult:
-    """Run a batch, if this process runs what the driver runs (else UserError)."""
+def run_batch(
+    batch: Batch, expected: Versions, work: Callable[[Batch], BatchResult] = block_means
+) -> BatchResult:
+    """Do the work of a batch, if this process runs what the driver runs (else UserError)."""
     require(expected)
-    return block_means(batch)
+    return work(batch)
 
 
 def placed(item: Any, function: Callable) -> tuple[str, Any]:

@@ -17,10 +17,9 @@ if TYPE_CHECKING:
         total_records,
         total_seconds,
     )
-    from workflow.plan.cost import Timings
+    from workflow.plan.cost import Timings, this_machine
     from workflow.plan.error_laws import LAWS, first_order_rate_error, known, rate_error
     from workflow.plan.goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
-    from workflow.plan.machine import this_machine
     from workflow.plan.plan import Plan, make_plan
     from workflow.plan.problems import line_slope, speed_ratio
     from workflow.plan.resolution import FIRST_ORDER, horizon_steps, steps_per_spacing

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
         differing_settings,
         listed,
         open_result,
+        peek,
         result_file,
         write_datasets,
     )

@@ -8,7 +8,9 @@ import json
 import sys
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
 
 from workflow.errors import UserError
 from workflow.simulate import CODE
@@ -94,6 +96,33 @@ def open_result(
     if lacking:
         raise UserError(f"{path}: is no result of a grid: it has no axis {', '.join(lacking)}")
     return groups
+
+
+class Peek(NamedTuple):
+    """What a result says of itself at a glance."""
+
+    attributes: dict[str, Any]
+    realizations: dict[str, np.ndarray]  # of each point, by label of the variant
+
+
+def peek(path: Path) -> Peek | None:
+    """Return what a result says of itself, or None where it is none or any number is damaged.
+
+    All of it is read, as every variable carries a checksum, but nothing is made of it.
+    """
+    import netCDF4
+
+    found = {}
+    try:
+        with netCDF4.Dataset(path) as file:
+            file.set_auto_mask(False)
+            attributes = {name: file.getncattr(name) for name in file.ncattrs()}
+            for label, group in {ROOT: file, **file.groups}.items():
+                values = {name: variable[:] for name, variable in group.variables.items()}
+                found[label] = values["realizations"]
+    except (AttributeError, LookupError, OSError, RuntimeError):
+        return None
+    return Peek(attributes, found)
 
 
 def check_result(study: AnyStudy, path: Path, *, asked: bool) -> None:

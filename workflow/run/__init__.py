@@ -9,7 +9,8 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.run.measured import run_measured
-    from workflow.run.run import How, run_plan
+    from workflow.run.run import run_plan
     from workflow.run.status import read_status, result_line, status_lines
+    from workflow.run.workers import How
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -2,48 +2,40 @@
 
 import time
 from collections.abc import Iterator
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
-from distributed import Client
 
-from workflow.cluster import Watch, stream
+from workflow import reduce, result  # slow to import: what is needed of them is, when it is used
+from workflow.cluster import Watch
 from workflow.errors import UserError
 from workflow.plan import JACKKNIFE_GROUPS, Plan, Variant
-from workflow.reduce import (
-    Attained,
-    Blocks,
-    Estimates,
-    attained,
-    blocks_of,
-    completed,
-    exponents_of,
-    grouped_means,
-    reduce_blocks,
-)
-from workflow.result import build_dataset
 from workflow.run.summary import Summary
+from workflow.run.workers import Workers, fit_seconds
 from workflow.simulate import Task
 from workflow.store import Store
 from workflow.system import Reporter
 
+if TYPE_CHECKING:
+    from workflow.reduce import Attained, Blocks, Estimates
+    from workflow.result import Groups
+
 TASKS_PER_REDUCTION = 32
-SECONDS_PER_FIT = 4e-4
 
 
 class Collector:
     """Reduces stored block means on the workers, those of a task once."""
 
     def __init__(
-        self, client: Client, store: Store, plan: Plan, summary: Summary, watch: Watch
+        self, workers: Workers, store: Store, plan: Plan, summary: Summary, watch: Watch
     ) -> None:
         """``watch`` : tells when to give up."""
-        self.client, self.store, self.plan = client, store, plan
+        self.workers, self.store, self.plan = workers, store, plan
         self.summary, self.watch = summary, watch
         self.widths = {variant.label: plan.widest_row(variant) for variant in plan.variants}
         self.fitted = {variant.label: Fitted(variant) for variant in plan.variants}
 
-    def datasets(self, blocks: dict[str, int]) -> dict[str, xr.Dataset]:
+    def datasets(self, blocks: dict[str, int]) -> "Groups":
         """Return label -> dataset of every variant, from ``blocks`` of each task (by key).
 
         Tasks that failed are marked: estimates NaN, flags -1, realizations 0. Empty if
@@ -58,8 +50,8 @@ class Collector:
             if not self.fit(variant, sound, blocks, "fitting"):
                 return {}
             estimates = self._complete(variant, np.array(sound), blocks)
-            exponents = exponents_of(self.plan, variant, estimates)
-            datasets[variant.label] = build_dataset(self.plan, variant, estimates, exponents)
+            exponents = reduce.exponents_of(self.plan, variant, estimates)
+            datasets[variant.label] = result.build_dataset(self.plan, variant, estimates, exponents)
         return datasets
 
     def fit(self, variant: Variant, rows: list[int], blocks: dict[str, int], what: str) -> bool:
@@ -74,23 +66,22 @@ class Collector:
         groups = {row: min(counts[row], JACKKNIFE_GROUPS) for row in open_rows}
         portions = _portions(groups)
 
-        def load() -> Iterator[tuple[list[int], Blocks]]:
+        def load() -> "Iterator[tuple[list[int], Blocks]]":
             for portion in portions:
                 with self.summary.filing():
                     loaded = self._load(variant, [variant.tasks[row] for row in portion], blocks)
                 yield portion, loaded
 
-        marched = self.plan.asked.relaxation
-        seconds_of = {row: (groups[row] + 1) * marched * SECONDS_PER_FIT for row in open_rows}
+        seconds_of = {row: fit_seconds(self.plan, groups[row]) for row in open_rows}
         with Reporter(what, sum(seconds_of.values())) as reporter:
-            work = stream(self.client, _reduce_portion, load(), self.watch)
+            work = self.workers.stream(_reduce_portion, load(), self.watch)
             for (portion, _), (estimates, seconds) in work:
                 fitted.enter(portion, estimates, [counts[row] for row in portion])
                 self.summary.phases["fits"] += seconds
                 reporter.advance(sum(seconds_of[row] for row in portion))
         return not self.watch()
 
-    def attained(self, variant: Variant, rows: list[int]) -> Attained:
+    def attained(self, variant: Variant, rows: list[int]) -> "Attained":
         """Return which accuracy the fitted tasks at some rows have; for a variant with goals."""
         tasks = [variant.tasks[row] for row in rows]
         estimates = self.fitted[variant.label].at(rows)
@@ -98,9 +89,10 @@ class Collector:
         ratios = np.array([task.problem.ratio for task in tasks])
         each = self.plan.study.realizations_per_block
         realizations = each * self.fitted[variant.label].blocks[rows]
-        return attained(estimates, goals, ratios, variant.numerics.accuracy or 0.0, realizations)
+        wanted = variant.numerics.accuracy or 0.0
+        return reduce.attained(estimates, goals, ratios, wanted, realizations)
 
-    def _complete(self, variant: Variant, sound: np.ndarray, blocks: dict[str, int]) -> Estimates:
+    def _complete(self, variant: Variant, sound: np.ndarray, blocks: dict[str, int]) -> "Estimates":
         """Return all that the result says of each task, sound rows from their fits."""
         rows, tasks = sound.tolist(), variant.tasks
         estimates = self.fitted[variant.label].at(rows)
@@ -111,18 +103,18 @@ class Collector:
         each = self.plan.study.realizations_per_block
         counts = np.zeros(len(tasks), np.int32)
         counts[sound] = [blocks[tasks[row].key] * each for row in rows]
-        return completed(self.plan, variant, estimates, sound, counts)
+        return reduce.completed(self.plan, variant, estimates, sound, counts)
 
-    def _load(self, variant: Variant, tasks: list[Task], blocks: dict[str, int]) -> Blocks:
+    def _load(self, variant: Variant, tasks: list[Task], blocks: dict[str, int]) -> "Blocks":
         groups = min(blocks[tasks[0].key], JACKKNIFE_GROUPS)  # of all, see _portions
         records = [(task.key, block) for task in tasks for block in range(blocks[task.key])]
         ends = np.cumsum([blocks[task.key] for task in tasks])[:-1]
         read = self.store.read(records, self.widths[variant.label])
         scalars, rows = (
-            np.stack([grouped_means(own, groups) for own in np.split(whole, ends)])
+            np.stack([reduce.grouped_means(own, groups) for own in np.split(whole, ends)])
             for whole in read
         )
-        return blocks_of(self.plan, variant, tasks, scalars, rows)
+        return reduce.blocks_of(self.plan, variant, tasks, scalars, rows)
 
 
 class Fitted:
@@ -132,7 +124,7 @@ class Fitted:
         self.blocks = np.zeros(len(variant.tasks), int)  # from how many; 0: not fitted
         self.arrays: Estimates = {}
 
-    def enter(self, rows: list[int], estimates: Estimates, blocks: list[int]) -> None:
+    def enter(self, rows: list[int], estimates: "Estimates", blocks: list[int]) -> None:
         """Take the estimates of some tasks."""
         for name, values in estimates.items():
             if name not in self.arrays:
@@ -140,7 +132,7 @@ class Fitted:
             self.arrays[name][rows] = values
         self.blocks[rows] = blocks
 
-    def at(self, rows: list[int]) -> Estimates:
+    def at(self, rows: list[int]) -> "Estimates":
         """Return the estimates of some tasks, all fitted; not to be written to."""
         if rows == list(range(self.blocks.size)):
             return dict(self.arrays)  # not copied: curves of 1e5 points are large
@@ -159,7 +151,7 @@ def _portions(groups: dict[int, int]) -> list[list[int]]:
     return [rows[i : i + size] for rows in alike.values() for i in range(0, len(rows), size)]
 
 
-def _reduce_portion(portion: tuple[list[int], Blocks]) -> tuple[Estimates, float]:
+def _reduce_portion(portion: "tuple[list[int], Blocks]") -> "tuple[Estimates, float]":
     began = time.thread_time()
-    estimates = reduce_blocks(portion[1])
+    estimates = reduce.reduce_blocks(portion[1])
     return estimates, time.thread_time() - began

@@ -4,8 +4,6 @@ import dataclasses
 import sys
 from typing import Any
 
-from distributed.scheduler import KilledWorker
-
 from workflow.errors import UserError
 from workflow.plan import Plan
 from workflow.simulate import Batch, Task
@@ -34,7 +32,7 @@ class Failures:
             raise error
         if isinstance(error, ImportError):
             raise UserError(f"a worker cannot work: {error}") from error
-        if len(batch.tasks) > 1 or (isinstance(error, KilledWorker) and not alone):
+        if len(batch.tasks) > 1 or (_killed(error) and not alone):
             each = batch.seconds / len(batch.tasks)
             return [dataclasses.replace(batch, tasks=(t,), seconds=each) for t in batch.tasks]
         self._record(batch, error)
@@ -66,11 +64,17 @@ class Failures:
         (task,) = batch.tasks
         if task.key in self.store.failed:
             return  # in another block, meanwhile
-        if isinstance(error, KilledWorker):
-            why = f"its worker died {error.allowed_failures + 1} times"
+        if _killed(error):
+            why = f"its worker died {getattr(error, 'allowed_failures', 0) + 1} times"
         else:
             why = f"{type(error).__name__}: {error}".splitlines()[0]
         last = batch.first_block + batch.blocks - 1
         self.store.record_failure(task.key, f"{why} (blocks {batch.first_block}-{last})")
         self.fresh += 1
         print(f"failed: {self.where(task)}: {self.store.failed[task.key]}", file=sys.stderr)
+
+
+def _killed(error: Exception) -> bool:
+    """Return whether a worker died; where there are none, what knows of them is not loaded."""
+    scheduler = sys.modules.get("distributed.scheduler")
+    return scheduler is not None and isinstance(error, scheduler.KilledWorker)

@@ -1,17 +1,16 @@
 """Run a plan: compute what is missing, store it as it finishes, reduce, write the result."""
 
 import time
-from collections.abc import Callable
 from functools import partial
 from operator import attrgetter
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING
 
-from distributed import Client
-
-from workflow.cluster import Watch, check_versions, open_client, own_versions, run_batch, stream
+from workflow import result as results
+from workflow.cluster import Watch
 from workflow.errors import UserError
 from workflow.plan import (
+    JACKKNIFE_GROUPS,
     Missing,
     Plan,
     batch_target,
@@ -21,16 +20,17 @@ from workflow.plan import (
     total_records,
     total_seconds,
 )
-from workflow.result import Groups, made_by, write_datasets
 from workflow.run.collect import Collector
 from workflow.run.failures import Failures
+from workflow.run.key import KEY, is_unchanged, result_key
 from workflow.run.makers import require_one
 from workflow.run.rounds import Rounds
 from workflow.run.status import Status, StatusWriter, identity, status_file
-from workflow.run.summary import Summary, accuracy_lines
-from workflow.simulate import BatchResult, load_kernels
+from workflow.run.summary import Summary
+from workflow.run.workers import How, Workers, fit_seconds, open_workers
+from workflow.simulate import load_kernels
 from workflow.store import DamagedShard, Shelf, Store, store_folder
-from workflow.study import HERE, LOCAL, Cluster
+from workflow.study import LOCAL
 from workflow.system import (
     Interrupt,
     Patience,
@@ -40,27 +40,13 @@ from workflow.system import (
     hold,
     package_versions,
     processor,
+    saying_what_compiles,
 )
 
+if TYPE_CHECKING:  # slow to import; computing needs nothing of it
+    from workflow.result import Groups
+
 ATTEMPTS = 3  # at a result, when shards turn out damaged
-
-
-class How(NamedTuple):
-    """How to run a plan; no number of the result depends on it.
-
-    batch_seconds : predicted length of a batch; by default it grows with the study.
-    work : what a worker does with a batch; a test may let it do something else.
-    """
-
-    cluster: Cluster = HERE
-    workers: int | None = None  # processes of this machine; None: one per core
-    dashboard: bool = False
-    batch_seconds: float | None = None
-    max_failures: int = 0
-    retry_failed: bool = False
-    one_kind: bool = False  # refuse to mix records of several makers
-    no_lock: bool = False  # go on where the file system has no locks
-    work: Callable[..., BatchResult] = run_batch
 
 
 def run_plan(plan: Plan, result: Path, how: How) -> Summary:
@@ -71,16 +57,13 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
     """
     began = time.monotonic()
     folder = store_folder(result)
-    with hold(folder, without=how.no_lock):
+    with hold(folder, without=how.no_lock), saying_what_compiles():
         run = _Run(plan, result, how)
-        if run.missing and how.cluster.where == LOCAL:  # workers elsewhere compile for themselves
-            for variant in plan.variants:
-                load_kernels(variant.numerics.scheme, plan.asked)
-        where = (how.cluster, how.workers, how.dashboard, run.watch)
-        with run.interrupt, open_client(*where) as client:
-            check_versions(client, run.watch)
-            run.summary.start = time.monotonic() - began
-            run.finish(client)
+        if not run.is_done():
+            run.load_kernels()
+            with run.interrupt, open_workers(how, run.seconds(), run.watch) as workers:
+                run.summary.start = time.monotonic() - began
+                run.finish(workers)
     run.summary.wall = time.monotonic() - began
     return run.summary
 
@@ -110,27 +93,47 @@ class _Run:
         status = Status(name, plan.records, done, left, failed)
         self.status = StatusWriter(result, store.folder, status, self._extent)
 
-    def finish(self, client: Client) -> None:
+    def is_done(self) -> bool:
+        """Return whether the result is there and would be written the same again; then say so."""
+        if not is_unchanged(self.plan, self.store, self.failures, self.result, self.missing):
+            return False
+        self.summary.written = self.summary.unchanged = True
+        self.summary.say_accuracy(self.plan, self.result)
+        self.summary.failures = self.failures.lines()
+        self.status.end("finished")
+        return True
+
+    def seconds(self) -> float:
+        """Return the predicted core-seconds of all that is left, fits as well."""
+        groups = (min(blocks, JACKKNIFE_GROUPS) for blocks in self.plan.expected.values())
+        return total_seconds(self.missing) + sum(fit_seconds(self.plan, each) for each in groups)
+
+    def load_kernels(self) -> None:
+        """Load or compile what is needed, once for all processes of this machine."""
+        if self.missing and self.how.cluster.where == LOCAL:  # others compile for themselves
+            for variant in self.plan.variants:
+                load_kernels(variant.numerics.scheme, self.plan.asked)
+
+    def finish(self, workers: Workers) -> None:
         """Compute, collect and write; the status says how it ended, whatever happens."""
         state = "ended early"
         try:
             with self.watch.telling(self._look):
-                datasets = self._datasets(client)
+                datasets = self._datasets(workers)
             if datasets:
                 with self.summary.filing():
-                    self.patience(partial(write_datasets, self.result, datasets))
+                    self.patience(partial(results.write_datasets, self.result, datasets))
                 self.summary.written = True
-                for label, dataset in datasets.items():
-                    self.summary.accuracy += accuracy_lines(label, dataset)
+                self.summary.say_accuracy(self.plan, self.result)
             state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"
         finally:
             self.summary.interrupted = self.interrupt() and not self.summary.written
             self.summary.failures = self.failures.lines()
             self.status.end(state)
 
-    def _datasets(self, client: Client) -> Groups:
+    def _datasets(self, workers: Workers) -> "Groups":
         """Compute what is missing, then collect; once more where shards turn out damaged."""
-        collector = Collector(client, self.store, self.plan, self.summary, self.watch)
+        collector = Collector(workers, self.store, self.plan, self.summary, self.watch)
         missing = self.missing if self.plan.first == self.plan.expected else None
         for _ in range(ATTEMPTS):
             rounds = Rounds(self.plan)
@@ -138,7 +141,7 @@ class _Run:
                 while True:
                     if missing is None:
                         missing = missing_work(self.plan, self.failures, rounds.blocks)
-                    self._compute(client, missing)
+                    self._compute(workers, missing)
                     missing = None
                     if self._stops():
                         return {}
@@ -150,20 +153,20 @@ class _Run:
             f"{self.store.folder}: shards were damaged {ATTEMPTS} times; is the disk sound?"
         )
 
-    def _marked(self, datasets: Groups, blocks: dict[str, int]) -> Groups:
-        """Return the datasets with what computed their records."""
+    def _marked(self, datasets: "Groups", blocks: dict[str, int]) -> "Groups":
+        """Return the datasets with what computed their records, and what they are known by."""
         sound = {key: count for key, count in blocks.items() if key not in self.store.failed}
         makers = self.store.index.makers_of(sound)
         require_one(makers, self.how.one_kind)
-        return {label: data.assign_attrs(made_by(makers)) for label, data in datasets.items()}
+        said = results.made_by(makers) | {KEY: result_key(self.plan, self.store, blocks)}
+        return {label: data.assign_attrs(said) for label, data in datasets.items()}
 
-    def _compute(self, client: Client, missing: list[Missing]) -> None:
+    def _compute(self, workers: Workers, missing: list[Missing]) -> None:
         """Compute and store what is missing."""
         target = self.how.batch_seconds or batch_target(total_seconds(missing))
         target = min(target, self.how.cluster.longest_batch)
         pieces = cut(self.plan, missing, target)
         work = make_batches(self.plan, pieces, target)
-        function = partial(self.how.work, expected=own_versions())
         reporter = Reporter("computing", total_seconds(pieces))
         with reporter, Shelf(self.store, target) as shelf:
 
@@ -175,7 +178,7 @@ class _Run:
 
             with self.watch.telling(look):
                 predicted = attrgetter("seconds")
-                streamed = stream(client, function, work, self.watch, self.failures, predicted)
+                streamed = workers.stream(workers.work, work, self.watch, self.failures, predicted)
                 for batch, done in streamed:
                     self.makers.add(done.maker)
                     require_one(self.makers, self.how.one_kind)

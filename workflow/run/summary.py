@@ -3,17 +3,22 @@
 import time
 from collections import defaultdict
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from dataclasses import dataclass, field
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import numpy as np
-import xarray as xr
 
+from workflow import reduce
+from workflow import result as results
 from workflow.plan import Plan
-from workflow.reduce import MET_WHERE_DEFINED, MISSED
 from workflow.simulate import PHASES, Batch, BatchResult
 from workflow.study import AXES
-from workflow.system import duration, peak_bytes
+from workflow.system import counted, duration, peak_bytes
+
+if TYPE_CHECKING:
+    import xarray as xr
 
 COSTLIEST = 3  # points shown
 SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")
@@ -34,6 +39,7 @@ class Summary:
     peak: int = 0  # bytes, of the largest worker
     interrupted: bool = False
     written: bool = False  # the result file
+    unchanged: bool = False  # it was there before
     failures: list[str] = field(default_factory=list)  # a table
     accuracy: list[str] = field(default_factory=list)  # what was reached, by variant
     phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))
@@ -58,6 +64,13 @@ class Summary:
         yield
         self.files += time.monotonic() - began
 
+    def say_accuracy(self, plan: Plan, result: Path) -> None:
+        """Note at how many points a result that is written has the accuracy asked for, if any."""
+        if any(variant.goals for variant in plan.variants):
+            with ExitStack() as stack:
+                for label, dataset in results.open_result(plan.study, result, stack).items():
+                    self.accuracy += accuracy_lines(label, dataset)
+
     def lines(self, plan: Plan) -> list[str]:
         """Return the report of a run, line by line."""
         found = [
@@ -65,6 +78,8 @@ class Summary:
             f"reused; {duration(self.used)} of core time used, {duration(self.predicted)} predicted"
             + (f" (factor {self.used / self.predicted:.2f})" if self.predicted else "")
         ]
+        if self.unchanged:
+            found.append("the result is there already, of the same study, program and records")
         if self.batches:
             found += [self._where(), self._memory(plan), *self._costliest(plan)]
         return found + self.accuracy
@@ -75,7 +90,7 @@ class Summary:
         shares = {**self.phases, "scheduling, waiting": whole - sum(self.phases.values())}
         shown = ", ".join(f"{name} {max(part, 0.0) / whole:.0%}" for name, part in shares.items())
         return (
-            f"start {self.start:.0f} s; then {self.workers} workers: {shown}; "
+            f"start {self.start:.0f} s; then {counted(self.workers, 'worker')}: {shown}; "
             f"files {self.files:.1f} s in the driver"
         )
 
@@ -99,18 +114,19 @@ class Summary:
         return ["points that cost most:", *lines]
 
 
-def accuracy_lines(label: str, dataset: xr.Dataset) -> list[str]:
+def accuracy_lines(label: str, dataset: "xr.Dataset") -> list[str]:
     """Return in words at how many points a dataset has the accuracy that was asked for."""
     if "accuracy_status" not in dataset:
         return []
     status = dataset.accuracy_status.values
     wanted = dataset.attrs["accuracy"]
+    met, partly = np.sum(status > reduce.MISSED), np.sum(status == reduce.MET_WHERE_DEFINED)
     line = (
-        f"accuracy {wanted:.3g} {label}: met at {np.sum(status > MISSED)} of {status.size} points"
-        f" ({np.sum(status == MET_WHERE_DEFINED)} of them have no rate, or no jump, to be known)"
+        f"accuracy {wanted:.3g} {label}: met at {met} of {status.size} points"
+        f" ({partly} of them have no rate, or no jump, to be known)"
     )
-    missed = dataset.accuracy_reached.where(dataset.accuracy_status == MISSED)
-    if not (status == MISSED).any():
+    missed = dataset.accuracy_reached.where(dataset.accuracy_status == reduce.MISSED)
+    if not (status == reduce.MISSED).any():
         return [line]
     worst = missed.argmax(...)
     index = dataset.isel(worst)

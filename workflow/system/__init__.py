@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
+    from workflow.system.compiling import saying_what_compiles
     from workflow.system.files import (
         append_durably,
         check_place,
@@ -23,14 +24,15 @@ if TYPE_CHECKING:
     from workflow.system.packages import (
         ROOT,
         Maker,
+        our_sources,
         package_versions,
         processor,
         this_maker,
         version_of,
     )
     from workflow.system.patience import Patience
-    from workflow.system.process import WORKER_ENVIRONMENT, Interrupt, peak_bytes
-    from workflow.system.progress import Reporter, duration
+    from workflow.system.process import THREADS, WORKER_ENVIRONMENT, Interrupt, peak_bytes
+    from workflow.system.progress import Reporter, counted, duration
     from workflow.system.terminal import forgive_streams
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -1,6 +1,7 @@
 """What this process runs: versions of packages, and the processor."""
 
 import contextlib
+import hashlib
 import platform
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
@@ -8,6 +9,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
+FOLDERS = ("kernels", "workflow")  # of our sources
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
 COMPUTING = ("numpy", "numba", "llvmlite")  # on whose versions the bits of records may depend
 
@@ -30,6 +32,15 @@ def version_of(package: str) -> str:
 def package_versions() -> str:
     """Return the versions of the packages that take part, in words."""
     return ", ".join(f"{name} {version_of(name)}" for name in PACKAGES)
+
+
+@cache
+def our_sources() -> str:
+    """Return a short hash over all our source files: the same program has the same."""
+    digest = hashlib.sha256()
+    for source in sorted(path for name in FOLDERS for path in (ROOT / name).rglob("*.py")):
+        digest.update(source.relative_to(ROOT).as_posix().encode() + source.read_bytes())
+    return digest.hexdigest()[:16]
 
 
 def processor() -> str:

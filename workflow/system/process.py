@@ -51,11 +51,13 @@ def peak_bytes() -> int:
     return resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * unit
 
 
+# Libraries must not start threads of their own: cores are shared out, and sums keep their order.
+THREADS = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "MKL", "OPENBLAS", "NUMBA")}
 # How a worker process is set up. Kernels allocate the same large arrays again and again: keep them
 # in the process. With dask's own setting (trim at 64 KiB) page faults cost as much time as the
-# kernels. Libraries must not start threads of their own.
+# kernels.
 WORKER_ENVIRONMENT = {
     "MALLOC_TRIM_THRESHOLD_": str(2**28),
     "MALLOC_MMAP_THRESHOLD_": str(2**25),
-    **{f"{library}_NUM_THREADS": "1" for library in ("OMP", "MKL", "OPENBLAS", "NUMBA")},
+    **THREADS,
 }

@@ -46,7 +46,7 @@ class Reporter:
 
     def beat(self, workers: int, failed: int) -> None:
         """Note who works; say so from time to time even when nothing is finished."""
-        self.crew = f", {workers} workers" + (f", {failed} failed" if failed else "")
+        self.crew = f", {counted(workers, 'worker')}" + (f", {failed} failed" if failed else "")
         self._show()
 
     def _show(self) -> None:
@@ -59,6 +59,11 @@ class Reporter:
             left = f", {duration((now - self.began) * (1.0 / share - 1.0))} left" if share else ""
             print(f"{self.what}: {share:4.0%}{left}{self.crew}", file=sys.stderr, flush=True)
             self.last_time, self.last_share = now, share
+
+
+def counted(number: int, thing: str) -> str:
+    """Return a number of things in words: 1 worker, 2 workers."""
+    return f"{number} {thing}{'s' * (number != 1)}"
 
 
 def duration(seconds: float) -> str:

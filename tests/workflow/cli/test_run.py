@@ -7,8 +7,8 @@ from workflow.cli import main
 from workflow.cli.run import resume_line
 
 
-def test_run_reports_what_it_did(capsys, study, scheduler, tmp_path):
-    arguments = ["run", study, "--out", str(tmp_path / "mine.nc"), "--scheduler", scheduler]
+def test_run_reports_what_it_did(capsys, study, tmp_path):
+    arguments = ["run", study, "--out", str(tmp_path / "mine.nc")]
     assert main(arguments) == 0
     out, err = capsys.readouterr()
     assert out.splitlines()[-1] == str(tmp_path / "mine.nc")

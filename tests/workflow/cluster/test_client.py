@@ -16,7 +16,8 @@ from workflow.cluster import client as module
 from workflow.cluster.client import open_client
 from workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
 from workflow.errors import UserError
-from workflow.run.run import How, run_plan
+from workflow.run.run import run_plan
+from workflow.run.workers import How
 from workflow.study.cluster import Cluster
 
 

@@ -6,6 +6,7 @@ from workflow.cluster import versions as module
 from workflow.cluster.versions import check_versions, own_versions, require
 from workflow.cluster.watch import Watch
 from workflow.errors import UserError
+from workflow.system import packages
 
 
 def other(name, value):
@@ -21,10 +22,11 @@ def test_same_versions_of_packages_python_and_our_own_sources_are_accepted(clien
 
 
 def test_an_edit_is_another_version(tmp_path, monkeypatch):
-    for name in module.FOLDERS:
+    for name in packages.FOLDERS:
         (tmp_path / name / "room").mkdir(parents=True)
         (tmp_path / name / "room" / "a.py").write_text("x = 1\n")
-    monkeypatch.setattr(module, "ROOT", tmp_path)
+    monkeypatch.setattr(packages, "ROOT", tmp_path)
+    monkeypatch.setattr(module, "our_sources", packages.our_sources.__wrapped__)
     before = own_versions.__wrapped__()
     (tmp_path / "kernels" / "room" / "a.py").write_text("x = 2\n")
     after = own_versions.__wrapped__()

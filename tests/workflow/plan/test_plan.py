@@ -1,9 +1,6 @@
 """The plan: every missing record exactly once, stable keys, additive prediction."""
 
-import pytest
-
 from tests.support.small import all_records, keys, small_plan
-from workflow.plan import variant
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 PLAN = small_plan(*GRID)
@@ -26,55 +23,6 @@ def test_memory_follows_the_longest_line():
     )
     longer = small_plan("numerics.steps_per_spacing=50000")
     assert longer.predicted_worker_bytes() > 2 * PLAN.predicted_worker_bytes()
-
-
-UNCHANGED = [
-    "grid.normal_force=[0.01, 0.04, 0.4, 9.0]",
-    "grid.hurst=[0.0, 0.3, 0.5, 0.7, 1.0]",
-    "grid.spacing=[1e-4, 5e-5]",
-    "grid.velocity=[0.1, 0.03, 0.2]",
-    "grid.velocity_step=[0.2, -0.5]",
-    "study.realizations=40",
-    "study.title=other",
-    "compare.coarse.samples=20",
-    'scene.quantities=["steady", "jump", "relaxation", "models"]',
-]
-
-
-@pytest.mark.parametrize("setting", UNCHANGED)
-def test_widening_a_study_keeps_the_keys_it_had(setting):
-    assert set(keys(small_plan())) <= set(keys(small_plan(setting)))
-
-
-CHANGED = [
-    "study.seed=2",
-    "study.realizations_per_block=8",
-    "surface.normalisation=integral",
-    'scene.quantities=["steady", "jump"]',
-    "scene.indentation_rate=false",
-    "numerics.scheme=implicit-euler",
-    "numerics.steps_per_spacing=64",
-    "numerics.samples=17",
-    "numerics.horizon=8.0",
-    "grid.velocity_step=0.3",
-    "material.shear_modulus=1.01e7",
-]
-
-
-@pytest.mark.parametrize("setting", CHANGED)
-def test_a_setting_that_changes_results_changes_every_key(setting):
-    assert set(keys(small_plan())).isdisjoint(keys(small_plan(setting)))
-
-
-def test_other_program_code_changes_every_key(monkeypatch):
-    before = keys(small_plan())
-    monkeypatch.setattr(variant, "CODE", "0" * 16)
-    assert set(before).isdisjoint(keys(small_plan()))
-
-
-def test_study_and_comparison_do_not_share_keys():
-    own, compared = ({task.key for task in variant.tasks} for variant in PLAN.variants)
-    assert own.isdisjoint(compared)
 
 
 def test_copies_of_a_problem_share_a_key_between_studies():

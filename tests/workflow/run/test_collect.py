@@ -10,6 +10,8 @@ from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.run import collect
 from workflow.run.collect import Collector, Fitted
 from workflow.run.summary import Summary
+from workflow.run.workers import Workers, stream_here
+from workflow.simulate.realizations import block_means
 from workflow.simulate.tasks import SCALARS
 from workflow.store.store import Store
 
@@ -27,10 +29,13 @@ def store(tmp_path):
     return store
 
 
+HERE = Workers(stream_here, block_means)
+
+
 @pytest.fixture
-def collector(client, store):
+def collector(store):
     """Return a collector of that store."""
-    return Collector(client, store, PLAN, Summary(), Watch())
+    return Collector(HERE, store, PLAN, Summary(), Watch())
 
 
 def test_estimates_of_every_point_are_the_means_of_its_own_blocks(collector, store):
@@ -86,6 +91,6 @@ def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):
         collector.datasets(BLOCKS)
 
 
-def test_after_a_stop_there_is_no_dataset(client, store):
-    stopped = Collector(client, store, PLAN, Summary(), Watch(lambda: True))
+def test_after_a_stop_there_is_no_dataset(store):
+    stopped = Collector(HERE, store, PLAN, Summary(), Watch(lambda: True))
     assert stopped.datasets(BLOCKS) == {}

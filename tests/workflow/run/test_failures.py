@@ -9,9 +9,9 @@ from distributed.scheduler import KilledWorker, WorkerState
 from tests.support.runs import run
 from tests.support.shards import BATCH, held
 from tests.support.small import all_records, small_plan
-from workflow.cluster import worker as work
 from workflow.errors import UserError
 from workflow.run.failures import Failures
+from workflow.simulate.realizations import block_means
 from workflow.store.store import Store, store_folder
 
 PLAN = small_plan()
@@ -64,17 +64,18 @@ def test_a_worker_that_cannot_import_us_ends_the_run(failures):
 BAD = PLAN.variants[0].tasks[1].key
 
 
-def failing(batch, expected):
-    """Stand in for run_batch: raise where a batch holds the bad problem."""
+def failing(batch):
+    """Stand in for block_means: raise where a batch holds the bad problem."""
     if any(task.key == BAD for task in batch.tasks):
         raise ArithmeticError("no root")
-    return work.run_batch(batch, expected)
+    return block_means(batch)
 
 
-@pytest.fixture(scope="module")
-def broken(scheduler, tmp_path_factory):
-    """Return a run in which one problem raises on the worker, as many as it may go on with."""
-    return run(scheduler, tmp_path_factory.mktemp("broken"), max_failures=1, work=failing)
+@pytest.fixture(scope="module", params=["here", "on a cluster"])
+def broken(request, tmp_path_factory):
+    """Return a run in which one problem raises where it is computed; it may go on with one."""
+    where = {} if request.param == "here" else {"scheduler": request.getfixturevalue("scheduler")}
+    return run(tmp_path_factory.mktemp("broken"), max_failures=1, work=failing, **where)
 
 
 def test_the_rest_of_the_study_is_finished_and_the_failed_point_marked(broken, finished):
@@ -91,16 +92,16 @@ def test_the_rest_of_the_study_is_finished_and_the_failed_point_marked(broken, f
         assert np.array_equal(values, expected, equal_nan=True)
 
 
-def test_a_failure_is_tried_again_when_asked_and_only_then(broken, finished, scheduler):
-    again = run(scheduler, broken.path.parent)
+def test_a_failure_is_tried_again_when_asked_and_only_then(broken, finished):
+    again = run(broken.path.parent)
     assert (again.summary.batches, again.summary.failures) == (0, broken.summary.failures)
-    retried = run(scheduler, broken.path.parent, retry_failed=True)
+    retried = run(broken.path.parent, retry_failed=True)
     assert (retried.summary.batches, retried.summary.failures) == (1, [])
     assert retried.path.read_bytes() == finished.path.read_bytes()
 
 
-def test_no_result_is_written_after_too_many_failures(scheduler, tmp_path):
-    stopped = run(scheduler, tmp_path, work=failing)  # one is too many unless more are allowed
+def test_no_result_is_written_after_too_many_failures(tmp_path):
+    stopped = run(tmp_path, work=failing)  # one is too many unless more are allowed
     assert not stopped.summary.written
     assert not stopped.path.exists()
     assert len(stopped.summary.failures) == 2

@@ -29,17 +29,17 @@ def ended(folder, number, *options):
 
 
 @pytest.fixture(scope="module")
-def expected(scheduler, tmp_path_factory):
+def expected(tmp_path_factory):
     """Return the bytes of the long study, run without interruption."""
-    return run(scheduler, tmp_path_factory.mktemp("whole"), LONG).path.read_bytes()
+    return run(tmp_path_factory.mktemp("whole"), LONG).path.read_bytes()
 
 
-def assert_resumes(scheduler, folder, expected):
+def assert_resumes(folder, expected):
     """Assert that a run in ``folder`` recomputes nothing finished and gives the same bytes."""
     before = shards(folder)
     finished = len(held(reopened(store_folder(folder / "small.nc"))))
     assert 2 <= finished < 320
-    resumed = run(scheduler, folder, LONG)
+    resumed = run(folder, LONG)
     assert resumed.summary.reused == finished
     after = shards(folder)
     assert {name: after[name] for name in before} == before
@@ -49,11 +49,12 @@ def assert_resumes(scheduler, folder, expected):
 def test_a_killed_run_resumes(scheduler, tmp_path, expected):
     status, _, _ = ended(tmp_path, signal.SIGKILL, "--scheduler", scheduler)
     assert status == -signal.SIGKILL
-    assert_resumes(scheduler, tmp_path, expected)
+    assert_resumes(tmp_path, expected)
 
 
-def test_ctrl_c_stops_a_run_that_resumes(scheduler, tmp_path, expected, capsys):
-    status, out, err = ended(tmp_path, signal.SIGINT, "--workers", "1")
+@pytest.mark.parametrize("options", [(), ("--workers", "1")], ids=["here", "on a worker"])
+def test_ctrl_c_stops_a_run_that_resumes(tmp_path, expected, capsys, options):
+    status, out, err = ended(tmp_path, signal.SIGINT, *options)
     assert status == 130
     assert "to resume run again: python -m workflow run" in err.splitlines()[-1]
     assert "Traceback" not in err
@@ -62,4 +63,4 @@ def test_ctrl_c_stops_a_run_that_resumes(scheduler, tmp_path, expected, capsys):
     done = f"done        {finished} of 320 records"
     main(["status", str(tmp_path / "small.toml"), "--out", str(tmp_path), "--set", LONG])
     assert capsys.readouterr().out.startswith(done)
-    assert_resumes(scheduler, tmp_path, expected)
+    assert_resumes(tmp_path, expected)

@@ -26,15 +26,15 @@ def test_several_makers_are_refused_by_name_only_where_one_is_asked_for():
         assert f"{maker.versions} on {maker.processor}" in said
 
 
-def test_records_of_another_kind_are_marked_in_the_result_or_refused(scheduler, tmp_path):
+def test_records_of_another_kind_are_marked_in_the_result_or_refused(tmp_path):
     store_folder(tmp_path / "small.nc").mkdir()
     store = reopened(store_folder(tmp_path / "small.nc"))
     batch = next(cut_batches(small_plan(), set(), 1e-9))
     store.add([(batch, random_result(batch)._replace(maker=OTHER))])
     with pytest.raises(UserError, match="--one-kind: records of 2 kinds would be mixed"):
-        run(scheduler, tmp_path, one_kind=True)
+        run(tmp_path, one_kind=True)
     assert not (tmp_path / "small.nc").exists()
-    done = run(scheduler, tmp_path)
+    done = run(tmp_path)
     mine = this_maker()
     with xr.open_dataset(done.path) as data:
         texts = sorted((OTHER.versions, mine.versions))
@@ -42,4 +42,4 @@ def test_records_of_another_kind_are_marked_in_the_result_or_refused(scheduler, 
         texts = sorted((OTHER.processor, mine.processor))
         assert data.attrs["processor"] == f"mixed: {texts[0]} | {texts[1]}"
     with pytest.raises(UserError, match="--one-kind"):
-        run(scheduler, tmp_path, one_kind=True)
+        run(tmp_path, one_kind=True)

@@ -26,9 +26,9 @@ SETTINGS = (
 
 
 @pytest.fixture(scope="module")
-def reached(scheduler, tmp_path_factory):
+def reached(tmp_path_factory):
     """Return a finished run that was asked for an accuracy."""
-    return run(scheduler, tmp_path_factory.mktemp("rounds"), *SETTINGS)
+    return run(tmp_path_factory.mktemp("rounds"), *SETTINGS)
 
 
 def test_points_end_with_what_they_need_after_more_than_one_round(reached):
@@ -62,23 +62,21 @@ def test_points_that_hit_the_cap_are_named(reached):
     assert f"{float(data.accuracy_reached.max()):.2g}" in worst
 
 
-def test_other_batches_and_a_store_that_holds_more_or_less_give_the_same_bytes(
-    reached, scheduler, tmp_path
-):
+def test_other_batches_and_a_store_that_holds_more_or_less_give_the_same_bytes(reached, tmp_path):
     fine = (f"numerics.accuracy={WANTED / 1.3}", *SETTINGS[1:])
     folder = shutil.copytree(reached.path.parent, tmp_path / "copy")
     needed = sorted((folder / "store").glob("*.nc"))
-    run(scheduler, folder, *fine)
+    run(folder, *fine)
     for victim in needed[::2]:
         victim.unlink()  # a crash of the disk
-    again = run(scheduler, folder, *SETTINGS, batch_seconds=0.01)
+    again = run(folder, *SETTINGS, batch_seconds=0.01)
     assert again.summary.batches > 0
     assert again.path.read_bytes() == reached.path.read_bytes()
 
 
-def test_a_second_run_computes_nothing(reached, scheduler):
+def test_a_second_run_computes_nothing(reached):
     before = shards(reached.path.parent)
-    again = run(scheduler, reached.path.parent, *SETTINGS)
+    again = run(reached.path.parent, *SETTINGS)
     assert (again.summary.batches, shards(reached.path.parent)) == (0, before)
 
 

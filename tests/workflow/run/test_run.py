@@ -17,8 +17,8 @@ from workflow.system.lock import hold
 
 @pytest.fixture(scope="module")
 def cut(scheduler, tmp_path_factory):
-    """Return a run in the smallest batches. Leave its folder as it is."""
-    return run(scheduler, tmp_path_factory.mktemp("cut"), batch_seconds=1e-4)
+    """Return a run in the smallest batches, on two workers. Leave its folder as it is."""
+    return run(tmp_path_factory.mktemp("cut"), scheduler=scheduler, batch_seconds=1e-4)
 
 
 def copied(run, folder):
@@ -50,18 +50,18 @@ def test_a_run_says_how_far_it_is(scheduler, tmp_path, capsys):
     assert "\nfitting: 100%, 0 s left" in said
 
 
-def test_other_batches_give_the_same_bytes(finished, cut):
+def test_other_batches_on_a_cluster_give_the_same_bytes(finished, cut):
     assert cut.summary.batches > 4 * finished.summary.batches
     assert cut.path.read_bytes() == finished.path.read_bytes()
 
 
 def test_a_larger_study_computes_only_what_is_new_and_gives_the_bytes_of_a_fresh_one(
-    finished, scheduler, tmp_path
+    finished, tmp_path
 ):
     folder, more = copied(finished, tmp_path), ("study.realizations=24",)
     before = shards(folder)
-    wide = run(scheduler, folder, *more, scale="wide")
-    fresh = run(scheduler, tmp_path, *more, scale="wide")
+    wide = run(folder, *more, scale="wide")
+    fresh = run(tmp_path, *more, scale="wide")
     assert wide.summary.reused == finished.plan.records
     assert 0 < wide.summary.predicted < 0.9 * fresh.summary.predicted
     after = shards(folder)
@@ -69,22 +69,21 @@ def test_a_larger_study_computes_only_what_is_new_and_gives_the_bytes_of_a_fresh
     assert len(after) > len(before)
     assert wide.load().realizations.values.flat[0] == 24
     assert wide.path.read_bytes() == fresh.path.read_bytes()
-    again = run(scheduler, folder, *more, scale="wide")
+    again = run(folder, *more, scale="wide")
     assert (again.summary.batches, again.summary.used) == (0, 0.0)
     assert again.summary.reused == wide.plan.records
     assert shards(folder) == after
     assert again.path.read_bytes() == fresh.path.read_bytes()
 
 
-def test_records_of_a_damaged_shard_alone_are_computed_again(
-    finished, cut, scheduler, tmp_path, capsys
-):
+def test_records_of_a_damaged_shard_alone_are_computed_again(finished, cut, tmp_path, capsys):
     folder = copied(cut, tmp_path)
     before, store = shards(folder), Store(folder / "store")
     victim = folder / "store" / min(before)
     lost = sum(store.index.find(record)[0] == victim.stem for record in held(store))
     victim.write_bytes(bytes(victim.stat().st_size))  # its length is kept: found when it is read
-    again = run(scheduler, folder, batch_seconds=1e-4)
+    (folder / "small.nc").unlink()  # or nothing is read
+    again = run(folder, batch_seconds=1e-4)
     assert again.summary.batches == lost > 0  # a record each
     after = shards(folder)
     assert all(after[name] == before[name] for name in before if name != victim.name)
@@ -92,7 +91,7 @@ def test_records_of_a_damaged_shard_alone_are_computed_again(
     assert "set aside" in capsys.readouterr().err
 
 
-def test_a_folder_in_use_is_refused(scheduler, tmp_path):
+def test_a_folder_in_use_is_refused(tmp_path):
     with hold(tmp_path / "store"), pytest.raises(UserError, match="in use by process"):
-        run(scheduler, tmp_path)
+        run(tmp_path)
     assert not (tmp_path / "small.nc").exists()

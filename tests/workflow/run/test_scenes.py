@@ -6,10 +6,11 @@ import pytest
 from tests.support.runs import Run, shards
 from tests.support.shards import held
 from tests.support.small import all_records, small_plan
-from workflow.cluster import run_batch
-from workflow.run.run import How, run_plan
+from workflow.run.run import run_plan
+from workflow.run.workers import How
+from workflow.simulate import block_means
 from workflow.store.store import Store, store_folder
-from workflow.study.cluster import Cluster
+from workflow.study.cluster import LOCAL, Cluster
 
 TEXT = """
 [study]
@@ -58,17 +59,17 @@ scheme = "implicit-euler"
 """
 
 
-def run(scheduler, folder, *settings, batch_seconds=0.05, **how):
-    """Run the scenes on the cluster of the tests."""
+def run(folder, *settings, scheduler=LOCAL, batch_seconds=0.05, **how):
+    """Run the scenes, in this process unless a scheduler is given."""
     plan, path = small_plan(*settings, text=TEXT), folder / "small.nc"
     how = How(Cluster(scheduler), batch_seconds=batch_seconds, **how)
     return Run(plan, run_plan(plan, path, how), path)
 
 
 @pytest.fixture(scope="module")
-def whole(scheduler, tmp_path_factory):
+def whole(tmp_path_factory):
     """Return a finished run. Leave its folder as it is."""
-    return run(scheduler, tmp_path_factory.mktemp("scenes"))
+    return run(tmp_path_factory.mktemp("scenes"))
 
 
 def test_every_rheology_has_its_own_result(whole):
@@ -85,36 +86,34 @@ def test_every_rheology_has_its_own_result(whole):
     np.testing.assert_allclose(other.mu_1.squeeze(), found[0].mu_1.squeeze(), rtol=0.2)
 
 
-def test_other_batches_give_the_same_bytes(whole, scheduler, tmp_path):
-    cut = run(scheduler, tmp_path, batch_seconds=1e-6)
+def test_other_batches_on_a_cluster_give_the_same_bytes(whole, scheduler, tmp_path):
+    cut = run(tmp_path, scheduler=scheduler, batch_seconds=1e-6)
     assert cut.summary.batches > 2 * whole.summary.batches
     assert cut.path.read_bytes() == whole.path.read_bytes()
 
 
-def _ends_early(batch, **how):
-    """Do what a worker does, but for the problems of the rougher lines."""
+def _ends_early(batch):
+    """Compute a batch, but for the problems of the rougher lines."""
     if batch.tasks[0].problem.hurst < 0.5:
         raise RuntimeError("ended")
-    return run_batch(batch, **how)
+    return block_means(batch)
 
 
-def test_a_run_that_ends_early_goes_on_and_a_second_one_computes_nothing(
-    whole, scheduler, tmp_path
-):
-    ended = run(scheduler, tmp_path, max_failures=10**6, work=_ends_early)
+def test_a_run_that_ends_early_goes_on_and_a_second_one_computes_nothing(whole, tmp_path):
+    ended = run(tmp_path, max_failures=10**6, work=_ends_early)
     stored = held(Store(store_folder(ended.path)))
     assert 0 < len(stored) < len(all_records(ended.plan))
     before = shards(tmp_path)
-    resumed = run(scheduler, tmp_path, retry_failed=True)
+    resumed = run(tmp_path, retry_failed=True)
     assert resumed.summary.reused == len(stored)
     assert before.items() <= shards(tmp_path).items()
     assert resumed.path.read_bytes() == whole.path.read_bytes()
-    again = run(scheduler, tmp_path)
+    again = run(tmp_path)
     assert (again.summary.batches, again.summary.reused) == (0, len(all_records(whole.plan)))
     assert again.path.read_bytes() == whole.path.read_bytes()
 
 
-def test_a_temperature_that_acts_as_a_velocity_does_is_computed_once(scheduler, tmp_path):
+def test_a_temperature_that_acts_as_a_velocity_does_is_computed_once(tmp_path):
     """At 70 degrees all times are a tenth: there 0.1 m/s is the problem of 0.01 m/s at 20."""
     settings = (
         "material.wlf={c1=2, c2=50, reference=20}",
@@ -124,7 +123,7 @@ def test_a_temperature_that_acts_as_a_velocity_does_is_computed_once(scheduler, 
         "scene.programme=[{slide={ratio=1, distance=1e-3}}, {slide={ratio=1.2, distance=4e-4}}]",
         'scene.quantities=["steady", "trace"]',
     )
-    found = run(scheduler, tmp_path, *settings)
+    found = run(tmp_path, *settings)
     assert (found.plan.points, found.plan.problems) == (8, 6)
     dataset = found.load()
     cold = dataset.sel(temperature=20, velocity=0.01)

@@ -16,12 +16,20 @@ from typing import NamedTuple
 import numba
 import numpy as np
 
-from kernels import cache
+from kernels import Quantities, cache
 from kernels.cache import source_hash
 from workflow.errors import UserError
-from workflow.plan import timing
-from workflow.plan.cost import TYPICAL, SecondsBySize, Timings
-from workflow.system import ROOT, WORKER_ENVIRONMENT, make_folder, processor, write_durably
+from workflow.plan.cost import timing
+from workflow.plan.cost.work import TYPICAL, SecondsBySize, Timings
+from workflow.simulate import load_kernels
+from workflow.system import (
+    ROOT,
+    WORKER_ENVIRONMENT,
+    make_folder,
+    processor,
+    saying_what_compiles,
+    write_durably,
+)
 
 CURVES = [name for name in Timings._fields if name != "case"]
 
@@ -48,7 +56,9 @@ def this_machine() -> Machine:
     with contextlib.suppress(OSError, UnicodeDecodeError):
         found = _parsed(file.read_text(encoding="utf-8"))
     if found is None:
-        print("measuring the speed of this machine (once)", file=sys.stderr)
+        with saying_what_compiles():
+            load_kernels("exponential", Quantities())
+        print("Measuring the speed of this machine, about 3 s, once.", file=sys.stderr)
         text = _measured()
         found = _parsed(text)
         if found is None:
@@ -81,6 +91,6 @@ def _parsed(text: str) -> Machine | None:
 def _measured() -> str:
     """Return what a process with the settings of a worker measures, "" where it fails."""
     environment = {**os.environ, **WORKER_ENVIRONMENT}
-    command = [sys.executable, "-m", "workflow.plan.timing"]
+    command = [sys.executable, "-m", "workflow.plan.cost.timing"]
     done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True)
     return done.stdout if done.returncode == 0 else ""

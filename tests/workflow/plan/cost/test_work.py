@@ -11,7 +11,14 @@ from kernels import Line, Quantities, amplitudes, draw_phases, rms_slope
 from kernels.motion.stretches import touchable
 from kernels.rheology.kelvin import SCHEMES
 from kernels.steady import steady_sliding
-from workflow.plan.cost import TYPICAL, SecondsBySize, Work, sweeps, touchable_share, work_seconds
+from workflow.plan.cost.work import (
+    TYPICAL,
+    SecondsBySize,
+    Work,
+    sweeps,
+    touchable_share,
+    work_seconds,
+)
 from workflow.simulate.tasks import Problem, Recording
 
 CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))

@@ -1,6 +1,6 @@
 """The measurement of how fast this machine runs the kernels."""
 
-from workflow.plan.timing import timings
+from workflow.plan.cost.timing import timings
 
 
 def test_every_rate_is_measured():

@@ -1,4 +1,4 @@
-"""`python -m workflow.plan.timing`: time the kernels on this machine for two seconds, print JSON.
+"""`python -m workflow.plan.cost.timing`: time the kernels for two seconds, print JSON.
 
 It runs in a process of its own, set up like a worker (how memory is kept matters as much as the
 processor).
@@ -26,7 +26,7 @@ from kernels import (
     quadrature,
     steady_sliding,
 )
-from workflow.plan.cost import SecondsBySize, Timings
+from workflow.plan.cost.work import SecondsBySize, Timings
 from workflow.simulate import Batch, Problem, Recording, Task, block_means
 from workflow.system import processor
 

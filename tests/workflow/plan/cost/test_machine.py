@@ -4,9 +4,8 @@ import json
 
 import pytest
 
-from workflow.plan import machine
-from workflow.plan.cost import TYPICAL
-from workflow.plan.machine import this_machine, timings_file
+from workflow.plan.cost import TYPICAL, machine
+from workflow.plan.cost.machine import this_machine, timings_file
 
 TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "timings": TYPICAL._asdict()})
 
@@ -22,6 +21,7 @@ def measured(tmp_path, monkeypatch):
 
     monkeypatch.setattr(machine, "timings_file", timings_file)  # not that of all tests
     monkeypatch.setattr(machine, "_measured", measure)
+    monkeypatch.setattr(machine, "load_kernels", lambda *_: None)
     monkeypatch.setattr("kernels.cache.FOLDER", str(tmp_path / "cache"))
     return calls
 

@@ -1,0 +1,73 @@
+"""The tasks of a variant: sized by the laws, with keys that say all that their numbers are of."""
+
+import pytest
+
+from tests.support.small import keys, small_plan
+from workflow.plan import variant as module
+from workflow.plan.variant import samples_of
+
+PLAN = small_plan("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
+
+
+def test_variants_of_one_material_share_their_problems():
+    own, compared = PLAN.variants
+    assert own.point_task is compared.point_task
+    assert all(a.problem is b.problem for a, b in zip(own.tasks, compared.tasks, strict=True))
+
+
+def test_every_task_is_in_the_line_of_its_own_and_is_predicted():
+    for variant in PLAN.variants:
+        assert sorted(t.key for line in variant.by_line for t in line) == sorted(variant.seconds)
+        for line in variant.by_line:
+            assert len({task.problem[:2] for task in line}) == 1
+        assert variant.drawing.keys() == {samples_of(task) for task in variant.tasks}
+        assert all(seconds > 0.0 for seconds in variant.seconds.values())
+
+
+UNCHANGED = [
+    "grid.normal_force=[0.01, 0.04, 0.4, 9.0]",
+    "grid.hurst=[0.0, 0.3, 0.5, 0.7, 1.0]",
+    "grid.spacing=[1e-4, 5e-5]",
+    "grid.velocity=[0.1, 0.03, 0.2]",
+    "grid.velocity_step=[0.2, -0.5]",
+    "study.realizations=40",
+    "study.title=other",
+    "compare.coarse.samples=20",
+    'scene.quantities=["steady", "jump", "relaxation", "models"]',
+]
+
+
+@pytest.mark.parametrize("setting", UNCHANGED)
+def test_widening_a_study_keeps_the_keys_it_had(setting):
+    assert set(keys(small_plan())) <= set(keys(small_plan(setting)))
+
+
+CHANGED = [
+    "study.seed=2",
+    "study.realizations_per_block=8",
+    "surface.normalisation=integral",
+    'scene.quantities=["steady", "jump"]',
+    "scene.indentation_rate=false",
+    "numerics.scheme=implicit-euler",
+    "numerics.steps_per_spacing=64",
+    "numerics.samples=17",
+    "numerics.horizon=8.0",
+    "grid.velocity_step=0.3",
+    "material.shear_modulus=1.01e7",
+]
+
+
+@pytest.mark.parametrize("setting", CHANGED)
+def test_a_setting_that_changes_results_changes_every_key(setting):
+    assert set(keys(small_plan())).isdisjoint(keys(small_plan(setting)))
+
+
+def test_other_program_code_changes_every_key(monkeypatch):
+    before = keys(small_plan())
+    monkeypatch.setattr(module, "CODE", "0" * 16)
+    assert set(before).isdisjoint(keys(small_plan()))
+
+
+def test_study_and_comparison_do_not_share_keys():
+    own, compared = ({task.key for task in variant.tasks} for variant in PLAN.variants)
+    assert own.isdisjoint(compared)

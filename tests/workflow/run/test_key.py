@@ -1,0 +1,101 @@
+"""A result is left as it is where a run would write the same again, and nowhere else."""
+
+import shutil
+
+import pytest
+import xarray as xr
+
+from tests.support.faults import flipped
+from tests.support.runs import run
+from tests.support.shards import reopened
+from tests.support.small import MAKER, cut_batches, random_result, small_plan
+from workflow.run import key
+from workflow.run.failures import Failures
+from workflow.run.key import is_unchanged, result_key
+from workflow.store.store import Store, store_folder
+
+PLAN = small_plan()
+BATCHES = list(cut_batches(PLAN, set(), 1e9))
+
+
+@pytest.fixture
+def copy(finished, tmp_path):
+    """Return the result of the small study in a folder of the test, beside its store."""
+    return shutil.copytree(finished.path.parent, tmp_path / "copy") / "small.nc"
+
+
+def unchanged(result, plan=PLAN):
+    """Return whether a run of a plan would leave a result as it is."""
+    store = Store(store_folder(result))
+    failures = Failures(store, plan, 0)
+    return is_unchanged(plan, store, failures, result, key.missing_work(plan, failures))
+
+
+def test_the_same_study_leaves_its_result_as_it_is(copy):
+    assert unchanged(copy)
+
+
+def cut_short(result):
+    result.write_bytes(result.read_bytes()[:-100])
+
+
+def spoil(result):
+    """Spoil a number in the middle of the file; the checksum of its variable tells."""
+    with xr.open_dataset(result) as dataset:
+        number = dataset.mu_1.values.ravel()[1].tobytes()
+    content = result.read_bytes()
+    result.write_bytes(flipped(content, content.index(number)))
+
+
+def of_another_program(result):
+    result.write_bytes(b"not netCDF")
+
+
+SPOILT = [lambda result: result.unlink(), cut_short, spoil, of_another_program]
+
+
+@pytest.mark.parametrize("change", SPOILT, ids=["missing", "short", "damaged", "another"])
+def test_a_result_that_is_not_whole_is_written_anew(copy, finished, change):
+    change(copy)
+    assert not unchanged(copy)
+    assert run(copy.parent).path.read_bytes() == finished.path.read_bytes()
+
+
+@pytest.mark.parametrize(
+    "setting", ["study.title=other", "study.realizations=2", "grid.velocity=0.03"]
+)
+def test_another_study_is_another_result(copy, setting):
+    """Nothing of it is missing where it is a part of what is stored."""
+    assert not unchanged(copy, small_plan(setting))
+
+
+@pytest.mark.parametrize("name", ["our_sources", "package_versions"])
+def test_other_code_is_another_result(copy, monkeypatch, name):
+    monkeypatch.setattr(key, name, lambda: "another")
+    assert not unchanged(copy)
+
+
+def keys_of_stores(*stores):
+    """Return the keys of results of the small plan from some stores."""
+    return [result_key(PLAN, store, PLAN.expected) for store in stores]
+
+
+def filled(folder, maker=MAKER):
+    """Return a store of random records of the small plan."""
+    folder.mkdir()
+    store = reopened(folder)
+    store.add([(batch, random_result(batch)._replace(maker=maker)) for batch in BATCHES])
+    return store
+
+
+def test_records_of_another_maker_and_failed_tasks_are_another_result(tmp_path):
+    stores = [filled(tmp_path / name) for name in ("a", "b", "failed")]
+    stores.append(filled(tmp_path / "made", MAKER._replace(processor="another")))
+    stores[2].record_failure(PLAN.variants[0].tasks[0].key, "why")
+    first, same, *others = keys_of_stores(*stores)
+    assert first == same
+    assert len({first, *others}) == 3
+
+
+def test_how_it_is_run_is_no_part_of_it(copy):
+    assert unchanged(copy, small_plan("cluster.patience=7"))

@@ -1,0 +1,116 @@
+"""Who computes and fits: this process, where that takes seconds, or the workers of a cluster."""
+
+import sys
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from functools import partial
+from typing import Any, NamedTuple
+
+from workflow import cluster
+from workflow.cluster import Watch
+from workflow.errors import UserError
+from workflow.plan import Plan
+from workflow.simulate import Batch, BatchResult, block_means
+from workflow.study import HERE, LOCAL, Cluster
+
+SECONDS_HERE = 10.0  # of predicted work that this process does by itself
+SECONDS_PER_FIT = 4e-4
+TRIES = 2  # of an item that raises here; on a cluster two workers try it
+
+# What yields (item, function(item)): stream(function, items, watch, retry, predicted).
+Stream = Callable[..., Iterator[tuple[Any, Any]]]
+
+
+class How(NamedTuple):
+    """How to run a plan; no number of the result depends on it.
+
+    batch_seconds : predicted length of a batch; by default it grows with the study.
+    work : what computes a batch; a test may let it do something else.
+    """
+
+    cluster: Cluster = HERE
+    workers: int | None = None  # processes of this machine; None: one per core, if any
+    dashboard: bool = False
+    batch_seconds: float | None = None
+    max_failures: int = 0
+    retry_failed: bool = False
+    one_kind: bool = False  # refuse to mix records of several makers
+    no_lock: bool = False  # go on where the file system has no locks
+    work: Callable[[Batch], BatchResult] = block_means
+
+    def here(self, seconds: float) -> bool:
+        """Return whether this process does work of so many predicted seconds by itself."""
+        asked = self.cluster.where != LOCAL or self.workers is not None or self.dashboard
+        return seconds < SECONDS_HERE and not asked
+
+
+def fit_seconds(plan: Plan, groups: int) -> float:
+    """Return the predicted time of the fits of one task of so many jackknife groups."""
+    return (groups + 1) * plan.asked.relaxation * SECONDS_PER_FIT
+
+
+class Workers(NamedTuple):
+    """Who computes: how work is streamed to them, and what they do with a batch."""
+
+    stream: Stream
+    work: Callable[[Batch], BatchResult]
+
+
+@contextmanager
+def open_workers(how: How, seconds: float, watch: Watch) -> Iterator[Workers]:
+    """Yield who does work of so many predicted seconds.
+
+    Raises UserError where workers cannot be had, or run another program.
+    """
+    if how.here(seconds):
+        yield Workers(stream_here, how.work)
+        return
+    if how.cluster.where == LOCAL:
+        print("Starting worker processes, about 3 s.", file=sys.stderr, flush=True)
+    with cluster.open_client(how.cluster, how.workers, how.dashboard, watch) as client:
+        cluster.check_versions(client, watch)
+        work = partial(cluster.run_batch, expected=cluster.own_versions(), work=how.work)
+        yield Workers(partial(cluster.stream, client), work)
+
+
+def stream_here(
+    function: Callable[[Any], Any],
+    items: Iterable[Any],
+    watch: Watch,
+    retry: Callable[[Any, Exception, bool], list[Any]] | None = None,
+    predicted: object = None,
+) -> Iterator[tuple[Any, Any]]:
+    """Yield (item, function(item)), one after the other; none any more once watch() is true.
+
+    As cluster.stream does with workers: an item that raises twice is handed to ``retry``, which
+    returns what to do instead; without it the error ends the stream.
+    """
+    del predicted  # nobody can be late
+    source, again = iter(items), list[Any]()
+    watch.look(1, 0)
+    while not watch():
+        rest = object()
+        item = again.pop(0) if again else next(source, rest)
+        if item is rest:
+            return
+        try:
+            done = _tried(function, item)
+        except Exception as error:
+            if retry is None:
+                raise
+            again += retry(item, error, True)
+            continue
+        watch.look(1, 1)
+        yield item, done
+
+
+def _tried(function: Callable[[Any], Any], item: Any) -> Any:
+    """Return function(item), tried again where it raises what is no fault of the user."""
+    for _ in range(TRIES - 1):
+        try:
+            return function(item)
+        except UserError:
+            raise
+        except Exception:
+            continue
+    return function(item)
