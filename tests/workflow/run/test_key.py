@@ -62,7 +62,7 @@ def test_a_result_that_is_not_whole_is_written_anew(copy, finished, change):
 
 
 @pytest.mark.parametrize(
-    "setting", ["study.title=other", "study.realizations=2", "grid.velocity=0.03"]
+    "setting", ["study.title=other", "study.realizations=8", "grid.velocity=0.03"]
 )
 def test_another_study_is_another_result(copy, setting):
     """Nothing of it is missing where it is a part of what is stored."""
