@@ -177,9 +177,8 @@ class _Run:
                 shelf.flush_when_due()
 
             with self.watch.telling(look):
-                predicted = attrgetter("seconds")
-                streamed = workers.stream(workers.work, work, self.watch, self.failures, predicted)
-                for batch, done in streamed:
+                how = (self.watch, self.failures, attrgetter("seconds"))
+                for batch, done in workers.stream(workers.work, work, *how):
                     self.makers.add(done.maker)
                     require_one(self.makers, self.how.one_kind)
                     with self.summary.filing():
