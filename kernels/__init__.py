@@ -9,8 +9,8 @@ Then a problem is given by the Hurst exponent H, the number of elements N = L/dx
 slopes come out in units of h/dx, and so do friction coefficients.
 Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 
-``run_case`` is one realization. An effect is a file of surfaces, rheology, control or motion;
-what a scene does not ask for is not in its machine code.
+``run_case`` is one realization, ``run_cases`` many on one line. An effect is a file of surfaces,
+rheology, control or motion; what a scene does not ask for is not in its machine code.
 """
 
 from kernels.case import Case, Outcome, Quantities, Seconds
@@ -29,7 +29,7 @@ from kernels.motion.programme import (
     Slide,
     steps_of,
 )
-from kernels.realization import run_case
+from kernels.realization import run_case, run_cases
 from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State, law_of, memories
@@ -45,7 +45,7 @@ from kernels.scene import (
     scene_steps,
     trace_stamps,
 )
-from kernels.steady import steady_sliding
+from kernels.steady.plain import steady_sliding
 from kernels.surfaces.equivalent import equivalent_amplitudes, equivalent_spectrum
 from kernels.surfaces.line import QUARTET, Line
 from kernels.surfaces.measured import measured_amplitudes

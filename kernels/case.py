@@ -75,3 +75,24 @@ class Clock:
         now = time.thread_time()
         self.spent[phase] += now - self.last
         self.last = now
+
+
+class Clocks:
+    """Books the time since its last reading to phases of several cases, in proportion to work."""
+
+    def __init__(self, cases: int) -> None:
+        self.spent = np.zeros((len(Seconds._fields), cases))
+        self.last = time.thread_time()
+
+    def lap(self, **work: np.ndarray | float) -> None:
+        """Book the time: work by the name of a phase, of every case or the same in all."""
+        now = time.thread_time()
+        shares = np.zeros_like(self.spent)
+        for phase, done in work.items():
+            shares[Seconds._fields.index(phase)] = done
+        self.spent += (now - self.last) / shares.sum() * shares
+        self.last = now
+
+    def seconds(self, case: int) -> Seconds:
+        """Return what a case has taken."""
+        return Seconds(*self.spent[:, case].tolist())

@@ -1,23 +1,23 @@
 """One realization: a line, its steady states, the jumps from them and the relaxations.
 
 Only what is asked for is computed. Points share what they can: one line serves all loads and
-speeds, one steady state at v1 serves all velocity jumps.
+speeds, its thresholds at one speed serve all loads, one steady state at v1 all velocity jumps.
 """
+
+from collections.abc import Sequence
 
 import numpy as np
 
 from kernels.active.march import active_march
 from kernels.active.setting import Setting
-from kernels.case import Case, Clock, Outcome, Quantities, Seconds
+from kernels.case import Case, Clocks, Outcome, Quantities
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import lagged_slope, step_average
 from kernels.limits import LOADS, SPEEDS, check_between
 from kernels.march import march
 from kernels.memory_case import run_memory_case
-from kernels.patches.steady_friction import jump as jump_to
-from kernels.patches.steady_friction import steady_friction
-from kernels.rheology.kelvin import SCHEMES
+from kernels.patches.steady_friction import Ground, Sliding, steady_friction
 from kernels.rheology.spectrum import shortest_step
 from kernels.surfaces.line import Line
 
@@ -42,50 +42,96 @@ def _check(line: Line, case: Case, asked: Quantities) -> None:
 
 
 def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
-    """Compute one case on one line.
+    """Compute one case on one line, as run_cases does."""
+    return run_cases(line, [case], asked)[0]
 
+
+def run_cases(line: Line, cases: Sequence[Case], asked: Quantities) -> list[Outcome]:
+    """Compute cases on one line. What one gives does not depend on the others, to the bit.
+
+    Kelvin elements that slide one way share what they can: those of one speed are found together.
     The relaxation curve is mu_2 plus the deviation of the marched step average from its own
     steady value, so that it ends at mu_2 exactly whatever the step. Raises ValueError for a
     case that is not supported.
     """
-    _check(line, case, asked)
-    if not case.plain:
-        return run_memory_case(line, case, asked)
-    load = case.load * line.z.size
-    clock = Clock()
-    one = steady_friction(line, case.speed, case.scheme, load)
-    clock.lap("steady")
-    work = one.updates
-    mu_2 = np.full(len(case.ratios), np.nan)
-    jump = np.full(len(case.ratios), np.nan)
-    curves = []
-    for k, ratio in enumerate(case.ratios):
-        speed = ratio * case.speed
-        if asked.jump:
-            jump[k] = jump_to(one, speed)
-            clock.lap("jump")
+    for case in cases:
+        _check(line, case, asked)
+    outcomes: dict[int, Outcome] = {}
+    together: dict[tuple, list[int]] = {}
+    for i, case in enumerate(cases):
+        if case.plain:
+            together.setdefault((case.speed, case.scheme, case.ratios), []).append(i)
+        else:
+            outcomes[i] = run_memory_case(line, case, asked)
+    ground = Ground.of(line) if together else None
+    for rows in together.values():
+        assert ground is not None
+        found = _run_loads(ground, [cases[i] for i in rows], asked)
+        outcomes.update(zip(rows, found, strict=True))
+    return [outcomes[i] for i in range(len(cases))]
+
+
+def _run_loads(ground: Ground, cases: list[Case], asked: Quantities) -> list[Outcome]:
+    """Compute cases of Kelvin elements that differ in their loads, and in what is kept."""
+    speed, ratios, scheme = cases[0].speed, cases[0].ratios, cases[0].scheme
+    n = ground.line.z.size
+    loads = np.array([case.load for case in cases]) * n
+    clocks = Clocks(len(cases))
+    to = tuple(ratio * speed for ratio in ratios)
+    one = steady_friction(ground, speed, scheme, loads, None, to if asked.jump else ())
+    clocks.lap(steady=one.updates + n, jump=one.jumps.shape[1] * n)
+    shape = len(cases), len(ratios)
+    mu_2 = np.full(shape, np.nan)
+    jump = one.jumps if asked.jump else np.full(shape, np.nan)
+    curves: list[list[np.ndarray]] = [[] for _ in cases]
+    work = one.updates.copy()
+    for k, ratio in enumerate(ratios):
         if not (asked.steady or asked.relaxation):
             continue
-        two = one if ratio == 1.0 else steady_friction(line, speed, case.scheme, load)
-        mu_2[k] = two.mu
-        work += two.updates if ratio != 1.0 else 0
-        clock.lap("steady")
+        two = one
+        if ratio != 1.0:
+            two = steady_friction(ground, to[k], scheme, loads, one.d)
+            work += two.updates
+        mu_2[:, k] = two.mu
+        clocks.lap(steady=two.updates + n)
         if asked.relaxation:
-            control = (ConstantForce if asked.indentation_rate else PrintedForce)(load)
-            before, after = (
-                SCHEMES[case.scheme](1.0 / (line.steps_per_spacing * v))
-                for v in (case.speed, speed)
-            )
-            setting = Setting(line.z, line.slope, before, after, one.state, two.state)
-            curve, updates = _relaxation(setting, control, case.kept_steps[k])
-            curves.append(mu_2[k] + curve)
-            work += updates
-            clock.lap("marching")
-    seconds = Seconds(**clock.spent)
-    samples = one.samples if asked.relaxation else one.seen.samples
-    means = one.mu, one.indentation, one.contact, samples
-    rate = np.full(len(case.ratios), np.nan)
-    return Outcome(*means, mu_2, jump, curves, work, seconds, rate)
+            for i, case in enumerate(cases):
+                curve, updates = _curve(one, two, i, case.kept_steps[k], asked)
+                curves[i].append(mu_2[i, k] + curve)
+                work[i] += updates
+                clocks.lap(marching=np.arange(len(cases)) == i)
+    samples = one.samples if asked.relaxation else one.samples_seen
+    rate = np.full(len(ratios), np.nan)
+    return [
+        Outcome(
+            float(one.mu[i]),
+            float(one.indentation[i]),
+            float(one.contact[i]),
+            float(samples[i]),
+            mu_2[i],
+            jump[i],
+            curves[i],
+            int(work[i]),
+            clocks.seconds(i),
+            rate,
+        )
+        for i in range(len(cases))
+    ]
+
+
+def _curve(
+    one: Sliding, two: Sliding, i: int, kept_steps: np.ndarray, asked: Quantities
+) -> tuple[np.ndarray, int]:
+    """Return the deviation of mu from mu_2 under load i after the step, and element updates.
+
+    Where the whole line touches at both speeds, d is the same at both, every step begins with
+    u = z - d and ends with it, and mu is mu_2 at once.
+    """
+    if one.full[i] and two.full[i]:
+        return np.zeros(kept_steps.size), 0
+    line, control = one.ground.line, ConstantForce if asked.indentation_rate else PrintedForce
+    setting = Setting(line.z, line.slope, one.law, two.law, one.state(i), two.state(i))
+    return _relaxation(setting, control(float(one.loads[i])), kept_steps)
 
 
 def _relaxation(

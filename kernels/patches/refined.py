@@ -15,7 +15,7 @@ from kernels.jit import kernel
 from kernels.patches.samples import samples_per_contact
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State
-from kernels.steady import steady_sliding
+from kernels.steady.plain import steady_sliding
 from kernels.surfaces.line import Line
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
@@ -37,18 +37,21 @@ class Refined(NamedTuple):
     samples: float  # per contact
 
 
-def refined(line: Line, speed: float, scheme: str, load: float, state: State) -> Refined | None:
-    """Return the steady state on a refined line, or None where that is out of reach.
+def refined(
+    line: Line, speed: float, scheme: str, load: float, d: float, samples: float
+) -> Refined | None:
+    """Return the steady state on a refined line, or None where none is needed or within reach.
 
-    speed : vbar. load : n Fbar. state : of steady sliding on the line as it is; a first guess.
-    None for lines that are not known between their samples, and where what could touch is too long.
+    speed : vbar. load : n Fbar. d, samples : indentation and samples per contact of steady sliding
+    on the line as it is. None for wide contacts, for lines that are not known between their
+    samples, and where what could touch is too long.
     """
     z, slope, steps = line.z, line.slope, line.steps_per_spacing
-    if not line.band_limited or steps < LEAST_STEPS:
+    if samples >= NARROW or not line.band_limited or steps < LEAST_STEPS:
         return None
     curvature = curvatures(z, slope, 1.0 / steps)
-    fold = finer(samples_per_contact(state.d - (z - state.w)))
-    reach_to = BELOW * state.d
+    fold = finer(samples)
+    reach_to = BELOW * d
     for _ in range(TRIED):
         at = stretches(z, slope, 1.0 / steps, reach_to)
         if fold > MOST_FOLD or at.size * fold > MOST_SAMPLES:

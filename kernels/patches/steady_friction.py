@@ -1,4 +1,4 @@
-"""Friction of steady sliding and of the jump from it, at as many samples as the contacts need."""
+"""Friction of steady sliding and of the jumps from it, at as many samples as the contacts need."""
 
 import math
 from typing import NamedTuple
@@ -6,74 +6,162 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.friction import elastic_correction, quadrature, step_average
-from kernels.patches.refined import NARROW, Refined, refined
-from kernels.patches.samples import samples_per_contact
-from kernels.rheology.kelvin import SCHEMES
+from kernels.patches.loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, slide
+from kernels.patches.refined import Refined, refined
+from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
-from kernels.steady import steady_sliding
+from kernels.steady.carry import carry, decay_of
+from kernels.steady.spans import Spans, Thresholds, spans_of, thresholds_of
 from kernels.surfaces.line import Line
 
 
+class Ground(NamedTuple):
+    """A line, and what is shared by all loads and speeds on it."""
+
+    line: Line
+    spans: Spans
+
+    @classmethod
+    def of(cls, line: Line) -> "Ground":
+        """Return the ground that a line is."""
+        return cls(line, spans_of(line.z, line.slope))
+
+
 class Sliding(NamedTuple):
-    """Steady sliding on one line."""
+    """Steady sliding on one line at one speed; arrays of shape (loads,)."""
 
-    state: State  # on the samples of the line, from which a march starts
-    seen: Refined  # where friction is read: the line itself, or finer samples of its contacts
+    ground: Ground
+    own: Thresholds
+    law: Kelvin  # for steps of one sample
+    scheme: str
     speed: float  # vbar
-    mu: float  # in h/dx
-    summed: float  # mu as quadrature gives it
-    contact: float  # share of the line
-    indentation: float  # in h, over the mean line
-    samples: float  # of the line per contact; below 1 where finer ones tell
-    updates: int  # of elements, the measure of cost
+    loads: np.ndarray  # n Fbar
+    d: np.ndarray  # indentation over the deepest sample, from which a march starts, in h
+    full: np.ndarray  # whether the whole line touches
+    mu: np.ndarray  # in h/dx
+    contact: np.ndarray  # share of the line
+    indentation: np.ndarray  # in h, over the mean line
+    samples: np.ndarray  # of the line per contact; below 1 where finer ones tell
+    seen: dict[int, Refined]  # load -> finer samples, where friction is read from those
+    jumps: np.ndarray  # shape (loads, speeds jumped to): change of mu at the moment
+    updates: np.ndarray  # of elements, the measure of cost
+
+    @property
+    def samples_seen(self) -> np.ndarray:
+        """Return the samples per contact that the friction rests on, shape (loads,)."""
+        found = self.samples.copy()
+        for i, finer in self.seen.items():
+            found[i] = finer.samples
+        return found
+
+    def state(self, i: int) -> State:
+        """Return the state under load i on the samples of the line."""
+        z, d = self.ground.line.z, float(self.d[i])
+        w = np.empty_like(z)
+        carry(decay_of(self.law), z, self.ground.spans, self.own.stay, d, None, w)
+        return State(w, d)
 
 
-def steady_friction(line: Line, speed: float, scheme: str, load: float) -> Sliding:
-    """Return steady sliding and its friction. speed : vbar; load : n Fbar.
+def steady_friction(
+    ground: Ground,
+    speed: float,
+    scheme: str,
+    loads: np.ndarray,
+    guesses: np.ndarray | None = None,
+    others: tuple[float, ...] = (),
+) -> Sliding:
+    """Return steady sliding, its friction and its jumps to ``others``, all speeds vbar.
 
-    Contacts of fewer than NARROW samples are refined (refined.py) where the line allows it.
+    loads : n Fbar, guesses : of d, shape (loads,). What is found under a load depends on its own
+    guess and on no other load. Narrow contacts are refined (refined.py) where the line allows it.
     """
+    line, spans = ground
     law = SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
-    state, sweeps = steady_sliding(law, line.z, load)
-    samples = samples_per_contact(state.d - (line.z - state.w))
-    seen = Refined(line, state, load, 1.0, samples)
-    updates = sweeps * line.z.size
-    if samples < NARROW:
-        finer = refined(line, speed, scheme, load, state)
-        if finer is not None:
-            seen = finer
-            samples = finer.samples * line.steps_per_spacing / finer.line.steps_per_spacing
-            updates += finer.line.z.size
-    mu, summed, contact = _friction(seen, speed)
-    indentation = seen.state.d + line.datum
-    contact *= seen.share
-    return Sliding(state, seen, speed, mu, summed, contact, indentation, samples, updates)
+    own = thresholds_of(line.z, line.slope, speed, law.stiffness)
+    press = np.empty((len(others), own.press.size + 1))
+    for k, other in enumerate(others):
+        # At the speeds jumped to, only the pressures matter.
+        there = thresholds_of(line.z, line.slope, other, law.stiffness)
+        press[k, :-1], press[k, -1] = there.press, there.press_all
+    guesses = np.full(loads.size, np.nan) if guesses is None else guesses
+    share = _corrected_share(line.steps_per_spacing, speed)
+    steps, to = float(line.steps_per_spacing), np.array(others)
+    found, jumps = slide(
+        law, line.z, line.slope, spans, own, speed, loads, guesses, steps, share, to, press
+    )
+    d = found[:, INDENTATION]
+    sliding = Sliding(
+        ground,
+        own,
+        law,
+        scheme,
+        speed,
+        loads,
+        d,
+        found[:, FULL] > 0.0,
+        found[:, MU],
+        found[:, CONTACT],
+        d + line.datum,
+        found[:, SAMPLES],
+        {},
+        jumps,
+        found[:, SWEEPS] * line.z.size,
+    )
+    _refine(sliding, others)
+    if line.band_limited:
+        for i in np.flatnonzero(sliding.mu <= 0.0):
+            seen = sliding.seen.get(int(i))
+            state = seen.state if seen else sliding.state(int(i))
+            sliding.mu[i] = _working(seen.line if seen else line, state)
+    return sliding
 
 
-def jump(sliding: Sliding, speed: float) -> float:
-    """Return the change of mu at the moment when the speed becomes ``speed`` (vbar)."""
-    line, state, load = sliding.seen.line, sliding.seen.state, sliding.seen.load
-    mu_0, _, _ = quadrature(line.z, line.slope, *state, sliding.speed, speed, load)
-    return mu_0 - sliding.summed  # errors of the elastic part cancel
+def _refine(sliding: Sliding, others: tuple[float, ...]) -> None:
+    """Read friction and jumps from finer samples under the loads whose contacts are narrow."""
+    line, speed = sliding.ground.line, sliding.speed
+    for i, samples in enumerate(sliding.samples.tolist()):
+        load, d = float(sliding.loads[i]), float(sliding.d[i])
+        finer = refined(line, speed, sliding.scheme, load, d, samples)
+        if finer is None:
+            continue
+        sliding.seen[i] = finer
+        mu, summed, contact = _friction(finer, speed)
+        sliding.mu[i], sliding.contact[i] = mu, contact * finer.share
+        sliding.indentation[i] = finer.state.d + line.datum
+        coarser = line.steps_per_spacing / finer.line.steps_per_spacing
+        sliding.samples[i] = finer.samples * coarser
+        sliding.updates[i] += finer.line.z.size
+        z, slope = finer.line.z, finer.line.slope
+        for k, other in enumerate(others):
+            after, _, _ = quadrature(z, slope, *finer.state, speed, other, finer.load)
+            sliding.jumps[i, k] = after - summed  # errors of the elastic part cancel
+
+
+def _corrected_share(steps: float, speed: float) -> float:
+    """Return which share of the elastic part of mu is corrected.
+
+    As far as a sample lasts longer than tau: by measurement the better estimate there, and the
+    worse one beyond.
+    """
+    share = math.exp(-((steps * speed) ** 2))
+    return share if share >= 1e-3 else 0.0
 
 
 def _friction(seen: Refined, speed: float) -> tuple[float, float, float]:
-    """Return mu of the steady state, mu as quadrature gives it, and the share in contact.
-
-    The first has its elastic part corrected as far as a sample lasts longer than tau: by
-    measurement the better estimate there, and the worse one beyond.
-    """
+    """Return mu of the steady state, mu as quadrature gives it, and the share in contact."""
     line, (w, d), load = seen.line, seen.state, seen.load
     z, slope, steps = line.z, line.slope, line.steps_per_spacing
     mu, rate, contact = quadrature(z, slope, w, d, speed, speed, load)
     corrected = mu
-    share = math.exp(-((steps * speed) ** 2))
-    if share >= 1e-3:
+    share = _corrected_share(steps, speed)
+    if share > 0.0:
         corrected += share * elastic_correction(z, slope, w, d, speed, rate, steps) / load
-        # Where a contact is narrower than a sample nothing is sure, but that mu is a mean of slopes
         steepest = float(np.abs(slope[z - w < d]).max())
         corrected = min(max(corrected, -steepest), steepest)
-    if line.band_limited and corrected <= 0.0:
-        # ... and that it takes work: what the forces do while the line rises.
-        corrected = step_average(steps * (np.roll(z, -1) - z), z - w, d)
     return corrected, mu, contact
+
+
+def _working(line: Line, state: State) -> float:
+    """Return mu from the work of the forces while the line rises: it takes work to slide."""
+    rise = line.steps_per_spacing * (np.roll(line.z, -1) - line.z)
+    return step_average(rise, line.z - state.w, state.d)

@@ -10,7 +10,7 @@ from kernels.rheology.law import Elements, rest
 from kernels.rheology.relaxed import Moduli
 from kernels.rheology.retardation import Retardation
 from kernels.rheology.spectrum import KELVIN, Spectrum
-from kernels.steady import steady_sliding, sweep
+from kernels.steady.plain import steady_sliding, sweep
 
 Form = Retardation | Moduli
 

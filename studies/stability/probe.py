@@ -19,7 +19,7 @@ from kernels import (
     solve_indentation,
     steady_sliding,
 )
-from kernels.steady import sweep
+from kernels.steady.plain import sweep
 
 TINY = np.finfo(float).tiny  # the smallest normal number
 EPS = np.finfo(float).eps

@@ -38,7 +38,7 @@ def listings() -> dict[str, list[str]]:
     from kernels.rheology.retardation import retardation
     from kernels.rheology.spectrum import KELVIN
     from kernels.scene.follow import follow
-    from kernels.steady import steady_sliding
+    from kernels.steady.plain import steady_sliding
 
     z, kelvin, control = np.array([3.0, 1.0, 0.0, 2.0]), SCHEMES[SCHEME](0.3), ConstantForce(4.0)
     state = State(np.zeros(4), 2.0)

@@ -1,5 +1,7 @@
 """One realization: only what is asked for, shared work, agreement of the parts, symmetries."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 
@@ -63,13 +65,14 @@ def test_outcome_is_made_of_the_kernels(scheme):
     (w, d), _ = steady_sliding(SCHEMES[scheme](1.0 / (M * v)), line.z, load)
     mu, rate, contact = quadrature(line.z, line.slope, w, d, v, v, load)
     missing = elastic_correction(line.z, line.slope, w, d, v, rate, M) / load
-    assert outcome.mu_1 == mu + np.exp(-((M * v) ** 2)) * missing
-    assert outcome.contact_fraction == contact
-    assert outcome.indentation == d + line.datum
+    same = partial(pytest.approx, rel=1e-12)
+    assert outcome.mu_1 == same(mu + np.exp(-((M * v) ** 2)) * missing)
+    assert outcome.contact_fraction == same(contact)
+    assert outcome.indentation - line.datum == same(d)
     after, _, _ = quadrature(line.z, line.slope, w, d, v, 1.2 * v, load)
-    assert outcome.jump[1] == after - mu
+    assert outcome.jump[1] == same(after - mu, abs=1e-14)
     swapped = run_case(line, CASE._replace(speed=1.2 * v, scheme=scheme), ALL)
-    assert outcome.mu_2[1] == swapped.mu_1
+    assert outcome.mu_2[1] == same(swapped.mu_1)
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -97,6 +100,7 @@ def test_curve_is_marched_again_where_bounds_and_cap_are_exceeded(monkeypatch):
         again = len(caps) % 2 == 0
         return (mu, d, passes, inside) if again else (mu + 1.0, d, passes, False)
 
+<<<<<<< HEAD
     def left(*args):
         mu, d, settled, work, _ = active_march(*args)
         return mu + 2.0, d, settled, work, False
@@ -104,14 +108,22 @@ def test_curve_is_marched_again_where_bounds_and_cap_are_exceeded(monkeypatch):
     line, case = line_of(), CASE._replace(load=10.0)
     usual = run_case(line, case, ALL)
     monkeypatch.setattr(realization, "active_march", left)
+=======
+    line, case = line_of(), CASE._replace(load=1.0)
+>>>>>>> ac1dc1f (Solve steady sliding by spans of samples, and all loads of a line together)
     expected = run_case(line, case, ALL)
     monkeypatch.setattr(realization, "march", exceeded)
     outcome = run_case(line, case, ALL)
     assert len(caps) == 2 * 3
     assert set(caps[1::2]) == {1.001 * case.load * line.z.size}  # more than d can ever be
     assert min(caps) > outcome.indentation - line.datum
+<<<<<<< HEAD
     np.testing.assert_array_equal(outcome.curves, expected.curves)  # not the wrong first try
     np.testing.assert_allclose(outcome.curves, usual.curves, rtol=1e-12)
+=======
+    # Not the wrong first try; more of the line is marched, and rounded otherwise.
+    np.testing.assert_allclose(outcome.curves, expected.curves, rtol=1e-12)
+>>>>>>> ac1dc1f (Solve steady sliding by spans of samples, and all loads of a line together)
 
 
 @pytest.mark.parametrize("shift", [1, 17])

@@ -8,7 +8,7 @@ from operator import itemgetter
 
 import numpy as np
 
-from kernels import QUARTET, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_case
+from kernels import QUARTET, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_cases
 from kernels.cache import compiling
 from workflow.simulate.kept import record_steps
 from workflow.simulate.layout import Layout, row_layout, row_width
@@ -39,7 +39,7 @@ def load_kernels(scheme: str, asked: Quantities) -> None:
     """
     with compiling():
         line = Line.self_affine(amplitudes(0.5, 16), np.linspace(0.0, 6.0, 8), 16, 2)
-        run_case(line, Case(0.1, 1.0, (1.2,), (np.arange(1, 3),), scheme), asked)
+        run_cases(line, [Case(0.1, 1.0, (1.2,), (np.arange(1, 3),), scheme)], asked)
 
 
 def block_means(batch: Batch) -> BatchResult:
@@ -78,10 +78,11 @@ def _add_realizations(
         began = time.thread_time()
         for line in draw(steps):
             drawing += time.thread_time() - began
-            for rows, case in on_a_line:
-                outcome = None
-                if batch.quantities.anything:
-                    outcome = run_case(line, case, batch.quantities)
+            outcomes: list[Outcome | None] = [None] * len(on_a_line)
+            if batch.quantities.anything:
+                outcomes[:] = run_cases(line, [case for _, case in on_a_line], batch.quantities)
+            for (rows, _), outcome in zip(on_a_line, outcomes, strict=True):
+                if outcome is not None:
                     spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
                 for k, row in enumerate(rows):
                     record = sums[0][row], sums[1][row]

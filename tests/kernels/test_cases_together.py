@@ -1,0 +1,72 @@
+"""Many cases on one line: what one gives does not depend on its company, to the bit."""
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from kernels import Case, Quantities, Spectrum, run_case, run_cases
+from tests.cases import CASE, line_of
+
+LINE = line_of()
+STEADY = Quantities(relaxation=False)
+SOLID = Spectrum((8.0,), (0.125,), 0.0)
+CASES = [
+    *(CASE._replace(load=load) for load in np.geomspace(1e-4, 30.0, 20)),
+    *(CASE._replace(load=load, speed=3.0) for load in (0.01, 0.3)),
+    CASE._replace(scheme="implicit-euler"),
+    CASE._replace(ratios=(1.0,), kept_steps=CASE.kept_steps[:1]),
+    CASE._replace(spectrum=SOLID),
+]
+
+
+def numbers(outcome):
+    """Return what an outcome holds, without the time it took, as bytes."""
+    fields = outcome._replace(seconds=None)._asdict()
+    return {name: np.asarray(value).tobytes() for name, value in fields.items()}
+
+
+def alone(cases, asked):
+    return [numbers(run_case(LINE, case, asked)) for case in cases]
+
+
+ALONE = alone(CASES, STEADY)
+
+
+@settings(max_examples=20)
+@given(st.permutations(range(len(CASES))), st.integers(1, len(CASES)))
+def test_company_and_order_change_no_bit(order, count):
+    part = order[:count]
+    together = run_cases(LINE, [CASES[i] for i in part], STEADY)
+    assert [numbers(found) for found in together] == [ALONE[i] for i in part]
+
+
+def test_company_changes_no_bit_of_a_relaxation():
+    cases = CASES[::6]
+    together = run_cases(LINE, cases, Quantities())
+    assert [numbers(found) for found in together] == alone(cases, Quantities())
+
+
+def test_no_case_is_no_work():
+    assert run_cases(LINE, [], STEADY) == []
+
+
+def test_one_bad_case_is_refused():
+    with pytest.raises(ValueError, match="load"):
+        run_cases(LINE, [CASE, CASE._replace(load=-1.0)], STEADY)
+
+
+def test_time_is_booked_to_the_cases_that_took_it():
+    found = run_cases(LINE, CASES[:20], Quantities())
+    assert all(min(one.seconds) >= 0.0 for one in found)
+    assert found[0].seconds.marching > found[-1].seconds.marching
+    assert found[-1].seconds.steady > 0.0  # of the line, that all share
+
+
+def test_nothing_moves_in_full_contact():
+    """At both speeds: mu is mu_2 at once, and d what the load and the mean height make it."""
+    case = Case(40.0, 1.0, (1.2,), (np.arange(1, 30),), "exponential")
+    found = run_case(LINE, case, Quantities())
+    assert found.contact_fraction == 1.0
+    assert found.indentation == pytest.approx(40.0, rel=1e-13)
+    np.testing.assert_array_equal(found.curves[0], np.full(29, found.mu_2[0]))
