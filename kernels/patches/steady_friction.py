@@ -6,7 +6,16 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.friction import elastic_correction, quadrature, step_average
-from kernels.patches.loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, slide
+from kernels.patches.loads import (
+    CONTACT,
+    FULL,
+    INDENTATION,
+    MU,
+    SAMPLES,
+    SWEEPS,
+    Speeds,
+    slide,
+)
 from kernels.patches.refined import Refined, refined
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
@@ -85,10 +94,9 @@ def steady_friction(
         press[k, :-1], press[k, -1] = there.press, there.press_all
     guesses = np.full(loads.size, np.nan) if guesses is None else guesses
     share = _corrected_share(line.steps_per_spacing, speed)
-    steps, to = float(line.steps_per_spacing), np.array(others)
-    found, jumps = slide(
-        law, line.z, line.slope, spans, own, speed, loads, guesses, steps, share, to, press
-    )
+    speeds = Speeds(speed, own, np.array(others, float), press)
+    steps = float(line.steps_per_spacing)
+    found, jumps = slide(law, line.z, line.slope, spans, speeds, loads, guesses, steps, share)
     d = found[:, INDENTATION]
     sliding = Sliding(
         ground,

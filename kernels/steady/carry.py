@@ -7,13 +7,10 @@ That sum has terms of one sign: it is known to rounding, at any speed.
 
 from typing import NamedTuple
 
-import numpy as np
-
 from kernels.jit import kernel
 from kernels.rheology.law import NEGLIGIBLE, reach
+from kernels.steady.contacts import join_pieces, leave_piece, open_piece
 from kernels.steady.spans import SPAN
-
-LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
 
 
 class Decay(NamedTuple):
@@ -22,18 +19,6 @@ class Decay(NamedTuple):
     once: float  # after one sample, E
     span: float  # after a span
     within: float  # the sum of what is left at the samples of a span
-
-
-class Contacts(NamedTuple):
-    """The contacts of a steady state in pieces: patches, cut where the array or the list begins.
-
-    The first piece has the deepest sample at its top; the others follow downstream.
-    """
-
-    ends: np.ndarray  # shape (pieces, 3): top and bottom sample, whether it joins the piece before
-    edges: np.ndarray  # shape (pieces, 3): reach ahead of the top and behind the bottom, w at top
-    slope: np.ndarray  # of the line, in h/dx, shape (n,)
-    speed: float  # vbar of the steady state
 
 
 @kernel
@@ -45,20 +30,6 @@ def decay_of(law):
         span *= once if span > NEGLIGIBLE else 0.0
         within += span
     return Decay(once, span, within)
-
-
-@kernel
-def room_for(slope, speed):
-    """Return Contacts with room for all pieces that a line of these slopes can have."""
-    most = slope.size // 2 + 3
-    return Contacts(np.empty((most, 3), np.int64), np.empty((most, 3)), slope, speed)
-
-
-@kernel
-def first(contacts, pieces):
-    """Return so many pieces."""
-    ends, edges = contacts.ends[:pieces], contacts.edges[:pieces]
-    return Contacts(ends, edges, contacts.slope, contacts.speed)
 
 
 @kernel
@@ -121,7 +92,7 @@ def _samples(decay, z, d, first, stop, element, contacts, w):
             w[j] = free
         if gap < free:
             if not held:
-                _open(contacts, pieces, z, d, j, free, u)
+                open_piece(contacts, pieces, z, d, j, free, u)
                 pieces += 1
                 held = True
             u = gap
@@ -129,7 +100,7 @@ def _samples(decay, z, d, first, stop, element, contacts, w):
             touching += 1
         else:
             if held:
-                _leave(contacts, pieces - 1, z, d, j)
+                leave_piece(contacts, pieces - 1, z, d, j)
                 held = False
             u = free
             du = decay.once * du if alive else 0.0
@@ -139,47 +110,10 @@ def _samples(decay, z, d, first, stop, element, contacts, w):
 
 
 @kernel
-def _open(contacts, piece, z, d, top, free, u):
-    """Begin a piece of contact at sample ``top``, whose free displacement is ``free``.
-
-    u : that of the sample ahead, which does not touch. Contact reaches there to where z - w meets
-    d, linear in between.
-    """
-    if contacts is not None:
-        ahead = z[top + 1 if top + 1 < z.size else 0]
-        c = z[top] - free
-        contacts.ends[piece, 0], contacts.ends[piece, 2] = top, 0
-        contacts.edges[piece, 0], contacts.edges[piece, 2] = (d - c) / ((ahead - u) - c), free
-
-
-@kernel
-def _leave(contacts, piece, z, d, j):
-    """End a piece of contact in front of sample j, which is free.
-
-    The trailing edge lies where the pressure (d - z) + vbar z' vanishes, linear in between.
-    """
-    if contacts is not None:
-        bottom = j + 1 if j + 1 < z.size else 0
-        here = (d - z[bottom]) + contacts.speed * contacts.slope[bottom]
-        fall = here - ((d - z[j]) + contacts.speed * contacts.slope[j])
-        behind = min(max(here / fall, LEAST_REACH), MOST_REACH) if fall > 0.0 else 0.5
-        contacts.ends[piece, 1], contacts.edges[piece, 1] = bottom, behind
-
-
-@kernel
-def _join(contacts, above, piece, bottom, top, free):
-    """End the piece ``above`` at its ``bottom`` and go on with ``piece`` from ``top``."""
-    if contacts is not None:
-        contacts.ends[above, 1], contacts.edges[above, 1] = bottom, 0.5
-        contacts.ends[piece, 0], contacts.ends[piece, 2] = top, 1
-        contacts.edges[piece, 0], contacts.edges[piece, 2] = 0.5, free
-
-
-@kernel
 def _cut(contacts, pieces, z, d, j, last, free):
     """Cut a patch that goes on at the end of the array; return the number of pieces."""
     if last <= j and z[j] - d < free:
-        _join(contacts, pieces - 1, pieces, 0, j, free)
+        join_pieces(contacts, pieces - 1, pieces, 0, j, free)
         return pieces + 1
     return pieces
 
@@ -192,9 +126,9 @@ def _arrive(decay, z, d, deepest, u, held, pieces, contacts, w):
         w[deepest] = free
     if held:
         above = deepest + 1 if deepest + 1 < z.size else 0
-        _join(contacts, pieces - 1, 0, above, deepest, free)
+        join_pieces(contacts, pieces - 1, 0, above, deepest, free)
     else:
-        _open(contacts, 0, z, d, deepest, free, u)
+        open_piece(contacts, 0, z, d, deepest, free, u)
 
 
 @kernel

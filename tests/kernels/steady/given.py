@@ -2,7 +2,10 @@
 
 import numpy as np
 
-from kernels import SCHEMES, Line
+from kernels import SCHEMES, Line, steady_sliding
+from kernels.steady.carry import carry, decay_of
+from kernels.steady.contacts import room_for
+from kernels.steady.plain import sweep
 from kernels.steady.spans import spans_of, thresholds_of
 from tests.lines import random_line
 
@@ -34,3 +37,16 @@ def known(line, speed, scheme="exponential"):
 def touching(z, w, d):
     """Return the samples in contact, by the condition itself."""
     return z - np.asarray(w) < d
+
+
+def both(line, speed, load, scheme="exponential"):
+    """Return (d, the plain sweep's w and sums, carry's w, sums and contacts) at the load's d."""
+    law, spans, own = known(line, speed, scheme)
+    (_, d), _ = steady_sliding(law, line.z, load * line.z.size)
+    plain, w = np.empty_like(line.z), np.empty_like(line.z)
+    total, slope, count = sweep(law, line.z, d, spans.deepest, plain)
+    contacts = room_for(line.slope, speed)
+    found = carry(decay_of(law), line.z, spans, own.stay, d, contacts, w)
+    expected = law.stiffness * total, law.stiffness * slope, count
+    assert found == carry(decay_of(law), line.z, spans, own.stay, d)  # whatever is filled
+    return d, plain, expected, w, found, contacts

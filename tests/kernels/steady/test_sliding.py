@@ -6,7 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kernels import steady_sliding
-from kernels.steady.carry import decay_of, room_for
+from kernels.steady.carry import decay_of
+from kernels.steady.contacts import room_for
 from kernels.steady.sliding import elastic_guess, indentation
 from tests.kernels.steady.given import LINES, LOADS, known, line_of
 from tests.sizes import size

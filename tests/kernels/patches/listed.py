@@ -1,0 +1,38 @@
+"""The contacts of steady states, listed, and as a state of every sample."""
+
+import numpy as np
+import pytest
+
+from kernels import steady_sliding
+from kernels.patches.pressure import pressed
+from kernels.patches.touching import list_touching, room_for_all
+from kernels.steady.carry import carry, decay_of
+from kernels.steady.contacts import first, room_for
+from kernels.steady.spans import thresholds_of
+from tests.kernels.steady.given import LINES, LOADS, known, line_of
+
+everywhere = pytest.mark.parametrize(
+    "given", [(*point, load) for point in LINES for load in LOADS], ids=str
+)
+
+
+class Listed:
+    """Steady sliding on a random line: (w, d) by the plain solver, and its contacts."""
+
+    def __init__(self, hurst, elements, m, speed, load):
+        self.line, self.speed, self.load = line_of(hurst, elements, m), speed, load
+        z, slope = self.line.z, self.line.slope
+        self.law, self.spans, own = known(self.line, speed)
+        self.total = load * z.size
+        self.state, _ = steady_sliding(self.law, z, self.total)
+        room = room_for(slope, speed)
+        self.decay = decay_of(self.law)
+        *_, pieces = carry(self.decay, z, self.spans, own.stay, self.state.d, room)
+        self.contacts = first(room, pieces)
+        self.touching = list_touching(self.contacts, room_for_all(z.size))
+
+    def at(self, speed):
+        """Return what touches, at the moment when the speed has become ``speed``."""
+        z, slope = self.line.z, self.line.slope
+        press = thresholds_of(z, slope, speed, self.law.stiffness).press
+        return pressed(z, slope, self.spans, self.touching, speed, press, np.empty(z.size))

@@ -1,0 +1,57 @@
+"""Many loads at one speed: each as alone, full contact by its criterion alone."""
+
+import numpy as np
+import pytest
+
+from kernels import steady_sliding
+from kernels.patches.loads import (
+    CONTACT,
+    FULL,
+    INDENTATION,
+    MU,
+    SAMPLES,
+    SWEEPS,
+    Speeds,
+    slide,
+)
+from tests.kernels.steady.given import LINES, known, line_of, touching
+
+SEVERAL = np.geomspace(1e-4, 60.0, 12)
+
+
+def slid(line, speed, several, criterion=True):
+    """Return (found, jumps) under loads Fbar."""
+    law, spans, own = known(line, speed)
+    there = known(line, 1.2 * speed)[2]
+    if not criterion:
+        own, there = (at._replace(stay_all=np.inf, press_all=np.inf) for at in (own, there))
+    press = np.append(there.press, there.press_all)[None]
+    speeds = Speeds(speed, own, np.array([1.2 * speed]), press)
+    none = np.full(several.size, np.nan)
+    total, m = several * line.z.size, float(line.steps_per_spacing)
+    return slide(law, line.z, line.slope, spans, speeds, total, none, m, 0.0)
+
+
+@pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
+def test_every_load_is_as_alone_and_full_contact_where_all_samples_touch(hurst, elements, m, speed):
+    line = line_of(hurst, elements, m)
+    found, jumps = slid(line, speed, SEVERAL)
+    for i, load in enumerate(SEVERAL):
+        alone, jump = slid(line, speed, SEVERAL[i : i + 1])
+        np.testing.assert_array_equal(alone[0], found[i])
+        np.testing.assert_array_equal(jump[0], jumps[i])
+        (w, d), _ = steady_sliding(known(line, speed)[0], line.z, load * line.z.size)
+        assert (found[i, FULL] == 1.0) == touching(line.z, w, d).all()
+        assert (found[i, SWEEPS] == 0.0) == (found[i, FULL] == 1.0)
+
+
+def test_nothing_but_speed_is_changed_by_the_closed_form():
+    """Full contact found by the general path: its criterion never met."""
+    line = line_of(0.7, 100, 4)
+    closed, general = slid(line, 2.0, SEVERAL), slid(line, 2.0, SEVERAL, criterion=False)
+    full = closed[0][:, FULL] == 1.0
+    assert full.any()
+    assert not general[0][:, FULL].any()
+    for column in (INDENTATION, MU, CONTACT, SAMPLES):
+        np.testing.assert_allclose(general[0][:, column], closed[0][:, column], rtol=1e-12)
+    np.testing.assert_allclose(general[1], closed[1], rtol=1e-12, atol=1e-14)

@@ -1,0 +1,34 @@
+"""What touches, listed, against the condition of contact sample by sample."""
+
+import numpy as np
+
+from kernels.friction import _covered
+from kernels.patches.samples import samples_per_contact
+from kernels.patches.touching import median_width, steepest
+from kernels.steady.spans import SPAN
+from tests.kernels.patches.listed import Listed, everywhere
+from tests.kernels.steady.given import touching
+
+
+@everywhere
+def test_every_touching_sample_is_listed_once_as_far_as_contact_covers_it(given):
+    listed = Listed(*given)
+    line, (w, d) = listed.line, listed.state
+    weight = np.zeros(line.z.size)
+    np.add.at(weight, listed.touching.at, listed.touching.weight)
+    for b in listed.touching.spans:
+        weight[b * SPAN : (b + 1) * SPAN] += 1.0
+    expected = np.zeros(line.z.size)
+    for j in np.flatnonzero(touching(line.z, w, d)):
+        expected[j] = _covered(line.z, line.slope, w, d, listed.speed, j)
+    np.testing.assert_allclose(weight, expected, rtol=1e-6, atol=1e-9)
+
+
+@everywhere
+def test_widths_and_slopes_are_those_of_the_samples(given):
+    listed = Listed(*given)
+    line, (w, d) = listed.line, listed.state
+    width = median_width(line.z, d, listed.spans, listed.decay, listed.contacts)
+    assert width == samples_per_contact(d - (line.z - w))
+    expected = np.abs(line.slope[touching(line.z, w, d)]).max()
+    assert steepest(line.slope, listed.spans, listed.touching) == expected
