@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 from tests.support.studies import check_drawing, run
-from workflow.reduce import FITTED, NO_STATE
+from workflow.reduce import FITTED, NO_STATE, UNDETERMINED
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
@@ -52,9 +52,10 @@ def test_a_rubber_weakens_and_a_is_one_constant_up_and_down(rubber):
     fast = rubber.isel(velocity=FAST)
     assert (fast.rate_state_a_minus_b < -3.0 * fast.rate_state_a_minus_b_error).all()
     a = rubber.rate_state_a.sel(law="ruina")
-    assert (a.isel(velocity_step=UP) / a.isel(velocity_step=DOWN)).values == pytest.approx(
-        1, abs=0.1
-    )
+    ratio = (a.isel(velocity_step=UP) / a.isel(velocity_step=DOWN)).values
+    assert ratio == pytest.approx(1.0, abs=0.2)  # each a is known to 7 %
+    own = rubber.isel(velocity=FAST).sel(law="ruina")
+    assert apart(own, "rate_state_a", {"velocity_step": UP}, {"velocity_step": DOWN}) < 3.0
 
 
 def test_critical_distance_of_a_rubber_is_a_length_and_not_that_of_the_finest_waves(rubber):
@@ -68,7 +69,8 @@ def test_critical_distance_of_a_rubber_is_a_length_and_not_that_of_the_finest_wa
 
 def test_a_kelvin_element_has_no_state_at_low_speed(kelvin):
     slow = kelvin.isel(velocity=SLOW)
-    assert (slow.rate_state_status.isel(velocity_step=UP) == NO_STATE).all()
+    up = slow.rate_state_status.isel(velocity_step=UP)
+    assert up.isin([NO_STATE, UNDETERMINED]).all()  # b may be 1e-4 of a, and significant
     assert (slow.rate_state_status != FITTED).all()
     assert slow.rate_state_dc.isnull().all()
     up = slow.isel(velocity_step=UP)
