@@ -12,7 +12,7 @@ from workflow.result.provenance import provenance
 from workflow.result.variables import VARIABLES
 from workflow.study.grid import AXES
 
-ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing"}
+ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing", "degrees_of_freedom"}
 ALWAYS |= {"bias_bound", "resolution_status", "samples_per_contact", "samples_per_contact_error"}
 HURST_FITS = {"alpha", "alpha_free", "alpha_prefactor", "alpha_scatter", "alpha_points"}
 HURST_FITS |= {"alpha_bias", "alpha_free_bias", "alpha_unresolved"}
