@@ -31,8 +31,8 @@ class Blocks(NamedTuple):
     jumps: bool = True  # whether friction jumps with the velocity: whether there is a dashpot
     speeds: np.ndarray = np.empty((0, 2))  # before and after the velocity step, dx/tau, (tasks, 2)
     programmes: tuple[Programme, ...] = ()  # of the tasks
-    negligible: float = 0.0  # share of the jump
     stamps: dict[str, np.ndarray] | None = None  # of traces (kernels/scene), each (tasks, events)
+    negligible: float = 0.0  # share of the jump
 
 
 def enter(estimates: Estimates, name: str, values: np.ndarray) -> None:
@@ -68,8 +68,8 @@ def blocks_of(
         variant.material.jumps,
         np.array(speeds),
         tuple(task.problem.programme for task in tasks),
-        variant.numerics.negligible,
         _stamps(variant, tasks) if variant.recording.asked else None,
+        variant.numerics.negligible,
     )
 
 
