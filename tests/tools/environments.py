@@ -21,7 +21,7 @@ ROOT = Path(__file__).resolve().parents[2]
 TESTERS = ["pytest", "pytest-xdist", "hypothesis"]
 TESTS = [
     "tests/kernels/test_contact.py",
-    "tests/kernels/test_steady.py",
+    "tests/kernels/steady",
     "tests/kernels/test_march.py",
     "tests/workflow/reduce",
     "tests/workflow/result",
