@@ -13,7 +13,7 @@ from tests.support.powers import write_powers
 from tests.support.results import FIGURE
 from tests.support.runs import Run, run
 from tests.support.small import write_study
-from workflow.plan.cost import TYPICAL, machine
+from workflow.plan.cost import PARTS, machine
 
 
 @pytest.fixture(scope="session", autouse=True)
@@ -26,12 +26,13 @@ def no_commit() -> Iterator[None]:
 
 @pytest.fixture(scope="session", autouse=True)
 def typical_machine(tmp_path_factory) -> Iterator[None]:
-    """Predict with the timings of a typical machine: nothing is measured."""
-    file = tmp_path_factory.mktemp("machine") / "timings.json"
-    known = {"machine": "a typical machine", "date": "2020-01-01", "timings": TYPICAL._asdict()}
+    """Predict with the pace of a typical machine: nothing is measured."""
+    file = tmp_path_factory.mktemp("machine") / "pace.json"
+    measured = dict.fromkeys(PARTS, (1.0, 1.0))
+    known = {"machine": "a typical machine", "date": "2020-01-01", "measured": measured}
     file.write_text(json.dumps(known), encoding="utf-8")
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr(machine, "timings_file", lambda: file)
+        patch.setattr(machine, "pace_file", lambda: file)
         yield
 
 

@@ -12,12 +12,13 @@ from workflow.plan import (
     cut,
     make_plan,
     missing_work,
+    predicted,
     this_machine,
     total_seconds,
 )
 from workflow.simulate import programme_steps
 from workflow.study import Measured, Study, judged
-from workflow.system import duration
+from workflow.system import core_time, duration
 
 SHOWN = 8  # legs of a programme
 
@@ -25,7 +26,7 @@ SHOWN = 8  # legs of a programme
 def outline_grid(study: Study, result: Path) -> list[str]:
     """Return what a study of a grid would do and cost, line by line; computes nothing."""
     machine = this_machine()
-    return outline(make_plan(study, machine.timings), result, machine.note)
+    return outline(make_plan(study, machine.pace), result, machine.note)
 
 
 def outline_measured(study: Measured, result: Path) -> list[str]:
@@ -38,7 +39,7 @@ def outline_measured(study: Measured, result: Path) -> list[str]:
 def outline(plan: Plan, result: Path, speed: str) -> list[str]:
     """Return the description of a plan, line by line.
 
-    speed : says where the timings of the prediction come from.
+    speed : says where the pace of the prediction comes from.
     """
     study = plan.study
     lines = [f"study       {study.name}: {study.title}", f"result      {result}"]
@@ -90,7 +91,7 @@ def _costs(plan: Plan, speed: str) -> list[str]:
     missing = missing_work(plan, ())
     pieces = cut(plan, missing, batch_target(total_seconds(missing)))
     return [
-        f"predicted   {duration(total_seconds(pieces))} of one core",
+        f"predicted   {core_time(*predicted(plan, pieces)[1:])}",
         f"speed       as measured on {speed}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "

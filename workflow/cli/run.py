@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 
 from workflow.errors import UserError
-from workflow.plan import make_plan, this_machine
+from workflow.plan import learn, make_plan, this_machine
 from workflow.study import BATCH_SYSTEMS, Measured, Study
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
@@ -57,7 +57,7 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
     from workflow.run import How, run_plan
 
-    plan = make_plan(study, this_machine().timings)
+    plan = make_plan(study, this_machine().pace)
     where = options.scheduler or options.batch_system or study.cluster.where
     how = How(
         cluster=study.cluster._replace(where=where),
@@ -70,6 +70,7 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
         no_lock=options.no_lock,
     )
     summary = run_plan(plan, result, how)
+    learn(summary.spent, summary.typical)
     print("\n".join(summary.lines(plan)))
     if summary.failures:
         print("\n".join(summary.failures), file=sys.stderr)

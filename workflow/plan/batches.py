@@ -4,12 +4,14 @@ The store is asked once, record by record; what is missing is then cut to any le
 """
 
 from bisect import bisect_right
+from collections import defaultdict
 from collections.abc import Container, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
 
+from workflow.plan.cost import PARTS, Prediction, prediction
 from workflow.plan.plan import Plan
 from workflow.plan.variant import Variant, samples_of
 from workflow.simulate import Batch, Record, Task
@@ -64,10 +66,17 @@ def total_records(missing: list[Missing]) -> int:
 
 def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
     """Return the predicted time of one block of tasks that share their lines."""
-    lines = {samples_of(task) for task in tasks}
-    drawing = sum(variant.drawing[samples] for samples in sorted(lines))
-    each = drawing + sum(variant.seconds[task.key] for task in tasks)
-    return plan.study.realizations_per_block * each
+    return plan.study.realizations_per_block * float(variant.typical_of(tasks) @ variant.factors)
+
+
+def predicted(plan: Plan, missing: list[Missing]) -> Prediction:
+    """Return the core-seconds of missing work, and between which nine of ten runs end."""
+    typical: dict[tuple[str, str], float] = defaultdict(float)
+    for entry in missing:
+        count = entry.blocks * plan.study.realizations_per_block
+        for part, seconds in zip(PARTS, entry.variant.typical_of(entry.tasks), strict=True):
+            typical[entry.variant.kind, part] += count * float(seconds)
+    return prediction(plan.pace, typical)
 
 
 def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
@@ -144,13 +153,13 @@ def _missing_runs(
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
     """Yield the tasks of missing work, as many together as take ``target`` seconds a block."""
     block = plan.study.realizations_per_block
-    predicted, draw = whole.variant.seconds, whole.variant.drawing
+    variant = whole.variant
     chosen: list[Task] = []
     lines: set[int] = set()
     total = 0.0
     for task in whole.tasks:
-        samples, own = samples_of(task), predicted[task.key]
-        drawing = draw[samples]
+        samples, own = samples_of(task), variant.seconds[variant.rows[task.key]]
+        drawing = variant.draw_seconds(samples)
         shared = own if samples in lines else own + drawing
         if chosen and total + block * shared > target:
             yield whole._replace(tasks=chosen, seconds=total)

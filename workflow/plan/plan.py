@@ -7,11 +7,11 @@ import numpy as np
 
 from kernels import START, Origin, Quantities
 from workflow.errors import UserError
-from workflow.plan.cost import TYPICAL, Timings
+from workflow.plan.cost import PARTS, TYPICAL, Pace
 from workflow.plan.goal import FIRST_SHARE, whole_blocks
 from workflow.plan.motion import asked_of
 from workflow.plan.variant import Variant, problems_of, variant_of
-from workflow.simulate import Task, row_layout, row_width
+from workflow.simulate import Batch, Task, row_layout, row_width
 from workflow.study import Study
 
 DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
@@ -30,7 +30,7 @@ class Plan(NamedTuple):
     study: Study
     variants: list[Variant]
     asked: Quantities  # of the kernels
-    timings: Timings  # of the machine that the prediction is for
+    pace: Pace  # of the machine that the prediction is for
     first: dict[str, int]  # blocks of the first round by key of the task, all where no goals are
     expected: dict[str, int]  # blocks that the goals are predicted to need
 
@@ -72,6 +72,13 @@ class Plan(NamedTuple):
         estimates = self.points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * widest)
         return DRIVER_BYTES + tasks * BYTES_PER_TASK + self.records * BYTES_PER_RECORD + estimates
 
+    def typical_of(self, batch: Batch) -> dict[tuple[str, str], float]:
+        """Return the typical seconds of a batch by kind and part of the work."""
+        variant = next(v for v in self.variants if batch.tasks[0].key in v.rows)
+        count = batch.blocks * batch.realizations_per_block
+        seconds = (count * variant.typical_of(batch.tasks)).tolist()
+        return {(variant.kind, part): own for part, own in zip(PARTS, seconds, strict=True)}
+
     def first_point(self, task: Task) -> dict[str, float]:
         """Return the first grid point of a task: axis -> value."""
         variant = next(v for v in self.variants if task in v.tasks)
@@ -82,17 +89,16 @@ class Plan(NamedTuple):
         }
 
 
-def make_plan(study: Study, timings: Timings = TYPICAL, origin: Origin = START) -> Plan:
+def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Plan:
     """Return the plan of a study. Raises UserError where a problem would be too large.
 
-    timings : how fast the machine is; the size of batches depends on it, no result does.
+    pace : how fast the machine is; the size of batches depends on it, no result does.
     origin : where a programme that is resumed begins.
     """
     asked = asked_of(study)
     problems = problems_of(study)
     variants = [
-        variant_of(study, asked, timings, label, problems[label], origin)
-        for label in study.variants
+        variant_of(study, asked, pace, label, problems[label], origin) for label in study.variants
     ]
     tasks = [task for variant in variants for task in variant.tasks]
     first = {task.key: study.blocks for task in tasks}
@@ -104,7 +110,7 @@ def make_plan(study: Study, timings: Timings = TYPICAL, origin: Origin = START) 
             counts = whole_blocks(study, share * needs, most).tolist()
             blocks.update(zip(variant.goals, counts, strict=True))
     _check_records(study, sum(expected.values()))
-    return Plan(study, variants, asked, timings, first, expected)
+    return Plan(study, variants, asked, pace, first, expected)
 
 
 def _check_records(study: Study, records: int) -> None:

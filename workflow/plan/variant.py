@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import Origin, Quantities
-from workflow.plan.cost import Timings, Work, work_seconds
+from workflow.plan.cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
 from workflow.plan.goal import Goal, goal_of
 from workflow.plan.motion import recording_of
 from workflow.plan.problems import distinct_problems, together
@@ -30,8 +30,22 @@ class Variant(NamedTuple):
     tasks: list[Task]  # in the order of the distinct problems
     by_line: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
     goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
-    seconds: dict[str, float]  # predicted, of one realization, by key of the task
-    drawing: dict[int, float]  # predicted, of one line, by its number of samples
+    kind: str  # of the work
+    rows: dict[str, int]  # numbers of the tasks by key
+    typical: np.ndarray  # s, of one realization but for its line, shape (tasks, PARTS)
+    factors: np.ndarray  # by which this machine takes longer, shape (PARTS,)
+    seconds: list[float]  # predicted, of one realization but for its line
+    drawing: dict[int, float]  # typical, of one line, by its number of samples
+
+    def typical_of(self, tasks: Sequence[Task]) -> np.ndarray:
+        """Return the typical seconds of one realization of tasks that share their lines."""
+        found = self.typical[[self.rows[task.key] for task in tasks]].sum(axis=0)
+        found[0] += sum(self.drawing[samples] for samples in sorted(set(map(samples_of, tasks))))
+        return found
+
+    def draw_seconds(self, samples: int) -> float:
+        """Return the predicted time of drawing one line of so many samples."""
+        return self.drawing[samples] * float(self.factors[0])
 
 
 class Problems(NamedTuple):
@@ -48,7 +62,7 @@ class _Sizes(NamedTuple):
 
     steps: list[int]  # per spacing
     march_steps: list[int]
-    seconds: list[float]  # predicted, of one realization
+    typical: np.ndarray  # s, by part, shape (problems, PARTS)
     goals: list[Goal]  # empty where no accuracy is asked for
 
 
@@ -72,33 +86,34 @@ def _written(problems: list[Problem]) -> list[str]:
     return [f"{problem[:5]!r}{settings[problem[5:]]}" for problem in problems]
 
 
-def _sizes(
-    study: Study, asked: Quantities, timings: Timings, label: str, problems: Problems
-) -> _Sizes:
+def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _Sizes:
     """Return what the laws say, of problems that are alike at once."""
     numerics, recording = study.variants[label], recording_of(study, study.variants[label])
     count = len(problems.each)
-    found: Sequence[np.ndarray] = [np.zeros(count, kind) for kind in (np.int64, np.int64, float)]
+    found = np.zeros((2, count), np.int64), np.zeros((count, len(PARTS)))
     goals: list[Goal] = []
     for rows, many in problems.together:
         goal = goal_of(many, study.scene, numerics) if numerics.accuracy else None
         steps = goal.steps if goal else steps_per_spacing(many, study.scene, numerics)
         march_steps = horizon_steps(many, numerics, steps) if asked.relaxation else 0 * steps
-        seconds = work_seconds(timings, asked, Work(many, steps, march_steps), recording)
-        for values, own in zip(found, (steps, march_steps, seconds), strict=True):
-            values[rows] = own  # one for all where it is given
+        found[0][:, rows] = np.broadcast_arrays(steps, march_steps, rows)[
+            :2
+        ]  # one for all if given
+        parts = typical_seconds(asked, Work(many, steps, march_steps), recording)
+        for column, part in enumerate(PARTS):
+            found[1][rows, column] = parts[part]
         if goal:
             goals = goals or [goal] * count
             for row, single in zip(rows.tolist(), goal.each(rows.size), strict=True):
                 goals[row] = single
-    steps, march_steps, seconds = found
-    return _Sizes(steps.tolist(), march_steps.tolist(), seconds.tolist(), goals)
+    steps, march_steps = found[0].tolist()
+    return _Sizes(steps, march_steps, found[1], goals)
 
 
 def variant_of(
     study: Study,
     asked: Quantities,
-    timings: Timings,
+    pace: Pace,
     label: str,
     problems: Problems,
     origin: Origin,
@@ -106,7 +121,7 @@ def variant_of(
     """Return a variant of a study; ``problems`` are its own, ``origin`` as for ``make_plan``."""
     numerics = study.variants[label]
     recording = recording_of(study, numerics)._replace(origin=origin)
-    said = _sizes(study, asked, timings, label, problems)
+    said = _sizes(study, asked, label, problems)
     # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
     shared = repr((CODE, study.seed, study.surfaces[label].normalisation, numerics.scheme))
     shared += repr((recording, asked, study.realizations_per_block))
@@ -120,6 +135,8 @@ def variant_of(
     ]
     keys = [task.key for task in tasks]
     sizes = {samples_of(task) for task in tasks}
+    kind = kind_of(tasks[0].problem.spectrum, recording)
+    factors = np.array([pace.rate(kind, part).factor for part in PARTS])
     material = study.materials[label]
     events = 0
     if recording.asked:
@@ -135,8 +152,12 @@ def variant_of(
         tasks,
         by_line,
         dict(zip(keys, said.goals, strict=True)) if said.goals else {},
-        dict(zip(keys, said.seconds, strict=True)),
-        {samples: float(timings.draw(samples)) for samples in sizes},
+        kind,
+        {key: row for row, key in enumerate(keys)},
+        said.typical,
+        factors,
+        (said.typical @ factors).tolist(),
+        {samples: float(DRAW(samples)) for samples in sizes},
     )
 
 

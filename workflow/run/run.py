@@ -183,7 +183,7 @@ class _Run:
                     require_one(self.makers, self.how.one_kind)
                     with self.summary.filing():
                         shelf.add(batch, done)
-                    self.summary.count(batch, done)
+                    self.summary.count(self.plan, batch, done)
                     reporter.advance(batch.seconds)
 
     def _extent(self, missing: list[Missing] | None = None) -> tuple[int, float]:

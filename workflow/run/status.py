@@ -146,7 +146,7 @@ def read_status(study: Study, result: Path, folder: Path) -> Status:
 
 def counted(study: Study, folder: Path) -> Status:
     """Return the status counted record by record."""
-    plan, store = make_plan(study, this_machine().timings), Store(folder)
+    plan, store = make_plan(study, this_machine().pace), Store(folder)
     missing = missing_work(plan, store)
     failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)
     done = plan.records - total_records(missing)

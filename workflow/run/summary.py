@@ -15,11 +15,12 @@ from workflow import result as results
 from workflow.plan import Plan
 from workflow.simulate import PHASES, Batch, BatchResult
 from workflow.study import AXES
-from workflow.system import counted, duration, peak_bytes
+from workflow.system import counted, duration, peak_bytes, this_maker
 
 if TYPE_CHECKING:
     import xarray as xr
 
+Spent = dict[tuple[str, str], float]  # s
 COSTLIEST = 3  # points shown
 SHOWN = ("hurst", "normal_force", "spacing", "velocity", "velocity_step")
 
@@ -44,8 +45,10 @@ class Summary:
     accuracy: list[str] = field(default_factory=list)  # what was reached, by variant
     phases: dict[str, float] = field(default_factory=lambda: defaultdict(float))
     tasks: dict[str, float] = field(default_factory=lambda: defaultdict(float))  # by key
+    spent: Spent = field(default_factory=lambda: defaultdict(float))  # by kind and part of the work
+    typical: Spent = field(default_factory=lambda: defaultdict(float))  # of it, of a plan
 
-    def count(self, batch: Batch, done: BatchResult) -> None:
+    def count(self, plan: Plan, batch: Batch, done: BatchResult) -> None:
         """Enter a finished batch."""
         self.batches += 1
         self.used += done.seconds
@@ -54,6 +57,11 @@ class Summary:
         for phase, seconds in zip(PHASES, phases, strict=True):
             self.phases[phase] += float(seconds)
         self.phases["calls"] += done.seconds - float(phases.sum())
+        if done.maker == this_maker():  # other processors teach nothing of this one
+            parts = (*phases, done.seconds - phases.sum())
+            for (which, typical), used in zip(plan.typical_of(batch).items(), parts, strict=True):
+                self.spent[which] += float(used)
+                self.typical[which] += typical
         for task, seconds in zip(batch.tasks, done.spent.sum(axis=1), strict=True):
             self.tasks[task.key] += float(seconds)
 

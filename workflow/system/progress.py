@@ -72,3 +72,11 @@ def duration(seconds: float) -> str:
         if seconds >= 2.0 * size:
             return f"{seconds / size:.1f} {unit}"
     return f"{seconds:.0f} s"
+
+
+def core_time(low: float, high: float) -> str:
+    """Return an interval of CPU seconds in words: about 35 to 50 core-minutes."""
+    sizes = ((86400.0, "days"), (3600.0, "hours"), (60.0, "minutes"), (1.0, "seconds"))
+    size, unit = next((s for s in sizes if low * high >= (2.0 * s[0]) ** 2), sizes[-1])
+    first, last = (f"{float(f'{seconds / size:.2g}'):g}" for seconds in (low, high))
+    return f"about {first} to {last} core-{unit}"

@@ -17,11 +17,11 @@ def test_variants_of_one_material_share_their_problems():
 
 def test_every_task_is_in_the_line_of_its_own_and_is_predicted():
     for variant in PLAN.variants:
-        assert sorted(t.key for line in variant.by_line for t in line) == sorted(variant.seconds)
+        assert sorted(t.key for line in variant.by_line for t in line) == sorted(variant.rows)
         for line in variant.by_line:
             assert len({task.problem[:2] for task in line}) == 1
         assert variant.drawing.keys() == {samples_of(task) for task in variant.tasks}
-        assert all(seconds > 0.0 for seconds in variant.seconds.values())
+        assert all(seconds > 0.0 for seconds in variant.seconds)
 
 
 UNCHANGED = [

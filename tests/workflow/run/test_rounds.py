@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 
 from kernels import QUARTET
 from tests.support.runs import run, shards
+from workflow.plan.cost import PARTS, Pace
 from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
 from workflow.reduce.attainment import MISSED
@@ -81,7 +82,7 @@ def test_a_second_run_computes_nothing(reached):
 
 
 def test_the_speed_of_the_machine_plays_no_part(reached):
-    slow = reached.plan.timings._replace(case=1.0)
+    slow = Pace(dict.fromkeys(PARTS, (100.0, 3.0)))
     plan = make_plan(reached.plan.study, slow)
     assert (plan.first, plan.expected) == (reached.plan.first, reached.plan.expected)
     assert [v.tasks for v in plan.variants] == [v.tasks for v in reached.plan.variants]

@@ -6,8 +6,10 @@ import numpy as np
 import pytest
 
 from tests.support.small import cut_batches, random_result, small_plan
+from workflow.plan.cost.work import PLAIN
 from workflow.run.summary import Summary
 from workflow.simulate.tasks import PHASES
+from workflow.system import this_maker
 
 PLAN = small_plan("grid.velocity=[0.03, 0.05, 0.1]")
 BATCH = next(cut_batches(PLAN, set(), 1e9))
@@ -22,7 +24,7 @@ def spent(weights):
 def counted(weights):
     """Return the summary of that batch alone."""
     summary = Summary(predicted=10.0, wall=30.0, start=5.0, workers=2, files=0.25)
-    summary.count(BATCH, spent(weights))
+    summary.count(PLAN, BATCH, spent(weights))
     return summary
 
 
@@ -31,6 +33,16 @@ def test_seconds_of_phases_and_of_tasks_add_up():
     assert sum(summary.phases.values()) == pytest.approx(summary.used)
     assert summary.phases["calls"] == pytest.approx(1.0)
     assert sum(summary.tasks.values()) == pytest.approx(summary.used - 1.0)
+
+
+def test_what_this_processor_took_stands_beside_what_is_typical():
+    result = spent([1.0] * 6)
+    summary = counted([1.0] * 6)
+    assert summary.spent == {}  # another maker computed it
+    summary.count(PLAN, BATCH, result._replace(maker=this_maker()))
+    assert sum(summary.spent.values()) == pytest.approx(result.seconds)
+    assert summary.spent[PLAIN, "steady"] == pytest.approx(6.0)
+    assert summary.typical == pytest.approx(PLAN.typical_of(BATCH))
 
 
 def test_the_points_that_cost_most_come_first():

@@ -9,7 +9,7 @@ import pytest
 
 from kernels.rheology.law import reach
 from workflow.simulate import realizations as work
-from workflow.simulate.code import CODE, FOLDERS, code_hash
+from workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
 
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
 # What the hashed files use of ours that no number depends on.
@@ -130,3 +130,25 @@ NO_EDITS = {
 @pytest.mark.parametrize("name", NO_EDITS)
 def test_words_and_layout_leave_the_hash_alone(copied, name):
     assert edited(copied, *NO_EDITS[name]) == CODE
+
+
+def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged(
+    tmp_path, monkeypatch
+):
+    assert known_hash() == code_hash() == CODE
+    folder, kept = tmp_path / "room", tmp_path / "kept"
+    for path in (folder, kept):
+        path.mkdir()
+    monkeypatch.setattr("kernels.cache.FOLDER", str(kept))
+    source = folder / "a.py"
+    for text in ("x = 1\n", "x = 1  # one\n", "x = 2\n"):
+        source.write_text(text)
+        assert known_hash((folder,)) == known_hash((folder,)) == code_hash((folder,))
+    files = list(kept.iterdir())
+    assert len(files) == 3
+    for spoilt in (b"", b"0123", b"\xff" * 16, b"x" * 16):
+        for file in files:
+            file.write_bytes(spoilt)
+        assert known_hash((folder,)) == code_hash((folder,))
+    monkeypatch.setattr("kernels.cache.FOLDER", str(tmp_path / "nowhere"))
+    assert known_hash((folder,)) == code_hash((folder,))

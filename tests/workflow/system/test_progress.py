@@ -4,7 +4,7 @@ import io
 import re
 import sys
 
-from workflow.system.progress import Reporter, duration
+from workflow.system.progress import Reporter, core_time, counted, duration
 
 SECONDS = (0.0, 0.4, 12.3, 119.0, 120.0, 204.0, 7199.0, 20160.0, 674000.0)
 WORDS = "0 s, 0 s, 12 s, 119 s, 2.0 min, 3.4 min, 120.0 min, 5.6 h, 7.8 d"
@@ -78,3 +78,15 @@ def test_who_works_is_said(capsys, clock):
         reporter.advance(10.0)
         reporter.beat(2, 1)
     assert lines(capsys) == ["computing: 100%, 0 s left, 2 workers, 1 failed"]
+
+
+def test_an_interval_is_in_one_unit_and_two_digits():
+    assert core_time(2100.0, 3000.0) == "about 35 to 50 core-minutes"
+    assert core_time(0.4, 0.61) == "about 0.4 to 0.61 core-seconds"
+    assert core_time(1e5, 1.23e5) == "about 28 to 34 core-hours"
+    assert core_time(3e6, 1.23e7) == "about 35 to 140 core-days"
+    assert core_time(0.0, 0.0) == "about 0 to 0 core-seconds"
+
+
+def test_one_thing_is_one():
+    assert [counted(n, "worker") for n in (0, 1, 2)] == ["0 workers", "1 worker", "2 workers"]

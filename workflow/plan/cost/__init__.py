@@ -8,7 +8,15 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.plan.cost.machine import this_machine
-    from workflow.plan.cost.work import TYPICAL, Timings, Work, touchable_share, work_seconds
+    from workflow.plan.cost.machine import Parted, learn, this_machine
+    from workflow.plan.cost.pace import TYPICAL, Pace, Prediction, prediction
+    from workflow.plan.cost.work import (
+        DRAW,
+        PARTS,
+        Work,
+        kind_of,
+        touchable_share,
+        typical_seconds,
+    )
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -1,17 +1,19 @@
-"""How fast this machine runs the kernels: measured once (timing.py), then kept.
+"""The pace of this machine: measured once (timing.py), then kept, and corrected by its runs.
 
-The timings are kept in the cache folder of the compiled kernels, one file per kernels, processor
-and packages. Predictions and the size of batches depend on them, results do not.
+It is kept in the cache folder of the compiled kernels, one file per kernels, processor and
+packages. Predictions and the size of batches depend on it, results do not.
 """
 
 import contextlib
 import hashlib
 import json
+import math
 import os
 import subprocess
 import sys
+from collections.abc import Mapping
 from pathlib import Path
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numba
 import numpy as np
@@ -19,8 +21,9 @@ import numpy as np
 from kernels import Quantities, cache
 from kernels.cache import source_hash
 from workflow.errors import UserError
-from workflow.plan.cost import timing
-from workflow.plan.cost.work import TYPICAL, SecondsBySize, Timings
+from workflow.plan.cost import timing, work
+from workflow.plan.cost.pace import TYPICAL, Learned, Pace, label
+from workflow.plan.cost.work import PARTS
 from workflow.simulate import load_kernels
 from workflow.system import (
     ROOT,
@@ -31,60 +34,99 @@ from workflow.system import (
     write_durably,
 )
 
-CURVES = [name for name in Timings._fields if name != "case"]
+Parted = Mapping[tuple[str, str], float]  # (kind, part) of work -> CPU seconds
 
 
 class Machine(NamedTuple):
-    """Timings, and a note on where they come from."""
+    """A pace, and a note on where it comes from."""
 
-    timings: Timings
+    pace: Pace
     note: str
 
 
-def timings_file() -> Path:
-    """Return where the timings of these kernels on this processor are kept."""
-    method = Path(timing.__file__).read_bytes()
+def pace_file() -> Path:
+    """Return where the pace of these kernels on this processor is kept."""
+    method = b"".join(Path(str(module.__file__)).read_bytes() for module in (timing, work))
     what = (source_hash(), processor(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
     name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
-    return Path(cache.FOLDER) / f"timings-{name}.json"
+    return Path(cache.FOLDER) / f"pace-{name}.json"
 
 
 def this_machine() -> Machine:
-    """Return the timings of this machine, measured now if they are not known yet."""
-    file = timings_file()
-    found = None
-    with contextlib.suppress(OSError, UnicodeDecodeError):
-        found = _parsed(file.read_text(encoding="utf-8"))
-    if found is None:
-        with saying_what_compiles():
-            load_kernels("exponential", Quantities())
-        print("Measuring the speed of this machine, about 3 s, once.", file=sys.stderr)
-        text = _measured()
-        found = _parsed(text)
-        if found is None:
-            return Machine(TYPICAL, "another machine, as this one could not be timed")
-        try:
-            make_folder(file.parent)
-            write_durably(file, text.encode())
-        except UserError:
-            return found._replace(note=f"{found.note}, not kept: {file.parent} is not writable")
+    """Return the pace of this machine, measured now if it is not known yet."""
+    file = pace_file()
+    data = _kept(file)
+    if data is not None:
+        return _machine(data)
+    with saying_what_compiles():
+        load_kernels("exponential", Quantities())
+    print("Measuring the speed of this machine, about 3 s, once.", file=sys.stderr)
+    data = _parsed(_measured())
+    if data is None:
+        return Machine(TYPICAL, "another machine, as this one could not be timed")
+    found = _machine(data)
+    if not _keep(file, data):
+        return found._replace(note=f"{found.note}, not kept: {file.parent} is not writable")
     return found
 
 
-def _parsed(text: str) -> Machine | None:
-    """Return the machine that a JSON text tells of, or None where it is damaged."""
+def learn(used: Parted, typical: Parted) -> None:
+    """Note what work took here, beside what is typical of it: the next prediction is nearer.
+
+    Where the pace is not kept, nothing is learned.
+    """
+    file = pace_file()
+    data = _kept(file)
+    if data is None:
+        return
+    known = _machine(data).pace.learned
+    for (kind, part), seconds in used.items():
+        name = label(kind, part)
+        after = known.get(name, Learned()).after(seconds, typical.get((kind, part), 0.0))
+        data["learned"][name] = list(after)
+    _keep(file, data)
+
+
+def _machine(data: dict[str, Any]) -> Machine:
+    measured = {part: tuple(data["measured"][part]) for part in PARTS}
+    learned = {name: Learned(*values) for name, values in data["learned"].items()}
+    note = f"{data['machine']}, {data['date']}"
+    hours = sum(own.seconds for own in learned.values()) / 3600.0
+    if hours:
+        note += f", and in {hours:.2g} core-hours of runs"
+    return Machine(Pace(measured, learned), note)
+
+
+def _kept(file: Path) -> dict[str, Any] | None:
+    """Return what a file holds, or None where it is missing or damaged."""
+    with contextlib.suppress(OSError, UnicodeDecodeError):
+        return _parsed(file.read_text(encoding="utf-8"))
+    return None
+
+
+def _keep(file: Path, data: dict[str, Any]) -> bool:
+    """Write a file; return whether that was possible."""
+    try:
+        make_folder(file.parent)
+        write_durably(file, json.dumps(data).encode())
+    except UserError:
+        return False
+    return True
+
+
+def _parsed(text: str) -> dict[str, Any] | None:
+    """Return what a JSON text says of a machine, or None where it is damaged."""
     try:
         data = json.loads(text)
-        curves = {name: SecondsBySize(*map(tuple, data["timings"][name])) for name in CURVES}
-        case = float(data["timings"]["case"])
-        seconds = [case, *(s for curve in curves.values() for s in curve.seconds)]
-        whole = all(
-            len(c.sizes) == len(c.seconds) > 1 and min(c.sizes) > 0 for c in curves.values()
-        )
-        if not (whole and all(1e-12 < s < 1e3 for s in seconds)):
-            return None
-        return Machine(Timings(**curves, case=case), f"{data['machine']}, {data['date']}")
-    except (ValueError, KeyError, TypeError):
+        data.setdefault("learned", {})
+        numbers = [float(x) for part in PARTS for x in data["measured"][part]]
+        learned = [Learned(*map(float, values)) for values in data["learned"].values()]
+        whole = len(numbers) == 2 * len(PARTS) and all(1e-6 < x < 1e6 for x in numbers)
+        sound = all(abs(own.log) < 20.0 and own.square < 400.0 for own in learned)
+        timed = all(0.0 <= own.seconds < math.inf for own in learned)
+        told = isinstance(data["machine"], str) and isinstance(data["date"], str)
+        return data if whole and sound and timed and told else None
+    except (AttributeError, ValueError, KeyError, TypeError):
         return None
 
 

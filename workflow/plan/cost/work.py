@@ -1,16 +1,24 @@
-"""Predicted cost of a case: how much work it is (laws below) times how fast a machine works.
+"""Predicted cost of a case: how much work it is, in seconds of a typical machine, by part.
 
-The amounts (sweeps, touching samples) belong to the problem, the timings to a machine; those are
-measured by timing.py. Laws take a problem, or many of them together (problems.py).
+The amounts (samples, edges of contacts, steps) belong to the problem; how much longer a machine
+takes than the typical one is its pace (pace.py). Laws take a problem, or many of them together
+(problems.py).
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from kernels import KELVIN, Quantities
-from workflow.plan.problems import Numbers, viscous_pressure
-from workflow.simulate import Problem, Recording, programme_steps
+from kernels import KELVIN, Quantities, Spectrum
+from kernels.patches.refined import FINE, LEAST_STEPS, MOST_SAMPLES, NARROW
+from workflow.plan.error_laws import contact_width
+from workflow.plan.problems import Numbers, speed_ratio, viscous_pressure
+from workflow.simulate import PHASES, Problem, Recording, programme_steps
+
+PARTS = (*PHASES, "calls")  # of the time of a realization; the first is the drawing of its line
+DRAWING, STEADY, JUMP, MARCHING, CALLS = PARTS
+# Kinds of work that laws describe differently well; a variant is of one.
+PLAIN, BRANCHES, PROGRAMME = "plain", "branches", "programme"
 
 # Of elements with internal variables, in steps (of all samples) and sweeps of a Kelvin element.
 # Ratios of CPU times on one machine, H = 0.7, m = 4, Prony series without a dashpot. March at
@@ -21,8 +29,6 @@ DENSE = 0.75  # of a step: moves, forces, friction
 UNIT = 0.32  # of a step, for each internal variable
 NEWTON = 100.0  # sweeps of a steady state
 TANGENT = 15.0  # sweeps, for each internal variable
-
-LOOK = 0.2  # of a sweep: finding the samples that touch
 
 
 class SecondsBySize(NamedTuple):
@@ -37,44 +43,11 @@ class SecondsBySize(NamedTuple):
         return np.exp(between) * np.maximum(1.0, size / self.sizes[-1])
 
 
-class Timings(NamedTuple):
-    """How fast a machine is."""
-
-    draw: SecondsBySize  # phases, two FFTs, shifts
-    sweep: SecondsBySize  # one pass of a steady state
-    quadrature: SecondsBySize  # friction of a steady state, or a jump, over the samples that touch
-    setup: SecondsBySize  # of a march, over the samples of the line
-    step: SecondsBySize  # of a march, over the samples that are marched
-    case: float  # s, calls from Python
-
-
-# One core of the machine of the first measurements; for tests, and where nothing is measured.
-TYPICAL = Timings(
-    draw=SecondsBySize((2e3, 2e4, 2e5), (2.4e-4, 1.1e-3, 1.1e-2)),
-    sweep=SecondsBySize((2e3, 2e4, 2e5), (1.2e-5, 8.5e-5, 9.0e-4)),
-    quadrature=SecondsBySize((2e3, 2e4, 2e5), (4.5e-5, 4.2e-4, 4.5e-3)),
-    setup=SecondsBySize((2e3, 2e4, 2e5), (2.0e-5, 1.7e-4, 1.7e-3)),
-    step=SecondsBySize((6e1, 2e3, 2e4, 2e5), (4.0e-7, 8.0e-6, 8.0e-5, 8.5e-4)),
-    case=1.2e-4,
-)
-
-
-def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
-    """Return the share of the line that is marched: what lies below the indentation.
-
-    At rest it grows with the load; at speed little area carries it, load over viscous pressure.
-    Measured on 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000: half of
-    them within 20 %, nine of ten within a factor of 2.2.
-    """
-    rest = np.exp(-0.40 + 0.78 * hurst) * load**0.635
-    speed = np.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
-    return (1.0 + rest**-2.8 + speed**-2.8) ** (-1.0 / 2.8)
-
-
-def sweeps(load: Numbers, viscous_pressure: Numbers) -> Numbers:
-    """Return the number of sweeps of a steady state, 1 to 8: within 40 %, same problems."""
-    light = np.clip(3.8 + 0.9 * np.log10(viscous_pressure), 2.5, 5.5)
-    return 1.2 + (light - 1.2) / (1.0 + load / 3.0)
+# One core of the machine of the measurements, busy as it was.
+DRAW = SecondsBySize((1.5e3, 2e4, 6e4, 4e5), (2.4e-4, 8.4e-4, 2.1e-3, 1.8e-2))  # phases, two FFTs
+SWEEP = SecondsBySize((2e3, 2e4, 2e5), (1.2e-5, 8.5e-5, 9.0e-4))  # one pass over all samples
+STEP = SecondsBySize((6e1, 2e3, 2e4, 2e5), (4.0e-7, 8.0e-6, 8.0e-5, 8.5e-4))  # over all samples
+CALL = 1.2e-4  # s, calls from Python
 
 
 class Work(NamedTuple):
@@ -95,15 +68,50 @@ class Work(NamedTuple):
         return len(self.problem.spectrum.moduli) + (self.problem.spectrum.viscosity > 0.0)
 
 
-def work_seconds(timings: Timings, asked: Quantities, work: Work, recording: Recording) -> Numbers:
-    """Return the predicted time of one realization on a line that exists."""
-    seconds = timings.case
-    if asked.anything:
-        plain = work.problem.spectrum == KELVIN
-        seconds = seconds + (_kelvin if plain else _memory)(timings, asked, work)
+def kind_of(spectrum: Spectrum, recording: Recording) -> str:
+    """Return of which kind work on problems of a spectrum is."""
     if recording.asked:
-        seconds = seconds + timings.case + _programme_steps(work) * _dense_step(timings, work)
-    return seconds
+        return PROGRAMME
+    return PLAIN if spectrum == KELVIN else BRANCHES
+
+
+def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
+    """Return the share of the line that is marched: what lies below the indentation.
+
+    At rest it grows with the load; at speed little area carries it, load over viscous pressure.
+    Measured on 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000: half of
+    them within 20 %, nine of ten within a factor of 2.2.
+    """
+    rest = np.exp(-0.40 + 0.78 * hurst) * load**0.635
+    speed = np.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
+    return (1.0 + rest**-2.8 + speed**-2.8) ** (-1.0 / 2.8)
+
+
+def partial_contact(load: Numbers, viscous_pressure: Numbers, limit: float) -> Numbers:
+    """Return 1 where part of a line touches and 0 where all of it does, at loads over a limit."""
+    return 1.0 / (1.0 + (load / (1.0 + viscous_pressure) / limit) ** 4)
+
+
+def fine_samples(problem: Problem, samples: Numbers, share: Numbers, width: Numbers) -> Numbers:
+    """Return the fine samples of a steady state, where contacts are narrow (kernels/patches).
+
+    share : of the line that can touch. width : of the contacts, in samples.
+    """
+    odds = (samples / problem.elements >= LEAST_STEPS) & (speed_ratio(problem) >= 1.0)
+    fold = 1.46 * FINE / np.maximum(width, 0.05)  # a power of two, between this and twice that
+    whole = np.minimum(samples * np.minimum(1.2 * share, 1.0) * fold, MOST_SAMPLES)
+    return odds * whole / (1.0 + (width / (0.92 * NARROW)) ** 4)
+
+
+def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict[str, Numbers]:
+    """Return part -> time of one realization on a line that exists, of the typical machine."""
+    found: dict[str, Numbers] = dict.fromkeys(PARTS, 0.0)
+    found[CALLS] = CALL * (1 + bool(recording.asked))
+    if asked.anything:
+        found |= (_kelvin if work.problem.spectrum == KELVIN else _memory)(asked, work)
+    if recording.asked:
+        found[MARCHING] = found[MARCHING] + _programme_steps(work) * _dense_step(work)
+    return found
 
 
 def _programme_steps(work: Work) -> np.ndarray:
@@ -113,29 +121,41 @@ def _programme_steps(work: Work) -> np.ndarray:
     return np.array(counts)[inverse]
 
 
-def _kelvin(timings: Timings, asked: Quantities, work: Work) -> Numbers:
-    """Return the time of a case of Kelvin elements, of which those that can touch are marched."""
-    hurst, load = work.problem.hurst, work.problem.load
-    n, pressure = work.samples, viscous_pressure(work.problem)
-    steady_states = 1 + (asked.steady or asked.relaxation)
-    sweep = timings.sweep(n)
-    states = steady_states * sweeps(load, pressure) * sweep
-    touching = n * touchable_share(hurst, load, pressure)
-    look = LOOK * sweep
-    friction = (steady_states + asked.jump) * (look + timings.quadrature(touching))
+def _kelvin(asked: Quantities, work: Work) -> dict[str, Numbers]:
+    """Return the time of a case of Kelvin elements, which goes with the edges of contacts.
+
+    Over 182 batches of figure 7 at paper scale: the time of nine batches in ten is within a factor
+    of 2 of it, that of all together within 10 %. What is narrower than NARROW samples on average
+    may be refined or not, which costs a factor of ten at single points.
+    """
+    problem, n = work.problem._replace(speed=np.abs(work.problem.speed)), work.samples
+    load, pressure = problem.load, viscous_pressure(problem)
+    share = touchable_share(problem.hurst, load, pressure)
+    width = contact_width(problem) * work.steps
+    edges = share / np.maximum(width, 1.0)  # per sample of the line
+    fine = fine_samples(problem, n, share, width)
+    steady_states = 0.5 * (1 + (asked.steady or asked.relaxation))
+    open_ones = partial_contact(load, pressure, 2.2)
+    states = 4e-5 + n * (3.2e-9 + open_ones * (2e-9 * np.sqrt(share) + 2.4e-7 * edges))
     march: Numbers = 0.0
     if asked.relaxation:
-        march = timings.setup(n) + work.march_steps * timings.step(touching)
-    return states + friction + march
+        each = 1.2e-8 * work.march_steps * share / (np.maximum(width, 1.0) + 1.9)
+        setup = 1.25e-8 + 1.65e-7 * edges
+        march = 3e-5 + n * partial_contact(load, pressure, 1.7) * (setup + each)
+    return {
+        STEADY: steady_states * (states + 2.1e-7 * fine),
+        JUMP: asked.jump * (6e-6 + n * (7e-10 + 2e-8 * edges) + 1.6e-8 * fine),
+        MARCHING: march,
+    }
 
 
-def _memory(timings: Timings, asked: Quantities, work: Work) -> Numbers:
+def _memory(asked: Quantities, work: Work) -> dict[str, Numbers]:
     """Return the time of a case of elements with internal variables, all of which are marched."""
     steady_states = 1 + (asked.steady or asked.relaxation)
-    states = steady_states * (NEWTON + TANGENT * work.units) * timings.sweep(work.samples)
-    return states + work.march_steps * _dense_step(timings, work)
+    states = steady_states * (NEWTON + TANGENT * work.units) * SWEEP(work.samples)
+    return {STEADY: states, MARCHING: work.march_steps * _dense_step(work)}
 
 
-def _dense_step(timings: Timings, work: Work) -> Numbers:
+def _dense_step(work: Work) -> Numbers:
     """Return the time of a step in which every element moves all that it remembers."""
-    return (DENSE + UNIT * work.units) * timings.step(work.samples)
+    return (DENSE + UNIT * work.units) * STEP(work.samples)

@@ -1,25 +1,29 @@
-"""The stored speed of the machine: kept, read, measured anew when damaged, never in the way."""
+"""The stored pace of the machine: kept, corrected by runs, measured anew when damaged."""
 
 import json
 
 import pytest
 
-from workflow.plan.cost import TYPICAL, machine
-from workflow.plan.cost.machine import this_machine, timings_file
+from workflow.plan.cost import machine
+from workflow.plan.cost.machine import learn, pace_file, this_machine
+from workflow.plan.cost.pace import TYPICAL, Pace, label
+from workflow.plan.cost.work import PARTS, PLAIN
 
-TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "timings": TYPICAL._asdict()})
+MEASURED = dict.fromkeys(PARTS, (1.25, 1.1))
+TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "measured": MEASURED, "learned": {}})
+PACE = Pace(MEASURED, {})
 
 
 @pytest.fixture
 def measured(tmp_path, monkeypatch):
-    """Keep timings in a folder of the test; return the calls of the measurement."""
+    """Keep the pace in a folder of the test; return the calls of the measurement."""
     calls = []
 
     def measure():
         calls.append(1)
         return TEXT
 
-    monkeypatch.setattr(machine, "timings_file", timings_file)  # not that of all tests
+    monkeypatch.setattr(machine, "pace_file", pace_file)  # not that of all tests
     monkeypatch.setattr(machine, "_measured", measure)
     monkeypatch.setattr(machine, "load_kernels", lambda *_: None)
     monkeypatch.setattr("kernels.cache.FOLDER", str(tmp_path / "cache"))
@@ -29,8 +33,8 @@ def measured(tmp_path, monkeypatch):
 def test_it_is_measured_once_and_kept(measured):
     first, second = this_machine(), this_machine()
     assert len(measured) == 1
-    assert first == second == (TYPICAL, "M, 2020-01-01")
-    assert timings_file().read_text() == TEXT
+    assert first == second == (PACE, "M, 2020-01-01")
+    assert json.loads(pace_file().read_text()) == json.loads(TEXT)
 
 
 @pytest.mark.parametrize("name", ["source_hash", "processor"])
@@ -43,11 +47,13 @@ def test_other_kernels_and_another_processor_have_rates_of_their_own(measured, m
 
 DAMAGED = [
     *("", "{", "[]", "null", "\xff", TEXT[: len(TEXT) // 2]),
-    TEXT.replace("draw", "drew"),
-    TEXT.replace("1.2e-05", "-1.2e-05"),
-    TEXT.replace("1.2e-05", "NaN"),
-    TEXT.replace("1.2e-05", '"fast"'),
-    TEXT.replace("1.2e-05, ", "", 1),
+    TEXT.replace("jump", "leap"),
+    TEXT.replace("1.25", "-1.25"),
+    TEXT.replace("1.25", "NaN"),
+    TEXT.replace("1.25", '"fast"'),
+    TEXT.replace("1.25, ", "", 1),
+    TEXT.replace('"learned": {}', '"learned": {"plain steady": [1.0, 0.0, 99999.0]}'),
+    TEXT.replace('"learned": {}', '"learned": {"plain steady": [NaN, 0.0, 0.0]}'),
 ]
 
 
@@ -55,22 +61,36 @@ DAMAGED = [
 def test_a_damaged_file_is_measured_anew(measured, text):
     assert text != TEXT
     this_machine()
-    timings_file().write_text(text, encoding="latin-1")
-    assert this_machine().timings == TYPICAL
+    pace_file().write_text(text, encoding="latin-1")
+    assert this_machine().pace == PACE
     assert len(measured) == 2
-    assert timings_file().read_text() == TEXT
+    assert json.loads(pace_file().read_text()) == json.loads(TEXT)
 
 
 def test_a_folder_that_cannot_be_written_is_noted(measured, tmp_path):
     (tmp_path / "cache").write_text("in the way")
     found = this_machine()
-    assert found.timings == TYPICAL
+    assert found.pace == PACE
     assert "not kept" in found.note
 
 
 def test_a_machine_that_cannot_be_timed_is_noted(measured, monkeypatch):
     monkeypatch.setattr(machine, "_measured", lambda: "")
     found = this_machine()
-    assert found.timings == TYPICAL
+    assert found.pace == TYPICAL
     assert "another machine" in found.note
-    assert not timings_file().exists()
+    assert not pace_file().exists()
+
+
+def test_what_runs_took_is_kept_and_told(measured):
+    learn({(PLAIN, "steady"): 60.0}, {(PLAIN, "steady"): 20.0})
+    assert not measured  # nothing to correct yet
+    before = this_machine().pace
+    learn({(PLAIN, "steady"): 60.0, (PLAIN, "jump"): 1e-3}, {(PLAIN, "steady"): 20.0})
+    after = this_machine()
+    assert len(measured) == 1
+    assert after.note == "M, 2020-01-01, and in 0.017 core-hours of runs"
+    rates = [pace.rate(PLAIN, "steady").factor for pace in (before, after.pace)]
+    assert rates[0] == pytest.approx(1.25)
+    assert 2.5 < rates[1] < 3.0
+    assert after.pace.learned[label(PLAIN, "jump")].seconds == 0.0

@@ -1,12 +1,20 @@
-"""The measurement of how fast this machine runs the kernels."""
+"""The measurement of a machine: every part of the work of a worker, in positive times."""
 
-from workflow.plan.cost.timing import timings
+import pytest
+
+from workflow.plan.cost.timing import PROBES, batch, factors, typical
+from workflow.plan.cost.work import PARTS
 
 
-def test_every_rate_is_measured():
-    found = timings()
-    for curve in found[:-1]:
-        assert min(curve.seconds) > 0.0
-        assert len(curve.sizes) == len(curve.seconds)
-    assert found.case > 0.0
-    assert found.draw.seconds[-1] > found.draw.seconds[0]  # 100 times the samples
+@pytest.mark.exhaustive  # computes all probes
+def test_every_part_is_timed():
+    found = factors(rounds=2)
+    assert set(found) == set(PARTS)
+    for factor, worst in found.values():
+        assert factor > 0.0
+        assert worst >= 1.0
+
+
+def test_probes_have_work_in_every_part():
+    for probe in PROBES:
+        assert (typical(batch(*probe)) > 0.0).all()

@@ -7,17 +7,20 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import Line, Quantities, amplitudes, draw_phases, rms_slope
+from kernels import KELVIN, Line, Quantities, Spectrum, amplitudes, draw_phases, rms_slope
 from kernels.motion.stretches import touchable
+from kernels.patches.refined import MOST_SAMPLES
 from kernels.rheology.kelvin import SCHEMES
 from kernels.steady.plain import steady_sliding
 from workflow.plan.cost.work import (
-    TYPICAL,
+    DRAWING,
+    PARTS,
     SecondsBySize,
     Work,
-    sweeps,
+    fine_samples,
+    kind_of,
     touchable_share,
-    work_seconds,
+    typical_seconds,
 )
 from workflow.simulate.tasks import Problem, Recording
 
@@ -25,10 +28,20 @@ CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
 ALL = Quantities()
 
 
-def seconds(elements=2500, march_steps=100, asked=ALL, timings=TYPICAL):
-    """Return the predicted time of a task."""
+def parts(elements=2500, march_steps=100, asked=ALL):
+    """Return the typical time of a task by part."""
     problem = Problem(0.7, elements, 0.05, 1.0, 1.2)
-    return work_seconds(timings, asked, Work(problem, 4, march_steps), Recording(64))
+    return typical_seconds(asked, Work(problem, 4, march_steps), Recording(64))
+
+
+def parts_of(problem, steps, march_steps):
+    """Return the typical time of a problem by part."""
+    return typical_seconds(ALL, Work(problem, steps, march_steps), Recording(64))
+
+
+def seconds(**what):
+    """Return the typical time of a task."""
+    return sum(parts(**what).values())
 
 
 def test_a_curve_passes_through_what_was_measured():
@@ -56,36 +69,73 @@ def test_more_work_takes_more_time(less):
     assert seconds() > seconds(**less)
 
 
-def test_a_machine_of_half_the_speed_takes_twice_the_time():
-    *curves, case = TYPICAL
-    slow = [c._replace(seconds=tuple(2.0 * s for s in c.seconds)) for c in curves]
-    assert seconds(timings=type(TYPICAL)(*slow, 2.0 * case)) == pytest.approx(2.0 * seconds())
+def test_every_part_is_told_and_what_is_not_asked_for_takes_none():
+    assert set(parts()) == set(PARTS)
+    steady = parts(asked=ALL._replace(jump=False, relaxation=False), march_steps=0)
+    assert steady["jump"] == steady["marching"] == 0.0 < steady["steady"]
+
+
+def test_branches_and_programmes_are_work_of_another_kind():
+    branches = Spectrum((1.0,), (1.0,), 1.0)
+    marched = Recording(64, asked=("trace",))
+    kinds = [kind_of(*of) for of in ((KELVIN, Recording(64)), (branches, Recording(64)))]
+    assert len({*kinds, kind_of(KELVIN, marched)}) == 3
+    assert kind_of(branches, marched) == kind_of(KELVIN, marched)
 
 
 @given(st.floats(0.0, 1.0), st.floats(1e-6, 1e3), st.floats(1e-4, 1e4))
 def test_a_share_is_a_share(hurst, load, viscous_pressure):
     assert 0.0 < touchable_share(hurst, load, viscous_pressure) <= 1.0
-    assert 1.0 <= sweeps(load, viscous_pressure) <= 8.0
 
 
 def states(count=40, elements=1000, steps=4):
-    """Yield (H, Fbar, viscous pressure, touchable share, sweeps) of random problems."""
+    """Yield (H, Fbar, viscous pressure, touchable share) of random problems."""
     rng = np.random.default_rng(8)
     for _ in range(count):
         hurst, load, speed = rng.uniform(0, 1), 10 ** rng.uniform(-3, 0.5), 10 ** rng.uniform(0, 2)
         amplitude = amplitudes(hurst, elements)
         line = Line.self_affine(amplitude, draw_phases(rng, elements), elements, steps)
         law = SCHEMES["exponential"](1.0 / (steps * speed))
-        (_, d), number = steady_sliding(law, line.z, load * line.z.size)
+        (_, d), _ = steady_sliding(law, line.z, load * line.z.size)
         start, stop = touchable(line.z, 1.02 * d)
         share = np.sum(stop - start) / line.z.size
-        yield hurst, load, speed * rms_slope(amplitude, elements), share, number
+        yield hurst, load, speed * rms_slope(amplitude, elements), share
 
 
-def test_shares_and_sweeps_are_those_of_the_kernels():
-    found = list(states())
-    share = [np.log(row[3] / touchable_share(*row[:3])) for row in found]
-    sweep = [np.log(row[4] / sweeps(*row[1:3])) for row in found]
+def test_shares_are_those_of_the_kernels():
+    share = [np.log(row[3] / touchable_share(*row[:3])) for row in states()]
     assert np.median(np.abs(share)) < np.log(1.5)
     assert abs(np.mean(share)) < np.log(1.3)
-    assert np.median(np.abs(sweep)) < np.log(1.4)
+
+
+PROBLEMS = st.builds(
+    lambda *numbers: Problem(*numbers),
+    st.floats(0.0, 1.0),
+    st.integers(100, 100_000),
+    st.floats(1e-4, 100.0),
+    st.floats(1e-3, 1e4),
+    st.floats(0.1, 10.0),
+)
+
+
+@given(PROBLEMS, st.sampled_from([1, 4, 6, 64]), st.integers(8, 10_000))
+def test_all_parts_of_any_problem_take_some_time_whichever_way_it_slides(problem, m, march):
+    here = parts_of(problem, m, march)
+    assert here.pop(DRAWING) == 0.0  # the line exists
+    assert all(np.isfinite(value) and value > 0.0 for value in here.values())
+    back = parts_of(problem._replace(speed=-problem.speed), m, march)
+    assert here == {name: back[name] for name in here}
+    assert 0.0 <= fine_samples(problem, m * problem.elements, 0.5, 3.0) <= MOST_SAMPLES
+
+
+def test_full_contact_takes_no_marching_to_speak_of():
+    light, heavy = (
+        parts_of(Problem(0.7, 10_000, load, 1.0, 1.2), 4, 200) for load in (0.1, 1000.0)
+    )
+    assert heavy["marching"] < 0.1 * light["marching"]
+    assert heavy["steady"] < light["steady"]
+
+
+def test_narrow_contacts_are_dear_where_they_are_refined():
+    problem = Problem(0.2, 10_000, 0.1, 30.0, 1.2)
+    assert parts_of(problem, 8, 20)["steady"] > 5.0 * parts_of(problem, 2, 20)["steady"] > 0.0

@@ -1,0 +1,101 @@
+"""The pace of a machine: what runs took is learned, by kind of work, and tells how far to trust."""
+
+import math
+
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from tests.support.small import small_study
+from workflow.plan.cost.pace import (
+    LAWS,
+    LEAST_SECONDS,
+    MOST_SECONDS,
+    TYPICAL,
+    Learned,
+    Pace,
+    label,
+    prediction,
+)
+from workflow.plan.cost.work import BRANCHES, PARTS, PLAIN
+from workflow.plan.plan import make_plan
+
+MEASURED = Pace(dict.fromkeys(PARTS, (2.0, 1.1)))
+SECONDS = st.floats(LEAST_SECONDS, 1e5)
+
+
+def learned(*runs, kind=PLAIN, part="steady"):
+    """Return a pace after runs that used so much and were typical of so much."""
+    known = Learned()
+    for used, typical in runs:
+        known = known.after(used, typical)
+    return MEASURED._replace(learned={label(kind, part): known})
+
+
+def test_a_measurement_holds_until_runs_teach_better():
+    assert MEASURED.rate(PLAIN, "steady").factor == pytest.approx(2.0)
+    once = learned((30.0, 10.0)).rate(PLAIN, "steady")
+    assert 2.7 < once.factor < 3.0
+    often = learned(*[(30.0, 10.0)] * 100).rate(PLAIN, "steady")
+    assert often.factor == pytest.approx(3.0, rel=0.01)
+    assert LAWS <= often.spread < once.spread + 1e-9
+
+
+@given(SECONDS, SECONDS)
+def test_what_is_learned_lies_between_the_measurement_and_the_run(used, typical):
+    factor = learned((used, typical)).rate(PLAIN, "steady").factor
+    low, high = sorted((2.0, used / typical))
+    assert low * (1.0 - 1e-9) <= factor <= high * (1.0 + 1e-9)
+
+
+@given(st.lists(st.tuples(SECONDS, SECONDS), max_size=20))
+def test_what_is_remembered_is_bounded_and_its_mean_lies_among_the_runs(runs):
+    known = learned(*runs).learned[label(PLAIN, "steady")]
+    assert 0.0 <= known.seconds <= MOST_SECONDS
+    logs = [math.log(used / typical) for used, typical in runs] or [0.0]
+    assert min(logs) - 1e-9 <= known.log <= max(logs) + 1e-9
+    assert known.square >= known.log**2 - 1e-9
+
+
+def test_runs_that_disagree_widen_the_interval():
+    alike = learned((100.0, 50.0), (100.0, 50.0)).rate(PLAIN, "steady")
+    apart = learned((100.0, 25.0), (100.0, 100.0)).rate(PLAIN, "steady")
+    assert apart.factor == pytest.approx(alike.factor, rel=0.05)
+    assert apart.spread > 3.0 * alike.spread
+
+
+def test_moments_teach_nothing():
+    assert Learned().after(0.5 * LEAST_SECONDS, 10.0) == Learned()
+    assert Learned().after(10.0, 0.0) == Learned()
+
+
+def test_one_kind_of_work_teaches_nothing_of_another():
+    pace = learned((100.0, 10.0), kind=BRANCHES)
+    assert pace.rate(PLAIN, "steady") == MEASURED.rate(PLAIN, "steady")
+    assert pace.rate(BRANCHES, "jump") == MEASURED.rate(BRANCHES, "jump")
+    assert pace.rate(BRANCHES, "steady").factor > 9.0
+
+
+def test_a_prediction_is_the_sum_of_its_parts_with_an_interval_about_it():
+    pace = learned((300.0, 100.0))
+    parts = {(PLAIN, "steady"): 10.0, (PLAIN, "marching"): 5.0}
+    found = prediction(pace, parts)
+    factor = pace.rate(PLAIN, "steady").factor
+    assert found.seconds == pytest.approx(10.0 * factor + 5.0 * 2.0)
+    assert found.low < found.seconds < found.high
+    assert found.high / found.seconds == pytest.approx(found.seconds / found.low)
+    assert prediction(pace, {}) == (0, 0, 0)
+
+
+def test_where_nothing_is_known_the_interval_is_wide():
+    parts = {(PLAIN, "steady"): 10.0}
+    assert prediction(TYPICAL, parts).high > 1.3 * prediction(MEASURED, parts).high / 2.0
+
+
+def test_no_pace_changes_a_key_or_a_number_of_lines():
+    study = small_study("numerics.accuracy=0.1")
+    plans = [make_plan(study, pace) for pace in (TYPICAL, MEASURED, learned((1e4, 1.0)))]
+    for plan in plans:
+        assert (plan.first, plan.expected) == (plans[0].first, plans[0].expected)
+        assert [v.tasks for v in plan.variants] == [v.tasks for v in plans[0].variants]
+    assert sum(plans[1].variants[0].seconds) > sum(plans[0].variants[0].seconds)
