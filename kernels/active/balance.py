@@ -2,13 +2,20 @@
 
 import numpy as np
 
+from kernels.active.bounds import first_indentation
 from kernels.active.setting import advance, rise
-from kernels.contact import overlap, weighted_overlap
+from kernels.active.strips import overlap_of
+from kernels.contact import weighted_overlap
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
 from kernels.jit import by_type, kernel
 
 MOST_PASSES = 100  # a few do; what takes more is left to the plain march
+
+
+@by_type
+def foresee(control, setting):
+    """Return d after the first step, or nearly so."""
 
 
 @by_type
@@ -30,6 +37,11 @@ def amend(control, noted, flights, d):
     """Correct what elements that left contact one step ago arrive with, now that d is known."""
 
 
+@foresee.of(ConstantForce)
+def _foresee(control, setting):
+    return first_indentation(setting, control.load)
+
+
 @note.of(ConstantForce)
 def _note(control, lists, arrivals, d):
     return None
@@ -46,6 +58,12 @@ def _settle(control, law, lists, arrivals, noted, sums, d, guess):
 @amend.of(ConstantForce)
 def _amend(control, noted, flights, d):
     return None
+
+
+@foresee.of(PrintedForce)
+def _foresee_end(control, setting):
+    # The rate of d costs no force: d goes to its end at once, and beyond (measured: by as much).
+    return setting.end.d + 1.5 * (setting.end.d - setting.start.d)
 
 
 @note.of(PrintedForce)
@@ -113,7 +131,7 @@ def _root(law, c, weight, sums, slope, target, d, guess):
     now, before, fallen = guess, -1.0, c.size == 0
     for passes in range(1, MOST_PASSES):
         if weight is None:
-            force, count = overlap(c, now)
+            force, count = overlap_of(c, now)
             steep = count + slope
         else:
             force, listed, count = weighted_overlap(c, weight, now)

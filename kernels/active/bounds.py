@@ -2,11 +2,14 @@
 
 from typing import NamedTuple
 
+import numpy as np
+
 from kernels.active.setting import advance
 from kernels.active.strips import overlaps
 from kernels.jit import kernel
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
+CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread
 
 
 class Bounds(NamedTuple):
@@ -16,6 +19,9 @@ class Bounds(NamedTuple):
     high: float
     least: float  # of D
     most: float
+
+
+NOTHING = Bounds(np.inf, -np.inf, np.inf, -np.inf)  # seen so far
 
 
 @kernel
@@ -51,6 +57,22 @@ def widened(law, bounds, d, push, margin):
     lowest, highest = min(bounds.low, d), max(bounds.high, d)
     least, most = min(bounds.least, push), max(bounds.most, push)
     return bounds_of(law, lowest, highest, least, most, margin)
+
+
+@kernel
+def including(seen, d, push):
+    """Return Bounds that hold values seen so far, and d and D, here ``push``."""
+    low, high = min(seen.low, d), max(seen.high, d)
+    return Bounds(low, high, min(seen.least, push), max(seen.most, push))
+
+
+@kernel
+def closer_bounds(law, bounds, seen, end):
+    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``."""
+    lowest, highest = min(seen.low, end), max(seen.high, end)
+    new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
+    low, high = max(new.low, bounds.low), min(new.high, bounds.high)
+    return Bounds(low, high, max(new.least, bounds.least), min(new.most, bounds.most))
 
 
 @kernel

@@ -60,7 +60,7 @@ def arrivals_of(law, lists, runs, state, line, steps):
     of all samples that elements fly over. steps : still to come.
     """
     powers = powers_of(law.decay, steps)
-    near, far = np.empty((2, runs.top.size), np.int64)
+    near, far = np.empty(runs.top.size, np.int64), np.empty(runs.top.size, np.int64)
     a = f = 0
     for r in range(runs.top.size):
         if runs.sure[r] and runs.distance[r] == 1:
@@ -69,11 +69,11 @@ def arrivals_of(law, lists, runs, state, line, steps):
         else:
             far[f] = r
             f += 1
-    steep = np.empty(a)
+    at, steep = lists.first[near[:a] + 1] - 1, np.empty(a)
     for i in range(a):
-        j = runs.top[near[i]]
-        steep[i] = rise(law, line[j], line[j + 1 if j + 1 < line.size else 0])
-    neighbours = Neighbours(lists.first[near[:a] + 1] - 1, steep)
+        above = runs.top[near[i]] + 1
+        steep[i] = rise(law, lists.z[at[i]], line[above if above < line.size else 0])
+    neighbours = Neighbours(at, steep)
     return neighbours, _flights(lists, runs, far[:f], state, line, powers)
 
 
@@ -95,6 +95,7 @@ def _flights(lists, runs, far, state, line, powers):
         height[f] = line[from_ - n if from_ >= n else from_]
         if not runs.sure[r]:
             source[f] = lists.first[r - 1 if r > 0 else runs.top.size - 1]
+            height[f] = lists.z[source[f]]
         crossing[f] = powers[q] if goes[f] else 0.0
         _launch(values[begin[f] : begin[f + 1]], powers, state, line, runs.top[r])
         if not goes[f]:
@@ -121,8 +122,9 @@ def _launch(values, powers, state, line, top):
 
 
 @kernel
-def arrive(law, lists, neighbours, flights, d):
+def arrive(law, lists, arrivals, d):
     """Set the thresholds where elements enter the lists. d : indentation before the step."""
+    neighbours, flights = arrivals
     for i in range(neighbours.at.size):
         lists.c[neighbours.at[i]] = neighbours.rise[i] + law.decay * d
     for f in range(flights.at.size):
@@ -143,3 +145,45 @@ def depart(lists, flights, d):
         if place == flights.begin[f + 1]:
             place = flights.begin[f] if flights.round[f] else place - 1
         flights.place[f] = place
+
+
+@kernel
+def arriving(flights, f, least, most, steps):
+    """Return bounds of the displacements with which elements arrive in the steps to come.
+
+    least, most : bounds of the displacement where they leave.
+    """
+    begin, end = flights.begin[f], flights.begin[f + 1]
+    if flights.round[f]:
+        low, high = flights.crossing[f] * least, flights.crossing[f] * most
+    else:
+        begin, end = flights.place[f], end - 1
+        forgotten = end - begin < steps
+        low, high = (0.0, 0.0) if forgotten else (np.inf, -np.inf)
+    for slot in range(begin, end):
+        low, high = min(low, flights.values[slot]), max(high, flights.values[slot])
+    return low, high
+
+
+@kernel
+def aloft(law, lists, runs, flights, d, w, steps):
+    """Fill in w, shape (n,), the displacements of all elements in runs and on their way to them.
+
+    d : indentation now. steps : still to come; who would arrive later is left out.
+    """
+    powers = powers_of(law.decay, steps)
+    f = 0
+    for r in range(runs.top.size):
+        if not (runs.sure[r] and runs.distance[r] == 1):
+            begin, end, place = flights.begin[f], flights.begin[f + 1], flights.place[f]
+            for k in range(1, min(runs.distance[r], powers.size - 1) + 1):
+                j = runs.top[r] + k
+                arrival = flights.values[place]
+                w[j - w.size if j >= w.size else j] = arrival / powers[k] if arrival else 0.0
+                place += 1
+                if place == end:
+                    place = begin if flights.round[f] else end - 1
+            f += 1
+    for r in range(runs.top.size):
+        for i in range(lists.first[r], lists.first[r + 1]):
+            w[runs.bottom[r] + i - lists.first[r]] = lists.z[i] - max(lists.c[i], d)

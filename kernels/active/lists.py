@@ -34,18 +34,19 @@ def lagged(slope, lag, j):
 
 
 @kernel
-def lists_of(setting, runs):
+def lists_of(setting, bounds, runs):
     """Return the Lists of some Runs at the start of a march."""
     first = np.zeros(runs.top.size + 1, np.int64)
     for r in range(runs.top.size):
         first[r + 1] = first[r] + runs.top[r] - runs.bottom[r] + 1
-    z, weight, c = np.empty((3, first[-1]))
+    z, weight, c = np.empty(first[-1]), np.empty(first[-1]), np.empty(first[-1])
     for r in range(runs.top.size):
         i = first[r]
         for j in range(runs.bottom[r], runs.top[r] + 1):
-            z[i] = setting.z[j]
+            # What lies higher cannot touch at any height: low, it costs w no digits.
+            z[i] = min(setting.z[j], bounds.high)
             weight[i] = lagged(setting.slope, setting.law.lag, j)
-            c[i] = setting.z[j] - setting.start.w[j]
+            c[i] = z[i] - setting.start.w[j]
             i += 1
     return Lists(first, z, weight, c)
 

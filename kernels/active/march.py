@@ -2,15 +2,25 @@
 
 import numpy as np
 
-from kernels.active.balance import amend, note, settle
-from kernels.active.bounds import first_bounds, first_indentation, holds, widened
-from kernels.active.flights import arrivals_of, arrive, depart
+from kernels.active.balance import amend, foresee, note, settle
+from kernels.active.bounds import (
+    NOTHING,
+    closer_bounds,
+    first_bounds,
+    holds,
+    including,
+    widened,
+)
+from kernels.active.flights import aloft, arrivals_of, arrive, depart
 from kernels.active.lists import lists_of, sums_of, weighed
+from kernels.active.narrow import narrowed
 from kernels.active.runs import classes_of
 from kernels.active.setting import advance
 from kernels.jit import kernel
+from kernels.rheology.law import State
 
 MARGINS = (0.05, 0.3, 2.0)  # of the spread of d and D, one after the other
+FIRST_DUE = 6  # step after which lists may be shortened; then after half as many again
 
 
 @kernel
@@ -23,19 +33,26 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
     state at v2. work : element updates. inside : whether bounds were found that d kept to.
     """
     law, start = setting.law, setting.start
-    mu, indentation = np.empty((2, kept_steps.size))
-    guess = first_indentation(setting, control.load)
+    mu, indentation = np.empty(kept_steps.size), np.empty(kept_steps.size)
+    guess = foresee(control, setting)
     bounds = first_bounds(setting, guess, margins[0])
     settled, work, inside = np.nan, 0, False
     for attempt in range(1, len(margins) + 1):
         runs, stretches = classes_of(setting, bounds)
-        lists = lists_of(setting, runs)
+        lists = lists_of(setting, bounds, runs)
         sums = sums_of(setting, stretches)
         settled = steady_average(setting, runs, lists, sums)
         arrivals = arrivals_of(law, lists, runs, start, setting.z, kept_steps[-1])
-        where = lists, sums, arrivals
         inside, d, push, used = follow(
-            law, control, where, bounds, start.d, guess, kept_steps, mu, indentation
+            setting,
+            control,
+            (runs, lists, sums, arrivals),
+            bounds,
+            guess,
+            kept_steps,
+            mu,
+            indentation,
+            1.0 if attempt == 1 else 0.0,
         )
         work += used + setting.z.size
         if inside or attempt == len(margins) or not np.isfinite(d):
@@ -57,31 +74,71 @@ def steady_average(setting, runs, lists, sums):
 
 
 @kernel
-def follow(law, control, where, bounds, d, guess, kept_steps, mu, indentation):
-    """March as long as the bounds hold; return (inside, d, push, work)."""
-    lists, sums, arrivals = where
-    neighbours, flights = arrivals
-    c, z = lists.c, lists.z
+def follow(setting, control, where, bounds, guess, kept_steps, mu, indentation, worth):
+    """March as long as the bounds hold; return (inside, d, push, work).
+
+    where : runs, lists, sums and arrivals. mu, indentation : filled in. worth : of what shorter
+    lists save, over what it costs to make them; they are made where that pays.
+    """
+    law, d = setting.law, setting.start.d
+    runs, lists, sums, arrivals = where
     push = np.nan
     work = kept = 0
+    due, seen = FIRST_DUE, NOTHING
+    w = np.empty(setting.z.size)
     for step in range(1, kept_steps[-1] + 1):
         noted = note(control, lists, arrivals, d)
-        for i in range(c.size - 1):
-            c[i] = z[i] - law.decay * (z[i + 1] - max(c[i + 1], d))
-        arrive(law, lists, neighbours, flights, d)
+        shift(law, lists, d)
+        arrive(law, lists, arrivals, d)
         old = d
         d, push, passes = settle(control, law, lists, arrivals, noted, sums, old, guess)
-        work += passes * c.size + flights.at.size
-        if not holds(bounds, d, advance(law, d, old)):
-            return False, d, advance(law, d, old), work
-        amend(control, noted, flights, d)
+        work += passes * lists.c.size + arrivals[1].at.size
+        real = advance(law, d, old)
+        if not holds(bounds, d, real):
+            return False, d, real, work
+        amend(control, noted, arrivals[1], d)
         guess = d + (d - old)
-        depart(lists, flights, d)
+        depart(lists, arrivals[1], d)
         if step == kept_steps[kept]:
-            depth, moment = weighed(c, lists.weight, d)
-            more = push - sums.level
-            moment += sums.moment + more * sums.weight
-            mu[kept] = moment / (depth + sums.depth + more * sums.samples)
+            mu[kept] = average(lists, sums, d, push)
             indentation[kept] = d
             kept += 1
+        seen = including(seen, d, real)
+        left = kept_steps[-1] - step
+        if step == due and left > 0:
+            closer = closer_bounds(law, bounds, seen, setting.end.d)
+            if worth * gain(bounds, closer, lists, arrivals[1], left) > 1.0:
+                aloft(law, lists, runs, arrivals[1], d, w, left)
+                runs, lists, sums = narrowed(
+                    law, setting.z, closer, runs, lists, sums, arrivals[1], d, left
+                )
+                arrivals = arrivals_of(law, lists, runs, State(w, d), setting.z, left)
+                bounds = closer
+                work += lists.c.size + arrivals[1].values.size
+            due, seen = due + due // 2, NOTHING
     return True, d, push, work
+
+
+@kernel
+def shift(law, lists, d):
+    """Move every element to the next sample, of those that stay in their run (motion/slide.py)."""
+    c, z = lists.c, lists.z
+    for i in range(c.size - 1):
+        c[i] = z[i] - law.decay * (z[i + 1] - max(c[i + 1], d))
+
+
+@kernel
+def average(lists, sums, d, push):
+    """Return mu averaged over a step (friction.py). push : D of the samples in sums."""
+    depth, moment = weighed(lists.c, lists.weight, d)
+    more = push - sums.level
+    moment += sums.moment + more * sums.weight
+    return moment / (depth + sums.depth + more * sums.samples)
+
+
+@kernel
+def gain(bounds, closer, lists, flights, steps):
+    """Return what shorter lists save over what it costs to make them, by numbers alone."""
+    saved = 1.0 - (closer.most - closer.least) / (bounds.most - bounds.least)
+    cost = 5.0 * flights.values.size + 60.0 * lists.c.size
+    return steps * lists.c.size * saved / cost if cost > 0.0 else 0.0

@@ -18,6 +18,7 @@ from kernels.jit import kernel
 
 LISTED = 2  # at times it touches, at times it does not, for all that the bounds tell
 FORCED = 4  # a mark: listed whatever the bounds tell
+SHORT = 8  # samples: what is never touched but this near is cheaper to list than to fly over
 UNKNOWN = 1e200  # a bound of gaps that says nothing
 
 
@@ -57,9 +58,13 @@ def walk(setting, bounds, levels, marks):
     Where z[0] is marked as ALWAYS it is taken to be in contact, which ``high`` then tells.
     """
     n = setting.z.size
-    top, bottom, distance = np.empty((3, n // 2 + 1), np.int64)
+    top, bottom, distance = (
+        np.empty(n // 2 + 1, np.int64),
+        np.empty(n // 2 + 1, np.int64),
+        np.empty(n // 2 + 1, np.int64),
+    )
     sure = np.empty(n // 2 + 1, np.bool_)
-    start, stop = np.empty((2, n // 2 + 1), np.int64)
+    start, stop = np.empty(n // 2 + 1, np.int64), np.empty(n // 2 + 1, np.int64)
     count = blocks = 0
     words = marks.view(np.int64)
     if marks[0] == OPEN:
@@ -83,8 +88,10 @@ def walk(setting, bounds, levels, marks):
                 blocks += 1
             start[blocks - 1] = last
         elif kind == LISTED:
-            if was != LISTED:
-                top[count], distance[count], sure[count] = j, source - j, from_sure
+            near = was == FREE and source - j <= SHORT and source < n
+            if was != LISTED and not (near and bottom[count - 1] == source and count > 0):
+                top[count] = source - 1 if near and from_sure else j
+                distance[count], sure[count] = source - top[count], from_sure
                 count += 1
             bottom[count - 1] = last
         if kind != FREE:

@@ -7,6 +7,7 @@ sums are fast, and the same bits on every machine.
 import numpy as np
 
 from kernels.active.setting import rise
+from kernels.contact import overlap
 from kernels.jit import kernel
 
 STRIP = 32  # samples, and partial sums
@@ -29,6 +30,26 @@ def overlaps(z, w, factor, d):
             depth[0] += p
             count[0] += 1.0
     return in_order(depth), in_order(count)
+
+
+@kernel
+def overlap_of(c, d):
+    """Return (sum of d - c_i, number) over the touching elements c_i < d, as overlap does.
+
+    That one is faster for few elements.
+    """
+    if c.size < 4 * STRIP:
+        return overlap(c, d)
+    depth, count = np.zeros(STRIP), np.zeros(STRIP)
+    strips = c.size // STRIP
+    for s in range(strips):
+        part = c[s * STRIP : (s + 1) * STRIP]
+        for i in range(STRIP):
+            p = d - part[i]
+            depth[i] += p if p > 0.0 else 0.0
+            count[i] += 1.0 if p > 0.0 else 0.0
+    total, touching = overlap(c[strips * STRIP :], d)
+    return total + in_order(depth), touching + in_order(count)
 
 
 @kernel

@@ -14,8 +14,9 @@ def test_lists_and_sums_carry_the_load_of_the_start_together(load):
     """Were the speed not to change: then D is d (1 - E) at once."""
     setting, force = setting_of(Jump(0.5, 4, load, 10.0, 1.0), 150)
     guess = first_indentation(setting, force)
-    runs, stretches = classes_of(setting, first_bounds(setting, guess, 0.1))
-    lists, sums = lists_of(setting, runs), sums_of(setting, stretches)
+    bounds = first_bounds(setting, guess, 0.1)
+    runs, stretches = classes_of(setting, bounds)
+    lists, sums = lists_of(setting, bounds, runs), sums_of(setting, stretches)
     depth, _ = weighed(lists.c, lists.weight, setting.start.d)
     assert setting.law.stiffness * (depth + sums.depth) == pytest.approx(force, rel=1e-9)
     assert lists.first[-1] == lists.z.size == (runs.top - runs.bottom + 1).sum()
