@@ -19,9 +19,8 @@ from kernels.patches.pressure import (
     pressed,
 )
 from kernels.patches.touching import list_touching, median_width, room_for_all, steepest
-from kernels.steady.carry import decay_of
 from kernels.steady.contacts import first, room_for
-from kernels.steady.sliding import elastic_guess, indentation
+from kernels.steady.sliding import approach, elastic_guess, indentation
 from kernels.steady.spans import Thresholds
 
 # What is found of every load: d over the deepest sample, mu, the share in contact, samples per
@@ -39,37 +38,32 @@ class Speeds(NamedTuple):
 
 
 @kernel
-def slide(law, z, slope, spans, speeds, loads, guesses, steps, share):
+def slide(decay, z, slope, spans, speeds, loads, guesses, steps, share):
     """Return (found, jumps), shapes (loads, 6) and (loads, others).
 
-    spans : of the line. loads : n Fbar. guesses : of d, NaN where there is none. steps : samples
-    per spacing. share : of the elastic part of mu that is corrected.
+    decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, NaN where there is
+    none. steps : samples per spacing. share : of the elastic part of mu that is corrected.
     """
     n, own = z.size, speeds.thresholds
-    decay = decay_of(law)
     contacts, everything = room_for(slope, speeds.own), room_for_all(n)
     memory = np.empty(n)
     found = np.empty((loads.size, 6))
     jumps = np.empty((loads.size, speeds.others.size))
+    d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses)
     for i in range(loads.size):
-        load = loads[i]
-        d = load / n + (z[0] + spans.whole[0] / n)
-        full = d > own.stay_all
-        sweeps, pieces = 0, 1
-        if full:
+        load, pieces = loads[i], 1
+        if full[i]:
             _list_whole_line(n, contacts)
         else:
-            guess = guesses[i]
-            if not guess > 0.0:
-                guess = elastic_guess(z, spans.deepest, load)
-            d, sweeps, pieces = indentation(decay, z, spans, own.stay, load, guess, contacts)
+            d[i], used, pieces = indentation(decay, z, spans, own.stay, load, d[i], contacts)
+            sweeps[i] += used
         listed = first(contacts, pieces)
         touching = list_touching(listed, everything)
         part = pressed(z, slope, spans, touching, speeds.own, own.press, memory)
-        mu, contact, deep = _friction(part, full, own.press_all, load, d)
+        mu, contact, deep = _friction(part, full[i], own.press_all, load, d[i])
         for k in range(speeds.others.size):
             there = pressed(z, slope, spans, touching, speeds.others[k], speeds.press[k], memory)
-            after, _, _ = _friction(there, full, speeds.press[k, -1], load, deep)
+            after, _, _ = _friction(there, full[i], speeds.press[k, -1], load, deep)
             jumps[i, k] = after - mu  # errors of the elastic part cancel
         if share > 0.0:
             part = pressed(z, slope, spans, touching, speeds.own, own.press, memory)
@@ -77,10 +71,25 @@ def slide(law, z, slope, spans, speeds, loads, guesses, steps, share):
             # Where a contact is narrower than a sample this alone is sure: mu is a mean of slopes.
             limit = steepest(slope, spans, touching)
             mu = min(max(mu, -limit), limit)
-        found[i, INDENTATION], found[i, MU], found[i, CONTACT] = d, mu, contact / n
-        found[i, SAMPLES] = median_width(z, d, spans, decay, listed)
-        found[i, SWEEPS], found[i, FULL] = sweeps, full
+        found[i, INDENTATION], found[i, MU], found[i, CONTACT] = d[i], mu, contact / n
+        found[i, SAMPLES] = median_width(z, d[i], spans, decay, listed)
+        found[i, SWEEPS], found[i, FULL] = sweeps[i], full[i]
     return found, jumps
+
+
+@kernel
+def _indentations(decay, z, spans, own, loads, guesses):
+    """Return (d, sweeps, full): where the whole line touches, d itself, elsewhere near it."""
+    d = loads / z.size + (z[0] + spans.whole[0] / z.size)
+    full = d > own.stay_all
+    some = np.flatnonzero(~full)
+    near = guesses[some]
+    for k in range(some.size):
+        if not near[k] > 0.0:
+            near[k] = elastic_guess(z, spans.deepest, loads[some[k]])
+    sweeps = np.zeros(loads.size, np.int64)
+    d[some], sweeps[some] = approach(decay, z, spans, own.stay, loads[some], near)
+    return d, sweeps, full
 
 
 @kernel

@@ -19,7 +19,7 @@ from kernels.patches.loads import (
 from kernels.patches.refined import Refined, refined
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
-from kernels.steady.carry import carry, decay_of
+from kernels.steady.carry import Decay, carry, decay_of
 from kernels.steady.spans import Spans, Thresholds, spans_of, thresholds_of
 from kernels.surfaces.line import Line
 
@@ -42,6 +42,7 @@ class Sliding(NamedTuple):
     ground: Ground
     own: Thresholds
     law: Kelvin  # for steps of one sample
+    decay: Decay
     scheme: str
     speed: float  # vbar
     loads: np.ndarray  # n Fbar
@@ -67,7 +68,7 @@ class Sliding(NamedTuple):
         """Return the state under load i on the samples of the line."""
         z, d = self.ground.line.z, float(self.d[i])
         w = np.empty_like(z)
-        carry(decay_of(self.law), z, self.ground.spans, self.own.stay, d, None, w)
+        carry(self.decay, z, self.ground.spans, self.own.stay, d, None, w)
         return State(w, d)
 
 
@@ -86,6 +87,7 @@ def steady_friction(
     """
     line, spans = ground
     law = SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
+    decay = decay_of(law)
     own = thresholds_of(line.z, line.slope, speed, law.stiffness)
     press = np.empty((len(others), own.press.size + 1))
     for k, other in enumerate(others):
@@ -96,12 +98,13 @@ def steady_friction(
     share = _corrected_share(line.steps_per_spacing, speed)
     speeds = Speeds(speed, own, np.array(others, float), press)
     steps = float(line.steps_per_spacing)
-    found, jumps = slide(law, line.z, line.slope, spans, speeds, loads, guesses, steps, share)
+    found, jumps = slide(decay, line.z, line.slope, spans, speeds, loads, guesses, steps, share)
     d = found[:, INDENTATION]
     sliding = Sliding(
         ground,
         own,
         law,
+        decay,
         scheme,
         speed,
         loads,

@@ -1,8 +1,8 @@
-"""The indentation of steady sliding under a load, found with spans.
+"""The indentation of steady sliding under a load, found with spans, and many of them side by side.
 
 The force F(d) is increasing and convex (plain.py), so Newton's method from the right keeps right
-of the root and from the left jumps there. It begins with steps that are exact where F is a power
-of d: those need no good guess.
+of the root and from the left jumps there. Two steps go before that are exact where F is a power of
+d: they need no good guess. Sweeps that end the search list the contacts.
 """
 
 import numpy as np
@@ -10,10 +10,13 @@ import numpy as np
 from kernels.contact import solve_indentation
 from kernels.jit import kernel
 from kernels.steady.carry import carry
+from kernels.steady.lanes import LANES, carry_lanes
 
-POWER_STEPS = 2
+POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed
 CLOSE = 4e-15  # of the load: what may be left of an excess
 FEW = 512  # samples of a line that are asked where an elastic foundation would be
+BROKEN = 0.5  # of all spans: where more may be neither held nor free, lanes are quicker
+WORTH = 4  # loads in lanes of 16 cost as much as some one by one
 
 
 @kernel
@@ -27,30 +30,90 @@ def elastic_guess(z, deepest, load):
 
 
 @kernel
-def indentation(decay, z, spans, stay, load, guess, contacts):
+def approach(decay, z, spans, stay, loads, guesses):
+    """Return d near the roots under all loads n Fbar, and the sweeps each took.
+
+    decay, z, spans, stay : as of carry. guesses : of d. Each d follows from its own load and
+    guess; lanes only find it faster.
+    """
+    d, sweeps = guesses.copy(), np.zeros(loads.size, np.int64)
+    broken = np.empty(loads.size, np.int64)
+    count = 0
+    for i in range(loads.size):
+        if _broken(spans, stay, d[i]) > BROKEN:
+            broken[count] = i
+            count += 1
+    by_lanes = np.zeros(loads.size, np.bool_)
+    for begin in range(0, count - WORTH + 1, LANES):
+        some = broken[begin : min(begin + LANES, count)]
+        by_lanes[some] = True
+        _approach_lanes(decay, z, spans, stay, loads, some, d)
+        sweeps[some] = STEPS
+    for i in range(loads.size):
+        if not by_lanes[i]:
+            for step in range(STEPS):
+                total, slope, _, _ = carry(decay, z, spans, stay, d[i])
+                sweeps[i] += 1
+                d[i] = _next(step, d[i], total, slope, loads[i])
+    return d, sweeps
+
+
+@kernel
+def _approach_lanes(decay, z, spans, stay, loads, some, d):
+    """Take d under at most LANES of the loads through all steps; lanes to spare repeat one."""
+    lanes = np.full(LANES, d[some[0]])
+    lanes[: some.size] = d[some]
+    for step in range(STEPS):
+        total, slope = carry_lanes(decay, z, spans, stay, lanes)
+        for k in range(some.size):
+            lanes[k] = _next(step, lanes[k], total[k], slope[k], loads[some[k]])
+    d[some] = lanes[: some.size]
+
+
+@kernel
+def _broken(spans, stay, d):
+    """Return the share of spans that may be neither all in contact nor all free at d."""
+    count = 0
+    for b in range(stay.size):
+        count += (spans.lowest[b] < d) & (d <= stay[b])
+    return count / max(stay.size, 1)
+
+
+@kernel
+def _next(step, d, total, slope, load):
+    """Return d after a step of the approach. total, slope : force and its derivative at d.
+
+    The first steps are Halley's for total = load, were total a power of d: never far off.
+    """
+    excess = total - load
+    if abs(excess) <= CLOSE * load:
+        return d
+    if step < POWER_STEPS:
+        power = d * slope / total
+        up, down = power + 1.0, power - 1.0
+        return d * (down * total + up * load) / (up * total + down * load)
+    return d - excess / slope
+
+
+@kernel
+def indentation(decay, z, spans, stay, load, near, contacts):
     """Return (d, sweeps, pieces) of steady sliding under the load n Fbar; contacts are filled.
 
-    decay, z, spans, stay, contacts : as of carry. guess > 0.
+    decay, z, spans, stay, contacts : as of carry. near : d as approach leaves it.
     """
-    d = guess
+    d = near
     least, fewest = np.inf, z.size + 1
-    right = False  # of the root, as every step of Newton's method leads
     sweeps = 0
     while True:
         total, slope, touching, pieces = carry(decay, z, spans, stay, d, contacts)
         sweeps += 1
         excess = total - load
-        if abs(excess) <= CLOSE * load:
-            return d, sweeps, pieces
-        if sweeps <= POWER_STEPS:
-            d *= (load / total) ** (total / (slope * d))
-            continue
         new = d - excess / slope
         # Right of the root the excess falls and fewer elements touch, up to rounding.
         progress = touching < fewest or excess < 0.5 * least
-        if right and not (excess > 0.0 and new < d and progress):
+        right = excess > 0.0 and new < d and progress
+        if abs(excess) <= CLOSE * load or (sweeps > 1 and not right):
             return d, sweeps, pieces
         if excess > 0.0:
             fewest, least = min(fewest, touching), min(least, excess)
-        right = True
         d = new

@@ -14,6 +14,7 @@ from kernels.patches.loads import (
     Speeds,
     slide,
 )
+from kernels.steady.carry import decay_of
 from tests.kernels.steady.given import LINES, known, line_of, touching
 
 SEVERAL = np.geomspace(1e-4, 60.0, 12)
@@ -29,7 +30,7 @@ def slid(line, speed, several, criterion=True):
     speeds = Speeds(speed, own, np.array([1.2 * speed]), press)
     none = np.full(several.size, np.nan)
     total, m = several * line.z.size, float(line.steps_per_spacing)
-    return slide(law, line.z, line.slope, spans, speeds, total, none, m, 0.0)
+    return slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, m, 0.0)
 
 
 @pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
