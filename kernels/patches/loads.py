@@ -6,6 +6,7 @@ thresholds t_j of spans.py, F_N > max (z - v z') in the limit of fine samples. T
 and 5 are then those of the whole line.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -18,7 +19,13 @@ from kernels.patches.pressure import (
     friction_everywhere,
     pressed,
 )
-from kernels.patches.touching import list_touching, median_width, room_for_all, steepest
+from kernels.patches.touching import (
+    list_touching,
+    mean_rise,
+    median_width,
+    room_for_all,
+    steepest,
+)
 from kernels.steady.contacts import first, room_for
 from kernels.steady.sliding import approach, elastic_guess, indentation
 from kernels.steady.spans import Thresholds
@@ -37,25 +44,43 @@ class Speeds(NamedTuple):
     press: np.ndarray  # shape (others, spans + 1): thresholds of the pressure, of all samples last
 
 
+class How(NamedTuple):
+    """How friction is found."""
+
+    steps: float  # samples per spacing
+    share: float  # of the elastic part that is corrected
+    smooth: bool  # whether the line is a function without modes above q = pi/dx
+
+
+def corrected_share(steps: float, speed: float) -> float:
+    """Return which share of the elastic part of mu is corrected.
+
+    As far as a sample lasts longer than tau: by measurement the better estimate there, and the
+    worse one beyond.
+    """
+    share = math.exp(-((steps * speed) ** 2))
+    return share if share >= 1e-3 else 0.0
+
+
 @kernel
-def slide(decay, z, slope, spans, speeds, loads, guesses, steps, share):
+def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
     """Return (found, jumps), shapes (loads, 6) and (loads, others).
 
     decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, NaN where there is
-    none. steps : samples per spacing. share : of the elastic part of mu that is corrected.
+    none. gaps : as of carry, for parts of a line.
     """
     n, own = z.size, speeds.thresholds
     contacts, everything = room_for(slope, speeds.own), room_for_all(n)
     memory = np.empty(n)
     found = np.empty((loads.size, 6))
     jumps = np.empty((loads.size, speeds.others.size))
-    d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses)
+    d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses, gaps)
     for i in range(loads.size):
         load, pieces = loads[i], 1
         if full[i]:
             _list_whole_line(n, contacts)
         else:
-            d[i], used, pieces = indentation(decay, z, spans, own.stay, load, d[i], contacts)
+            d[i], used, pieces = indentation(decay, z, spans, own.stay, load, d[i], contacts, gaps)
             sweeps[i] += used
         listed = first(contacts, pieces)
         touching = list_touching(listed, everything)
@@ -65,12 +90,15 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, steps, share):
             there = pressed(z, slope, spans, touching, speeds.others[k], speeds.press[k], memory)
             after, _, _ = _friction(there, full[i], speeds.press[k, -1], load, deep)
             jumps[i, k] = after - mu  # errors of the elastic part cancel
-        if share > 0.0:
+        if how.share > 0.0:
             part = pressed(z, slope, spans, touching, speeds.own, own.press, memory)
-            mu += share / load * elastic_part(part, listed, deep, steps)
+            mu += how.share / load * elastic_part(part, listed, deep, how.steps)
             # Where a contact is narrower than a sample this alone is sure: mu is a mean of slopes.
             limit = steepest(slope, spans, touching)
             mu = min(max(mu, -limit), limit)
+        if how.smooth and mu <= 0.0:
+            # ... and that it takes work: what the forces do while the line rises.
+            mu = how.steps * mean_rise(z, d[i], decay, listed)
         found[i, INDENTATION], found[i, MU], found[i, CONTACT] = d[i], mu, contact / n
         found[i, SAMPLES] = median_width(z, d[i], spans, decay, listed)
         found[i, SWEEPS], found[i, FULL] = sweeps[i], full[i]
@@ -78,7 +106,7 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, steps, share):
 
 
 @kernel
-def _indentations(decay, z, spans, own, loads, guesses):
+def _indentations(decay, z, spans, own, loads, guesses, gaps):
     """Return (d, sweeps, full): where the whole line touches, d itself, elsewhere near it."""
     d = loads / z.size + (z[0] + spans.whole[0] / z.size)
     full = d > own.stay_all
@@ -88,7 +116,7 @@ def _indentations(decay, z, spans, own, loads, guesses):
         if not near[k] > 0.0:
             near[k] = elastic_guess(z, spans.deepest, loads[some[k]])
     sweeps = np.zeros(loads.size, np.int64)
-    d[some], sweeps[some] = approach(decay, z, spans, own.stay, loads[some], near)
+    d[some], sweeps[some] = approach(decay, z, spans, own.stay, loads[some], near, gaps)
     return d, sweeps, full
 
 

@@ -1,11 +1,9 @@
 """Friction of steady sliding and of the jumps from it, at as many samples as the contacts need."""
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
-from kernels.friction import elastic_correction, quadrature, step_average
 from kernels.patches.loads import (
     CONTACT,
     FULL,
@@ -13,10 +11,12 @@ from kernels.patches.loads import (
     MU,
     SAMPLES,
     SWEEPS,
+    How,
     Speeds,
+    corrected_share,
     slide,
 )
-from kernels.patches.refined import Refined, refined
+from kernels.patches.refined import NARROW, Refined, curvatures_of, refined
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
 from kernels.steady.carry import Decay, carry, decay_of
@@ -29,11 +29,12 @@ class Ground(NamedTuple):
 
     line: Line
     spans: Spans
+    curvature: np.ndarray | None  # shape (n,); where it is known between its samples
 
     @classmethod
     def of(cls, line: Line) -> "Ground":
         """Return the ground that a line is."""
-        return cls(line, spans_of(line.z, line.slope))
+        return cls(line, spans_of(line.z, line.slope), curvatures_of(line))
 
 
 class Sliding(NamedTuple):
@@ -85,7 +86,7 @@ def steady_friction(
     loads : n Fbar, guesses : of d, shape (loads,). What is found under a load depends on its own
     guess and on no other load. Narrow contacts are refined (refined.py) where the line allows it.
     """
-    line, spans = ground
+    line, spans, _ = ground
     law = SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
     decay = decay_of(law)
     own = thresholds_of(line.z, line.slope, speed, law.stiffness)
@@ -95,10 +96,11 @@ def steady_friction(
         there = thresholds_of(line.z, line.slope, other, law.stiffness)
         press[k, :-1], press[k, -1] = there.press, there.press_all
     guesses = np.full(loads.size, np.nan) if guesses is None else guesses
-    share = _corrected_share(line.steps_per_spacing, speed)
+    share = corrected_share(line.steps_per_spacing, speed)
     speeds = Speeds(speed, own, np.array(others, float), press)
     steps = float(line.steps_per_spacing)
-    found, jumps = slide(decay, line.z, line.slope, spans, speeds, loads, guesses, steps, share)
+    how = How(steps, share, line.band_limited)
+    found, jumps = slide(decay, line.z, line.slope, spans, speeds, loads, guesses, how)
     d = found[:, INDENTATION]
     sliding = Sliding(
         ground,
@@ -119,60 +121,22 @@ def steady_friction(
         found[:, SWEEPS] * line.z.size,
     )
     _refine(sliding, others)
-    if line.band_limited:
-        for i in np.flatnonzero(sliding.mu <= 0.0):
-            seen = sliding.seen.get(int(i))
-            state = seen.state if seen else sliding.state(int(i))
-            sliding.mu[i] = _working(seen.line if seen else line, state)
     return sliding
 
 
 def _refine(sliding: Sliding, others: tuple[float, ...]) -> None:
     """Read friction and jumps from finer samples under the loads whose contacts are narrow."""
-    line, speed = sliding.ground.line, sliding.speed
-    for i, samples in enumerate(sliding.samples.tolist()):
-        load, d = float(sliding.loads[i]), float(sliding.d[i])
-        finer = refined(line, speed, sliding.scheme, load, d, samples)
-        if finer is None:
+    (line, spans, curvature), speeds = sliding.ground, (sliding.speed, *others)
+    if curvature is None:
+        return
+    for i in np.flatnonzero(sliding.samples < NARROW).tolist():
+        load, samples, state = float(sliding.loads[i]), float(sliding.samples[i]), sliding.state(i)
+        found = refined(line, spans, curvature, speeds, sliding.scheme, load, state, samples)
+        if found is None:
             continue
-        sliding.seen[i] = finer
-        mu, summed, contact = _friction(finer, speed)
-        sliding.mu[i], sliding.contact[i] = mu, contact * finer.share
-        sliding.indentation[i] = finer.state.d + line.datum
-        coarser = line.steps_per_spacing / finer.line.steps_per_spacing
-        sliding.samples[i] = finer.samples * coarser
-        sliding.updates[i] += finer.line.z.size
-        z, slope = finer.line.z, finer.line.slope
-        for k, other in enumerate(others):
-            after, _, _ = quadrature(z, slope, *finer.state, speed, other, finer.load)
-            sliding.jumps[i, k] = after - summed  # errors of the elastic part cancel
-
-
-def _corrected_share(steps: float, speed: float) -> float:
-    """Return which share of the elastic part of mu is corrected.
-
-    As far as a sample lasts longer than tau: by measurement the better estimate there, and the
-    worse one beyond.
-    """
-    share = math.exp(-((steps * speed) ** 2))
-    return share if share >= 1e-3 else 0.0
-
-
-def _friction(seen: Refined, speed: float) -> tuple[float, float, float]:
-    """Return mu of the steady state, mu as quadrature gives it, and the share in contact."""
-    line, (w, d), load = seen.line, seen.state, seen.load
-    z, slope, steps = line.z, line.slope, line.steps_per_spacing
-    mu, rate, contact = quadrature(z, slope, w, d, speed, speed, load)
-    corrected = mu
-    share = _corrected_share(steps, speed)
-    if share > 0.0:
-        corrected += share * elastic_correction(z, slope, w, d, speed, rate, steps) / load
-        steepest = float(np.abs(slope[z - w < d]).max())
-        corrected = min(max(corrected, -steepest), steepest)
-    return corrected, mu, contact
-
-
-def _working(line: Line, state: State) -> float:
-    """Return mu from the work of the forces while the line rises: it takes work to slide."""
-    rise = line.steps_per_spacing * (np.roll(line.z, -1) - line.z)
-    return step_average(rise, line.z - state.w, state.d)
+        sliding.seen[i] = found
+        sliding.mu[i], sliding.contact[i] = found.mu, found.contact
+        sliding.indentation[i] = found.d + line.datum
+        sliding.samples[i] = found.samples / found.fold
+        sliding.updates[i] += found.updates
+        sliding.jumps[i] = found.jumps

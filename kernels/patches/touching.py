@@ -76,6 +76,20 @@ def steepest(slope, spans, touching):
 
 
 @kernel
+def mean_rise(z, d, decay, contacts):
+    """Return by how much the line rises in a step over its contacts, a mean over their forces."""
+    total = work = 0.0
+    for i in range(contacts.ends.shape[0]):
+        free = contacts.edges[i, FREE]
+        for j in range(contacts.ends[i, 0], contacts.ends[i, 1] - 1, -1):
+            u = z[j] - d
+            total += free - u
+            work += (free - u) * (z[j + 1 if j + 1 < z.size else 0] - z[j])
+            free = decay.once * u
+    return work / total
+
+
+@kernel
 def median_width(z, d, spans, decay, contacts):
     """Return the median over the load of the width of patches (patches/samples.py), in samples."""
     pieces = contacts.ends.shape[0]

@@ -7,6 +7,8 @@ That sum has terms of one sign: it is known to rounding, at any speed.
 
 from typing import NamedTuple
 
+import numpy as np
+
 from kernels.jit import kernel
 from kernels.rheology.law import NEGLIGIBLE, reach
 from kernels.steady.contacts import join_pieces, leave_piece, open_piece
@@ -21,6 +23,17 @@ class Decay(NamedTuple):
     within: float  # the sum of what is left at the samples of a span
 
 
+class Gaps(NamedTuple):
+    """What elements go through that come to a span over samples that are left out.
+
+    Of every span, and of the samples behind the last whole one.
+    """
+
+    left: np.ndarray  # of a displacement after the gap; 1 where there is none
+    within: np.ndarray  # the sum of what is left at its samples
+    entered: np.ndarray  # with which displacement they went in, in the last sweep; it is filled
+
+
 @kernel
 def decay_of(law):
     """Return the Decay of a law whose elements remember u alone."""
@@ -33,12 +46,13 @@ def decay_of(law):
 
 
 @kernel
-def carry(decay, z, spans, stay, d, contacts=None, w=None):
+def carry(decay, z, spans, stay, d, contacts=None, w=None, gaps=None):
     """Carry the elements once round the line, from its deepest sample against the motion.
 
     decay, spans, stay : Decay, Spans and largest thresholds (spans.py) of the line z, shape (n,).
     d > 0 : indentation, over the deepest sample. contacts : filled where it is given. w : free
-    displacements, shape (n,), filled where it is given.
+    displacements, shape (n,), filled where it is given. gaps : where samples are left out, all
+    of them higher than d.
     Return (-sum u, its derivative with respect to d, touching samples, pieces of contact).
     """
     n, deepest = z.size, spans.deepest
@@ -53,6 +67,11 @@ def carry(decay, z, spans, stay, d, contacts=None, w=None):
         while j >= last:
             b = j // SPAN
             low = b * SPAN
+            if gaps is not None and gaps.left[b] < 1.0 and j == min(low + SPAN, n) - 1:
+                left, within = gaps.left[b], gaps.within[b]
+                gaps.entered[b] = u
+                total, slope = total - within * u, slope + within * du
+                u, du = (left * u if u < -NEGLIGIBLE else 0.0), left * du
             if j == low + SPAN - 1 and low >= last:
                 left = decay.span * u if u < -NEGLIGIBLE else 0.0
                 if held and d > stay[b]:

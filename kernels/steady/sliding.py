@@ -30,10 +30,10 @@ def elastic_guess(z, deepest, load):
 
 
 @kernel
-def approach(decay, z, spans, stay, loads, guesses):
+def approach(decay, z, spans, stay, loads, guesses, gaps=None):
     """Return d near the roots under all loads n Fbar, and the sweeps each took.
 
-    decay, z, spans, stay : as of carry. guesses : of d. Each d follows from its own load and
+    decay, z, spans, stay, gaps : as of carry. guesses : of d. Each d follows from its own load and
     guess; lanes only find it faster.
     """
     d, sweeps = guesses.copy(), np.zeros(loads.size, np.int64)
@@ -44,15 +44,16 @@ def approach(decay, z, spans, stay, loads, guesses):
             broken[count] = i
             count += 1
     by_lanes = np.zeros(loads.size, np.bool_)
-    for begin in range(0, count - WORTH + 1, LANES):
-        some = broken[begin : min(begin + LANES, count)]
-        by_lanes[some] = True
-        _approach_lanes(decay, z, spans, stay, loads, some, d)
-        sweeps[some] = STEPS
+    if gaps is None:
+        for begin in range(0, count - WORTH + 1, LANES):
+            some = broken[begin : min(begin + LANES, count)]
+            by_lanes[some] = True
+            _approach_lanes(decay, z, spans, stay, loads, some, d)
+            sweeps[some] = STEPS
     for i in range(loads.size):
         if not by_lanes[i]:
             for step in range(STEPS):
-                total, slope, _, _ = carry(decay, z, spans, stay, d[i])
+                total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None, gaps)
                 sweeps[i] += 1
                 d[i] = _next(step, d[i], total, slope, loads[i])
     return d, sweeps
@@ -96,16 +97,16 @@ def _next(step, d, total, slope, load):
 
 
 @kernel
-def indentation(decay, z, spans, stay, load, near, contacts):
+def indentation(decay, z, spans, stay, load, near, contacts, gaps=None):
     """Return (d, sweeps, pieces) of steady sliding under the load n Fbar; contacts are filled.
 
-    decay, z, spans, stay, contacts : as of carry. near : d as approach leaves it.
+    decay, z, spans, stay, contacts, gaps : as of carry. near : d as approach leaves it.
     """
     d = near
     least, fewest = np.inf, z.size + 1
     sweeps = 0
     while True:
-        total, slope, touching, pieces = carry(decay, z, spans, stay, d, contacts)
+        total, slope, touching, pieces = carry(decay, z, spans, stay, d, contacts, None, gaps)
         sweeps += 1
         excess = total - load
         new = d - excess / slope

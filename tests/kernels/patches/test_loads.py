@@ -11,6 +11,7 @@ from kernels.patches.loads import (
     MU,
     SAMPLES,
     SWEEPS,
+    How,
     Speeds,
     slide,
 )
@@ -29,8 +30,8 @@ def slid(line, speed, several, criterion=True):
     press = np.append(there.press, there.press_all)[None]
     speeds = Speeds(speed, own, np.array([1.2 * speed]), press)
     none = np.full(several.size, np.nan)
-    total, m = several * line.z.size, float(line.steps_per_spacing)
-    return slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, m, 0.0)
+    total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True)
+    return slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, how)
 
 
 @pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
