@@ -5,17 +5,7 @@ from pathlib import Path
 import numpy as np
 
 from workflow.cli.effects import effect_lines
-from workflow.plan import (
-    Plan,
-    Variant,
-    batch_target,
-    cut,
-    make_plan,
-    missing_work,
-    predicted,
-    this_machine,
-    total_seconds,
-)
+from workflow.plan import Plan, Variant, make_plan, this_machine
 from workflow.simulate import programme_steps
 from workflow.study import Measured, Study, judged
 from workflow.system import core_time, duration
@@ -88,10 +78,9 @@ def _span(values: np.ndarray) -> str:
 
 
 def _costs(plan: Plan, speed: str) -> list[str]:
-    missing = missing_work(plan, ())
-    pieces = cut(plan, missing, batch_target(total_seconds(missing)))
+    _, low, high = plan.prediction()
     return [
-        f"predicted   {core_time(*predicted(plan, pieces)[1:])}",
+        f"predicted   {core_time(low, high)}",
         f"speed       as measured on {speed}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
@@ -127,7 +116,8 @@ def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
         for goal in variant.goals.values()
     ]
     coarse = sum(max(bias.values()) > 0.5 * wanted for bias in sought)
-    nothing = sum(len(bias) < len(judged(plan.study.scene.quantities)) for bias in sought)
+    names = len(judged(plan.study.scene.quantities))
+    nothing = sum(len(bias) < names for bias in sought)
     given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
     return [
         f"accuracy    {wanted:g} {variant.label}",

@@ -14,7 +14,6 @@ if TYPE_CHECKING:
         cut,
         make_batches,
         missing_work,
-        predicted,
         total_records,
         total_seconds,
     )

@@ -4,14 +4,12 @@ The store is asked once, record by record; what is missing is then cut to any le
 """
 
 from bisect import bisect_right
-from collections import defaultdict
 from collections.abc import Container, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
 
-from workflow.plan.cost import PARTS, Prediction, prediction
 from workflow.plan.plan import Plan
 from workflow.plan.variant import Variant, samples_of
 from workflow.simulate import Batch, Record, Task
@@ -67,16 +65,6 @@ def total_records(missing: list[Missing]) -> int:
 def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
     """Return the predicted time of one block of tasks that share their lines."""
     return plan.study.realizations_per_block * float(variant.typical_of(tasks) @ variant.factors)
-
-
-def predicted(plan: Plan, missing: list[Missing]) -> Prediction:
-    """Return the core-seconds of missing work, and between which nine of ten runs end."""
-    typical: dict[tuple[str, str], float] = defaultdict(float)
-    for entry in missing:
-        count = entry.blocks * plan.study.realizations_per_block
-        for part, seconds in zip(PARTS, entry.variant.typical_of(entry.tasks), strict=True):
-            typical[entry.variant.kind, part] += count * float(seconds)
-    return prediction(plan.pace, typical)
 
 
 def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:

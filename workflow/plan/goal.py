@@ -41,15 +41,12 @@ class Goal(NamedTuple):
         """Return the goals of so many problems that this one is of together."""
         names = list(self.bias)
         columns = (self.steps, self.realizations, *self.bias.values(), *self.scatter.values())
-        rows = zip(*(np.broadcast_to(values, number).tolist() for values in columns), strict=True)
-        goals = []
-        for steps, need, *rest in rows:
-            bias, scatter = (
-                dict(zip(names, own, strict=True))
-                for own in (rest[: len(names)], rest[len(names) :])
-            )
-            goals.append(Goal(steps, bias, scatter, need))
-        return goals
+        steps, need, *rest = (np.broadcast_to(values, number).tolist() for values in columns)
+        bias, scatter = (
+            [dict(zip(names, own, strict=True)) for own in zip(*part, strict=True)]
+            for part in (rest[: len(names)], rest[len(names) :])
+        )
+        return list(map(Goal, steps, bias, scatter, need))
 
 
 def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:

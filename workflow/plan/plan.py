@@ -1,13 +1,14 @@
 """The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
 
 import math
+from collections import defaultdict
 from typing import NamedTuple
 
 import numpy as np
 
 from kernels import START, Origin, Quantities
 from workflow.errors import UserError
-from workflow.plan.cost import PARTS, TYPICAL, Pace
+from workflow.plan.cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from workflow.plan.goal import FIRST_SHARE, whole_blocks
 from workflow.plan.motion import asked_of
 from workflow.plan.variant import Variant, problems_of, variant_of
@@ -78,6 +79,18 @@ class Plan(NamedTuple):
         count = batch.blocks * batch.realizations_per_block
         seconds = (count * variant.typical_of(batch.tasks)).tolist()
         return {(variant.kind, part): own for part, own in zip(PARTS, seconds, strict=True)}
+
+    def prediction(self) -> Prediction:
+        """Return the core-seconds of the whole study, and between which nine of ten runs end."""
+        typical: dict[tuple[str, str], float] = defaultdict(float)
+        each = self.study.realizations_per_block
+        for variant in self.variants:
+            counts = np.array([self.expected[task.key] for task in variant.tasks])
+            seconds = counts @ variant.typical
+            seconds[0] += variant.drawing_of(self.expected)
+            for part, own in zip(PARTS, each * seconds, strict=True):
+                typical[variant.kind, part] += float(own)
+        return prediction(self.pace, typical)
 
     def first_point(self, task: Task) -> dict[str, float]:
         """Return the first grid point of a task: axis -> value."""

@@ -1,6 +1,7 @@
 """The variants of a study: all tasks of each discretisation, as the laws size them."""
 
 import hashlib
+import struct
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -15,6 +16,9 @@ from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.simulate import CODE, Problem, Recording, Surface, Task, kept_steps
 from workflow.study import Material, Numerics, Study
 from workflow.study import Surface as LinesOfStudy
+
+NUMBERS = struct.Struct("<dqddd")  # of a problem, as they stand in its key: to the bit
+STEPS = struct.Struct("<qq")
 
 
 class Variant(NamedTuple):
@@ -43,6 +47,17 @@ class Variant(NamedTuple):
         found[0] += sum(self.drawing[samples] for samples in sorted(set(map(samples_of, tasks))))
         return found
 
+    def drawing_of(self, blocks: dict[str, int]) -> float:
+        """Return the typical seconds of drawing the lines of so many blocks of each task once."""
+        total = 0.0
+        for line in self.by_line:
+            most: dict[int, int] = {}
+            for task in line:
+                samples, count = samples_of(task), blocks[task.key]
+                most[samples] = max(count, most.get(samples, 0))
+            total += sum(count * self.drawing[samples] for samples, count in most.items())
+        return total
+
     def draw_seconds(self, samples: int) -> float:
         """Return the predicted time of drawing one line of so many samples."""
         return self.drawing[samples] * float(self.factors[0])
@@ -52,7 +67,7 @@ class Problems(NamedTuple):
     """The distinct problems of a variant, which others may share."""
 
     each: list[Problem]
-    written: list[str]  # as they stand in keys
+    written: list[bytes]  # as they stand in keys
     points: np.ndarray  # number of the problem of each grid point
     together: list[tuple[np.ndarray, Problem]]  # for the laws
 
@@ -80,10 +95,10 @@ def problems_of(study: Study) -> dict[str, Problems]:
     return found
 
 
-def _written(problems: list[Problem]) -> list[str]:
-    """Return problems as text; what a scene adds, which many share, is written out once."""
-    settings = {setting: repr(setting) for setting in {problem[5:] for problem in problems}}
-    return [f"{problem[:5]!r}{settings[problem[5:]]}" for problem in problems]
+def _written(problems: list[Problem]) -> list[bytes]:
+    """Return problems as bytes; what a scene adds, which many share, is written out once."""
+    settings = {setting: repr(setting).encode() for setting in {each[5:] for each in problems}}
+    return [NUMBERS.pack(*problem[:5]) + settings[problem[5:]] for problem in problems]
 
 
 def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _Sizes:
@@ -174,6 +189,6 @@ def _tasks(shared: str, problems: Problems, said: _Sizes) -> list[Task]:
         problems.each, problems.written, said.steps, said.march_steps, strict=True
     ):
         digest = first.copy()
-        digest.update(f"{written}{steps} {march_steps}".encode())
+        digest.update(written + STEPS.pack(steps, march_steps))
         tasks.append(Task(problem, steps, march_steps, digest.hexdigest()[:32]))
     return tasks

@@ -3,9 +3,8 @@
 from typing import NamedTuple
 
 import numpy as np
-from scipy.optimize import leastsq
 
-from workflow.reduce.statistics import significant, standard_error
+from workflow.reduce.statistics import fit_curves, significant, standard_error
 
 FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE, NO_STATE, NEGLIGIBLE = range(7)
 
@@ -84,7 +83,7 @@ def fit_exponential(time: np.ndarray, deviation: np.ndarray) -> np.ndarray:
     start = _start(time, deviation)
     if start is None:
         return nothing
-    found = _least_squares(time, deviation, np.array(start))
+    (found,) = _fit_all(time, deviation[None], np.array(start))
     return found if _quality(time, deviation, found) >= LEAST_QUALITY else nothing
 
 
@@ -113,44 +112,31 @@ def _start(time: np.ndarray, deviation: np.ndarray) -> tuple[float, float] | Non
 
 
 def _fit_all(time: np.ndarray, curves: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """Fit every row of ``curves``; rows (amplitude, rate[, offset]), NaN where it fails."""
-    fits = np.full((len(curves), start.size), np.nan)
-    for row, curve in enumerate(curves):
-        fits[row] = _least_squares(time, curve, fits[0] if row else start)
-        if not np.isfinite(fits[row]).all():
-            break
-    return fits
+    """Fit every row of ``curves``; rows (amplitude, rate[, offset]), NaN where it fails.
 
-
-def _least_squares(time: np.ndarray, curve: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """Levenberg-Marquardt fit in scaled variables; the rate is kept positive by its logarithm.
-
+    All at once, in scaled variables; the rate is kept positive by its logarithm.
     Samples weigh as much as the time that they stand for: the sum is that of the curve in between,
     whatever the steps, and does not lean on the first sample half a step after the jump.
     """
     scale, span = start[0], time[-1]
     weight = np.sqrt(_durations(time) / span)
 
-    def model(p: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        phase = np.exp(p[1]) * time / span
-        return phase, np.exp(-phase)
-
-    def residual(p: np.ndarray) -> np.ndarray:
-        offset = p[2] if p.size > 2 else 0.0
-        return weight * (p[0] * model(p)[1] + offset - curve / scale)
-
-    def jacobian(p: np.ndarray) -> np.ndarray:
-        phase, decay = model(p)
-        columns = [decay, -p[0] * phase * decay]
-        return weight[:, None] * np.column_stack([*columns, np.ones_like(time)][: p.size])
+    def model(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        phase = np.exp(p[:, 1:2]) * t
+        decay = weight * np.exp(-phase)
+        columns = [decay, -p[:, :1] * phase * decay]
+        values = p[:, :1] * decay
+        if start.size > 2:
+            values = values + p[:, 2:] * weight
+            columns.append(np.broadcast_to(weight, decay.shape))
+        return values, np.stack(columns, axis=2)
 
     first = np.array([1.0, np.log(start[1] * span), *(start[2:] / scale)])
     with np.errstate(all="ignore"):
-        p, _, _, _, flag = leastsq(residual, first, Dfun=jacobian, full_output=True)
-        rate = np.exp(p[1]) / span
-    if flag not in (1, 2, 3, 4) or not 1e-3 < rate * span < 1e4:
-        return np.full(start.size, np.nan)
-    return np.array([p[0] * scale, rate, *(p[2:] * scale)])
+        p = fit_curves(model, time / span, weight * curves / scale, first)
+        rate = np.exp(p[:, 1])
+    found = np.column_stack([p[:, 0] * scale, rate / span, p[:, 2:] * scale])
+    return np.where(((rate > 1e-3) & (rate < 1e4))[:, None], found, np.nan)
 
 
 def _durations(time: np.ndarray) -> np.ndarray:

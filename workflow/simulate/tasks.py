@@ -72,8 +72,7 @@ class Recording(NamedTuple):
     origin: Origin = START  # where a programme begins that is resumed
 
 
-@dataclass(frozen=True)
-class Task:
+class Task(NamedTuple):
     """One problem with its discretisation, and the key of its results."""
 
     problem: Problem

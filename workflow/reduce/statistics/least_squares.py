@@ -46,11 +46,13 @@ def fit_curves(model: Model, t: np.ndarray, curves: np.ndarray, start: np.ndarra
     damping = np.full(len(curves), first)
     going = np.ones(len(curves), bool)
     for _ in range(MOST_ITERATIONS):
-        tried = _at(model, t, curves, best.p + _step(best, damping))
+        step = _step(best, damping)
+        going &= np.sum(-best.gradient * step, axis=1) > ENOUGH * best.squares  # that it may fall
+        tried = _at(model, t, curves, best.p + step)
         fell = tried.squares < best.squares  # not where it is not a number
         gain = np.where(fell, best.squares - tried.squares, 0.0)
-        going &= ~(fell & (gain <= ENOUGH * best.squares)) & (damping < largest)
         best = _Fit(*(_chosen(fell & going, *pair) for pair in zip(tried, best, strict=True)))
+        going &= ~(fell & (gain <= ENOUGH * best.squares)) & (damping < largest)
         damping = np.clip(np.where(fell, damping / FACTOR, damping * FACTOR), least, largest)
         if not going.any():
             break
