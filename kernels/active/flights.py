@@ -69,8 +69,9 @@ def arrivals_of(law, lists, runs, state, line, steps):
         else:
             far[f] = r
             f += 1
-    at, steep = lists.first[near[:a] + 1] - 1, np.empty(a)
+    at, steep = np.empty(a, np.int64), np.empty(a)
     for i in range(a):
+        at[i] = lists.first[near[i] + 1] - 1
         above = runs.top[near[i]] + 1
         steep[i] = rise(law, lists.z[at[i]], line[above if above < line.size else 0])
     neighbours = Neighbours(at, steep)
@@ -80,45 +81,48 @@ def arrivals_of(law, lists, runs, state, line, steps):
 @kernel
 def _flights(lists, runs, far, state, line, powers):
     """Return the Flights of the runs ``far``."""
-    n, reach = line.size, powers.size - 1
-    begin = np.zeros(far.size + 1, np.int64)
-    goes = runs.distance[far] <= reach
-    for f in range(far.size):
-        q = runs.distance[far[f]]
-        begin[f + 1] = begin[f] + (q if goes[f] else reach + 1)
-    values = np.empty(begin[-1])
-    source, height, crossing = np.full(far.size, -1), np.empty(far.size), np.empty(far.size)
-    for f in range(far.size):
+    reach, size = powers.size - 1, far.size
+    at, begin, place = (
+        np.empty(size, np.int64),
+        np.zeros(size + 1, np.int64),
+        np.empty(size, np.int64),
+    )
+    source, height, crossing = np.empty(size, np.int64), np.empty(size), np.empty(size)
+    goes = np.empty(size, np.bool_)
+    for f in range(size):
         r = far[f]
         q = runs.distance[r]
-        from_ = runs.top[r] + q
-        height[f] = line[from_ - n if from_ >= n else from_]
-        if not runs.sure[r]:
+        at[f], place[f], goes[f] = lists.first[r + 1] - 1, begin[f], q <= reach
+        begin[f + 1] = begin[f] + (q if goes[f] else reach + 1)
+        crossing[f] = powers[q] if goes[f] else 0.0
+        if runs.sure[r]:
+            above = runs.top[r] + q
+            source[f], height[f] = -1, line[above - line.size if above >= line.size else above]
+        else:
             source[f] = lists.first[r - 1 if r > 0 else runs.top.size - 1]
             height[f] = lists.z[source[f]]
-        crossing[f] = powers[q] if goes[f] else 0.0
-        _launch(values[begin[f] : begin[f + 1]], powers, state, line, runs.top[r])
+    values = np.empty(begin[-1])
+    for f in range(size):
+        _launch(values, begin[f], begin[f + 1], powers, state, line, runs.top[far[f]])
         if not goes[f]:
             values[begin[f + 1] - 1] = 0.0  # all that comes later has been forgotten
-        elif runs.sure[r]:
+        elif source[f] < 0:
             values[begin[f + 1] - 1] = crossing[f] * (height[f] - state.d)
-    return Flights(
-        lists.first[far + 1] - 1, begin, begin[:-1].copy(), goes, values, source, height, crossing
-    )
+    return Flights(at, begin, place, goes, values, source, height, crossing)
 
 
 @kernel
-def _launch(values, powers, state, line, top):
+def _launch(values, begin, end, powers, state, line, top):
     """Fill in the displacements, at their arrival, of the elements now upstream of sample top."""
     w, d = state
-    wrap = min(max(line.size - top - 1, 0), values.size)
-    last = min(values.size, powers.size - 1)
-    for k in range(min(wrap, last)):
+    count = min(end - begin, powers.size - 1)
+    wrap = min(line.size - top - 1, count)
+    for k in range(wrap):
         j = top + 1 + k
-        values[k] = powers[k + 1] * min(w[j], line[j] - d)
-    for k in range(wrap, last):
+        values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
+    for k in range(wrap, count):
         j = k - wrap
-        values[k] = powers[k + 1] * min(w[j], line[j] - d)
+        values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
 
 
 @kernel

@@ -117,8 +117,10 @@ def _part(lists, first, last):
     begin = np.zeros(first.size + 1, np.int64)
     for r in range(first.size):
         begin[r + 1] = begin[r] + last[r] - first[r] + 1
-    z, weight, c = np.empty(begin[-1]), np.empty(begin[-1]), np.empty(begin[-1])
+    size = begin[-1]
+    z, weight, c = np.empty(size), np.empty(size), np.empty(size)
     for r in range(first.size):
-        here, there = slice(begin[r], begin[r + 1]), slice(first[r], last[r] + 1)
-        z[here], weight[here], c[here] = lists.z[there], lists.weight[there], lists.c[there]
+        for i in range(first[r], last[r] + 1):
+            k = begin[r] + i - first[r]
+            z[k], weight[k], c[k] = lists.z[i], lists.weight[i], lists.c[i]
     return Lists(begin, z, weight, c)
