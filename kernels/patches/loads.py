@@ -113,7 +113,7 @@ def _indentations(decay, z, spans, own, loads, guesses, gaps):
     some = np.flatnonzero(~full)
     near = guesses[some]
     for k in range(some.size):
-        if not near[k] > 0.0:
+        if np.isnan(near[k]):
             near[k] = elastic_guess(z, spans.deepest, loads[some[k]])
     sweeps = np.zeros(loads.size, np.int64)
     d[some], sweeps[some] = approach(decay, z, spans, own.stay, loads[some], near, gaps)

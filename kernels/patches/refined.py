@@ -133,8 +133,6 @@ def slide_on_part(law, part, at_speeds, load, guess, how):
     speed, others = at_speeds
     spacing = fold / how.steps
     heights, slopes = interpolate(z, slope, curvature, at, spacing, fold)
-    lowest = heights.min()
-    heights -= lowest
     own = thresholds_of(heights, slopes, speed, law.stiffness)
     never = Thresholds(own.stay, own.press, np.inf, np.inf)  # is all of a part all of the line
     press = np.empty((others.size, own.press.size + 1))
@@ -142,9 +140,9 @@ def slide_on_part(law, part, at_speeds, load, guess, how):
         press[k, :-1] = thresholds_of(heights, slopes, others[k], law.stiffness).press
     speeds, gaps = Speeds(speed, never, others, press), gaps_of(law, at, fold, z.size)
     spans = spans_of(heights, slopes)
-    loads, guesses = np.array([load * fold]), np.array([guess - lowest])
+    loads, guesses = np.array([load * fold]), np.array([guess])
     found, jumps = slide(decay_of(law), heights, slopes, spans, speeds, loads, guesses, how, gaps)
-    d = lowest + found[0, INDENTATION]
+    d = found[0, INDENTATION]
     once = law.decay ** float(fold)
     missed = mark_missed(z, slope, line_spans, spacing, once, d, at, gaps, fold, low)
     return d, missed, found[0], jumps[0]

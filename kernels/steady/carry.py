@@ -50,7 +50,7 @@ def carry(decay, z, spans, stay, d, contacts=None, w=None, gaps=None):
     """Carry the elements once round the line, from its deepest sample against the motion.
 
     decay, spans, stay : Decay, Spans and largest thresholds (spans.py) of the line z, shape (n,).
-    d > 0 : indentation, over the deepest sample. contacts : filled where it is given. w : free
+    d : indentation, which reaches the deepest sample. contacts : filled where it is given. w : free
     displacements, shape (n,), filled where it is given. gaps : where samples are left out, all
     of them higher than d.
     Return (-sum u, its derivative with respect to d, touching samples, pieces of contact).

@@ -55,7 +55,7 @@ def approach(decay, z, spans, stay, loads, guesses, gaps=None):
             for step in range(STEPS):
                 total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None, gaps)
                 sweeps[i] += 1
-                d[i] = _next(step, d[i], total, slope, loads[i])
+                d[i] = _next(step, d[i], total, slope, loads[i], z[spans.deepest])
     return d, sweeps
 
 
@@ -67,7 +67,8 @@ def _approach_lanes(decay, z, spans, stay, loads, some, d):
     for step in range(STEPS):
         total, slope = carry_lanes(decay, z, spans, stay, lanes)
         for k in range(some.size):
-            lanes[k] = _next(step, lanes[k], total[k], slope[k], loads[some[k]])
+            load = loads[some[k]]
+            lanes[k] = _next(step, lanes[k], total[k], slope[k], load, z[spans.deepest])
     d[some] = lanes[: some.size]
 
 
@@ -81,18 +82,20 @@ def _broken(spans, stay, d):
 
 
 @kernel
-def _next(step, d, total, slope, load):
+def _next(step, d, total, slope, load, deepest):
     """Return d after a step of the approach. total, slope : force and its derivative at d.
 
-    The first steps are Halley's for total = load, were total a power of d: never far off.
+    The first steps are Halley's for total = load, were total a power of the depth over the deepest
+    sample: never far off.
     """
     excess = total - load
     if abs(excess) <= CLOSE * load:
         return d
     if step < POWER_STEPS:
-        power = d * slope / total
+        depth = d - deepest
+        power = depth * slope / total
         up, down = power + 1.0, power - 1.0
-        return d * (down * total + up * load) / (up * total + down * load)
+        return deepest + depth * (down * total + up * load) / (up * total + down * load)
     return d - excess / slope
 
 
