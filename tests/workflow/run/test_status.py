@@ -170,4 +170,4 @@ def test_it_is_written_every_few_seconds_only(place, clock, monkeypatch):
     for _ in range(20):
         writer.write(1, 1)
         clock[0] += 1.0
-    assert written == [100.0, 105.0, 110.0, 115.0]
+    assert written == [clock[0] - 20.0 + wait for wait in (0.0, 5.0, 10.0, 15.0)]

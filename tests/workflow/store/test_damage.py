@@ -19,6 +19,7 @@ from tests.support.small import random_result
 from workflow.errors import UserError
 from workflow.store import journal, shard
 from workflow.store.store import DamagedShard, Store
+from workflow.store.verify import Verified
 
 
 def one_bit(content):
@@ -64,6 +65,29 @@ def test_a_shard_that_vanished_is_named(tmp_path, capsys):
     shard_of(store, WORK[0]).unlink()
     assert held(reopened(tmp_path)) == set(records(WORK[1]))
     assert f"{shard_of(store, WORK[0])} is damaged (missing)" in capsys.readouterr().err
+
+
+def test_a_shard_that_vanishes_while_the_store_is_open_can_be_computed_again(tmp_path, capsys):
+    store, results = filled(tmp_path, WORK[:2])
+    shard_of(store, WORK[0]).unlink()
+    with pytest.raises(DamagedShard):
+        store.read(records(WORK[0]), SAMPLES)
+    assert "is damaged (missing)" in capsys.readouterr().err
+    for again in (store, Store(tmp_path)):
+        assert held(again) == set(records(WORK[1]))
+        assert len(again.index.sizes) == 1
+    assert Verified(tmp_path).faults == []
+
+
+def test_a_shard_that_the_disk_refuses_to_read_is_left_where_it_is(tmp_path):
+    store, _ = filled(tmp_path, WORK[:1])
+    path = shard_of(store, WORK[0])
+    path.unlink()
+    path.mkdir()  # EISDIR, to whoever reads
+    with pytest.raises(UserError, match="cannot be read"):
+        store.read(records(WORK[0]), SAMPLES)
+    assert path.is_dir()
+    assert held(store) == set(records(WORK[0]))
 
 
 @pytest.mark.parametrize("journaled", [True, False])

@@ -7,6 +7,7 @@ import pytest
 from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import MAKER, random_result
 from workflow.store import journal
+from workflow.store.index import Index
 from workflow.store.store import DamagedShard, Store
 from workflow.system import Maker
 
@@ -77,6 +78,32 @@ def test_a_journal_that_is_wrong_about_a_sound_shard_is_mended(tmp_path, capsys)
         for batch, result in zip(COMPANIES, results, strict=True):
             assert_holds(again, batch, result)
     assert len(list(tmp_path.glob("*.nc"))) == 2  # none is set aside
+
+
+def test_what_a_shard_does_not_hold_is_no_longer_told_of_it_once_it_is_read(tmp_path):
+    _, (result, _) = filled(tmp_path, COMPANIES)
+    entries = [entry for entry, _ in journal.entries(tmp_path)]
+    entries.sort(key=lambda entry: "shard" in entry)
+    first, second = (entry for entry in entries if "shard" in entry)
+    first["chunks"] += second["chunks"]
+    (tmp_path / journal.NAME).write_bytes(journal.lines_of(entries[:-1]))  # none tells the second
+    (tmp_path / f"{second['shard']}.nc").unlink()
+    store = Store(tmp_path)
+    with pytest.raises(DamagedShard):
+        store.read(records(COMPANIES[1]), SAMPLES)
+    for again in (store, Store(tmp_path)):
+        assert held(again) == set(records(COMPANIES[0]))
+        assert_holds(again, COMPANIES[0], result)
+
+
+def test_a_failure_is_known_until_it_is_tried_again():
+    index = Index()
+    for entry in ({"failed": "a", "why": "no root"}, {"failed": "b", "why": "NaN"}):
+        index.replay(entry)
+    assert index.failed == {"a": "no root", "b": "NaN"}
+    index.replay({"retry": "a"})
+    index.replay({"retry": "c"})  # never failed
+    assert index.failed == {"b": "NaN"}
 
 
 def test_a_part_whose_keys_do_not_match_its_checksum_is_not_taken_up(tmp_path):

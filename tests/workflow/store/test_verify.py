@@ -63,7 +63,9 @@ def test_a_spoilt_line_is_named_by_its_number(store, line):
     lines = path.read_bytes().splitlines(keepends=True)
     lines[line] = lines[line][:20] + b"?" + lines[line][21:]
     path.write_bytes(b"".join(lines))
-    assert f"{journal.NAME}, line {line + 1}: spoilt" in verified(store.folder).faults
+    faults = verified(store.folder).faults
+    assert f"{journal.NAME}, line {line + 1}: spoilt" in faults
+    assert not any("not understood" in fault for fault in faults)
 
 
 def test_every_key_is_compared_with_what_the_journal_tells(store):
