@@ -7,7 +7,6 @@ import numpy as np
 
 from kernels import (
     KELVIN,
-    SCHEMES,
     START,
     Hold,
     Origin,
@@ -44,10 +43,7 @@ def record_times(
     It is a mean over the step and acts ``lag`` of a step before its end (rheology/law.py). At
     the end it would be an error of first order. steps_per_tau : of the march.
     """
-    dt = 1.0 / steps_per_tau
-    if spectrum == KELVIN:
-        return (kept - SCHEMES[scheme](dt).lag) / steps_per_tau
-    return (kept - law_of(form_of(spectrum, scheme), dt).lag) / steps_per_tau
+    return (kept - law_of(form_of(spectrum, scheme), 1.0 / steps_per_tau).lag) / steps_per_tau
 
 
 class March(NamedTuple):
@@ -103,8 +99,8 @@ def kept_steps(problem: Problem, steps_per_spacing: int, recording: Recording) -
         if "loop" in recording.dense and isinstance(motion, Oscillation):
             first, last = _range(leg, k)
             begin = time[last - 1] - 1.0 / motion.frequency
-            first = int(np.searchsorted(time, begin * (1.0 - 1e-12)))
-            chosen.append(_evenly(time, first, last, LOOP))
+            first = 1 + int(np.searchsorted(time, begin * (1.0 - 1e-12)))
+            chosen += [np.array([first]), _evenly(time, first, last, LOOP)]
     return np.unique(np.concatenate(chosen))
 
 

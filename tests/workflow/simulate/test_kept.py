@@ -28,6 +28,7 @@ def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
     assert (recorded[0], recorded[-1]) == (1, march)
     assert np.all(np.diff(recorded) >= 1)
     assert recorded.size <= samples - 1
+    assert recorded.size == samples - 1 or march < 2 * samples
 
 
 def test_every_step_is_recorded_where_there_are_few():
@@ -71,6 +72,13 @@ def test_recorded_times_lie_within_their_steps(scheme):
         assert np.all((times <= recorded) & (times > recorded - 1))
 
 
+def test_friction_of_branches_belongs_to_the_end_of_its_step():
+    """Their displacement grows evenly over a step; that of a Kelvin element under one force."""
+    branches = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)
+    times = record_times(np.array([1, 2, 7]), 4.0, "exponential", branches)
+    np.testing.assert_allclose(times, np.array([0.25, 0.5, 1.75]), rtol=1e-15)
+
+
 PROGRAMME = (Slide(1.0, 6.0), Hold(50.0), Slide(1.0, 6.0), Oscillation(0.0, 2.0, 0.1, 2))
 PROBLEM = Problem(0.7, 64, 0.1, 1.0, 1.0, programme=PROGRAMME)
 
@@ -84,8 +92,24 @@ def test_a_trace_is_kept_from_the_start_to_the_end(record, dense):
     assert (np.diff(kept) > 0).all()
     legs = set(march.leg[kept[1:] - 1])
     assert legs >= ({0, 2, 3} if record == "distance" else {0, 1, 2, 3})
+    if record == "log":  # the first and the last step of every leg
+        ends = np.flatnonzero(np.diff(march.leg, prepend=-1, append=9)) + 1
+        assert set(ends[:-1]) | set(ends[1:] - 1) <= set(kept)
     if not dense:
-        assert kept.size <= 42
+        assert 30 <= kept.size <= 42
+
+
+@pytest.mark.parametrize("record", ["time", "log"])
+def test_a_hold_of_no_time_has_no_steps_to_keep(record):
+    plain = PROBLEM._replace(programme=(Slide(1.0, 6.0), Slide(1.0, 6.0)))
+    held = PROBLEM._replace(programme=(Slide(1.0, 6.0), Hold(0.0), Slide(1.0, 6.0)))
+    found = (
+        kept_steps(each, 4, Recording(60, record, dense=("healing",))) for each in (plain, held)
+    )
+    first, second = (steps.tolist() for steps in found)
+    assert (
+        (first[0], first[-1]) == (second[0], second[-1]) == (0, programme_steps(held, 4).time.size)
+    )
 
 
 def test_every_kth_step_is_kept_where_that_is_asked_for():
@@ -119,6 +143,17 @@ def test_the_leg_after_a_hold_is_dense_at_its_beginning():
     kept = kept_steps(PROBLEM, 16, Recording(8, dense=("healing",)))
     first = int(np.searchsorted(march.leg, 2))
     assert {first, first + 1, first + 2, first + 3} <= set(kept.tolist())
+
+
+@pytest.mark.parametrize("m", [2, 4, 64])
+def test_the_last_cycle_of_an_oscillation_is_a_closed_loop(m):
+    """Of 256 samples at most, from one period before the end on: of all steps if they are fewer."""
+    time = np.append(0.0, programme_steps(PROBLEM, m).time)
+    first = int(np.abs(time - (time[-1] - 1.0 / PROGRAMME[-1].frequency)).argmin())
+    kept = kept_steps(PROBLEM, m, Recording(2, dense=("loop",)))
+    loop = kept[1:]  # 0 is the start
+    assert (loop[0], loop[-1]) == (first, time.size - 1)
+    assert loop.size == min(256, time.size - first)
 
 
 def test_recorded_steps_of_many_times_grow_by_a_factor():

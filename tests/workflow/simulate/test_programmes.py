@@ -3,10 +3,14 @@
 import numpy as np
 import pytest
 
+from kernels import QUARTET, Line, amplitudes, draw_phases, run_scene
 from tests.support.small import cut_batches, small_plan
 from tests.workflow.plan.test_motion import PROGRAMME, TEXT
-from workflow.simulate.realizations import block_means
-from workflow.simulate.tasks import SCALARS
+from workflow.simulate.kept import kept_steps
+from workflow.simulate.layout import row_layout, unpack
+from workflow.simulate.programmes import scene_of
+from workflow.simulate.realizations import block_means, line_generator
+from workflow.simulate.tasks import PHASES, SCALARS
 
 SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
 PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=TEXT)
@@ -47,3 +51,35 @@ def test_mu_1_and_mu_2_belong_to_the_first_and_the_last_slide():
     expected = dict(zip(SCALARS, block_means(other).scalars[0, 0], strict=True))
     assert scalars["mu_2"] == pytest.approx(expected["mu_1"], rel=1e-12)
     assert scalars["mu_1"] != pytest.approx(scalars["mu_2"], rel=1e-3)
+
+
+def test_a_trace_is_the_mean_over_the_lines_of_its_block():
+    batch = next(cut_batches(PLAN, set(), 1e9))
+    done = block_means(batch)
+    task = batch.tasks[-1]
+    places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
+    found = unpack(done.curves[-1], places)["trace_mu"]
+    scene = scene_of(task, batch.scheme, batch.recording)
+    hurst, elements = task.problem.hurst, task.problem.elements
+    for block in range(batch.blocks):
+        assert batch.realizations_per_block == QUARTET
+        phases = draw_phases(line_generator(batch.seed, hurst, elements, block), elements)
+        lines = Line.quartet(amplitudes(hurst, elements), phases, elements, 1)
+        expected = np.mean([run_scene(line, scene)["trace_mu"] for line in lines], axis=0)
+        np.testing.assert_allclose(found[block], expected, rtol=1e-12, equal_nan=True)
+
+
+def test_the_time_of_a_programme_is_booked_to_marching():
+    done = block_means(next(cut_batches(PLAN, set(), 1e9)))
+    marching = done.spent[:, PHASES.index("marching")]
+    assert (marching > done.spent[:, PHASES.index("steady")]).all()
+    assert marching.sum() > 0.3 * done.seconds
+
+
+def test_snapshots_are_taken_where_they_are_asked_for():
+    batch = next(cut_batches(PLAN, set(), 1e9))
+    task, plain = batch.tasks[0], batch.recording
+    asked = plain._replace(asked=("trace", "snapshots"))
+    assert scene_of(task, batch.scheme, plain).frames.size == 0
+    kept = kept_steps(task.problem, task.steps_per_spacing, asked)
+    assert scene_of(task, batch.scheme, asked).frames.tolist() == kept.tolist()

@@ -146,6 +146,7 @@ def test_time_is_booked_to_the_phases_that_were_asked_for():
 def test_every_task_pays_its_part():
     done = block_means(WHOLE)
     assert (done.spent > 0.0).all()
+    assert done.spent.sum() <= done.seconds
     assert len(np.unique(done.spent[:, 0])) == 1  # of the lines all share
 
 

@@ -2,6 +2,9 @@
 
 import dataclasses
 
+import netCDF4
+import numpy as np
+
 from tests.support.shards import WORK, assert_holds, records
 from tests.support.small import random_result
 from workflow.store.store import Store
@@ -25,3 +28,13 @@ def test_batches_of_different_length_share_a_shard(tmp_path):
     assert_holds(store, *work[0])
     _, curves = store.read(records(longer), 39)
     assert curves.tobytes() == work[1][1].curves.tobytes()
+
+
+def test_numbers_that_netcdf_takes_for_missing_ones_come_back_bit_for_bit(tmp_path):
+    result = random_result(WORK[0])
+    result.scalars[..., 0] = result.curves[..., 0] = netCDF4.default_fillvals["f8"]
+    result.scalars[..., 1] = np.nan
+    store = Store(tmp_path)
+    store.add([(WORK[0], result)])
+    assert_holds(store, WORK[0], result)
+    assert type(store.read(records(WORK[0]), 1)[0]) is np.ndarray

@@ -30,8 +30,10 @@ def put(shelf, *numbers):
 def test_batches_of_two_batch_lengths_share_a_shard(store, clock):
     with shelf_of(store, clock) as shelf:
         put(shelf, 0, 1, 2)
+        clock[0] += 5.9
+        shelf.flush_when_due()
         assert held(store) == set()
-        clock[0] += 6.0
+        clock[0] += 0.2
         put(shelf, 3)
         assert len(held(store)) == 4
         put(shelf, 4)

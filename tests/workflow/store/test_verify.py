@@ -6,6 +6,7 @@ from tests.support.faults import DAMAGE
 from tests.support.shards import BATCH, WORK, filled, records, reopened, shard_of
 from tests.support.small import MAKER, random_result
 from workflow.store import journal
+from workflow.store.shard import digest
 from workflow.store.verify import Verified
 
 
@@ -47,6 +48,16 @@ def test_a_damaged_shard_is_named(store, name):
     assert found.sound == 2
     (fault,) = found.faults
     assert fault.startswith(f"{path.name}: damaged (")
+
+
+def test_a_file_of_another_program_is_noted_and_no_fault(store):
+    path = shard_of(store, WORK[4])
+    content = DAMAGE["of another program"](b"")
+    path.with_name(f"{digest(content)}.nc").write_bytes(content)
+    found = verified(store.folder)
+    assert (found.sound, found.shards, found.faults) == (3, 4, [])
+    (note,) = found.notes
+    assert note.startswith(f"{digest(content)}.nc: is no shard of this program")
 
 
 def test_a_missing_shard_and_a_strange_file_are_named(store):
