@@ -68,7 +68,7 @@ def test_a_shard_that_vanished_is_named(tmp_path, capsys):
 
 
 def test_a_shard_that_vanishes_while_the_store_is_open_can_be_computed_again(tmp_path, capsys):
-    store, results = filled(tmp_path, WORK[:2])
+    store, _ = filled(tmp_path, WORK[:2])
     shard_of(store, WORK[0]).unlink()
     with pytest.raises(DamagedShard):
         store.read(records(WORK[0]), SAMPLES)
