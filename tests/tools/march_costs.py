@@ -12,13 +12,10 @@ import argparse
 import contextlib
 import json
 import math
-import os
 import subprocess
 import sys
-import tempfile
 import time
 from collections.abc import Callable
-from pathlib import Path
 
 import numpy as np
 
@@ -38,12 +35,11 @@ from kernels.active.march import active_march
 from kernels.active.setting import Setting
 from kernels.rheology.kelvin import SCHEMES
 from studies.accuracy.marches import TamaasMarch
+from tests.tools.rivals.checkout import COMMIT, ROOT, checkout
 from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.plain import naive_march, numpy_march
 from tests.tools.rivals.rows import RATIO, ROWS, Row
 
-ROOT = Path(__file__).resolve().parents[2]
-COMMIT = "9b0af71"
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
 SLOW_STEPS = 3  # of ways so slow that a few steps tell
 AGREEMENT = 1e-8  # of the change of mu in the march
@@ -140,19 +136,14 @@ def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
 
 def then() -> list[list[float]] | None:
     """Return the times of commit 9b0af71, or None where it cannot be had."""
-    with tempfile.TemporaryDirectory() as folder:
-        checkout = Path(folder) / COMMIT
-        clone = ["git", "clone", "--quiet", "--shared", str(ROOT), str(checkout)]
-        switch = ["git", "-C", str(checkout), "checkout", "--quiet", COMMIT]
+    script = [sys.executable, str(ROOT / "tests/tools/rivals/then.py"), str(MOST)]
+    with contextlib.ExitStack() as stack:
         try:
-            for command in (clone, switch):
-                subprocess.run(command, check=True, capture_output=True)
+            place, environment = stack.enter_context(checkout(COMMIT))
         except (OSError, subprocess.CalledProcessError):
             return None
-        script = [sys.executable, str(ROOT / "tests/tools/rivals/then.py"), str(MOST)]
-        environment = {**os.environ, "PYTHONPATH": str(checkout)}
         done = subprocess.run(
-            script, env=environment, cwd=checkout, capture_output=True, text=True, check=True
+            script, env=environment, cwd=place, capture_output=True, text=True, check=True
         )
         return json.loads(done.stdout)
 

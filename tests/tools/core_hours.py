@@ -1,0 +1,177 @@
+"""Core-hours of a whole study, from a random sample of its batches.
+
+    python -m tests.tools.core_hours fig7 --scale paper --minutes 20 --seed 1 --out sample.json
+    python -m tests.tools.core_hours fig7 --scale paper --steps earlier --then 9b0af71
+
+It measures CPU time of one thread, which computes as a worker does. With --then a random tenth of
+the batches is computed by that commit as well, in turns: the same points, steps per spacing and
+numbers of lines. How draws lead to the whole stands in sample.py.
+"""
+
+import argparse
+import contextlib
+import json
+import os
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tests.tools.rivals.batches import Then, at
+from tests.tools.rivals.checkout import COMMIT
+from tests.tools.sample import (
+    Draw,
+    Estimate,
+    Stratum,
+    drawn,
+    number_of_draws,
+    plan_of,
+    ratio,
+    strata,
+    total,
+)
+from workflow.plan import this_machine
+from workflow.plan.cost import PARTS
+from workflow.plan.plan import Plan
+from workflow.simulate import BatchResult, block_means
+from workflow.study import read_study
+from workflow.system import WORKER_ENVIRONMENT
+
+LEAST = 60  # draws of all variants
+LEAST_THEN, SHARE_THEN = 5, 0.1
+HOUR = 3600.0
+
+
+def described(draw: Draw, result: BatchResult) -> dict[str, Any]:
+    """Return what a draw was and took, to be kept."""
+    batch = draw.batch
+    first = batch.tasks[0].problem
+    by_speed: dict[float, float] = {}
+    for task, own in zip(batch.tasks, result.spent.sum(axis=1).tolist(), strict=True):
+        by_speed[task.problem.speed] = by_speed.get(task.problem.speed, 0.0) + own
+    parts = (*result.spent.sum(axis=0).tolist(), result.seconds - float(result.spent.sum()))
+    return {
+        "variant": draw.label,
+        "hurst": first.hurst,
+        "elements": first.elements,
+        "steps": sorted({task.steps_per_spacing for task in batch.tasks}),
+        "loads": sorted({task.problem.load for task in batch.tasks}),
+        "tasks": len(batch.tasks),
+        "first_line": batch.first_block * batch.realizations_per_block,
+        "lines": batch.blocks * batch.realizations_per_block,
+        "share": draw.share,
+        "predicted": batch.seconds,
+        "seconds": result.seconds,
+        "parts": dict(zip(PARTS, parts, strict=True)),
+        "speeds": list(by_speed.items()),
+    }
+
+
+def measured(
+    plan: Plan, whole: list[Stratum], draws: list[Draw], chosen: set[int], then: Then | None
+) -> Iterator[dict[str, Any]]:
+    """Yield what each draw is and took, where it is chosen at the other commit too."""
+    for stratum in whole:  # machine code is loaded
+        small = min(stratum.batches, key=lambda batch: batch.seconds)
+        block_means(small)
+    for number, draw in enumerate(draws):
+        row = described(draw, block_means(draw.batch))
+        said = f"{number + 1:4d} of {len(draws)}: {row['seconds']:8.2f} s, "
+        said += f"predicted {draw.batch.seconds:8.2f}"
+        if then and number in chosen:
+            row["then"] = then(draw)
+            said += f", then {row['then']:9.2f} s"
+        print(said, flush=True)
+        yield row
+
+
+def over_predicted(rows: list[dict[str, Any]], label: str) -> list[float]:
+    """Return measured over predicted time of the draws of a variant."""
+    own = [row for row in rows if row["variant"] == label]
+    return [row["seconds"] / row["predicted"] for row in own]
+
+
+def by_part(whole: list[Stratum], rows: list[dict[str, Any]]) -> dict[str, float]:
+    """Return the core-hours of each part of the work."""
+    found = dict.fromkeys(PARTS, 0.0)
+    for stratum in whole:
+        own = [row for row in rows if row["variant"] == stratum.label]
+        for row in own:
+            weight = stratum.seconds / HOUR / len(own) / row["predicted"]
+            for part, seconds in row["parts"].items():
+                found[part] += weight * seconds
+    return found
+
+
+def verdict(whole: list[Stratum], rows: list[dict[str, Any]]) -> dict[str, Any]:
+    """Print what the draws say; return it."""
+    hours: dict[str, Estimate] = {}
+    for stratum in whole:
+        own = over_predicted(rows, stratum.label)
+        hours[stratum.label] = total([stratum.seconds / HOUR], [own])
+        print(
+            f"{stratum.label or 'the study itself':20s}{hours[stratum.label]} core-hours, ", end=""
+        )
+        print(f"predicted {stratum.seconds / HOUR:.3g}, {len(own)} draws")
+    each = [over_predicted(rows, stratum.label) for stratum in whole]
+    hours["all"] = total([stratum.seconds / HOUR for stratum in whole], each)
+    longest = max(row["seconds"] / row["share"] for row in rows)
+    print(f"{'all':20s}{hours['all']} core-hours; longest batch {longest:.0f} s")
+    parts = by_part(whole, rows)
+    print("by part: " + ", ".join(f"{name} {value:.3g}" for name, value in parts.items()))
+    kept = {"hours": hours, "parts": parts, "longest_batch_seconds": longest}
+    both = [row for row in rows if "then" in row]
+    if both:
+        slower = ratio(
+            [row["then"] / row["predicted"] for row in both],
+            [row["seconds"] / row["predicted"] for row in both],
+        )
+        print(f"then over now: {slower}, of {len(both)} draws", end="; ")
+        print(f"then about {slower.value * hours['all'].value:.3g} core-hours")
+        kept["then_over_now"] = slower
+    return kept
+
+
+def options() -> argparse.Namespace:
+    """Return what the command line asks for."""
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("study")
+    parser.add_argument("--scale", default="paper")
+    parser.add_argument("--minutes", type=float, default=0.0, help="predicted work, at least")
+    parser.add_argument("--draws", type=int, default=LEAST, help="at least")
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--steps", choices=["now", "earlier"], default="now")
+    parser.add_argument("--then", metavar="COMMIT", help=f"{COMMIT}, in turns with a tenth")
+    parser.add_argument("--out", type=Path, help="a JSON file for all of it")
+    return parser.parse_args()
+
+
+def main() -> None:
+    """Draw, measure, print; write where asked."""
+    asked = options()
+    study = read_study(asked.study, asked.scale, [])
+    plan = plan_of(study, this_machine().pace, asked.steps == "earlier")
+    whole = strata(plan)
+    generator = np.random.default_rng(asked.seed)
+    numbers = number_of_draws(whole, asked.draws, 60.0 * asked.minutes)
+    draws = [d for s, n in zip(whole, numbers, strict=True) for d in drawn(s, n, generator)]
+    count = max(LEAST_THEN, round(SHARE_THEN * len(draws)))
+    chosen = set(generator.choice(len(draws), min(count, len(draws)), replace=False).tolist())
+    with at(asked.then, plan) if asked.then else contextlib.nullcontext() as then:
+        rows = list(measured(plan, whole, draws, chosen, then))
+    print(f"\n{study.name}, {asked.scale}, seed {asked.seed}, steps per spacing {asked.steps}")
+    kept = {**vars(asked), "out": None, **verdict(whole, rows), "draws": rows}
+    if asked.out:
+        asked.out.write_text(json.dumps(kept) + "\n", encoding="utf-8")
+
+
+if __name__ == "__main__":
+    if not os.environ.items() >= WORKER_ENVIRONMENT.items():  # how memory is kept is set at start
+        os.execve(
+            sys.executable,
+            [sys.executable, "-m", "tests.tools.core_hours", *sys.argv[1:]],
+            {**os.environ, **WORKER_ENVIRONMENT},
+        )
+    main()

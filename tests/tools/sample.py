@@ -1,0 +1,156 @@
+"""A random sample of the work of a plan, and what follows from it for the whole.
+
+Batches are drawn within each variant, with repetition, in proportion to their predicted cost, and a
+few of their lines by chance. The mean of measured over predicted time of the draws, times the
+predicted time of the variant, estimates what the variant takes. It does so without bias however
+wrong predictions are: wrong ones widen the standard error, which is that of a mean of independent
+draws.
+"""
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import NamedTuple
+from unittest.mock import patch
+
+import numpy as np
+
+from kernels import QUARTET
+from workflow.plan.batches import batch_target, cut, make_batches, missing_work, total_seconds
+from workflow.plan.cost import Pace
+from workflow.plan.plan import Plan, make_plan
+from workflow.plan.problems import Numbers, expected_rate
+from workflow.simulate import Batch, Problem
+from workflow.study import Numerics, Scene, Study
+
+LEAST_DRAWS = 8  # of a variant: its share of the error is known then
+LEAST_SECONDS = 2.0  # of a draw, predicted: what a batch begins with is lost in it
+
+
+def earlier_steps(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers:
+    """Return the steps per spacing that commit 9b0af71 took for problems."""
+    if numerics.steps_per_spacing is not None:
+        return numerics.steps_per_spacing
+    first_order = 8 if numerics.scheme == "implicit-euler" else 1
+    if "relaxation" not in scene.quantities:
+        return np.full(np.shape(problem.load), 8 * first_order)
+    need = 2.0 * expected_rate(problem) / (problem.speed * np.minimum(1.0, problem.ratio))
+    resolved = 2.0 ** np.ceil(np.log2(need) - 1e-9)
+    return np.maximum(4, resolved).astype(np.int64) * first_order
+
+
+def plan_of(study: Study, pace: Pace, earlier: bool) -> Plan:
+    """Return the plan of a study, where asked at the steps per spacing of 9b0af71."""
+    if not earlier:
+        return make_plan(study, pace)
+    with patch("workflow.plan.variant.steps_per_spacing", earlier_steps):
+        return make_plan(study, pace)
+
+
+class Stratum(NamedTuple):
+    """A variant of a study, cut into the batches of a run."""
+
+    label: str
+    batches: list[Batch]
+
+    @property
+    def seconds(self) -> float:
+        """Predicted seconds of all batches."""
+        return sum(batch.seconds for batch in self.batches)
+
+
+class Draw(NamedTuple):
+    """A batch that was drawn, cut down to a few of its lines."""
+
+    label: str
+    batch: Batch
+    share: float  # of the lines of the batch
+
+
+def strata(plan: Plan) -> list[Stratum]:
+    """Return the variants of a plan with the batches of a run that has nothing stored."""
+    missing = missing_work(plan, set())
+    target = batch_target(total_seconds(missing))
+    found: dict[str, list[Batch]] = {variant.label: [] for variant in plan.variants}
+    for piece in cut(plan, missing, target):
+        found[piece.variant.label] += make_batches(plan, [piece], target)
+    return [Stratum(label, batches) for label, batches in found.items()]
+
+
+def number_of_draws(whole: list[Stratum], least: int, seconds: float) -> list[int]:
+    """Return the draws of each variant, in proportion to its cost: ``least`` at least in all.
+
+    There are more where ``seconds`` of predicted work are not reached with as many.
+    """
+    total = sum(stratum.seconds for stratum in whole)
+    each = sum(s.seconds / total * expected_seconds(s.batches) for s in whole)
+    number = max(least, math.ceil(seconds / each))
+    return [max(LEAST_DRAWS, round(number * s.seconds / total)) for s in whole]
+
+
+def expected_seconds(batches: list[Batch]) -> float:
+    """Return the predicted seconds that a draw takes on average."""
+    seconds = np.array([batch.seconds for batch in batches])
+    drawn = np.array([batch.seconds * _units(batch)[1] / _units(batch)[0] for batch in batches])
+    return float(seconds @ drawn / seconds.sum())
+
+
+def drawn(stratum: Stratum, number: int, generator: np.random.Generator) -> Iterator[Draw]:
+    """Yield so many draws of a variant."""
+    seconds = np.array([batch.seconds for batch in stratum.batches])
+    for k in generator.choice(seconds.size, number, p=seconds / seconds.sum()):
+        yield cut_down(stratum.label, stratum.batches[k], generator)
+
+
+def cut_down(label: str, batch: Batch, generator: np.random.Generator) -> Draw:
+    """Return a batch for a few of its lines in a row. They are those of the study, all alike."""
+    units, kept = _units(batch)
+    size = QUARTET if batch.realizations_per_block % QUARTET == 0 else batch.realizations_per_block
+    first = batch.first_block * batch.realizations_per_block // size
+    first += int(generator.integers(units - kept + 1)) if kept < units else 0
+    seconds = batch.seconds * kept / units
+    own = replace(
+        batch, realizations_per_block=size, first_block=first, blocks=kept, seconds=seconds
+    )
+    return Draw(label, own, kept / units)
+
+
+def _units(batch: Batch) -> tuple[int, int]:
+    """Return of how many quartets (or blocks of other numbers) a batch is, and how many to keep."""
+    units = batch.blocks
+    if batch.realizations_per_block % QUARTET == 0:
+        units *= batch.realizations_per_block // QUARTET
+    return units, min(units, max(1, math.ceil(LEAST_SECONDS / (batch.seconds / units))))
+
+
+class Estimate(NamedTuple):
+    """A number and its standard error."""
+
+    value: float
+    error: float
+
+    def __str__(self) -> str:
+        return f"{self.value:.3g} ± {self.error:.2g}"
+
+
+def total(predicted: Sequence[float], ratios: Sequence[Sequence[float]]) -> Estimate:
+    """Return what all variants take, in the unit of their predictions.
+
+    ratios : measured over predicted, of every draw of each variant.
+    """
+    value = variance = 0.0
+    for whole, own in zip(predicted, ratios, strict=True):
+        value += whole * float(np.mean(own))
+        variance += whole**2 * float(np.var(own, ddof=1)) / len(own)
+    return Estimate(value, math.sqrt(variance))
+
+
+def ratio(then: Sequence[float], now: Sequence[float]) -> Estimate:
+    """Return how many times longer the same draws take there than here.
+
+    then, now : measured over predicted, of each draw.
+    """
+    there, here = np.array(then), np.array(now)
+    value = float(there.sum() / here.sum())
+    scatter = float(np.std(there - value * here, ddof=1))
+    return Estimate(value, scatter / math.sqrt(here.size) / float(here.mean()))
