@@ -11,12 +11,13 @@ from typing import NamedTuple
 import numpy as np
 
 from workflow.plan.plan import Plan
-from workflow.plan.variant import Variant, samples_of
+from workflow.plan.variant import Variant, samples_of, sharing
 from workflow.simulate import Batch, Record, Task
 from workflow.study import Study, Surface
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
 MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds
+TOGETHER = 6.0  # lengths of a batch, up to which tasks that share sweeps stay together
 
 
 class Missing(NamedTuple):
@@ -70,8 +71,9 @@ def block_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
 def cut(plan: Plan, missing: list[Missing], target: float) -> list[Missing]:
     """Return missing work whose blocks take about ``target`` seconds each at most.
 
-    A task that takes longer stays whole. What takes longer than the target comes first, longest
-    first: no worker is left alone with it.
+    Tasks that share sweeps stay together up to TOGETHER times as long, and a task that takes longer
+    stays whole. What takes longer than the target comes first, longest first: no worker is left
+    alone with it.
     """
     found = [piece for entry in missing for piece in _pieces(plan, entry, target)]
     return sorted(found, key=lambda piece: -max(piece.seconds, target))
@@ -140,19 +142,34 @@ def _missing_runs(
 
 def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
     """Yield the tasks of missing work, as many together as take ``target`` seconds a block."""
-    block = plan.study.realizations_per_block
     variant = whole.variant
     chosen: list[Task] = []
     lines: set[int] = set()
     total = 0.0
-    for task in whole.tasks:
-        samples, own = samples_of(task), variant.seconds[variant.rows[task.key]]
-        drawing = variant.draw_seconds(samples)
+    for tasks in _groups(plan, whole, target):
+        samples, own = samples_of(tasks[0]), _own_seconds(plan, variant, tasks)
+        drawing = plan.study.realizations_per_block * variant.draw_seconds(samples)
         shared = own if samples in lines else own + drawing
-        if chosen and total + block * shared > target:
+        if chosen and total + shared > target:
             yield whole._replace(tasks=chosen, seconds=total)
             chosen, lines, total, shared = [], set(), 0.0, own + drawing
-        chosen.append(task)
+        chosen += tasks
         lines.add(samples)
-        total += block * shared
+        total += shared
     yield whole._replace(tasks=chosen, seconds=total)
+
+
+def _groups(plan: Plan, whole: Missing, target: float) -> Iterator[list[Task]]:
+    """Yield tasks that share sweeps together, and those one by one that take too long for it."""
+    for _, group in groupby(whole.tasks, sharing):
+        tasks = list(group)
+        if _own_seconds(plan, whole.variant, tasks) <= TOGETHER * target:
+            yield tasks
+        else:
+            yield from ([task] for task in tasks)
+
+
+def _own_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:
+    """Return the predicted time of one block of some tasks, but for drawing lines."""
+    each = plan.study.realizations_per_block
+    return each * sum(variant.seconds[variant.rows[task.key]] for task in tasks)

@@ -32,7 +32,7 @@ class Variant(NamedTuple):
     events: int  # samples of the longest trace; 0 where none is kept
     point_task: np.ndarray  # index into tasks per grid point, shape of the grid
     tasks: list[Task]  # in the order of the distinct problems
-    by_line: list[list[Task]]  # tasks of one (H, N), steps per spacing ascending
+    by_line: list[list[Task]]  # tasks of one (H, N), what shares sweeps side by side
     goals: dict[str, Goal]  # by key of the task; empty where no accuracy is asked for
     kind: str  # of the work
     rows: dict[str, int]  # numbers of the tasks by key
@@ -111,9 +111,8 @@ def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _
         goal = goal_of(many, study.scene, numerics) if numerics.accuracy else None
         steps = goal.steps if goal else steps_per_spacing(many, study.scene, numerics)
         march_steps = horizon_steps(many, numerics, steps) if asked.relaxation else 0 * steps
-        found[0][:, rows] = np.broadcast_arrays(steps, march_steps, rows)[
-            :2
-        ]  # one for all if given
+        for row, own in enumerate((steps, march_steps)):  # one for all if given
+            found[0][row, rows] = own
         parts = typical_seconds(asked, Work(many, steps, march_steps), recording)
         for column, part in enumerate(PARTS):
             found[1][rows, column] = parts[part]
@@ -145,9 +144,7 @@ def variant_of(
     for task in tasks:
         hurst, elements = task.problem[:2]
         lines.setdefault((hurst, elements, task.problem.surface), []).append(task)
-    by_line = [
-        sorted(one, key=lambda t: (t.steps_per_spacing, t.problem[:5])) for one in lines.values()
-    ]
+    by_line = [sorted(one, key=lambda t: (*sharing(t), t.problem[:5])) for one in lines.values()]
     keys = [task.key for task in tasks]
     sizes = {samples_of(task) for task in tasks}
     kind = kind_of(tasks[0].problem.spectrum, recording)
@@ -174,6 +171,14 @@ def variant_of(
         (said.typical @ factors).tolist(),
         {samples: float(DRAW(samples)) for samples in sizes},
     )
+
+
+def sharing(task: Task) -> tuple[int, float]:
+    """Return what tasks on a line have in common whose steady states are found together.
+
+    Those of all loads are: thresholds are the same, and sweeps lie side by side (kernels/steady).
+    """
+    return task.steps_per_spacing, task.problem.speed
 
 
 def samples_of(task: Task) -> int:

@@ -1,5 +1,6 @@
 """Batches: every missing record exactly once, about as long as asked, additive prediction."""
 
+import math
 import random
 from collections import Counter
 
@@ -9,7 +10,8 @@ from hypothesis import strategies as st
 
 from tests.support.small import all_records, cut_batches, small_plan
 from tests.support.sweeps import examples
-from workflow.plan.batches import batch_target, missing_work, total_seconds
+from workflow.plan.batches import TOGETHER, batch_target, cut, missing_work, total_seconds
+from workflow.plan.variant import sharing
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 
@@ -58,7 +60,28 @@ def test_a_batch_stays_on_one_set_of_random_lines():
 @pytest.mark.parametrize("target", [1e-3, 1e-2, 0.1])
 def test_batches_last_about_as_long_as_asked(target):
     for batch in cut_batches(PLAN, set(), target):
-        assert batch.seconds <= 1.5 * target or (batch.blocks == 1 and len(batch.tasks) == 1)
+        together = batch.blocks == 1 and len({sharing(task) for task in batch.tasks}) == 1
+        longest = 1.5 * target
+        if together:  # with the drawing of its line
+            longest = 1.5 * TOGETHER * target if len(batch.tasks) > 1 else math.inf
+        assert batch.seconds <= longest
+
+
+def test_loads_that_share_sweeps_stay_together_unless_they_take_too_long():
+    plan = small_plan(*GRID, "grid.normal_force={geomspace=[0.01, 4.0, 6]}")
+
+    def groups(target):
+        pieces = cut(plan, missing_work(plan, set()), target)
+        return [
+            {(piece.variant.label, *task.problem[:2], *sharing(task)) for task in piece.tasks}
+            for piece in pieces
+        ]
+
+    together, apart = groups(1e-2), groups(1e-9)
+    different = len(set().union(*together))
+    assert len(together) > 2
+    assert sum(map(len, together)) == different < len(plan.variants[0].tasks)
+    assert len(apart) == sum(len(variant.tasks) for variant in plan.variants)
 
 
 def test_what_cannot_be_cut_to_size_comes_first_and_longest_first():
