@@ -21,9 +21,9 @@ try:
     os.environ.update(THREADS)  # before numpy: what is computed here is what a worker computes
 
     from workflow.cli import main  # the streams come first
-except KeyboardInterrupt:  # importing takes seconds
+
+    if __name__ == "__main__":
+        sys.exit(main())
+except KeyboardInterrupt:  # importing takes seconds; a command that has begun says more
     print("aborted before anything was begun", file=sys.stderr)
     sys.exit(130)
-
-if __name__ == "__main__":
-    sys.exit(main())

@@ -15,6 +15,8 @@ from dask.system import CPU_COUNT
 from distributed import Client, Nanny, SpecCluster
 from distributed.comm import get_address_host_port
 from distributed.system import MEMORY_LIMIT
+from distributed.utils import LoopRunner
+from tornado.ioloop import IOLoop
 
 from workflow.cluster.calls import patiently
 from workflow.cluster.jobs import job_cluster
@@ -93,14 +95,29 @@ def _local_cluster(workers: int | None, dashboard: bool) -> Iterator[SpecCluster
             "scheduler": {"cls": kind, "options": ends | options},
             "workers": {number: {"cls": PromptNanny, "options": how} for number in range(count)},
         }
-        # Ctrl-C reaches the whole process group: worker processes must be born ignoring it.
-        previous = signal.signal(signal.SIGINT, signal.SIG_IGN)
-        try:
-            local = SpecCluster(**parts, security=security, silence_logs=logging.ERROR)
-        finally:
-            signal.signal(signal.SIGINT, previous)
-        with local:
-            yield local
+        with _loop_without_ctrl_c() as loop:
+            how_run = {"loop": loop, "security": security, "silence_logs": logging.ERROR}
+            with SpecCluster(**parts, **how_run) as local:
+                yield local
+
+
+@contextlib.contextmanager
+def _loop_without_ctrl_c() -> Iterator[IOLoop]:
+    """Yield the loop of a thread that Ctrl-C does not reach, nor the processes it starts.
+
+    Ctrl-C is sent to the whole process group: worker processes must be born not to hear it. This
+    thread hears it all the while, so that it is not lost while they start.
+    """
+    runner = LoopRunner()
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    try:
+        runner.start()  # threads and processes inherit what is blocked
+    finally:
+        signal.pthread_sigmask(signal.SIG_SETMASK, before)
+    try:
+        yield runner.loop
+    finally:
+        runner.stop()
 
 
 def _client_of(cluster: Cluster, watch: Watch) -> Client:

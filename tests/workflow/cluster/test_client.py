@@ -10,6 +10,7 @@ from pathlib import Path
 
 import dask
 import pytest
+from distributed import SpecCluster
 
 from tests.support.small import small_plan
 from workflow.cluster import client as module
@@ -19,6 +20,7 @@ from workflow.errors import UserError
 from workflow.run.run import run_plan
 from workflow.run.workers import How
 from workflow.study.cluster import Cluster
+from workflow.system import Interrupt
 
 
 def facts():
@@ -52,6 +54,19 @@ def test_workers_of_our_own_are_processes_that_give_the_same_bytes(finished, tmp
             path = tmp_path / "small.nc"
             run_plan(small_plan(), path, How(where, batch_seconds=3.0))
     assert path.read_bytes() == finished.path.read_bytes()
+
+
+def test_ctrl_c_while_workers_start_is_heard(monkeypatch):
+    class Disturbed(SpecCluster):
+        def __init__(self, **how):
+            os.kill(os.getpid(), signal.SIGINT)
+            super().__init__(**how)
+
+    monkeypatch.setattr(module, "SpecCluster", Disturbed)
+    with Interrupt() as interrupt, open_client(Cluster(), 1) as client:
+        assert interrupt()
+        assert len(client.nthreads()) == 1  # the worker has not heard it
+    assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
 
 
 def started_again(client, killed):
