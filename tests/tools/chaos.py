@@ -11,6 +11,7 @@ again.
 
 import argparse
 import contextlib
+import signal
 import tempfile
 from collections import Counter
 from pathlib import Path
@@ -106,6 +107,7 @@ def main() -> None:
     parser.add_argument("--core-seconds", type=float, default=60.0, help="of the study")
     parser.add_argument("--stops", type=int, default=0, help="for up to 60 s")
     options = parser.parse_args()
+    signal.signal(signal.SIGINT, signal.default_int_handler)  # in the background it is ignored
     with tempfile.TemporaryDirectory(ignore_cleanup_errors=True) as folder:
         count = Count(options.kills, options.stops)
         report = run_chaos(Path(folder), count, options.seed, options.core_seconds)
