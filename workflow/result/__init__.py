@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         write_datasets,
     )
     from workflow.result.provenance import made_by, origin
-    from workflow.result.variables import VARIABLES
+    from workflow.result.reference import DescribedVariable, described_variables
+    from workflow.result.variables import AXIS_ATTRIBUTES, VARIABLES
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -31,9 +31,11 @@ if TYPE_CHECKING:
     from workflow.study.moduli import FREQUENCIES, MODULI, Moduli, read_moduli
     from workflow.study.numerics import Numerics
     from workflow.study.read import find_study, known_studies, read_scene, read_study
+    from workflow.study.reference import DescribedKey, described_tables
     from workflow.study.scripts import load_script
     from workflow.study.settings import integer, positive, read_columns
     from workflow.study.study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
     from workflow.study.surfaces import Profile, Surface, check_load, given_profile
+    from workflow.study.variants import COMPARE
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.study.effects.material import MATERIAL, Material, Wlf, read_material
+    from workflow.study.effects.material import MATERIAL, WLF, Material, Wlf, read_material
     from workflow.study.effects.needs import check_quantities, why_not
     from workflow.study.effects.programme import (
         FromFile,
@@ -24,5 +24,6 @@ if TYPE_CHECKING:
     )
     from workflow.study.effects.quantities import QUANTITIES, judged
     from workflow.study.effects.scene import SCENE, Scene, read_scene
+    from workflow.study.effects.segments import HOLD, OSCILLATE, RAMP, SLIDE
 
 __all__, __getattr__ = public_names(__name__, __file__)

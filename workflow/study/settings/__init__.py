@@ -9,6 +9,8 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.study.settings.checks import (
+        REQUIRED,
+        UNBOUNDED,
         Key,
         as_table,
         as_text,

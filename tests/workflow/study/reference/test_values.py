@@ -1,0 +1,56 @@
+"""What a key takes is said as its check has it."""
+
+from functools import partial
+
+import pytest
+
+from workflow.study.reference.values import default_of, values_of
+from workflow.study.settings import (
+    Key,
+    as_text,
+    checked_values,
+    choice,
+    flag,
+    integer,
+    number,
+    positive,
+    within,
+)
+
+
+@pytest.mark.parametrize(
+    ("check", "said"),
+    [
+        (positive, "a number above 0"),
+        (number, "a number"),
+        (flag, "`true` or `false`"),
+        (as_text, "text"),
+        (partial(within, least=0.0, most=1.0), "a number from 0 to 1"),
+        (partial(integer, least=1), "a whole number, at least 1"),
+        (partial(integer, least=8, most=9), "a whole number, at least 8 and at most 9"),
+        (partial(choice, known=("a", "b", "c")), '`"a"`, `"b"` or `"c"`'),
+        (partial(checked_values, positive), "a number above 0, or a list or range of such numbers"),
+        (lambda key, value: value, ""),
+    ],
+)
+def test_a_check_in_words(check, said):
+    assert values_of(check) == said
+
+
+@pytest.mark.parametrize(
+    ("default", "said"),
+    [
+        (0.01, "0.01"),
+        (10_000, "10000"),
+        (True, "`true`"),
+        ("line", '`"line"`'),
+        ("", ""),
+        (None, ""),
+    ],
+)
+def test_a_default_as_toml_has_it(default, said):
+    assert default_of(Key(number, default)) == said
+
+
+def test_a_key_without_a_default_is_required():
+    assert default_of(Key(number)) == "required"

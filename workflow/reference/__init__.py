@@ -1,0 +1,13 @@
+"""The pages of reference, made of the tables of the code: keys, variables, commands.
+
+Knows all rooms; `make docs` writes the pages to docs/reference.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.reference.pages import PAGES, write_pages
+
+__all__, __getattr__ = public_names(__name__, __file__)

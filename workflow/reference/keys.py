@@ -1,0 +1,81 @@
+"""The page of every key of study.toml."""
+
+from workflow.study import COMPARE, QUANTITIES, DescribedKey, described_tables
+
+HEAD = """# Every key of study.toml
+
+A study is described by one TOML file. This page lists every table of it and every key, with the
+values that a key takes, its unit, and its default. Each entry ends with what changes when the
+value is doubled, or, where a key is no number, when it is another one.
+[A tutorial](../tutorial.md) builds a study step by step, and every input that is refused is listed
+in [limits](../limits.md).
+
+All quantities are in SI units. An unknown key, a key of the wrong type and a value out of range
+end a command with one line and exit status 2, before anything is computed. In what follows, L is
+`surface.length`, G is `material.shear_modulus`, F̄ = F_N/(4GLh) is the dimensionless normal force,
+and x = v₁ τ q_max is the dimensionless velocity, in which τ is the relaxation time of the elastomer
+and q_max the largest wave number of the line.
+
+**Lists and ranges.** Where an entry says "a list or range", the key takes a number, a list
+`[0.3, 0.5]`, `{linspace = [first, last, count]}` or `{geomspace = [first, last, count]}`. The grid
+is the product of all lists, and each list is a dimension of the result. A grid may have 300 000
+points and an axis 10 000 values.
+
+**Scales.** Tables `[scales.NAME.TABLE]` hold values that replace those of `[TABLE]` when a command
+is given `--scale NAME`. The studies of this program have `smoke` (seconds) and `paper` (the full
+grid of the paper). After that, `--set table.key=value` on the command line replaces single values.
+
+**Comparisons.** Each table `[compare.NAME]` repeats the whole study, on the same random lines, with
+other values of these keys: {compare}. Its results are the group NAME of the result file.
+
+**Measured studies.** A folder with `measure.py` measures the program itself. It has a table
+`[measure]` in place of a grid, whose keys are its own and are explained by the comments in its
+`study.toml`.
+"""
+INTRODUCTIONS = {
+    "study": "What the study is called and how many lines it averages over.",
+    "material": "The elastomer: a spring G, a dashpot of viscosity Gτ, and any number of Maxwell "
+    "branches in parallel.",
+    "material.wlf": "The constants in the inline table `wlf` of `[material]`.",
+    "surface": "The rigid line: random and self-affine, or measured.",
+    "grid": "The values of every axis. Each of the first six is a dimension of every result.",
+    "scene": "What is computed, and how the line is driven and pressed on.",
+    "scene.programme": "A segment may also follow a file, as "
+    '`[[scene.programme]]` with `file = "NAME"`.',
+    "numerics": "How the problem is discretised, and how accurate it is to be.",
+    "cluster": "Where the study is computed. No number of a result depends on this table.",
+}
+SEGMENT = "The keys of a segment `{0}`, as `[[scene.programme]]` with `{0} = {{…}}`."
+
+
+def keys_page() -> str:
+    """Return the page of keys as Markdown."""
+    lines = [HEAD.replace("{compare}", ", ".join(f"`{key}`" for key in COMPARE))]
+    for table, keys in described_tables().items():
+        name = table.rpartition(".")[2]
+        introduction = INTRODUCTIONS.get(table) or SEGMENT.format(name)
+        lines += [f"## The table [{table}]\n", f"{introduction}\n"]
+        lines += [_entry(table, key) for key in keys]
+        if table == "scene":
+            lines += _quantities()
+    return "\n".join(lines)
+
+
+def _entry(table: str, key: DescribedKey) -> str:
+    usual = key.default if key.default.startswith("required") else f"default: {key.default}"
+    said = [f"Value: {key.values}", usual]
+    if key.unit:
+        said.insert(1, f"unit: {key.unit}")
+    return f"### {table}.{key.name}\n\n*{'; '.join(said)}.*\n\n{key.means} {key.changes}\n"
+
+
+def _quantities() -> list[str]:
+    """Return the table of what a scene can be asked for."""
+    rows = [
+        f"| `{name}` | {quantity.effect} | "
+        + (" or ".join(f"`{other}`" for other in quantity.needs) or "nothing else")
+        + " |"
+        for name, quantity in QUANTITIES.items()
+    ]
+    head = ["#### Quantities\n", "| name | what is simulated | needs |", "|---|---|---|"]
+    return [*head, *rows, ""]

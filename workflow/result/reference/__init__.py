@@ -1,0 +1,13 @@
+"""What every variable of a result means: its formula, its sign, and when it is there.
+
+Texts alone: units, dimensions and flags are taken from the declarations.
+"""
+
+from typing import TYPE_CHECKING
+
+from workflow.lazy import public_names
+
+if TYPE_CHECKING:
+    from workflow.result.reference.tables import DescribedVariable, described_variables
+
+__all__, __getattr__ = public_names(__name__, __file__)

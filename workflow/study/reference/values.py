@@ -1,0 +1,57 @@
+"""What values a key may have, in words, as its check says."""
+
+from collections.abc import Callable
+from functools import partial
+from typing import Any
+
+from workflow.study.settings import (
+    REQUIRED,
+    UNBOUNDED,
+    Key,
+    as_text,
+    checked_values,
+    choice,
+    flag,
+    integer,
+    number,
+    positive,
+    within,
+)
+
+PLAIN: dict[Callable[..., Any], str] = {
+    positive: "a number above 0",
+    number: "a number",
+    flag: "`true` or `false`",
+    as_text: "text",
+}
+
+
+def values_of(check: Callable[..., Any]) -> str:
+    """Return in words what a check takes; "" where its key must say so itself."""
+    if not isinstance(check, partial):
+        return PLAIN.get(check, "")
+    given = check.keywords
+    if check.func is within:
+        return f"a number from {given['least']:g} to {given['most']:g}"
+    if check.func is integer:
+        most = given.get("most", UNBOUNDED)
+        return f"a whole number, at least {given['least']}" + (
+            "" if most == UNBOUNDED else f" and at most {most}"
+        )
+    if check.func is choice:
+        *others, last = (f'`"{known}"`' for known in given["known"])
+        return f"{', '.join(others)} or {last}"
+    if check.func is checked_values:
+        return f"{values_of(check.args[0])}, or a list or range of such numbers"
+    return ""
+
+
+def default_of(key: Key) -> str:
+    """Return the default of a key as TOML has it; "" where its key must say it in words."""
+    if key.default is REQUIRED:
+        return "required"
+    if isinstance(key.default, bool):
+        return f"`{str(key.default).lower()}`"
+    if isinstance(key.default, int | float):
+        return f"{key.default:g}"
+    return f'`"{key.default}"`' if isinstance(key.default, str) and key.default else ""
