@@ -8,6 +8,6 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.cli.commands import main
+    from workflow.cli.commands import command_parser, main
 
 __all__, __getattr__ = public_names(__name__, __file__)

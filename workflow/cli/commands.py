@@ -20,7 +20,7 @@ def main(arguments: list[str] | None = None) -> int:
 
     0 done, 2 wrong input or surroundings, 3 done but for problems that failed, 130 interrupted.
     """
-    options = _parser().parse_args(arguments)
+    options = command_parser().parse_args(arguments)
     try:
         return COMMANDS[options.command](options)
     except UserError as error:
@@ -32,7 +32,8 @@ def main(arguments: list[str] | None = None) -> int:
         return RESUMABLE
 
 
-def _parser() -> argparse.ArgumentParser:
+def command_parser() -> argparse.ArgumentParser:
+    """Return the parser of the command line, with all commands."""
     parser = argparse.ArgumentParser(prog="python -m workflow", description=__doc__)
     commands = parser.add_subparsers(dest="command", required=True)
     texts = {

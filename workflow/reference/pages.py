@@ -3,10 +3,17 @@
 from collections.abc import Callable
 from pathlib import Path
 
+from workflow.reference.commands import commands_page
+from workflow.reference.index import index_page
 from workflow.reference.keys import keys_page
 from workflow.reference.results import results_page
 
-PAGES: dict[str, Callable[[], str]] = {"keys.md": keys_page, "results.md": results_page}
+PAGES: dict[str, Callable[[], str]] = {
+    "README.md": index_page,
+    "commands.md": commands_page,
+    "keys.md": keys_page,
+    "results.md": results_page,
+}
 NOTE = "<!-- Written by `make docs` from the tables in the code; change the texts there. -->\n\n"
 
 

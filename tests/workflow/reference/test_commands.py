@@ -1,0 +1,19 @@
+"""The page of commands: every command, with its arguments and what they are without."""
+
+from workflow.cli import command_parser
+from workflow.reference.commands import commands_page
+
+PAGE = commands_page()
+
+
+def test_every_command_has_its_heading_and_its_usage():
+    (commands,) = (action for action in command_parser()._actions if action.dest == "command")
+    assert {"plan", "run", "figure", "prony"} <= set(commands.choices)
+    for name in commands.choices:
+        assert f"\n## {name}\n\n`python -m workflow {name}" in PAGE
+
+
+def test_an_option_is_named_with_its_meaning_and_default():
+    assert "| `--accuracy ACCURACY` | as --set numerics.accuracy=0.01: 1% or 0.01 |  |" in PAGE
+    assert "| `--set TABLE.KEY=VALUE` | override one setting" in PAGE
+    assert "| folder of results, or path of the .nc file | `results` |" in PAGE

@@ -1,0 +1,39 @@
+"""The index: every key, variable and quantity in the order of the alphabet."""
+
+import re
+
+from workflow.result import described_variables
+from workflow.study import QUANTITIES, described_tables
+
+HEAD = """# Index
+
+Every key of `study.toml`, every variable of a result and every quantity, in the order of the
+alphabet. Symbols and terms are in the [glossary](../glossary.md), commands on
+[their page](commands.md).
+
+| name | what it is |
+|---|---|"""
+
+
+def index_page() -> str:
+    """Return the page of the index as Markdown."""
+    rows = {}
+    for table, keys in described_tables().items():
+        for key in keys:
+            heading = f"{table}.{key.name}"
+            where = f"key of `[{table}]`"
+            rows[key.name, where] = f"[`{key.name}`](keys.md#{anchor(heading)}) | {where}"
+    for section in described_variables().values():
+        for variable in section:
+            said = f"variable: {variable.long_name}"
+            link = f"results.md#{anchor(variable.name)}"
+            rows[variable.name, said] = f"[`{variable.name}`]({link}) | {said}"
+    for name, quantity in QUANTITIES.items():
+        said = f"quantity: {quantity.effect}"
+        rows[name, said] = f"[`{name}`](keys.md#quantities) | {said}"
+    return "\n".join([HEAD, *(f"| {rows[name]} |" for name in sorted(rows))])
+
+
+def anchor(heading: str) -> str:
+    """Return the name by which pages link to a heading."""
+    return re.sub(r"[^\w\- ]", "", heading).strip().lower().replace(" ", "-")
