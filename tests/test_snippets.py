@@ -1,0 +1,108 @@
+"""The fenced commands and snippets of the documents run as they are printed."""
+
+import re
+import shlex
+import subprocess
+import tomllib
+
+import matplotlib as mpl
+import pytest
+from matplotlib import pyplot as plt
+
+from tests.support.snippets import PAGES, PROGRAM, ROOT, Block, blocks, commands, provide, run_block
+from workflow.cli import command_parser
+from workflow.study import described_tables, known_studies
+
+BLOCKS = [block for page in PAGES for block in blocks(page)]
+MARKS = {"", "file", "needs", "exhaustive", "not run"}
+# Inline and in tables, not of usage with options in brackets.
+INLINE = re.compile(rf"(?:`|^ {{4}}){re.escape(PROGRAM)}([^`\n\[]*)(?:`|$)", re.MULTILINE)
+RUN = sorted({block.page for block in BLOCKS if block.mark != "not run"})
+USUAL = ("README.md", "docs/python.md")  # of the others what takes seconds is left to test-all
+
+
+def ids(values: list) -> list[str]:
+    """Return the names of blocks."""
+    return [str(value) for value in values]
+
+
+@pytest.mark.parametrize("block", BLOCKS, ids=ids(BLOCKS))
+def test_a_block_is_of_a_known_kind(block: Block):
+    assert block.language in {"bash", "python", "toml", "text"}
+    assert block.mark in MARKS
+    if block.language == "python":
+        compile(block.text, str(block), "exec")
+    if block.language == "toml":
+        tables = tomllib.loads(block.text)
+        known = described_tables()
+        for name in tables.keys() & known.keys():
+            assert tables[name].keys() <= {key.name for key in known[name]}, name
+
+
+def told() -> list[tuple[str, str]]:
+    """Return (page, command) for all commands of the program on all pages."""
+    found = []
+    for page in PAGES:
+        name = page.relative_to(ROOT).as_posix()
+        found += [(name, text) for text in INLINE.findall(page.read_text(encoding="utf-8"))]
+    for block in BLOCKS:
+        if block.language == "bash":
+            found += [
+                (block.page, command.removeprefix(PROGRAM))
+                for command in commands(block.text)
+                if command.startswith(PROGRAM)
+            ]
+    return [(page, text) for page, text in found if text.split("&&")[0].strip() != "COMMAND"]
+
+
+@pytest.mark.parametrize(("page", "command"), told())
+def test_a_command_has_the_options_that_it_is_told_with(page, command):
+    first = command.partition("&&")[0].partition(" #")[0]
+    options = command_parser().parse_args(shlex.split(first))
+    study = getattr(options, "study", "NAME")
+    if not study.isupper() and not study.endswith(".toml"):
+        assert {study, study.replace("-", "_")} & {*known_studies(), "mine"}, page
+
+
+def run_page(page: str, folder, monkeypatch, marks: set[str]) -> None:
+    """Run the blocks of a page that have one of some marks, in order, in an empty folder."""
+    monkeypatch.chdir(folder)
+    mpl.use("Agg")
+    names: dict = {"__name__": "page"}
+    for block in BLOCKS:
+        if block.page == page and block.mark in marks:
+            if block.mark == "needs":
+                provide(block.value)
+            run_block(block, names)
+    plt.close("all")
+
+
+@pytest.mark.parametrize("page", USUAL)
+def test_a_page_runs_as_it_is_printed(page, tmp_path, monkeypatch):
+    run_page(page, tmp_path, monkeypatch, MARKS - {"not run", "exhaustive"})
+
+
+@pytest.mark.exhaustive
+@pytest.mark.parametrize("page", [page for page in RUN if page not in USUAL])
+def test_a_page_runs_as_it_is_printed_however_long(page, tmp_path, monkeypatch):
+    run_page(page, tmp_path, monkeypatch, MARKS - {"not run"})
+
+
+@pytest.mark.parametrize(
+    ("language", "text"),
+    [
+        ("bash", "python -m workflow plan nowhere\n"),
+        ("bash", "make nothing-of-this-name\n"),
+        ("bash", "cat nothing-of-this-name\n"),
+        ("python", "result = nothing_of_this_name\n"),
+    ],
+)
+def test_a_snippet_that_rots_fails(language, text):
+    block = Block("page", 1, "", "", language, text)
+    with pytest.raises((AssertionError, NameError, subprocess.CalledProcessError)):
+        run_block(block, {})
+
+
+def test_commands_are_those_that_a_shell_would_run():
+    text = "# a comment\nmake docs   # the site\n\npython -m workflow plan \\\n    fig2\n"
+    assert commands(text) == ["make docs", "python -m workflow plan      fig2"]
