@@ -59,6 +59,7 @@ def test_the_patterns_find_what_they_are_for():
 
 def test_every_key_of_a_scene_is_described():
     page = (ROOT / "docs" / "scenes.md").read_text(encoding="utf-8")
+    page += (ROOT / "docs" / "reference" / "keys.md").read_text(encoding="utf-8")
     segments = {**SLIDE, **HOLD, **RAMP, **OSCILLATE}
     for key in (*MATERIAL, *SCENE, *KINDS, *segments, *QUANTITIES, "record", "trace"):
-        assert f"`{key}" in page, key
+        assert re.search(rf"`{key}|^### [\w.]+\.{key}$", page, re.MULTILINE), key
