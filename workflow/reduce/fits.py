@@ -112,9 +112,10 @@ def _start(time: np.ndarray, deviation: np.ndarray) -> tuple[float, float] | Non
 
 
 def _fit_all(time: np.ndarray, curves: np.ndarray, start: np.ndarray) -> np.ndarray:
-    """Fit every row of ``curves``; rows (amplitude, rate[, offset]), NaN where it fails.
+    """Fit every row of ``curves``; rows (amplitude, rate), NaN where it fails.
 
-    All at once, in scaled variables; the rate is kept positive by its logarithm.
+    start : amplitude, rate and, where an offset is to be fitted too, that. All rows are fitted at
+    once, in scaled variables; the rate is kept positive by its logarithm.
     Samples weigh as much as the time that they stand for: the sum is that of the curve in between,
     whatever the steps, and does not lean on the first sample half a step after the jump.
     """
@@ -135,7 +136,7 @@ def _fit_all(time: np.ndarray, curves: np.ndarray, start: np.ndarray) -> np.ndar
     with np.errstate(all="ignore"):
         p = fit_curves(model, time / span, weight * curves / scale, first)
         rate = np.exp(p[:, 1])
-    found = np.column_stack([p[:, 0] * scale, rate / span, p[:, 2:] * scale])
+    found = np.column_stack([p[:, 0] * scale, rate / span])
     return np.where(((rate > 1e-3) & (rate < 1e4))[:, None], found, np.nan)
 
 

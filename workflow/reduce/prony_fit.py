@@ -129,7 +129,7 @@ def _moved(
     """
     found, _ = _solved(omega, moduli, times)
     some = np.concatenate([[True], found[1:] > 0.0])
-    found, times = np.clip(found[some], 1e-12, 1e12), times[some[1:]]
+    found, times = np.maximum(found[some], 1e-12), times[some[1:]]
     if not times.size:
         return times
     size = np.abs(moduli)[:, None]

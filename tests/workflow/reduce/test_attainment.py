@@ -78,6 +78,11 @@ CASES = {
         (0.01, MET_WHERE_DEFINED, 0.01),
     ),
     "of many groups the law has no say": ({"scatter": 9.0}, (0.01, MET, 0.01)),
+    "nor of eight": ({"scatter": 9.0, "groups": 8}, (0.01, MET, 0.01)),
+    "of seven it has": (
+        {"scatter": 0.5, "groups": 7},  # (3 * 0.05^2 + 6 * 0.01^2)/9
+        (0.03, MET, 0.09),
+    ),
     "two groups that agree by chance are not believed": (
         {"groups": 2, "scatter": 2.0},  # (3 * 0.2^2 + 0.01^2)/4
         (np.sqrt(0.030025), MISSED, 3.0025),

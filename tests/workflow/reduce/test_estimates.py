@@ -29,6 +29,10 @@ def test_estimate_is_the_mean_and_its_error_the_classical_one(name):
     np.testing.assert_allclose(FOUND[f"{name}_error"], classical, rtol=1e-6, atol=1e-14)
 
 
+def test_degrees_of_freedom_are_one_less_than_the_blocks():
+    assert FOUND["degrees_of_freedom"].tolist() == [COUNT - 1] * 3
+
+
 def test_curve_starts_just_after_the_jump():
     assert FOUND["time"][:, 0].tolist() == [0.0] * 3
     assert np.array_equal(FOUND["time"][:, 1:], BLOCKS.time, equal_nan=True)

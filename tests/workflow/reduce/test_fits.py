@@ -136,3 +136,21 @@ def test_quality_says_how_exponential_a_curve_is():
     rough = fit(np.exp(-np.sqrt(4.0 * SHARE)))  # a stretched exponential
     assert rough.status == FITTED
     assert 0.9 < rough.quality < 0.999
+
+
+def test_the_unit_of_friction_changes_no_bit_of_a_rate():
+    """A power of two is exact: only what stands beside the curve in another unit can tell."""
+    curve = 0.8 * np.exp(-1.5 * SHARE) + 0.2
+    one, other = fit(curve), fit(2.0**-20 * curve)
+    assert other.rate.tobytes() == one.rate.tobytes()
+    assert other.rate_free.tobytes() == one.rate_free.tobytes()
+    assert other.amplitude.tobytes() == (2.0**-20 * one.amplitude).tobytes()
+
+
+@pytest.mark.parametrize(("noise", "status"), [(0.4, UNDETERMINED), (0.04, NOT_EXPONENTIAL)])
+def test_what_noise_can_leave_over_is_told_from_another_law(noise, status):
+    """A wave has a quarter of the sum of squares: about 1.7 times the variance of the noise."""
+    wave = np.where(np.arange(63) % 2 == 0, 1.6, 0.4)
+    blocks = np.random.default_rng(5).standard_normal((20, 63))
+    blocks = (blocks - blocks.mean(axis=0)) * noise * np.sqrt(20.0)  # of their mean: noise
+    assert_refused(replicates(wave * np.exp(-SHARE) + blocks, 0), status)

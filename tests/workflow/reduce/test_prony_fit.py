@@ -100,3 +100,20 @@ def test_a_window_that_ends_in_the_transition_does_not_determine_the_relaxed_mod
 def test_what_is_no_measurement_is_refused(omega, values):
     with pytest.raises(ValueError, match="four frequencies or more"):
         fit_prony(np.array(omega), np.array(values))
+
+
+def test_a_modulus_so_well_known_that_no_other_of_the_scan_will_do_is_determined():
+    """The time is one of the grid, so that nothing is left over; the scan misses 1 by 2 %."""
+    omega = np.geomspace(1.0, 1e3, 20)
+    fit = fit_prony(omega, moduli(omega, 1.0, [(0.9583, 1.0)]))
+    assert fit.determined
+    assert [fit.least, fit.most] == pytest.approx([1.0, 1.0], rel=1e-6)
+
+
+def test_branches_are_left_out_only_where_the_data_do_not_tell():
+    """Without the weakest of four branches the residual is 1.6 times the noise."""
+    exact = moduli(OMEGA, 1e6, ((3e7, 1e-4), (4e6, 3e-3), (6e5, 0.03), (2e6, 0.3)))
+    noise = 0.02 * np.random.default_rng(0).standard_normal((2, OMEGA.size))
+    measured = exact.real * (1.0 + noise[0]) + 1j * exact.imag * (1.0 + noise[1])
+    fit = fit_prony(OMEGA, measured)
+    assert fit.rms < 1.1 * np.sqrt(np.mean(np.abs(measured / exact - 1.0) ** 2))

@@ -31,6 +31,14 @@ def test_biases_follow_the_laws_and_fall_with_finer_steps():
         assert coarse["bias_bound"] >= coarse[f"{name}_bias"]
 
 
+def test_each_task_has_a_bound_of_its_own():
+    tasks = [Task(PROBLEM, steps, 100, "key") for steps in (8, 64)]
+    estimates = {"samples_per_contact": np.full(2, 12.0), "relaxation_rate": np.full(2, 2.0)}
+    both = resolution(tasks, estimates, NAMES, "exponential")
+    expected = [found(steps)["bias_bound"].item() for steps in (8, 64)]
+    assert both["bias_bound"].tolist() == expected
+
+
 def test_rate_is_judged_by_the_contacts_that_were_found():
     assert found(samples=2.0)["relaxation_rate_bias"] > found(samples=50.0)["relaxation_rate_bias"]
 

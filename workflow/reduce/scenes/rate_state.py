@@ -116,13 +116,13 @@ def _dieterich(p: np.ndarray, s: np.ndarray, ratio: float) -> tuple[np.ndarray, 
 
 
 def _start(s: np.ndarray, curve: np.ndarray, ratio: float, law: str) -> np.ndarray:
-    """Return a first guess through the first sample and where the deviation is a third of it."""
+    """Return a first guess through the first sample and where the deviation is 1/e of it."""
     low = np.flatnonzero(curve < curve[0] / math.e)
     k = int(low[0]) if low.size else s.size - 1
-    rate = 1.0 / max(s[k] - s[0], 1e-12)
-    if law == "dieterich":  # ln(1 + (r - 1) e) falls faster at first, or slower
-        rate *= 1.0 if ratio < 1.0 else (ratio - 1.0) / (ratio * math.log(ratio))
-    size = math.log(ratio) * math.exp(-min(rate * s[0], 30.0))
+    rate, step = 1.0 / max(s[k] - s[0], 1e-12), math.log(ratio)
+    if law == "dieterich":  # where ln(1 + (r - 1) exp(-s/D_c)) is 1/e of ln r
+        rate *= math.log(math.expm1(step) / math.expm1(step / math.e))
+    size = step * math.exp(-min(rate * s[0], 30.0))
     return np.array([curve[0] / size, math.log(rate)])
 
 

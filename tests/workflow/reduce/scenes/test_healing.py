@@ -11,7 +11,7 @@ STAMPS = {
     "leg": np.array([0.0, 0, 1, 1, 2, 2, 2, 2]),
     "distance": np.array([0.0, -3, -3, -3, -4, -5, -6, -7]),
 }
-MU = -np.array([[0.5, 0.5, 0.3, 0.2, 0.6, 0.8, 0.7, 0.5]])
+MU = -np.array([[0.4, 0.5, 0.3, 0.2, 0.6, 0.8, 0.7, 0.5]])
 
 
 def test_peak_and_end_of_the_hold_have_the_sign_of_the_motion():

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import Slide
+from kernels import Hold, Oscillation, Slide
 from workflow.reduce.blocks import Blocks
 from workflow.reduce.scenes.programmes import reduce_programmes, reduce_steps
 
@@ -94,3 +94,36 @@ def test_a_minus_b_is_the_slope_of_steady_friction(before, after, expected):
     assert estimates["rate_state_a_minus_b_error"] == pytest.approx(
         [0.0 * expected], nan_ok=True, abs=1e-12
     )
+
+
+def of_blocks(programme, leg, **values):
+    """Return blocks of one task that took a programme, and what is asked of its legs."""
+    stamps = STAMPS | {"leg": np.array([leg])}
+    made = {name: np.array([each]) for name, each in values.items()}
+    return blocks(("healing", "loop", "contact_lengths"))._replace(
+        values=made, stamps=stamps, programmes=(programme,)
+    )
+
+
+def test_every_task_has_its_peak_its_loop_and_its_contacts_with_errors():
+    swing = Oscillation(1.0, 0.0, 1.0, 1)  # a steady slide: the work is the force times the way
+    programme = (Slide(2.0, 0.0), Hold(0.5), Slide(2.0, 1.0), swing)
+    trace = np.array([[0.2, 0.1, 0.6, 0.4, np.nan]]) + 0.1 * np.arange(3.0)[:, None]
+    lengths = np.array([[1.0, 2.0], [3.0, 2.0], [5.0, 2.0]])
+    estimates = {}
+    found = of_blocks(
+        programme,
+        [0.0, 1.0, 2.0, 2.0, np.nan],
+        trace_mu=trace,
+        trace_friction_force=trace,
+        contact_length=lengths,
+    )
+    reduce_programmes(estimates, found)
+    error = 0.1 / np.sqrt(3.0)  # of the mean of three
+    assert estimates["mu_end_of_hold"] == pytest.approx([0.2])
+    assert estimates["mu_end_of_hold_error"] == pytest.approx([error])
+    assert estimates["static_peak"] == pytest.approx([0.7])
+    assert estimates["static_peak_error"] == pytest.approx([error])
+    assert np.isnan(estimates["loop_work"]).all()  # of four samples
+    assert estimates["contact_length"].tolist() == [[3.0, 2.0]]
+    assert estimates["contact_length_error"] == pytest.approx(np.array([[2.0 / np.sqrt(3.0), 0.0]]))

@@ -20,9 +20,9 @@ DISTANCE = np.geomspace(0.01, 20.0, 80)
 BLOCKS = 32
 
 
-def deviation(law, ratio, b=B):
+def deviation(law, ratio, b=B, at=DISTANCE):
     """Return mu - mu_2 over the distance after a step of the velocity."""
-    decay = np.exp(-DISTANCE / DC)
+    decay = np.exp(-at / DC)
     if law == "ruina":
         return b * math.log(ratio) * decay
     return b * np.log1p((ratio - 1.0) * decay)
@@ -55,6 +55,17 @@ def test_without_noise_they_are_exact_also_of_one_line_and_where_b_is_negative()
         found = fit_rate_state(DISTANCE, curve, change, 2.0, "ruina")
         assert found.status == FITTED
         assert [found.a[0], found.b[0], found.dc[0]] == pytest.approx([A, b, DC], rel=1e-6)
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("ratio", [1e-4, 0.01, 2.0, 50.0, 100.0, 1e4])
+def test_constants_of_large_steps_are_found_on_samples_at_equal_distances(law, ratio):
+    """By Dieterich's law friction stays high over several D_c after a large step upwards."""
+    even = np.linspace(0.05, 40.0, 100)
+    change = np.array([(A - B) * math.log(ratio)])
+    found = fit_rate_state(even, deviation(law, ratio, at=even)[None], change, ratio, law)
+    assert found.status == FITTED
+    assert [found.a[0], found.b[0], found.dc[0]] == pytest.approx([A, B, DC], rel=1e-6)
 
 
 def test_each_law_fits_its_own_step_best():

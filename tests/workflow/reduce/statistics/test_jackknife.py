@@ -58,6 +58,17 @@ def test_zero_and_no_number_are_not_significant():
     assert not significant(np.zeros(21))
     assert not significant(np.array([1.0, 1.0, np.nan, 1.1]))
     assert not significant(np.array([np.inf, 1.0, 1.2, 1.1]))
+    assert not significant(np.array([1.0, np.inf, 1.2, 1.1]))
+    assert not significant(np.array([1.0, 1e200, -1e200, 1.1]))
+
+
+def test_a_number_must_exceed_three_standard_errors():
+    """Of 16 groups: the sum of squares is 60, and the error the root of 15/16 of it, exactly."""
+    values = 22.5 + np.array([0.0, *[2.0] * 6, *[-2.0] * 6, 3.0, -1.0, -1.0, -1.0])
+    assert standard_error(values, 0) == 7.5
+    assert not significant(values)
+    values[0] *= 1.0 + 1e-9
+    assert significant(values)
 
 
 def test_groups_share_the_blocks_that_two_points_have_in_common():
