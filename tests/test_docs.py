@@ -18,7 +18,7 @@ FOLDERS = r"(?:kernels|workflow|studies|tests|docs|\.ci)"
 # and a reader's own study is called mine.
 PATH = re.compile(rf"(?<![\w./~-])({FOLDERS}/[\w./*<>-]*[\w*>/])")
 LINK = re.compile(r"\]\((?!https?://|mailto:|#)([^)\s#]+)(?:#[^)]*)?\)")
-TARGET = re.compile(r"(?:`|^ {4}|\()make ([a-z%-][\w%-]*)", re.MULTILINE)
+TARGET = re.compile(r"(?:`|^ {4}|\(|^(?=make [\w-]+(?:  |$)))make ([a-z%-][\w%-]*)", re.MULTILINE)
 
 
 def found(pattern: re.Pattern, page: str) -> set[str]:
