@@ -86,7 +86,7 @@ check: $(READY) ## Lint, formatting, types and the import contracts
 docs: $(READY) ## Build the documentation as a site with a search: site/index.html
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
 	$(BIN)/python -m workflow.reference
-	$(BIN)/mkdocs build --strict --quiet
+	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
 
 bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
 	$(BIN)/python -m tests.tools.bench

@@ -21,7 +21,7 @@ LINK = re.compile(r"(!?)\[([^\]]*)\]\((?!https?:|#)([^)\s]+)\)")
 FORMULA = re.compile(r'<(span|div) class="arithmatex">\\([(\[])(.*?)\\[)\]]</\1>', re.DOTALL)
 ESCAPED = {"&amp;": "&", "&lt;": "<", "&gt;": ">"}
 VERBATIM = re.compile(r"(<(?:pre|code|math|a)\b.*?</(?:pre|code|math|a)>|<[^>]+>)", re.DOTALL)
-LOWERED = re.compile(r"\b([A-Za-z])_(N|x|b|T|c|t|max|old|new)\b")
+LOWERED = re.compile(r"(?<![A-Za-z0-9_])([A-Za-z])_(N|x|b|T|c|t|max|old|new)\b")
 RAISED = re.compile(r"(?<=\w)\^(\([^()]*(?:\([^()]*\)[^()]*)*\)|[\w−]+)")
 
 
