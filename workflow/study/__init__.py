@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from workflow.study.read import find_study, known_studies, read_scene, read_study
     from workflow.study.reference import DescribedKey, described_tables
     from workflow.study.scripts import load_script
-    from workflow.study.settings import integer, positive, read_columns
+    from workflow.study.settings import Rows, integer, named_unit, positive, rows_of_file
     from workflow.study.study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
     from workflow.study.surfaces import Profile, Surface, check_load, given_profile
     from workflow.study.variants import COMPARE

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from workflow.errors import UserError
-from workflow.study.settings import read_columns
+from workflow.study.settings import named_unit, read_columns
 
 FREQUENCIES = {"rad/s": 1.0, "Hz": 2.0 * math.pi}  # in rad/s
 MODULI = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9}  # in Pa
@@ -16,7 +16,6 @@ COLUMNS = ("a frequency", "a storage modulus G'", "a loss modulus G''")
 LEAST = 4  # frequencies
 OF_FREQUENCY = re.compile(r"(?<![\w/])(rad/s|Hz)(?!\w)")
 OF_MODULUS = re.compile(r"(?<!\w)([kMG]?Pa)(?!\w)")
-ROW = re.compile(r"\s*[-+.\d]")
 
 
 class Moduli(NamedTuple):
@@ -35,11 +34,11 @@ def read_moduli(path: Path, frequency: str | None = None, modulus: str | None = 
 
     Raises UserError for a file that cannot be read and for values that no material has.
     """
-    columns = read_columns("prony", path, COLUMNS)
-    head = _head(path)
+    rows = read_columns("prony", path, COLUMNS)
+    columns, head = rows.values, " ".join(rows.header)
     units = (
-        frequency or _unit(path, "--frequency", OF_FREQUENCY, head) or "rad/s",
-        modulus or _unit(path, "--modulus", OF_MODULUS, head) or "Pa",
+        frequency or named_unit(f"prony {path}", "--frequency", OF_FREQUENCY, head) or "rad/s",
+        modulus or named_unit(f"prony {path}", "--modulus", OF_MODULUS, head) or "Pa",
     )
     if columns.shape[1] < LEAST:
         raise UserError(f"prony {path}: holds {columns.shape[1]} rows; a fit needs {LEAST}")
@@ -54,18 +53,3 @@ def read_moduli(path: Path, frequency: str | None = None, modulus: str | None = 
     omega, storage, loss = columns[:, order]
     scale = MODULI[units[1]]
     return Moduli(FREQUENCIES[units[0]] * omega, scale * (storage + 1j * loss), units)
-
-
-def _head(path: Path) -> str:
-    """Return the lines before the first row of numbers, comments among them."""
-    lines = path.read_text(encoding="utf-8-sig").splitlines()
-    first = next(i for i, line in enumerate(lines) if ROW.match(line))
-    return " ".join(lines[:first])
-
-
-def _unit(path: Path, option: str, pattern: re.Pattern[str], head: str) -> str | None:
-    """Return the one unit that the head of the file names; None where it names none."""
-    found = list(dict.fromkeys(pattern.findall(head)))
-    if len(found) > 1:
-        raise UserError(f"prony {path}: names the units {' and '.join(found)}; choose by {option}")
-    return found[0] if found else None

@@ -167,7 +167,7 @@ def _branch(key: str, entry: object) -> Branch:
 
 
 def _branches_of_file(key: str, path: Path) -> tuple[Branch, ...]:
-    columns = read_columns(key, path, ("a modulus in Pa", "a time in s"))
+    columns = read_columns(key, path, ("a modulus in Pa", "a time in s")).values
     return _branches(key, columns.T.tolist())
 
 

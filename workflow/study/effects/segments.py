@@ -118,7 +118,7 @@ def sampled(key: str, path: Path, what: str) -> np.ndarray:
 
     Times must be increasing. what : the name of the second column, for messages.
     """
-    columns = read_columns(key, path, ("a time in s", what))
+    columns = read_columns(key, path, ("a time in s", what)).values
     if not 2 <= columns.shape[1] <= MOST_SAMPLES:
         raise UserError(
             f"{key} = {str(path)!r}: holds {columns.shape[1]} rows; must be 2 to {MOST_SAMPLES}"

@@ -23,7 +23,8 @@ if TYPE_CHECKING:
         read_table,
         within,
     )
-    from workflow.study.settings.columns import read_columns
+    from workflow.study.settings.columns import named_unit, read_columns, rows_of_file
+    from workflow.study.settings.text import BrokenRowError, Rows, read_rows
     from workflow.study.settings.values import axis_values, checked_values
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -1,47 +1,50 @@
-"""Columns of numbers in a text file, beside study.toml."""
+"""Columns of numbers in a text file, beside study.toml or given to a command."""
 
-import math
 import re
 from pathlib import Path
 
-import numpy as np
-
 from workflow.errors import UserError
+from workflow.study.settings.text import BrokenRowError, Rows, read_rows
 
-SEPARATORS = re.compile(r"[,;\s]+")
 
+def read_columns(key: str, path: Path, names: tuple[str, ...]) -> Rows:
+    """Return the columns of a text file that holds just these, all of their numbers finite.
 
-def read_columns(key: str, path: Path, names: tuple[str, ...]) -> np.ndarray:
-    """Return the columns of a text file, shape (len(names), rows), all of them finite.
-
-    Separators are commas, semicolons, tabs or spaces; empty lines, lines from "#" on and, before
-    the first row of numbers, lines of words are passed over. Raises UserError, naming ``key`` and
-    the line, for a file that cannot be read or holds anything else.
+    Raises UserError, naming ``key`` and the line, for a file that cannot be read or holds anything
+    else.
     """
+    return rows_of_file(key, path, tuple(range(len(names))), names, exact=True)
+
+
+def rows_of_file(
+    key: str, path: Path, columns: tuple[int, ...], names: tuple[str, ...], exact: bool = False
+) -> Rows:
+    """Return chosen columns of a text file; names : what they hold, for messages.
+
+    Raises UserError as ``read_columns``.
+    """
+    places = "" if exact else f" in columns {list(columns)}"
     try:
-        lines = path.read_text(encoding="utf-8-sig").splitlines()
-    except (OSError, ValueError) as error:  # ValueError: not UTF-8, or no name of a file
+        rows = read_rows(path.read_bytes(), columns, exact)
+    except BrokenRowError as error:
+        raise UserError(
+            f"{key}: line {error.number} of {str(path)!r} reads {error.line!r:.40}: must hold "
+            f"{len(names)} finite numbers{places}, {', '.join(names[:-1])} and {names[-1]}"
+        ) from None
+    except (OSError, ValueError) as error:  # ValueError: no name of a file
         reason = getattr(error, "strerror", None) or error
         raise UserError(f"{key} = {str(path)!r}: cannot be read: {reason}") from None
-    rows: list[list[float]] = []
-    for number, line in enumerate(lines, 1):
-        entries = [entry for entry in SEPARATORS.split(line.partition("#")[0]) if entry]
-        row = [_number(entry) for entry in entries]
-        if not entries or (not rows and all(math.isnan(entry) for entry in row)):
-            continue
-        if len(row) != len(names) or not all(map(math.isfinite, row)):
-            raise UserError(
-                f"{key}: line {number} of {str(path)!r} reads {line.strip()!r:.40}: must hold "
-                f"{len(names)} finite numbers, {' and '.join(names)}"
-            )
-        rows.append(row)
-    if not rows:
-        raise UserError(f"{key} = {str(path)!r}: holds no row of {len(names)} numbers")
-    return np.array(rows).T
+    if not rows.lines:
+        raise UserError(f"{key} = {str(path)!r}: holds no row of {len(names)} numbers{places}")
+    return rows
 
 
-def _number(text: str) -> float:
-    try:
-        return float(text)
-    except ValueError:
-        return math.nan
+def named_unit(key: str, option: str, units: re.Pattern[str], header: str) -> str | None:
+    """Return the one unit that the header of a file names; None where it names none.
+
+    Raises UserError for two: ``option`` chooses.
+    """
+    found = list(dict.fromkeys(units.findall(header)))
+    if len(found) > 1:
+        raise UserError(f"{key}: names the units {' and '.join(found)}; choose by {option}")
+    return found[0] if found else None

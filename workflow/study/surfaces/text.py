@@ -1,16 +1,14 @@
-"""Tables of numbers in text files as instruments write them: headers, delimiters, commas."""
+"""Tables of positions and heights in text files: units of the header, rounded numbers."""
 
-import math
 from collections.abc import Iterable
 from typing import NamedTuple
 
 import numpy as np
 
 from workflow.errors import UserError
+from workflow.study.settings import BrokenRowError, Rows, read_rows
 from workflow.study.surfaces.units import units_in
 
-DELIMITERS = (";", "\t", ",", None)  # None: any blanks
-COMMENTS = ("#", "%", "//", "!")
 HEADER = 3  # lines before the numbers in which units are looked for
 
 
@@ -25,75 +23,24 @@ class Table(NamedTuple):
 def read_text(key: str, name: str, data: bytes, columns: tuple[int, ...]) -> Table:
     """Return columns of a text file; ``key`` and ``name`` of the file are for messages.
 
-    Lines before the first row of numbers are the header, lines that begin with #, %, // or ! and
-    empty ones are passed over. A delimiter is one of ; tab , or blanks; where it is no comma,
-    numbers may have decimal commas.
-
     Raises UserError for a file without rows, and naming the line for a row that breaks off, holds
     words or numbers that are not finite.
     """
-    lines = _decoded(data).splitlines()
-    start, delimiter = _first_row(lines, columns)
-    if start == len(lines):
+    try:
+        rows = read_rows(data, columns)
+    except BrokenRowError as error:
+        raise UserError(
+            f"{key} = {name!r}: {error}: must hold finite numbers in columns {list(columns)}"
+        ) from None
+    if not rows.lines:
         raise UserError(f"{key} = {name!r}: holds no line with numbers in columns {list(columns)}")
-    rows = []
-    for number, line in enumerate(lines[start:], start + 1):
-        if not line.strip() or line.strip().startswith(COMMENTS):
-            continue
-        row = _numbers(line, delimiter, columns)
-        if row is None or not all(math.isfinite(float(word)) for word in row):
-            raise UserError(
-                f"{key} = {name!r}: line {number} reads {line.strip()!r:.60}: must hold finite "
-                f"numbers in columns {list(columns)}"
-            )
-        rows.append(row)
-    values = np.array(rows, dtype=float).T
-    written = tuple(row[0] for row in rows)
-    return Table(values, written, _units(lines[:start], delimiter, columns))
+    return Table(rows.values, rows.written, _units(rows, columns))
 
 
-def _decoded(data: bytes) -> str:
-    """Return the text of a file; instruments seldom say which encoding they write."""
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        return data.decode("utf-16", errors="replace")
-    try:
-        return data.decode("utf-8-sig")
-    except UnicodeDecodeError:
-        return data.decode("latin-1")  # knows every byte, and the micro sign
-
-
-def _first_row(lines: list[str], columns: tuple[int, ...]) -> tuple[int, str | None]:
-    """Return the index of the first row of numbers, and its delimiter."""
-    for index, line in enumerate(lines):
-        for delimiter in DELIMITERS:
-            if _numbers(line, delimiter, columns) is not None:
-                return index, delimiter
-    return len(lines), None
-
-
-def _numbers(line: str, delimiter: str | None, columns: tuple[int, ...]) -> list[str] | None:
-    """Return the numbers in the columns of a line as they are written; None where there are not."""
-    words = [word.strip() for word in line.split(delimiter)]
-    if max(columns) >= len(words):
-        return None
-    chosen = [words[column] for column in columns]
-    if delimiter != ",":
-        chosen = [word.replace(",", ".") if "." not in word else word for word in chosen]
-    return chosen if all(map(_is_number, chosen)) else None
-
-
-def _is_number(word: str) -> bool:
-    try:
-        float(word)
-    except ValueError:
-        return False
-    return True
-
-
-def _units(header: list[str], delimiter: str | None, columns: tuple[int, ...]) -> tuple[str, ...]:
+def _units(rows: Rows, columns: tuple[int, ...]) -> tuple[str, ...]:
     """Return one unit per column from the lines just before the numbers, or none."""
-    for line in reversed(header[-HEADER:]):
-        words = line.lstrip("#%/! ").split(delimiter)
+    for line in reversed(rows.header[-HEADER:]):
+        words = line.lstrip("#%/! ").split(rows.delimiter)
         if max(columns) < len(words):
             found = [units_in(words[column])[-1:] for column in columns]
             if all(found):

@@ -3,7 +3,7 @@
 import pytest
 
 from workflow.errors import UserError
-from workflow.study.settings.columns import read_columns
+from workflow.study.settings.columns import read_columns, rows_of_file
 
 NAMES = ("a time in s", "a velocity in m/s")
 
@@ -11,7 +11,7 @@ NAMES = ("a time in s", "a velocity in m/s")
 def read(tmp_path, text):
     path = tmp_path / "columns.txt"
     path.write_text(text, encoding="utf-8")
-    return read_columns("key", path, NAMES).tolist()
+    return read_columns("key", path, NAMES).values.tolist()
 
 
 @pytest.mark.parametrize(
@@ -37,9 +37,26 @@ def test_a_row_that_is_none_is_named(tmp_path, text):
         read(tmp_path, text)
 
 
+@pytest.mark.parametrize("text", ["0 1 2\n2 3 4", "# as wide\n0;1;2"])
+def test_a_column_too_many_is_no_row(tmp_path, text):
+    with pytest.raises(UserError, match=r"^key: line \d of .*must hold 2 finite numbers, a time"):
+        read(tmp_path, text)
+
+
+def test_chosen_columns_and_the_lines_where_they_stand(tmp_path):
+    (tmp_path / "columns.txt").write_text("t;F;v\n\n0,5;7;1\n1,5;;2\n")
+    rows = rows_of_file("key", tmp_path / "columns.txt", (0, 2), NAMES)
+    assert rows.values.tolist() == [[0.5, 1.5], [1.0, 2.0]]
+    assert (rows.lines, rows.header) == ((3, 4), ("t;F;v", ""))
+    with pytest.raises(UserError, match=r"columns\.txt': holds no row of 2 numbers in columns"):
+        rows_of_file("key", tmp_path / "columns.txt", (0, 5), NAMES)
+    with pytest.raises(UserError, match=r"line 4 of .* reads '1,5;;2': .* in columns \[0, 1\]"):
+        rows_of_file("key", tmp_path / "columns.txt", (0, 1), NAMES)
+
+
 def test_bytes_that_are_no_text(tmp_path):
     (tmp_path / "columns.txt").write_bytes(b"\xff\xfe\x00")
-    with pytest.raises(UserError, match="cannot be read: 'utf-8' codec"):
+    with pytest.raises(UserError, match="holds no row of 2 numbers"):
         read_columns("key", tmp_path / "columns.txt", NAMES)
 
 
