@@ -1,28 +1,56 @@
 """What the figures of several studies share."""
 
 from collections.abc import Iterator
-from itertools import cycle
 from typing import Any
 
+import matplotlib as mpl
 import numpy as np
 import xarray as xr
-
-from workflow.report import COLOURS
+from matplotlib.axes import Axes
+from matplotlib.cm import ScalarMappable
+from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize, to_hex
+from matplotlib.ticker import FuncFormatter, NullFormatter
 
 CONVERGED, PAPER_STEP = "", "paper_step"  # groups of a result; the first is the study itself
 VARIANTS = {
     CONVERGED: "converged",
     PAPER_STEP: "implicit Euler, one step per $\\Delta x$",
 }
+# One colour and one marker of either in all figures, apart from the colours of H and of forces.
+SCHEMES: dict[str, dict[str, Any]] = {
+    CONVERGED: {"color": "#000000", "marker": "o"},
+    PAPER_STEP: {"color": "#D55E00", "marker": "s"},
+}
+PALEST = 0.8  # of a map of colours: beyond, lines are too pale for paper
 X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"
 DOTS: dict[str, Any] = {"fmt": "o", "ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
 
 
+def shades(low: float, high: float, log: bool = True) -> ScalarMappable:
+    """Return a map of values to colours, for a colour bar, that ends before they get pale."""
+    dark = mpl.colormaps["viridis"](np.linspace(0.0, PALEST, 256))
+    norm = LogNorm(low, high) if log else Normalize(low, high)
+    return ScalarMappable(norm, LinearSegmentedColormap.from_list("dark", dark))
+
+
 def by_hurst(dataset: xr.Dataset) -> Iterator[tuple[float, xr.Dataset, str]]:
-    """Yield every Hurst exponent, its points along "point", and a colour."""
-    for hurst, colour in zip(dataset.hurst.values, cycle(COLOURS), strict=False):
+    """Yield every Hurst exponent, its points along "point", and its colour, the same everywhere."""
+    colours = shades(0.0, 1.0, log=False)
+    for hurst in dataset.hurst.values:
         points = dataset.sel(hurst=hurst)
-        yield float(hurst), points.stack(point=points.mu_1.dims), colour
+        yield (
+            float(hurst),
+            points.stack(point=points.mu_1.dims),
+            to_hex(colours.to_rgba(float(hurst))),
+        )
+
+
+def in_micrometres(ax: Axes, values: np.ndarray) -> None:
+    """Label an axis of lengths in m by these values in micrometres."""
+    ax.set_xticks(values)
+    ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{1e6 * value:.3g}"))
+    ax.xaxis.set_minor_formatter(NullFormatter())
+    ax.set_xlabel("spacing $\\Delta x$ (µm)")
 
 
 def normalised(points: xr.Dataset) -> xr.Dataset:

@@ -14,23 +14,18 @@ from .panels import LIMITS, NAMES, draw_ladders, milliseconds, name_regimes
 MARKS = ("o", "s", "^")  # of the compared points
 
 
-def draw(groups: Groups) -> Figure:
-    """Return the figure of a result of this study."""
-    figure, axes = plt.subplots(2, 4, figsize=(9.6, 5.4))
-    data, found = groups[""], groups["alternatives"]
-    for ax, (name, label), letter in zip(axes[0], NAMES.items(), "abcd", strict=True):
+def draw(groups: Groups) -> dict[str, Figure]:
+    """Return two figures of a result of this study: of the discretisation, and of the rest."""
+    return {"": _discretisation(groups), "alternatives": _rest(groups)}
+
+
+def _discretisation(groups: Groups) -> Figure:
+    figure, axes = plt.subplots(2, 2, figsize=(6.9, 5.8))
+    data = groups[""]
+    for ax, (name, label), letter in zip(axes.flat, NAMES.items(), "abcd", strict=True):
         draw_ladders(ax, data, name)
         ax.set_title(f"({letter}) discretisation error of {label}")
     name_regimes(axes[0, 0])
-    _sampling(axes[1, 0], groups["sampling"])
-    _balance(axes[1, 1], data)
-    _alternatives(axes[1, 2], found, "mu_1")
-    axes[1, 2].set(title=f"(g) common alternatives: {NAMES['mu_1']}", ylabel="relative error")
-    for mark, x in zip(MARKS, found.x.values, strict=False):
-        axes[1, 2].plot([], [], mark, color="0.4", label=f"$x = {x:g}$")
-    axes[1, 2].legend(loc="lower left", ncols=2, columnspacing=0.8)
-    _alternatives(axes[1, 3], found, "rate")
-    axes[1, 3].set_title(f"(h) common alternatives: {NAMES['rate']}")
     worst = float(data.reference_error.sel(quantity="mu_1").max())
     write_below(
         figure,
@@ -40,6 +35,24 @@ def draw(groups: Groups) -> Figure:
         "numbers: m of the Pareto front of the medians (black); curve relative to the jump; "
         f"process time, medians; seed {data.attrs['seed']}",
     )
+    return figure
+
+
+def _rest(groups: Groups) -> Figure:
+    """Return sampling errors, both errors together, and the common alternatives."""
+    figure, axes = plt.subplots(2, 2, figsize=(6.9, 5.8))
+    data, found = groups[""], groups["alternatives"]
+    _sampling(axes[0, 0], groups["sampling"])
+    _balance(axes[0, 1], data)
+    for ax, name, letter in zip(axes[1], ("mu_1", "rate"), "cd", strict=True):
+        _alternatives(ax, found, name)
+        ax.set_title(f"({letter}) common alternatives: {NAMES[name]}")
+    for ax in axes[:, 0]:
+        ax.set_ylabel("relative error")
+    for mark, x in zip(MARKS, found.x.values, strict=False):
+        axes[1, 0].plot([], [], mark, color="0.4", label=f"$x = {x:g}$")
+    axes[1, 0].legend(loc="lower left", ncols=2, columnspacing=0.8)
+    write_below(figure, f"process time, medians; seed {data.attrs['seed']}")
     return figure
 
 
@@ -53,7 +66,7 @@ def _sampling(ax: Axes, data: xr.Dataset) -> None:
         ax.plot(count, error.median("point"), "o-", color=colour, label=NAMES[str(name)])
     ax.plot(count, 0.25 / np.sqrt(count), "k--", lw=0.8, label="$0.25\\,R^{-1/2}$")
     ax.set(xscale="log", yscale="log", xlabel="realizations $R$")
-    ax.set_title("(e) sampling error: median, range")
+    ax.set_title("(a) sampling error: median, range")
     ax.legend(loc="lower left", ncols=2)
 
 
@@ -65,7 +78,7 @@ def _balance(ax: Axes, data: xr.Dataset) -> None:
     best = []
     shown = [m for m in (1, 2, 4, 8, 16) if m in one.steps]
     for k, m in enumerate(shown):
-        at, colour = one.sel(steps=m), plt.cm.viridis(k / len(shown))
+        at, colour = one.sel(steps=m), plt.cm.viridis(0.8 * k / len(shown))
         total = np.hypot(float(at.bias), float(at.deviation) / np.sqrt(count))
         time = count * float(at.seconds)
         ax.plot(time, total, color=colour, label=f"$m = {m}$")
@@ -75,7 +88,7 @@ def _balance(ax: Axes, data: xr.Dataset) -> None:
     front = np.min([np.interp(grid, t, e, right=e[-1], left=np.inf) for t, e in best], axis=0)
     ax.plot(grid, front, "k", lw=2.2, alpha=0.25, label="best")
     ax.set(xscale="log", yscale="log", xlabel="CPU s in all", xlim=(2e-3, 5e2), ylim=(1e-5, 0.2))
-    ax.set_title(f"(f) both, $\\mu_1$ at $x = {float(one.x):g}$")
+    ax.set_title(f"(b) both, $\\mu_1$ at $x = {float(one.x):g}$")
     ax.legend(loc="lower left")
 
 

@@ -32,8 +32,7 @@ def draw_ladders(ax: Axes, data: xr.Dataset, name: str) -> None:
     ax.legend(loc="lower left", handlelength=1.6)
     ax.set(xscale="log", yscale="log", ylim=LIMITS)
     milliseconds(ax)
-    if name in ("mu_1", "curve"):
-        ax.set_ylabel("relative error")
+    ax.set_ylabel("relative error")
 
 
 def _front(ax: Axes, data: xr.Dataset) -> None:

@@ -16,6 +16,7 @@ MODELS = (
     (STRETCHED, "stretched", COLOURS[5]),
     (TWO_EXPONENTIALS, "two exponentials", COLOURS[1]),
 )
+RATES = {"fast_rate": "^", "slow_rate": "v"}
 SLOWEST_SHOWN = 1e-2  # rates far below the horizon are lines, not rates
 
 
@@ -26,16 +27,19 @@ def draw(groups: Groups) -> Figure:
     for hurst, points, colour in by_hurst(dataset):
         style = DOTS | {"color": colour, "label": f"$H = {hurst:g}$"}
         error_bars(axes[0], points, "stretched_exponent", "speed_ratio", **style)
-        for name, face in (("fast_rate", colour), ("slow_rate", "none")):
+        for name, marker in RATES.items():
             shown = points.isel(point=(points[name] > SLOWEST_SHOWN).values)
-            style = DOTS | {"color": colour, "mfc": face}
+            style = DOTS | {"color": colour, "fmt": marker}
             error_bars(axes[1], shown, name, "speed_ratio", log=True, **style)
     axes[0].axhline(1.0, color="k", lw=0.7, ls="--")
     axes[0].set(xscale="log", xlabel=X_LABEL, ylabel="stretched exponent $\\beta$", title="(a)")
     axes[0].set_ylim(bottom=0.0)
     axes[0].legend(loc="lower left", fontsize=6, handletextpad=0.2)
-    axes[1].set(xscale="log", yscale="log", xlabel=X_LABEL, title="(b) filled: fast, hollow: slow")
+    axes[1].set(xscale="log", yscale="log", xlabel=X_LABEL, title="(b)")
     axes[1].set_ylim(bottom=SLOWEST_SHOWN)
+    for name, marker in RATES.items():
+        axes[1].plot([], [], marker, color="0.3", ms=3.0, label=name.replace("_rate", ""))
+    axes[1].legend(loc="upper left", fontsize=6)
     axes[1].set_ylabel("rates of two exponentials (per $\\tau$)")
     _shares(axes[2], dataset)
     foot_line(

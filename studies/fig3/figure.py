@@ -7,10 +7,10 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
-from workflow.report import COLOURS, error_bars, foot_line
+from studies.style import CONVERGED, SCHEMES, shades
+from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
 JUMP_AT = 10.0  # tau
@@ -24,10 +24,10 @@ def draw(groups: Groups) -> Figure:
     figure, axes = plt.subplots(1, 2, figsize=(6.9, 3.0))
     points = groups[""].squeeze()
     _steady(axes[0], points)
-    colours = ScalarMappable(LogNorm(points.velocity.min(), points.velocity.max()), "viridis")
+    colours = shades(float(points.velocity.min()), float(points.velocity.max()))
     _kinetics(axes[1], points, colours)
     figure.colorbar(colours, ax=axes[1], label="velocity $v_1$ (m/s)")
-    foot_line(figure, groups[""])
+    foot_line(figure, groups[""], bars="bars and bands")
     return figure
 
 
@@ -39,7 +39,7 @@ def regions(points: xr.Dataset) -> list[float]:
 
 
 def _steady(ax: Axes, points: xr.Dataset) -> None:
-    error_bars(ax, points, "mu_1", "velocity", fmt="o-", color=COLOURS[0])
+    error_bars(ax, points, "mu_1", "velocity", ls="-", **SCHEMES[CONVERGED])
     velocity = points.velocity.values
     ends = [velocity[0], *regions(points), velocity[-1]]
     regimes = (("I", 0.04), ("II", 0.12), ("III", 0.04))
@@ -62,6 +62,10 @@ def _kinetics(ax: Axes, points: xr.Dataset, colours: ScalarMappable) -> None:
         mu = [curve.mu_1, curve.mu_1, *curve.mu, curve.mu_2]
         time = [0.0, JUMP_AT, *(JUMP_AT + curve.time), END]
         ax.plot(time, mu, color=colours.to_rgba(velocity), lw=0.8)
+        after, error = JUMP_AT + curve.time.values, curve.deviation_error.values
+        low, high = curve.mu.values - error, curve.mu.values + error
+        ax.fill_between(after, low, high, color=colours.to_rgba(velocity), alpha=0.3, lw=0)
     ax.set(xlim=(0, END), yscale="log", xlabel="time $t/\\tau$")
     ax.set_ylabel("coefficient of friction $\\mu$")
-    ax.set_title("(b) $v_2 = 1.2\\,v_1$ at $t = 10\\,\\tau$")
+    ratio = 1.0 + float(points.velocity_step)
+    ax.set_title(f"(b) $v_2 = {ratio:g}\\,v_1$ at $t = {JUMP_AT:g}\\,\\tau$")

@@ -6,29 +6,30 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import CONVERGED, VARIANTS
+from studies.style import CONVERGED, SCHEMES, VARIANTS, in_micrometres
 from workflow.reduce import FITTED
 from workflow.report import COLOURS, error_bars, foot_line
 from workflow.result import Groups
 
 PAPER_RATE = 2.4
+UNIT = 1e4  # of friction: what panel (a) shows is of the order of 1e-4
 
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 2, figsize=(6.9, 2.8))
-    for (group, label), colour in zip(VARIANTS.items(), COLOURS, strict=False):
+    for group, label in VARIANTS.items():
         points = groups[group].squeeze()
         fitted = points.where(points.fit_status == FITTED)
-        error_bars(
-            axes[1], fitted, "relaxation_rate", "spacing", fmt="o-", color=colour, label=label
-        )
+        style = SCHEMES[group] | {"ls": "-", "label": label}
+        error_bars(axes[1], fitted, "relaxation_rate", "spacing", **style)
         if group == CONVERGED:
             nearest = np.abs(fitted.relaxation_rate - PAPER_RATE).argmin("spacing")
             _fit(axes[0], points.isel(spacing=nearest))
     foot_line(figure, groups[CONVERGED], "the caption of the paper gives no spacing")
     axes[1].axhline(PAPER_RATE, color="k", ls="--", lw=0.8, label="paper, $b = 2.4$")
-    axes[1].set(xscale="log", xlabel="spacing $\\Delta x$ (m)", ylim=(0, None), title="(b)")
+    axes[1].set(xscale="log", ylim=(0, None), title="(b) rate over spacing")
+    in_micrometres(axes[1], groups[CONVERGED].spacing.values)
     axes[1].set_ylabel("relaxation rate $b$ (per $\\tau$)")
     axes[1].legend()
     return figure
@@ -36,16 +37,19 @@ def draw(groups: Groups) -> Figure:
 
 def _fit(ax: Axes, point: xr.Dataset) -> None:
     curve = point.dropna("sample", subset=["mu"]).isel(sample=slice(0, None, 2))
-    ax.plot(curve.time, 1e3 * (curve.mu - curve.mu_2), "o", color=COLOURS[0], label="simulated")
+    deviation, error = UNIT * curve.deviation, UNIT * curve.deviation_error
+    style = SCHEMES[CONVERGED] | {"ls": "", "ms": 2.6, "lw": 0.6, "label": "simulated"}
+    ax.errorbar(curve.time, deviation, error, **style)
     inside = np.linspace(0.0, float(point.fit_window), 100)
     rate, error = float(point.relaxation_rate), float(point.relaxation_rate_error)
     ax.plot(
         inside,
-        1e3 * float(point.amplitude) * np.exp(-rate * inside),
-        color=COLOURS[4],
+        UNIT * float(point.amplitude) * np.exp(-rate * inside),
+        color=COLOURS[0],
+        zorder=3,
         label=f"eq. 6, $b = {rate:.2f} \\pm {error:.2f}$, window shown",
     )
     ax.axhline(0.0, color="0.6", lw=0.5)
-    ax.set(xlabel="time after the jump $(t - t_0)/\\tau$", ylabel="$10^3\\,(\\mu - \\mu_2)$")
+    ax.set(xlabel="time after the jump $(t - t_0)/\\tau$", ylabel="$\\mu - \\mu_2$ ($10^{-4}$)")
     ax.set_title(f"(a) $\\Delta x$ = {float(point.spacing) * 1e6:.3g} µm")
     ax.legend()

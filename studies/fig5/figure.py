@@ -1,17 +1,16 @@
-"""Figure 5: jump and steady friction, both over the relative velocity step, for 20 forces."""
+"""Figure 5: jump over the relative velocity step, and steady friction, for many forces."""
 
 import numpy as np
 from matplotlib import pyplot as plt
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import LogNorm
 from matplotlib.figure import Figure
 
+from studies.style import shades
 from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
 PANELS = (
-    ("jump", "$\\Delta\\mu_0 / (\\Delta v/v_1)$", 0.4, "$0.4\\,\\nabla z$ (eq. 11)", "(a)"),
-    ("mu_1", "$\\mu_1$", 1.0, "$\\nabla z$", "(b)"),
+    ("jump", "$\\Delta\\mu_0 / (\\Delta v/v_1)$", 0.4, "$0.4\\,\\nabla z$ (eq. 11)", "(a) jump"),
+    ("mu_1", "$\\mu_1$", 1.0, "$\\nabla z$", "(b) steady friction"),
 )
 
 
@@ -22,7 +21,7 @@ def draw(groups: Groups) -> Figure:
     step, slope = points.velocity_step, float(points.rms_slope.max())
     points = points.assign(jump=points.jump / step, jump_error=points.jump_error / step)
     forces = points.normal_force.values
-    colours = ScalarMappable(LogNorm(forces.min(), forces.max()), "viridis")
+    colours = shades(forces.min(), forces.max())
     for ax, (name, label, level, text, title) in zip(axes, PANELS, strict=True):
         for force in forces:
             line, colour = points.sel(normal_force=force), colours.to_rgba(force)

@@ -1,12 +1,10 @@
-"""Figure 6: normalised jump over normalised friction, against eq. 12, for 11 Hurst exponents."""
+"""Figure 6: normalised jump over normalised friction, against eq. 12, for many H."""
 
 import numpy as np
 from matplotlib import pyplot as plt
-from matplotlib.cm import ScalarMappable
-from matplotlib.colors import Normalize
 from matplotlib.figure import Figure
 
-from studies.style import DOTS, normalised
+from studies.style import DOTS, normalised, shades
 from workflow.kinetic_law import PLATEAU, normalised_jump
 from workflow.report import error_bars, foot_line
 from workflow.result import Groups
@@ -18,7 +16,7 @@ def draw(groups: Groups) -> Figure:
     points = normalised(groups[""].squeeze())
     law = normalised_jump(points.mu_bar)
     points["ratio"], points["ratio_error"] = points.jump_bar / law, points.jump_bar_error / law
-    colours = ScalarMappable(Normalize(0.0, 1.0), "viridis")
+    colours = shades(0.0, 1.0, log=False)
     for hurst in points.hurst.values:
         for ax, name in zip(axes, ("jump_bar", "ratio"), strict=True):
             line = points.sel(hurst=hurst)

@@ -8,12 +8,12 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import CONVERGED, DOTS, PAPER_STEP, X_LABEL, by_hurst
+from studies.style import CONVERGED, DOTS, PAPER_STEP, SCHEMES, X_LABEL, by_hurst
 from workflow.reduce import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
-from workflow.report import COLOURS, error_bars, foot_line
+from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
-NEARLY_FULL = 0.8  # contact fraction above which markers are hollow
+NEARLY_FULL = 0.8  # contact fraction above which markers are triangles
 MARKS = {NO_RELAXATION: "|", NOT_EXPONENTIAL: "x", UNDETERMINED: "+"}
 
 
@@ -21,20 +21,22 @@ def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 3, figsize=(7.2, 3.3), width_ratios=(1.0, 1.0, 0.62))
     paper, converged = groups[PAPER_STEP], groups[CONVERGED]
-    _rates(axes[0], paper)
+    _rates(axes[0], paper, PAPER_STEP)
     axes[0].set_title("(a) implicit Euler, one step per $\\Delta x$")
     axes[0].set_ylabel("relaxation rate $b$ (per $\\tau$)")
     axes[0].legend(loc="upper left", ncols=2, columnspacing=0.8, handletextpad=0.2)
-    _rates(axes[1], converged, bias=1.0)
+    _rates(axes[1], converged, CONVERGED, bias=1.0)
     axes[1].set_title("(b) converged in time")
     axes[1].tick_params(labelleft=False)
     axes[1].annotate("$b = 1$", (0.035, 1.5), fontsize=7)
-    for data, label, marker, colour, bias in (
-        (paper, "implicit Euler", "s", COLOURS[4], 0.0),
-        (converged, "converged", "o", COLOURS[0], converged.alpha_bias),
+    (full,) = axes[1].plot([], [], "^", color="0.3", ms=3.0, label="over 80 % in contact")
+    axes[1].legend(handles=[full], loc="upper left")
+    for group, label, bias in (
+        (PAPER_STEP, "implicit Euler", 0.0),
+        (CONVERGED, "converged", converged.alpha_bias),
     ):
-        style: dict[str, Any] = {"fmt": marker, "color": colour, "label": label}
-        error_bars(axes[2], data, "alpha", "hurst", bias=bias, **style)
+        style: dict[str, Any] = SCHEMES[group] | {"ls": "", "ms": 4.0, "label": label}
+        error_bars(axes[2], groups[group], "alpha", "hurst", bias=bias, **style)
     axes[2].plot([0, 1], [1, 0], "k--", label="$1 - H$ (paper)")
     axes[2].set(xlabel="Hurst exponent $H$", ylabel="$\\alpha$ of $b = x^\\alpha$")
     axes[2].set_title("(c) exponent, $x > 1$")
@@ -42,13 +44,13 @@ def draw(groups: Groups) -> Figure:
     foot_line(
         figure,
         converged,
-        "(b), (c) with the bound of the bias; lines: eq. 13; hollow: over 80 % in contact; below "
+        "(b), (c) with the bound of the bias; lines: eq. 13; below "
         "the axis line, by $H$: | nothing to relax, x not exponential, + lost in noise",
     )
     return figure
 
 
-def _rates(ax: Axes, dataset: xr.Dataset, bias: float = 0.0) -> None:
+def _rates(ax: Axes, dataset: xr.Dataset, group: str, bias: float = 0.0) -> None:
     """Draw b; ``bias`` : times the bound of the discretisation error goes into the bars."""
     x_all = dataset.speed_ratio.values
     span = np.geomspace(min(x_all.min(), 0.5), max(x_all.max(), 2.0), 200)
@@ -58,8 +60,9 @@ def _rates(ax: Axes, dataset: xr.Dataset, bias: float = 0.0) -> None:
     for (hurst, points, colour), row in zip(by_hurst(dataset), rows, strict=True):
         fitted = points.fit_status == FITTED
         full = points.contact_fraction > NEARLY_FULL
-        for part, face, label in ((~full, colour, f"$H = {hurst:g}$"), (full, "none", None)):
-            style = DOTS | {"color": colour, "mfc": face, "label": label, "alpha": 0.8}
+        marker = SCHEMES[group]["marker"]
+        for part, form, label in ((~full, marker, f"$H = {hurst:g}$"), (full, "^", None)):
+            style = DOTS | {"fmt": form, "color": colour, "label": label, "alpha": 0.8}
             shown = points.isel(point=(fitted & part).values)
             more = bias * shown.relaxation_rate_bias * shown.relaxation_rate
             error_bars(ax, shown, "relaxation_rate", "speed_ratio", log=True, bias=more, **style)

@@ -2,28 +2,35 @@
 
 from typing import Any
 
+import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from studies.style import CONVERGED, VARIANTS
-from workflow.report import COLOURS, error_bars, foot_line
+from studies.style import CONVERGED, SCHEMES, VARIANTS
+from workflow.report import error_bars, foot_line
 from workflow.result import Groups
+
+SHARE = 0.16  # of the distance between two H, between the series of one of them
 
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
-    figure, ax = plt.subplots(figsize=(3.6, 3.0))
-    for (group, label), colour in zip(VARIANTS.items(), COLOURS, strict=False):
-        for name, marker, face, law in (
-            ("alpha", "o", colour, "x^\\alpha"),
-            ("alpha_free", "^", "none", "c\\,x^\\alpha"),
-        ):
-            text = f"{label}, $b = {law}$"
+    figure, ax = plt.subplots(figsize=(4.8, 3.4))
+    hurst = groups[CONVERGED].hurst.values
+    apart = SHARE * float(np.diff(hurst).min() if hurst.size > 1 else 0.1)
+    places = iter(apart * (np.arange(4) - 1.5))
+    for group, label in VARIANTS.items():
+        for name, law in (("alpha", "x^\\alpha"), ("alpha_free", "c\\,x^\\alpha")):
             data = groups[group]
-            style: dict[str, Any] = {"color": colour, "mfc": face, "label": text}
+            beside = data.assign(place=data.hurst + next(places))
             bias = data[f"{name}_bias"] if group == CONVERGED else 0.0  # the other is all step
-            error_bars(ax, data, name, "hurst", bias=bias, fmt=marker, **style)
-    foot_line(figure, groups[CONVERGED], "where converged with what the bias of b may add")
+            style: dict[str, Any] = {"ls": "", "ms": 4.5, "label": f"{label}, $b = {law}$"}
+            style |= SCHEMES[group]
+            if name == "alpha_free":
+                style |= {"mfc": "white", "mew": 0.9}
+            error_bars(ax, beside, name, "place", bias=bias, **style)
+    note = "the four series of an H stand side by side; converged: with what the bias may add"
+    foot_line(figure, groups[CONVERGED], note)
     ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")
     ax.set(xlabel="Hurst exponent $H$", ylabel="exponent $\\alpha$ for $x > 1$", ylim=(-0.1, 1.45))
     ax.legend(loc="upper right", fontsize=6)

@@ -15,7 +15,7 @@ from workflow.result import Groups
 
 from .prediction import LIMITS, law_error, shares_within
 
-NOISY = 0.5  # relative standard error above which markers are hollow, without bars
+NOISY = 0.5  # relative standard error above which points are crosses, without bars
 PANELS = (  # x label, y label, title
     (X_LABEL, "$\\bar\\mu_1 = \\mu_1/\\nabla z$", "(a)"),
     ("$\\bar\\mu_1$", "$\\Delta\\bar\\mu_0/(\\Delta v/v_1)$", "(b)"),
@@ -43,7 +43,7 @@ def draw(groups: Groups) -> Figure:
     foot_line(
         figure,
         dataset,
-        f"hollow: standard error over 50 %; (e), (f) without {left_out} unresolved points",
+        f"(e), (f): without {left_out} unresolved points",
     )
     span = np.geomspace(1e-6, 2.0, 100)
     flat[1].plot(span, normalised_jump(span), "k-", lw=1, label="eq. 12", zorder=0)
@@ -51,7 +51,9 @@ def draw(groups: Groups) -> Figure:
         ax.set(xlabel=x_label, ylabel=y_label, title=title)
     for ax in flat[:4]:
         ax.set(xscale="log", yscale="log")
-    flat[0].legend(loc="lower right")
+    crosses = f"standard error over {NOISY:.0%}"
+    flat[0].plot([], [], "x", color="0.3", ms=3.0, mew=0.6, label=crosses)
+    flat[0].legend(loc="lower right", fontsize=6)
     flat[1].legend(loc="upper left")
     return figure
 
@@ -63,7 +65,7 @@ def _points(
     style = DOTS | {"color": colour, "label": label, "ms": 2.2, "alpha": 0.7}
     error_bars(ax, points.isel(point=good), name, over, log=True, **style)
     noisy = points.isel(point=~good)
-    ax.plot(noisy[over], noisy[name], "o", color=colour, mfc="none", ms=2.2, mew=0.5)
+    ax.plot(noisy[over], noisy[name], "x", color=colour, ms=2.2, mew=0.5)
 
 
 def _cumulative(ax: Axes, dataset: xr.Dataset) -> None:

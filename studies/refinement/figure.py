@@ -6,9 +6,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import DOTS, X_LABEL
+from studies.style import CONVERGED, DOTS, PALEST, PAPER_STEP, SCHEMES, X_LABEL
 from workflow.reduce import FITTED
-from workflow.report import COLOURS, error_bars, foot_line
+from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
 FORCE = 0.1  # N, the nearest is shown
@@ -69,7 +69,7 @@ def decay_rate(data: xr.Dataset, steps: int) -> xr.DataArray:
 
 def _rates(ax: Axes, shown: dict[str, xr.Dataset], scheme: str, hurst: float) -> None:
     steps = sorted(int(name.rpartition("_")[2]) for name in shown if name.startswith(scheme))
-    colours = plt.get_cmap("viridis")(np.linspace(0.9, 0.15, len(steps)))
+    colours = plt.get_cmap("viridis")(np.linspace(PALEST, 0.1, len(steps)))
     for m, colour in zip(steps, colours, strict=True):
         one = shown[f"{scheme}_{m}"]
         style = DOTS | {"color": colour, "ms": 2.8, "mew": 1.0, "lw": 0.7, "label": f"$m = {m}$"}
@@ -87,10 +87,10 @@ def _rates(ax: Axes, shown: dict[str, xr.Dataset], scheme: str, hurst: float) ->
 
 
 def _amplitudes(ax: Axes, shown: dict[str, xr.Dataset]) -> None:
-    labels = {"": ("converged", "k"), "euler_1": ("implicit Euler, $m = 1$", COLOURS[4])}
-    for name, (label, colour) in labels.items():
+    labels = {"": ("converged", CONVERGED), "euler_1": ("implicit Euler, $m = 1$", PAPER_STEP)}
+    for name, (label, scheme) in labels.items():
         if name in shown:
             one = shown[name].where(shown[name].fit_status == FITTED)
             share = abs(one.amplitude / one.jump)
-            ax.plot(one.speed_ratio, share, "o-", color=colour, label=label)
+            ax.plot(one.speed_ratio, share, "-", label=label, **SCHEMES[scheme])
     ax.set(xscale="log", yscale="log")

@@ -13,7 +13,7 @@ from matplotlib import pyplot as plt
 
 from workflow.plan.plan import make_plan
 from workflow.reduce.fits import FITTED
-from workflow.report.figure import STYLE
+from workflow.report.drawing import STYLE
 from workflow.run import workers
 from workflow.run.run import run_plan
 from workflow.run.workers import How
@@ -52,10 +52,11 @@ def check_drawing(name: str, groups: Groups) -> None:
     script = load_script(known_studies()[name].parent / "figure.py")
     try:
         with mpl.rc_context(STYLE):
-            figure = script.draw(groups)
-            figure.canvas.draw()
-        assert figure.axes
-        assert all(ax.has_data() or not ax.axison for ax in figure.axes)
+            drawn = script.draw(groups)
+            for figure in drawn.values() if isinstance(drawn, dict) else [drawn]:
+                figure.canvas.draw()
+                assert figure.axes
+                assert all(ax.has_data() or not ax.axison for ax in figure.axes)
     finally:
         plt.close("all")
 

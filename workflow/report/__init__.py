@@ -27,14 +27,14 @@ if TYPE_CHECKING:
         spread,
         typical_factor,
     )
-    from workflow.report.figure import (
+    from workflow.report.drawing import (
         COLOURS,
-        draw_figure,
         error_bars,
         foot_line,
         log_bars,
         write_below,
     )
+    from workflow.report.figure import draw_figure, write_figure
     from workflow.report.report import write_report
     from workflow.report.resolution import not_resolved, without_unresolved
     from workflow.report.table import write_grid_table, write_measured_table

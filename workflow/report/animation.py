@@ -12,7 +12,7 @@ from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 
 from workflow.errors import UserError
-from workflow.report.figure import COLOURS, STYLE
+from workflow.report.drawing import COLOURS, STYLE
 from workflow.system import write_durably
 
 NEEDED = ("snapshot_height", "snapshot_displacement", "trace_mu", "trace_time")

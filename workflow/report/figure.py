@@ -1,79 +1,65 @@
-"""Draw the figure of a study: its folder's figure.py is handed the opened result and draws."""
+"""Draw the figures of a study: a script is handed the opened result and draws.
+
+It is the figure.py of the study's folder, or one that was asked for; without either, every grid
+has a usual figure.
+"""
 
 import contextlib
 import inspect
 import io
-import textwrap
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, cast
 
 import matplotlib as mpl
-import numpy as np
-import xarray as xr
 from matplotlib import pyplot as plt
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from workflow.errors import UserError
-from workflow.report.resolution import HOLLOW, not_resolved
+from workflow.report import usual_figure
+from workflow.report.drawing import STYLE
 from workflow.result import BROKEN, Groups, broken, open_result
 from workflow.study import AnyStudy, load_script
 from workflow.system import write_durably
 
-STYLE: dict[str, Any] = {
-    "figure.dpi": 150,
-    "savefig.dpi": 200,
-    "font.size": 8.0,
-    "axes.labelsize": 8.5,
-    "axes.titlesize": 8.5,
-    "axes.titlelocation": "left",
-    "figure.labelsize": 6.0,  # notes below a figure
-    "figure.constrained_layout.use": True,
-    "legend.fontsize": 7.0,
-    "legend.frameon": False,
-    "lines.linewidth": 1.0,
-    "lines.markersize": 3.0,
-    "errorbar.capsize": 1.5,
-    "axes.spines.top": False,
-    "axes.spines.right": False,
-    "xtick.direction": "in",
-    "ytick.direction": "in",
-    "pdf.fonttype": 42,
-}
-
-FOOT_CHARACTERS_PER_INCH = 21
-
-# Okabe and Ito: distinguishable with any colour vision.
-COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
+Drawn = Figure | dict[str, Figure]  # several: "" is the first, the others go by their names
 
 
-def draw_figure(study: AnyStudy, result: Path) -> list[Path]:
-    """Draw the study's figure beside its result, as PNG and PDF; return the files.
+def draw_figure(study: AnyStudy, result: Path, script: Path | None = None) -> list[Path]:
+    """Draw the study's figures beside its result, as PNG and PDF; return the files.
 
-    Raises UserError where there is no result, the study has no figure script, the script cannot
-    use the result, or the disk refuses the files.
+    script : draws instead of the study's own. Raises UserError where there is no result, a study
+    that is no grid has no figure script, the script cannot use the result, or the disk refuses
+    the files.
     """
     with contextlib.ExitStack() as stack:
-        return draw_groups(study, open_result(study, result, stack), result)
+        return draw_groups(study, open_result(study, result, stack), result, script)
 
 
-def draw_groups(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
-    """Draw the study's figure from its opened result; as ``draw_figure``."""
-    draw = _script(study)
-    files = {}
+def draw_groups(
+    study: AnyStudy, groups: Groups, result: Path, script: Path | None = None
+) -> list[Path]:
+    """Draw the study's figures from its opened result; as ``draw_figure``."""
+    draw = _script(study, script)
+    try:
+        return write_figure(lambda: draw(groups), result)
+    except BROKEN as error:
+        raise broken(study, result, error) from error
+
+
+def write_figure(draw: Callable[[], Drawn], path: Path) -> list[Path]:
+    """Draw in the style of the project, and write PNG and PDF beside ``path``; return the files.
+
+    Of several figures "" goes to the name of ``path``, and NAME to that with -NAME behind it.
+    """
+    files: dict[Path, bytes] = {}
     with mpl.rc_context(cast(Any, STYLE)):
         try:
-            figure = draw(groups)
-            for kind in ("png", "pdf"):
-                # No creation date: the same result gives the same file.
-                stamp = {"CreationDate": None} if kind == "pdf" else {}
-                drawn = io.BytesIO()
-                figure.savefig(drawn, format=kind, metadata=stamp)
-                figure.set_layout_engine("none")  # laid out once: alike in both, and quicker
-                files[result.with_suffix(f".{kind}")] = drawn.getvalue()
-        except BROKEN as error:
-            raise broken(study, result, error) from error
+            drawn = draw()
+            figures = drawn if isinstance(drawn, dict) else {"": drawn}
+            for name, figure in figures.items():
+                stem = path.with_name(f"{path.stem}-{name}.png" if name else f"{path.stem}.png")
+                files |= _rendered(figure, stem)
         finally:
             plt.close("all")
     for file, content in files.items():
@@ -81,67 +67,31 @@ def draw_groups(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
     return list(files)
 
 
-def _script(study: AnyStudy) -> Callable[[Groups], Figure]:
+def _rendered(figure: Figure, path: Path) -> dict[Path, bytes]:
+    files = {}
+    for kind in ("png", "pdf"):
+        # No creation date: the same result gives the same file.
+        stamp = {"CreationDate": None} if kind == "pdf" else {}
+        content = io.BytesIO()
+        figure.savefig(content, format=kind, metadata=stamp)
+        figure.set_layout_engine("none")  # laid out once: alike in both, and quicker
+        files[path.with_suffix(f".{kind}")] = content.getvalue()
+    return files
+
+
+def _script(study: AnyStudy, asked: Path | None) -> Callable[[Groups], Drawn]:
     """Return the function that draws. Raises UserError where there is none, or one of old."""
-    script = study.folder / "figure.py"
+    script = asked or study.folder / "figure.py"
     if not script.is_file():
+        if asked is None and study.kind == "grid":
+            return usual_figure.draw
         raise UserError(f"{script}: not found; the study has no figure script")
-    draw = load_script(script).draw
+    draw = getattr(load_script(script), "draw", None)
+    if draw is None:
+        raise UserError(f"{script}: has no function draw(groups)")
     if [*inspect.signature(draw).parameters][:1] != ["groups"]:
         raise UserError(
             f"{script}: draw takes the path of a result; write draw(groups) instead, which is "
             'handed the opened datasets: groups[""] is the study, groups["NAME"] a comparison'
         )
     return draw
-
-
-def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "") -> None:
-    """Say under the figure how large the study was, and from which seed."""
-    points = int(dataset.realizations.size)
-    plural = "s" if points != 1 else ""
-    text = (
-        f"{points} grid point{plural}, {int(dataset.realizations.max())} realizations each, "
-        f"seed {dataset.attrs['seed']}; bars: one jackknife standard error"
-    )
-    hollow = int(not_resolved(dataset).sum())
-    write_below(figure, text, note, f"{HOLLOW} ({hollow} points)" if hollow else "")
-
-
-def write_below(figure: Figure, *notes: str) -> None:
-    """Write small lines under the figure, each note wrapped to its width."""
-    width = int(FOOT_CHARACTERS_PER_INCH * figure.get_figwidth())
-    lines = [line for note in notes for line in textwrap.wrap(note, width)]
-    figure.supxlabel("\n".join(lines), color="0.35")
-
-
-def error_bars(
-    ax: Axes,
-    points: xr.Dataset,
-    name: str,
-    over: str,
-    log: bool = False,
-    bias: xr.DataArray | float = 0.0,
-    **style: Any,
-) -> None:
-    """Draw an estimate with its standard errors over another variable of a result.
-
-    Points whose contacts are not resolved are hollow. ``log`` : bars as of ``log_bars``.
-    ``bias`` : added to the standard errors. ``style`` : as for matplotlib's errorbar.
-    """
-    value, error = points[name].values, (points[f"{name}_error"] + bias).values
-    bars = log_bars(value, error) if log else error
-    drawn = ax.errorbar(points[over], value, bars, **style)
-    hollow = not_resolved(points)
-    if hollow.shape == value.shape and hollow.any():
-        ring: dict[str, Any] = {"color": drawn.lines[2][0].get_color()[0], "mfc": "white"}
-        ring |= {"ms": style["ms"]} if "ms" in style else {}
-        ax.plot(points[over].values[hollow], value[hollow], "o", mew=0.6, zorder=2.5, **ring)
-
-
-def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
-    """Return lengths of error bars that are symmetric in the logarithm: none reaches zero.
-
-    A bar is at most a factor of ten long each way.
-    """
-    ratio = np.minimum(error / value, np.log(10.0))
-    return [value * -np.expm1(-ratio), value * np.expm1(ratio)]

@@ -12,7 +12,8 @@ import xarray as xr
 from workflow.errors import UserError
 from workflow.reduce import STATUS_MEANINGS
 from workflow.report.claims import evaluate, known_claims
-from workflow.report.figure import STYLE, draw_groups
+from workflow.report.drawing import STYLE
+from workflow.report.figure import draw_groups
 from workflow.report.page import render
 from workflow.result import ROOT, Groups, differing_settings, listed, open_result, result_file
 from workflow.study import AXES, AnyStudy, known_studies, read_study

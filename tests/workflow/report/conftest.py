@@ -20,7 +20,7 @@ def report():
 
     def write(folder):
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(figure, "_script", lambda _: draw)
+            patch.setattr(figure, "_script", lambda *_: draw)
             return write_report(folder, [])
 
     return write

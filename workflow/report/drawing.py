@@ -1,0 +1,105 @@
+"""How all figures look: style, colours, error bars, hollow markers, notes below."""
+
+import textwrap
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+from matplotlib.lines import Line2D
+
+from workflow.report.resolution import HOLLOW, not_resolved
+
+STYLE: dict[str, Any] = {
+    "figure.dpi": 150,
+    "savefig.dpi": 200,
+    "font.size": 8.0,
+    "axes.labelsize": 8.5,
+    "axes.titlesize": 8.5,
+    "axes.titlelocation": "left",
+    "figure.labelsize": 6.0,  # notes below a figure
+    "figure.constrained_layout.use": True,
+    "legend.fontsize": 7.0,
+    "legend.frameon": False,
+    "lines.linewidth": 1.0,
+    "lines.markersize": 3.0,
+    "errorbar.capsize": 1.5,
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "xtick.direction": "in",
+    "ytick.direction": "in",
+    "pdf.fonttype": 42,
+}
+
+FOOT_CHARACTERS_PER_INCH = 21
+
+# Okabe and Ito: distinguishable with any colour vision.
+COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
+
+# Hollow markers are larger than filled ones, and white inside: apart in print as well.
+RING: dict[str, Any] = {"mfc": "white", "mew": 0.9, "ms": 3.4, "gid": "hollow"}
+
+
+def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "", bars: str = "bars") -> None:
+    """Say under the figure how large the study was, and from which seed.
+
+    bars : what shows the standard errors. Where points that are not resolved have been drawn, a
+    legend above the figure says what their hollow markers are.
+    """
+    points = int(dataset.realizations.size)
+    plural = "s" if points != 1 else ""
+    text = (
+        f"{points} grid point{plural}, {int(dataset.realizations.max())} realizations each, "
+        f"seed {dataset.attrs['seed']}; {bars}: one jackknife standard error"
+    )
+    write_below(figure, text, note)
+    lines = [line for ax in figure.axes for line in ax.lines if line.get_gid() == RING["gid"]]
+    if lines:
+        hollow = sum(np.size(line.get_xdata()) for line in lines)
+        ring = Line2D([], [], ls="", marker="o", color="0.3", **RING)
+        label = f"{HOLLOW} ({hollow} of the points shown)"
+        figure.legend([ring], [label], loc="outside upper right", fontsize=6, handletextpad=0.2)
+
+
+def write_below(figure: Figure, *notes: str) -> None:
+    """Write small lines under the figure, each note wrapped to its width."""
+    width = int(FOOT_CHARACTERS_PER_INCH * figure.get_figwidth())
+    lines = [line for note in notes for line in textwrap.wrap(note, width)]
+    figure.supxlabel("\n".join(lines), color="0.35")
+
+
+def error_bars(
+    ax: Axes,
+    points: xr.Dataset,
+    name: str,
+    over: str,
+    log: bool = False,
+    bias: xr.DataArray | float = 0.0,
+    **style: Any,
+) -> None:
+    """Draw an estimate with its standard errors over another variable of a result.
+
+    Points whose contacts are not resolved are hollow. ``log`` : bars as of ``log_bars``.
+    ``bias`` : added to the standard errors. ``style`` : as for matplotlib's errorbar.
+    """
+    value, error = points[name].values, (points[f"{name}_error"] + bias).values
+    bars = log_bars(value, error) if log else error
+    drawn = ax.errorbar(points[over], value, bars, **style)
+    hollow = not_resolved(points)
+    if hollow.shape == value.shape and hollow.any():
+        line = drawn.lines[0]
+        marker = line.get_marker() if line is not None else "None"
+        ring: dict[str, Any] = {"color": drawn.lines[2][0].get_color()[0], "ls": ""} | RING
+        ring["marker"] = "o" if marker in ("None", None, "") else marker
+        ring["ms"] = max(RING["ms"], style.get("ms", 0.0) + 0.8)
+        ax.plot(points[over].values[hollow], value[hollow], zorder=2.5, **ring)
+
+
+def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
+    """Return lengths of error bars that are symmetric in the logarithm: none reaches zero.
+
+    A bar is at most a factor of ten long each way.
+    """
+    ratio = np.minimum(error / value, np.log(10.0))
+    return [value * -np.expm1(-ratio), value * np.expm1(ratio)]
