@@ -6,6 +6,7 @@ from pathlib import Path
 
 from workflow import report
 from workflow.cli.animate import add_animate_options, run_animate
+from workflow.cli.fit import add_fit_options, run_fit
 from workflow.cli.kinds import KINDS
 from workflow.cli.prony import add_prony_options, run_prony
 from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
@@ -64,12 +65,18 @@ def command_parser() -> argparse.ArgumentParser:
         )
         if name == "run":
             add_run_options(command)
+        if name == "figure":
+            command.add_argument(
+                "--script", type=Path, help="draws instead of the study's figure.py"
+            )
     text = "write report.html: all figures, and the claims of the paper beside the results"
     page = commands.add_parser("report", help=text, description=text)
     page.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
     page.add_argument("--out", default="results", help="folder of results")
     text = "fit a Prony series to measured moduli G' and G'', and print the table [material]"
     add_prony_options(commands.add_parser("prony", help=text, description=text))
+    text = "fit the kinetic law to measured velocity steps, and say what they determine of it"
+    add_fit_options(commands.add_parser("fit", help=text, description=text))
     text = "check every line of a journal, every shard and every key in it; change nothing"
     add_verify_options(commands.add_parser("verify", help=text, description=text))
     text = "take over the finished work of another folder of results"
@@ -107,7 +114,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _figure(options: argparse.Namespace) -> int:
-    print(*report.draw_figure(*_checked(options)), sep="\n")
+    print(*report.draw_figure(*_checked(options), options.script), sep="\n")
     return DONE
 
 
@@ -138,6 +145,7 @@ COMMANDS = {
     "report": _report,
     "animate": run_animate,
     "prony": run_prony,
+    "fit": run_fit,
     "verify": run_verify,
     "merge": run_merge,
 }

@@ -45,7 +45,7 @@ if TYPE_CHECKING:
         RESOLVED,
         UNRESOLVED,
     )
-    from workflow.reduce.scenes import LAWS, fit_rate_state
+    from workflow.reduce.scenes import LAWS, fit_rate_state, step_law
     from workflow.reduce.statistics import (
         grouped_means,
         replicates,

@@ -9,6 +9,6 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.reduce.scenes.programmes import reduce_programmes, reduce_steps
-    from workflow.reduce.scenes.rate_state import LAWS, fit_rate_state
+    from workflow.reduce.scenes.rate_state import LAWS, fit_rate_state, step_law
 
 __all__, __getattr__ = public_names(__name__, __file__)

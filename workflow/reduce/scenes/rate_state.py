@@ -65,7 +65,7 @@ def fit_rate_state(
     if s.size < LEAST_SAMPLES:
         return _nothing(size, UNDETERMINED)
     scale, span = sign * max(abs(curves[0, 0]), 1e-300), s[-1]
-    model, start = _model(law, ratio), _start(s / span, curves[0] / scale, ratio, law)
+    model, start = step_law(law, ratio), _start(s / span, curves[0] / scale, ratio, law)
     with np.errstate(all="ignore"):
         mean = fit_curves(model, s / span, curves[:1] / scale, start)
         others = fit_curves(model, s / span, curves[1:] / scale, mean[0])
@@ -95,8 +95,13 @@ def _sign(deviation: np.ndarray, ratio: float) -> float:
     return up if np.max(up * deviation) >= np.max(-up * deviation) else -up
 
 
-def _model(law: str, ratio: float) -> Callable:
-    """Return the law for parameters (b over the scale, log of span/D_c)."""
+def step_law(law: str, ratio: float) -> Callable:
+    """Return mu - mu_2 after a step by v2/v1 = ratio, a Model for ``fit_curves``.
+
+    Its parameters are b and the logarithm of 1/D_c, in the unit of the distances that it is given:
+    b over the scale and span/D_c above. Over times instead of distances the second one is the
+    logarithm of v2/D_c, and Ruina's law is eq. 6.
+    """
     if law == "ruina":
         return lambda p, s: _ruina(p, s, math.log(ratio))
     return lambda p, s: _dieterich(p, s, ratio)

@@ -1,0 +1,86 @@
+"""Several speeds: tau, H and q_max where the data determine them, and none of them elsewhere."""
+
+import numpy as np
+import pytest
+
+from tests.workflow.laboratory.given import HURST, Q_MAX, TAU, law, record
+from workflow.laboratory.errors import Estimate
+from workflow.laboratory.speeds import Known, fit_rates
+from workflow.laboratory.step_fit import fit_step
+from workflow.laboratory.steps import steps_of
+
+STEP = fit_step(*steps_of(record()))
+BOTH, RIGHT, LEFT = [2e-3, 5e-3, 8e-3, 2e-2, 5e-2, 0.1, 0.3], [0.02, 0.05, 0.1, 0.3], [1e-3, 3e-3]
+NAMES = ("relaxation_time", "hurst", "q_max")
+
+
+def rates(speeds, known=Known(), share=0.02, seed=None, **changes):  # noqa: B008
+    """Return what rates with relative errors determine; seed: of their scatter, None for none."""
+    off = 0.0 * np.array(speeds)
+    if seed is not None:
+        off = share * np.random.default_rng(seed).standard_normal(len(speeds))
+    fits = []
+    for v, more in zip(speeds, off, strict=True):
+        rate = float(np.exp(more) / law(**changes).relaxation_times(v))
+        step = STEP.step._replace(v1=v, v2=1.2 * v)
+        fits.append(STEP._replace(step=step, rate=Estimate(rate, share * rate)))
+    return fit_rates(fits, known)
+
+
+def found(result):
+    """Return which of tau, H and q_max are determined."""
+    return [name for name in NAMES if getattr(result, name).known]
+
+
+@pytest.mark.parametrize("below", [False, True])
+def test_stated_errors_hold_two_thirds_of_the_estimates(below):
+    results = [rates(BOTH, seed=seed, time_below_one=below) for seed in range(30)]
+    assert all(result.time_below_one == below for result in results)
+    for name, true in zip(NAMES, (TAU, HURST, Q_MAX), strict=True):
+        estimates = [getattr(result, name) for result in results]
+        pulls = np.array([(each.value - true) / each.error for each in estimates])
+        assert np.isfinite(pulls).all()
+        assert np.mean(abs(pulls) < 1.0) > 0.5, name
+        assert np.mean(abs(pulls) < 3.0) > 0.95, name
+
+
+@pytest.mark.parametrize(
+    ("speeds", "known", "determined"),
+    [
+        (BOTH, Known(), ["relaxation_time", "hurst", "q_max"]),
+        (RIGHT, Known(), ["hurst"]),
+        (RIGHT, Known(relaxation_time=TAU), ["relaxation_time", "hurst", "q_max"]),
+        (RIGHT, Known(q_max=Q_MAX), ["relaxation_time", "hurst", "q_max"]),
+        ([0.1], Known(), []),
+        ([0.1], Known(relaxation_time=TAU), ["relaxation_time"]),
+        ([0.1], Known(TAU, None, Q_MAX), ["relaxation_time", "hurst", "q_max"]),
+        ([0.1], Known(None, HURST, Q_MAX), ["relaxation_time", "hurst", "q_max"]),
+        (LEFT, Known(None, HURST, Q_MAX), ["hurst", "q_max"]),
+    ],
+)
+def test_what_the_speeds_determine(speeds, known, determined):
+    result = rates(speeds, known)
+    assert found(result) == determined
+    for name, true in zip(NAMES, (TAU, HURST, Q_MAX), strict=True):
+        each = getattr(result, name)
+        assert not each.known or abs(each.value - true) <= max(each.error, 1e-9 * true)
+
+
+def test_one_speed_has_no_exponent_and_several_that_of_the_right_branch():
+    one, many = rates([0.1]), rates(RIGHT)
+    assert not one.exponent.known
+    assert one.speeds == 1
+    assert one.rate.value == pytest.approx(1.0 / law().relaxation_times(0.1))
+    assert many.exponent.value == pytest.approx(1.0 - HURST)
+    assert many.speeds == 4
+
+
+def test_rates_that_scatter_more_than_their_errors_enlarge_them():
+    calm, wild = (rates(BOTH, share=0.005, seed=1), rates(BOTH, share=0.005))
+    assert calm.squares > wild.squares
+    scattered = [rates(BOTH, share=0.05, seed=s) for s in range(3)]
+    assert all(each.hurst.error > 2.0 * wild.hurst.error for each in scattered)
+
+
+def test_no_rate_no_result():
+    assert fit_rates([STEP._replace(rate=Estimate())], Known()) is None

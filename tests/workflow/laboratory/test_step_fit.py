@@ -1,0 +1,100 @@
+"""One step: known parameters within stated errors, and nothing where the data say nothing."""
+
+import math
+
+import numpy as np
+import pytest
+
+from tests.workflow.laboratory.given import record
+from workflow.laboratory.step_fit import NOTHING, TOO_COARSE, TOO_NOISY, TOO_SHORT, fit_step
+from workflow.laboratory.steps import steps_of
+from workflow.reduce import LAWS, step_law
+
+TRUE = {"mu_1": 0.3, "mu_2": 0.32, "jump": 0.05, "amplitude": 0.03, "rate": 8.0}
+
+
+def fitted(*arguments, law="ruina", **options):
+    (step,) = steps_of(record(*arguments, **options))
+    return fit_step(step, law)
+
+
+@pytest.mark.parametrize(("correlation", "size"), [(0.0, 2e-3), (0.8, 1e-3)])
+def test_stated_errors_are_those_of_the_estimates(correlation, size):
+    fits = [fitted(seed, correlation=correlation, size=size) for seed in range(36)]
+    for name, true in TRUE.items():
+        found = [getattr(fit, name) for fit in fits]
+        pulls = np.array([(each.value - true) / each.error for each in found])
+        if name == "rate":  # whose error is that of its logarithm
+            pulls = np.array(
+                [np.log(each.value / true) * each.value / each.error for each in found]
+            )
+        assert 0.65 < pulls.std() < 1.5, name
+        assert np.mean(abs(pulls) < 1.0) > 0.4, name
+
+
+def test_without_noise_the_estimates_are_exact_but_for_the_moment_of_the_step():
+    fit = fitted(size=0.0)
+    for name, true in TRUE.items():
+        assert getattr(fit, name).value == pytest.approx(true, rel=1e-6)
+    between = 2.0 / 400  # s, two samples
+    assert fit.jump.error == pytest.approx(0.03 * 8.0 * between / math.sqrt(12.0), rel=1e-3)
+    assert fit.mu_2.error < 1e-9
+
+
+@pytest.mark.parametrize(
+    ("options", "why"),
+    [
+        ({"jump": 0.02}, NOTHING),
+        ({"rate": 0.05, "size": 1e-4}, TOO_SHORT),
+        ({"rate": 300.0}, TOO_COARSE),
+        ({"size": 3e-2}, {NOTHING, TOO_NOISY, TOO_SHORT, TOO_COARSE}),
+    ],
+    ids=["no relaxation", "slow", "fast", "noise"],
+)
+def test_a_rate_that_the_data_leave_open_is_none(options, why):
+    fit = fitted(**options)
+    assert not fit.rate.known
+    assert fit.why["rate"] in why if isinstance(why, set) else fit.why["rate"] == why
+    assert not fit.state()[2].known
+
+
+def test_what_does_not_depend_on_the_rate_is_known_without_it():
+    still, slow = fitted(jump=0.02), fitted(rate=0.05, size=1e-4)
+    assert abs(still.jump.value - 0.02) < 3.0 * still.jump.error < 0.01
+    assert abs(slow.jump.value - 0.05) < 3.0 * slow.jump.error < 0.01
+
+
+def test_the_end_of_a_relaxation_that_was_not_seen_is_not_determined():
+    for size in (1e-4, 1e-3):  # seen to be slow, and taken for steady
+        fit = fitted(rate=0.02, size=size)
+        assert not fit.mu_2.known
+        assert set(fit.why) == {"mu_2", "amplitude", "rate"}
+        assert abs(fit.jump.value - 0.05) < 3.0 * fit.jump.error < 0.01
+
+
+@pytest.mark.parametrize("law", LAWS)
+@pytest.mark.parametrize("ratio", [0.2, 3.0])
+def test_constants_of_a_state_law_are_found(law, ratio):
+    a, b, length, v1 = 0.03, 0.05, 1e-3, 1e-2
+    rate = ratio * v1 / length
+    one = record(v=(v1, ratio * v1), size=0.0, span=10.0 / rate)
+    curve = step_law(law, ratio)(np.array([[b, math.log(rate)]]), np.clip(one.time, 0.0, None))[0][
+        0
+    ]
+    after = 0.3 + (a - b) * math.log(ratio) + curve
+    rng = np.random.default_rng(3)
+    friction = np.where(one.time < 0.0, 0.3, after) + 2e-4 * rng.standard_normal(one.time.size)
+    fit = fit_step(*steps_of(one._replace(friction=friction)), law)
+    for found, true in zip(fit.state(), (a, b, length), strict=True):
+        assert abs(found.value - true) < 4.0 * found.error
+        assert found.error < 0.1 * true
+    other = fit_step(*steps_of(one._replace(friction=friction)), LAWS[law == LAWS[0]])
+    assert other.rms > 1.5 * fit.rms
+
+
+def test_drift_before_the_step_is_seen():
+    one = record(size=1e-4)
+    assert abs(fit_step(*steps_of(one)).drift.value) < 4e-5
+    drifting = one._replace(friction=one.friction + 0.01 * one.time)
+    drift = fit_step(*steps_of(drifting)).drift
+    assert drift.value == pytest.approx(0.01, abs=3.0 * drift.error)

@@ -1,0 +1,63 @@
+"""The command ``fit``: what measured velocity steps determine of the kinetic law."""
+
+import argparse
+from pathlib import Path
+
+from workflow.errors import UserError
+from workflow.laboratory import (
+    TIMES,
+    VELOCITIES,
+    Known,
+    describe,
+    draw_fit,
+    fit_records,
+    read_record,
+)
+from workflow.system import make_folder
+
+DONE = 0
+
+
+def add_fit_options(command: argparse.ArgumentParser) -> None:
+    """Add what the command ``fit`` is told."""
+    add = command.add_argument
+    add("files", nargs="+", metavar="FILE", help="text file with time, velocity and friction")
+    add("--columns", default="0,1,2", help="columns of time, velocity, friction, from 0 (0,1,2)")
+    add("--time", choices=TIMES, help="unit of times (header, else s)")
+    add("--velocity", choices=VELOCITIES, help="unit of velocities (header, else m/s)")
+    add("--window", type=float, help="seconds after each step that are fitted, at most (all)")
+    add("--relaxation-time", type=float, help="tau in s, where it is known from elsewhere")
+    add("--hurst", type=float, help="H, where it is known from elsewhere")
+    add("--q-max", type=float, help="q_max in 1/m, where it is known from elsewhere")
+    add("--out", default="results/fit.png", help="figure, as PNG and PDF (results/fit.png)")
+
+
+def run_fit(options: argparse.Namespace) -> int:
+    """Read, fit, print and draw; return the exit status."""
+    known = Known(options.relaxation_time, options.hurst, options.q_max)
+    _check(options, known)
+    columns = _columns(options.columns)
+    records = [read_record(Path(f), columns, options.time, options.velocity) for f in options.files]
+    fit = fit_records(records, known, options.window)
+    print(*describe(fit), sep="\n")
+    path = Path(options.out)
+    make_folder(path.parent)
+    print(*draw_fit(fit, path), sep="\n")
+    return DONE
+
+
+def _columns(text: str) -> tuple[int, ...]:
+    words = text.split(",")
+    if len(words) != 3 or not all(word.strip().isdecimal() for word in words):
+        raise UserError(f"--columns {text}: must be three numbers from 0, as 0,1,2")
+    return tuple(map(int, words))
+
+
+def _check(options: argparse.Namespace, known: Known) -> None:
+    positive = {"--window": options.window, "--q-max": known.q_max}
+    positive["--relaxation-time"] = known.relaxation_time
+    for name, value in positive.items():
+        if value is not None and not 0.0 < value < float("inf"):
+            raise UserError(f"{name} {value:g}: must be greater than zero")
+    if known.hurst is not None and not 0.0 <= known.hurst <= 1.0:
+        raise UserError(f"--hurst {known.hurst:g}: must lie between 0 and 1")

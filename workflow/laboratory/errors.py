@@ -1,0 +1,62 @@
+"""Numbers with their standard errors, under noise that is correlated from sample to sample.
+
+Friction that a machine records is filtered, and vibrates: neighbouring samples are not
+independent, and errors that count them as such are too small. The variance of a mean of n samples
+is 1 + 2 (rho_1 + rho_2 + ...) times that of n independent ones, rho_k the autocorrelation at k
+samples; that of smooth fits is, too, as long as the noise forgets faster than the fit bends.
+Source: A. D. Sokal, Monte Carlo Methods in Statistical Mechanics (1997), sec. 3: the sum ends at
+the first lag of five times itself. U. Wolff, Comput. Phys. Commun. 156, 143 (2004), eq. 49: what
+the sum loses as the mean of the same samples is taken out of them.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+DEVIATIONS = 3.0  # standard errors that are left to chance, as everywhere in this program
+WINDOW = 5.0  # integrated autocorrelation times over which the sum goes
+
+
+class Estimate(NamedTuple):
+    """An estimate with its standard error; NaN where the data do not determine it."""
+
+    value: float = math.nan
+    error: float = math.nan
+
+    @property
+    def known(self) -> bool:
+        """Return whether the data determine it."""
+        return math.isfinite(self.value) and math.isfinite(self.error)
+
+    def times(self, factor: float) -> "Estimate":
+        """Return the multiple by an exact factor."""
+        return Estimate(self.value * factor, self.error * abs(factor))
+
+    def if_below(self, largest: float) -> "Estimate":
+        """Return it where its error is below ``largest``, else none."""
+        return self if self.error < largest else Estimate()
+
+
+def correlation_factor(residual: np.ndarray) -> float:
+    """Return the factor on variances, 1 for independent samples; residual : shape (samples,).
+
+    Never less than one, as anticorrelation is no reason to trust a fit more.
+    """
+    n = residual.size
+    centred = residual - residual.mean()
+    spectrum = np.abs(np.fft.rfft(centred, 2 * n)) ** 2
+    covariance = np.fft.irfft(spectrum)[:n]
+    if not covariance[0] > 0.0:
+        return 1.0
+    sums = 2.0 * np.cumsum(covariance / covariance[0]) - 1.0
+    ends = np.flatnonzero(np.arange(n) >= 0.5 * WINDOW * sums)
+    last = int(ends[0]) if ends.size else n - 1
+    return max(float(sums[last]) * (1.0 + (2 * last + 1) / n), 1.0)
+
+
+def mean(values: np.ndarray) -> Estimate:
+    """Return the mean of a stretch of samples, shape (samples,)."""
+    n = values.size
+    error = values.std(ddof=1) * np.sqrt(correlation_factor(values) / n)
+    return Estimate(float(values.mean()), float(error))

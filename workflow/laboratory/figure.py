@@ -1,0 +1,119 @@
+"""Draw each step with its fits and their residuals, and the rates and jumps over the speed."""
+
+import math
+from pathlib import Path
+
+import numpy as np
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from workflow.kinetic_law import relaxation_rate
+from workflow.laboratory.fit import Fit
+from workflow.laboratory.jumps import predicted_jump
+from workflow.laboratory.speeds import Rates
+from workflow.laboratory.step_fit import StepFit
+from workflow.report import COLOURS, write_below, write_figure
+
+ACROSS = 3  # steps beside each other
+MOST_STEPS = 12  # that are drawn
+MOST_SAMPLES = 4000  # of a step that are drawn
+EQ_6, AGEING = COLOURS[4], COLOURS[0]
+MEASURED = "0.6"
+
+
+def draw_fit(fit: Fit, path: Path) -> list[Path]:
+    """Draw the fit as PNG and PDF; return the files. Raises UserError for a disk that refuses."""
+    return write_figure(lambda: figure_of(fit), path)
+
+
+def figure_of(fit: Fit) -> Figure:
+    """Return the figure of a fit."""
+    steps = list(zip(fit.steps, fit.ageing, strict=True))[:MOST_STEPS]
+    rows = math.ceil(len(steps) / ACROSS)
+    several = fit.rates is not None and len(fit.steps) > 1
+    heights = [2.0, 0.8] * rows + [2.2] * several
+    across = ACROSS if several else min(len(steps), ACROSS)
+    figure = plt.figure(figsize=(1.0 + 2.4 * across, 0.5 + sum(heights)))
+    grid = figure.add_gridspec(len(heights), across, height_ratios=heights)
+    for i, (step, ageing) in enumerate(steps):
+        row, place = 2 * (i // ACROSS), i % ACROSS
+        upper = figure.add_subplot(grid[row, place])
+        lower = figure.add_subplot(grid[row + 1, place], sharex=upper)
+        _step(upper, lower, step, ageing)
+    if several:
+        assert fit.rates is not None
+        last = grid[-1, :].subgridspec(1, 2)
+        _rates(figure.add_subplot(last[0]), fit, fit.rates)
+        _jumps(figure.add_subplot(last[1]), fit)
+    figure.axes[0].legend(loc="best", fontsize=6)
+    _notes(figure, len(fit.steps))
+    return figure
+
+
+def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
+    step = fit.step
+    every = slice(None, None, max(1, step.time.size // MOST_SAMPLES))
+    t = step.time[every]
+    # What was measured before has no times here; it is as long as it is.
+    before = -np.arange(step.before.size, 0, -1) * (step.time[-1] / step.time.size)
+    shown = before > -0.3 * step.time[-1]
+    upper.plot(before[shown], step.before[shown], ".", ms=1.0, color=MEASURED)
+    upper.plot(t, step.after[every], ".", ms=1.0, color=MEASURED, label="measured")
+    upper.plot(before[shown], np.full(int(shown.sum()), fit.mu_1.value), "-", color=EQ_6)
+    for each, colour, style, label in (
+        (ageing, AGEING, "--", "Dieterich"),
+        (fit, EQ_6, "-", "eq. 6 (Ruina)"),
+    ):
+        upper.plot(t, each.curve[every], style, color=colour, label=label)
+        rest = (step.after - each.curve)[every]
+        lower.plot(t, rest, "." if each is fit else ",", ms=1.0, color=colour, alpha=0.6)
+    lower.axhline(0.0, color="k", lw=0.6)
+    upper.tick_params(labelbottom=False)
+    upper.set_title(f"{step.name}\n{step.v1:.3g} to {step.v2:.3g} m/s", fontsize=7)
+    upper.set_ylabel("$\\mu$")
+    lower.set(xlabel="time after the step (s)", ylabel="residual")
+
+
+def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
+    """Draw k over v1, the power law, and eq. 13 where all of it is determined."""
+    known = [each for each in fit.steps if each.rate.known]
+    v = np.array([each.step.v1 for each in known])
+    k, error = np.array([each.rate for each in known]).T
+    ax.errorbar(v, k, error, fmt="o", color="k", ms=3)
+    span = np.geomspace(0.7 * v.min(), 1.4 * v.max(), 200)
+    if rates.exponent.known:
+        power = rates.rate.value * (span / rates.at) ** rates.exponent.value
+        ax.plot(span, power, ":", color="0.5", label=f"exponent {rates.exponent.value:.2f}")
+    tau, hurst, q_max = rates.relaxation_time, rates.hurst, rates.q_max
+    if tau.known and hurst.known and q_max.known:
+        b = relaxation_rate(span * tau.value * q_max.value, hurst.value, rates.time_below_one)
+        ax.plot(span, b / tau.value, "-", color=EQ_6, label="eq. 13")
+    ax.set(xscale="log", yscale="log", xlabel="$v_1$ (m/s)", ylabel="rate $b/\\tau$ (1/s)")
+    ax.set_xlim(0.5 * v.min(), 2.0 * v.max())
+    if ax.get_legend_handles_labels()[0]:
+        ax.legend(loc="upper left")
+
+
+def _jumps(ax: Axes, fit: Fit) -> None:
+    """Draw the jump over the friction before it, and eq. 12 where grad z is determined."""
+    known = [each for each in fit.steps if each.jump.known]
+    mu = np.array([each.mu_1.value for each in known])
+    jump, error = (
+        np.array([each.jump.times(1.0 / (each.step.ratio - 1.0)) for each in known])
+        .reshape(-1, 2)
+        .T
+    )
+    ax.errorbar(mu, jump, error, fmt="o", color="k", ms=3)
+    if fit.slope.known:
+        span = np.linspace(0.0, 1.1 * mu.max(), 100)[1:]
+        label = f"eq. 12, $\\nabla z = {fit.slope.value:.3g}$"
+        ax.plot(span, predicted_jump(span, fit.slope.value), "-", color=EQ_6, label=label)
+        ax.legend(loc="upper left")
+    ax.set(xlabel="$\\mu_1$", ylabel="$\\Delta\\mu_0/(\\Delta v/v_1)$")
+    ax.set_xlim(0.0, 1.1 * mu.max() if mu.size else 1.0)
+
+
+def _notes(figure: Figure, count: int) -> None:
+    drawn = f"The first {MOST_STEPS} of {count} steps are drawn. " if count > MOST_STEPS else ""
+    write_below(figure, f"{drawn}Bars: one standard error, correlated noise counted as it is.")

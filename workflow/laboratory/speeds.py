@@ -1,0 +1,174 @@
+"""tau, H and q_max from the rates at several speeds (eq. 13).
+
+With s = log v1, y = log k, Q = log q_max, T = log tau the rate of eqs. 13 to 16 is a line with a
+kink at s_c = -Q - T, where x = v1 tau q_max = 1:
+
+    y = s + Q - H max(0, s - s_c)                  as printed: b = x below x = 1
+    y = max(s, s_c) + Q - H max(0, s - s_c)        b = 1 below x = 1, see KineticLaw
+
+For a given kink it is linear in Q and H. So all kinks are tried, of both laws, and with each all Q
+and H within three standard errors: what is the same in all of them is determined. Speeds on one
+side of x = 1 alone determine an exponent and one rate; either side tells q_max or tau, the other
+one H, the kink the third.
+Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 10 to 16.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from workflow.laboratory.errors import DEVIATIONS, Estimate
+from workflow.laboratory.step_fit import LARGEST_SHARE, StepFit
+
+LEAST_ERROR = 1e-3  # of the logarithm of a rate or jump: nothing is measured better
+KINK = 2e-3  # distance of the kinks that are tried, between the speeds
+BEYOND = 14.0  # log of speeds: so far beyond the speeds kinks are tried
+ACROSS = np.linspace(0.0, 1.0, 9)  # places between the least and the largest H of a kink
+FLAT = 1e-12  # share of the largest: no dependence
+LARGEST_ERROR_OF_H = 0.15
+APART = 0.02  # log of speeds that are two and not one
+
+
+class Known(NamedTuple):
+    """What is known from elsewhere, SI units; None: to be found."""
+
+    relaxation_time: float | None = None
+    hurst: float | None = None
+    q_max: float | None = None
+
+
+class Rates(NamedTuple):
+    """What rates at several speeds determine; NaN where they do not."""
+
+    relaxation_time: Estimate  # s
+    hurst: Estimate
+    q_max: Estimate  # 1/m
+    exponent: Estimate  # of k over v1: a power law through all speeds
+    at: float  # m/s, the speed at which ...
+    rate: Estimate  # ... this is the rate by the power law, 1/s
+    time_below_one: bool  # the second of the two laws fits better
+    squares: float  # sum of squares over variances of the better law
+    speeds: int
+
+
+class _Kinks(NamedTuple):
+    """Sums of squares a0 + 2 a1 H + a2 H^2 of one law, and Q = q0 + q1 H; arrays over kinks."""
+
+    kink: np.ndarray
+    a: tuple[np.ndarray, np.ndarray, np.ndarray]
+    q: tuple[np.ndarray, np.ndarray]
+    weight: float  # of the squares in Q; infinite where Q is given
+
+    def squares(self, h: np.ndarray) -> np.ndarray:
+        """Return the sums of squares at given H, shape (kinks, ...)."""
+        a0, a1, a2 = (each[:, None] for each in self.a)
+        return a0 + 2.0 * a1 * h + a2 * h**2
+
+
+def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
+    """Return what the rates of steps determine; None where no step determines its rate."""
+    found = [fit for fit in fits if fit.rate.known]
+    if not found:
+        return None
+    s = np.log([fit.step.v1 for fit in found])
+    y = np.log([fit.rate.value for fit in found])
+    share = [max(fit.rate.error / fit.rate.value, LEAST_ERROR) for fit in found]
+    w = np.array(share) ** -2.0
+    laws = [_kinks(s, y, w, known, below) for below in (False, True)]
+    bests = [_best(law, known) for law in laws]
+    better = int(bests[1][0] < bests[0][0])
+    squares, *values = bests[better]
+    free = sum(each is None for each in known)
+    scatter = max(1.0, squares / max(s.size - free, 1))  # rates scatter more than they are known
+    ends = np.concatenate([_within(law, squares + DEVIATIONS**2 * scatter, known) for law in laws])
+    errors = np.ptp(ends, axis=0) / (2.0 * DEVIATIONS)
+    h, q, t = (Estimate(*pair) for pair in zip(values, errors, strict=True))
+    exponent, at, rate = _power_law(s, y, w)
+    return Rates(
+        relaxation_time=_exp(t, known.relaxation_time),
+        hurst=h.if_below(LARGEST_ERROR_OF_H) if known.hurst is None else Estimate(known.hurst, 0.0),
+        q_max=_exp(q, known.q_max),
+        exponent=exponent,
+        at=at,
+        rate=rate,
+        time_below_one=bool(better),
+        squares=squares,
+        speeds=1 + int(np.sum(np.diff(np.sort(s)) > APART)),
+    )
+
+
+def _kinks(s: np.ndarray, y: np.ndarray, w: np.ndarray, known: Known, below: bool) -> _Kinks:
+    """Return the sums of squares of one law; below : b = 1 below x = 1."""
+    fine = np.arange(s.min() - 0.5, s.max() + 0.5, KINK)
+    far = np.arange(0.5, BEYOND, 0.05)
+    c = np.concatenate([s.min() - far[::-1], fine, s.max() + far])
+    q_given = None if known.q_max is None else np.full_like(c, np.log(known.q_max))
+    if known.relaxation_time is not None:
+        if q_given is not None:
+            c = np.array([-np.log(known.relaxation_time) - q_given[0]])
+        q_given = -c - np.log(known.relaxation_time)
+    m = np.maximum(s - c[:, None], 0.0)
+    r = y - np.maximum(s, c[:, None] if below else -np.inf) + 0.0 * m
+    if q_given is None:
+        q0, q1 = (r @ w) / w.sum(), (m @ w) / w.sum()
+    else:
+        q0, q1 = q_given, np.zeros_like(c)
+    r, m = r - q0[:, None], m - q1[:, None]  # the squares of r + H m
+    a = ((r * r) @ w, (r * m) @ w, (m * m) @ w)
+    return _Kinks(c, a, (q0, q1), float(w.sum()) if q_given is None else np.inf)
+
+
+def _best(law: _Kinks, known: Known) -> tuple[float, float, float, float]:
+    """Return the least sum of squares, and H, Q and T there."""
+    _, a1, a2 = law.a
+    flat = a2 <= FLAT * a2.max()
+    h = np.clip(np.where(flat, 0.5, -a1 / np.where(flat, 1.0, a2)), 0.0, 1.0)
+    if known.hurst is not None:
+        h = np.full_like(h, known.hurst)
+    squares = law.squares(h[:, None])[:, 0]
+    k = int(np.argmin(squares))
+    q = law.q[0][k] + h[k] * law.q[1][k]
+    return float(squares[k]), float(h[k]), float(q), float(-law.kink[k] - q)
+
+
+def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
+    """Return H, Q and T whose sum of squares is ``most`` at most: their ends, shape (n, 3)."""
+    a0, a1, a2 = law.a
+    steep = np.maximum(a2, FLAT * max(a2.max(), 1.0))
+    room = most - a0 + a1**2 / steep
+    half = np.sqrt(np.clip(room, 0.0, None) / steep)
+    low, high = (np.clip(-a1 / steep + side * half, 0.0, 1.0) for side in (-1.0, 1.0))
+    h = low[:, None] + (high - low)[:, None] * ACROSS
+    if known.hurst is not None:
+        h = np.full_like(h, known.hurst)
+    left = most - law.squares(h)
+    inside = left >= -1e-9 * most
+    spread = np.sqrt(np.clip(left, 0.0, None) / law.weight)
+    q = law.q[0][:, None] + h * law.q[1][:, None]
+    t = -law.kink[:, None] - q
+    ends = [np.stack([h, q + side * spread, t - side * spread], -1) for side in (-1.0, 1.0)]
+    return np.concatenate([each[inside] for each in ends])
+
+
+def _power_law(s: np.ndarray, y: np.ndarray, w: np.ndarray) -> tuple[Estimate, float, Estimate]:
+    """Return the exponent of k over v1, and k at the weighted mean of log v1.
+
+    Errors are enlarged where the rates scatter more about the power law than they are known to.
+    """
+    middle, mean = float(w @ s / w.sum()), float(w @ y / w.sum())
+    across = float(w @ (s - middle) ** 2)
+    if not across > FLAT * w.sum():
+        return Estimate(), float(np.exp(middle)), _exp(Estimate(mean, w.sum() ** -0.5))
+    slope = float(w @ ((s - middle) * (y - mean))) / across
+    rest = float(w @ (y - mean - slope * (s - middle)) ** 2)
+    scatter = np.sqrt(max(1.0, rest / max(s.size - 2, 1)))
+    at = _exp(Estimate(mean, scatter * w.sum() ** -0.5))
+    return Estimate(slope, float(scatter * across**-0.5)), float(np.exp(middle)), at
+
+
+def _exp(logarithm: Estimate, given: float | None = None) -> Estimate:
+    """Return what has this logarithm, if that is determined; or what is given."""
+    if given is not None:
+        return Estimate(given, 0.0)
+    value = float(np.exp(np.clip(logarithm.value, -700.0, 700.0)))
+    return Estimate(value, value * logarithm.error).if_below(LARGEST_SHARE * value)

@@ -1,0 +1,147 @@
+"""Say what was fitted; what the data do not determine is named, and no number is given for it."""
+
+import math
+
+from workflow.laboratory.errors import DEVIATIONS, Estimate
+from workflow.laboratory.fit import Fit
+from workflow.laboratory.speeds import Rates
+from workflow.laboratory.step_fit import StepFit
+
+OPTIONS = {"tau": "--relaxation-time", "H": "--hurst", "q_max": "--q-max"}
+NAMES = {"mu_2": "friction after, mu_2", "amplitude": "amplitude", "jump": "jump", "rate": "rate"}
+STEADY = 0.1  # of the largest change after a step: drift before it that is spoken of
+
+
+def describe(fit: Fit) -> list[str]:
+    """Return lines for a terminal: each step, then what all determine together."""
+    lines = []
+    for step, ageing in zip(fit.steps, fit.ageing, strict=True):
+        lines += [*_step(step), *_laws(step, ageing), ""]
+    return [*lines, *_together(fit)]
+
+
+def _step(fit: StepFit) -> list[str]:
+    step = fit.step
+    lines = [f"{step.name}: from {step.v1:.4g} to {step.v2:.4g} m/s"]
+    levels = (("friction before, mu_1", fit.mu_1), ("jump", fit.jump))
+    for name, level in (*levels, ("friction after, mu_2", fit.mu_2)):
+        if level.known:
+            lines.append(_line(name, shown(level)))
+    if fit.rate.known:
+        time = fit.rate.times(1.0 / fit.rate.value**2)
+        lines.append(
+            _line("relaxation rate, b/tau", f"{shown(fit.rate)} 1/s, time {shown(time)} s")
+        )
+    lines.append(
+        _line("residual", f"{fit.rms:.2g} rms, {step.time[0]:.3g} to {step.time[-1]:.3g} s after")
+    )
+    if fit.factor > 1.5:
+        said = f"errors are {math.sqrt(fit.factor):.2g} times those of independent samples"
+        lines.append(_line("noise", f"is correlated; {said}"))
+    size = max(abs(fit.curve - fit.mu_1.value))
+    if abs(fit.drift.value) > max(DEVIATIONS * fit.drift.error, STEADY * size):
+        said = f"friction still changes, by {fit.drift.value:.2g} over {step.before.size} samples"
+        lines.append(_line("before the step", f"{said}; mu_1 is a mean of them"))
+    for why in dict.fromkeys(fit.why.values()):
+        names = [NAMES[name] for name in fit.why if fit.why[name] == why]
+        lines.append(_line("not determined", f"{_listed(names)}: {why}"))
+    return lines
+
+
+def _laws(fit: StepFit, ageing: StepFit) -> list[str]:
+    """Return a, b and D_c of the two laws; what one of them leaves open is left out."""
+    lines = []
+    for law, label in ((fit, "Ruina's law (eq. 6)"), (ageing, "Dieterich's law")):
+        values = zip(("a", "b", "D_c"), law.state(), ("", "", " m"), strict=True)
+        known = [f"{name} = {shown(each)}{unit}" for name, each, unit in values if each.known]
+        if known:
+            lines.append(_line(label, f"{', '.join(known)}; residual {law.rms:.2g}"))
+    return lines
+
+
+def _together(fit: Fit) -> list[str]:
+    rates = fit.rates
+    if rates is None:
+        return ["no step determines its rate; tau, H and q_max are not determined"]
+    lines = [f"{len(fit.steps)} steps at {rates.speeds} speeds with a rate"]
+    if rates.exponent.known:
+        at = f"{shown(rates.rate)} 1/s at {rates.at:.3g} m/s"
+        lines.append(_line("power law of the rate", f"exponent {shown(rates.exponent)}, {at}"))
+    found = {
+        "tau": (rates.relaxation_time, " s", fit.known.relaxation_time),
+        "H": (rates.hurst, "", fit.known.hurst),
+        "q_max": (rates.q_max, " 1/m", fit.known.q_max),
+    }
+    for name, (value, unit, given) in found.items():
+        if value.known:
+            lines.append(
+                _line(name, f"{shown(value)}{unit}" if given is None else f"{given:g}{unit}, given")
+            )
+    if fit.slope.known:
+        lines.append(_line("rms slope (eq. 12)", shown(fit.slope)))
+    lines += _open(fit, rates, [name for name, (value, *_) in found.items() if not value.known])
+    if all(value.known for value, *_ in found.values()):
+        lines += _whole(fit, rates)
+    return lines
+
+
+def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
+    """Return what all steps together do not determine, and what would help."""
+    lines = []
+    if names:
+        if rates.speeds == 1:
+            why = "one speed determines one rate; measure at several, or give what is known"
+        else:
+            why = "other values describe these rates as well; measure at lower and higher speeds, "
+            why += "on both sides of v tau q_max = 1, or give what is known"
+        options = ", ".join(OPTIONS[name] for name in names)
+        lines.append(_line("not determined", f"{_listed(names)}: {why} ({options})"))
+    if not fit.slope.known:
+        why = "the jumps are in proportion to friction, whatever the slope; measure faster"
+        lines.append(_line("not determined", f"the rms slope: {why}"))
+    return lines
+
+
+def _whole(fit: Fit, rates: Rates) -> list[str]:
+    """Return which branch of eq. 13 was found, how well, and the law as Python takes it."""
+    branch = "is 1: contacts creep with tau" if rates.time_below_one else "is x, as eq. 13 has it"
+    lines = [_line("below v tau q_max = 1", f"b {branch}; sum of squares {rates.squares:.2g}")]
+    if fit.slope.known:
+        table = sorted({each.step.v1: each.mu_1.value for each in fit.steps}.items())
+        lines.append(
+            "KineticLaw("
+            f"relaxation_time={rates.relaxation_time.value:.4g}, hurst={rates.hurst.value:.3g}, "
+            f"q_max={rates.q_max.value:.4g}, rms_slope={fit.slope.value:.4g}, "
+            f"velocity={[float(f'{v:.4g}') for v, _ in table]}, "
+            f"friction={[float(f'{mu:.4g}') for _, mu in table]}, "
+            f"time_below_one={rates.time_below_one})"
+        )
+    return lines
+
+
+def _listed(names: list[str]) -> str:
+    """Return "a", "a and b", "a, b and c"."""
+    return " and ".join(filter(None, [", ".join(names[:-1]), names[-1]]))
+
+
+def _line(name: str, text: str) -> str:
+    return f"  {name:<24}{text}"
+
+
+def shown(estimate: Estimate) -> str:
+    """Return "0.3012 ± 0.0023": the error with two digits, the value to the same place.
+
+    "not determined" where there is none.
+    """
+    value, error = estimate
+    if not estimate.known:
+        return "not determined"
+    if error <= 1e-9 * abs(value):
+        return f"{value:.6g}"
+    size = math.floor(math.log10(max(abs(value), error)))
+    last = math.floor(math.log10(error)) - 1  # place of the second digit of the error
+    if -4 <= size < 6 and last <= 0:
+        return f"{value:.{-last}f} ± {error:.{-last}f}"
+    unit = 10.0**size
+    places = max(size - last, 0)
+    return f"({value / unit:.{places}f} ± {error / unit:.{places}f})e{size}"
