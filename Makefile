@@ -10,7 +10,7 @@ USUAL  := not cluster and not exhaustive
 NUMERICAL := tests/kernels tests/hard tests/independent tests/workflow/reduce
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos fuzz coverage check docs bench mutation intervals clean
+.PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos fuzz coverage check docs bench mutation intervals clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 17
@@ -22,9 +22,12 @@ $(READY): pyproject.toml
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	touch $@
 
+study: $(READY) ## Run a study that lies anywhere, and draw its figure: STUDY=my/study.toml [SCALE=...]
+	$(BIN)/python -m workflow run $(STUDY) $(if $(SCALE),--scale $(SCALE)) $(ARGS)
+	$(BIN)/python -m workflow figure $(STUDY) $(if $(SCALE),--scale $(SCALE)) $(ARGS)
+
 study-%: $(READY) ## Run studies/% and draw its figure [SCALE=smoke|paper] [ARGS=...]
-	$(BIN)/python -m workflow run $* $(if $(SCALE),--scale $(SCALE)) $(ARGS)
-	$(BIN)/python -m workflow figure $* $(if $(SCALE),--scale $(SCALE)) $(ARGS)
+	$(MAKE) --no-print-directory study STUDY=$*
 
 studies: $(READY) ## Run all studies one after the other, then the report [SCALE=...]
 	for study in $(STUDIES); do $(MAKE) --no-print-directory study-$$study || exit; done

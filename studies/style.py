@@ -41,7 +41,7 @@ def by_hurst(dataset: xr.Dataset) -> Iterator[tuple[float, xr.Dataset, str]]:
         yield (
             float(hurst),
             points.stack(point=points.mu_1.dims),
-            to_hex(colours.to_rgba(float(hurst))),
+            to_hex(tuple(colours.to_rgba(np.array([hurst]))[0])),
         )
 
 

@@ -80,6 +80,7 @@ def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
     known = [each for each in fit.steps if each.rate.known]
     v = np.array([each.step.v1 for each in known])
     k, error = np.array([each.rate for each in known]).T
+    ax.set_xlim(0.5 * v.min(), 2.0 * v.max())  # also of steps that are all at one speed
     ax.errorbar(v, k, error, fmt="o", color="k", ms=3)
     span = np.geomspace(0.7 * v.min(), 1.4 * v.max(), 200)
     if rates.exponent.known:
@@ -90,7 +91,6 @@ def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
         b = relaxation_rate(span * tau.value * q_max.value, hurst.value, rates.time_below_one)
         ax.plot(span, b / tau.value, "-", color=EQ_6, label="eq. 13")
     ax.set(xscale="log", yscale="log", xlabel="$v_1$ (m/s)", ylabel="rate $b/\\tau$ (1/s)")
-    ax.set_xlim(0.5 * v.min(), 2.0 * v.max())
     if ax.get_legend_handles_labels()[0]:
         ax.legend(loc="upper left")
 

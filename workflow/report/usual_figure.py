@@ -69,11 +69,13 @@ def _curves(ax: Axes, data: xr.Dataset, time: str, mu: str, label: str) -> None:
     for k, colour in zip(there[chosen] if there.size else [], COLOURS, strict=False):
         one = points.isel(point=k)
         one = one.dropna(long[0], subset=[mu])
-        values, band = one[mu].values, one[error].values if error in one else 0.0
+        unit = float(one.mu_1) if mu == "mu" and "mu_1" in one else 1.0
+        values, band = one[mu].values / unit, (one[error].values if error in one else 0.0) / unit
         said = ", ".join(f"{float(one[axis]):.3g}" for axis in varied)
         ax.plot(one[time], values, color=colour, label=said)
         ax.fill_between(one[time], values - band, values + band, color=colour, alpha=0.25, lw=0)
-    ax.set(xlabel=label, ylabel="coefficient of friction $\\mu$", title="bands: standard error")
+    over = " over that before" if mu == "mu" and "mu_1" in points else ""
+    ax.set(xlabel=label, ylabel=f"friction{over}", title="bands: standard error")
     if varied and there.size:
         ax.legend(title=", ".join(SYMBOLS[axis] for axis in varied), fontsize=6, title_fontsize=6)
 
