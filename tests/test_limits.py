@@ -38,6 +38,8 @@ ELSEWHERE = {"find_study", "_one_point", "_realizations"}
 # (tests/workflow/study/surfaces); their words are among the other refusals.
 ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography", "_check_finite"}
 ELSEWHERE |= {"given_profile", "check_load", "read_scene"}
+# Of files that are given to the commands prony and fit (test_moduli.py, test_record.py).
+ELSEWHERE |= {"named_unit"}
 
 
 def _module(path):
