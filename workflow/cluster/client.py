@@ -8,6 +8,7 @@ import socket
 import ssl
 import tempfile
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import dask
@@ -16,7 +17,7 @@ from distributed import Client, Nanny, SpecCluster
 from distributed.comm import get_address_host_port
 from distributed.system import MEMORY_LIMIT
 from distributed.utils import LoopRunner
-from tornado.ioloop import IOLoop
+from tornado.ioloop import IOLoop, PeriodicCallback
 
 from workflow.cluster.calls import patiently
 from workflow.cluster.jobs import job_cluster
@@ -34,6 +35,8 @@ from workflow.system import WORKER_ENVIRONMENT
 
 CONNECT_SECONDS = 10
 CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye, or a worker process to end by itself
+LOST_SECONDS = 30.0  # without a worker process, until a nanny of our own is given up
+AGAIN_SECONDS = 5.0  # between looks at whether one has to be replaced
 HERE = "127.0.0.1"
 
 
@@ -95,10 +98,22 @@ def _local_cluster(workers: int | None, dashboard: bool) -> Iterator[SpecCluster
             "scheduler": {"cls": kind, "options": ends | options},
             "workers": {number: {"cls": PromptNanny, "options": how} for number in range(count)},
         }
-        with _loop_without_ctrl_c() as loop:
+        lost = dask.config.set({"distributed.deploy.lost-worker-timeout": LOST_SECONDS})
+        with lost, _loop_without_ctrl_c() as loop:
             how_run = {"loop": loop, "security": security, "silence_logs": logging.ERROR}
-            with SpecCluster(**parts, **how_run) as local:
+            with SpecCluster(**parts, **how_run) as local, _kept(local, count):
                 yield local
+
+
+@contextlib.contextmanager
+def _kept(local: SpecCluster, count: int) -> Iterator[None]:
+    """Keep so many workers: dask's nanny gives up one that is killed while it starts again."""
+    look = PeriodicCallback(partial(local.scale, count), 1e3 * AGAIN_SECONDS)
+    local.loop.add_callback(look.start)
+    try:
+        yield
+    finally:
+        local.loop.add_callback(look.stop)
 
 
 @contextlib.contextmanager

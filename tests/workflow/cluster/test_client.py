@@ -9,6 +9,7 @@ import time
 from pathlib import Path
 
 import dask
+import psutil
 import pytest
 from distributed import SpecCluster
 
@@ -92,6 +93,28 @@ def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
     assert ignores_ctrl_c
     for library in ("OMP", "MKL", "OPENBLAS", "NUMBA"):
         assert environment[f"{library}_NUM_THREADS"] == "1"
+
+
+def starting(besides):
+    """Return a worker process of ours that has just been started."""
+    for _ in range(600):
+        for child in psutil.Process().children():
+            with contextlib.suppress(psutil.Error):
+                if child.pid != besides and "spawn_main" in " ".join(child.cmdline()):
+                    return child.pid
+        time.sleep(0.05)
+    return pytest.fail("no worker was started again")
+
+
+def test_a_worker_that_is_killed_while_it_starts_again_is_replaced(monkeypatch):
+    monkeypatch.setattr(module, "LOST_SECONDS", 1.0)
+    monkeypatch.setattr(module, "AGAIN_SECONDS", 0.5)
+    with open_client(Cluster(), 1) as client:
+        ((pid, *_),) = client.run(facts).values()
+        os.kill(pid, signal.SIGKILL)
+        os.kill(starting(pid), signal.SIGKILL)
+        ignores_ctrl_c, _ = started_again(client, pid)
+    assert ignores_ctrl_c
 
 
 def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(scheduler, capsys):
