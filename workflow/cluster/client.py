@@ -101,19 +101,19 @@ def _local_cluster(workers: int | None, dashboard: bool) -> Iterator[SpecCluster
         lost = dask.config.set({"distributed.deploy.lost-worker-timeout": LOST_SECONDS})
         with lost, _loop_without_ctrl_c() as loop:
             how_run = {"loop": loop, "security": security, "silence_logs": logging.ERROR}
-            with SpecCluster(**parts, **how_run) as local, _kept(local, count):
+            with SpecCluster(**parts, **how_run) as local, _kept(local, loop, count):
                 yield local
 
 
 @contextlib.contextmanager
-def _kept(local: SpecCluster, count: int) -> Iterator[None]:
+def _kept(local: SpecCluster, loop: IOLoop, count: int) -> Iterator[None]:
     """Keep so many workers: dask's nanny gives up one that is killed while it starts again."""
     look = PeriodicCallback(partial(local.scale, count), 1e3 * AGAIN_SECONDS)
-    local.loop.add_callback(look.start)
+    loop.add_callback(look.start)
     try:
         yield
     finally:
-        local.loop.add_callback(look.stop)
+        loop.add_callback(look.stop)
 
 
 @contextlib.contextmanager
