@@ -48,7 +48,9 @@ def test_every_target_of_make_is_there(page):
     known = set(re.findall(r"^([a-z%-]+):", makefile, re.MULTILINE))
     for target in found(TARGET, page) - known:
         study = target.removeprefix("study-")
-        assert (ROOT / "studies" / study / "study.toml").is_file() or study in ("NAME", "mine"), target
+        assert (ROOT / "studies" / study / "study.toml").is_file() or study in ("NAME", "mine"), (
+            target
+        )
 
 
 def test_the_patterns_find_what_they_are_for():
