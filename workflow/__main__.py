@@ -15,6 +15,11 @@ if __name__ == "__main__" and not SAFE:
     os.environ["PYTHONSAFEPATH"] = "1"
 
 try:
+    from workflow.ours import stranger
+
+    if __name__ == "__main__" and (said := stranger()):
+        print(f"error: {said}", file=sys.stderr)
+        sys.exit(2)
     from workflow.system import THREADS, forgive_streams
 
     forgive_streams()

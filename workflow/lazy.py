@@ -11,6 +11,11 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
+from workflow.ours import stranger
+
+if said := stranger():  # every room comes by here
+    raise ImportError(said)
+
 
 def public_names(package: str, file: str) -> tuple[list[str], Callable[[str], Any]]:
     """Return ``__all__`` and ``__getattr__`` of the package whose ``__init__`` is ``file``."""

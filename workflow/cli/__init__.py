@@ -1,4 +1,4 @@
-"""The command line: python -m workflow plan|run|status|figure|table STUDY, report, prony.
+"""The command line: elastomer-friction plan|run|status|figure|table STUDY, and others.
 
 Knows all rooms; no room knows it.
 """

@@ -1,19 +1,24 @@
-"""Command line: python -m workflow plan|run|status|figure|table STUDY, and others."""
+"""Command line: elastomer-friction, or python -m workflow, with one command."""
 
 import argparse
+import json
+import os
 import sys
 from pathlib import Path
+from typing import Any
 
 from workflow import report
 from workflow.cli.animate import add_animate_options, run_animate
 from workflow.cli.fit import add_fit_options, run_fit
 from workflow.cli.kinds import KINDS
+from workflow.cli.new import add_new_options, run_new, run_studies
 from workflow.cli.prony import add_prony_options, run_prony
 from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
 from workflow.cli.stores import add_merge_options, add_verify_options, run_merge, run_verify
 from workflow.errors import UserError
 from workflow.result import check_result, result_file
-from workflow.study import AnyStudy, find_study, read_study
+from workflow.study import AnyStudy, find_study, known_studies, read_study
+from workflow.system import program, version_of
 
 
 def main(arguments: list[str] | None = None) -> int:
@@ -21,7 +26,12 @@ def main(arguments: list[str] | None = None) -> int:
 
     0 done, 2 wrong input or surroundings, 3 done but for problems that failed, 130 interrupted.
     """
-    options = command_parser().parse_args(arguments)
+    parser = command_parser()
+    if "_ARGCOMPLETE" in os.environ:  # a shell asks what could be typed next
+        import argcomplete
+
+        argcomplete.autocomplete(parser)
+    options = parser.parse_args(arguments)
     try:
         return COMMANDS[options.command](options)
     except UserError as error:
@@ -35,7 +45,9 @@ def main(arguments: list[str] | None = None) -> int:
 
 def command_parser() -> argparse.ArgumentParser:
     """Return the parser of the command line, with all commands."""
-    parser = argparse.ArgumentParser(prog="python -m workflow", description=__doc__)
+    parser = argparse.ArgumentParser(prog=program(), description=__doc__)
+    version = f"elastomer-friction {version_of('elastomer-friction')}"
+    parser.add_argument("--version", action="version", version=version)
     commands = parser.add_subparsers(dest="command", required=True)
     texts = {
         "plan": "say what a run would do and cost; compute nothing",
@@ -47,7 +59,9 @@ def command_parser() -> argparse.ArgumentParser:
     }
     for name, text in texts.items():
         command = commands.add_parser(name, help=text, description=text)
-        command.add_argument("study", help="a name under studies/ or the path of a TOML file")
+        text = "a name under studies/ or the path of a TOML file"
+        named: Any = command.add_argument("study", help=text)
+        named.completer = lambda **_: sorted(known_studies())
         command.add_argument("--scale", help="one of the study's [scales.NAME] tables")
         command.add_argument(
             "--set",
@@ -69,10 +83,17 @@ def command_parser() -> argparse.ArgumentParser:
             command.add_argument(
                 "--script", type=Path, help="draws instead of the study's figure.py"
             )
+        if name in ("plan", "status"):
+            text = "print it as JSON: names, numbers in SI units, times in s, memory in bytes"
+            command.add_argument("--json", action="store_true", help=text)
     text = "write report.html: all figures, and the claims of the paper beside the results"
     page = commands.add_parser("report", help=text, description=text)
     page.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
     page.add_argument("--out", default="results", help="folder of results")
+    text = "list the studies that can be named, with their titles"
+    commands.add_parser("studies", help=text, description=text)
+    text = "write a commented study.toml to start from, in studies/NAME of the working folder"
+    add_new_options(commands.add_parser("new", help=text, description=text))
     text = "fit a Prony series to measured moduli G' and G'', and print the table [material]"
     add_prony_options(commands.add_parser("prony", help=text, description=text))
     text = "fit the kinetic law to measured velocity steps, and say what they determine of it"
@@ -103,8 +124,13 @@ def _share(text: str) -> float:
 def _lines(options: argparse.Namespace) -> int:
     """Print what the commands plan and status say."""
     study, result = _study(options)
-    lines = KINDS[study.kind][options.command](study, result)
-    print("\n".join([*lines, f"settings    {find_study(options.study).resolve()}"]))
+    lines, facts = KINDS[study.kind][options.command](study, result)
+    settings = str(find_study(options.study).resolve())
+    if options.json:
+        head = {"study": study.name, "title": study.title, "result": str(result)}
+        print(json.dumps(head | facts | {"settings": settings}, indent=1))
+    else:
+        print("\n".join([*lines, f"settings    {settings}"]))
     return DONE
 
 
@@ -144,6 +170,8 @@ COMMANDS = {
     "table": _table,
     "report": _report,
     "animate": run_animate,
+    "studies": run_studies,
+    "new": run_new,
     "prony": run_prony,
     "fit": run_fit,
     "verify": run_verify,

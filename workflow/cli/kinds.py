@@ -12,8 +12,8 @@ from workflow.cli.run import run_grid, run_measured_study
 from workflow.run import result_line, status_lines
 from workflow.store import store_folder
 
-# Of each kind what `plan` and `status` print, line by line, what `run` does and returns as exit
-# status, and what writes its `table`; each takes the study and its result file.
+# Of each kind what `plan` and `status` print, as lines and as data for --json, what `run` does and
+# returns as exit status, and what writes its `table`; each takes the study and its result file.
 KINDS: dict[str, dict[str, Callable[..., Any]]] = {
     "grid": {
         "plan": outline_grid,
@@ -24,7 +24,7 @@ KINDS: dict[str, dict[str, Callable[..., Any]]] = {
     "measured": {
         "plan": outline_measured,
         "run": run_measured_study,
-        "status": lambda study, result: [result_line(result)],
+        "status": lambda study, result: ([result_line(result)], {"written": result.is_file()}),
         "table": lambda study, result: report.write_measured_table(study, result),
     },
 }

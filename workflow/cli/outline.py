@@ -1,6 +1,8 @@
 """What `plan` prints: what a study would do, simulate and cost."""
 
+import math
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -13,17 +15,43 @@ from workflow.system import core_time, duration
 SHOWN = 8  # legs of a programme
 
 
-def outline_grid(study: Study, result: Path) -> list[str]:
-    """Return what a study of a grid would do and cost, line by line; computes nothing."""
+Said = tuple[list[str], dict[str, Any]]  # lines to print, and the same as data
+
+
+def outline_grid(study: Study, result: Path) -> Said:
+    """Return what a study of a grid would do and cost, as lines and as data; computes nothing."""
     machine = this_machine()
-    return outline(make_plan(study, machine.pace), result, machine.note)
+    plan = make_plan(study, machine.pace)
+    return outline(plan, result, machine.note), _facts(plan)
 
 
-def outline_measured(study: Measured, result: Path) -> list[str]:
+def outline_measured(study: Measured, result: Path) -> Said:
     """Return what a study would measure and how long it would take; measures nothing."""
     lines, seconds = study.script.outline(study.settings)
     head = [f"study       {study.name}: {study.title}", f"result      {result}"]
-    return [*head, *lines, f"predicted   {duration(seconds)} of one core"]
+    facts = {"outline": lines, "predicted_core_seconds": seconds}
+    return [*head, *lines, f"predicted   {duration(seconds)} of one core"], facts
+
+
+def _facts(plan: Plan) -> dict[str, Any]:
+    """Return a plan as data: numbers in SI units, times in s, memory in bytes."""
+    seconds, low, high = plan.prediction()
+    grid = plan.study.grid.items()
+    return {
+        # JSON has no NaN, which stands where an axis has no value
+        "axes": {axis: [None if math.isnan(v) else v for v in values] for axis, values in grid},
+        "quantities": plan.study.scene.quantities,
+        "points": plan.points,
+        "problems": plan.problems,
+        "variants": list(plan.study.variants),
+        "realizations": plan.records * plan.study.realizations_per_block,
+        "records": plan.records,
+        "predicted_core_seconds": seconds,
+        "predicted_core_seconds_interval": [low, high],
+        "predicted_worker_bytes": round(plan.predicted_worker_bytes()),
+        "predicted_driver_bytes": round(plan.predicted_driver_bytes()),
+        "longest_line_samples": plan.longest_line(),
+    }
 
 
 def outline(plan: Plan, result: Path, speed: str) -> list[str]:

@@ -10,6 +10,7 @@ from pathlib import Path
 from workflow.errors import UserError
 from workflow.plan import learn, make_plan, this_machine
 from workflow.study import BATCH_SYSTEMS, Measured, Study
+from workflow.system import program
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
 OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
@@ -86,7 +87,7 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
 
 def resume_line(what: str) -> str:
     """Return how to go on with a run that ended early."""
-    command = shlex.join(["python", "-m", "workflow", *sys.argv[1:]])
+    command = f"{program()} {shlex.join(sys.argv[1:])}"
     return f"{what}; what is finished is kept, to resume run again: {command}"
 
 

@@ -60,7 +60,7 @@ def open_client(
     Raises UserError when a scheduler does not answer or a batch system refuses.
     """
     if dashboard and importlib.util.find_spec("bokeh") is None:
-        raise UserError("--dashboard: needs bokeh; install it beside this package")
+        raise UserError("--dashboard: needs bokeh (the extra 'dashboard' of this package)")
     settings = {
         "distributed.worker.preload": ["workflow.cluster.worker"],
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon

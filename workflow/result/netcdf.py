@@ -15,7 +15,7 @@ import numpy as np
 from workflow.errors import UserError
 from workflow.simulate import CODE
 from workflow.study import AnyStudy
-from workflow.system import replacing
+from workflow.system import program, replacing
 
 if TYPE_CHECKING:  # slow to import: plan and status do without
     import xarray as xr
@@ -83,7 +83,7 @@ def open_result(
     import xarray as xr
 
     if not path.is_file():
-        raise UserError(f"{path}: not found; first run: python -m workflow run {study.name}")
+        raise UserError(f"{path}: not found; first run: {program()} run {study.name}")
     try:
         opened = xr.open_groups(path, engine="netcdf4")
     except (AttributeError, OSError, RuntimeError, ValueError) as error:

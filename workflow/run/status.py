@@ -58,10 +58,19 @@ class Status:
                 return False
         return True
 
+    def runs(self, by: str | None) -> bool:
+        """Return whether it is this study that ``by`` runs."""
+        return by is not None and f"process {self.pid} on {self.host}" in by
+
+    @property
+    def ended(self) -> str:
+        """Return how the last run ended, where nothing runs."""
+        return "was killed" if self.state == "running" else self.state
+
     def lines(self, result: Path, by: str | None) -> list[str]:
         """Return what the command prints; ``by`` is who runs something in the folder."""
         total = max(self.total, self.done)  # rounds may take more than was foreseen
-        alive = by is not None and f"process {self.pid} on {self.host}" in by
+        alive = self.runs(by)
         running, workers = (self.running, self.workers) if alive else (0, 0)
         found = [
             f"done        {self.done} of {total} records (problem x block)",
@@ -75,8 +84,7 @@ class Status:
         elif by is not None:
             found.append(f"run         another study, by {by}")
         else:
-            ended = "was killed" if self.state == "running" else self.state
-            found.append(f"run         {ended}{', ' + self.updated if self.updated else ''}")
+            found.append(f"run         {self.ended}{', ' + self.updated if self.updated else ''}")
         return [*found, result_line(result)]
 
 
@@ -153,6 +161,21 @@ def counted(study: Study, folder: Path) -> Status:
     return Status(identity(study), plan.records, done, total_seconds(missing), failed)
 
 
-def status_lines(study: Study, result: Path, folder: Path) -> list[str]:
-    """Return what the command ``status`` prints."""
-    return read_status(study, result, folder).lines(result, holder(folder))
+def status_lines(study: Study, result: Path, folder: Path) -> tuple[list[str], dict[str, object]]:
+    """Return what the command ``status`` prints, as lines and as data."""
+    status, by = read_status(study, result, folder), holder(folder)
+    lines = status.lines(result, by)
+    alive = status.runs(by)
+    facts = {
+        "written": result.is_file(),
+        "records": max(status.total, status.done),
+        "records_done": status.done,
+        "problems_failed": status.failed,
+        "predicted_core_seconds_left": status.left,
+        "state": status.state if alive else "another study runs" if by else status.ended,
+        "batches_running": status.running if alive else 0,
+        "workers": status.workers if alive else 0,
+        "run_by": by,
+        "updated": status.updated,
+    }
+    return lines, facts

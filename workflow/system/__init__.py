@@ -33,6 +33,6 @@ if TYPE_CHECKING:
     from workflow.system.patience import Patience
     from workflow.system.process import THREADS, WORKER_ENVIRONMENT, Interrupt, peak_bytes
     from workflow.system.progress import Reporter, core_time, counted, duration
-    from workflow.system.terminal import forgive_streams
+    from workflow.system.terminal import forgive_streams, program
 
 __all__, __getattr__ = public_names(__name__, __file__)

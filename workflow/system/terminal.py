@@ -39,6 +39,12 @@ class _Forgiving(io.TextIOWrapper):
                 os.close(nowhere)
 
 
+def program() -> str:
+    """Return how the program was called: by its console command, or as a module of Python."""
+    command = Path(sys.argv[0]).name
+    return command if command == "elastomer-friction" else "python -m workflow"
+
+
 def forgive_streams() -> None:
     """Let nothing that is printed in this process end it; for its start.
 

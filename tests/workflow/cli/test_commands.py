@@ -1,11 +1,18 @@
 """The command line: which commands there are, what they are told, and their exit status."""
 
+import json
+import os
+import subprocess
+import sys
+
 import pytest
 
 from tests.support.commands import output, refusal
-from tests.support.runs import PATIENCE, start
+from tests.support.runs import PATIENCE, ROOT, start
 from workflow.cli import commands as cli
 from workflow.cli import main
+
+FIGS = range(2, 9)
 
 
 def test_bad_input_is_one_line_in_a_process_of_its_own(study):
@@ -66,3 +73,45 @@ def test_a_result_of_another_accuracy_is_not_drawn(capsys, study, finished):
     said = refusal(capsys, "table", study, "--accuracy", "5%", "--out", str(finished.path))
     assert "other settings than asked for: numerics.accuracy" in said
     assert not finished.path.with_suffix(".csv").exists()
+
+
+def test_plan_and_status_as_data(capsys, study, tmp_path):
+    planned = json.loads(output(capsys, "plan", study, "--json", "--out", str(tmp_path)))
+    assert planned["axes"]["hurst"] == [0.3, 0.7]
+    assert (planned["points"], planned["variants"]) == (8, ["", "coarse"])
+    assert planned["result"] == str(tmp_path / "small.nc")
+    assert planned["settings"] == study
+    low, high = planned["predicted_core_seconds_interval"]
+    assert low <= planned["predicted_core_seconds"] <= high
+    found = json.loads(output(capsys, "status", study, "--json", "--out", str(tmp_path)))
+    assert (found["records"], found["records_done"], found["written"]) == (64, 0, False)
+    assert found["state"] == "not running"
+
+
+def test_a_value_that_a_plan_has_not_is_null(capsys, powers):
+    measured = json.loads(output(capsys, "plan", "measured_line", "--scale", "smoke", "--json"))
+    assert measured["axes"]["hurst"] == [None]
+    assert json.loads(output(capsys, "plan", "powers", "--json"))["predicted_core_seconds"] == 1.5
+    assert json.loads(output(capsys, "status", "powers", "--json"))["written"] is False
+
+
+def test_a_shell_completes_commands_and_names_of_studies(tmp_path):
+    pytest.importorskip("argcomplete")
+    for typed, expected in (("st", {"status", "studies"}), ("plan fig", {f"fig{n}" for n in FIGS})):
+        line = f"elastomer-friction {typed}"
+        done = subprocess.run(
+            [sys.executable, "-m", "workflow"],
+            env={
+                **os.environ,
+                "_ARGCOMPLETE": "1",
+                "_ARGCOMPLETE_STDOUT_FILENAME": str(tmp_path / "found"),
+                "COMP_LINE": line,
+                "COMP_POINT": str(len(line)),
+            },
+            cwd=ROOT,
+            timeout=PATIENCE,
+            check=True,
+        )
+        assert done.returncode == 0
+        found = (tmp_path / "found").read_text().replace("\013", " ").split()
+        assert {word.strip() for word in found} == expected

@@ -50,7 +50,8 @@ def test_a_run_says_how_far_it_is_and_whether_it_was_killed(place):
     result, store, writer = place
     with hold(store.folder):
         writer.write(3, 2)
-        lines = status_lines(STUDY, result, store.folder)
+        lines, facts = status_lines(STUDY, result, store.folder)
+    facts_of_running = facts["state"], facts["workers"]
     assert lines[:5] == [
         "done        0 of 64 records (problem x block)",
         "running     2 batches on 3 workers",
@@ -59,9 +60,11 @@ def test_a_run_says_how_far_it_is_and_whether_it_was_killed(place):
         "remaining   2 core-hours, predicted",
     ]
     assert f"running, by process {os.getpid()} on {socket.gethostname()} since" in lines[5]
-    killed = status_lines(STUDY, result, store.folder)
+    assert facts_of_running == ("running", 3)
+    killed, facts = status_lines(STUDY, result, store.folder)
     assert killed[1] == "running     0 batches on 0 workers"
     assert killed[5].startswith("run         was killed, 20")
+    assert (facts["state"], facts["workers"], facts["records_done"]) == ("was killed", 0, 0)
 
 
 HOUR = dataclasses.replace(BATCH, seconds=3600.0)

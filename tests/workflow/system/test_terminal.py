@@ -7,6 +7,7 @@ import sys
 import pytest
 
 from tests.support.runs import PATIENCE, ROOT
+from workflow.system import program
 
 SAY = """
 import contextlib, os, sys
@@ -53,3 +54,15 @@ def test_letters_that_the_terminal_lacks_are_shown_as_numbers(tmp_path):
     assert status == 0
     for text in (out, err):
         assert "µ\\u2081 \\u2264 \\u03c4".encode("latin-1") in text.splitlines()
+
+
+@pytest.mark.parametrize(
+    ("called", "name"),
+    [
+        ("/usr/bin/elastomer-friction", "elastomer-friction"),
+        ("/usr/lib/workflow/__main__.py", "python -m workflow"),
+    ],
+)
+def test_the_program_is_named_as_it_was_called(monkeypatch, called, name):
+    monkeypatch.setattr(sys, "argv", [called, "plan"])
+    assert program() == name
