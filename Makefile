@@ -33,8 +33,8 @@ studies: $(READY) ## Run all studies one after the other, then the report [SCALE
 	for study in $(STUDIES); do $(MAKE) --no-print-directory study-$$study || exit; done
 	$(MAKE) --no-print-directory report
 
-report: $(READY) ## Write results/report.html from the results that are there
-	$(BIN)/python -m workflow report
+report: $(READY) ## Write results/report.html from the results that are there [SCALE=...]
+	$(BIN)/python -m workflow report $(if $(SCALE),--scale $(SCALE))
 
 test: $(READY) ## Run the tests on all cores: all but those with clusters and the exhaustive ones
 	$(PYTEST) -m "$(USUAL)"

@@ -51,6 +51,7 @@ def discretisations(
         scheme=list(disc.SCHEMES), target=list(TARGETS)
     )
     data.steps.attrs["long_name"] = "m, steps and samples per spacing"
+    data.target.attrs["long_name"] = "relative error aimed at"
     return data
 
 
@@ -68,7 +69,7 @@ def point_coords(points: tuple[Point, ...]) -> dict:
     """Return the coordinates that say what the points are."""
     return {
         "point": [point.name for point in points],
-        "hurst": ("point", [point.hurst for point in points]),
+        "hurst": ("point", [point.hurst for point in points], {"long_name": "Hurst exponent H"}),
         "load": ("point", [point.load for point in points], {"long_name": "F_N/(4 G L h)"}),
         "x": ("point", [point.x for point in points], {"long_name": "v1 tau q_max"}),
     }

@@ -53,7 +53,7 @@ def result_of(folder: Path, *options: str, **environment: str) -> tuple[bytes, s
     log = folder / "log"
     process = start(log, *STUDY, "--out", str(folder), *options, **environment)
     assert process.wait(timeout=4.0 * PATIENCE) == 0, log.read_text()
-    return (folder / "fig7.nc").read_bytes(), log.read_text()
+    return (folder / "fig7-smoke.nc").read_bytes(), log.read_text()
 
 
 def end(process: subprocess.Popen) -> None:

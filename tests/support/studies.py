@@ -11,6 +11,7 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
+from tests.support import conventions
 from workflow.plan.plan import make_plan
 from workflow.reduce.fits import FITTED
 from workflow.report.drawing import STYLE
@@ -39,7 +40,8 @@ def run(folder: Path, name: str, *settings: str, variants: Sequence[str] = ()) -
 
 
 def load(path: Path) -> Groups:
-    """Return the groups of a result."""
+    """Return the groups of a result, which has to keep the CF conventions."""
+    assert not conventions.INSTALLED or conventions.complaints(path) == []
     groups = {}
     for group, data in xr.open_groups(path).items():
         groups[group.strip("/")] = data.load()

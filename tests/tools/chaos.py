@@ -85,8 +85,8 @@ def _one_study(folder: Path, count: Count, seed: int, core_seconds: float) -> li
         war.local(counts["local"])
         war.finish()
         assert peace.wait(timeout=4.0 * PATIENCE) == 0
-        expected = (folder / "peace" / "fig7.nc").read_bytes()
-    assert (war.folder / "fig7.nc").read_bytes() == expected, "another result"
+        expected = (folder / "peace" / "fig7-smoke.nc").read_bytes()
+    assert (war.folder / "fig7-smoke.nc").read_bytes() == expected, "another result"
     chunks, records, twice = stored(war.store)
     assert twice == 0, f"{twice} records were computed again"
     runs = sum("run" in entry for entry, _ in journal.entries(war.store))

@@ -54,7 +54,7 @@ def command_parser() -> argparse.ArgumentParser:
         "run": "compute what is missing and write the result file",
         "status": "say what is done and what is missing",
         "figure": "draw the figure of a finished run",
-        "table": "write all coefficients of a finished run as CSV",
+        "table": "write all coefficients of a finished run as CSV, with units",
         "animate": "draw one line of a scene on its way, as .gif or .mp4",
     }
     for name, text in texts.items():
@@ -89,6 +89,7 @@ def command_parser() -> argparse.ArgumentParser:
     text = "write report.html: all figures, and the claims of the paper beside the results"
     page = commands.add_parser("report", help=text, description=text)
     page.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
+    page.add_argument("--scale", help="of the results: one of the studies' [scales.NAME] tables")
     page.add_argument("--out", default="results", help="folder of results")
     text = "list the studies that can be named, with their titles"
     commands.add_parser("studies", help=text, description=text)
@@ -110,7 +111,7 @@ def _study(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
     if options.accuracy is not None:
         settings.append(f"numerics.accuracy={_share(options.accuracy)!r}")
     study = read_study(options.study, options.scale, settings)
-    return study, result_file(Path(options.out), study.name)
+    return study, result_file(Path(options.out), study)
 
 
 def _share(text: str) -> float:
@@ -146,7 +147,7 @@ def _figure(options: argparse.Namespace) -> int:
 
 def _table(options: argparse.Namespace) -> int:
     study, result = _checked(options)
-    print(KINDS[study.kind]["table"](study, result))
+    print(*KINDS[study.kind]["table"](study, result), sep="\n")
     return DONE
 
 
@@ -158,7 +159,7 @@ def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
 
 
 def _report(options: argparse.Namespace) -> int:
-    print(report.write_report(Path(options.out), options.studies))
+    print(report.write_report(Path(options.out), options.studies, options.scale))
     return DONE
 
 

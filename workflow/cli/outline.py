@@ -1,18 +1,21 @@
 """What `plan` prints: what a study would do, simulate and cost."""
 
 import math
+import sys
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from workflow.cli.effects import effect_lines
-from workflow.plan import Plan, Variant, make_plan, this_machine
+from workflow.plan import Pace, Plan, Variant, make_plan, this_machine
 from workflow.simulate import programme_steps
 from workflow.study import Measured, Study, judged
 from workflow.system import core_time, duration
 
 SHOWN = 8  # legs of a programme
+SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes
+LONG = 1.0  # s, a wait that is announced
 
 
 Said = tuple[list[str], dict[str, Any]]  # lines to print, and the same as data
@@ -21,8 +24,17 @@ Said = tuple[list[str], dict[str, Any]]  # lines to print, and the same as data
 def outline_grid(study: Study, result: Path) -> Said:
     """Return what a study of a grid would do and cost, as lines and as data; computes nothing."""
     machine = this_machine()
-    plan = make_plan(study, machine.pace)
+    plan = planned(study, machine.pace)
     return outline(plan, result, machine.note), _facts(plan)
+
+
+def planned(study: Study, pace: Pace) -> Plan:
+    """Return the plan of a study; where that takes long, say so before."""
+    points = math.prod(study.shape) * len(study.variants)
+    seconds = SECONDS_PER_POINT * points
+    if seconds > LONG:
+        print(f"Planning {points} points, about {seconds:.0f} s.", file=sys.stderr, flush=True)
+    return make_plan(study, pace)
 
 
 def outline_measured(study: Measured, result: Path) -> Said:

@@ -7,8 +7,9 @@ import shlex
 import sys
 from pathlib import Path
 
+from workflow.cli.outline import planned
 from workflow.errors import UserError
-from workflow.plan import learn, make_plan, this_machine
+from workflow.plan import learn, this_machine
 from workflow.study import BATCH_SYSTEMS, Measured, Study
 from workflow.system import program
 
@@ -58,7 +59,7 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
     from workflow.run import How, run_plan
 
-    plan = make_plan(study, this_machine().pace)
+    plan = planned(study, this_machine().pace)
     where = options.scheduler or options.batch_system or study.cluster.where
     how = How(
         cluster=study.cluster._replace(where=where),

@@ -44,7 +44,7 @@ def _store_of(options: argparse.Namespace) -> Path:
     if Path(options.what).is_dir():
         return _in_folder(options.what)
     study = read_study(options.what)
-    return _in_folder(str(store_folder(result_file(Path(options.out), study.name))))
+    return _in_folder(str(store_folder(result_file(Path(options.out), study))))
 
 
 def _in_folder(name: str) -> Path:

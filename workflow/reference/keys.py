@@ -23,7 +23,8 @@ points and an axis 10 000 values.
 
 **Scales.** Tables `[scales.NAME.TABLE]` hold values that replace those of `[TABLE]` when a command
 is given `--scale NAME`. The studies of this program have `smoke` (seconds) and `paper` (the full
-grid of the paper). After that, `--set table.key=value` on the command line replaces single values.
+grid of the paper). The result of a scale is the file `NAME-SCALE.nc`, beside `NAME.nc`. After that,
+`--set table.key=value` on the command line replaces single values.
 
 **Comparisons.** Each table `[compare.NAME]` repeats the whole study, on the same random lines, with
 other values of these keys: {compare}. Its results are the group NAME of the result file.

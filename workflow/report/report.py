@@ -41,18 +41,19 @@ def study_names() -> list[str]:
     return sorted(known_studies(), key=lambda name: (not name.startswith("fig"), name))
 
 
-def write_report(folder: Path, names: list[str]) -> Path:
+def write_report(folder: Path, names: list[str], scale: str | None = None) -> Path:
     """Write ``report.html`` into a folder of results and return its path.
 
-    names : studies to report on, all by default. Raises UserError where none has a result.
+    names : studies to report on, all by default. scale : of the results. Raises UserError where
+    none has a result, and where a study has no such scale.
     """
-    studies = [read_study(name) for name in names or study_names()]
-    present = [study for study in studies if result_file(folder, study.name).is_file()]
+    studies = [read_study(name, scale) for name in names or study_names()]
+    present = [study for study in studies if result_file(folder, study).is_file()]
     if not present:
         wanted = ", ".join(study.name for study in studies)
         raise UserError(f"{folder}: holds no result of {wanted}; first run: make study-NAME")
     with contextlib.ExitStack() as stack:
-        groups = {s.name: open_result(s, result_file(folder, s.name), stack) for s in present}
+        groups = {s.name: open_result(s, result_file(folder, s), stack) for s in present}
         named = {f"{n}/{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
         try:
             sections = [_section(s, groups[s.name], folder) for s in present]
@@ -78,7 +79,7 @@ def _section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]
     data = groups[ROOT]
     image, trouble = None, ""
     try:
-        image = _image(draw_groups(study, groups, result_file(folder, study.name))[0])
+        image = _image(draw_groups(study, groups, result_file(folder, study))[0])
     except UserError as error:
         trouble = str(error)
     changed = differing_settings(study, data.attrs)  # from study.toml without a scale

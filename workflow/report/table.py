@@ -1,4 +1,4 @@
-"""Coefficient table of a result as CSV: one row per grid point, one column per estimate."""
+"""Coefficients of a result as CSV: a row per grid point and variant, a column per estimate."""
 
 import contextlib
 from collections.abc import Callable
@@ -8,43 +8,80 @@ import pandas as pd
 
 from workflow.errors import UserError
 from workflow.result import BROKEN, ROOT, Groups, broken, open_result
-from workflow.study import AXES, AnyStudy, Measured, Study
+from workflow.study import AnyStudy, Measured, Study
 from workflow.system import write_durably
 
+VARIANT = "variant"  # column: a comparison, or
+OWN = "study"  # the study itself
+COLUMNS = "columns"  # table of what the columns of the others are
 
-def write_grid_table(study: Study, result: Path) -> Path:
-    """Write NAME.csv beside a result file and return it; SI units, as in the netCDF file.
+Tables = dict[str, pd.DataFrame]  # "" is NAME.csv, the others are NAME-LABEL.csv
 
-    Raises UserError where there is no result, or the disk refuses the table.
+
+def write_grid_table(study: Study, result: Path) -> list[Path]:
+    """Write the tables of a result beside it and return them; SI units, as in the netCDF file.
+
+    NAME.csv has all that is known of each point, NAME-exponents.csv the exponents of each Hurst
+    exponent, if any, and NAME-columns.csv unit and meaning of every column. Raises UserError where
+    there is no result, or the disk refuses a table.
     """
-    return _write(study, result, _estimates, "%.10g", index=True)
+
+    def tables(groups: Groups) -> Tables:
+        found = {"": _rows(groups, study.axes), "exponents": _rows(groups, ("hurst",))}
+        kept = {label: frame for label, frame in found.items() if frame.columns.size}
+        return kept | {COLUMNS: _meanings(groups, kept)}
+
+    return _write(study, result, tables, "%.10g")
 
 
-def write_measured_table(study: Measured, result: Path) -> Path:
+def write_measured_table(study: Measured, result: Path) -> list[Path]:
     """Write NAME.csv, the table that measure.py makes, beside a result file and return it.
 
     Raises UserError where the study has no table, or as for a grid.
     """
     if not hasattr(study.script, "table"):
         raise UserError(f"study {study.name!r}: has no table")
-    return _write(study, result, study.script.table, "%.4g", index=False)
+
+    def tables(groups: Groups) -> Tables:
+        frame = study.script.table(groups)
+        return {"": frame.set_index(frame.columns[0])}
+
+    return _write(study, result, tables, "%.4g")
 
 
-def _estimates(groups: Groups) -> pd.DataFrame:
-    root = groups[ROOT]
-    columns = [name for name in root.data_vars if set(root[name].dims) == set(AXES)]
-    return root[columns].to_dataframe(dim_order=list(AXES))
+def _rows(groups: Groups, axes: tuple[str, ...]) -> pd.DataFrame:
+    """Return what depends on exactly these axes, a row for each of their values and variant."""
+    frames = {}
+    for label, data in groups.items():
+        names = [name for name in data.data_vars if set(data[name].dims) == set(axes)]
+        frames[label or OWN] = data[names].to_dataframe(dim_order=list(axes)) if names else None
+    there = {label: frame for label, frame in frames.items() if frame is not None}
+    return pd.concat(there, names=[VARIANT]) if there else pd.DataFrame()
+
+
+def _meanings(groups: Groups, tables: Tables) -> pd.DataFrame:
+    """Return unit and meaning of every column of some tables."""
+    found = {VARIANT: ("", f"{OWN}: the study itself; else the name of a comparison")}
+    for data in (*groups.values(), groups[ROOT]):
+        for name in data.variables:
+            told = data[name].attrs
+            found[str(name)] = (told.get("units", ""), told.get("long_name", ""))
+    used = {str(name) for each in tables.values() for name in (*each.index.names, *each.columns)}
+    rows = [(name, *said) for name, said in found.items() if name in used]
+    return pd.DataFrame(rows, columns=["column", "unit", "meaning"]).set_index("column")
 
 
 def _write(
-    study: AnyStudy, result: Path, table: Callable[[Groups], pd.DataFrame], digits: str, index: bool
-) -> Path:
+    study: AnyStudy, result: Path, tables: Callable[[Groups], Tables], digits: str
+) -> list[Path]:
     with contextlib.ExitStack() as stack:
         groups = open_result(study, result, stack)
         try:
-            frame = table(groups)
+            found = tables(groups)
         except BROKEN as error:
             raise broken(study, result, error) from error
-    path = result.with_suffix(".csv")
-    write_durably(path, frame.to_csv(index=index, float_format=digits).encode())
-    return path
+    paths = []
+    for label, frame in found.items():
+        paths.append(result.with_name(f"{result.stem}{'-' if label else ''}{label}.csv"))
+        write_durably(paths[-1], frame.to_csv(float_format=digits).encode())
+    return paths

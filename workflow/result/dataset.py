@@ -10,7 +10,7 @@ from workflow.plan import Plan, Variant
 from workflow.reduce import LAWS, Estimates
 from workflow.result.declaration import Powers
 from workflow.result.provenance import provenance
-from workflow.result.variables import AXIS_ATTRIBUTES, attributes, declared
+from workflow.result.variables import AUXILIARY, AXIS_ATTRIBUTES, attributes, declared
 from workflow.simulate import EDGES
 from workflow.study import AXES
 
@@ -37,9 +37,10 @@ def build_dataset(
             data[name] = data[name].transpose(*dims)
     for name, values in exponents.items():
         data[name] = xr.DataArray(values, dims=declared(name).dims)
-    if variant.material.branches or "temperature" in axes:
-        data["tau"] = units["tau"]
-    data |= _spectrum(variant)
+    data |= _settings(plan, variant, units) | _spectrum(variant)
+    if "time" in data:  # in single precision, half as large: in tau it is there to all digits
+        seconds = (data["time"] * units["tau"]).transpose(*data["time"].dims)
+        data["time_s"] = seconds.astype(np.float32)
     coords: dict[str, object] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
     coords |= _coordinates(plan, variant, {str(dim) for each in data.values() for dim in each.dims})
     said = provenance(plan.study, variant.numerics)
@@ -48,7 +49,7 @@ def build_dataset(
     dataset = xr.Dataset(data, coords, said)
     known = estimates["degrees_of_freedom"][estimates["degrees_of_freedom"] >= 0]
     _annotate(dataset, int(known.min()))
-    return dataset
+    return dataset.set_coords([name for name in AUXILIARY if name in dataset])
 
 
 def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, object]:
@@ -65,6 +66,19 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
         (spacing,) = plan.study.grid["spacing"]
         found["x"] = np.arange(samples) * spacing / task.steps_per_spacing
     return {name: values for name, values in found.items() if name in dims}
+
+
+def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataArray]:
+    """Return what turns a result into the paper's units: tau, G, L and q_max, in SI."""
+    spacing = np.array(plan.study.grid["spacing"])
+    cutoff = plan.study.surface.cutoff
+    q_max = np.full(spacing.size, 2.0 * np.pi / cutoff) if cutoff else np.pi / spacing
+    return {
+        "tau": units["tau"],
+        "shear_modulus": xr.DataArray(variant.material.shear_modulus),
+        "length": xr.DataArray(plan.study.surface.length),
+        "q_max": xr.DataArray(q_max, dims="spacing"),
+    }
 
 
 def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:

@@ -18,6 +18,10 @@ SLOPE: Powers = {"roughness": 1, "spacing": -1}
 FLAG, COUNT = "int8", "int32"
 
 ERRORS = "value +- t * error, t of Student with degrees_of_freedom, is an interval of confidence"
+SIGN_OF_D = (
+    "positive where the mean line lies below the undeformed surface of the elastomer; negative "
+    "where only peaks touch, as at light loads"
+)
 BIAS = (
     "9 in 10 problems keep it (docs/accuracy.md); no standard error shows it; NaN: not known for "
     "materials with branches, programmes and prescribed indentation"

@@ -30,8 +30,12 @@ MORE_BYTES = 2**20  # than were written, to find out whether a disk is full
 SHOWN = 5  # differing settings
 
 
-def result_file(out: Path, name: str) -> Path:
-    """Return the result file of a study: ``out`` itself, or in the folder ``out``."""
+def result_file(out: Path, study: AnyStudy) -> Path:
+    """Return the result file of a study: ``out`` itself, or in the folder ``out``.
+
+    Results of a scale lie beside that of the study as it stands, not in its place.
+    """
+    name = f"{study.name}-{study.scale}" if study.scale else study.name
     return out if out.suffix == SUFFIX else out / f"{name}{SUFFIX}"
 
 
@@ -47,6 +51,9 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
         # in this thread, or xarray asks a scheduler for its lock
         try:
             for label, dataset in datasets.items():
+                if label:  # CF: said at the root alone
+                    dataset = dataset.assign_attrs()
+                    dataset.attrs.pop("Conventions", None)
                 dataset.to_netcdf(
                     aside, "a" if label else "w", group=label or None, encoding=_encoding(dataset)
                 )
@@ -65,12 +72,21 @@ def _ask_the_disk(path: Path) -> None:
 
 
 def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:
-    """Return how variables are stored: with a checksum each, curves compressed."""
-    curve = {"zlib": True, "complevel": 1}
-    return {
-        str(name): {"fletcher32": variable.ndim > 0, **(curve if variable.ndim > 6 else {})}
-        for name, variable in dataset.variables.items()
-    }
+    """Return how variables are stored: with a checksum each, curves compressed.
+
+    CF knows no whole numbers of 64 bits, and no gaps in the coordinates of dimensions.
+    """
+    found = {}
+    for name, variable in dataset.variables.items():
+        how: dict[str, Any] = {"fletcher32": variable.ndim > 0}
+        if variable.ndim > 6:
+            how |= {"zlib": True, "complevel": 1}
+        if variable.dtype == np.int64:
+            how["dtype"] = "int32"
+        if name in dataset.dims:
+            how["_FillValue"] = None
+        found[str(name)] = how
+    return found
 
 
 def open_result(
@@ -83,7 +99,8 @@ def open_result(
     import xarray as xr
 
     if not path.is_file():
-        raise UserError(f"{path}: not found; first run: {program()} run {study.name}")
+        of = f" --scale {study.scale}" if study.scale else ""
+        raise UserError(f"{path}: not found; first run: {program()} run {study.name}{of}")
     try:
         opened = xr.open_groups(path, engine="netcdf4")
     except (AttributeError, OSError, RuntimeError, ValueError) as error:

@@ -9,6 +9,9 @@ from workflow.study import AnyStudy, Numerics, Study
 from workflow.system import ROOT, Maker, package_versions, this_maker, version_of
 
 REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
+LICENCE = (
+    "The program is under the MIT licence, which leaves its results to those who compute them."
+)
 
 
 def commit(root: Path = ROOT) -> str:
@@ -50,10 +53,13 @@ def origin(study: AnyStudy) -> dict[str, str | int | float]:
 
     As its maker stands this process; a run says instead what computed the stored records.
     """
+    program = f"elastomer-friction {version_of('elastomer-friction')}"
     return {
         "Conventions": "CF-1.8",
         "title": study.title,
-        "source": f"elastomer-friction {version_of('elastomer-friction')}",
+        "source": program,
+        "history": f"{program}: run {study.name}",  # no date: the same study gives the same file
+        "license": LICENCE,
         "references": REFERENCE,
         "commit": commit(),
         "code": CODE,

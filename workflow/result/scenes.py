@@ -1,7 +1,7 @@
 """The variables of scenes: what a programme of motion, or another elastomer, adds to a result."""
 
 from workflow.reduce import STATUS_COMMENT
-from workflow.result.declaration import COUNT, FLAG, GRID, HEIGHT, SLOPE, Variable
+from workflow.result.declaration import COUNT, FLAG, GRID, HEIGHT, SIGN_OF_D, SLOPE, Variable
 
 EVENT = (*GRID, "event")
 LAW = (*GRID, "law")
@@ -40,7 +40,9 @@ SCENES = {
         EVENT,
         comment=CHANGE_COMMENT,
     ),
-    "trace_indentation": Variable("indentation d over the mean line", HEIGHT, "m", EVENT),
+    "trace_indentation": Variable(
+        "indentation d over the mean line", HEIGHT, "m", EVENT, comment=SIGN_OF_D
+    ),
     "trace_normal_force": Variable("normal force", FORCE, "N", EVENT),
     "trace_friction_force": Variable("friction force", FRICTION, "N", EVENT),
     "trace_contact_fraction": Variable("share of the line in contact", dims=EVENT),

@@ -18,6 +18,7 @@ from workflow.result.declaration import (
     FLAG,
     HEIGHT,
     PER_HURST,
+    SIGN_OF_D,
     SLOPE,
     Variable,
 )
@@ -45,7 +46,7 @@ AXIS_ATTRIBUTES = {
 VARIABLES = {
     "mu_1": Variable("steady coefficient of friction at v1", SLOPE),
     "mu_2": Variable("steady coefficient of friction at v2", SLOPE),
-    "indentation": Variable("steady indentation d at v1", HEIGHT, "m"),
+    "indentation": Variable("steady indentation d at v1", HEIGHT, "m", comment=SIGN_OF_D),
     "contact_fraction": Variable("share of the line in contact at v1"),
     "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE),
     "relaxation_rate": Variable(
@@ -76,6 +77,10 @@ VARIABLES = {
     "deviation": Variable("mu - mu_2 after the jump", SLOPE, dims=CURVE),
     "mu": Variable("coefficient of friction after the jump", SLOPE, dims=CURVE),
     "time": Variable("time since the jump, (t - t0)/tau", dims=CURVE),
+    "time_s": Variable("time since the jump, t - t0", units="s", dims=CURVE, dtype="float32"),
+    "shear_modulus": Variable("relaxed shear modulus G", units="Pa", dims=()),
+    "length": Variable("length L of the line, one period", units="m", dims=()),
+    "q_max": Variable("largest wave number q_max of the line", units="m-1", dims=("spacing",)),
     "rms_slope": Variable("spectral rms slope of the line", SLOPE),
     "speed_ratio": Variable("x = v1 tau q_max"),
     "realizations": Variable(
@@ -124,6 +129,19 @@ VARIABLES = {
 }
 
 VARIABLES |= SCENES
+
+# Coordinates beside those of the dimensions: in what a value can be drawn or looked up.
+AUXILIARY = (
+    "tau",
+    "shear_modulus",
+    "length",
+    "q_max",
+    "speed_ratio",
+    "time",
+    "time_s",
+    "trace_time",
+    "trace_distance",
+)
 
 FLAGS = {
     "rate_state_status": STATUS_MEANINGS,

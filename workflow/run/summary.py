@@ -31,7 +31,8 @@ class Summary:
 
     batches: int = 0
     reused: int = 0  # records found in the store
-    predicted: float = 0.0
+    predicted: float = 0.0  # for all that was missing
+    foreseen: float = 0.0  # of it, for what was computed
     used: float = 0.0
     start: float = 0.0  # s, compiling kernels and starting workers
     wall: float = 0.0  # s, from the first to the last
@@ -51,6 +52,7 @@ class Summary:
     def count(self, plan: Plan, batch: Batch, done: BatchResult) -> None:
         """Enter a finished batch."""
         self.batches += 1
+        self.foreseen += batch.seconds
         self.used += done.seconds
         self.peak = max(self.peak, done.peak)
         phases = done.spent.sum(axis=0)
@@ -81,10 +83,12 @@ class Summary:
 
     def lines(self, plan: Plan) -> list[str]:
         """Return the report of a run, line by line."""
+        factor = f" (factor {self.used / self.foreseen:.2f})" if self.foreseen else ""
+        whole = "" if self.written else f", of {duration(self.predicted)} for the whole"
         found = [
             f"{self.batches} batches computed in {duration(self.wall)}, {self.reused} records "
-            f"reused; {duration(self.used)} of core time used, {duration(self.predicted)} predicted"
-            + (f" (factor {self.used / self.predicted:.2f})" if self.predicted else "")
+            f"reused; {duration(self.used)} of core time used, {duration(self.foreseen)} predicted "
+            f"for them{factor}{whole}"
         ]
         if self.unchanged:
             found.append("the result is there already, of the same study, program and records")

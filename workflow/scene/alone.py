@@ -54,7 +54,8 @@ def _estimates(plan: Plan, variant: Variant, resumed: Saved | None) -> Estimates
 def _in_seconds(dataset: xr.Dataset, study: Study) -> xr.Dataset:
     """Return the dataset with times in s and rates in 1/s, and without coordinates that are NaN."""
     tau, found = study.material.tau, {}
-    for name, variable in dataset.data_vars.items():
+    for name in (*dataset.data_vars, *dataset.coords.keys() & {*IN_TAU}):
+        variable = dataset[name]
         plain = str(name).removesuffix("_error")
         if plain in IN_TAU or plain in PER_TAU:
             scale, unit = (tau, "s") if plain in IN_TAU else (1.0 / tau, "s-1")

@@ -4,6 +4,7 @@ import contextlib
 import copy
 import json
 import tomllib
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -84,7 +85,7 @@ def read_study(study: str, scale: str | None = None, settings: list[str] | None 
     """
     name, folder, tables = _found(study, scale, settings or [])
     read = read_measured if "measure" in tables else read_grid_study
-    return read(name, folder, tables)
+    return replace(read(name, folder, tables), scale=scale or "")
 
 
 def read_scene(study: str, scale: str | None, settings: list[str], quantities: list[str]) -> Study:

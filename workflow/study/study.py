@@ -53,6 +53,7 @@ class AnyStudy:
     text: str  # the settings in force, after scale and --set, as JSON
     title: str
     seed: int
+    scale: str = ""  # which of its scales is in force
 
     @property
     def axes(self) -> tuple[str, ...]:

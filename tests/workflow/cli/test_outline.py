@@ -5,6 +5,7 @@ import re
 from tests.support.commands import facts, output
 from tests.support.documents import without
 from tests.support.small import small_plan
+from workflow.cli import outline
 from workflow.cli.outline import march_lines
 
 
@@ -66,3 +67,11 @@ def test_plan_says_when_realizations_are_rounded_up(capsys, study):
     found = facts(output(capsys, "plan", study, "--set", "study.realizations=10"))
     words = "realizations 12 each (10 rounded up to whole quartets of lines), 192 in all"
     assert found["realizations"] == words
+
+
+def test_a_plan_of_many_points_is_announced(capsys, monkeypatch):
+    plan = small_plan()
+    for seconds, said in ((0.9, ""), (2.1, "Planning 16 points, about 2 s.\n")):
+        monkeypatch.setattr(outline, "SECONDS_PER_POINT", seconds / 16)
+        assert outline.planned(plan.study, plan.pace).points == plan.points
+        assert capsys.readouterr().err == said

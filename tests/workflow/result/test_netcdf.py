@@ -2,13 +2,15 @@
 
 import errno
 import os
+from dataclasses import replace
 
 import pytest
 import xarray as xr
 
 from tests.support.disks import fill, mounted
+from tests.support.small import small_study
 from workflow.errors import UserError
-from workflow.result.netcdf import write_datasets
+from workflow.result.netcdf import result_file, write_datasets
 
 
 def test_file_is_reopened_as_it_was_with_comparisons_as_groups(tmp_path, dataset):
@@ -22,6 +24,13 @@ def test_file_is_reopened_as_it_was_with_comparisons_as_groups(tmp_path, dataset
         xr.testing.assert_equal(group.load(), dataset * 2.0)
     write_datasets(tmp_path / "again.nc", {"": dataset, "coarse": dataset * 2.0})
     assert (tmp_path / "again.nc").read_bytes() == path.read_bytes()
+
+
+def test_results_of_a_scale_lie_beside_that_of_the_study(tmp_path):
+    usual, wide = small_study(), replace(small_study(), scale="wide")
+    assert result_file(tmp_path, usual) == tmp_path / "small.nc"
+    assert result_file(tmp_path, wide) == tmp_path / "small-wide.nc"
+    assert result_file(tmp_path / "mine.nc", wide) == tmp_path / "mine.nc"
 
 
 @pytest.mark.parametrize("error", [OSError(errno.ENOSPC, "No space left"), RuntimeError("HDF")])

@@ -99,4 +99,4 @@ def test_commit_is_unknown_without_git_or_repository(monkeypatch, error):
 def test_nothing_depends_on_when_or_where():
     again = provenance(STUDY, STUDY.variants[""])
     assert {**again, "commit": FOUND["commit"]} == FOUND
-    assert not {"date", "history", "host", "user", "folder"} & set(FOUND)
+    assert not {"date", "host", "user", "folder"} & set(FOUND)

@@ -68,9 +68,12 @@ def test_a_run_that_had_nothing_to_do_says_only_that():
     assert "7 records reused" in said
 
 
-def test_prediction_is_compared_with_what_was_used():
-    summary = dataclasses.replace(counted([0.0] * 6), used=15.0)
-    assert "(factor 1.50)" in summary.lines(PLAN)[0]
+def test_what_was_used_is_compared_with_what_was_predicted_for_it():
+    begun = dataclasses.replace(counted([0.0] * 6), used=1.5 * BATCH.seconds, predicted=7200.0)
+    assert begun.foreseen == BATCH.seconds
+    assert begun.lines(PLAN)[0].endswith("predicted for them (factor 1.50), of 2.0 h for the whole")
+    done = dataclasses.replace(begun, written=True)
+    assert done.lines(PLAN)[0].endswith("predicted for them (factor 1.50)")
 
 
 def test_a_summary_begins_with_nothing_done_by_one_worker():

@@ -49,6 +49,10 @@ RELAXATION = {
         "µ(t) = F_x/F_N after the velocity step, the mean over the lines. Sample 0 is µ₁ + Δµ₀."
     ),
     "time": Meaning("t̄ = (t − t₀)/τ (eq. 7) of the samples of `mu` and `deviation`."),
+    "time_s": Meaning(
+        't − t₀ of the same samples in seconds, a coordinate: `mu.plot(x="time_s")` at a point. '
+        "It is kept in single precision."
+    ),
 }
 MODELS = {
     "best_model": Meaning(
@@ -88,7 +92,8 @@ GENERAL = {
         "Friction divided by it depends on the dimensionless parameters alone."
     ),
     "speed_ratio": Meaning(
-        "x = v₁ τ q_max, the abscissa of figure 7; q_max = π/Δx, or 2π/`surface.cutoff`."
+        "x = v₁ τ q_max, the abscissa of figure 7; q_max = π/Δx, or 2π/`surface.cutoff`. A "
+        "coordinate."
     ),
     "realizations": Meaning("How many lines the estimates of this point average over."),
     "degrees_of_freedom": Meaning(
@@ -117,7 +122,12 @@ GENERAL = {
     ),
     "tau": Meaning(
         "τ = `relaxation_time` + Σ g_b t_b/G, by which times are made dimensionless, at each "
-        "temperature."
+        "temperature. A coordinate."
+    ),
+    "shear_modulus": Meaning("The relaxed shear modulus G of the material. A coordinate."),
+    "length": Meaning("The length L of one period of the line. A coordinate."),
+    "q_max": Meaning(
+        "The largest wave number of the line, π/Δx or 2π/`surface.cutoff`. A coordinate."
     ),
     "power_spectrum": Meaning(
         "C₁D(q) of measured lines or lines like them, with ∫ C₁D dq = h² and ∫ C₁D q² dq = ∇z²."

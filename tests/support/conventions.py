@@ -1,0 +1,35 @@
+"""The CF conventions of netCDF files, as the compliance checker, if installed, reads them."""
+
+from functools import cache
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+INSTALLED = find_spec("compliance_checker") is not None  # CI fails without it: result/test_cf.py
+# The first asks every group for a dimension called time; the second subtracts names from names
+# where a coordinate has words for values (the law of a fit).
+BROKEN = [
+    "check_invalid_same_named_dimension_across_groups",
+    "check_coordinate_variables_strict_monotonicity",
+]
+OPTIONAL = 1  # weight of what is no more than advice
+
+
+@cache
+def _suite() -> Any:
+    from compliance_checker.runner import CheckSuite
+
+    CheckSuite.load_all_available_checkers()
+    return CheckSuite()
+
+
+def complaints(path: Path) -> list[str]:
+    """Return what a file has that CF-1.8 does not allow or does not recommend."""
+    dataset = _suite().load_dataset(str(path))
+    try:
+        ((results, errors),) = _suite().run_all(dataset, ["cf:1.8"], [], BROKEN).values()
+    finally:
+        dataset.close()
+    assert not errors, errors
+    breached = [r for r in results if r.weight > OPTIONAL and r.value[0] < r.value[1]]
+    return [said for result in breached for said in result.msgs]
