@@ -1,6 +1,8 @@
 """What a user can put right: one line that any terminal can show."""
 
-from workflow.errors import LONGEST, UserError
+import pytest
+
+from workflow.errors import LONGEST, Complaints, UserError, UserErrors, did_you_mean
 
 
 def test_a_message_is_one_line_of_what_can_be_shown():
@@ -17,3 +19,26 @@ def test_an_endless_line_is_cut_in_the_middle():
 
 def test_a_table_keeps_its_lines():
     assert str(UserError("there", "here")) == "there\nhere"
+
+
+def test_several_errors_are_raised_as_one_and_one_as_itself():
+    complaints, first, second = Complaints(), UserError("a = 1: wrong"), UserError("b: missing")
+    complaints.end()
+    with complaints:
+        raise first
+    with pytest.raises(UserError) as caught:
+        complaints.end()
+    assert caught.value is first
+    with complaints:
+        raise UserErrors([second])
+    with pytest.raises(UserErrors, match=r"^a = 1: wrong\nb: missing$") as caught:
+        complaints.end()
+    assert caught.value.errors == [first, second]
+    with pytest.raises(ZeroDivisionError), complaints:
+        _ = 1 / 0
+
+
+def test_what_comes_nearest_is_named():
+    assert did_you_mean("hurts", ["hurst", "spacing"]) == "; did you mean hurst?"
+    assert did_you_mean("moon", ["local", "slurm"]) == ""
+    assert did_you_mean(7, ["linear"]) == ""

@@ -11,7 +11,7 @@ from workflow import report
 from workflow.cli.animate import add_animate_options, run_animate
 from workflow.cli.fit import add_fit_options, run_fit
 from workflow.cli.kinds import KINDS
-from workflow.cli.new import add_new_options, run_new, run_studies
+from workflow.cli.new import add_new_options, run_new, run_schema, run_studies
 from workflow.cli.prony import add_prony_options, run_prony
 from workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
 from workflow.cli.stores import add_merge_options, add_verify_options, run_merge, run_verify
@@ -35,7 +35,8 @@ def main(arguments: list[str] | None = None) -> int:
     try:
         return COMMANDS[options.command](options)
     except UserError as error:
-        print(f"error: {error}", file=sys.stderr)
+        for each in error.errors:
+            print(f"error: {each}{each.place}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
         said = resume_line("aborted") if options.command == "run" else "interrupted"
@@ -95,6 +96,8 @@ def command_parser() -> argparse.ArgumentParser:
     commands.add_parser("studies", help=text, description=text)
     text = "write a commented study.toml to start from, in studies/NAME of the working folder"
     add_new_options(commands.add_parser("new", help=text, description=text))
+    text = "print the JSON schema of study.toml, for editors that check and complete it"
+    commands.add_parser("schema", help=text, description=text)
     text = "fit a Prony series to measured moduli G' and G'', and print the table [material]"
     add_prony_options(commands.add_parser("prony", help=text, description=text))
     text = "fit the kinetic law to measured velocity steps, and say what they determine of it"
@@ -173,6 +176,7 @@ COMMANDS = {
     "animate": run_animate,
     "studies": run_studies,
     "new": run_new,
+    "schema": run_schema,
     "prony": run_prony,
     "fit": run_fit,
     "verify": run_verify,

@@ -1,12 +1,13 @@
-"""The commands ``studies`` and ``new``: which studies there are, and one to start from."""
+"""The commands ``studies``, ``new`` and ``schema``: what there is, and how to begin a study."""
 
 import argparse
+import json
 import re
 import tomllib
 from pathlib import Path
 
 from workflow.errors import UserError
-from workflow.study import known_studies
+from workflow.study import known_studies, study_schema
 from workflow.system import make_folder, program, write_durably
 
 DONE = 0
@@ -35,6 +36,13 @@ def _title(path: Path) -> str:
         return str(tomllib.loads(path.read_text(encoding="utf-8"))["study"]["title"])
     except (OSError, ValueError, LookupError, TypeError):
         return NO_TITLE
+
+
+def run_schema(options: argparse.Namespace) -> int:
+    """Print the schema of study.toml; return the exit status."""
+    del options
+    print(json.dumps(study_schema(), indent=1, ensure_ascii=False))
+    return DONE
 
 
 def run_new(options: argparse.Namespace) -> int:

@@ -3,36 +3,48 @@
 import contextlib
 import copy
 import json
+import re
 import tomllib
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from workflow.errors import UserError
+from workflow.errors import UserError, did_you_mean
+from workflow.study.document import check_every_key, placed
 from workflow.study.grid import AXES
 from workflow.study.measured import read_measured
 from workflow.study.settings import as_table
 from workflow.study.study import AnyStudy, Study, read_grid_study
 
+BARE_LIST = re.compile(r"=\s*[-+.\d][-+.\deE_]*\s*,")  # numbers without brackets
 
-def load_tables(path: Path, scale: str | None, settings: list[str]) -> dict:
-    """Return the tables of a TOML file; overrides are "table.key=value".
+
+def load_tables(path: Path, scale: str | None, settings: list[str]) -> tuple[dict, dict]:
+    """Return the tables of a TOML file and its other scales; overrides are "table.key=value".
 
     Raises UserError for a file that is not TOML, an unknown scale and a broken override.
     """
     try:
         tables = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        raise UserError(f"{path}: cannot be read as TOML: {error}") from error
+        hint = "; a list is [0.3, 0.5]" if BARE_LIST.search(_line_at_fault(path, error)) else ""
+        raise UserError(f"{path}: cannot be read as TOML: {error}{hint}") from error
     scales = tables.pop("scales", {})
     if scale is not None:
         if scale not in as_table("scales", scales):
             known = ", ".join(scales) or "none"
-            raise UserError(f"--scale {scale}: the study knows {known}")
-        _merge(tables, scales[scale], f"scales.{scale}")
+            near = did_you_mean(scale, scales)
+            raise UserError(f"--scale {scale}: the study knows {known}{near}")
+        _merge(tables, scales.pop(scale), f"scales.{scale}")
     for setting in settings:
         _merge(tables, _setting(setting), "--set")
-    return tables
+    return tables, as_table("scales", scales)
+
+
+def _line_at_fault(path: Path, error: Exception) -> str:
+    """Return the line of a file where an error of its syntax is, "" where it names none."""
+    found = re.search(r"at line (\d+)", str(error))
+    return path.read_text(encoding="utf-8").splitlines()[int(found[1]) - 1] if found else ""
 
 
 def _merge(tables: dict, extra: Any, where: str) -> None:
@@ -67,7 +79,8 @@ def find_study(study: str) -> Path:
         if name in known:
             return known[name]
     names = ", ".join(sorted(known))
-    raise UserError(f"study {study!r}: not among {names}, nor the path of a .toml file")
+    near = did_you_mean(study.replace("-", "_"), known)
+    raise UserError(f"study {study!r}: not among {names}, nor the path of a .toml file{near}")
 
 
 def known_studies() -> dict[str, Path]:
@@ -81,11 +94,18 @@ def read_study(study: str, scale: str | None = None, settings: list[str] | None 
 
     settings : "table.key=value" overrides.
 
-    Raises UserError, one line, for anything a user can have got wrong.
+    Raises UserError for anything a user can have got wrong: all keys, types and ranges at once, at
+    every scale, then what does not go together. Its place is file and line.
     """
-    name, folder, tables = _found(study, scale, settings or [])
-    read = read_measured if "measure" in tables else read_grid_study
-    return replace(read(name, folder, tables), scale=scale or "")
+    asked = settings or []
+    name, path, tables, scales = _found(study, scale, asked)
+    with placed(path, scale or "", asked):
+        if "measure" in tables:
+            found: AnyStudy = read_measured(name, path.parent, tables)
+        else:
+            check_every_key(tables, scales)
+            found = read_grid_study(name, path.parent, tables)
+    return replace(found, scale=scale or "")
 
 
 def read_scene(study: str, scale: str | None, settings: list[str], quantities: list[str]) -> Study:
@@ -94,7 +114,7 @@ def read_scene(study: str, scale: str | None, settings: list[str], quantities: l
     Its comparisons are left out. Raises UserError as ``read_study`` does, and where the study is
     not of one point.
     """
-    name, folder, tables = _found(study, scale, settings)
+    name, path, tables, _ = _found(study, scale, settings)
     if "measure" in tables:
         raise UserError(f"{study}: measures the program itself; it has no scene to show")
     tables.pop("compare", None)
@@ -103,14 +123,15 @@ def read_scene(study: str, scale: str | None, settings: list[str], quantities: l
         ("scene", {"quantities": quantities}),
     ):
         tables[table] = {**as_table(table, tables.get(table, {})), **extra}
-    return read_grid_study(name, folder, tables, one_point=True)
+    with placed(path, scale or "", settings):
+        return read_grid_study(name, path.parent, tables, one_point=True)
 
 
-def _found(study: str, scale: str | None, settings: list[str]) -> tuple[str, Path, dict]:
-    """Return name, folder and tables of a study."""
+def _found(study: str, scale: str | None, settings: list[str]) -> tuple[str, Path, dict, dict]:
+    """Return name, file, tables and other scales of a study."""
     path = find_study(study)
     name = path.parent.name if path.name == "study.toml" else path.stem
     try:
-        return name, path.parent, load_tables(path, scale, settings)
+        return name, path, *load_tables(path, scale, settings)
     except RecursionError:
         raise UserError(f"{path}: holds brackets within brackets too deep to read") from None

@@ -1,5 +1,6 @@
 """The commands ``studies`` and ``new``: what can be named, and a study to start from."""
 
+import json
 import re
 
 import pytest
@@ -64,3 +65,8 @@ def test_values_said_to_be_usual_are_those_that_are_left_out(tmp_path):
 def _usual(found: re.Match) -> str:
     """Return a commented key as one that is given, but for those that the line excepts."""
     return found[0] if "none" in (found[2] or "") else found[1]
+
+
+def test_the_schema_is_printed_as_json(capsys):
+    schema = json.loads(output(capsys, "schema"))
+    assert schema["properties"]["grid"]["properties"]["hurst"]["description"]

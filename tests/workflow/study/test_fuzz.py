@@ -92,8 +92,10 @@ def outcome(text, *given_settings, scale=None, planned=True):
 
 
 def check(found):
-    """Assert that an outcome is a study or a message of one line."""
-    assert isinstance(found, Study | Measured) or (found and found.isprintable()), found
+    """Assert that an outcome is a study, or a message of one line for each thing that is wrong."""
+    if not isinstance(found, Study | Measured):
+        assert found
+        assert all(line.isprintable() for line in found.split("\n")), found
 
 
 @FUZZ

@@ -3,6 +3,7 @@
 import pytest
 
 from tests.support.small import TEXT, complaint, small_study, write_study
+from workflow.cli import main
 from workflow.errors import UserError
 from workflow.study.read import find_study, read_study
 
@@ -103,3 +104,20 @@ def test_what_is_not_toml_is_named(tmp_path, content):
     path.write_bytes(content)
     with pytest.raises(UserError, match=r"bad\.toml: cannot be read as TOML.*\Z"):
         read_study(str(path))
+
+
+def test_a_list_without_brackets_is_shown_one(tmp_path):
+    assert complaint("grid.hurst=0.3,0.5").endswith("; a list is [0.3, 0.5]")
+    path = tmp_path / "bad.toml"
+    path.write_text("[grid]\nhurst = 0.3, 0.5\n")
+    with pytest.raises(UserError, match=r"cannot be read as TOML: .*; a list is \[0\.3, 0\.5\]$"):
+        read_study(str(path))
+
+
+def test_every_error_is_a_line_of_its_own_with_its_place(capsys, tmp_path):
+    path = write_study(tmp_path, TEXT.replace("seed = 1", "sead = 1").replace("= 0.01", "= -1"))
+    assert main(["plan", path]) == 2
+    first, second = capsys.readouterr().err.splitlines()
+    assert first.startswith("error: study.sead: unknown key; known are title, seed")
+    assert first.endswith(f"did you mean seed? ({path}, line 4)")
+    assert second == f"error: surface.length = -1: must be greater than zero ({path}, line 12)"

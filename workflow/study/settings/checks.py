@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
-from workflow.errors import UserError
+from workflow.errors import Complaints, UserError, did_you_mean
 
 REQUIRED = object()
 UNBOUNDED = 10**9  # whole numbers have no limit that a user would meet
@@ -26,21 +26,28 @@ def read_table(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, 
 
     Raises UserError for what is no table, an unknown key, a missing one and a refused value.
     """
-    given = as_table(where, table)
-    check_keys(f"{where}.", given, keys)
+    given, complaints = as_table(where, table), Complaints()
+    for name in given:
+        with complaints:
+            check_keys(f"{where}.", [name], keys)
     found = {}
     for name, key in keys.items():
-        if name not in given and key.default is REQUIRED:
-            raise UserError(f"{where}.{name}: missing")
-        found[name] = key.check(f"{where}.{name}", given[name]) if name in given else key.default
+        with complaints:
+            if name not in given and key.default is REQUIRED:
+                raise UserError(f"{where}.{name}: missing")
+            own = f"{where}.{name}"
+            found[name] = key.check(own, given[name]) if name in given else key.default
+    complaints.end()
     return found
 
 
-def check_keys(where: str, table: Mapping[str, Any], known: Iterable[str]) -> None:
+def check_keys(where: str, table: Iterable[str], known: Iterable[str]) -> None:
     """Raise UserError where a table holds a key that is not known; ``where`` goes before it."""
     for key in table:
         if key not in known:
-            raise UserError(f"{where}{key}: unknown key; known are {', '.join(known)}")
+            raise UserError(
+                f"{where}{key}: unknown key; known are {', '.join(known)}{did_you_mean(key, known)}"
+            )
 
 
 def as_table(key: str, value: object) -> dict[str, Any]:
@@ -101,5 +108,6 @@ def integer(key: str, value: object, least: int, most: int = UNBOUNDED) -> int:
 def choice(key: str, value: object, known: Iterable[str]) -> str:
     """Return ``value`` if it is one of ``known`` or raise UserError naming the key."""
     if value not in tuple(known):
-        raise UserError(f"{key} = {value!r}: must be one of {', '.join(known)}")
+        near = did_you_mean(value, known)
+        raise UserError(f"{key} = {value!r}: must be one of {', '.join(known)}{near}")
     return str(value)

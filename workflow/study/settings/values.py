@@ -21,6 +21,8 @@ def axis_values(key: str, spec: object) -> tuple[float, ...]:
         values = _spaced(key, spec)
     elif isinstance(spec, list):
         values = tuple(number(f"{key}[{i}]", v) for i, v in enumerate(spec))
+    elif isinstance(spec, str) and "," in spec:
+        raise UserError(f"{key} = {spec!r:.40}: must be a number or a list; a list is [0.3, 0.5]")
     else:
         values = (number(key, spec),)
     if not values:
