@@ -125,7 +125,10 @@ GENERAL = {
         "temperature. A coordinate."
     ),
     "shear_modulus": Meaning("The relaxed shear modulus G of the material. A coordinate."),
-    "length": Meaning("The length L of one period of the line. A coordinate."),
+    "length": Meaning(
+        "L of F̄ = F_N/(4GLh): `surface.length`, or that of a measured line before it is mirrored. "
+        "A coordinate."
+    ),
     "q_max": Meaning(
         "The largest wave number of the line, π/Δx or 2π/`surface.cutoff`. A coordinate."
     ),
