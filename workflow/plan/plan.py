@@ -1,7 +1,10 @@
 """The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
 
+import contextlib
+import gc
 import math
 from collections import defaultdict
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
@@ -109,10 +112,12 @@ def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Pla
     origin : where a programme that is resumed begins.
     """
     asked = asked_of(study)
-    problems = problems_of(study)
-    variants = [
-        variant_of(study, asked, pace, label, problems[label], origin) for label in study.variants
-    ]
+    with _nothing_collected():
+        problems = problems_of(study)
+        variants = [
+            variant_of(study, asked, pace, label, problems[label], origin)
+            for label in study.variants
+        ]
     tasks = [task for variant in variants for task in variant.tasks]
     first = {task.key: study.blocks for task in tasks}
     expected = dict(first)
@@ -124,6 +129,18 @@ def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Pla
             blocks.update(zip(variant.goals, counts, strict=True))
     _check_records(study, sum(expected.values()))
     return Plan(study, variants, asked, pace, first, expected)
+
+
+@contextlib.contextmanager
+def _nothing_collected() -> Iterator[None]:
+    """Look for no garbage: of 1e5 tasks none is any, and a fifth of the time went there."""
+    before = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if before:
+            gc.enable()
 
 
 def _check_records(study: Study, records: int) -> None:

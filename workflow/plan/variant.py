@@ -3,6 +3,7 @@
 import hashlib
 import struct
 from collections.abc import Sequence
+from itertools import groupby
 from typing import NamedTuple
 
 import numpy as np
@@ -51,11 +52,8 @@ class Variant(NamedTuple):
         """Return the typical seconds of drawing the lines of so many blocks of each task once."""
         total = 0.0
         for line in self.by_line:
-            most: dict[int, int] = {}
-            for task in line:
-                samples, count = samples_of(task), blocks[task.key]
-                most[samples] = max(count, most.get(samples, 0))
-            total += sum(count * self.drawing[samples] for samples, count in most.items())
+            for samples, tasks in groupby(line, samples_of):
+                total += self.drawing[samples] * max(blocks[task.key] for task in tasks)
         return total
 
     def draw_seconds(self, samples: int) -> float:
