@@ -40,7 +40,7 @@ def march(law, control, z, weight, state, kept_steps, cap):
     kept = 0
     passes = 0
     for step in range(1, kept_steps[-1] + 1):
-        noted = note(control, c, d, first)
+        noted = note(control, c, d, first, rings)
         shift(law, z, c, d, first, rings, step)
         d, used = balance(control, law, z, c, noted, d, step)
         passes += used

@@ -8,10 +8,10 @@ from kernels.jit import by_type
 
 
 @by_type
-def note(control, c, d, first):
+def note(control, c, d, first, rings):
     """Return what ``balance`` needs to know of the step before, or None.
 
-    c, d, first : as the march leaves them at its end (motion/slide.py). They change next.
+    c, d, first, rings : as the march leaves them at its end (motion/slide.py). They change next.
     """
 
 

@@ -13,7 +13,7 @@ class ConstantForce(NamedTuple):
 
 
 @note.of(ConstantForce)
-def _note(control, c, d, first):
+def _note(control, c, d, first, rings):
     return None
 
 

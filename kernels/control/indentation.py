@@ -18,7 +18,7 @@ class PrescribedIndentation(NamedTuple):
 
 
 @note.of(PrescribedIndentation)
-def _note(control, c, d, first):
+def _note(control, c, d, first, rings):
     return None
 
 

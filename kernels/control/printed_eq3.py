@@ -19,12 +19,14 @@ class PrintedForce(NamedTuple):
 
 
 @note.of(PrintedForce)
-def _held(control, c, d, first):
+def _held(control, c, d, first, rings):
     """Return which samples an element reaches straight from contact one sample upstream."""
     held = np.zeros(c.size, np.bool_)
     for s in range(first.size - 1):
         for i in range(first[s], first[s + 1] - 1):
             held[i] = c[i + 1] < d
+    if rings.at[-1] == 1:  # no gap anywhere: the sample upstream of the last one is the first
+        held[-1] = c[0] < d
     return held
 
 
@@ -41,10 +43,11 @@ def _balance(control, law, z, c, noted, d, step):
     weight = np.full(c.size, law.stiffness)
     for i in range(c.size):
         if held[i]:
-            threshold[i] = (z[i] - law.decay * z[i + 1]) / (1.0 - law.decay)
+            ahead = z[i + 1 if i + 1 < z.size else 0]
+            threshold[i] = (z[i] - law.decay * ahead) / (1.0 - law.decay)
             weight[i] = 1.0
     d, passes = solve_indentation(threshold, control.load, d, weight)
     for i in range(c.size):
         if held[i]:
-            c[i] = z[i] - law.decay * (z[i + 1] - d)
+            c[i] = z[i] - law.decay * (z[i + 1 if i + 1 < z.size else 0] - d)
     return d, passes

@@ -105,6 +105,17 @@ def test_march_is_the_reference_march(scene, scheme, control, kind, cap_factor):
     np.testing.assert_allclose(found_mu, mu, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_eq_3_as_printed_holds_elements_all_round_the_line(scheme):
+    """Near full contact z[0] touches: the end of the line is reached straight from there."""
+    jump = Jump(Scene(0.0, 1, 25.0, 30.0 / np.pi, 3.0), scheme)
+    steps = 40
+    mu, d = jump.reference(steps, RigidElements)
+    found_mu, found_d, _ = jump.march(np.arange(1, steps + 1), np.inf, PrintedForce)
+    np.testing.assert_allclose(found_d, d, rtol=1e-11)
+    np.testing.assert_allclose(found_mu, mu, rtol=1e-9, atol=1e-9)
+
+
 def test_the_cap_does_not_change_the_march():
     """Leaving out what cannot touch must be exact, whatever the memory."""
     jump = Jump(Scene(0.7, 1, 0.1, 100.0, 1.2), "exponential", elements=600, seed=5)

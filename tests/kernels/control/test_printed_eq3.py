@@ -6,8 +6,11 @@ from scipy.optimize import brentq
 
 from kernels import SCHEMES, PrintedForce
 from kernels.control.balance import balance, note
+from kernels.motion.slide import Rings
 
 FIRST = np.array([0, 20, 50])  # two stretches
+NONE = np.empty(0)
+RINGS = Rings(NONE, np.array([0, 18, 36]), NONE)  # over two gaps of 17 samples
 
 
 def state(seed=1):
@@ -18,11 +21,20 @@ def state(seed=1):
 
 def test_elements_are_held_that_come_straight_from_contact():
     _, c, d = state()
-    held = note(PrintedForce(1.0), c, d, FIRST)
+    held = note(PrintedForce(1.0), c, d, FIRST, RINGS)
     expected = np.append(c[1:] < d, False)
     expected[19] = False  # what arrives there has crossed the gap between the stretches
     np.testing.assert_array_equal(held, expected)
     assert 5 < held.sum() < 45
+
+
+def test_where_the_whole_line_is_marched_its_end_is_held_by_its_beginning():
+    _, c, d = state()
+    no_gap = Rings(NONE, np.array([0, 1]), NONE)
+    for first_touches in (False, True):
+        c[0] = d - 0.1 if first_touches else d + 0.1
+        held = note(PrintedForce(1.0), c, d, np.array([0, 50]), no_gap)
+        np.testing.assert_array_equal(held, np.roll(c, -1) < d)
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -31,7 +43,7 @@ def test_held_elements_press_with_their_height_and_the_motion_of_the_line_alone(
     """f = -(u + du/dt) over a step from z_(i+1) - d to z_i - d, both with the new d (eq. 3)."""
     law, control = SCHEMES[scheme](0.5), PrintedForce(load)
     z, c, d_old = state()
-    held = note(control, c, d_old, FIRST)
+    held = note(control, c, d_old, FIRST, RINGS)
     free = c.copy()
 
     def forces(d):
