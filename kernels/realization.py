@@ -17,7 +17,7 @@ from kernels.friction import lagged_slope, step_average
 from kernels.limits import LOADS, SPEEDS, check_between
 from kernels.march import march
 from kernels.memory_case import run_memory_case
-from kernels.patches.steady_friction import Ground, Sliding, steady_friction
+from kernels.patches.steady_friction import Ground, Sliding, refine, steady_friction
 from kernels.rheology.spectrum import shortest_step
 from kernels.surfaces.line import Line
 
@@ -78,48 +78,58 @@ def _run_loads(ground: Ground, cases: list[Case], asked: Quantities) -> list[Out
     n = ground.line.z.size
     loads = np.array([case.load for case in cases]) * n
     clocks = Clocks(len(cases))
-    to = tuple(ratio * speed for ratio in ratios)
-    one = steady_friction(ground, speed, scheme, loads, None, to if asked.jump else ())
-    clocks.lap(steady=one.updates + n, jump=one.jumps.shape[1] * n)
-    shape = len(cases), len(ratios)
-    mu_2 = np.full(shape, np.nan)
-    jump = one.jumps if asked.jump else np.full(shape, np.nan)
-    curves: list[list[np.ndarray]] = [[] for _ in cases]
-    work = one.updates.copy()
-    for k, ratio in enumerate(ratios):
-        if not (asked.steady or asked.relaxation):
-            continue
-        two = one
-        if ratio != 1.0:
-            two = steady_friction(ground, to[k], scheme, loads, one.d)
-            work += two.updates
-        mu_2[:, k] = two.mu
-        clocks.lap(steady=two.updates + n)
+    to = tuple(ratio * speed for ratio in ratios) if asked.jump else ()
+    one = steady_friction(ground, speed, scheme, loads, None, to)
+    clocks.lap(steady=one.updates + n, jump=len(to) * n)
+    twos: list[Sliding] = []
+    if asked.steady or asked.relaxation:
+        for ratio in ratios:
+            two = one
+            if ratio != 1.0:
+                two = steady_friction(ground, ratio * speed, scheme, loads, one.d)
+                clocks.lap(steady=two.updates + n)
+            twos.append(two)
+    return [_under_load(one, twos, i, case, asked, clocks) for i, case in enumerate(cases)]
+
+
+def _under_load(
+    one: Sliding, twos: list[Sliding], i: int, case: Case, asked: Quantities, clocks: Clocks
+) -> Outcome:
+    """Return what is found under load i: at v1, and for each velocity step at v2 and between.
+
+    twos : steady sliding at each v2, or nothing.
+    """
+    n, others = one.ground.line.z.size, len(case.ratios) if asked.jump else 0
+    refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
+    clocks.lap_alone(i, steady=one.updates[i] + n, jump=others * n)
+    mu_2, curves, work = np.full(len(case.ratios), np.nan), [], float(one.updates[i])
+    for k, two in enumerate(twos):
+        if two is not one:
+            refine(two, i)
+            work += two.updates[i]
+        mu_2[k] = two.mu[i]
+        clocks.lap_alone(i, steady=1.0)
         if asked.relaxation:
-            marched = np.empty(len(cases))
-            for i, case in enumerate(cases):
-                curve, updates = _curve(one, two, i, case.kept_steps[k], asked)
-                curves[i].append(mu_2[i, k] + curve)
-                marched[i] = updates
-            work += marched
-            clocks.lap(marching=marched + n)
+            curve, updates = _curve(one, two, i, case.kept_steps[k], asked)
+            curves.append(mu_2[k] + curve)
+            work += updates
+            clocks.lap_alone(i, marching=1.0)
+        if two is not one:
+            two.known.clear()  # of several velocity steps one at a time is in memory
     samples = one.samples if asked.relaxation else one.samples_seen
-    rate = np.full(len(ratios), np.nan)
-    return [
-        Outcome(
-            float(one.mu[i]),
-            float(one.indentation[i]),
-            float(one.contact[i]),
-            float(samples[i]),
-            mu_2[i],
-            jump[i],
-            curves[i],
-            int(work[i]),
-            clocks.seconds(i),
-            rate,
-        )
-        for i in range(len(cases))
-    ]
+    jump = one.jumps[i].copy() if asked.jump else np.full(len(case.ratios), np.nan)
+    return Outcome(
+        float(one.mu[i]),
+        float(one.indentation[i]),
+        float(one.contact[i]),
+        float(samples[i]),
+        mu_2,
+        jump,
+        curves,
+        int(work),
+        clocks.seconds(i),
+        np.full(len(case.ratios), np.nan),
+    )
 
 
 def _curve(

@@ -7,6 +7,8 @@ from kernels.rheology.law import NEGLIGIBLE
 from kernels.steady.carry import Gaps
 from kernels.steady.spans import SPAN
 
+STRIP = 64  # intervals that are asked at once whether any is marked
+
 
 @kernel
 def curvatures(z, slope, spacing):
@@ -28,17 +30,29 @@ def lowest_between(z, slope, j, spacing):
 
 
 @kernel
-def mark_touchable(z, slope, state, spacing, margin):
+def mark_touchable(z, slope, spans, state, spacing, margin):
     """Return which intervals elements may touch that come as in a state, and those beside them.
 
-    state : free displacements w and indentation d on the samples. margin : of d.
+    spans : of the line. state : free displacements w and indentation d on the samples. margin :
+    of d.
     """
-    low = np.zeros(z.size, np.bool_)
+    n = z.size
+    low = np.zeros(n, np.bool_)
     depth = (1.0 + margin) * state.d
-    for j in range(z.size):
-        if lowest_between(z, slope, j, spacing) - depth < state.w[j]:
-            _mark(low, j)
+    for b in range(n // SPAN + 1):
+        if b + 1 < spans.lowest.size and _lowest_in(spans, b, spacing) >= depth:
+            continue  # as w <= 0
+        for j in range(b * SPAN, min((b + 1) * SPAN, n)):
+            if lowest_between(z, slope, j, spacing) - depth < state.w[j]:
+                _mark(low, j)
     return low
+
+
+@kernel
+def _lowest_in(spans, b, spacing):
+    """Return a height that the line does not fall below between the samples of span b and later."""
+    steep = max(spans.steepest[b], spans.steepest[b + 1])
+    return min(spans.lowest[b], spans.lowest[b + 1]) - 0.5 * spacing * steep
 
 
 @kernel
@@ -48,20 +62,20 @@ def _mark(low, j):
 
 
 @kernel
-def marked(low, fold):
-    """Return the marked intervals, increasing, and more, so that fine samples make whole spans.
-
-    fold : fine samples in an interval.
-    """
-    wide = max(1, SPAN // fold)
+def marked(low, wide):
+    """Return the marked intervals, increasing, and more, so that they come ``wide`` together."""
     at = np.empty(low.size, np.int64)
     found = until = 0  # all that is wanted before ``until`` has been found
-    for j in range(low.size):
-        if low[j] and j >= until:
-            until = min(j - j % wide + wide, low.size)
-            for k in range(j - j % wide, until):
-                at[found] = k
-                found += 1
+    for first in range(0, low.size, STRIP):
+        stop, count = min(first + STRIP, low.size), 0
+        for j in range(first, stop):
+            count += low[j]
+        for j in range(first, stop if count > 0 else first):
+            if low[j] and j >= until:
+                until = min(j - j % wide + wide, low.size)
+                for k in range(j - j % wide, until):
+                    at[found] = k
+                    found += 1
     return at[:found].copy()
 
 
@@ -83,13 +97,11 @@ def mark_missed(z, slope, spans, spacing, once, d, at, gaps, fold, low):
         while j > at[i]:
             k = j if j < z.size else j - z.size
             s = k // SPAN
-            if k == s * SPAN + SPAN - 1 and j - SPAN > at[i] and s + 1 < spans.lowest.size:
-                steep = max(spans.steepest[s], spans.steepest[s + 1])
-                least = min(spans.lowest[s], spans.lowest[s + 1]) - 0.5 * spacing * steep
-                if least - d >= after_span * u:
-                    u = after_span * u if u < -NEGLIGIBLE else 0.0
-                    j -= SPAN
-                    continue
+            whole = k == s * SPAN + SPAN - 1 and j - SPAN > at[i] and s + 1 < spans.lowest.size
+            if whole and _lowest_in(spans, s, spacing) - d >= after_span * u:
+                u = after_span * u if u < -NEGLIGIBLE else 0.0
+                j -= SPAN
+                continue
             u = once * u if u < -NEGLIGIBLE else 0.0
             if lowest_between(z, slope, k, spacing) - d < u:
                 _mark(low, k)

@@ -27,7 +27,7 @@ from kernels.patches.touching import (
     steepest,
 )
 from kernels.steady.contacts import first, room_for
-from kernels.steady.sliding import approach, elastic_guess, indentation
+from kernels.steady.sliding import POWER_STEPS, STEPS, approach, elastic_guess, indentation
 from kernels.steady.spans import Thresholds
 
 # What is found of every load: d over the deepest sample, mu, the share in contact, samples per
@@ -66,8 +66,8 @@ def corrected_share(steps: float, speed: float) -> float:
 def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
     """Return (found, jumps), shapes (loads, 6) and (loads, others).
 
-    decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, NaN where there is
-    none. gaps : as of carry, for parts of a line.
+    decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, all NaN where there
+    are none. gaps : as of carry, for parts of a line.
     """
     n, own = z.size, speeds.thresholds
     contacts, everything = room_for(slope, speeds.own), room_for_all(n)
@@ -111,12 +111,14 @@ def _indentations(decay, z, spans, own, loads, guesses, gaps):
     d = loads / z.size + (z[0] + spans.whole[0] / z.size)
     full = d > own.stay_all
     some = np.flatnonzero(~full)
-    near = guesses[some]
-    for k in range(some.size):
-        if np.isnan(near[k]):
+    near, steps = guesses[some], POWER_STEPS
+    if np.isnan(near).all():
+        steps = STEPS
+        for k in range(some.size):
             near[k] = elastic_guess(z, spans.deepest, loads[some[k]])
     sweeps = np.zeros(loads.size, np.int64)
-    d[some], sweeps[some] = approach(decay, z, spans, own.stay, loads[some], near, gaps)
+    d[some] = approach(decay, z, spans, own.stay, loads[some], near, steps, gaps)
+    sweeps[some] = steps
     return d, sweeps, full
 
 

@@ -34,7 +34,7 @@ from kernels.patches.loads import (
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State
 from kernels.steady.carry import decay_of
-from kernels.steady.spans import Spans, Thresholds, spans_of, thresholds_of
+from kernels.steady.spans import SPAN, Spans, Thresholds, presses_of, spans_of, thresholds_of
 from kernels.surfaces.line import Line
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
@@ -82,10 +82,10 @@ def refined(
     contact.
     """
     steps, n = line.steps_per_spacing, line.z.size
-    low = mark_touchable(line.z, line.slope, state, 1.0 / steps, MARGIN)
+    low = mark_touchable(line.z, line.slope, spans, state, 1.0 / steps, MARGIN)
     fold, near, others = finer(samples), state.d, np.array(speeds[1:])
     for _ in range(TRIED):
-        at = marked(low, fold)
+        at = marked(low, SPAN // math.gcd(SPAN, fold))  # so that fine samples make whole spans
         if fold > MOST_FOLD or at.size * fold > MOST_SAMPLES:
             return None
         law = SCHEMES[scheme](1.0 / (steps * fold * speeds[0]))
@@ -105,8 +105,13 @@ def refined(
 
 
 def finer(samples: float) -> int:
-    """Return how many times finer samples must be, a power of two, for FINE of them per contact."""
-    return 2 ** max(1, math.ceil(math.log2(FINE / samples)))
+    """Return how many times finer samples must be for FINE of them per contact: 2, 4, 6, 8, 12 ...
+
+    A power of two, or three quarters of one: a few of them make whole spans.
+    """
+    power = 2 ** max(1, math.ceil(math.log2(FINE / samples)))
+    between = 3 * power // 4
+    return between if power >= 8 and between * samples >= FINE else power
 
 
 class Part(NamedTuple):
@@ -137,7 +142,7 @@ def slide_on_part(law, part, at_speeds, load, guess, how):
     never = Thresholds(own.stay, own.press, np.inf, np.inf)  # is all of a part all of the line
     press = np.empty((others.size, own.press.size + 1))
     for k in range(others.size):
-        press[k, :-1] = thresholds_of(heights, slopes, others[k], law.stiffness).press
+        press[k] = presses_of(heights, slopes, others[k])
     speeds, gaps = Speeds(speed, never, others, press), gaps_of(law, at, fold, z.size)
     spans = spans_of(heights, slopes)
     loads, guesses = np.array([load * fold]), np.array([guess])

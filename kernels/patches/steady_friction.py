@@ -20,7 +20,7 @@ from kernels.patches.refined import NARROW, Refined, curvatures_of, refined
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
 from kernels.steady.carry import Decay, carry, decay_of
-from kernels.steady.spans import Spans, Thresholds, spans_of, thresholds_of
+from kernels.steady.spans import Spans, Thresholds, presses_of, spans_of, thresholds_of
 from kernels.surfaces.line import Line
 
 
@@ -56,6 +56,7 @@ class Sliding(NamedTuple):
     seen: dict[int, Refined]  # load -> finer samples, where friction is read from those
     jumps: np.ndarray  # shape (loads, speeds jumped to): change of mu at the moment
     updates: np.ndarray  # of elements, the measure of cost
+    known: dict[int, State]  # load -> state, of the last load that was asked for
 
     @property
     def samples_seen(self) -> np.ndarray:
@@ -66,11 +67,14 @@ class Sliding(NamedTuple):
         return found
 
     def state(self, i: int) -> State:
-        """Return the state under load i on the samples of the line."""
-        z, d = self.ground.line.z, float(self.d[i])
-        w = np.empty_like(z)
-        carry(self.decay, z, self.ground.spans, self.own.stay, d, None, w)
-        return State(w, d)
+        """Return the state under load i on the samples of the line; it is not to be changed."""
+        if i not in self.known:
+            z, d = self.ground.line.z, float(self.d[i])
+            w = np.empty_like(z)
+            carry(self.decay, z, self.ground.spans, self.own.stay, d, None, w)
+            self.known.clear()
+            self.known[i] = State(w, d)
+        return self.known[i]
 
 
 def steady_friction(
@@ -84,7 +88,7 @@ def steady_friction(
     """Return steady sliding, its friction and its jumps to ``others``, all speeds vbar.
 
     loads : n Fbar, guesses : of d, shape (loads,). What is found under a load depends on its own
-    guess and on no other load. Narrow contacts are refined (refined.py) where the line allows it.
+    guess and on no other load. Narrow contacts are to be refined after it.
     """
     line, spans, _ = ground
     law = SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
@@ -92,9 +96,7 @@ def steady_friction(
     own = thresholds_of(line.z, line.slope, speed, law.stiffness)
     press = np.empty((len(others), own.press.size + 1))
     for k, other in enumerate(others):
-        # At the speeds jumped to, only the pressures matter.
-        there = thresholds_of(line.z, line.slope, other, law.stiffness)
-        press[k, :-1], press[k, -1] = there.press, there.press_all
+        press[k] = presses_of(line.z, line.slope, other)
     guesses = np.full(loads.size, np.nan) if guesses is None else guesses
     share = corrected_share(line.steps_per_spacing, speed)
     speeds = Speeds(speed, own, np.array(others, float), press)
@@ -102,7 +104,7 @@ def steady_friction(
     how = How(steps, share, line.band_limited)
     found, jumps = slide(decay, line.z, line.slope, spans, speeds, loads, guesses, how)
     d = found[:, INDENTATION]
-    sliding = Sliding(
+    return Sliding(
         ground,
         own,
         law,
@@ -119,24 +121,26 @@ def steady_friction(
         {},
         jumps,
         found[:, SWEEPS] * line.z.size,
+        {},
     )
-    _refine(sliding, others)
-    return sliding
 
 
-def _refine(sliding: Sliding, others: tuple[float, ...]) -> None:
-    """Read friction and jumps from finer samples under the loads whose contacts are narrow."""
-    (line, spans, curvature), speeds = sliding.ground, (sliding.speed, *others)
-    if curvature is None:
+def refine(sliding: Sliding, i: int, others: tuple[float, ...] = ()) -> None:
+    """Read friction and jumps under load i from finer samples, if its contacts are narrow.
+
+    others : speeds jumped to. Lines that are not known between their samples stay as they are.
+    """
+    line, spans, curvature = sliding.ground
+    if curvature is None or sliding.samples[i] >= NARROW:
         return
-    for i in np.flatnonzero(sliding.samples < NARROW).tolist():
-        load, samples, state = float(sliding.loads[i]), float(sliding.samples[i]), sliding.state(i)
-        found = refined(line, spans, curvature, speeds, sliding.scheme, load, state, samples)
-        if found is None:
-            continue
-        sliding.seen[i] = found
-        sliding.mu[i], sliding.contact[i] = found.mu, found.contact
-        sliding.indentation[i] = found.d + line.datum
-        sliding.samples[i] = found.samples / found.fold
-        sliding.updates[i] += found.updates
-        sliding.jumps[i] = found.jumps
+    speeds, state = (sliding.speed, *others), sliding.state(i)
+    load, samples = float(sliding.loads[i]), float(sliding.samples[i])
+    found = refined(line, spans, curvature, speeds, sliding.scheme, load, state, samples)
+    if found is None:
+        return
+    sliding.seen[i] = found
+    sliding.mu[i], sliding.contact[i] = found.mu, found.contact
+    sliding.indentation[i] = found.d + line.datum
+    sliding.samples[i] = found.samples / found.fold
+    sliding.updates[i] += found.updates
+    sliding.jumps[i] = found.jumps

@@ -2,7 +2,8 @@
 
 The force F(d) is increasing and convex (plain.py), so Newton's method from the right keeps right
 of the root and from the left jumps there. Two steps go before that are exact where F is a power of
-d: they need no good guess. Sweeps that end the search list the contacts.
+d: they need no good guess, and where there is one they are all. Sweeps that end the search list the
+contacts.
 """
 
 import numpy as np
@@ -12,7 +13,7 @@ from kernels.jit import kernel
 from kernels.steady.carry import carry
 from kernels.steady.lanes import LANES, carry_lanes
 
-POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed
+POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed; the first with a guess
 CLOSE = 4e-15  # of the load: what may be left of an excess
 FEW = 512  # samples of a line that are asked where an elastic foundation would be
 BROKEN = 0.5  # of all spans: where more may be neither held nor free, lanes are quicker
@@ -30,13 +31,13 @@ def elastic_guess(z, deepest, load):
 
 
 @kernel
-def approach(decay, z, spans, stay, loads, guesses, gaps=None):
-    """Return d near the roots under all loads n Fbar, and the sweeps each took.
+def approach(decay, z, spans, stay, loads, guesses, steps, gaps=None):
+    """Return d near the roots under all loads n Fbar.
 
-    decay, z, spans, stay, gaps : as of carry. guesses : of d. Each d follows from its own load and
-    guess; lanes only find it faster.
+    decay, z, spans, stay, gaps : as of carry. guesses : of d. steps : sweeps for each load. Each d
+    follows from its own load and guess; lanes only find it faster.
     """
-    d, sweeps = guesses.copy(), np.zeros(loads.size, np.int64)
+    d = guesses.copy()
     broken = np.empty(loads.size, np.int64)
     count = 0
     for i in range(loads.size):
@@ -48,23 +49,21 @@ def approach(decay, z, spans, stay, loads, guesses, gaps=None):
         for begin in range(0, count - WORTH + 1, LANES):
             some = broken[begin : min(begin + LANES, count)]
             by_lanes[some] = True
-            _approach_lanes(decay, z, spans, stay, loads, some, d)
-            sweeps[some] = STEPS
+            _approach_lanes(decay, z, spans, stay, loads, some, steps, d)
     for i in range(loads.size):
         if not by_lanes[i]:
-            for step in range(STEPS):
+            for step in range(steps):
                 total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None, gaps)
-                sweeps[i] += 1
                 d[i] = _next(step, d[i], total, slope, loads[i], z[spans.deepest])
-    return d, sweeps
+    return d
 
 
 @kernel
-def _approach_lanes(decay, z, spans, stay, loads, some, d):
+def _approach_lanes(decay, z, spans, stay, loads, some, steps, d):
     """Take d under at most LANES of the loads through all steps; lanes to spare repeat one."""
     lanes = np.full(LANES, d[some[0]])
     lanes[: some.size] = d[some]
-    for step in range(STEPS):
+    for step in range(steps):
         total, slope = carry_lanes(decay, z, spans, stay, lanes)
         for k in range(some.size):
             load = loads[some[k]]

@@ -17,6 +17,7 @@ import numpy as np
 from kernels.jit import kernel
 
 SPAN = 16
+EIGHT = 8  # samples that are compared at once, in the vector registers of the processor
 
 
 class Spans(NamedTuple):
@@ -104,24 +105,48 @@ def _larger(a, b):
 def thresholds_of(z, slope, speed, stiffness):
     """Return the Thresholds at ``speed`` (vbar). stiffness : K of the law (rheology/law.py)."""
     n = z.size
-    count = n // SPAN
-    stay, press = np.empty(count), np.empty(count)
-    stay_all = press_all = -np.inf
-    for b in range(count + 1):
-        hold = push = other_hold = other_push = -np.inf
-        first, stop = b * SPAN, min((b + 1) * SPAN, n - 1)
-        for j in range(first, stop - 1, 2):
-            h, i, k = z[j], z[j + 1], z[j + 2]
-            hold = _larger(hold, i + stiffness * (h - i))
-            other_hold = _larger(other_hold, k + stiffness * (i - k))
-            push = _larger(push, h - speed * slope[j])
-            other_push = _larger(other_push, i - speed * slope[j + 1])
-        for j in range(stop - (stop - first) % 2, min((b + 1) * SPAN, n)):
-            ahead = z[j + 1 if j + 1 < n else 0]
-            hold = _larger(hold, ahead + stiffness * (z[j] - ahead))
-            push = _larger(push, z[j] - speed * slope[j])
-        hold, push = _larger(hold, other_hold), _larger(push, other_push)
-        if b < count:
-            stay[b], press[b] = hold, push
-        stay_all, press_all = _larger(stay_all, hold), _larger(press_all, push)
-    return Thresholds(stay, press, stay_all, press_all)
+    stay, press = np.empty(n // SPAN), presses_of(z, slope, speed)
+    eight = np.empty(EIGHT)
+    whole = (n - 1) // SPAN  # spans with a sample of the array upstream of them
+    stay_all = -np.inf
+    for b in range(whole):
+        h = z[b * SPAN : b * SPAN + SPAN + 1]
+        for k in range(EIGHT):
+            hold = h[k + 1] + stiffness * (h[k] - h[k + 1])
+            other = h[k + 9] + stiffness * (h[k + 8] - h[k + 9])
+            eight[k] = hold if hold > other else other
+        stay[b] = _largest(eight)
+        stay_all = _larger(stay_all, stay[b])
+    rest = -np.inf
+    for j in range(whole * SPAN, n):
+        ahead = z[j + 1 if j + 1 < n else 0]
+        rest = _larger(rest, ahead + stiffness * (z[j] - ahead))
+    stay[whole:] = rest  # of a whole span that ends the line
+    return Thresholds(stay, press[:-1], _larger(stay_all, rest), press[-1])
+
+
+@kernel
+def presses_of(z, slope, speed):
+    """Return the largest z - vbar z' of every whole span, and at last that of all samples."""
+    count = z.size // SPAN
+    press = np.empty(count + 1)
+    eight = np.empty(EIGHT)
+    highest = -np.inf
+    for b in range(count):
+        h, s = z[b * SPAN : b * SPAN + SPAN], slope[b * SPAN : b * SPAN + SPAN]
+        for k in range(EIGHT):
+            push, other = h[k] - speed * s[k], h[k + 8] - speed * s[k + 8]
+            eight[k] = push if push > other else other
+        press[b] = _largest(eight)
+        highest = _larger(highest, press[b])
+    for j in range(count * SPAN, z.size):
+        highest = _larger(highest, z[j] - speed * slope[j])
+    press[count] = highest
+    return press
+
+
+@kernel
+def _largest(e):
+    """Return the largest of eight numbers."""
+    one, other = _larger(_larger(e[0], e[4]), _larger(e[1], e[5])), _larger(e[2], e[6])
+    return _larger(one, _larger(other, _larger(e[3], e[7])))

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels.case import Case, Clock, Quantities, Seconds
+from kernels.case import Case, Clock, Clocks, Quantities, Seconds
 from kernels.rheology.spectrum import Spectrum
 
 PLAIN = Case(0.1, 1.0, (1.2, 0.5), (np.array([1]),), "exponential")
@@ -29,3 +29,13 @@ def test_a_clock_books_time_to_its_phases():
     clock.lap("jump")
     assert set(clock.spent) == set(Seconds._fields)
     assert clock.spent["steady"] == 0.0 <= clock.spent["jump"]
+
+
+def test_clocks_book_time_by_work_or_to_one_case_alone():
+    clocks = Clocks(2)
+    clocks.lap(steady=np.array([1.0, 3.0]))
+    first, second = (clocks.seconds(case).steady for case in range(2))
+    assert second == pytest.approx(3.0 * first)
+    clocks.lap_alone(1, jump=2.0, marching=6.0)
+    assert clocks.seconds(0) == (first, 0.0, 0.0)
+    assert clocks.seconds(1).marching == pytest.approx(3.0 * clocks.seconds(1).jump)

@@ -4,12 +4,13 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from kernels.patches.steady_friction import Ground, steady_friction
+from kernels.patches.steady_friction import Ground, refine, steady_friction
 
 
 def one_load(line, speed, scheme, load, others=()):
     """Return what is found under a load; ``seen`` is None where the samples of the line will do."""
     found = steady_friction(Ground.of(line), speed, scheme, np.array([load]), None, others)
+    refine(found, 0, others)
     names = ("d", "mu", "contact", "indentation", "updates", "jumps", "full", "samples")
     return SimpleNamespace(
         **{name: getattr(found, name)[0] for name in names},

@@ -14,7 +14,7 @@ from kernels.patches.fine_line import (
     marked,
 )
 from kernels.steady.carry import carry, decay_of
-from kernels.steady.spans import SPAN, spans_of, thresholds_of
+from kernels.steady.spans import spans_of, thresholds_of
 
 STEPS, ELEMENTS = 4, 100
 
@@ -48,23 +48,38 @@ def test_no_interval_is_lower_than_it_is_said_to_be():
     assert (heights.reshape(-1, 16).min(axis=1) >= np.array(least) - 1e-3).all()
 
 
-@pytest.mark.parametrize("fold", [2, 8, 16, 64])
-def test_marked_intervals_make_whole_spans(fold):
+@pytest.mark.parametrize("wide", [1, 2, 8])
+def test_marked_intervals_come_so_many_together(wide):
     low = np.zeros(COARSE.z.size, bool)
     low[[3, 4, 5, 200, 399]] = True
-    at = marked(low, fold)
+    at = marked(low, wide)
     assert set(np.flatnonzero(low)) <= set(at)
     assert (np.diff(at) > 0).all()
-    assert at.size * fold % SPAN == 0
-    assert at.size <= 3 * max(1, SPAN // fold) + 5
+    assert at.size % wide == 0
+    assert (at[::wide] % wide == 0).all()
+    assert at.size <= 3 * wide + 5
 
 
-@pytest.mark.parametrize("fold", [4, 16])
-def test_flight_over_gaps_is_as_over_samples_and_what_it_touches_is_found(fold):
+def test_whole_spans_that_lie_high_are_passed_by_and_no_interval_of_them_could_touch():
+    """Marks against the condition itself, of every interval."""
+    load = 0.01 * COARSE.z.size
+    state, _ = steady_sliding(SCHEMES["exponential"](1.0 / (STEPS * 5.0)), COARSE.z, load)
+    least = [lowest_between(COARSE.z, COARSE.slope, j, 1.0 / STEPS) for j in range(state.w.size)]
+    low = np.array(least) - 1.001 * state.d < state.w
+    low = low | np.roll(low, 1) | np.roll(low, -1)
+    assert 0 < low.sum() < 0.3 * low.size
+    spans = spans_of(COARSE.z, COARSE.slope)
+    found = mark_touchable(COARSE.z, COARSE.slope, spans, state, 1.0 / STEPS, 1e-3)
+    np.testing.assert_array_equal(found, low)
+
+
+@pytest.mark.parametrize(("fold", "wide"), [(4, 4), (6, 8), (16, 1)])
+def test_flight_over_gaps_is_as_over_samples_and_what_it_touches_is_found(fold, wide):
     """Left out: all that does not touch, then a contact as well."""
     speed, load = 5.0, 0.03 * COARSE.z.size
     state, _ = steady_sliding(SCHEMES["exponential"](1.0 / (STEPS * speed)), COARSE.z, load)
-    low = mark_touchable(COARSE.z, COARSE.slope, state, 1.0 / STEPS, 1e-3)
+    line_spans = spans_of(COARSE.z, COARSE.slope)
+    low = mark_touchable(COARSE.z, COARSE.slope, line_spans, state, 1.0 / STEPS, 1e-3)
     law = SCHEMES["exponential"](1.0 / (STEPS * fold * speed))
 
     def swept(at):
@@ -77,11 +92,10 @@ def test_flight_over_gaps_is_as_over_samples_and_what_it_touches_is_found(fold):
         return carry(decay_of(law), z - lowest, spans, stay, d, None, None, gaps), gaps
 
     def missed(at, gaps):
-        spans, once = spans_of(COARSE.z, COARSE.slope), law.decay**fold
-        line = COARSE.z, COARSE.slope, spans, 1.0 / STEPS
-        return mark_missed(*line, once, state.d, at, gaps, fold, low)
+        line = COARSE.z, COARSE.slope, line_spans, 1.0 / STEPS
+        return mark_missed(*line, law.decay**fold, state.d, at, gaps, fold, low)
 
-    (all_of_it, _), at = swept(np.arange(COARSE.z.size)), marked(low, fold)
+    (all_of_it, _), at = swept(np.arange(COARSE.z.size)), marked(low, wide)
     found, gaps = swept(at)
     assert at.size < 0.8 * COARSE.z.size
     assert found[2:] == all_of_it[2:]  # touching samples, pieces
@@ -91,7 +105,7 @@ def test_flight_over_gaps_is_as_over_samples_and_what_it_touches_is_found(fold):
     deepest = int(np.argmin(COARSE.z))
     low[:] = False
     low[deepest - 5 : deepest + 6] = True
-    few = marked(low, fold)
+    few = marked(low, wide)
     _, gaps = swept(few)
     assert missed(few, gaps) > 0
     assert low.sum() > 11

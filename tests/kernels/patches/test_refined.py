@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from kernels import SCHEMES, Line, amplitudes, draw_phases, quadrature, rms_slope, steady_sliding
 from kernels.patches.fine_line import curvatures, interpolate
-from kernels.patches.refined import FINE, NARROW, curvatures_of, refined
+from kernels.patches.refined import FINE, NARROW, curvatures_of, finer, refined
 from kernels.patches.samples import samples_per_contact
 from kernels.steady.spans import spans_of
 from kernels.surfaces.self_affine import mode_numbers
@@ -123,6 +123,15 @@ def test_a_part_of_a_fine_line_is_as_all_of_it(power, speed, scheme):
     assert found.samples == samples_per_contact(d - (heights - w)) >= 0.5 * FINE
     if 4 * found.fold * v > 3.0 and mu > 0.0:  # else there is more to it (friction.py)
         assert found.mu == pytest.approx(mu, abs=rounding * steepest)
+
+
+@pytest.mark.parametrize(
+    ("samples", "fold"),
+    [(20.0, 4), (12.0, 4), (10.0, 6), (6.0, 8), (5.0, 12), (1.0, 48)],
+)
+def test_fine_samples_are_as_many_as_contacts_need_and_hardly_more(samples, fold):
+    assert finer(samples) == fold
+    assert FINE <= samples * fold < 1.7 * FINE
 
 
 def test_wide_contacts_are_left_as_they_are():
