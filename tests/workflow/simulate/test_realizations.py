@@ -61,6 +61,22 @@ def test_a_block_is_the_mean_of_its_realizations():
         np.testing.assert_allclose(pair, expected, rtol=1e-14)
 
 
+def test_a_block_of_measured_lines_is_the_mean_over_them():
+    """Each of them once, one by one and not in quartets."""
+    batch = one_batch()
+    batch = dataclasses.replace(batch, tasks=batch.tasks[:2], blocks=1, realizations_per_block=2)
+    turn = 2.0 * np.pi * np.arange(batch.tasks[0].problem.elements) / 64
+    heights = np.stack([np.cos(turn), np.cos(turn) + 0.3 * np.sin(3.0 * turn)])
+    both = block_means(dataclasses.replace(batch, heights=heights))
+    each = [
+        block_means(dataclasses.replace(batch, heights=heights[[k]], realizations_per_block=1))
+        for k in (0, 1)
+    ]
+    expected = (each[0].scalars + each[1].scalars) / 2
+    assert (each[0].scalars[:, 0, 0] != each[1].scalars[:, 0, 0]).all()
+    np.testing.assert_allclose(both.scalars, expected, rtol=1e-14)
+
+
 def test_blocks_are_different_realizations():
     scalars, curves, *_ = block_means(one_batch())
     assert len(np.unique(scalars[0, :, 0])) == 4
