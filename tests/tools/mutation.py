@@ -20,12 +20,11 @@ import sys
 import tempfile
 import time
 import traceback
-from collections import Counter, defaultdict
+from collections import Counter
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
-import coverage
 import distributed  # noqa: F401  what all tests import is imported once, before the children start
 import matplotlib.pyplot  # noqa: F401
 import netCDF4  # noqa: F401
@@ -35,57 +34,11 @@ import scipy.optimize  # noqa: F401
 import xarray  # noqa: F401
 
 from tests.tools.mutants import Mutant, mutants_of
+from tests.tools.reached import Reached
 
 QUIET = ["-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--hypothesis-seed=0"]
 USUAL = ["-m", "not cluster and not exhaustive"]
 TIMES_LONGER = 10.0  # than the tests of the room took, in CPU and wall time
-SETUP = "setup of "
-
-
-class Reached:
-    """A pytest plugin that notes which tests reach which line, and how long each takes."""
-
-    def __init__(self, files: list[Path]) -> None:
-        ours = [str(file.resolve()) for file in files]
-        self.coverage = coverage.Coverage(data_file=None, config_file=False, include=ours)
-        self.fixtures: dict[str, set[str]] = {}  # of each test
-        self.seconds: dict[str, float] = defaultdict(float)
-
-    @pytest.hookimpl(wrapper=True)
-    def pytest_runtest_protocol(self, item: pytest.Item):
-        """Note lines for a test, and what it is made of."""
-        name = item.nodeid.partition("[")[0]
-        self.fixtures[name] = set(getattr(item, "fixturenames", ()))
-        self.coverage.switch_context(name)
-        began = time.process_time()
-        try:
-            return (yield)
-        finally:
-            self.seconds[name] += time.process_time() - began
-
-    @pytest.hookimpl(wrapper=True)
-    def pytest_fixture_setup(self, fixturedef: pytest.FixtureDef, request: pytest.FixtureRequest):
-        """Note lines that a fixture reaches for all who use it."""
-        self.coverage.switch_context(SETUP + fixturedef.argname)
-        try:
-            return (yield)
-        finally:
-            self.coverage.switch_context(request.node.nodeid.partition("[")[0])
-
-    def by_line(self) -> dict[str, dict[int, set[str]]]:
-        """Return path -> line -> tests that reach it."""
-        users = defaultdict(set)
-        for test, fixtures in self.fixtures.items():
-            for fixture in fixtures:
-                users[SETUP + fixture].add(test)
-        data = self.coverage.get_data()
-        return {
-            path: {
-                line: set().union(*(users.get(c, {c} & self.fixtures.keys()) for c in contexts))
-                for line, contexts in data.contexts_by_lineno(path).items()
-            }
-            for path in data.measured_files()
-        }
 
 
 class Room(NamedTuple):
