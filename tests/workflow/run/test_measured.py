@@ -11,8 +11,11 @@ from workflow.run.measured import run_measured
 from workflow.study.read import read_study
 
 
-def test_all_groups_are_written_with_their_origin(powers, tmp_path):
+def test_all_groups_are_written_with_their_origin(powers, tmp_path, capsys):
     said = run_measured(read_study("powers"), tmp_path / "powers.nc").splitlines()
+    shown = capsys.readouterr()
+    assert "powers      3\n" in shown.err  # the outline
+    assert not shown.out  # it is for the summary
     assert said[0] == "largest 4"
     assert said[-1].endswith("of core time used, 2 s predicted")
     groups = xr.open_groups(tmp_path / "powers.nc")
