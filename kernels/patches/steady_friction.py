@@ -97,7 +97,8 @@ def steady_friction(
     press = np.empty((len(others), own.press.size + 1))
     for k, other in enumerate(others):
         press[k] = presses_of(line.z, line.slope, other)
-    guesses = np.full(loads.size, np.nan) if guesses is None else guesses
+    none = np.full(loads.size, np.nan)
+    guesses = none if guesses is None else np.ascontiguousarray(guesses)  # compiled once
     share = corrected_share(line.steps_per_spacing, speed)
     speeds = Speeds(speed, own, np.array(others, float), press)
     steps = float(line.steps_per_spacing)

@@ -38,8 +38,11 @@ def load_kernels(scheme: str, asked: Quantities) -> None:
     One process of a machine at a time: the others find what the first one compiled.
     """
     with compiling():
-        line = Line.self_affine(amplitudes(0.5, 16), np.linspace(0.0, 6.0, 8), 16, 2)
-        run_cases(line, [Case(0.1, 1.0, (1.2,), (np.arange(1, 3),), scheme)], asked)
+        line = Line.self_affine(amplitudes(0.5, 512), np.linspace(0.0, 6.0, 256), 512, 4)
+        few, many = np.array([1]), np.array([4])  # steps: marched plainly, and by lists
+        wide, narrow = (0.1, 1.0), (1e-3, 100.0)  # load and speed: as sampled, and refined
+        run_cases(line, [Case(*wide, (1.2,), (few,), scheme)], asked)
+        run_cases(line, [Case(*narrow, (1.2,), (many,), scheme)], asked)
 
 
 def block_means(batch: Batch) -> BatchResult:
