@@ -75,10 +75,11 @@ def test_other_batches_and_a_store_that_holds_more_or_less_give_the_same_bytes(r
     assert again.path.read_bytes() == reached.path.read_bytes()
 
 
-def test_a_second_run_computes_nothing(reached):
-    before = shards(reached.path.parent)
+def test_a_second_run_computes_nothing_and_leaves_the_result(reached):
+    before, written = shards(reached.path.parent), reached.path.stat().st_mtime_ns
     again = run(reached.path.parent, *SETTINGS)
     assert (again.summary.batches, shards(reached.path.parent)) == (0, before)
+    assert again.path.stat().st_mtime_ns == written
 
 
 def test_the_speed_of_the_machine_plays_no_part(reached):
