@@ -67,7 +67,7 @@ def groups(tmp_path_factory):
     """Run the study at smoke scale; return the groups of its result."""
     folder = tmp_path_factory.mktemp("accuracy")
     assert main(["run", "accuracy", "--scale", "smoke", "--out", str(folder)]) == 0
-    return load(folder / "accuracy.nc")
+    return load(folder / "accuracy-smoke.nc")
 
 
 def test_both_schemes_converge_to_one_reference(groups):

@@ -68,7 +68,7 @@ def groups(tmp_path_factory):
     """Run the study at smoke scale; return the groups of its result."""
     folder = tmp_path_factory.mktemp("scaling")
     assert main(["run", "scaling", "--scale", "smoke", "--out", str(folder)]) == 0
-    return load(folder / "scaling.nc")
+    return load(folder / "scaling-smoke.nc")
 
 
 def test_figure_and_table_are_written(groups):
