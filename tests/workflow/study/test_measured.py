@@ -29,8 +29,10 @@ def test_wrong_settings_are_refused_in_one_line(powers, capsys, setting, line):
 
 
 def test_a_missing_setting_is_named(powers, capsys):
-    (powers / "study.toml").write_text("[measure]\npowers = 2\n")
-    assert refusal(capsys, "run", "powers") == "error: measure.base: missing\n"
+    path = powers / "study.toml"
+    path.write_text("[measure]\npowers = 2\n")
+    said = f"error: measure.base: missing ({path}, line 1)\n"
+    assert refusal(capsys, "run", "powers") == said
 
 
 def test_a_missing_script_is_named(powers, capsys):
