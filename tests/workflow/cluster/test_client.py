@@ -95,13 +95,21 @@ def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
         assert environment[f"{library}_NUM_THREADS"] == "1"
 
 
-def starting(besides):
-    """Return a worker process of ours that has just been started."""
+def processes():
+    """Return the pids of the worker processes that are children of this one."""
+    found = set()
+    for child in psutil.Process().children():
+        with contextlib.suppress(psutil.Error):
+            if "spawn_main" in " ".join(child.cmdline()):
+                found.add(child.pid)
+    return found
+
+
+def starting(known):
+    """Return a worker process of ours that has just been started, as it is not known."""
     for _ in range(600):
-        for child in psutil.Process().children():
-            with contextlib.suppress(psutil.Error):
-                if child.pid != besides and "spawn_main" in " ".join(child.cmdline()):
-                    return child.pid
+        for pid in processes() - known:
+            return pid
         time.sleep(0.05)
     return pytest.fail("no worker was started again")
 
@@ -111,8 +119,9 @@ def test_a_worker_that_is_killed_while_it_starts_again_is_replaced(monkeypatch):
     monkeypatch.setattr(module, "AGAIN_SECONDS", 0.5)
     with open_client(Cluster(), 1) as client:
         ((pid, *_),) = client.run(facts).values()
+        known = processes()  # other tests have workers too
         os.kill(pid, signal.SIGKILL)
-        os.kill(starting(pid), signal.SIGKILL)
+        os.kill(starting(known), signal.SIGKILL)
         ignores_ctrl_c, _ = started_again(client, pid)
     assert ignores_ctrl_c
 
