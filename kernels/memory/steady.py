@@ -52,10 +52,15 @@ def steady_at(form: Retardation | Moduli, z: np.ndarray, speed: float, d: float)
 def _found(
     form: Retardation | Moduli, z: np.ndarray, speed: float, load: float, d: float
 ) -> Steady:
-    """Return the steady state under a load, from a first guess d, or at d if the load is NaN."""
+    """Return the steady state under a load, from a first guess d, or at d if the load is NaN.
+
+    Heights and d are counted from the deepest sample: what presses in is known to rounding then.
+    """
     law, count = law_of(form, 1.0 / abs(speed)), memories(form)
     first, way, sound = int(np.argmin(z)), -1 if speed > 0.0 else 1, SOUND + FINEST * law.stiffness
-    held = np.array([max(0.0, d - z[first])])
+    deepest = float(z[first])
+    z, d = z - deepest, d - deepest
+    held = np.array([max(0.0, d)])
     x = np.concatenate([rest(form, held)[:, 0], held, [d]])
     found, least, turns, step = Elements(np.empty((0, 0)), held, d), np.inf, 0, np.zeros_like(x)
     while turns < TURNS:
@@ -71,7 +76,7 @@ def _found(
         left = _residual(excess, x, load)
         stuck = least < sound and not left < 0.5 * least
         if left < least:
-            found, least = Elements(field, forces, float(x[-1])), left
+            found, least = Elements(field, forces, float(x[-1]) + deepest), left
         if stuck or left < EXACT:
             break
         step = _step(memory, p, total, excess)
