@@ -13,10 +13,11 @@ STATUS_COMMENT = (
     "no_relaxation: mu after the first step differs from mu_2 by less than three standard errors "
     "or by rounding; not_exponential: eq. 6 leaves over a fifth of the sum of squares; "
     "undetermined: it decays, but b is less than three of its standard errors (noise, or too short "
-    "a window), or does not differ between blocks; not_finite: the curve holds NaN or inf; fewer "
-    "than 15 blocks need more than three; no_state: b of a rate-and-state law differs from zero by "
-    "less than three standard errors; negligible: what relaxes is surely less than the share of "
-    "the jump that numerics.negligible says, and the accuracy of b was not sought"
+    "a window), or does not differ between blocks, or all samples but the first are rounding; "
+    "not_finite: the curve holds NaN or inf; fewer than 15 blocks need more than three; no_state: "
+    "b of a rate-and-state law differs from zero by less than three standard errors; negligible: "
+    "what relaxes is surely less than the share of the jump that numerics.negligible says, and the "
+    "accuracy of b was not sought"
 )
 
 WINDOW_END = 0.05  # the window ends where the deviation has fallen to this share
@@ -52,6 +53,8 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
         return _unfitted(NO_RELAXATION, size)
     end = fit_window(deviation[0])
     time, deviation = time[:end], deviation[:, :end]
+    if np.abs(deviation[0, 1:]).max(initial=0.0) <= ROUNDING * slope:
+        return _unfitted(UNDETERMINED, size)  # gone within a step: b would be fitted to rounding
     start = _start(time, deviation[0])
     if start is None:
         return _unfitted(NOT_EXPONENTIAL, size)

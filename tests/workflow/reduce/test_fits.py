@@ -94,6 +94,15 @@ def test_rounding_is_judged_against_the_slope():
     assert fit(1e3 * curve, slope=1e3).status == NO_RELAXATION
 
 
+@pytest.mark.parametrize(("second", "status"), [(4e-19, UNDETERMINED), (2e-13, FITTED)])
+def test_what_is_gone_within_a_step_has_no_rate(second, status):
+    """At m = 8 and x = 0.03 a step lasts ten tau: a rate of 1.116 was fitted to rounding."""
+    curve = np.array([2.4e-12, second, 2e-19, -1e-19])
+    found = fit(curve, np.array([9.4, 19.8, 30.2, 40.6]))
+    assert found.status == status
+    assert np.isfinite(found.rate[0]) == (status == FITTED)
+
+
 SIZES = np.array([1.0, 0.9, 1.1, 1.05, 0.95])
 ONE_GROWS = spread(np.exp(-SHARE))
 ONE_GROWS[3] = np.exp(SHARE)
