@@ -53,8 +53,9 @@ def test_the_citation_is_of_this_version():
 
 
 @pytest.mark.exhaustive
-def test_a_wheel_holds_all_that_the_command_needs(tmp_path):
+def test_a_wheel_holds_all_that_the_command_needs(tmp_path, monkeypatch):
     """Built from the sources, installed without its dependencies, and used from elsewhere."""
+    monkeypatch.delenv("GIT_DIR", raising=False)  # other tests hide the repository
     pip = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check"]
     subprocess.run([*pip, "wheel", "--no-deps", "-w", tmp_path, ROOT], check=True)
     (wheel,) = tmp_path.glob("*.whl")

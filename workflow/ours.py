@@ -1,8 +1,10 @@
-"""Whether the packages ``kernels`` and ``studies`` that Python finds are those of this program.
+"""Whether the packages that Python finds by our names are those of this program.
 
 Their names are common; another package of such a name may come first in the path of imports.
+The console command runs this file by its path, before anything of a package is imported.
 """
 
+from collections.abc import Iterable
 from importlib.util import find_spec
 from pathlib import Path
 
@@ -13,9 +15,9 @@ REMEDY = (
 )
 
 
-def stranger() -> str:
+def stranger(names: Iterable[str] = ("kernels", "studies")) -> str:
     """Return the line that says which package is not ours and what to do; "" where all are."""
-    for name in ("kernels", "studies"):
+    for name in names:
         found = find_spec(name)
         where = Path(found.origin).resolve() if found and found.origin else "no place"
         ours = HOME / name
