@@ -26,9 +26,9 @@ try:
     os.environ.update(THREADS)  # before numpy: what is computed here is what a worker computes
 
     from workflow.cli import main  # the streams come first
-
-    if __name__ == "__main__":
-        sys.exit(main())
-except KeyboardInterrupt:  # importing takes seconds; a command that has begun says more
+except KeyboardInterrupt:  # importing takes seconds
     print("aborted before anything was begun", file=sys.stderr)
     sys.exit(130)
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -26,22 +26,29 @@ def main(arguments: list[str] | None = None) -> int:
 
     0 done, 2 wrong input or surroundings, 3 done but for problems that failed, 130 interrupted.
     """
-    parser = command_parser()
-    if "_ARGCOMPLETE" in os.environ:  # a shell asks what could be typed next
-        import argcomplete
-
-        argcomplete.autocomplete(parser)
-    options = parser.parse_args(arguments)
+    command = ""  # not known yet
     try:
-        return COMMANDS[options.command](options)
+        options = _options(arguments)
+        command = options.command
+        return COMMANDS[command](options)
     except UserError as error:
         for each in error.errors:
             print(f"error: {each}{each.place}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        said = resume_line("aborted") if options.command == "run" else "interrupted"
+        said = resume_line("aborted") if command == "run" else "interrupted"
         print(said, file=sys.stderr)
         return RESUMABLE
+
+
+def _options(arguments: list[str] | None) -> argparse.Namespace:
+    """Return what the command line asks for."""
+    parser = command_parser()
+    if "_ARGCOMPLETE" in os.environ:  # a shell asks what could be typed next
+        import argcomplete
+
+        argcomplete.autocomplete(parser)
+    return parser.parse_args(arguments)
 
 
 def command_parser() -> argparse.ArgumentParser:

@@ -39,6 +39,15 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
         assert ("kept" in err) == bool(said)
 
 
+def test_ctrl_c_while_options_are_read_is_one_line(capsys, monkeypatch):
+    def interrupted():
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(cli, "command_parser", interrupted)
+    assert main(["run", "fig2"]) == 130
+    assert capsys.readouterr().err == "interrupted\n"
+
+
 def test_ctrl_c_in_a_measured_study_does_not_claim_that_work_was_kept(capsys, powers):
     (powers / "helper.py").write_text("def power(base, n):\n    raise KeyboardInterrupt\n")
     assert main(["run", "powers"]) == 130
