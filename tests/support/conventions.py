@@ -5,7 +5,7 @@ from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
 
-INSTALLED = find_spec("compliance_checker") is not None  # CI fails without it: result/test_cf.py
+INSTALLED = find_spec("compliance_checker") is not None  # CI fails without it: test_conventions.py
 # The first asks every group for a dimension called time; the second subtracts names from names
 # where a coordinate has words for values (the law of a fit).
 BROKEN = [

@@ -4,8 +4,10 @@ import re
 
 from workflow.reduce.fits import NEGLIGIBLE
 from workflow.reduce.statistics import errors_needed
+from workflow.result.declaration import GRID, Variable
 from workflow.result.scenes import SCENES
 from workflow.result.variables import FLAGS, VARIABLES, declared
+from workflow.study.grid import AXES
 
 ACCURACY = {"accuracy_reached", "accuracy_status"}  # run/test_rounds.py
 
@@ -47,3 +49,9 @@ def test_fit_status_explains_its_codes(dataset):
         assert f"{meaning}: " in attributes["comment"]
     assert [errors_needed(blocks) > 3.0 for blocks in (14, 15)] == [True, False]
     assert "fewer than 15 blocks need more than three" in attributes["comment"]
+
+
+def test_a_variable_is_a_number_at_each_point_by_default():
+    variable = Variable("what it means")
+    assert variable.dims == GRID == AXES
+    assert (variable.units, variable.dtype, dict(variable.scaling)) == ("1", "float64", {})

@@ -1,10 +1,9 @@
-"""Result files keep the CF conventions and open as a tree with coordinates to draw over."""
+"""Result files open as a tree with coordinates in SI units to draw over."""
 
 import numpy as np
 import pytest
 import xarray as xr
 
-from tests.support import conventions
 from workflow.result.netcdf import write_datasets
 from workflow.result.variables import AUXILIARY, FLAGS, VARIABLES
 
@@ -15,18 +14,6 @@ def path(tmp_path_factory, with_models):
     path = tmp_path_factory.mktemp("cf") / "small.nc"
     write_datasets(path, {"": with_models, "coarse": with_models, "fine": with_models})
     return path
-
-
-def test_a_result_keeps_the_cf_conventions(path):
-    pytest.importorskip("compliance_checker")
-    assert conventions.complaints(path) == []
-
-
-def test_a_breach_of_the_conventions_is_noticed(tmp_path, with_models):
-    pytest.importorskip("compliance_checker")
-    with_models[["mu"]].to_netcdf(tmp_path / "bad.nc")  # not as we write it
-    said = conventions.complaints(tmp_path / "bad.nc")
-    assert "The variable sample failed because the datatype is int64" in said
 
 
 def test_a_result_opens_as_a_tree_and_its_curves_over_time_in_s(path):
