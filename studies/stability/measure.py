@@ -10,7 +10,7 @@ import xarray as xr
 
 from kernels import SCHEMES, Case, Line, Quantities, amplitudes, rms_slope, run_case
 from workflow.result import Groups
-from workflow.study import integer
+from workflow.study import Text, integer
 
 from .corners import corners, number_of_corners, random_line
 from .probe import COUNTS, RESIDUALS, Motion, probe
@@ -28,6 +28,37 @@ SETTINGS = {
     "corner_lines": partial(integer, least=1),
     "most_elements": partial(integer, least=1),
     "steps": partial(integer, least=1),
+}
+TEXTS = {
+    "map_loads": Text(
+        "The number of dimensionless loads F̄ of the map, from 10⁻⁶ to 10⁴.",
+        "Doubled, the map has twice as many points and takes twice the time.",
+    ),
+    "map_speeds": Text(
+        "The number of dimensionless velocities x of the map, from 10⁻⁴ to 10⁶.",
+        "Doubled, the map has twice as many points and takes twice the time.",
+    ),
+    "map_elements": Text(
+        "The number N of elements of the lines of the map.",
+        "Doubled, each point of the map takes up to twice the time.",
+    ),
+    "map_lines": Text(
+        "The number of random lines at each point of the map. The worst of them counts.",
+        "Doubled, the map takes twice the time, and no residual becomes smaller.",
+    ),
+    "corner_lines": Text(
+        "The number of random lines in each corner of the parameter space.",
+        "Doubled, the corners on random lines are twice as many cases.",
+    ),
+    "most_elements": Text(
+        "The number of elements of the longest line. Lines of 10⁵ and of 10⁶ elements are tried "
+        "as far as they are not longer than this.",
+        "Doubled from 10⁶, nothing changes; from 5·10⁵, the line of 10⁶ elements is tried as well.",
+    ),
+    "steps": Text(
+        "The number of time steps that are marched after the jump.",
+        "Doubled, every case is followed for twice as long.",
+    ),
 }
 
 

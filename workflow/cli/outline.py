@@ -33,7 +33,7 @@ def planned(study: Study, pace: Pace) -> Plan:
     points = math.prod(study.shape) * len(study.variants)
     seconds = SECONDS_PER_POINT * points
     if seconds > LONG:
-        print(f"Planning {points} points, about {seconds:.0f} s.", file=sys.stderr, flush=True)
+        print(f"Planning {points} points, about {seconds:.0f} s.", file=sys.stderr)
     return make_plan(study, pace)
 
 

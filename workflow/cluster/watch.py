@@ -26,8 +26,8 @@ Listener = Callable[[int, int], None]  # is told (worker threads, items in fligh
 
 
 def say(line: str) -> None:
-    """Tell the user at once."""
-    print(line, file=sys.stderr, flush=True)
+    """Tell the user."""
+    print(line, file=sys.stderr)
 
 
 @dataclass

@@ -3,7 +3,7 @@
 import re
 
 from workflow.result import described_variables
-from workflow.study import QUANTITIES, described_tables
+from workflow.study import QUANTITIES, described_measures, described_tables
 
 HEAD = """# Index
 
@@ -18,10 +18,12 @@ alphabet. Symbols and terms are in the [glossary](../glossary.md), commands on
 def index_page() -> str:
     """Return the page of the index as Markdown."""
     rows = {}
-    for table, keys in described_tables().items():
+    places = {table: (f"key of `[{table}]`", keys) for table, keys in described_tables().items()}
+    for study, keys in described_measures().items():
+        places[f"{study}: measure"] = (f"key of `[measure]` of the study `{study}`", keys)
+    for table, (where, keys) in places.items():
         for key in keys:
             heading = f"{table}.{key.name}"
-            where = f"key of `[{table}]`"
             rows[key.name, where] = f"[`{key.name}`](keys.md#{anchor(heading)}) | {where}"
     for section in described_variables().values():
         for variable in section:

@@ -1,6 +1,12 @@
 """The page of every key of study.toml."""
 
-from workflow.study import COMPARE, QUANTITIES, DescribedKey, described_tables
+from workflow.study import (
+    COMPARE,
+    QUANTITIES,
+    DescribedKey,
+    described_measures,
+    described_tables,
+)
 
 HEAD = """# Every key of study.toml
 
@@ -32,8 +38,8 @@ grid of the paper). The result of a scale is the file `NAME-SCALE.nc`, beside `N
 other values of these keys: {compare}. Its results are the group NAME of the result file.
 
 **Measured studies.** A folder with `measure.py` measures the program itself. It has a table
-`[measure]` in place of a grid, whose keys are its own and are explained by the comments in its
-`study.toml`.
+`[measure]` in place of a grid, whose keys are its own. Those of the studies of this program are at
+the end of this page.
 """
 INTRODUCTIONS = {
     "study": "What the study is called and how many lines it averages over.",
@@ -48,6 +54,7 @@ INTRODUCTIONS = {
     "numerics": "How the problem is discretised, and how accurate it is to be.",
     "cluster": "Where the study is computed. No number of a result depends on this table.",
 }
+MEASURES = "How much the study `{0}` measures, and of what."
 SEGMENT = "The keys of a segment `{0}`, as `[[scene.programme]]` with `{0} = {{…}}`."
 
 
@@ -61,6 +68,9 @@ def keys_page() -> str:
         lines += [_entry(table, key) for key in keys]
         if table == "scene":
             lines += _quantities()
+    for study, keys in described_measures().items():
+        lines += [f"## The table [measure] of {study}\n", f"{MEASURES.format(study)}\n"]
+        lines += [_entry(f"{study}: measure", key) for key in keys]
     return "\n".join(lines)
 
 

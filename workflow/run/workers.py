@@ -66,7 +66,7 @@ def open_workers(how: How, seconds: float, watch: Watch) -> Iterator[Workers]:
         yield Workers(stream_here, how.work)
         return
     if how.cluster.where == LOCAL:
-        print("Starting worker processes, about 3 s.", file=sys.stderr, flush=True)
+        print("Starting worker processes, about 3 s.", file=sys.stderr)
     with cluster.open_client(how.cluster, how.workers, how.dashboard, watch) as client:
         cluster.check_versions(client, watch)
         work = partial(cluster.run_batch, expected=cluster.own_versions(), work=how.work)

@@ -31,7 +31,13 @@ if TYPE_CHECKING:
     from workflow.study.moduli import FREQUENCIES, MODULI, Moduli, read_moduli
     from workflow.study.numerics import Numerics
     from workflow.study.read import find_study, known_studies, read_scene, read_study
-    from workflow.study.reference import DescribedKey, described_tables, study_schema
+    from workflow.study.reference import (
+        DescribedKey,
+        Text,
+        described_measures,
+        described_tables,
+        study_schema,
+    )
     from workflow.study.scripts import load_script
     from workflow.study.settings import Rows, integer, named_unit, positive, rows_of_file
     from workflow.study.study import MOST_BLOCKS, AnyStudy, Study, read_grid_study

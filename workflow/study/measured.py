@@ -4,6 +4,8 @@ study.toml holds [study] with title and seed, [measure] with the settings that m
 declares, and [scales.NAME]. measure.py holds
 
     SETTINGS   name -> check(key, value), which returns the value or raises UserError
+    TEXTS      name -> Text, what is said of the setting on the page of keys; a study of this
+               program has it
     outline(settings) -> (lines that say what would be measured, predicted core-seconds)
     measure(settings, seed, advance) -> group -> xarray.Dataset; "" is the root. It calls
                advance(seconds) with the predicted seconds of each part that is done

@@ -54,7 +54,7 @@ class Patience:
                     raise UserError(f"{error}; given up after {duration(waited)}") from error
                 if waited >= next_line:
                     line = f"warning: {error}; tried again for {duration(limit)} at most"
-                    print(line, file=sys.stderr, flush=True)
+                    print(line, file=sys.stderr)
                     next_line = max(SILENCE_SECONDS, 2.0 * next_line)
                 self._pause(min(wait, limit - waited))
                 wait = min(2.0 * wait, WAITS[1])

@@ -57,7 +57,7 @@ class Reporter:
         due = now - self.last_time >= LINE_SECONDS or share - self.last_share >= LINE_SHARE
         if due or (share >= 1.0 > self.last_share):
             left = f", {duration((now - self.began) * (1.0 / share - 1.0))} left" if share else ""
-            print(f"{self.what}: {share:4.0%}{left}{self.crew}", file=sys.stderr, flush=True)
+            print(f"{self.what}: {share:4.0%}{left}{self.crew}", file=sys.stderr)
             self.last_time, self.last_share = now, share
 
 

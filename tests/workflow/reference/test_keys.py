@@ -22,3 +22,9 @@ def test_an_entry_says_values_unit_and_default():
 def test_every_quantity_has_its_row():
     for name in QUANTITIES:
         assert f"\n| `{name}` | " in PAGE
+
+
+def test_keys_of_a_measured_study_have_the_values_of_its_scales():
+    said, means = entry("accuracy: measure.lines")
+    assert said.startswith("*Value: a whole number, at least 4 and at most 100000; required; `128`")
+    assert "Doubled" in means

@@ -6,7 +6,7 @@ import pytest
 
 from workflow.reference import PAGES, write_pages
 from workflow.result import VARIABLES
-from workflow.study import described_tables
+from workflow.study import described_measures, described_tables
 
 FOLDER = Path(__file__).resolve().parents[3] / "docs" / "reference"
 
@@ -28,6 +28,10 @@ def test_every_key_and_every_variable_has_its_heading(written):
         assert f"\n## The table [{table}]\n" in written["keys.md"]
         for key in keys:
             assert f"\n### {table}.{key.name}\n" in written["keys.md"]
+    for study, keys in described_measures().items():
+        assert f"\n## The table [measure] of {study}\n" in written["keys.md"]
+        for key in keys:
+            assert f"\n### {study}: measure.{key.name}\n" in written["keys.md"]
     for name in VARIABLES:
         assert f"\n### {name}\n" in written["results.md"]
 

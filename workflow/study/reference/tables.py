@@ -51,10 +51,11 @@ def described_tables() -> dict[str, Table]:
 
     Raises KeyError for a key without a text, and for a text without a key.
     """
-    return {name: _described(name, *pair) for name, pair in PAIRS.items()}
+    return {name: described(name, *pair) for name, pair in PAIRS.items()}
 
 
-def _described(where: str, keys: Mapping[str, Key], texts: Mapping[str, Text]) -> Table:
+def described(where: str, keys: Mapping[str, Key], texts: Mapping[str, Text]) -> Table:
+    """Return the keys of one table, described; ``where`` names it. Raises KeyError likewise."""
     if keys.keys() != texts.keys():
         raise KeyError(f"{where}: {sorted(keys.keys() ^ texts.keys())} lack a key or a text")
     return tuple(

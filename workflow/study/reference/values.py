@@ -53,5 +53,12 @@ def default_of(key: Key) -> str:
     if isinstance(key.default, bool):
         return f"`{str(key.default).lower()}`"
     if isinstance(key.default, int | float):
-        return f"{key.default:g}"
-    return f'`"{key.default}"`' if isinstance(key.default, str) and key.default else ""
+        return as_toml(key.default)
+    return f"`{as_toml(key.default)}`" if isinstance(key.default, str) and key.default else ""
+
+
+def as_toml(value: object) -> str:
+    """Return a number, a text or a list of them as TOML has it."""
+    if isinstance(value, list):
+        return f"[{', '.join(map(as_toml, value))}]"
+    return f"{value:g}" if isinstance(value, int | float) else f'"{value}"'
