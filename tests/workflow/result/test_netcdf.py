@@ -4,6 +4,7 @@ import errno
 import os
 from dataclasses import replace
 
+import numpy as np
 import pytest
 import xarray as xr
 
@@ -24,6 +25,20 @@ def test_file_is_reopened_as_it_was_with_comparisons_as_groups(tmp_path, dataset
         xr.testing.assert_equal(group.load(), dataset * 2.0)
     write_datasets(tmp_path / "again.nc", {"": dataset, "coarse": dataset * 2.0})
     assert (tmp_path / "again.nc").read_bytes() == path.read_bytes()
+
+
+def test_a_result_opens_as_a_tree_and_its_curves_over_time_in_s(tmp_path, with_models):
+    path = tmp_path / "small.nc"
+    write_datasets(path, {"": with_models, "coarse": with_models, "fine": with_models})
+    with xr.open_datatree(path) as tree:
+        assert set(tree.children) == {"coarse", "fine"}
+        assert tree.ds.coords["time_s"].attrs["units"] == "s"
+        for group in (tree.ds, tree["coarse"].ds):
+            assert {"time", "time_s", "speed_ratio", "q_max"} <= set(group.mu.coords)
+            np.testing.assert_allclose(group.time_s, group.time * group.tau, rtol=1e-7)
+            point = group.isel(velocity=0, roughness=0).squeeze()
+            (line,) = point.mu.plot(x="time_s")
+            assert line.get_xdata()[0] == 0.0
 
 
 def test_results_of_a_scale_lie_beside_that_of_the_study(tmp_path):

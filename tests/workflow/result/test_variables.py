@@ -2,12 +2,12 @@
 
 import re
 
+import numpy as np
+
 from workflow.reduce.fits import NEGLIGIBLE
 from workflow.reduce.statistics import errors_needed
-from workflow.result.declaration import GRID, Variable
 from workflow.result.scenes import SCENES
-from workflow.result.variables import FLAGS, VARIABLES, declared
-from workflow.study.grid import AXES
+from workflow.result.variables import AUXILIARY, FLAGS, VARIABLES, declared
 
 ACCURACY = {"accuracy_reached", "accuracy_status"}  # run/test_rounds.py
 
@@ -51,7 +51,15 @@ def test_fit_status_explains_its_codes(dataset):
     assert "fewer than 15 blocks need more than three" in attributes["comment"]
 
 
-def test_a_variable_is_a_number_at_each_point_by_default():
-    variable = Variable("what it means")
-    assert variable.dims == GRID == AXES
-    assert (variable.units, variable.dtype, dict(variable.scaling)) == ("1", "float64", {})
+def test_coordinates_are_in_si_units(with_models):
+    assert float(with_models.tau) == 1e-3
+    assert float(with_models.shear_modulus) == 1e7
+    assert float(with_models.length) == 0.01
+    np.testing.assert_allclose(with_models.q_max * with_models.spacing, np.pi)
+    x = with_models.velocity * with_models.tau * with_models.q_max
+    np.testing.assert_allclose(with_models.speed_ratio, x.broadcast_like(with_models.speed_ratio))
+    assert set(AUXILIARY) <= set(VARIABLES)
+
+
+def test_every_flag_says_what_its_values_mean():
+    assert set(FLAGS) == {name for name, each in VARIABLES.items() if each.dtype == "int8"}
