@@ -32,6 +32,7 @@ class Case(NamedTuple):
     kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
     scheme: str
     spectrum: Spectrum = KELVIN
+    refine: bool = True  # read the friction of narrow contacts from finer samples than the line's
 
     @property
     def plain(self) -> bool:

@@ -61,10 +61,12 @@ def run_cases(line: Line, cases: Sequence[Case], asked: Quantities) -> list[Outc
     together: dict[tuple, list[int]] = {}
     for i, case in enumerate(cases):
         if case.plain:
-            together.setdefault((case.speed, case.scheme, case.ratios), []).append(i)
+            alike = case.speed, case.scheme, case.ratios, case.refine
+            together.setdefault(alike, []).append(i)
         else:
             outcomes[i] = run_memory_case(line, case, asked)
-    ground = Ground.of(line) if together else None
+    finer = any(case.refine for case in cases)
+    ground = Ground.of(line, finer) if together else None
     for rows in together.values():
         assert ground is not None
         found = _run_loads(ground, [cases[i] for i in rows], asked)
@@ -100,12 +102,14 @@ def _under_load(
     twos : steady sliding at each v2, or nothing.
     """
     n, others = one.ground.line.z.size, len(case.ratios) if asked.jump else 0
-    refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
+    if case.refine:
+        refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
     clocks.lap_alone(i, steady=one.updates[i] + n, jump=others * n)
     mu_2, curves, work = np.full(len(case.ratios), np.nan), [], float(one.updates[i])
     for k, two in enumerate(twos):
         if two is not one:
-            refine(two, i)
+            if case.refine:
+                refine(two, i)
             work += two.updates[i]
         mu_2[k] = two.mu[i]
         clocks.lap_alone(i, steady=1.0)

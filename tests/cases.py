@@ -13,8 +13,8 @@ CASE = Case(0.1, 0.5, RATIOS, (KEPT,) * 3, "exponential")
 ALL = Quantities()
 
 
-def line_of(elements=ELEMENTS, shift=0.0):
+def line_of(elements=ELEMENTS, shift=0.0, steps=M):
     """Return a random line, shifted by so many spacings."""
     phases = draw_phases(np.random.default_rng(1), elements)
     turned = phases + 2.0 * np.pi * mode_numbers(elements) * shift / elements
-    return Line.self_affine(amplitudes(0.7, elements), turned, elements, M)
+    return Line.self_affine(amplitudes(0.7, elements), turned, elements, steps)

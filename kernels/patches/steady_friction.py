@@ -29,12 +29,12 @@ class Ground(NamedTuple):
 
     line: Line
     spans: Spans
-    curvature: np.ndarray | None  # shape (n,); where it is known between its samples
+    curvature: np.ndarray | None  # shape (n,); where it is wanted and known between its samples
 
     @classmethod
-    def of(cls, line: Line) -> "Ground":
-        """Return the ground that a line is."""
-        return cls(line, spans_of(line.z, line.slope), curvatures_of(line))
+    def of(cls, line: Line, finer: bool = True) -> "Ground":
+        """Return the ground that a line is; finer : whether it may be refined."""
+        return cls(line, spans_of(line.z, line.slope), curvatures_of(line) if finer else None)
 
 
 class Sliding(NamedTuple):

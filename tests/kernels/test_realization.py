@@ -13,12 +13,15 @@ from kernels import (
     quadrature,
     realization,
     run_case,
+    run_cases,
     steady_sliding,
     step_average,
 )
 from kernels.active.march import active_march
 from kernels.friction import elastic_correction
 from kernels.march import march
+from kernels.patches.refined import NARROW
+from kernels.patches.steady_friction import Ground, steady_friction
 from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
 
@@ -37,6 +40,20 @@ def test_only_what_is_asked_for_is_computed():
     np.testing.assert_array_equal(jump_only.jump, everything.jump)
     np.testing.assert_array_equal(steady_only.mu_2, everything.mu_2)
     assert jump_only.work < steady_only.work < everything.work
+
+
+def test_samples_are_refined_only_where_that_is_wanted():
+    line, asked = line_of(steps=4), Quantities(relaxation=False)
+    given = CASE._replace(load=1e-3, speed=100.0, refine=False)
+    finer = given._replace(refine=True)
+    as_sampled, refined = run_case(line, given, asked), run_case(line, finer, asked)
+    ground, loads = Ground.of(line, finer=False), np.array([1e-3 * line.z.size])
+    alone = steady_friction(ground, 100.0, given.scheme, loads)
+    assert as_sampled.mu_1 == alone.mu[0] > 0.0
+    assert as_sampled.samples_per_contact == alone.samples[0] < 0.5 * NARROW
+    assert refined.samples_per_contact >= NARROW
+    together = run_cases(line, [given, finer], asked)
+    assert [one.mu_1 for one in together] == [as_sampled.mu_1, refined.mu_1]
 
 
 def test_no_ratio_is_the_steady_state_alone():

@@ -57,6 +57,6 @@ def assembled(*settings):
     steps = [task.steps_per_spacing for task in variant.tasks]
     estimates["steps_per_spacing"] = np.array(steps, np.int32)
     names = judged(plan.study.scene.quantities)
-    estimates |= resolution(variant.tasks, estimates, names, variant.numerics.scheme)
+    estimates |= resolution(variant.tasks, estimates, names, variant.numerics)
     exponents = exponents_of(plan, variant, estimates)
     return plan, estimates, build_dataset(plan, variant, estimates, exponents)

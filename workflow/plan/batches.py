@@ -100,6 +100,7 @@ def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[B
                 blocks=number,
                 realizations_per_block=plan.study.realizations_per_block,
                 seconds=number * piece.seconds,
+                refine=piece.variant.numerics.refines,
                 heights=_heights(plan.study, piece.variant.lines, start, number),
                 modes=_modes(piece.variant.lines),
             )

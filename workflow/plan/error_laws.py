@@ -6,11 +6,12 @@ the same lines; upper bounds that 9 in 10 problems keep (docs/accuracy.md). Scat
 times the root of the number of lines, which come in quartets; 290 problems, Fbar 1e-3 ... 25,
 x 0.25 ... 600, N 320 ... 3200, over 16 quartets; right within 1.7 for two in three.
 
-They take a problem, or many of them together (problems.py), and steps for each.
+They take a problem, or many of them together (problems.py), and steps for each. refine : whether
+narrow contacts are read from finer samples.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 import numpy as np
 
@@ -29,26 +30,31 @@ def known(problem: Problem) -> Numbers:
     return plain & (numbers > 0.0).all(axis=0)
 
 
-def mu_1_error(problem: Problem, steps: Numbers) -> Numbers:
+def mu_1_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
     """Return the error of mu_1 (and mu_2): second order."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
     line = (elements / 88.0) ** (-1.22 * problem.hurst)
     coarse = 0.060 * contacts * (1.0 + 1.0 / speed) ** 0.92 * line / steps**2
-    return np.where(steps >= LEAST_STEPS, np.minimum(coarse, 0.010 / steps), coarse)
+    finer = refine & (steps >= LEAST_STEPS)
+    return np.where(finer, np.minimum(coarse, 0.010 / steps), coarse)
 
 
-def jump_error(problem: Problem, steps: Numbers) -> Numbers:
+def jump_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
     """Return the error of the jump: second order."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
     line = (elements / 94.0) ** (-1.36 * problem.hurst)
     coarse = 0.158 * contacts * (1.0 + 1.0 / speed) ** 0.68 * line / steps**2
-    return np.where(steps >= LEAST_STEPS, np.minimum(coarse, 0.024 / steps), coarse)
+    finer = refine & (steps >= LEAST_STEPS)
+    return np.where(finer, np.minimum(coarse, 0.024 / steps), coarse)
 
 
-def relaxation_rate_error(problem: Problem, steps: Numbers) -> Numbers:
-    """Return the error of b as expected before anything is computed; see ``rate_error``."""
+def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
+    """Return the error of b as expected before anything is computed; see ``rate_error``.
+
+    A march is on the samples of the line, whether steady states are refined or not.
+    """
     return rate_error(problem, steps, contact_width(problem) * steps, expected_rate(problem))
 
 
@@ -154,10 +160,17 @@ def relaxation_rate_scatter(problem: Problem) -> Numbers:
     return np.where(x < 1.0, creep, sliding)
 
 
+class Error(Protocol):
+    """The law of an error."""
+
+    def __call__(self, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
+        """Return the error at so many steps per spacing."""
+
+
 class Laws(NamedTuple):
     """The laws of one estimate."""
 
-    error: Callable[[Problem, Numbers], Numbers]  # at so many steps per spacing
+    error: Error
     scatter: Callable[[Problem], Numbers]  # of one line
 
 

@@ -47,7 +47,7 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     """
     steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.measured:
-        steps = 1  # samples as they were measured
+        steps = LEAST_STEPS  # no law tells more of lines whose spectrum is their own
     elif steps is None and (problem.programme or problem.spectrum != KELVIN):
         steps = GENERAL_STEPS
     elif steps is None:

@@ -111,7 +111,7 @@ def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _
         march_steps = horizon_steps(many, numerics, steps) if asked.relaxation else 0 * steps
         for row, own in enumerate((steps, march_steps)):  # one for all if given
             found[0][row, rows] = own
-        parts = typical_seconds(asked, Work(many, steps, march_steps), recording)
+        parts = typical_seconds(asked, Work(many, steps, march_steps, numerics.refines), recording)
         for column, part in enumerate(PARTS):
             found[1][rows, column] = parts[part]
         if goal:
@@ -136,7 +136,7 @@ def variant_of(
     said = _sizes(study, asked, label, problems)
     # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
     shared = repr((CODE, study.seed, study.surfaces[label].normalisation, numerics.scheme))
-    shared += repr((recording, asked, study.realizations_per_block))
+    shared += repr((recording, asked, study.realizations_per_block, numerics.refines))
     tasks = _tasks(shared, problems, said)
     lines: dict[tuple[float, int, Surface], list[Task]] = {}
     for task in tasks:

@@ -20,7 +20,7 @@ def completed(
     tasks = variant.tasks
     names = judged(plan.study.scene.quantities)
     done = [tasks[row] for row in sound]
-    estimates = estimates | resolution(done, estimates, names, variant.numerics.scheme)
+    estimates = estimates | resolution(done, estimates, names, variant.numerics)
     spread = {name: _spread(v, sound, len(tasks)) for name, v in estimates.items()}
     slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
     return spread | {

@@ -4,6 +4,7 @@ import numpy as np
 
 from workflow.plan import FIRST_ORDER, LAWS, first_order_rate_error, known, rate_error
 from workflow.simulate import Task
+from workflow.study import Numerics
 
 UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
 RESOLUTION_MEANINGS = "unresolved coarse resolved"
@@ -23,7 +24,7 @@ def resolution_status(samples: np.ndarray) -> np.ndarray:
 
 
 def resolution(
-    tasks: list[Task], estimates: dict[str, np.ndarray], names: tuple[str, ...], scheme: str
+    tasks: list[Task], estimates: dict[str, np.ndarray], names: tuple[str, ...], numerics: Numerics
 ) -> dict[str, np.ndarray]:
     """Return the resolution_status of some tasks, and NAME_bias of some of their estimates.
 
@@ -36,7 +37,7 @@ def resolution(
         return found
     samples = estimates["samples_per_contact"]
     rates = np.nan_to_num(estimates.get("relaxation_rate", np.zeros(len(tasks))))
-    first_order = scheme == "implicit-euler"
+    first_order = numerics.scheme == "implicit-euler"
     for name in names:
         bias = np.empty(len(tasks))
         for row, task in enumerate(tasks):
@@ -45,7 +46,8 @@ def resolution(
                 bias[row] = np.nan
                 continue
             if name != "relaxation_rate":
-                bias[row] = LAWS[name].error(problem, steps / FIRST_ORDER if first_order else steps)
+                worth = steps / FIRST_ORDER if first_order else steps
+                bias[row] = LAWS[name].error(problem, worth, numerics.refines)
                 continue
             bias[row] = rate_error(problem, steps, samples[row], rates[row])
             if first_order:

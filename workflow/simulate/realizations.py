@@ -151,6 +151,7 @@ def _case(batch: Batch, rows: list[int]) -> Case:
         kept_steps=kept,
         scheme=batch.scheme,
         spectrum=tasks[0].problem.spectrum,
+        refine=batch.refine,
     )
 
 

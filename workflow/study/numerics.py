@@ -29,6 +29,15 @@ class Numerics(NamedTuple):
     record: str = "time"  # in what the kept samples of a trace are evenly spaced
     trace: int | None = None  # keep every so many steps instead
 
+    @property
+    def refines(self) -> bool:
+        """Return whether narrow contacts are read from finer samples than the steps are.
+
+        Where "auto" chooses the steps. Steps that are given are taken as they are, everywhere, and
+        what they do not resolve is marked in the result.
+        """
+        return self.steps_per_spacing is None
+
 
 def _steps(key: str, value: object) -> int | None:
     return None if value == AUTO else integer(key, value, 1)

@@ -6,15 +6,17 @@ import pytest
 from workflow.plan import LAWS
 from workflow.reduce.resolution import COARSE, RESOLVED, UNRESOLVED, resolution, resolution_status
 from workflow.simulate import Problem, Task
+from workflow.study import Numerics
 
 NAMES = ("mu_1", "jump", "relaxation_rate")
 PROBLEM = Problem(0.7, 1000, 0.1, 1.0, 1.2)
+AUTO = Numerics()
 
 
-def found(steps=8, scheme="exponential", samples=12.0, problem=PROBLEM, names=NAMES):
+def found(steps=8, numerics=AUTO, samples=12.0, problem=PROBLEM, names=NAMES):
     """Return the resolution of one task whose contacts have so many samples and whose b is 2."""
     estimates = {"samples_per_contact": np.array([samples]), "relaxation_rate": np.array([2.0])}
-    return resolution([Task(problem, steps, 100, "key")], estimates, names, scheme)
+    return resolution([Task(problem, steps, 100, "key")], estimates, names, numerics)
 
 
 def test_status_follows_the_samples_per_contact():
@@ -34,7 +36,7 @@ def test_biases_follow_the_laws_and_fall_with_finer_steps():
 def test_each_task_has_a_bound_of_its_own():
     tasks = [Task(PROBLEM, steps, 100, "key") for steps in (8, 64)]
     estimates = {"samples_per_contact": np.full(2, 12.0), "relaxation_rate": np.full(2, 2.0)}
-    both = resolution(tasks, estimates, NAMES, "exponential")
+    both = resolution(tasks, estimates, NAMES, AUTO)
     expected = [found(steps)["bias_bound"].item() for steps in (8, 64)]
     assert both["bias_bound"].tolist() == expected
 
@@ -45,7 +47,16 @@ def test_rate_is_judged_by_the_contacts_that_were_found():
 
 @pytest.mark.parametrize("name", NAMES)
 def test_first_order_has_a_larger_bias(name):
-    assert found(scheme="implicit-euler")[f"{name}_bias"] > found()[f"{name}_bias"]
+    first_order = found(numerics=Numerics("implicit-euler"))
+    assert first_order[f"{name}_bias"] > found()[f"{name}_bias"]
+
+
+def test_steps_that_are_given_have_the_bias_of_their_own_samples():
+    light = PROBLEM._replace(load=1e-3, speed=100.0)
+    given, chosen = found(4, Numerics(steps_per_spacing=4), problem=light), found(4, problem=light)
+    for name in ("mu_1", "jump"):
+        assert given[f"{name}_bias"] > 10.0 * chosen[f"{name}_bias"]
+    assert given["relaxation_rate_bias"] == chosen["relaxation_rate_bias"]
 
 
 def test_no_bias_is_beyond_the_value_itself():

@@ -131,6 +131,16 @@ def test_every_resolution_samples_the_same_lines(drawn):
     assert [phases for _, phases in drawn[:4]] == [phases for _, phases in drawn[4:]]
 
 
+def test_steps_that_are_given_are_not_refined():
+    light = ("grid.normal_force=4e-5", "grid.velocity=100.0")
+    (chosen, given) = (one_batch(*light, *more) for more in ([], ["numerics.steps_per_spacing=4"]))
+    assert (chosen.refine, given.refine) == (True, False)
+    assert not {task.key for task in chosen.tasks} & {task.key for task in given.tasks}
+    as_sampled = dataclasses.replace(chosen, refine=False)
+    rows = [block_means(batch).scalars[..., 0] for batch in (chosen, as_sampled)]
+    assert not np.isclose(*rows, rtol=1e-3).any()
+
+
 @pytest.mark.parametrize(
     "setting",
     ["numerics.scheme=implicit-euler", "grid.normal_force=3.0", 'scene.quantities=["jump"]'],

@@ -56,6 +56,7 @@ class Work(NamedTuple):
     problem: Problem
     steps: Numbers  # per spacing
     march_steps: Numbers  # after the jump; 0: none
+    refine: bool = True  # narrow contacts are read from finer samples
 
     @property
     def samples(self) -> Numbers:
@@ -133,7 +134,7 @@ def _kelvin(asked: Quantities, work: Work) -> dict[str, Numbers]:
     share = touchable_share(problem.hurst, load, pressure)
     width = contact_width(problem) * work.steps
     edges = share / np.maximum(width, 1.0)  # per sample of the line
-    fine = fine_samples(problem, n, share, width)
+    fine = work.refine * fine_samples(problem, n, share, width)
     steady_states = 0.5 * (1 + (asked.steady or asked.relaxation))
     open_ones = partial_contact(load, pressure, 2.2)
     states = 4e-5 + n * (3.2e-9 + open_ones * (2e-9 * np.sqrt(share) + 2.4e-7 * edges))
