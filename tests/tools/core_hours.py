@@ -26,15 +26,15 @@ from tests.tools.sample import (
     Estimate,
     Stratum,
     drawn,
+    earlier_discretisation,
     number_of_draws,
-    plan_of,
     ratio,
     strata,
     total,
 )
 from workflow.plan import this_machine
 from workflow.plan.cost import PARTS
-from workflow.plan.plan import Plan
+from workflow.plan.plan import Plan, make_plan
 from workflow.simulate import BatchResult, block_means
 from workflow.study import read_study
 from workflow.system import WORKER_ENVIRONMENT
@@ -152,8 +152,9 @@ def main() -> None:
     """Draw, measure, print; write where asked."""
     asked = options()
     study = read_study(asked.study, asked.scale, [])
-    plan = plan_of(study, this_machine().pace, asked.steps == "earlier")
-    whole = strata(plan)
+    with earlier_discretisation() if asked.steps == "earlier" else contextlib.nullcontext():
+        plan = make_plan(study, this_machine().pace)
+        whole = strata(plan)
     generator = np.random.default_rng(asked.seed)
     numbers = number_of_draws(whole, asked.draws, 60.0 * asked.minutes)
     draws = [d for s, n in zip(whole, numbers, strict=True) for d in drawn(s, n, generator)]

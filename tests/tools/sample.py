@@ -9,6 +9,7 @@ draws.
 
 import math
 from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from dataclasses import replace
 from typing import NamedTuple
 from unittest.mock import patch
@@ -17,11 +18,10 @@ import numpy as np
 
 from kernels import QUARTET
 from workflow.plan.batches import batch_target, cut, make_batches, missing_work, total_seconds
-from workflow.plan.cost import Pace
-from workflow.plan.plan import Plan, make_plan
+from workflow.plan.plan import Plan
 from workflow.plan.problems import Numbers, expected_rate
 from workflow.simulate import Batch, Problem
-from workflow.study import Numerics, Scene, Study
+from workflow.study import Numerics, Scene
 
 LEAST_DRAWS = 8  # of a variant: its share of the error is known then
 LEAST_SECONDS = 2.0  # of a draw, predicted: what a batch begins with is lost in it
@@ -39,12 +39,14 @@ def earlier_steps(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers
     return np.maximum(4, resolved).astype(np.int64) * first_order
 
 
-def plan_of(study: Study, pace: Pace, earlier: bool) -> Plan:
-    """Return the plan of a study, where asked at the steps per spacing of 9b0af71."""
-    if not earlier:
-        return make_plan(study, pace)
-    with patch("workflow.plan.variant.steps_per_spacing", earlier_steps):
-        return make_plan(study, pace)
+@contextmanager
+def earlier_discretisation() -> Iterator[None]:
+    """Let what is planned be discretised as by commit 9b0af71, which refined no contacts."""
+    with (
+        patch("workflow.plan.variant.steps_per_spacing", earlier_steps),
+        patch.object(Numerics, "refines", False),
+    ):
+        yield
 
 
 class Stratum(NamedTuple):

@@ -9,14 +9,15 @@ from tests.support.small import small_plan, small_study
 from tests.tools.sample import (
     cut_down,
     drawn,
+    earlier_discretisation,
     earlier_steps,
     number_of_draws,
-    plan_of,
     ratio,
     strata,
     total,
 )
 from workflow.plan.cost import TYPICAL
+from workflow.plan.plan import make_plan
 from workflow.plan.problems import together
 from workflow.simulate.realizations import block_means
 
@@ -115,9 +116,16 @@ def replace_scheme(study):
     return study.variants[""]._replace(scheme="implicit-euler")
 
 
-def test_a_plan_at_earlier_steps_keeps_those_that_are_given():
-    now, then = (plan_of(small_study(), TYPICAL, earlier) for earlier in (False, True))
-    given = [{task.steps_per_spacing for task in plan.variants[1].tasks} for plan in (now, then)]
+def test_earlier_work_keeps_the_steps_that_are_given_and_refines_nothing():
+    now = make_plan(small_study(), TYPICAL)
+    with earlier_discretisation():
+        then = make_plan(small_study(), TYPICAL)
+        whole = strata(then)
+    given, chosen = (
+        [{task.steps_per_spacing for task in plan.variants[row].tasks} for plan in (now, then)]
+        for row in (1, 0)
+    )
     assert given == [{1}, {1}]
-    chosen = [{task.steps_per_spacing for task in plan.variants[0].tasks} for plan in (now, then)]
     assert chosen[0] != chosen[1]
+    assert not any(batch.refine for stratum in whole for batch in stratum.batches)
+    assert strata(now)[0].batches[0].refine
