@@ -14,7 +14,7 @@ A study is described by one TOML file. This page lists every table of it and eve
 values that a key takes, its unit, and its default. Each entry ends with what changes when the
 value is doubled, or, where a key is no number, when it is another one.
 [A tutorial](../tutorial.md) builds a study step by step, and every input that is refused is listed
-in [limits](../limits.md).
+on [a page of its own](../refusals.md).
 
 All quantities are in SI units. Unknown keys, keys of the wrong type and values out of range, at any
 scale, end a command with one line for each and exit status 2, before anything is computed; the line

@@ -7,7 +7,7 @@ from workflow.cli import main
 from workflow.errors import UserError
 from workflow.study.read import find_study, read_study
 
-# Beside those of docs/limits.md (test_limits.py), and a wrong type for each key (test_checks.py).
+# Beside those of docs/refusals.md (test_limits.py), and a wrong type for each key (test_checks.py).
 BAD_VALUES = [
     ("grid.normal_force=[1.0, 0.0]", "0.0", "greater than zero"),
     ("grid.hurst=-0.1", "-0.1", "between 0 and 1"),
