@@ -16,13 +16,13 @@ value is doubled, or, where a key is no number, when it is another one.
 [A tutorial](../tutorial.md) builds a study step by step, and every input that is refused is listed
 on [a page of its own](../refusals.md).
 
-All quantities are in SI units. Unknown keys, keys of the wrong type and values out of range, at any
-scale, end a command with one line for each and exit status 2, before anything is computed; the line
-says where in the file the key stands. `elastomer-friction schema` prints a JSON schema of the file,
-with which editors check and complete it. In what follows, L is
-`surface.length`, G is `material.shear_modulus`, F̄ = F_N/(4GLh) is the dimensionless normal force,
-and x = v₁ τ q_max is the dimensionless velocity, in which τ is the relaxation time of the elastomer
-and q_max the largest wave number of the line.
+All quantities are in SI units, and a number without a unit is dimensionless. Unknown keys, keys of
+the wrong type and values out of range, at any scale, end a command with one line for each and exit
+status 2, before anything is computed; the line says where in the file the key stands.
+`elastomer-friction schema` prints a JSON schema of the file, with which editors check and complete
+it. In what follows, L is `surface.length`, G is `material.shear_modulus`, F̄ = F_N/(4GLh) is the
+dimensionless normal force, and x = v₁ τ q_max is the dimensionless velocity, in which τ is the
+relaxation time of the elastomer and q_max the largest wave number of the line.
 
 **Lists and ranges.** Where an entry says "a list or range", the key takes a number, a list
 `[0.3, 0.5]`, `{linspace = [first, last, count]}` or `{geomspace = [first, last, count]}`. The grid

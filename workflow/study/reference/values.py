@@ -1,5 +1,6 @@
 """What values a key may have, in words, as its check says."""
 
+import json
 from collections.abc import Callable
 from functools import partial
 from typing import Any
@@ -61,4 +62,4 @@ def as_toml(value: object) -> str:
     """Return a number, a text or a list of them as TOML has it."""
     if isinstance(value, list):
         return f"[{', '.join(map(as_toml, value))}]"
-    return f"{value:g}" if isinstance(value, int | float) else f'"{value}"'
+    return f"{value:g}" if isinstance(value, float) else json.dumps(value)

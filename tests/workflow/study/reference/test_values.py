@@ -1,10 +1,11 @@
 """What a key takes is said as its check has it."""
 
+import tomllib
 from functools import partial
 
 import pytest
 
-from workflow.study.reference.values import default_of, values_of
+from workflow.study.reference.values import as_toml, default_of, values_of
 from workflow.study.settings import (
     Key,
     as_text,
@@ -42,6 +43,7 @@ def test_a_check_in_words(check, said):
     [
         (0.01, "0.01"),
         (10_000, "10000"),
+        (1_000_000, "1000000"),  # a whole number, where 1e+06 is none
         (True, "`true`"),
         ("line", '`"line"`'),
         ("", ""),
@@ -54,3 +56,9 @@ def test_a_default_as_toml_has_it(default, said):
 
 def test_a_key_without_a_default_is_required():
     assert default_of(Key(number)) == "required"
+
+
+def test_lists_of_numbers_and_of_texts_are_as_toml_has_them():
+    lists = [1, 10, 1_000_000], [0.2, 2e7], ["fig7", "grid6d"]
+    written = "\n".join(f"k{i} = {as_toml(one)}" for i, one in enumerate(lists))
+    assert list(tomllib.loads(written).values()) == list(lists)
