@@ -49,8 +49,8 @@ def _entry(variable: DescribedVariable) -> str:
         dims = " × ".join(f"`{dim}`" for dim in variable.dims)
     lines = [
         f"### {variable.name}\n",
-        f"*{_capital(variable.long_name)}. Dimensions: {dims}; unit: {variable.units}.*\n",
-        variable.text + (f" Sign: {_small(variable.sign)}" if variable.sign else "") + "\n",
+        f"*{_plain(_capital(variable.long_name))}. Dimensions: {dims}; unit: {variable.units}.*\n",
+        _plain(variable.text + (f" Sign: {_small(variable.sign)}" if variable.sign else "")) + "\n",
     ]
     if variable.flags:
         lines += ["| flag | meaning |", "|---|---|"]
@@ -60,7 +60,7 @@ def _entry(variable: DescribedVariable) -> str:
             lines.append(f"| {value} | `{name}`{more} |".replace("| -1", "| −1"))
         lines.append("")
     elif variable.comment:
-        lines.append(f"The file remarks: {variable.comment}.\n")
+        lines.append(f"The file remarks: {_plain(variable.comment)}.\n")
     return "\n".join(lines)
 
 
@@ -72,6 +72,11 @@ def _meanings(comment: str) -> list[tuple[str, str]]:
 
 def _capital(text: str) -> str:
     return text if text[1:2] in " =*" else text[0].upper() + text[1:]
+
+
+def _plain(text: str) -> str:
+    """Return a text whose asterisks, as in mu*, are not read as marks of Markdown."""
+    return text.replace("*", r"\*")
 
 
 def _small(text: str) -> str:

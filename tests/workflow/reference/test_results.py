@@ -22,3 +22,8 @@ def test_the_sign_of_the_indentation_is_said():
 
 def test_coordinates_have_their_rows():
     assert "| `spacing` | element spacing dx | m |" in PAGE
+
+
+def test_an_asterisk_of_a_symbol_is_no_mark_of_markdown():
+    assert r"*Amplitude mu\* of eq. 6" in entry("amplitude")
+    assert "ln(v/v*)" not in PAGE
