@@ -20,7 +20,7 @@ OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
 def add_run_options(command: argparse.ArgumentParser) -> None:
     """Add the options that only ``run`` has."""
     add = command.add_argument
-    add("--scheduler", help="address of a dask scheduler, tcp://host:port")
+    add("--scheduler", help="address of a dask scheduler, tls://host:port")
     for name in BATCH_SYSTEMS:
         text = f"compute in jobs of {name.upper()}, see the table [cluster]"
         add(f"--{name}", action="store_const", const=name, dest="batch_system", help=text)

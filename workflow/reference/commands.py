@@ -8,9 +8,9 @@ HEAD = """# Every command
 
 The command line is `python -m workflow COMMAND`. Every command answers `--help`. A command that is
 given wrong input prints one line that names it, and changes nothing. The exit status is 0 when a
-command is done, 2 for wrong input or surroundings, 3 when it is done but for problems that failed,
-and 130 when it was interrupted. A run that was interrupted goes on where it ended when it is
-started again.
+command is done, 2 for wrong input or surroundings, 3 when it is done but for problems that failed
+or when `verify` finds a fault, and 130 when it was interrupted. A run that was interrupted goes on
+where it ended when it is started again.
 """
 
 
@@ -41,8 +41,9 @@ def _command(name: str, command: argparse.ArgumentParser) -> list[str]:
 
 
 def _place(action: argparse.Action) -> str:
-    name = str(action.metavar or action.dest).upper()
-    return f"[{name} …]" if action.nargs == "*" else f"[{name}]" if action.nargs == "?" else name
+    name = str(action.metavar or action.dest).upper().replace("|", " or ")
+    forms = {"*": f"[{name} …]", "?": f"[{name}]", "+": f"{name} …"}
+    return forms.get(str(action.nargs), name)
 
 
 def _name(action: argparse.Action) -> str:

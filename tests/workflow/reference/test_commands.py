@@ -17,3 +17,8 @@ def test_an_option_is_named_with_its_meaning_and_default():
     assert "| `--accuracy ACCURACY` | as --set numerics.accuracy=0.01: 1% or 0.01 |  |" in PAGE
     assert "| `--set TABLE.KEY=VALUE` | override one setting" in PAGE
     assert "| folder of results, or path of the .nc file | `results` |" in PAGE
+
+
+def test_a_place_for_one_or_more_files_and_one_for_this_or_that():
+    assert "\n`python -m workflow fit FILE … [OPTIONS]`\n" in PAGE
+    assert "| `[FOLDER or STUDY]` | a folder of results" in PAGE
