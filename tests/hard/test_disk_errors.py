@@ -14,7 +14,8 @@ from tests.support.runs import PATIENCE, ROOT
 from tests.support.shards import reopened
 from workflow.store.store import Store
 
-# Stores three shards and reads them again, with as much patience as it is told.
+# Stores three shards and reads them again, with as much patience as it is told; for each line that
+# comes in, "FOLDER PATIENCE write|read".
 SCRIPT = """
 import sys
 from pathlib import Path
@@ -22,16 +23,19 @@ from tests.support.faults import TRUTH, checked, fill
 from workflow.errors import UserError
 from workflow.store.store import Store
 from workflow.system import Patience
-try:
-    store = Store(Path(sys.argv[1]), Patience(float(sys.argv[2])))
-    store.prepare()
-    if sys.argv[3] == "write":
-        fill(store)
-    scalars, _ = store.read(list(TRUTH), 3)
-    assert len(scalars) == len(TRUTH)
-except UserError as error:
-    print(f"error: {error}", file=sys.stderr)
-    sys.exit(2)
+for line in sys.stdin:
+    folder, patience, what = line.split()
+    try:
+        store = Store(Path(folder), Patience(float(patience)))
+        store.prepare()
+        if what == "write":
+            fill(store)
+        scalars, _ = store.read(list(TRUTH), 3)
+        assert len(scalars) == len(TRUTH)
+    except UserError as error:
+        print(f"error: {error}", file=sys.stderr)
+        sys.exit(2)
+    print("over", file=sys.stderr)
 """
 WRITING = ["write ENOSPC", "write EIO", "fsync EIO", "fsync ESTALE", "open EMFILE", "fsyncdir EIO"]
 READING = ["read EIO", "open EMFILE", "open ESTALE"]
@@ -43,38 +47,60 @@ def disk(tmp_path_factory):
     return faulty_disk(tmp_path_factory.mktemp("disk"))
 
 
-@pytest.fixture
-def store(tmp_path):
-    """Return the folder of a store."""
-    (tmp_path / "store").mkdir()
-    return tmp_path / "store"
+@pytest.fixture(scope="module")
+def stores(tmp_path_factory):
+    """Return (what is done, fault) -> the folder of a store."""
+    cases = [("write", fault) for fault in WRITING] + [("read", fault) for fault in READING]
+    base = tmp_path_factory.mktemp("stores")
+    folders = {case: base / f"{k}." for k, case in enumerate(cases)}  # no path begins another
+    for folder in folders.values():
+        folder.mkdir()
+    return folders
 
 
-def started(disk, folder, patience, what, *rules):
-    """Return a process that works on the store in a folder."""
+def started(disk, *rules):
+    """Return a process that works on stores."""
     return subprocess.Popen(
-        [sys.executable, "-c", SCRIPT, str(folder), str(patience), what],
+        [sys.executable, "-c", SCRIPT],
         cwd=ROOT,
         env={**os.environ, **disk.environment(*rules)},
+        stdin=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
     )
 
 
-def after_a_while(disk, process):
+def tell(process, *words):
+    """Let a process work on a store."""
+    print(*words, file=process.stdin, flush=True)
+
+
+@pytest.fixture(scope="module")
+def process(disk, stores):
+    """Return a process for whose stores the disk refuses what each is for."""
+    process = started(disk, *(f"{fault} {folder}" for (_, fault), folder in stores.items()))
+    yield process
+    process.kill()
+    process.communicate(timeout=PATIENCE)
+
+
+def after_a_while(disk, process, folder, what):
     """Let the disk refuse until the process says so, then a moment longer; return what it said."""
-    first = process.stderr.readline()
+    disk.flag.touch()
+    tell(process, folder, 60, what)
+    said = process.stderr.readline()
     time.sleep(0.5)
     disk.flag.unlink()
-    _, rest = process.communicate(timeout=PATIENCE)
-    assert process.returncode == 0, first + rest
-    return first + rest
+    for line in iter(process.stderr.readline, "over\n"):
+        assert line, said
+        said += line
+    return said
 
 
 @pytest.mark.parametrize("fault", WRITING)
-def test_what_waits_for_the_disk_is_stored_when_it_is_back(disk, store, fault):
-    disk.flag.touch()
-    said = after_a_while(disk, started(disk, store, 60, "write", f"{fault} {store}"))
+def test_what_waits_for_the_disk_is_stored_when_it_is_back(disk, process, stores, fault):
+    store = stores["write", fault]
+    said = after_a_while(disk, process, store, "write")
     assert re.match(
         r"warning: .*cannot be (written|read): .*; tried again for 60 s at most\n", said
     )
@@ -85,17 +111,18 @@ def test_what_waits_for_the_disk_is_stored_when_it_is_back(disk, store, fault):
 
 
 @pytest.mark.parametrize("fault", READING)
-def test_a_shard_that_cannot_be_read_for_a_while_is_no_damaged_one(disk, store, fault):
+def test_a_shard_that_cannot_be_read_for_a_while_is_no_damaged_one(disk, process, stores, fault):
+    store = stores["read", fault]
     fill(reopened(store))
-    disk.flag.touch()
-    said = after_a_while(disk, started(disk, store, 60, "read", f"{fault} {store}"))
+    said = after_a_while(disk, process, store, "read")
     assert "cannot be read:" in said
     assert checked(Store(store)) == TRUTH.keys()
     assert not list(store.glob("*.damaged"))
 
 
-def test_a_full_disk_ends_it_with_one_error_once_patience_is_over(disk, store):
-    process = started(disk, store, 1, "write", f"write ENOSPC {store}/. always")
+def test_a_full_disk_ends_it_with_one_error_once_patience_is_over(disk, tmp_path):
+    process = started(disk, f"write ENOSPC {tmp_path}/. always")
+    tell(process, tmp_path, 1, "write")
     _, said = process.communicate(timeout=PATIENCE)
     assert process.returncode == 2
     lines = said.splitlines()

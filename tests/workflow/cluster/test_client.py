@@ -7,11 +7,12 @@ import signal
 import socket
 import time
 from pathlib import Path
+from typing import NamedTuple
 
 import dask
 import psutil
 import pytest
-from distributed import SpecCluster
+from distributed import Client, SpecCluster
 
 from tests.support.small import small_plan
 from workflow.cluster import client as module
@@ -38,22 +39,64 @@ def written(security, folder):
     return dict(zip(("tls_ca_file", "tls_cert", "tls_key"), map(str, files), strict=True))
 
 
-def test_workers_of_our_own_are_processes_that_give_the_same_bytes(finished, tmp_path):
-    before = signal.getsignal(signal.SIGINT)
+def listening(pids):
+    """Return the TCP ports at which processes listen."""
+    inodes = set()
+    for pid in pids:
+        for entry in Path(f"/proc/{pid}/fd").iterdir():
+            with contextlib.suppress(OSError):
+                inodes.add(str(entry.readlink()).removeprefix("socket:[").removesuffix("]"))
+    rows = [line.split() for line in Path("/proc/net/tcp").read_text().splitlines()[1:]]
+    rows += [line.split() for line in Path("/proc/net/tcp6").read_text().splitlines()[1:]]
+    return {
+        int(row[1].rpartition(":")[2], 16) for row in rows if row[3] == "0A" and row[9] in inodes
+    }
+
+
+class Own(NamedTuple):
+    """Two workers of our own, and what was here before they were."""
+
+    client: Client
+    ports: set[int]
+    handler: object  # of Ctrl-C
+
+
+@pytest.fixture(scope="module")
+def own():
+    """Return two workers of our own, started in silence: a warning would be an error."""
+    before = listening([os.getpid()]), signal.getsignal(signal.SIGINT)
     with socket.socket() as taken:
         with contextlib.suppress(OSError):  # taken already is just as good
             taken.bind(("", 8787))
             taken.listen()
-        with open_client(Cluster(), 1) as client:  # in silence: a warning would be an error
-            assert signal.getsignal(signal.SIGINT) is before
-            ((pid, ignores_ctrl_c, environment),) = client.run(facts).values()
-            assert list(client.nthreads().values()) == [1]
-            assert pid != os.getpid()
-            assert ignores_ctrl_c
-            assert int(environment["MALLOC_TRIM_THRESHOLD_"]) >= 2**28  # large arrays are kept
-            where = Cluster(client.scheduler.address, **written(client.security, tmp_path))
-            path = tmp_path / "small.nc"
-            run_plan(small_plan(), path, How(where, batch_seconds=3.0))
+        with open_client(Cluster(), 2) as client:
+            yield Own(client, *before)
+
+
+def test_workers_of_our_own_are_processes_of_one_thread_that_do_not_hear_ctrl_c(own):
+    assert signal.getsignal(signal.SIGINT) is own.handler
+    assert list(own.client.nthreads().values()) == [1, 1]
+    for pid, ignores_ctrl_c, environment in own.client.run(facts).values():
+        assert pid != os.getpid()
+        assert ignores_ctrl_c
+        assert int(environment["MALLOC_TRIM_THRESHOLD_"]) >= 2**28  # large arrays are kept
+
+
+def test_every_port_of_our_own_processes_is_one_of_dask_with_a_certificate(own):
+    workers = own.client.run(os.getpid)
+    family = [os.getpid(), *workers.values()]
+    nannies = [nanny.address for nanny in own.client.cluster.workers.values()]
+    known = [own.client.scheduler.address, *workers, *nannies]
+    assert len(set(known)) == 5
+    assert all(address.startswith("tls://127.0.0.1:") for address in known)
+    ports = {int(address.rpartition(":")[2]) for address in known}
+    assert listening(family) - own.ports - {8787} == ports
+
+
+def test_workers_of_our_own_give_the_same_bytes_to_who_has_a_certificate(own, finished, tmp_path):
+    where = Cluster(own.client.scheduler.address, **written(own.client.security, tmp_path))
+    path = tmp_path / "small.nc"
+    run_plan(small_plan(), path, How(where, batch_seconds=3.0))
     assert path.read_bytes() == finished.path.read_bytes()
 
 
@@ -114,6 +157,7 @@ def starting(known):
     return pytest.fail("no worker was started again")
 
 
+@pytest.mark.exhaustive  # seven processes, one after the other
 def test_a_worker_that_is_killed_while_it_starts_again_is_replaced(monkeypatch):
     monkeypatch.setattr(module, "LOST_SECONDS", 1.0)
     monkeypatch.setattr(module, "AGAIN_SECONDS", 0.5)
@@ -132,33 +176,6 @@ def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(sched
         assert len(client.nthreads()) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"warning: --scheduler {scheduler}: neither encrypted nor authentic")
-
-
-def listening(pids):
-    """Return the TCP ports at which processes listen."""
-    inodes = set()
-    for pid in pids:
-        for entry in Path(f"/proc/{pid}/fd").iterdir():
-            with contextlib.suppress(OSError):
-                inodes.add(str(entry.readlink()).removeprefix("socket:[").removesuffix("]"))
-    rows = [line.split() for line in Path("/proc/net/tcp").read_text().splitlines()[1:]]
-    rows += [line.split() for line in Path("/proc/net/tcp6").read_text().splitlines()[1:]]
-    return {
-        int(row[1].rpartition(":")[2], 16) for row in rows if row[3] == "0A" and row[9] in inodes
-    }
-
-
-def test_every_port_of_our_own_processes_is_one_of_dask_with_a_certificate():
-    before = listening([os.getpid()])
-    with open_client(Cluster(), 2) as client:
-        workers = client.run(os.getpid)
-        family = [os.getpid(), *workers.values()]
-        nannies = [nanny.address for nanny in client.cluster.workers.values()]
-        known = [client.scheduler.address, *workers, *nannies]
-        assert len(set(known)) == 5
-        assert all(address.startswith("tls://127.0.0.1:") for address in known)
-        ports = {int(address.rpartition(":")[2]) for address in known}
-        assert listening(family) - before == ports
 
 
 def test_after_ctrl_c_ten_seconds_are_never_waited():

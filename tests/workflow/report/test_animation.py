@@ -10,7 +10,7 @@ from PIL import Image, ImageChops, ImageSequence
 from workflow.errors import UserError
 from workflow.report import animate
 
-STEPS, ELEMENTS = 6, 40
+STEPS, ELEMENTS = 4, 40
 
 
 def sliding_scene() -> xr.Dataset:
@@ -30,10 +30,16 @@ def sliding_scene() -> xr.Dataset:
 
 
 @pytest.fixture(scope="module")
-def frames(tmp_path_factory: pytest.TempPathFactory) -> list[Image.Image]:
-    """Return the frames of the animation of a sliding scene."""
+def path(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """Return the animation of a sliding scene, in a folder of its own."""
     path = tmp_path_factory.mktemp("animated") / "scene.gif"
     assert animate(sliding_scene(), path) == path
+    return path
+
+
+@pytest.fixture(scope="module")
+def frames(path: Path) -> list[Image.Image]:
+    """Return the frames of the animation."""
     with Image.open(path) as opened:
         return [frame.convert("RGB") for frame in ImageSequence.Iterator(opened)]
 
@@ -49,9 +55,8 @@ def test_both_halves_of_the_picture_move(frames):
         assert ImageChops.difference(before, after).getbbox() is not None
 
 
-def test_no_file_is_left_beside_the_animation(tmp_path):
-    animate(sliding_scene(), tmp_path / "scene.gif")
-    assert [path.name for path in tmp_path.iterdir()] == ["scene.gif"]
+def test_no_file_is_left_beside_the_animation(path):
+    assert list(path.parent.iterdir()) == [path]
 
 
 def test_a_scene_without_snapshots_is_refused_by_their_names():

@@ -84,7 +84,8 @@ def test_the_makers_of_both_are_known_after(folders):
     assert len(Store(target).index.makers_of(blocks)) == 1
 
 
-def test_a_store_in_use_another_version_and_itself_are_refused(folders):
+def test_a_store_in_use_another_version_and_itself_are_refused(folders, monkeypatch):
+    monkeypatch.setattr("workflow.system.lock.GLANCE_SECONDS", 0.1)
     source, target = folders
     with hold(target), pytest.raises(UserError, match="in use by"):
         merge_into(source, target)

@@ -31,7 +31,8 @@ def other(tmp_path):
         yield process
 
 
-def test_a_second_holder_is_refused_and_told_who_has_it(tmp_path, other):
+def test_a_second_holder_is_refused_and_told_who_has_it(tmp_path, other, monkeypatch):
+    monkeypatch.setattr("workflow.system.lock.GLANCE_SECONDS", 0.1)
     who = rf"process {other.pid} on \S+ since \d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d\S+"
     line = rf"{re.escape(str(tmp_path))}: in use by {who}; one run at a time"
     with pytest.raises(UserError) as error, hold(tmp_path):
