@@ -6,6 +6,7 @@ import pytest
 from kernels.motion.programme import Hold, Oscillation, Ramp, Slide
 from kernels.rheology.forms import FORMS
 from kernels.rheology.spectrum import Spectrum, complex_modulus
+from kernels.scene import ASKED
 from kernels.surfaces.line import Line
 from tests.kernels.scene.given import MATERIALS, SOLID, a_line, trace
 from tests.kernels.scene.test_known_answers import Q, response
@@ -30,7 +31,7 @@ def assert_sound(found, load=0.3):
 @pytest.mark.parametrize("scheme", FORMS)
 def test_thirty_branches_over_fourteen_decades(scheme, start):
     """Some relax within a step and some not in the whole programme."""
-    asked = ("trace", "energy") if scheme == "exponential" else ("trace",)
+    asked = ASKED if scheme == "exponential" else ("trace",)
     found = trace(a_line(size(40, 12)), PROGRAMME, THIRTY, scheme=scheme, start=start, asked=asked)
     assert_sound(found)
 
@@ -128,7 +129,7 @@ PROFILES = {
 @pytest.mark.parametrize("name", MATERIALS)
 def test_profiles_with_spikes_and_plateaus(profile, name):
     line = Line.measured(PROFILES[profile], 1)
-    found = trace(line, PROGRAMME, MATERIALS[name], asked=("trace", "energy"))
+    found = trace(line, PROGRAMME, MATERIALS[name], asked=ASKED)
     assert_sound(found)
     between = Line.measured(PROFILES[profile], 16).slope  # the line turns at fractions of samples
     assert np.abs(found["trace_mu"]).max() <= 1.02 * np.abs(between).max()

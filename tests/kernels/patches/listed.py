@@ -27,7 +27,7 @@ class Listed:
         self.state, _ = steady_sliding(self.law, z, self.total)
         room = room_for(slope, speed)
         self.decay = decay_of(self.law)
-        *_, pieces = carry(self.decay, z, self.spans, own.stay, self.state.d, room)
+        *_, pieces = carry(self.decay, z, self.spans, own.stay, self.state.d, room, None, None)
         self.contacts = first(room, pieces)
         self.touching = list_touching(self.contacts, room_for_all(z.size))
 

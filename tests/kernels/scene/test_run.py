@@ -46,7 +46,7 @@ def test_what_else_is_asked_for_changes_no_bit():
 
 
 def test_lengths_and_fractions_of_contact_agree():
-    scene = a_scene(EVERY, PRONY, M, asked=("trace", "contact_lengths"))
+    scene = a_scene(EVERY, PRONY, M, asked=ASKED)
     samples = np.arange(LINE.z.size + 2) - 0.5
     found = run_scene(LINE, scene._replace(edges=samples / M))
     covered = np.sum(found["contact_length"] * np.arange(LINE.z.size + 1)) / LINE.z.size
@@ -55,9 +55,7 @@ def test_lengths_and_fractions_of_contact_agree():
 
 @pytest.mark.parametrize("start", ["steady", "relaxed"])
 def test_snapshots_show_the_line_pressed_into_the_elements(start):
-    scene = a_scene(
-        (Slide(0.5, 3.1),), PRONY, M, start=start, asked=("snapshots", "trace", "state")
-    )
+    scene = a_scene((Slide(0.5, 3.1),), PRONY, M, start=start, asked=ASKED)
     frames = np.array([0, 1, 5, scene.kept[-1]])
     found = run_scene(LINE, scene._replace(frames=frames))
     height, u = found["snapshot_height"], found["snapshot_displacement"]

@@ -20,8 +20,8 @@ def solved(line, speed, load, guess=None, scheme="exponential"):
     steps = STEPS if guess is None else POWER_STEPS
     guess = elastic_guess(line.z, spans.deepest, total) if guess is None else guess
     to = decay, line.z, spans, own.stay
-    (near,) = approach(*to, np.array([total]), np.array([guess]), steps)
-    d, after, _ = indentation(*to, total, near, room_for(line.slope, speed))
+    (near,) = approach(*to, np.array([total]), np.array([guess]), steps, None)
+    d, after, _ = indentation(*to, total, near, room_for(line.slope, speed), None)
     return d, steps + after
 
 
@@ -70,7 +70,7 @@ def test_lanes_change_no_bit():
     loads = line.z.size * np.geomspace(0.3, 10.0, 20)
     guesses = np.array([elastic_guess(line.z, spans.deepest, load) for load in loads])
     to = decay_of(law), line.z, spans, own.stay
-    together = approach(*to, loads, guesses, STEPS)
+    together = approach(*to, loads, guesses, STEPS, None)
     for some in (slice(0, 1), slice(3, 3 + WORTH), slice(2, 20), slice(None, None, -1)):
-        found = approach(*to, loads[some], guesses[some], STEPS)
+        found = approach(*to, loads[some].copy(), guesses[some].copy(), STEPS, None)
         np.testing.assert_array_equal(found, together[some])
