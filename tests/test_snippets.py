@@ -18,7 +18,7 @@ MARKS = {"", "file", "needs", "exhaustive", "not run"}
 # Inline and in tables, not of usage with options in brackets.
 INLINE = re.compile(rf"(?:`|^ {{4}}){re.escape(PROGRAM)}([^`\n\[]*)(?:`|$)", re.MULTILINE)
 RUN = sorted({block.page for block in BLOCKS if block.mark != "not run"})
-USUAL = ("README.md", "docs/python.md")  # of the others what takes seconds is left to test-all
+USUAL = ("README.md",)  # of the others what takes seconds is left to test-all
 
 
 def ids(values: list) -> list[str]:

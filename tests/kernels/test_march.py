@@ -44,7 +44,7 @@ SCENES = [
     Scene(0.7, 1, 0.1, 40.0, 0.8),
     Scene(0.0, 2, 0.5, 6.0, 1.5),
 ]
-ELEMENTS = size(100, 60)
+ELEMENTS = 60
 
 
 class Jump:

@@ -12,6 +12,7 @@ from studies.accuracy.recommendation import cheapest
 from tests.support.studies import check_drawing, load
 from workflow.cli import main
 
+whole_study = pytest.mark.exhaustive  # its parts are asked for in make test
 POINT = Point(0.5, 0.3, 1.5)
 TOLERANCE = {"numpy": 1e-8, "tamaas": 1e-6}
 
@@ -70,6 +71,7 @@ def groups(tmp_path_factory):
     return load(folder / "accuracy-smoke.nc")
 
 
+@whole_study
 def test_both_schemes_converge_to_one_reference(groups):
     data = groups[""]
     for quantity, share in (("mu_1", 0.1), ("curve", 0.2)):
@@ -79,23 +81,27 @@ def test_both_schemes_converge_to_one_reference(groups):
     assert (data.seconds.dropna("steps", how="all") > 0.0).any()
 
 
+@whole_study
 def test_rate_of_creep_is_that_of_the_scheme(groups):
     creep = groups[""].error.isel(point=0).sel(quantity="rate", steps=16)  # x = 0.3
     assert creep.sel(scheme="implicit-euler") > 0.1
     assert creep.sel(scheme="exponential") < 0.01
 
 
+@whole_study
 def test_sampling_error_falls_as_the_root_of_the_number(groups):
     error = groups["sampling"].error.sel(sampled=["mu_1", "jump"], realizations=[10, 50])
     few, many = error.mean("point").transpose("realizations", ...)
     assert (abs(np.log(few.values / many.values / np.sqrt(5.0))) < 0.7).all()
 
 
+@whole_study
 def test_alternatives_are_less_accurate_at_equal_m(groups):
     error = groups["alternatives"].error.sel(quantity="mu_1", steps=[2, 4]).mean("steps")
     assert (error.sel(solver="numpy") > error.sel(solver="kernels")).all()
 
 
+@whole_study
 def test_recommendation_asks_more_for_more_accuracy(groups):
     count = groups["recommendation"].realizations.sel(sampled="mu_1")
     coarse, fine = count.sel(target=0.1), count.sel(target=0.01)
@@ -104,6 +110,7 @@ def test_recommendation_asks_more_for_more_accuracy(groups):
     assert (fine > coarse).where(both, True).all()
 
 
+@whole_study
 def test_figure_and_table(groups):
     check_drawing("accuracy", groups)
     rows = table(groups)

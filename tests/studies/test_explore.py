@@ -7,6 +7,7 @@ from pathlib import Path
 import nbformat
 import pytest
 
+executed = pytest.mark.exhaustive  # in a Jupyter kernel of its own, on the result of figure 7
 NOTEBOOK = Path(__file__).resolve().parents[2] / "studies" / "explore.ipynb"
 # In a process of its own: the kernel and its event loop stay out of the tests' process.
 EXECUTE = """
@@ -40,17 +41,20 @@ def printed(outputs):
     return "".join(part.text for cell in outputs for part in cell if "text" in part)
 
 
+@executed
 def test_every_cell_runs_without_warnings_and_both_plots_are_drawn(outputs):
     parts = [part for cell in outputs for part in cell]
     assert not [part for part in parts if part.get("name") == "stderr"]
     assert len([part for part in parts if "image/png" in part.get("data", {})]) == 2
 
 
+@executed
 def test_units_and_origin_are_shown(printed):
     assert "indentation      [m] steady indentation d at v1" in printed
     assert "seed: 2014" in printed
 
 
+@executed
 def test_the_fit_agrees_with_the_stored_rate(printed):
     (line,) = [line for line in printed.splitlines() if line.startswith("b = ")]
     here, stored = float(line.split()[2]), float(line.split()[5])

@@ -56,5 +56,6 @@ def test_the_result_says_which_lines_it_was_computed_on(groups):
     assert all("its parabola removed" in data.attrs["lines"] for data in groups.values())
 
 
+@pytest.mark.exhaustive
 def test_the_figure_is_drawn(result):
     check_drawing("measured_line", result)

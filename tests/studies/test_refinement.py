@@ -5,6 +5,8 @@ import pytest
 
 from tests.support.studies import check_drawing, rates, run
 
+pytestmark = pytest.mark.exhaustive  # the left branch in make test: test_fig7.py
+
 VARIANTS = ("", "euler_2", "euler_8", "euler_64", "exponential_8", "exponential_64")
 VELOCITY = "grid.velocity=[4e-4, 1.25e-3, 4e-2, 4e-1]"  # x = 0.03, 0.1, 3, 31
 

@@ -10,6 +10,7 @@ from tests.support.studies import check_drawing, load
 from workflow.cli import main
 from workflow.cluster.flow import PER_THREAD
 
+whole_study = pytest.mark.exhaustive  # the simulation that it rests on is asked for in make test
 COSTS = Costs(scheduler=2e-3, driver=5e-4, latency=1e-3)
 FREE = Costs(scheduler=0.0, driver=0.0, latency=0.0)
 
@@ -71,11 +72,13 @@ def groups(tmp_path_factory):
     return load(folder / "scaling-smoke.nc")
 
 
+@whole_study
 def test_figure_and_table_are_written(groups):
     check_drawing("scaling", groups)
     assert [*table(groups).columns][:2] == ["study", "workers"]
 
 
+@whole_study
 def test_the_same_work_is_done_by_any_number_of_workers(groups):
     studies = groups["studies"]
     work = studies.work.values

@@ -9,19 +9,16 @@ from studies.stability.probe import COUNTS, RESIDUALS
 from tests.support.studies import check_drawing
 from workflow.study.read import read_study
 
-WIDTHS = [3, pytest.param(1, marks=pytest.mark.exhaustive)]  # every third: the ends
+pytestmark = pytest.mark.exhaustive  # the corners in make test: tests/hard/test_corners.py
 
 
-@pytest.fixture(scope="module", params=WIDTHS)
-def groups(request):
-    """Measure at smoke scale; the corners at the ends of their ranges, or everywhere."""
+@pytest.fixture(scope="module")
+def groups():
+    """Measure at smoke scale."""
     study = read_study("stability", "smoke")
-    with pytest.MonkeyPatch.context() as patch:
-        for axis in ("LOADS", "X", "RATIOS"):
-            patch.setattr(corners, axis, getattr(corners, axis)[:: request.param])
-        groups = measure(study.settings, study.seed, lambda _: None)
-        settings = (study.settings["corner_lines"], study.settings["most_elements"])
-        assert groups["corners"].sizes["case"] == corners.number_of_corners(*settings)
+    groups = measure(study.settings, study.seed, lambda _: None)
+    settings = (study.settings["corner_lines"], study.settings["most_elements"])
+    assert groups["corners"].sizes["case"] == corners.number_of_corners(*settings)
     return {name: data.assign_attrs(data.attrs, seed=study.seed) for name, data in groups.items()}
 
 

@@ -6,18 +6,20 @@ import sys
 
 from tests.support.runs import PATIENCE, ROOT
 from tests.support.small import write_study
+from tests.support.sweeps import sweep
 
 # What the program, its workers and the start of a process import, sooner or later.
 PLANTED = ("tomllib", "numpy", "distributed", "multiprocessing", "struct", "kernels", "studies")
 
 
-def test_modules_of_the_working_folder_are_not_run_here_nor_in_workers(tmp_path):
+@sweep("command", ["plan"], ["run", "--workers", "1"])  # a worker starts as a process does
+def test_modules_of_the_working_folder_are_not_run_here_nor_in_workers(tmp_path, command):
     for name in PLANTED:
         (tmp_path / f"{name}.py").write_text("import os\nos._exit(77)\n")
     study = write_study(tmp_path)
-    words = ["run", study, "--out", str(tmp_path), "--workers", "1", "--set", "grid.hurst=0.7"]
+    words = [study, "--out", str(tmp_path), "--set", "grid.hurst=0.7"]
     done = subprocess.run(
-        [sys.executable, "-m", "workflow", *words],
+        [sys.executable, "-m", "workflow", *command, *words],
         cwd=tmp_path,
         env={**os.environ, "PYTHONPATH": str(ROOT)},
         capture_output=True,
@@ -25,7 +27,7 @@ def test_modules_of_the_working_folder_are_not_run_here_nor_in_workers(tmp_path)
         timeout=PATIENCE,
     )
     assert done.returncode == 0, done.stderr
-    assert (tmp_path / "small.nc").is_file()
+    assert (tmp_path / "small.nc").is_file() == ("run" in command)
 
 
 IMPATIENT = """

@@ -6,9 +6,12 @@ import pytest
 from kernels import ConstantForce, PrintedForce, lagged_slope, march
 from kernels.active.march import active_march
 from tests.kernels.active.given import Jump, setting_of
+from tests.sizes import COMPILES_ALONE
+
+CONTROLS = [ConstantForce, pytest.param(PrintedForce, marks=COMPILES_ALONE)]
 
 
-@pytest.mark.parametrize("control", [ConstantForce, PrintedForce])
+@pytest.mark.parametrize("control", CONTROLS)
 @pytest.mark.parametrize("load", [0.001, 0.1, 3.0])
 def test_the_indentation_of_every_step_is_that_of_the_plain_march(control, load):
     setting, force = setting_of(Jump(0.7, 2, load, 10.0, 1.3), 120)

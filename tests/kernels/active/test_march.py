@@ -12,7 +12,7 @@ from kernels.active.march import MARGINS, active_march
 from kernels.motion.stretches import touchable
 from tests.kernels.active.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
 from tests.reference_march import RigidElements, relaxation
-from tests.sizes import size
+from tests.sizes import COMPILES_ALONE, size
 
 EVERY = np.arange(1, size(60, 9) + 1)
 REGIMES = [
@@ -47,7 +47,7 @@ def test_it_is_the_plain_march_in_every_regime(hurst, scheme):
         assert_same(setting, load, jump, EVERY)
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("scheme", [pytest.param(s, marks=COMPILES_ALONE) for s in SCHEMES])
 def test_it_is_the_reference_march_of_eq_3_as_printed(scheme):
     regimes = [jump for jump in REGIMES if jump.scheme == scheme and jump.m < 16]
     steps = size(30, 6)

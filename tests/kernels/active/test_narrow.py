@@ -13,7 +13,7 @@ from kernels.active.lists import lists_of, sums_of
 from kernels.active.march import follow
 from kernels.active.runs import classes_of
 from tests.kernels.active.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
-from tests.sizes import size
+from tests.sizes import COMPILES_ALONE, size
 
 NEVER, ALWAYS = 0.0, 1e9
 
@@ -78,7 +78,7 @@ def test_longer_lines(hurst, m, load, x, ratio, scheme):
     assert_same(setting, force, jump, size(300, 20))
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("scheme", [pytest.param(s, marks=COMPILES_ALONE) for s in SCHEMES])
 def test_eq_3_as_printed_is_marched_the_same_with_lists_that_are_left_alone(scheme):
     for load, x in ((0.1, 10.0), (1.0, 30.0), (5.0, 30.0)):
         setting, force = setting_of(Jump(0.7, 2, load, x, 1.2, scheme), size(300, 40))

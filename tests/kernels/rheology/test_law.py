@@ -51,7 +51,7 @@ def slide(marches):
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
-@sweep("marches", 2, 3)  # a march is long to compile for the new law, the rest is not
+@sweep("marches", 0, 3)  # a march is long to compile, for the new law above all
 def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_path, marches):
     """Of the law of a new file neither; its numbers are those of the Kelvin element."""
     cache = tmp_path / "cache"
@@ -70,10 +70,10 @@ def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_
         )
         for _ in range(2)
     )
-    assert misses >= marches - 1  # the new law at least
+    assert misses >= max(1, marches - 1)  # the new law at least
     assert second == (numbers, 0)
     printed, kelvin, squared = numbers
-    assert printed != kelvin
+    assert (printed != kelvin) == (marches > 0)  # the control plays a part in marches alone
     assert squared == kelvin[: len(squared)]
 
 

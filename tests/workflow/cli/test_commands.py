@@ -9,12 +9,12 @@ import pytest
 
 from tests.support.commands import output, refusal
 from tests.support.runs import PATIENCE, ROOT, start
+from tests.support.sweeps import mostly_exhaustive
 from workflow.cli import commands as cli
 from workflow.cli import main
 
-FIGS = range(2, 9)
 
-
+@pytest.mark.exhaustive  # in this process every refusal is asked for
 def test_bad_input_is_one_line_in_a_process_of_its_own(study):
     process = start("plan", study, "--set", "grid.hurst=1.2")
     out, err = process.communicate(timeout=PATIENCE)
@@ -104,23 +104,27 @@ def test_a_value_that_a_plan_has_not_is_null(capsys, powers):
     assert json.loads(output(capsys, "status", "powers", "--json"))["written"] is False
 
 
-def test_a_shell_completes_commands_and_names_of_studies(tmp_path):
+@mostly_exhaustive(
+    ("typed", "expected"),
+    [("plan fig", {f"fig{n}" for n in range(2, 9)})],
+    [("st", {"status", "studies"})],
+)
+def test_a_shell_completes_commands_and_names_of_studies(tmp_path, typed, expected):
     pytest.importorskip("argcomplete")
-    for typed, expected in (("st", {"status", "studies"}), ("plan fig", {f"fig{n}" for n in FIGS})):
-        line = f"elastomer-friction {typed}"
-        done = subprocess.run(
-            [sys.executable, "-m", "workflow"],
-            env={
-                **os.environ,
-                "_ARGCOMPLETE": "1",
-                "_ARGCOMPLETE_STDOUT_FILENAME": str(tmp_path / "found"),
-                "COMP_LINE": line,
-                "COMP_POINT": str(len(line)),
-            },
-            cwd=ROOT,
-            timeout=PATIENCE,
-            check=True,
-        )
-        assert done.returncode == 0
-        found = (tmp_path / "found").read_text().replace("\013", " ").split()
-        assert {word.strip() for word in found} == expected
+    line = f"elastomer-friction {typed}"
+    done = subprocess.run(
+        [sys.executable, "-m", "workflow"],
+        env={
+            **os.environ,
+            "_ARGCOMPLETE": "1",
+            "_ARGCOMPLETE_STDOUT_FILENAME": str(tmp_path / "found"),
+            "COMP_LINE": line,
+            "COMP_POINT": str(len(line)),
+        },
+        cwd=ROOT,
+        timeout=PATIENCE,
+        check=True,
+    )
+    assert done.returncode == 0
+    found = (tmp_path / "found").read_text().replace("\013", " ").split()
+    assert {word.strip() for word in found} == expected

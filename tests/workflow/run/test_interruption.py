@@ -52,7 +52,11 @@ def test_a_killed_run_resumes(scheduler, tmp_path, expected):
     assert_resumes(tmp_path, expected)
 
 
-@pytest.mark.parametrize("options", [(), ("--workers", "1")], ids=["here", "on a worker"])
+HERE = pytest.param((), id="here")
+ON_A_WORKER = pytest.param(("--workers", "1"), id="on a worker", marks=pytest.mark.exhaustive)
+
+
+@pytest.mark.parametrize("options", [HERE, ON_A_WORKER])
 def test_ctrl_c_stops_a_run_that_resumes(tmp_path, expected, capsys, options):
     status, out, err = ended(tmp_path, signal.SIGINT, *options)
     assert status == 130
