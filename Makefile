@@ -7,7 +7,8 @@ SCALE  ?=
 ARGS   ?=
 PYTEST := $(BIN)/python -m pytest -n auto
 USUAL  := not cluster and not exhaustive
-NUMERICAL := tests/kernels tests/hard tests/independent tests/workflow/reduce
+NUMERICAL := tests/kernels tests/independent tests/workflow/reduce \
+  $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
 .PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos fuzz coverage check docs bench mutation intervals clean

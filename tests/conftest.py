@@ -18,8 +18,13 @@ settings.register_profile("usual", deadline=None)  # no test depends on the spee
 settings.register_profile("exhaustive", settings.get_profile("usual"), max_examples=1000)
 settings.load_profile("usual")
 
-# What takes longest comes first, so that no process is left alone with it in the end.
-ORDER = ("studies", "workflow/run", "workflow/cluster", "hard", "workflow", "independent")
+# One process begins with what compiles most kernels, which one does at a time; the others meanwhile
+# with what needs none. Then what takes longest, so that nobody is left alone with it in the end.
+COMPILING = "studies/test_figures.py"
+WITHOUT_KERNELS = tuple(
+    f"workflow/{room}" for room in ("study", "store", "plan", "reduce", "laboratory", "system")
+)
+ORDER = (COMPILING, *WITHOUT_KERNELS, "studies", "workflow/run", "hard", "workflow", "independent")
 SHARED = {"tests/studies/test_explore.py": "tests/studies/test_fig7.py"}  # one result for both
 
 

@@ -20,9 +20,7 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 TESTERS = ["pytest", "pytest-xdist", "hypothesis"]
 TESTS = [
-    "tests/kernels/test_contact.py",
     "tests/kernels/steady",
-    "tests/kernels/test_march.py",
     "tests/workflow/reduce",
     "tests/workflow/result",
     "--ignore=tests/workflow/result/test_conventions.py",  # its checker is no package of ours
@@ -98,7 +96,7 @@ def main() -> None:
         for command in (
             ["workflow", "run", *study],
             ["workflow", "figure", *study],
-            ["pytest", "-q", "-n", "0", "-W", "default", "-m", "not exhaustive", *TESTS],
+            ["pytest", "-q", "-n", "auto", "-W", "default", "-m", "not exhaustive", *TESTS],
         ):
             subprocess.run([inside, "-m", *command], cwd=ROOT, check=True)
 
