@@ -25,7 +25,6 @@ WITHOUT_KERNELS = tuple(
     f"workflow/{room}" for room in ("study", "store", "plan", "reduce", "laboratory", "system")
 )
 ORDER = (COMPILING, *WITHOUT_KERNELS, "studies", "workflow/run", "hard", "workflow", "independent")
-SHARED = {"tests/studies/test_explore.py": "tests/studies/test_fig7.py"}  # one result for both
 
 
 def pytest_configure(config: pytest.Config) -> None:
@@ -40,7 +39,7 @@ def pytest_xdist_auto_num_workers() -> int:
 
 
 class ByFile(LoadScopeScheduling):
-    """Keep the tests of a file in one process, and files that share a study: they share fixtures.
+    """Keep the tests of a file in one process: they share fixtures.
 
     xdist's own groups (--dist loadgroup) are lost in silence from pytest 9.2 on.
     """
@@ -51,9 +50,8 @@ class ByFile(LoadScopeScheduling):
 
 
 def group_of(nodeid: str) -> str:
-    """Return the name of the group of a test: its file, or one that it shares a study with."""
-    file = nodeid.partition("::")[0]
-    return SHARED.get(file, file)
+    """Return the name of the group of a test: its file."""
+    return nodeid.partition("::")[0]
 
 
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> ByFile:

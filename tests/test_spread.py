@@ -11,10 +11,5 @@ def test_the_tests_of_a_file_are_of_one_group(request, name):
     assert group_of(f"tests/test_spread.py::test[{name}]") == "tests/test_spread.py"
 
 
-def test_files_that_share_a_study_are_of_one_group():
-    explore, fig7 = (f"tests/studies/test_{name}.py::test_it" for name in ("explore", "fig7"))
-    assert group_of(explore) == group_of(fig7)
-
-
 def test_xdist_asks_for_the_group():
     assert ByFile._split_scope(None, "tests/test_a.py::test_it") == "tests/test_a.py"

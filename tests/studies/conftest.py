@@ -1,4 +1,4 @@
-"""Figure 7, reduced to a few points, for the tests of its physics and of the notebook."""
+"""Figure 7, reduced to a few points, for the tests of its physics."""
 
 import pytest
 
@@ -8,13 +8,7 @@ FULL_CONTACT = 1000.0  # N
 
 
 @pytest.fixture(scope="session")
-def fig7_folder(tmp_path_factory):
-    """Return the folder with the result of figure 7."""
-    return tmp_path_factory.mktemp("fig7") / "results"
-
-
-@pytest.fixture(scope="session")
-def fig7(fig7_folder) -> Groups:
+def fig7(tmp_path_factory) -> Groups:
     """Return the groups of figure 7: a rough and a smooth line, two loads and full contact."""
     settings = (
         "study.realizations=32",
@@ -22,4 +16,4 @@ def fig7(fig7_folder) -> Groups:
         "grid.spacing=1e-5",
         "grid.velocity=[1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1]",  # x = 0.03 ... 31
     )
-    return run(fig7_folder, "fig7", *settings)
+    return run(tmp_path_factory.mktemp("fig7"), "fig7", *settings)
