@@ -9,7 +9,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize, to_hex
-from matplotlib.ticker import FuncFormatter, NullFormatter
+from matplotlib.ticker import FuncFormatter, NullLocator
 
 CONVERGED, PAPER_STEP = "", "paper_step"  # groups of a result; the first is the study itself
 VARIANTS = {
@@ -49,7 +49,7 @@ def in_micrometres(ax: Axes, values: np.ndarray) -> None:
     """Label an axis of lengths in m by these values in micrometres."""
     ax.set_xticks(values)
     ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{1e6 * value:.3g}"))
-    ax.xaxis.set_minor_formatter(NullFormatter())
+    ax.xaxis.set_minor_locator(NullLocator())
     ax.set_xlabel("spacing $\\Delta x$ (µm)")
 
 

@@ -62,7 +62,7 @@ def test_a_wheel_holds_all_that_the_command_needs(tmp_path, monkeypatch):
     names = set(zipfile.ZipFile(wheel).namelist())
     shipped = subprocess.check_output(["git", "-C", ROOT, "ls-files", "studies"], text=True)
     assert set(shipped.splitlines()) <= names
-    assert {"workflow/cli/study.toml", "workflow/report/report.html.j2"} <= names
+    assert {"workflow/cli/study.toml", "workflow/report/page/report.html.j2"} <= names
     assert not [name for name in names if name.startswith("tests")]
     site, away = tmp_path / "site", tmp_path / "away"
     subprocess.run([*pip, "install", "--no-deps", "--target", site, wheel], check=True)

@@ -11,6 +11,12 @@ from workflow.result import Groups
 
 from .panels import LIMITS, NAMES, draw_ladders, milliseconds, name_regimes
 
+CAPTION = (
+    "The first figure shows the relative error of steady friction, jump, rate and curve over the "
+    "CPU time that it takes to get it, for both schemes, many time steps and all points of the "
+    "study. The second shows the error that is left by a finite number of random lines, how to "
+    "balance both errors, and what common alternatives to these solvers give at the same cost."
+)
 MARKS = ("o", "s", "^")  # of the compared points
 
 
@@ -29,9 +35,9 @@ def _discretisation(groups: Groups) -> Figure:
     worst = float(data.reference_error.sel(quantity="mu_1").max())
     write_below(
         figure,
-        f"{data.sizes['point']} points (H, Fbar, x), every marker one m = 1, 2, 4, ...; rms "
-        "over lines; references: Richardson extrapolation, "
-        f"error of mu_1 at most {worst:.0e}",
+        f"{data.sizes['point']} points ($H$, $\\bar F$, $x$), every marker one m = 1, 2, 4, ...; "
+        "rms over lines; references: Richardson extrapolation, "
+        f"error of $\\mu_1$ at most {worst:.0e}",
         "numbers: m of the Pareto front of the medians (black); curve relative to the jump; "
         f"process time, medians; seed {data.attrs['seed']}",
     )

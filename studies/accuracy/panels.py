@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 import xarray as xr
 from matplotlib.axes import Axes
+from matplotlib.ticker import LogLocator
 
 from workflow.report import COLOURS
 
@@ -28,7 +29,8 @@ def draw_ladders(ax: Axes, data: xr.Dataset, name: str) -> None:
         ("implicit-euler", ":", "implicit Euler"),
     ):
         order = float(data.order.sel(scheme=scheme).median())
-        ax.plot([], [], line, color="0.2", label=f"{label}: order {order:.1f}")
+        said = f": order {order:.1f}" if np.isfinite(order) else ""
+        ax.plot([], [], line, color="0.2", label=f"{label}{said}")
     ax.legend(loc="lower left", handlelength=1.6)
     ax.set(xscale="log", yscale="log", ylim=LIMITS)
     milliseconds(ax)
@@ -51,6 +53,8 @@ def _front(ax: Axes, data: xr.Dataset) -> None:
 def milliseconds(ax: Axes) -> None:
     """Label the axis of time."""
     ax.set_xlabel("CPU ms per realization")
+    ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter("")
 
 

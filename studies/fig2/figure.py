@@ -8,9 +8,15 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from studies.style import SCHEMES, VARIANTS
-from workflow.report import foot_line
+from workflow.report import error_band, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "The coefficient of friction µ is shown over the time since a jump of the sliding velocity, "
+    "(a) for a jump up and (b) for a jump down. It jumps at once and then relaxes to its steady "
+    "value at the new velocity (dotted), in the computation that is converged in time and in that "
+    "with one implicit Euler step per element."
+)
 MARKERS = 8  # along a curve
 
 
@@ -32,12 +38,9 @@ def draw(groups: Groups) -> Figure:
 
 def _history(ax: Axes, point: xr.Dataset, style: dict[str, Any], label: str) -> None:
     curve = point.dropna("sample", subset=["mu"])
-    time, mu, spread = curve.time.values, curve.mu.values, curve.deviation_error.values
-    before = -0.15 * time[-1]
-    every = max(1, time.size // MARKERS)
-    ax.plot(
-        [before, 0.0, *time], [point.mu_1, point.mu_1, *mu], markevery=every, label=label, **style
-    )
+    before = [-0.15 * float(curve.time[-1]), 0.0, 0.0]
+    every = max(1, curve.sample.size // MARKERS)
+    error_band(ax, curve, "mu", "deviation_error", markevery=every, label=label, **style)
     colour = style["color"]
+    ax.plot(before, [point.mu_1, point.mu_1, curve.mu[0]], color=colour)
     ax.axhline(float(point.mu_2), color=colour, lw=0.6, ls=":")
-    ax.fill_between(time, mu - spread, mu + spread, color=colour, alpha=0.25, lw=0)

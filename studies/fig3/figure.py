@@ -1,6 +1,7 @@
 """Figure 3: steady friction over velocity, and friction over time with a jump at t = 10 tau."""
 
 from itertools import pairwise
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -10,9 +11,15 @@ from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
 from studies.style import CONVERGED, SCHEMES, shades
-from workflow.report import error_bars, foot_line
+from workflow.report import error_band, error_bars, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "Panel (a) shows the steady coefficient of friction over the sliding velocity, with the "
+    "regions I, in which friction grows with the velocity, II and III, in which it has reached its "
+    "plateau near the rms slope of the surface. Panel (b) shows friction over time for each of "
+    "these velocities, which rises by the same share at the time 10 τ."
+)
 JUMP_AT = 10.0  # tau
 END = 20.0
 LINEAR = 0.9  # region I: local exponent of mu(v) above this
@@ -51,7 +58,9 @@ def _steady(ax: Axes, points: xr.Dataset) -> None:
     ax.plot(velocity, line, "k--", lw=0.7, label="$\\mu \\propto v$")
     plateau = float(points.rms_slope.max())
     ax.axhline(plateau, color="0.4", lw=0.7, ls=":", label="rms slope $\\nabla z$")
-    ax.set(xscale="log", yscale="log", xlabel="sliding velocity $v$ (m/s)", title="(a)")
+    ax.set(
+        xscale="log", yscale="log", xlabel="sliding velocity $v$ (m/s)", title="(a) steady sliding"
+    )
     ax.set(ylabel="coefficient of friction $\\mu$", ylim=(None, 4.0 * plateau))
     ax.legend(loc="lower right")
 
@@ -59,12 +68,11 @@ def _steady(ax: Axes, points: xr.Dataset) -> None:
 def _kinetics(ax: Axes, points: xr.Dataset, colours: ScalarMappable) -> None:
     for velocity in points.velocity.values:
         curve = points.sel(velocity=velocity).dropna("sample", subset=["mu"])
-        mu = [curve.mu_1, curve.mu_1, *curve.mu, curve.mu_2]
-        time = [0.0, JUMP_AT, *(JUMP_AT + curve.time), END]
-        ax.plot(time, mu, color=colours.to_rgba(velocity), lw=0.8)
-        after, error = JUMP_AT + curve.time.values, curve.deviation_error.values
-        low, high = curve.mu.values - error, curve.mu.values + error
-        ax.fill_between(after, low, high, color=colours.to_rgba(velocity), alpha=0.3, lw=0)
+        after = curve.assign_coords(time=JUMP_AT + curve.time)
+        style: dict[str, Any] = {"color": colours.to_rgba(velocity), "lw": 0.8}
+        error_band(ax, after, "mu", "deviation_error", **style)
+        ax.plot([0.0, JUMP_AT, JUMP_AT], [curve.mu_1, curve.mu_1, curve.mu[0]], **style)
+        ax.plot([after.time[-1], END], [curve.mu[-1], curve.mu_2], **style)
     ax.set(xlim=(0, END), yscale="log", xlabel="time $t/\\tau$")
     ax.set_ylabel("coefficient of friction $\\mu$")
     ratio = 1.0 + float(points.velocity_step)

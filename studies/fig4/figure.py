@@ -11,6 +11,12 @@ from workflow.reduce import FITTED
 from workflow.report import COLOURS, error_bars, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "Panel (a) shows how friction relaxes to its steady value µ₂ after a velocity step, and the "
+    "exponential of eq. 6 that is fitted to it within the window shown. Panel (b) shows the rate b "
+    "of such fits over the spacing Δx of the elements, beside the value that the paper reports "
+    "without saying its spacing."
+)
 PAPER_RATE = 2.4
 UNIT = 1e4  # of friction: what panel (a) shows is of the order of 1e-4
 

@@ -8,8 +8,20 @@ from studies.style import shades
 from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "Panel (a) shows the jump of friction over the relative velocity step, and panel (b) the "
+    "steady friction, over the sliding velocity and for several normal forces. At low velocities "
+    "both grow with the velocity, and at high ones both reach a plateau (dashed) that no longer "
+    "depends on the force."
+)
 PANELS = (
-    ("jump", "$\\Delta\\mu_0 / (\\Delta v/v_1)$", 0.4, "$0.4\\,\\nabla z$ (eq. 11)", "(a) jump"),
+    (
+        "jump_over_step",
+        "$\\Delta\\mu_0 / (\\Delta v/v_1)$",
+        0.4,
+        "$0.4\\,\\nabla z$ (eq. 11)",
+        "(a) jump",
+    ),
     ("mu_1", "$\\mu_1$", 1.0, "$\\nabla z$", "(b) steady friction"),
 )
 
@@ -19,7 +31,9 @@ def draw(groups: Groups) -> Figure:
     figure, axes = plt.subplots(1, 2, figsize=(6.9, 3.0), sharey=True)
     points = groups[""].squeeze()
     step, slope = points.velocity_step, float(points.rms_slope.max())
-    points = points.assign(jump=points.jump / step, jump_error=points.jump_error / step)
+    points = points.assign(
+        jump_over_step=points.jump / step, jump_over_step_error=points.jump_error / step
+    )
     forces = points.normal_force.values
     colours = shades(forces.min(), forces.max())
     for ax, (name, label, level, text, title) in zip(axes, PANELS, strict=True):

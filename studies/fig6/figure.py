@@ -9,6 +9,12 @@ from workflow.kinetic_law import PLATEAU, normalised_jump
 from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "The upper panel shows the normalised jump of friction over the normalised steady friction for "
+    "several Hurst exponents H, with eq. 12 of the paper as a line. The lower panel shows the "
+    "ratio of the simulated jump to that of eq. 12, which would be 1 if the law were exact."
+)
+
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""

@@ -13,8 +13,18 @@ from workflow.reduce import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
 from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "The rate b at which friction relaxes after a velocity step is shown over the dimensionless "
+    "velocity x, (a) with one implicit Euler step per element and (b) converged in time, with eq. "
+    "13 of the paper as lines. Panel (c) shows the exponent α of b = x^α for x > 1, which the "
+    "paper gives as 1 − H."
+)
 NEARLY_FULL = 0.8  # contact fraction above which markers are triangles
-MARKS = {NO_RELAXATION: "|", NOT_EXPONENTIAL: "x", UNDETERMINED: "+"}
+MARKS = {  # of what was not fitted, below the axis line, in a row for each H
+    NO_RELAXATION: ("|", "nothing to relax"),
+    NOT_EXPONENTIAL: ("x", "not exponential"),
+    UNDETERMINED: ("+", "lost in noise"),
+}
 
 
 def draw(groups: Groups) -> Figure:
@@ -29,8 +39,9 @@ def draw(groups: Groups) -> Figure:
     axes[1].set_title("(b) converged in time")
     axes[1].tick_params(labelleft=False)
     axes[1].annotate("$b = 1$", (0.035, 1.5), fontsize=7)
-    (full,) = axes[1].plot([], [], "^", color="0.3", ms=3.0, label="over 80 % in contact")
-    axes[1].legend(handles=[full], loc="upper left")
+    for marker, label in (("^", f"over {100 * NEARLY_FULL:g} % in contact"), *MARKS.values()):
+        axes[1].plot([], [], marker, color="0.3", ms=3.0, label=label)
+    axes[1].legend(handles=list(axes[1].lines[-1 - len(MARKS) :]), loc="upper left")
     for group, label, bias in (
         (PAPER_STEP, "implicit Euler", 0.0),
         (CONVERGED, "converged", converged.alpha_bias),
@@ -44,8 +55,8 @@ def draw(groups: Groups) -> Figure:
     foot_line(
         figure,
         converged,
-        "(b), (c) with the bound of the bias; lines: eq. 13; below "
-        "the axis line, by $H$: | nothing to relax, x not exponential, + lost in noise",
+        "(b), (c) with the bound of the bias; lines: eq. 13; below the axis line, in a row for "
+        "each $H$: what was not fitted",
     )
     return figure
 
@@ -67,7 +78,7 @@ def _rates(ax: Axes, dataset: xr.Dataset, group: str, bias: float = 0.0) -> None
             more = bias * shown.relaxation_rate_bias * shown.relaxation_rate
             error_bars(ax, shown, "relaxation_rate", "speed_ratio", log=True, bias=more, **style)
         ax.plot(span[span > 1], span[span > 1] ** (1.0 - hurst), color=colour, lw=1.2)
-        for code, marker in MARKS.items():  # what was not fitted, one row per Hurst exponent
+        for code, (marker, _) in MARKS.items():
             there = np.unique(points.speed_ratio[(points.fit_status == code).values])
             ax.plot(there, np.full_like(there, row), marker, color=colour, ms=2.5, mew=0.6)
     ax.axhline(8e-3, color="0.7", lw=0.5)

@@ -10,6 +10,12 @@ from studies.style import CONVERGED, SCHEMES, VARIANTS
 from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "The exponent α of the relaxation rate for x > 1 is shown over the Hurst exponent H, with the "
+    "time step of the paper's branch and converged in time, beside the paper's 1 − H (dashed). "
+    "Filled markers stand for fits of b = x^α, and hollow ones for fits in which a factor before x "
+    "is free."
+)
 SHARE = 0.16  # of the distance between two H, between the series of one of them
 
 
@@ -22,13 +28,12 @@ def draw(groups: Groups) -> Figure:
     for group, label in VARIANTS.items():
         for name, law in (("alpha", "x^\\alpha"), ("alpha_free", "c\\,x^\\alpha")):
             data = groups[group]
-            beside = data.assign(place=data.hurst + next(places))
             bias = data[f"{name}_bias"] if group == CONVERGED else 0.0  # the other is all step
             style: dict[str, Any] = {"ls": "", "ms": 4.5, "label": f"{label}, $b = {law}$"}
             style |= SCHEMES[group]
             if name == "alpha_free":
                 style |= {"mfc": "white", "mew": 0.9}
-            error_bars(ax, beside, name, "place", bias=bias, **style)
+            error_bars(ax, data, name, "hurst", bias=bias, aside=next(places), **style)
     note = "the four series of an H stand side by side; converged: with what the bias may add"
     foot_line(figure, groups[CONVERGED], note)
     ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")

@@ -15,13 +15,18 @@ from workflow.result import Groups
 
 from .prediction import LIMITS, law_error, shares_within
 
+CAPTION = (
+    "Panels (a) to (c) show steady friction, jump and relaxation rate at points spread over the "
+    "ranges of all six parameters, in the scaled variables of the paper. Panels (d) to (f) show by "
+    "how much the kinetic law, eqs. 14 and 15, misses the simulated friction at these points."
+)
 NOISY = 0.5  # relative standard error above which points are crosses, without bars
 PANELS = (  # x label, y label, title
-    (X_LABEL, "$\\bar\\mu_1 = \\mu_1/\\nabla z$", "(a)"),
-    ("$\\bar\\mu_1$", "$\\Delta\\bar\\mu_0/(\\Delta v/v_1)$", "(b)"),
-    (X_LABEL, "relaxation rate $b$ (per $\\tau$)", "(c)"),
-    (X_LABEL, "error of eqs. 14, 15, max $|\\Delta\\mu|/\\mu_1$", "(d)"),
-    ("error of eqs. 14, 15", "share of points", "(e)"),
+    (X_LABEL, "$\\bar\\mu_1 = \\mu_1/\\nabla z$", "(a) steady friction"),
+    ("$\\bar\\mu_1$", "$\\Delta\\bar\\mu_0/(\\Delta v/v_1)$", "(b) jump"),
+    (X_LABEL, "relaxation rate $b$ (per $\\tau$)", "(c) relaxation"),
+    (X_LABEL, "error of eqs. 14, 15, max $|\\Delta\\mu|/\\mu_1$", "(d) error of the law"),
+    ("error of eqs. 14, 15", "share of points", "(e) its distribution"),
     ("", "", "(f) points predicted within"),
 )
 
@@ -40,11 +45,7 @@ def draw(groups: Groups) -> Figure:
     judged, left_out = without_unresolved(dataset)
     _cumulative(flat[4], judged)
     _table(flat[5], judged)
-    foot_line(
-        figure,
-        dataset,
-        f"(e), (f): without {left_out} unresolved points",
-    )
+    foot_line(figure, dataset, f"(e), (f): without {left_out} unresolved points" * bool(left_out))
     span = np.geomspace(1e-6, 2.0, 100)
     flat[1].plot(span, normalised_jump(span), "k-", lw=1, label="eq. 12", zorder=0)
     for ax, (x_label, y_label, title) in zip(flat, PANELS, strict=True):

@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
-from matplotlib.colors import LogNorm, Normalize
 from matplotlib.figure import Figure
 
+from studies.style import shades
 from workflow.report import COLOURS, foot_line, log_bars
 from workflow.result import Groups
 from workflow.study import Study, read_study
@@ -17,6 +17,12 @@ from .collapse import ALONG_BOTH, OVERLAP, UNSHIFTED
 from .curves import LARGEST_ERROR
 from .judge import WAYS, Found, remaining, resolved, thermal
 
+CAPTION = (
+    "Panels (a) to (d) show steady friction over the sliding speed at several normal forces or "
+    "indentations, temperatures and sizes, as computed and after each curve has been shifted along "
+    "both axes onto one reference. Panels (e) to (g) show the shifts that this takes, how far they "
+    "are from the shift of the material with temperature, and which differences remain."
+)
 MARKERS = ("o", "s", "^", "D")  # of the sizes
 SHORT = ("unshifted", "along $v$", "and $\\mu$")
 NAMES = {"": "SBR", "kelvin": "Kelvin"}
@@ -37,8 +43,8 @@ def draw(groups: Groups) -> Figure:
     for name, (dataset, _) in sound.items():
         for how, each in remaining(dataset).items():
             found[name, how] = each
-    _pair(figure, (axes["a"], axes["b"]), found["", "force"], LogNorm, "normal force $F_N$ (N)")
-    _pair(figure, (axes["c"], axes["d"]), found["", "indentation"], Normalize, "indentation $d/h$")
+    _pair(figure, (axes["a"], axes["b"]), found["", "force"], True, "normal force $F_N$ (N)")
+    _pair(figure, (axes["c"], axes["d"]), found["", "indentation"], False, "indentation $d/h$")
     axes["a"].set_title("(a) SBR at given normal forces")
     axes["b"].set_title("(b) the same, shifted")
     axes["c"].set_title("(c) SBR at given indentations")
@@ -65,16 +71,16 @@ def _rule(found: dict[tuple[str, str], Found], coarse: int) -> str:
     )
 
 
-def _pair(figure: Figure, axes: tuple[Axes, Axes], found: Found, norm: type, label: str) -> None:
+def _pair(figure: Figure, axes: tuple[Axes, Axes], found: Found, log: bool, label: str) -> None:
     """Draw curves as they are, and shifted along both axes."""
     pressed = [place.pressed for place in found.family.places]
-    colours = ScalarMappable(norm(min(pressed), max(pressed)), "viridis")
+    colours = shades(min(pressed), max(pressed), log=log)
     _curves(axes[0], found, UNSHIFTED, colours)
     _curves(axes[1], found, ALONG_BOTH, colours)
     axes[0].set(xlabel="speed $v$ (m/s)", ylabel="friction $\\mu$")
     axes[1].set(xlabel="shifted speed (m/s)", ylabel="shifted friction")
     for marker, size in zip(MARKERS, sorted({p.size for p in found.family.places}), strict=False):
-        axes[0].plot([], [], marker, color="0.4", ms=2.4, label=f"{size:g} times as long")
+        axes[0].plot([], [], marker, color="0.4", ms=2.4, label=f"length $\\times$ {size:g}")
     axes[0].legend(loc="lower right", fontsize=6.0, handletextpad=0.1)
     figure.colorbar(colours, ax=axes[1], label=label)
 
@@ -115,7 +121,7 @@ def _shifts(ax: Axes, found: dict[tuple[str, str], Found]) -> None:
         ax.plot(force, lift, "s--", color=colour, lw=0.7, mfc="white", label=f"{label}, of $\\mu$")
     ax.set(xscale="log", xlabel="normal force (N)", ylabel="shift (decades)")
     ax.set_title("(e) shifts over force")
-    ax.legend(loc="lower left", fontsize=5.5)
+    ax.legend(loc="best", fontsize=5.5)
 
 
 def _thermal(ax: Axes, force: Found, depth: Found) -> None:

@@ -17,6 +17,12 @@ from workflow.reduce import FITTED
 from workflow.report import COLOURS, error_bars, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "Panels (a) to (c) show the power spectra of measured lines, their steady friction and the "
+    "rate at which it relaxes. Panels (d) to (f) set friction, jump and contact of measured lines "
+    "and of self-affine lines in relation to those of random lines that have the spectrum of the "
+    "measured ones."
+)
 RANDOM = "random_phase"  # the group that others are held against
 STYLES: dict[str, dict[str, Any]] = {
     "": {"fmt": "o", "ms": 3.0, "label": "measured"},

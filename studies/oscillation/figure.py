@@ -21,6 +21,12 @@ from studies.oscillation.prediction import Motion, modulus, motions, shift, unit
 from workflow.report import COLOURS, foot_line, log_bars
 from workflow.result import Groups
 
+CAPTION = (
+    "A line oscillates about a place of rest, and friction is shown over the velocity in loops, "
+    "(a) for a small amplitude and (c, d) for a large one at several temperatures. Panel (b) "
+    "shows the response to the small amplitude over the frequency, beside the complex modulus of "
+    "the rubber."
+)
 LABELS = {"": "Kelvin element", "rubber": "nine branches"}
 REFERENCE = 20.0  # °C
 SHOWN = (20.0, 35.0, 50.0)  # °C, of the large loops
@@ -50,6 +56,7 @@ def draw(groups: Groups) -> Figure:
         ax.legend(loc="upper left")
     axes[0, 0].set_title(f"(a) amplitude {1e9 * motions(data)[-1].amplitude:g} nm, 20 °C")
     axes[0, 0].set(xlabel="velocity over its amplitude", ylabel="$\\mu$ over that of $G^* - G$")
+    axes[0, 0].set_ylim(top=axes[0, 0].get_ylim()[1] + 0.6)  # room for the legend
     axes[0, 0].legend(loc="upper left")
     axes[0, 1].set_title("(b) small response; lines: $G^*/G - 1$")
     foot_line(

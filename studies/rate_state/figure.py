@@ -23,16 +23,22 @@ from workflow.reduce import FITTED, NO_STATE
 from workflow.report import COLOURS, error_bars, write_below
 from workflow.result import Groups
 
+CAPTION = (
+    "The parameters a, b and D_c of the rate-and-state law of friction are fitted to computed "
+    "velocity steps of two materials, and shown over the ratio of the velocities and over the "
+    "dimensionless velocity. Panels (e) and (f) show how the critical distance D_c depends on the "
+    "normal force and on the shortest wave of the surface."
+)
 BROAD, KELVIN = "", "kelvin"
 TIME = 1e-3  # s, tau of the Kelvin element, the middle of the times of the rubber
 RATIO_LABEL = "$v_2/v_1$"
 TITLES = (
-    "(a) Kelvin: $a$ is no constant",
-    "(b) Kelvin: $b$ changes sign",
-    "(c) the rubber weakens",
-    "(d) a length for the rubber alone",
-    "(e) rubber: $D_c$ grows with the load",
-    "(f) rubber: $D_c$ is not $1/q_\\mathrm{max}$",
+    "(a) direct effect $a$",
+    "(b) evolution effect $b$",
+    "(c) $a - b$",
+    "(d) critical distance $D_c$",
+    "(e) rubber: $D_c$ over the load",
+    "(f) rubber: $D_c$ over $q_\\mathrm{max}$",
 )
 STYLES: dict[str, dict[str, Any]] = {
     BROAD: {"fmt": "o-", "ms": 3.2, "lw": 0.6},
@@ -126,7 +132,7 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
     weakening.set(xlabel="$x = v_2 \\, t \\, q_\\mathrm{max}$", ylabel="$(a-b)/\\nabla z$")
     length.set(yscale="log", xlabel="$x = v_2 \\, t \\, q_\\mathrm{max}$")
     length.set_ylabel("$D_c \\, q_\\mathrm{max}$")
-    load.set(yscale="log", xlabel="$F_N$ (N)", ylabel="$D_c$ (m)")
+    load.set(yscale="log", ylim=(1e-5, 1e-3), xlabel="$F_N$ (N)", ylabel="$D_c$ (m)")
     cutoff.set(
         xlim=(1e4, 1e5),
         ylim=(1e-5, 1e-3),
@@ -137,6 +143,10 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
     for ax, title in zip(axes.flat, TITLES, strict=True):
         ax.set(xscale="log")
         ax.set_title(title)
+    for ax in (a, b):
+        ax.set_xticks(np.unique(broad.ratio))
+        ax.xaxis.set_major_formatter("{x:.3g}")
+        ax.xaxis.set_minor_formatter(NullFormatter())
     for ax in (b, weakening):
         ax.axhline(0.0, color="0.5", lw=0.6)
     x = np.array([0.3, 3.0])

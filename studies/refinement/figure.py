@@ -11,22 +11,22 @@ from workflow.reduce import FITTED
 from workflow.report import error_bars, foot_line
 from workflow.result import Groups
 
-FORCE = 0.1  # N, the nearest is shown
-ARTEFACT = (
-    "Artefact: the left branch $b \\approx x$ is implicit Euler at $m = 1$, which decays by "
-    "$1/(1 + \\Delta t/\\tau)$ per step: $b = \\ln(1 + \\Delta t/\\tau)\\,\\tau/\\Delta t$ "
-    "(dotted), $\\Delta t = \\Delta x / m v_2$."
+CAPTION = (
+    "Panels (a) and (b) show the relaxation rate b over the dimensionless velocity x with ever "
+    "smaller time steps of both schemes, beside the limit to which they converge and eq. 13 of "
+    "the paper. Panel (c) shows which share of the jump is left to relax."
 )
-PHYSICS = (
-    "Physics: $b = 1$ for $x < 1$, creep with $\\tau$; next to nothing is left to relax there (c). "
-    "Above $x = 1$ all steps and both schemes meet in one curve."
+FORCE = 0.1  # N, the nearest is shown
+NOTE = (
+    "(a) dotted: the rate at which implicit Euler lets a free element decay, "
+    "$\\ln(1+\\Delta{}t/\\tau)\\,\\tau/\\Delta{}t$ with $\\Delta{}t=\\Delta{}x/mv_2$"
 )
 
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
     hursts = np.unique(groups[""].hurst.values[[0, -1]])
-    figure, axes = plt.subplots(2, 3, figsize=(7.4, 5.4), sharex=True)
+    figure, axes = plt.subplots(2, 3, figsize=(7.4, 5.2), sharex=True, sharey="col")
     for row, hurst in zip(axes, hursts, strict=False):
         shown = {name: _at(data, hurst) for name, data in groups.items()}
         _rates(row[0], shown, "euler", hurst)
@@ -40,12 +40,11 @@ def draw(groups: Groups) -> Figure:
         ax.set_xlabel(X_LABEL)
     axes[0, 0].legend(loc="lower right", ncols=2, columnspacing=0.6, handlelength=1.2)
     axes[0, 2].legend(loc="lower right")
-    figure.suptitle(f"{ARTEFACT}\n{PHYSICS}", fontsize=7.5, x=0.01, ha="left")
     force = float(shown[""].normal_force)
     foot_line(
         figure,
         groups[""],
-        f"shown: F_N = {force:g} N; missing markers: no fit, nothing relaxes there",
+        f"{NOTE}; shown: $F_N$ = {force:g} N; no marker where there is no fit",
     )
     return figure
 

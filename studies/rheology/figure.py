@@ -14,6 +14,12 @@ from workflow.report import COLOURS, error_bars, foot_line
 from workflow.result import Groups
 from workflow.study import Material, Study, read_study
 
+CAPTION = (
+    "Three materials, a Kelvin element, a standard linear solid and a rubber of many branches, are "
+    "compared by their moduli, their steady friction and the share of the line that is in contact. "
+    "The lower panels show friction of the rubber at several temperatures, as computed and after "
+    "the shift of its relaxation times, and the friction of all three after a velocity step."
+)
 RUBBER, KELVIN, STANDARD = "", "kelvin", "standard"
 LABELS = {
     KELVIN: ("Kelvin element", COLOURS[1], "s"),
@@ -26,8 +32,7 @@ NOTE = (
     "several temperatures falls on one bell when shifted by WLF; known here from citations and "
     "abstracts, not the text. Deformation alone is simulated: no adhesion, so no adhesion peak, "
     "and no heating. (f): at the speed of each with the largest friction in (b); bands: one "
-    "standard error of $\\mu$, most of it common to a whole curve; triangles: steady at $2 v_1$. "
-    "Hollow: contacts of fewer than 4 samples"
+    "standard error of $\\mu$, most of it common to a whole curve; triangles: steady at $2 v_1$"
 )
 
 
@@ -94,9 +99,10 @@ def _friction(ax: Axes, known: dict[str, xr.Dataset]) -> None:
             "label": label,
         }
         error_bars(ax, one, "mu_1", "velocity", log=True, **style)
-    ax.axhline(float(known[RUBBER].rms_slope.max()), color="0.4", lw=0.7, ls=":")
-    ax.annotate("rms slope", (0.98, 0.90), xycoords="axes fraction", ha="right", fontsize=6.5)
-    ax.set(xscale="log", yscale="log", ylim=(1e-5, 0.3), title="(b) steady sliding at 20 °C")
+    slope = float(known[RUBBER].rms_slope.max())
+    ax.axhline(slope, color="0.4", lw=0.7, ls=":")
+    ax.text(1e-8, 1.1 * slope, "rms slope", fontsize=6.5)
+    ax.set(xscale="log", yscale="log", ylim=(1e-5, 3.0 * slope), title="(b) steady at 20 °C")
     ax.set(xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
 
 
@@ -119,11 +125,11 @@ def _temperatures(ax: Axes, data: xr.Dataset) -> None:
             "color": colour,
             "ms": 2.4,
             "lw": 0.7,
-            "label": f"{temperature:g} °C",
+            "label": f"{temperature:.3g} °C",
         }
         error_bars(ax, one, "mu_1", "velocity", **style)
     ax.set(xscale="log", xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
-    ax.set(title="(d) SBR at three temperatures", ylim=(0.0, None))
+    ax.set(title="(d) SBR at several temperatures", ylim=(0.0, None))
     ax.legend(loc="upper left")
 
 

@@ -12,6 +12,11 @@ from workflow.report import COLOURS, write_below
 from workflow.result import Groups
 from workflow.system import duration
 
+CAPTION = (
+    "Panels (a) and (b) show which share of their time the workers of a simulated cluster are "
+    "busy, for batches of several lengths and for studies of the paper. Panel (c) shows the "
+    "memory that the driving process needs."
+)
 MARKERS = ("o-", "s-", "^-", "D-")
 
 
@@ -21,7 +26,7 @@ def draw(groups: Groups) -> Figure:
     uniform, studies = groups[""], groups["studies"]
     settings = json.loads(uniform.attrs["study"])["measure"]
     _saturation(axes[0], uniform, settings["scheduler_seconds"])
-    _studies(axes[1], studies)
+    _studies(axes[1], studies, settings["scale"])
     _memory(axes[2], studies)
     write_below(
         figure,
@@ -48,7 +53,7 @@ def _saturation(ax: Axes, uniform: xr.Dataset, cost: float) -> None:
     ax.set_title("(a) saturation: batch / scheduler time (lines)")
 
 
-def _studies(ax: Axes, studies: xr.Dataset) -> None:
+def _studies(ax: Axes, studies: xr.Dataset, scale: str) -> None:
     count = studies.sizes["study"]
     ticks = np.arange(studies.sizes["workers"])
     for number, name in enumerate(studies.study.values):
@@ -67,7 +72,7 @@ def _studies(ax: Axes, studies: xr.Dataset) -> None:
     ax.set(xlabel="workers", ylabel="busy share of workers", ylim=(0, 1.25))
     ax.legend(loc="upper right", ncols=2)
     ax.text(0.02, 0.87, f"CPU time to plan: {planning}", transform=ax.transAxes, fontsize=6.5)
-    ax.set_title("(b) studies of the paper's scale, simulated")
+    ax.set_title(f"(b) studies at {scale} scale, simulated")
 
 
 def _memory(ax: Axes, studies: xr.Dataset) -> None:
@@ -77,5 +82,7 @@ def _memory(ax: Axes, studies: xr.Dataset) -> None:
         ax.plot(chosen.workers, chosen.driver_memory, marker, color=colour, ms=4, label=label)
     ax.set(xscale="log", xlabel="workers", ylabel="peak memory of the driver (MiB)")
     ax.set_ylim(0.0, 1.25 * ax.get_ylim()[1])
+    ax.set_xticks(studies.workers.values, [str(w) for w in studies.workers.values])
+    ax.minorticks_off()
     ax.legend(loc="lower right")
     ax.set_title("(c) driver memory")

@@ -20,9 +20,16 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from studies.style import PALEST
 from workflow.report import COLOURS, error_bars, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "A line slides, rests for a while and slides on, and panels (a) and (b) show by how much the "
+    "static peak afterwards exceeds the friction before, over the duration of the rest and for two "
+    "materials. Panel (c) shows which share of the friction is left at the end of the rest, and "
+    "panel (d) how friction passes its peak over the distance slid."
+)
 KELVIN, RUBBER = "", "rubber"
 TAU = 1e-3  # s, of the Kelvin element; the middle of the rubber's times
 LONGEST = 0.1  # s, of the rubber
@@ -100,7 +107,7 @@ def _held(ax: Axes, point: xr.Dataset, **style: Any) -> None:
 
 def _after(ax: Axes, point: xr.Dataset) -> None:
     """Draw the friction over the distance slid after holds of different lengths."""
-    colours = plt.get_cmap("viridis")(np.linspace(0.9, 0.1, len(SHOWN)))
+    colours = plt.get_cmap("viridis")(np.linspace(PALEST, 0.0, len(SHOWN)))
     for index, colour in zip(SHOWN, colours, strict=True):
         one = point.isel(hold=index)
         rest = one.isel(event=one.trace_segment.values == 1)
@@ -112,4 +119,6 @@ def _after(ax: Axes, point: xr.Dataset) -> None:
     ax.axhline(float(point.mu_1[0]), color="0.4", lw=0.7, ls=":")
     ax.set(xscale="log", xlabel="distance since the hold (m)", ylabel="$\\mu$")
     ax.set_title(f"(d) nine branches, $v = {float(point.velocity):g}$ m/s, after holds")
-    ax.legend(loc="upper left")
+    low, high = ax.get_ylim()
+    ax.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
+    ax.legend(loc="upper center", ncols=3)

@@ -13,6 +13,12 @@ from workflow.result import Groups
 
 from .probe import RESIDUALS
 
+CAPTION = (
+    "The maps show three quantities over the dimensionless velocity x and load, for both schemes: "
+    "the worst residual of any step, the largest number of Newton passes of a step, and by how "
+    "much friction changes when the step is halved. A computation that fails anywhere in the space "
+    "of parameters would show here."
+)
 TICKS = [1e-4, 1e-2, 1.0, 1e2, 1e4, 1e6]
 
 

@@ -20,6 +20,12 @@ from matplotlib.figure import Figure
 from workflow.report import COLOURS, foot_line
 from workflow.result import Groups
 
+CAPTION = (
+    "Friction and indentation are shown over the distance slid since velocity steps up (solid) and "
+    "down (dashed) of several sizes, for a Kelvin element and for a rubber of nine branches. The "
+    "panels on the right show the largest change of friction and the lasting one over the "
+    "logarithm of the step, each of which is one number in rate-and-state friction."
+)
 LABELS = {"": "Kelvin element", "rubber": "nine branches"}
 MICRO = 1e6
 

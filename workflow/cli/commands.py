@@ -94,7 +94,10 @@ def command_parser() -> argparse.ArgumentParser:
         if name in ("plan", "status"):
             text = "print it as JSON: names, numbers in SI units, times in s, memory in bytes"
             command.add_argument("--json", action="store_true", help=text)
-    text = "write report.html: all figures, and the claims of the paper beside the results"
+    text = (
+        "write report.html, or report-SCALE.html: all figures, and the claims of the paper beside "
+        "the results"
+    )
     page = commands.add_parser("report", help=text, description=text)
     page.add_argument("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
     page.add_argument("--scale", help="of the results: one of the studies' [scales.NAME] tables")

@@ -29,13 +29,14 @@ if TYPE_CHECKING:
     )
     from workflow.report.drawing import (
         COLOURS,
+        error_band,
         error_bars,
         foot_line,
         log_bars,
         write_below,
     )
     from workflow.report.figure import draw_figure, write_figure
-    from workflow.report.report import write_report
+    from workflow.report.page import write_report
     from workflow.report.resolution import not_resolved, without_unresolved
     from workflow.report.table import write_grid_table, write_measured_table
 

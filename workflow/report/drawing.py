@@ -9,6 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
+from workflow.report.points import remember
 from workflow.report.resolution import HOLLOW, not_resolved
 
 STYLE: dict[str, Any] = {
@@ -33,6 +34,7 @@ STYLE: dict[str, Any] = {
 }
 
 FOOT_CHARACTERS_PER_INCH = 21
+TOLD = 40  # most points of a curve that a pointer can find in the report
 
 # Okabe and Ito: distinguishable with any colour vision.
 COLOURS = ("#0072B2", "#E69F00", "#009E73", "#CC79A7", "#D55E00", "#56B4E9", "#000000")
@@ -76,16 +78,19 @@ def error_bars(
     over: str,
     log: bool = False,
     bias: xr.DataArray | float = 0.0,
+    aside: float = 0.0,
     **style: Any,
 ) -> None:
     """Draw an estimate with its standard errors over another variable of a result.
 
     Points whose contacts are not resolved are hollow. ``log`` : bars as of ``log_bars``.
-    ``bias`` : added to the standard errors. ``style`` : as for matplotlib's errorbar.
+    ``bias`` : added to the standard errors. ``aside`` : added to the abscissae, for series that
+    stand side by side. ``style`` : as for matplotlib's errorbar.
     """
     value, error = points[name].values, (points[f"{name}_error"] + bias).values
     bars = log_bars(value, error) if log else error
-    drawn = ax.errorbar(points[over], value, bars, **style)
+    drawn = ax.errorbar(points[over] + aside, value, bars, **style)
+    remember(ax, points, name, over, error, aside)
     hollow = not_resolved(points)
     if hollow.shape == value.shape and hollow.any():
         line = drawn.lines[0]
@@ -93,7 +98,20 @@ def error_bars(
         ring: dict[str, Any] = {"color": drawn.lines[2][0].get_color()[0], "ls": ""} | RING
         ring["marker"] = "o" if marker in ("None", None, "") else marker
         ring["ms"] = max(RING["ms"], style.get("ms", 0.0) + 0.8)
-        ax.plot(points[over].values[hollow], value[hollow], zorder=2.5, **ring)
+        ax.plot(points[over].values[hollow] + aside, value[hollow], zorder=2.5, **ring)
+
+
+def error_band(ax: Axes, curve: xr.Dataset, name: str, error: str, **style: Any) -> None:
+    """Draw a curve over ``time`` with a band of its standard errors.
+
+    name, error : variables along "sample". ``style`` : as for matplotlib's plot.
+    """
+    value, spread = curve[name].values, curve[error].values
+    (line,) = ax.plot(curve.time, value, **style)
+    bounds = value - spread, value + spread
+    ax.fill_between(curve.time, *bounds, color=line.get_color(), alpha=0.25, lw=0)
+    thinned = curve.isel(sample=slice(None, None, -(-value.size // TOLD)))
+    remember(ax, thinned, name, "time", thinned[error].values)
 
 
 def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:

@@ -9,7 +9,7 @@ import inspect
 import io
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, cast
+from typing import Any, NamedTuple, cast
 
 import matplotlib as mpl
 from matplotlib import pyplot as plt
@@ -18,11 +18,20 @@ from matplotlib.figure import Figure
 from workflow.errors import UserError
 from workflow.report import usual_figure
 from workflow.report.drawing import STYLE
+from workflow.report.points import Point, remembered
 from workflow.result import BROKEN, Groups, broken, open_result
 from workflow.study import AnyStudy, load_script
 from workflow.system import write_durably
 
 Drawn = Figure | dict[str, Figure]  # several: "" is the first, the others go by their names
+
+
+class Picture(NamedTuple):
+    """A figure that was drawn: its files, and its points with what is to be said of them."""
+
+    png: Path
+    pdf: Path
+    points: list[Point]
 
 
 def draw_figure(study: AnyStudy, result: Path, script: Path | None = None) -> list[Path]:
@@ -33,16 +42,17 @@ def draw_figure(study: AnyStudy, result: Path, script: Path | None = None) -> li
     the files.
     """
     with contextlib.ExitStack() as stack:
-        return draw_groups(study, open_result(study, result, stack), result, script)
+        drawn = draw_groups(study, open_result(study, result, stack), result, script)
+        return [file for picture in drawn for file in (picture.png, picture.pdf)]
 
 
 def draw_groups(
     study: AnyStudy, groups: Groups, result: Path, script: Path | None = None
-) -> list[Path]:
+) -> list[Picture]:
     """Draw the study's figures from its opened result; as ``draw_figure``."""
     draw = _script(study, script)
     try:
-        return write_figure(lambda: draw(groups), result)
+        return draw_pictures(lambda: draw(groups), result)
     except BROKEN as error:
         raise broken(study, result, error) from error
 
@@ -52,31 +62,41 @@ def write_figure(draw: Callable[[], Drawn], path: Path) -> list[Path]:
 
     Of several figures "" goes to the name of ``path``, and NAME to that with -NAME behind it.
     """
-    files: dict[Path, bytes] = {}
+    return [file for picture in draw_pictures(draw, path) for file in (picture.png, picture.pdf)]
+
+
+def draw_pictures(draw: Callable[[], Drawn], path: Path) -> list[Picture]:
+    """Draw and write as ``write_figure``; return the pictures."""
+    pictures, files = [], {}
     with mpl.rc_context(cast(Any, STYLE)):
         try:
             drawn = draw()
             figures = drawn if isinstance(drawn, dict) else {"": drawn}
             for name, figure in figures.items():
-                stem = path.with_name(f"{path.stem}-{name}.png" if name else f"{path.stem}.png")
-                files |= _rendered(figure, stem)
+                stem = f"{path.stem}-{name}" if name else path.stem
+                png, pdf = (path.with_name(f"{stem}.{kind}") for kind in ("png", "pdf"))
+                files[png], files[pdf] = _rendered(figure, "png"), _rendered(figure, "pdf")
+                pictures.append(Picture(png, pdf, remembered(figure)))
         finally:
             plt.close("all")
     for file, content in files.items():
         write_durably(file, content)
-    return list(files)
+    return pictures
 
 
-def _rendered(figure: Figure, path: Path) -> dict[Path, bytes]:
-    files = {}
-    for kind in ("png", "pdf"):
-        # No creation date: the same result gives the same file.
-        stamp = {"CreationDate": None} if kind == "pdf" else {}
-        content = io.BytesIO()
-        figure.savefig(content, format=kind, metadata=stamp)
-        figure.set_layout_engine("none")  # laid out once: alike in both, and quicker
-        files[path.with_suffix(f".{kind}")] = content.getvalue()
-    return files
+def caption(study: AnyStudy) -> str:
+    """Return what CAPTION of the script that draws a study says of its figures, "" without one."""
+    script = study.folder / "figure.py"
+    return getattr(load_script(script) if script.is_file() else usual_figure, "CAPTION", "")
+
+
+def _rendered(figure: Figure, kind: str) -> bytes:
+    # No creation date: the same result gives the same file.
+    stamp = {"CreationDate": None} if kind == "pdf" else {}
+    content = io.BytesIO()
+    figure.savefig(content, format=kind, metadata=stamp)
+    figure.set_layout_engine("none")  # laid out once: alike in both, and quicker
+    return content.getvalue()
 
 
 def _script(study: AnyStudy, asked: Path | None) -> Callable[[Groups], Drawn]:

@@ -1,7 +1,6 @@
 """Coefficients of a result as CSV: a row per grid point and variant, a column per estimate."""
 
 import contextlib
-from collections.abc import Callable
 from pathlib import Path
 
 import pandas as pd
@@ -25,13 +24,8 @@ def write_grid_table(study: Study, result: Path) -> list[Path]:
     exponent, if any, and NAME-columns.csv unit and meaning of every column. Raises UserError where
     there is no result, or the disk refuses a table.
     """
-
-    def tables(groups: Groups) -> Tables:
-        found = {"": _rows(groups, study.axes), "exponents": _rows(groups, ("hurst",))}
-        kept = {label: frame for label, frame in found.items() if frame.columns.size}
-        return kept | {COLUMNS: _meanings(groups, kept)}
-
-    return _write(study, result, tables, "%.10g")
+    with contextlib.ExitStack() as stack:
+        return write_tables(study, open_result(study, result, stack), result)
 
 
 def write_measured_table(study: Measured, result: Path) -> list[Path]:
@@ -41,12 +35,37 @@ def write_measured_table(study: Measured, result: Path) -> list[Path]:
     """
     if not hasattr(study.script, "table"):
         raise UserError(f"study {study.name!r}: has no table")
+    with contextlib.ExitStack() as stack:
+        return write_tables(study, open_result(study, result, stack), result)
 
-    def tables(groups: Groups) -> Tables:
-        frame = study.script.table(groups)
-        return {"": frame.set_index(frame.columns[0])}
 
-    return _write(study, result, tables, "%.4g")
+def write_tables(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
+    """Write the tables of an opened result; none of a measured study that makes no table."""
+    try:
+        found = _grid_tables(study, groups) if isinstance(study, Study) else _own(study, groups)
+    except BROKEN as error:
+        raise broken(study, result, error) from error
+    paths = []
+    for label, frame in found.items():
+        paths.append(result.with_name(f"{result.stem}{'-' if label else ''}{label}.csv"))
+        digits = "%.10g" if isinstance(study, Study) else "%.4g"
+        write_durably(paths[-1], frame.to_csv(float_format=digits).encode())
+    return paths
+
+
+def _own(study: AnyStudy, groups: Groups) -> Tables:
+    """Return the table that measure.py makes, if it makes one."""
+    make = getattr(study.script, "table", None) if isinstance(study, Measured) else None
+    if make is None:
+        return {}
+    frame = make(groups)
+    return {"": frame.set_index(frame.columns[0])}
+
+
+def _grid_tables(study: Study, groups: Groups) -> Tables:
+    found = {"": _rows(groups, study.axes), "exponents": _rows(groups, ("hurst",))}
+    kept = {label: frame for label, frame in found.items() if frame.columns.size}
+    return kept | {COLUMNS: _meanings(groups, kept)}
 
 
 def _rows(groups: Groups, axes: tuple[str, ...]) -> pd.DataFrame:
@@ -69,19 +88,3 @@ def _meanings(groups: Groups, tables: Tables) -> pd.DataFrame:
     used = {str(name) for each in tables.values() for name in (*each.index.names, *each.columns)}
     rows = [(name, *said) for name, said in found.items() if name in used]
     return pd.DataFrame(rows, columns=["column", "unit", "meaning"]).set_index("column")
-
-
-def _write(
-    study: AnyStudy, result: Path, tables: Callable[[Groups], Tables], digits: str
-) -> list[Path]:
-    with contextlib.ExitStack() as stack:
-        groups = open_result(study, result, stack)
-        try:
-            found = tables(groups)
-        except BROKEN as error:
-            raise broken(study, result, error) from error
-    paths = []
-    for label, frame in found.items():
-        paths.append(result.with_name(f"{result.stem}{'-' if label else ''}{label}.csv"))
-        write_durably(paths[-1], frame.to_csv(float_format=digits).encode())
-    return paths

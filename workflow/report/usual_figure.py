@@ -16,6 +16,12 @@ from workflow.report.drawing import COLOURS, error_bars, foot_line
 from workflow.result import AXIS_ATTRIBUTES, Groups
 from workflow.study import AXES
 
+CAPTION = (
+    "The first panel shows the coefficient of friction over time after the velocity step at points "
+    "that are spread over the grid, with bands of one standard error. The other panels show steady "
+    "friction, the jump and the relaxation rate over the longest axis of the grid, in a colour for "
+    "each value of the second longest."
+)
 MOST_CURVES = MOST_COLOURS = 6
 WANTED = ("mu_1", "jump", "relaxation_rate")  # those that are there, or the first estimates
 DECADES = 10.0  # ratio of the largest to the least value from which on an axis is logarithmic
@@ -27,6 +33,11 @@ SYMBOLS = {
     "roughness": "$h$ (m)",
     "velocity": "$v_1$ (m/s)",
     "velocity_step": "$\\Delta v/v_1$",
+}
+LABELS = {
+    "mu_1": "steady friction $\\mu_1$",
+    "jump": "jump $\\Delta\\mu_0$",
+    "relaxation_rate": "relaxation rate $b$ (per $\\tau$)",
 }
 CURVES = (("time", "mu", "$(t - t_0)/\\tau$"), ("trace_time", "trace_mu", "time (s)"))
 
@@ -43,7 +54,9 @@ def draw(groups: Groups) -> Figure:
         _curves(next(places), data, *curve)
     for ax, name in zip(places, shown, strict=True):
         _estimate(ax, groups, name)
-    foot_line(figure, data, _others(data))
+    if shown and axes[0, -len(shown)].get_legend_handles_labels()[0]:
+        axes[0, -len(shown)].legend(fontsize=6)  # the same in all panels of estimates
+    foot_line(figure, data, _others(data), bars="bars and bands" if curve else "bars")
     return figure
 
 
@@ -75,7 +88,7 @@ def _curves(ax: Axes, data: xr.Dataset, time: str, mu: str, label: str) -> None:
         ax.plot(one[time], values, color=colour, label=said)
         ax.fill_between(one[time], values - band, values + band, color=colour, alpha=0.25, lw=0)
     over = " over that before" if mu == "mu" and "mu_1" in points else ""
-    ax.set(xlabel=label, ylabel=f"friction{over}", title="bands: standard error")
+    ax.set(xlabel=label, ylabel=f"friction{over}")
     if varied and there.size:
         ax.legend(title=", ".join(SYMBOLS[axis] for axis in varied), fontsize=6, title_fontsize=6)
 
@@ -103,9 +116,7 @@ def _estimate(ax: Axes, groups: Groups, name: str) -> None:
     found = data[name].values[np.isfinite(data[name].values)]
     if found.size and found.min() > 0.0 and found.max() > DECADES * found.min():
         ax.set_yscale("log")
-    ax.set(xlabel=SYMBOLS[along], ylabel=name)
-    if ax.get_legend_handles_labels()[0]:
-        ax.legend(fontsize=6)
+    ax.set(xlabel=SYMBOLS[along], ylabel=LABELS.get(name, name))
 
 
 def _others(data: xr.Dataset) -> str:

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from workflow.study.measured import Measured
     from workflow.study.moduli import FREQUENCIES, MODULI, Moduli, read_moduli
     from workflow.study.numerics import Numerics
-    from workflow.study.read import find_study, known_studies, read_scene, read_study
+    from workflow.study.read import find_study, known_scales, known_studies, read_scene, read_study
     from workflow.study.reference import (
         DescribedKey,
         Text,

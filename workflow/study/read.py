@@ -108,6 +108,12 @@ def read_study(study: str, scale: str | None = None, settings: list[str] | None 
     return replace(found, scale=scale or "")
 
 
+def known_scales(study: str) -> list[str]:
+    """Return the names of the scales of a study."""
+    tables = tomllib.loads(find_study(study).read_text(encoding="utf-8"))
+    return list(tables.get("scales", {}))
+
+
 def read_scene(study: str, scale: str | None, settings: list[str], quantities: list[str]) -> Study:
     """Return the scene of a study for a single line, asked for other quantities.
 

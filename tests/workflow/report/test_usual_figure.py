@@ -35,7 +35,9 @@ def with_curves(data):
 
 def test_estimates_are_drawn_over_the_longest_axis_with_a_colour_for_the_next():
     figure = draw({"": estimates()})
-    assert [ax.get_ylabel() for ax in figure.axes] == ["mu_1", "jump", "relaxation_rate"]
+    labels = [ax.get_ylabel().partition("$")[0] for ax in figure.axes]
+    assert labels == ["steady friction ", "jump ", "relaxation rate "]
+    assert [ax.get_legend() is None for ax in figure.axes] == [False, True, True]
     for ax in figure.axes:
         assert ax.get_xlabel() == "$v_1$ (m/s)"
         assert len(ax.containers) == 3

@@ -1,7 +1,6 @@
-"""One self-contained HTML page about all results of a folder: figures, claims, parameters."""
+"""What the report shows of one study: its figures, files, parameters and origin."""
 
 import base64
-import contextlib
 import json
 import struct
 from pathlib import Path
@@ -11,14 +10,14 @@ import xarray as xr
 
 from workflow.errors import UserError
 from workflow.reduce import STATUS_MEANINGS
-from workflow.report.claims import evaluate, known_claims
 from workflow.report.drawing import STYLE
-from workflow.report.figure import draw_groups
-from workflow.report.page import render
-from workflow.result import ROOT, Groups, differing_settings, listed, open_result, result_file
-from workflow.study import AXES, AnyStudy, known_studies, read_study
-from workflow.system import write_durably
+from workflow.report.figure import Picture, caption, draw_groups
+from workflow.report.points import Point
+from workflow.report.table import write_tables
+from workflow.result import ROOT, Groups, differing_settings, listed, result_file
+from workflow.study import AXES, AnyStudy, known_scales, read_study
 
+SMOKE = "smoke"
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends
 ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
 CONSTANTS = (
@@ -29,79 +28,69 @@ CONSTANTS = (
 
 
 class Image(NamedTuple):
-    """A figure as data URI, and its size in inches."""
+    """A figure as data URI, its size in inches, and its points that a pointer can find."""
 
     uri: str
     width: float
     height: float
+    points: list[Point]
 
 
-def study_names() -> list[str]:
-    """Return the names of all studies, figures first."""
-    return sorted(known_studies(), key=lambda name: (not name.startswith("fig"), name))
+def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
+    """Return what the page shows of one study; ``trouble`` says why there is no image.
 
-
-def write_report(folder: Path, names: list[str], scale: str | None = None) -> Path:
-    """Write ``report.html`` into a folder of results and return its path.
-
-    names : studies to report on, all by default. scale : of the results. Raises UserError where
-    none has a result, and where a study has no such scale.
+    Its figures and its tables are written into the folder of the result.
     """
-    studies = [read_study(name, scale) for name in names or study_names()]
-    present = [study for study in studies if result_file(folder, study).is_file()]
-    if not present:
-        wanted = ", ".join(study.name for study in studies)
-        raise UserError(f"{folder}: holds no result of {wanted}; first run: make study-NAME")
-    with contextlib.ExitStack() as stack:
-        groups = {s.name: open_result(s, result_file(folder, s), stack) for s in present}
-        named = {f"{n}/{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
-        try:
-            sections = [_section(s, groups[s.name], folder) for s in present]
-            judges = known_claims()
-            claims = evaluate(judges, named)
-        except (OSError, RuntimeError) as error:  # of netCDF, which reads late
-            raise UserError(f"{folder}: a result cannot be read: {error}") from error
-        codes = {str(held[ROOT].attrs["code"]) for held in groups.values()}
-    page = render(
-        claims=claims,
-        unjudged=len(judges) - len(claims),
-        sections=sections,
-        missing=[study for study in studies if study not in present],
-        codes=sorted(codes),
-    )
-    path = folder / "report.html"
-    write_durably(path, page.encode())
-    return path
-
-
-def _section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
-    """Return what the page shows of one study; ``trouble`` says why there is no image."""
-    data = groups[ROOT]
-    image, trouble = None, ""
+    data, result = groups[ROOT], result_file(folder, study)
+    images: list[Image] = []
+    files, trouble = [result], ""
     try:
-        image = _image(draw_groups(study, groups, result_file(folder, study))[0])
+        pictures = draw_groups(study, groups, result)
+        images = [_image(picture) for picture in pictures]
+        files += [picture.pdf for picture in pictures]
     except UserError as error:
         trouble = str(error)
-    changed = differing_settings(study, data.attrs)  # from study.toml without a scale
-    changes = [("Not as in study.toml", listed(changed))] if changed else []
+    changed = differing_settings(study, data.attrs)
+    scale = _scale(study, data.attrs)
     return {
         "name": study.name,
         "title": str(data.attrs["title"]),
-        "image": image,
+        "smoke": scale.startswith(SMOKE),
+        "extent": ", ".join([scale, *_realizations(data)]),
+        "images": images,
+        "files": [file.name for file in (*files, *write_tables(study, groups, result))],
+        "caption": caption(study),
         "trouble": trouble,
         "parameters": _parameters(data),
         "variants": [_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
-        "facts": _facts(data) + changes,
+        "facts": _facts(data) + ([("Not as in study.toml", listed(changed))] if changed else []),
         "origin": [(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
         "settings": str(data.attrs["study"]),
     }
 
 
-def _image(file: Path) -> Image:
-    content = file.read_bytes()
+def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:
+    """Return at which scale a result was computed, by its settings, whatever its file is called."""
+    for scale in dict.fromkeys([study.scale, "", *known_scales(study.name)]):
+        if not differing_settings(read_study(study.name, scale or None), attributes):
+            return f"{scale or 'default'} scale"
+    return f"{study.scale or 'default'} scale with other settings"
+
+
+def _realizations(data: xr.Dataset) -> list[str]:
+    """Return how many realizations there are per point, in words; nothing of a measured study."""
+    if "realizations" not in data:
+        return []
+    least, most = int(data.realizations.min()), int(data.realizations.max())
+    return [f"{most} realizations" if least == most else f"{least} to {most} realizations"]
+
+
+def _image(picture: Picture) -> Image:
+    content = picture.png.read_bytes()
     width, height = struct.unpack(">II", content[16:24])  # PNG: the first chunk
     uri = "data:image/png;base64," + base64.b64encode(content).decode()
-    return Image(uri, width / STYLE["savefig.dpi"], height / STYLE["savefig.dpi"])
+    sizes = width / STYLE["savefig.dpi"], height / STYLE["savefig.dpi"]
+    return Image(uri, *sizes, picture.points)
 
 
 def _parameters(data: xr.Dataset) -> list[tuple[str, str, str]]:

@@ -7,9 +7,9 @@ import shutil
 import pytest
 
 from tests.support.commands import output, refusal
-from tests.support.synthetic import result
+from tests.support.synthetic import add, result
 from workflow.report.claims import known_claims
-from workflow.report.report import study_names, write_report
+from workflow.report.page.report import study_names, write_report
 from workflow.result.netcdf import write_datasets
 from workflow.run.measured import run_measured
 from workflow.study.read import read_study
@@ -29,13 +29,20 @@ def page(folder):
 
 
 def test_page_is_self_contained_and_fits_a_phone(page):
-    assert "<script" not in page
+    assert page.count("<script") == page.count("<script>") == 1  # none from elsewhere
     assert "<link" not in page
     sources = re.findall(r'(?:src|href)="([^"]{0,30})', page)
     allowed = ("data:image/png;base64,", "#", "https://doi.org/")
-    assert all(source.startswith(allowed) for source in sources)
+    beside = {source for source in sources if not source.startswith(allowed)}
+    assert beside >= {f"{name}.{kind}" for name in REPORTED for kind in ("nc", "pdf", "csv")}
     assert '<meta name="viewport" content="width=device-width, initial-scale=1">' in page
     assert "font-size: 16px" in page
+
+
+def test_links_lead_to_files_beside_the_page(folder, page):
+    links = re.findall(r'href="([\w-]+\.\w+)"', page)
+    assert len(links) == len(set(links)) >= 3 * len(REPORTED)
+    assert all((folder / link).is_file() for link in links)
 
 
 def test_page_holds_the_figures(folder, page):
@@ -57,6 +64,68 @@ def test_page_says_where_a_result_comes_from(page):
     assert "paper_step" in page
     assert "0.001 … 0.7 (8 values)" in page
     assert "2·10<sup>−6</sup>" in page
+
+
+def test_a_heading_says_at_which_scale_and_how_large_a_study_was(page):
+    found = re.findall(r'<h2 id="fig\d">(.+?) <span class="extent">(.*?)</span></h2>', page)
+    assert [extent for _, extent in found] == ["default scale, 10 realizations"] * len(REPORTED)
+    assert "Jump and steady friction over velocity for many normal forces" in found[0][0]
+    assert 'id="smoke"' not in page
+
+
+def test_a_caption_is_two_sentences_and_says_how_to_read_a_point(page):
+    captions = re.findall(r"<figcaption>(.*?)</figcaption>", page, re.DOTALL)
+    assert len(captions) == len(REPORTED)
+    for caption in captions:
+        assert re.fullmatch(r"([A-Z].+?\.\s+){2}Rest a pointer on a point, .*", caption, re.DOTALL)
+
+
+def test_results_of_a_scale_have_a_page_of_their_own(capsys, tmp_path):
+    data = result("fig6").assign_attrs(study=read_study("fig6", "smoke").text)
+    write_datasets(tmp_path / "fig6-smoke.nc", {"": data})
+    said = refusal(capsys, "report", "fig6", "--out", str(tmp_path))
+    assert said == f"error: {tmp_path}: holds no result of fig6; first run: make study-NAME\n"
+    out = ("--scale", "smoke", "--out", str(tmp_path))
+    said = refusal(capsys, "report", "fig5", *out)
+    assert said.endswith(
+        "no result of fig5 at scale smoke; first run: make study-NAME SCALE=smoke\n"
+    )
+    path = tmp_path / "report-smoke.html"
+    assert output(capsys, "report", "fig6", "fig5", *out) == f"{path}\n"
+    page = path.read_text(encoding="utf-8")
+    assert ">smoke scale, 10 realizations<" in page
+    assert "<code>make study-fig5 SCALE=smoke</code>" in page
+    assert output(capsys, "report", *out) == f"{path}\n"  # of all studies that have the scale
+
+
+def test_smoke_data_wear_a_banner_whatever_their_file_is_called(tmp_path):
+    write_bare(tmp_path, "fig6", study=read_study("fig6", "smoke").text)
+    write_bare(tmp_path, "fig5")
+    page = written(tmp_path, "fig5", "fig6")
+    banner = re.search(r'id="smoke">(.*?)</div>', page, re.DOTALL)[1]
+    assert "fig6" in banner
+    assert "fig5" not in banner
+    assert page.count("These are smoke data.") == 1
+    write_bare(tmp_path, "fig6", study=read_study("fig6", settings=["study.seed=7"]).text)
+    page = written(tmp_path, "fig6")
+    assert ">default scale with other settings, 10 realizations<" in page
+    assert 'id="smoke"' not in page
+
+
+def test_a_point_that_was_drawn_says_its_value_and_error(tmp_path):
+    data = result("fig5", hurst=[0.7])
+    data = add(data, mu_1=data.velocity, mu_2=1.2 * data.velocity, jump=0.2 * data.velocity)
+    write_datasets(tmp_path / "fig5.nc", {"": data})
+    page = written(tmp_path, "fig5")
+    drawn = r'<circle cx="([\d.]+)" cy="([\d.]+)" r="4"><title>(.*?)</title>'
+    points = re.findall(drawn, page, re.DOTALL)
+    assert 20 < len(points) <= 2 * 2 * 7  # panels, loads, velocities; some are below the axes
+    texts = [text for _, _, text in points]
+    for name in ("µ₁", "Δµ₀/(Δv/v₁)"):
+        (first, *_) = (text for text in texts if text.startswith(f"{name} = 0.01 ± 0.0001"))
+        assert "\nv₁ = 0.01 m s⁻¹, H = 0.7, F_N = 0.1 N, " in first
+    width, height = map(int, re.search(r'viewBox="0 0 (\d+) (\d+)"', page).groups())
+    assert all(0 < float(x) < width and 0 < float(y) < height for x, y, _ in points)
 
 
 def test_page_names_missing_studies_and_how_to_run_them(page):

@@ -1,4 +1,7 @@
-"""The report in a real browser: nothing sticks out sideways, on a laptop and on a phone."""
+"""The report in a real browser, as wide as a laptop and as a phone.
+
+Nothing sticks out sideways, and a pointer on a point shows what is said of it.
+"""
 
 import re
 import shutil
@@ -24,6 +27,19 @@ window.onload = () => {
     return [inside.documentElement.scrollWidth, images.length,
       images.filter((image) => image.naturalWidth > 0).length, Math.min(...small)].join(" ");
   }).join(";");
+  document.body.dataset.told = [...document.querySelectorAll("iframe")].map((frame) => {
+    const inside = frame.contentDocument, point = inside.querySelector(".plate circle");
+    const place = point.getBoundingClientRect(), tip = inside.querySelector(".tip");
+    const x = place.left + place.width / 2, y = place.top + place.height / 2;
+    const told = [0, 5, 300].map((aside) => {
+      const at = {clientX: x + aside, clientY: y - aside, bubbles: true};
+      point.dispatchEvent(new frame.contentWindow.PointerEvent("pointermove", at));
+      const box = tip.getBoundingClientRect(), width = inside.documentElement.clientWidth;
+      if (tip.hidden) return "nothing";
+      return `${tip.textContent}, ${box.left >= 0 && box.right <= width ? "in view" : "cut off"}`;
+    });
+    return told.join("|");
+  }).join(";");
 };
 </script></body></html>"""
 
@@ -43,3 +59,9 @@ def test_page_in_a_browser(folder, tmp_path):
         assert scroll_width <= width
         assert images == shown == 2
         assert font >= least_font
+    for told in re.search(r'data-told="([^"]+)"', done.stdout)[1].split(";"):
+        on, near, far = told.split("|")
+        assert on.startswith("rms_slope = 0.02 ± 0.0002\nv₁ = 0.0001 m s⁻¹, H = ")
+        assert on.endswith(", in view")
+        assert near == on
+        assert far == "nothing"

@@ -6,11 +6,12 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 NO_BREAK = "\u00a0"
+PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
 
 
 def render(**context: object) -> str:
     """Return the page; every text in it is escaped."""
-    loader = PackageLoader("workflow", "report")
+    loader = PackageLoader("workflow.report", "page")
     environment = Environment(
         autoescape=True,
         undefined=StrictUndefined,
@@ -19,7 +20,14 @@ def render(**context: object) -> str:
         loader=loader,
     )
     environment.filters["formula"] = formula
+    environment.filters["verdict_class"] = verdict_class
     return environment.get_template("report.html.j2").render(**context)
+
+
+def verdict_class(verdict: str) -> str:
+    """Return the colour of a verdict: what holds on a condition, or in part, is as "only" is."""
+    first = verdict.split()[0]
+    return "only" if first == "holds" and not PLAIN.fullmatch(verdict) else first
 
 
 def formula(text: str) -> Markup:

@@ -1,17 +1,24 @@
-"""One report for all tests that look at one."""
+"""One report for all tests of the page."""
 
 import pytest
 from matplotlib.figure import Figure
 
 from tests.support.synthetic import add, result, write_figure_8
 from workflow.report import figure
-from workflow.report.report import write_report
+from workflow.report.drawing import error_bars
+from workflow.report.page.report import write_report
 from workflow.result.netcdf import write_datasets
 
 
 def draw(groups):
-    """Return an empty figure, which is quick to draw: 3 inches wide for each H."""
-    return Figure(figsize=(3.0 * groups[""].hurst.size, 2.0))
+    """Return a figure that is quick to draw: 3 inches wide for each H, a point per velocity."""
+    data = groups[""]
+    figure = Figure(figsize=(3.0 * data.hurst.size, 2.0))
+    points = data.isel(hurst=0, normal_force=0, spacing=0, roughness=0, velocity_step=0)
+    ax = figure.subplots()
+    error_bars(ax, points, "rms_slope", "velocity", fmt="o")
+    ax.set_xscale("log")
+    return figure
 
 
 @pytest.fixture(scope="package")
