@@ -11,7 +11,7 @@ from tests.support.small import write_study
 from workflow.cli import main
 from workflow.store.store import Store, store_folder
 
-LONG = "study.realizations=80"  # 320 batches
+LONG, RECORDS = "study.realizations=40", 160  # a batch each
 
 
 def ended(folder, number, *options):
@@ -38,7 +38,7 @@ def assert_resumes(folder, expected):
     """Assert that a run in ``folder`` recomputes nothing finished and gives the same bytes."""
     before = shards(folder)
     finished = len(held(reopened(store_folder(folder / "small.nc"))))
-    assert 2 <= finished < 320
+    assert 2 <= finished < RECORDS
     resumed = run(folder, LONG)
     assert resumed.summary.reused == finished
     after = shards(folder)
@@ -64,7 +64,7 @@ def test_ctrl_c_stops_a_run_that_resumes(tmp_path, expected, capsys, options):
     assert "Traceback" not in err
     finished = len(held(Store(store_folder(tmp_path / "small.nc"))))  # a record per batch
     assert f"{finished} batches computed" in out
-    done = f"done        {finished} of 320 records"
+    done = f"done        {finished} of {RECORDS} records"
     main(["status", str(tmp_path / "small.toml"), "--out", str(tmp_path), "--set", LONG])
     assert capsys.readouterr().out.startswith(done)
     assert_resumes(tmp_path, expected)
