@@ -37,19 +37,23 @@ class Image(NamedTuple):
 
 
 def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
-    """Return what the page shows of one study; ``trouble`` says why there is no image.
+    """Return what the page shows of one study; ``troubles`` say why there is no figure or table.
 
     Its figures and its tables are written into the folder of the result.
     """
     data, result = groups[ROOT], result_file(folder, study)
     images: list[Image] = []
-    files, trouble = [result], ""
+    files, troubles = [result], []
     try:
         pictures = draw_groups(study, groups, result)
         images = [_image(picture) for picture in pictures]
         files += [picture.pdf for picture in pictures]
     except UserError as error:
-        trouble = str(error)
+        troubles.append(f"No figure: {error}")
+    try:
+        files += write_tables(study, groups, result)
+    except UserError as error:
+        troubles.append(f"No table: {error}")
     changed = differing_settings(study, data.attrs)
     scale = _scale(study, data.attrs)
     return {
@@ -58,9 +62,9 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
         "smoke": scale.startswith(SMOKE),
         "extent": ", ".join([scale, *_realizations(data)]),
         "images": images,
-        "files": [file.name for file in (*files, *write_tables(study, groups, result))],
+        "files": [file.name for file in files],
         "caption": caption(study),
-        "trouble": trouble,
+        "troubles": troubles,
         "parameters": _parameters(data),
         "variants": [_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
         "facts": _facts(data) + ([("Not as in study.toml", listed(changed))] if changed else []),

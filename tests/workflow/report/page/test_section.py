@@ -5,6 +5,7 @@ import re
 import pytest
 
 from tests.support.synthetic import result
+from workflow.errors import UserError
 from workflow.report.figure import caption
 from workflow.report.page.section import section
 from workflow.result.netcdf import write_datasets
@@ -37,4 +38,16 @@ def test_realizations_that_differ_are_a_range(tmp_path):
     shown = section(read_study("fig6"), {"": data}, tmp_path)
     assert shown["extent"] == "default scale, 4 to 10 realizations"
     assert shown["images"] == []
-    assert str(shown["trouble"]).startswith(f"{tmp_path}/fig6.nc: cannot be used by fig6")
+    (said,) = shown["troubles"]
+    assert said.startswith(f"No figure: {tmp_path}/fig6.nc: cannot be used by fig6")
+    assert shown["files"] == ["fig6.nc", "fig6.csv", "fig6-columns.csv"]
+
+
+def test_a_study_whose_table_cannot_be_made_says_so(tmp_path, monkeypatch):
+    def refuse(*_):
+        raise UserError("there is no disk")
+
+    monkeypatch.setattr("workflow.report.page.section.write_tables", refuse)
+    shown = section(read_study("fig6"), {"": result("fig6")}, tmp_path)
+    assert shown["troubles"][1:] == ["No table: there is no disk"]
+    assert shown["files"] == ["fig6.nc"]
