@@ -54,7 +54,7 @@ def listening(pids):
 
 
 class Own(NamedTuple):
-    """Two workers of our own, and what was here before they were."""
+    """A worker of our own, and what was here before it was."""
 
     client: Client
     ports: set[int]
@@ -63,23 +63,33 @@ class Own(NamedTuple):
 
 @pytest.fixture(scope="module")
 def own():
-    """Return two workers of our own, started in silence: a warning would be an error."""
+    """Return a worker of our own, started in silence: a warning would be an error."""
     before = listening([os.getpid()]), signal.getsignal(signal.SIGINT)
     with socket.socket() as taken:
         with contextlib.suppress(OSError):  # taken already is just as good
             taken.bind(("", 8787))
             taken.listen()
-        with open_client(Cluster(), 2) as client:
+        with (
+            dask.config.set({"distributed.nanny.pre-spawn-environ": {}}),  # whatever dask's are
+            open_client(Cluster(), 1) as client,
+        ):
             yield Own(client, *before)
+
+
+def assert_set_up(ignores_ctrl_c, environment):
+    """Assert that a worker does not hear Ctrl-C, and that libraries start no threads there."""
+    assert ignores_ctrl_c
+    assert int(environment["MALLOC_TRIM_THRESHOLD_"]) >= 2**28  # large arrays are kept
+    for library in ("OMP", "MKL", "OPENBLAS", "NUMBA"):
+        assert environment[f"{library}_NUM_THREADS"] == "1"
 
 
 def test_workers_of_our_own_are_processes_of_one_thread_that_do_not_hear_ctrl_c(own):
     assert signal.getsignal(signal.SIGINT) is own.handler
-    assert list(own.client.nthreads().values()) == [1, 1]
-    for pid, ignores_ctrl_c, environment in own.client.run(facts).values():
-        assert pid != os.getpid()
-        assert ignores_ctrl_c
-        assert int(environment["MALLOC_TRIM_THRESHOLD_"]) >= 2**28  # large arrays are kept
+    assert list(own.client.nthreads().values()) == [1]
+    ((pid, *how),) = own.client.run(facts).values()
+    assert pid != os.getpid()
+    assert_set_up(*how)
 
 
 def test_every_port_of_our_own_processes_is_one_of_dask_with_a_certificate(own):
@@ -87,7 +97,7 @@ def test_every_port_of_our_own_processes_is_one_of_dask_with_a_certificate(own):
     family = [os.getpid(), *workers.values()]
     nannies = [nanny.address for nanny in own.client.cluster.workers.values()]
     known = [own.client.scheduler.address, *workers, *nannies]
-    assert len(set(known)) == 5
+    assert len(set(known)) == 3
     assert all(address.startswith("tls://127.0.0.1:") for address in known)
     ports = {int(address.rpartition(":")[2]) for address in known}
     assert listening(family) - own.ports - {8787} == ports
@@ -124,18 +134,17 @@ def started_again(client, killed):
     return pytest.fail("no worker was started again")
 
 
+@pytest.mark.exhaustive  # four processes, one after the other
 def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
-    """And libraries start no threads of their own, whatever dask's own settings are."""
+    """Whatever dask's own settings are."""
     with (
         dask.config.set({"distributed.nanny.pre-spawn-environ": {}}),
         open_client(Cluster(), 1) as client,
     ):
         ((pid, *_),) = client.run(facts).values()
         os.kill(pid, signal.SIGKILL)
-        ignores_ctrl_c, environment = started_again(client, pid)
-    assert ignores_ctrl_c
-    for library in ("OMP", "MKL", "OPENBLAS", "NUMBA"):
-        assert environment[f"{library}_NUM_THREADS"] == "1"
+        how = started_again(client, pid)
+    assert_set_up(*how)
 
 
 def processes():
