@@ -51,7 +51,7 @@ def points(data: xr.Dataset) -> xr.Dataset:
     """Return the points over force, spacing, velocity, step and law, with what is drawn.
 
     a, b and a - b are over the rms slope, D_c is known where the law was fitted, ``ratio`` is
-    v2/v1, ``x`` is v2 TIME q_max, ``load`` is F_N/(4 G L h) and ``q_max`` is in 1/m.
+    v2/v1, ``x`` is v2 TIME q_max, ``q_max`` is in 1/m and ``distance`` is D_c q_max.
     """
     one = data.isel(hurst=0, roughness=0)
     fitted = one.rate_state_status == FITTED
@@ -65,7 +65,7 @@ def points(data: xr.Dataset) -> xr.Dataset:
     ratio = 1.0 + found.velocity_step
     q_max = np.pi / found.spacing
     for each in ("", "_error"):
-        found[f"length{each}"] = found[f"rate_state_dc{each}"] * q_max
+        found[f"distance{each}"] = found[f"rate_state_dc{each}"] * q_max
     return found.assign(ratio=ratio, q_max=q_max, x=found.velocity * ratio * TIME * q_max)
 
 
@@ -78,7 +78,7 @@ def draw(groups: Groups) -> Figure:
         _by_velocity(axes[0, 0], data, name, "rate_state_a", "ratio", log=True)
         _by_velocity(axes[0, 1], data, name, "rate_state_b", "ratio")
         _by_velocity(axes[0, 2], data, name, "rate_state_a_minus_b", "x")
-        _by_velocity(axes[1, 0], data, name, "length", "x", log=True)
+        _by_velocity(axes[1, 0], data, name, "distance", "x", log=True)
     _other_law(axes[1, 0], middle[BROAD])
     broad = shown[BROAD].sel(law="ruina")
     fastest = broad.isel(velocity=-1, spacing=0)
@@ -112,7 +112,7 @@ def _other_law(ax: Axes, data: xr.Dataset) -> None:
     for i, velocity in enumerate(data.velocity.values):
         line = data.sel(velocity=velocity, law="dieterich")
         style: dict[str, Any] = {"fmt": "x:", "ms": 3.2, "lw": 0.6, "color": COLOURS[i]}
-        error_bars(ax, line, "length", "x", log=True, **style)
+        error_bars(ax, line, "distance", "x", log=True, **style)
 
 
 def _by_step(ax: Axes, data: xr.Dataset, variable: str, over: str) -> None:
