@@ -3,6 +3,7 @@ PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
 READY  := $(VENV)/.ready
+TOOLS  := $(VENV)/.tools
 SCALE  ?=
 ARGS   ?=
 PYTEST := $(BIN)/python -m pytest -n auto
@@ -16,10 +17,14 @@ STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 17
 
-setup: $(READY) ## Create .venv with the package and its development tools
+setup: $(TOOLS) ## Create .venv with the package and its development tools
 
-$(READY): pyproject.toml
+$(READY): pyproject.toml # the package alone: what a study needs
 	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	touch $@
+
+$(TOOLS): $(READY)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
 	touch $@
 
@@ -37,51 +42,51 @@ studies: $(READY) ## Run all studies one after the other, then the report [SCALE
 report: $(READY) ## Write results/report.html from the results that are there [SCALE=...]
 	$(BIN)/python -m workflow report $(if $(SCALE),--scale $(SCALE))
 
-test: $(READY) ## Run the tests on all cores: all but those with clusters and the exhaustive ones
+test: $(TOOLS) ## Run the tests on all cores: all but those with clusters and the exhaustive ones
 	$(PYTEST) -m "$(USUAL)"
 
-test-all: $(READY) ## Run the tests on all cores, the exhaustive ones as well
+test-all: $(TOOLS) ## Run the tests on all cores, the exhaustive ones as well
 	$(PYTEST) -m "not cluster" --hypothesis-profile exhaustive
 
-test-exhaustive: $(READY) ## Run the exhaustive tests alone
+test-exhaustive: $(TOOLS) ## Run the exhaustive tests alone
 	$(PYTEST) -m exhaustive
 
-test-cluster: $(READY) ## Run the tests with real clusters on this machine (SLURM if it is installed)
+test-cluster: $(TOOLS) ## Run the tests with real clusters on this machine (SLURM if it is installed)
 	$(BIN)/python -m pytest -m cluster tests/cluster
 
-test-nojit: $(READY) ## Run the tests of the kernels as plain Python
+test-nojit: $(TOOLS) ## Run the tests of the kernels as plain Python
 	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py)
 
 test-processors: test-generic test-rounding ## Run the numerical tests as other processors do
 
-test-generic: $(READY) ## ... with none but the plainest instructions
+test-generic: $(TOOLS) ## ... with none but the plainest instructions
 	NUMBA_CPU_NAME=generic NUMBA_CPU_FEATURES= NPY_DISABLE_CPU_FEATURES="$$($(BIN)/python -c \
 	  'import numpy; print(*numpy.show_config(mode="dicts")["SIMD Extensions"].get("found", []))')" \
 	  $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
 
-test-rounding: $(READY) ## ... with lines that are rounded otherwise
+test-rounding: $(TOOLS) ## ... with lines that are rounded otherwise
 	LAST_BIT=1 $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
 
-test-oldest: $(READY) ## Try the oldest supported packages: a smoke study and numerical tests
+test-oldest: $(TOOLS) ## Try the oldest supported packages: a smoke study and numerical tests
 	$(BIN)/python -m tests.tools.environments oldest
 
-test-newest: $(READY) ## Try the newest Python of this machine, likewise
+test-newest: $(TOOLS) ## Try the newest Python of this machine, likewise
 	$(BIN)/python -m tests.tools.environments newest
 
-chaos: $(READY) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
+chaos: $(TOOLS) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
 	$(BIN)/python -m tests.tools.chaos $(ARGS)
 
-fuzz: $(READY) ## Fuzz the reader of studies [FUZZ_SECONDS=600]
+fuzz: $(TOOLS) ## Fuzz the reader of studies [FUZZ_SECONDS=600]
 	$(BIN)/python -m tests.tools.fuzz
 
-coverage: $(READY) ## Measure which lines make test runs: kernels as plain Python, workers too
+coverage: $(TOOLS) ## Measure which lines make test runs: kernels as plain Python, workers too
 	$(BIN)/coverage erase
 	NUMBA_DISABLE_JIT=1 $(BIN)/coverage run -m pytest -q -m "$(USUAL)" tests/kernels
 	$(BIN)/coverage run -m pytest -q -n auto -m "$(USUAL)"
 	$(BIN)/coverage combine --quiet
 	$(BIN)/coverage report
 
-check: $(READY) ## Lint, formatting, types and the import contracts
+check: $(TOOLS) ## Lint, formatting, types and the import contracts
 	$(BIN)/ruff check .
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
@@ -92,13 +97,13 @@ docs: $(READY) ## Build the documentation as a site with a search: site/index.ht
 	$(BIN)/python -m workflow.reference
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
 
-bench: $(READY) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
+bench: $(TOOLS) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
 	$(BIN)/python -m tests.tools.bench
 
-mutation: $(READY) ## Change code, see whether tests notice [ARGS="workflow/store --count 100 --seed 12"]
+mutation: $(TOOLS) ## Change code, see whether tests notice [ARGS="workflow/store --count 100 --seed 12"]
 	$(BIN)/python -m tests.tools.mutation $(or $(ARGS),workflow/store)
 
-intervals: $(READY) ## Check that stated errors are true, over many small studies (minutes)
+intervals: $(TOOLS) ## Check that stated errors are true, over many small studies (minutes)
 	$(BIN)/python -m tests.tools.intervals
 
 clean: ## Remove .venv and caches, keep results
