@@ -23,9 +23,11 @@ from pathlib import Path
 from typing import IO, Any
 
 import numba
+from numba.core import event
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 NAME = "elastomer-friction"
+WAITING = f"{NAME}:waiting"  # kind of event: this process waits for one that compiles
 OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 LOCK_SECONDS, POLL_SECONDS = 600.0, 0.05  # to wait for whoever compiles
 
@@ -165,17 +167,25 @@ def _one_process(name: str) -> Iterator[None]:
 
 def _lock(file: IO[str]) -> None:
     """Lock a file. Raises BlockingIOError where another process does not let go of it."""
-    end = time.monotonic() + LOCK_SECONDS
-    while True:
-        try:
-            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            break
-        except BlockingIOError:
-            if time.monotonic() > end or _is_stopped(file):
-                raise
-        time.sleep(POLL_SECONDS)
+    try:
+        fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+    except BlockingIOError:
+        with event.trigger_event(WAITING):
+            _wait(file)
     file.truncate(0)
     os.write(file.fileno(), str(os.getpid()).encode())
+
+
+def _wait(file: IO[str]) -> None:
+    """Lock a file that another process has locked, as soon as that lets go of it."""
+    end = time.monotonic() + LOCK_SECONDS
+    while True:
+        if time.monotonic() > end or _is_stopped(file):
+            raise BlockingIOError
+        time.sleep(POLL_SECONDS)
+        with contextlib.suppress(BlockingIOError):
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            return
 
 
 def _is_stopped(file: IO[str]) -> bool:

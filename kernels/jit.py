@@ -9,6 +9,7 @@ import numba
 from numba.extending import overload
 
 from kernels.cache import CheckedCache
+from kernels.linking import PartCompiler
 
 FLAGS = {
     "nogil": True,  # a scheduler must be able to talk to a worker while a kernel runs
@@ -16,11 +17,16 @@ FLAGS = {
     "error_model": "numpy",  # division by zero gives inf as in numpy, loops stay vectorizable
 }
 
+PART = {**FLAGS, "no_cpython_wrapper": True, "pipeline_class": PartCompiler}
+
 
 def kernel(function: Callable) -> Callable:
     """Compile a function, or leave it as it is under NUMBA_DISABLE_JIT=1."""
     compiled = numba.njit(**FLAGS)(function)
     if compiled is not function:
+        part = numba.njit(**PART)(function)
+        compiled.get_call_template = part.get_call_template
+        compiled.get_overload = part.get_overload
         with contextlib.suppress(RuntimeError):  # no folder at all can be written
             compiled._cache = CheckedCache(function)
     return compiled
@@ -41,7 +47,7 @@ class by_type:
         self.name = declared.__name__
         self.bodies: dict[Any, Callable] = {}
 
-        @overload(self, jit_options=FLAGS)
+        @overload(self, jit_options=PART)
         @functools.wraps(declared)
         def compiled(first: Any, *others: Any) -> Callable | None:
             return self.bodies.get(getattr(first, "instance_class", None))

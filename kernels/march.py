@@ -28,12 +28,17 @@ def march(law, control, z, weight, state, kept_steps, cap):
     indentation : d at the end of the step, in h. passes : over the thresholds, in all steps.
     """
     start, stop = touchable(z, cap)
-    first = bounds(stop - start)
+    lengths = np.empty(start.size, np.int64)
+    for s in range(start.size):
+        lengths[s] = stop[s] - start[s]
+    first = bounds(lengths)
     rings = start_rings(law, z, state, start, stop)
     # What lies above cap in short gaps cannot touch at any height: low, it costs w no digits.
-    z, weight = np.minimum(gather(z, start, stop), cap), gather(weight, start, stop)
-    c = z - gather(state.w, start, stop)
-    d = state.d
+    z, weight, w = gather(z, start, stop), gather(weight, start, stop), gather(state.w, start, stop)
+    c, d = np.empty(z.size), state.d
+    for i in range(z.size):
+        z[i] = min(z[i], cap)
+        c[i] = z[i] - w[i]
 
     mu = np.empty(kept_steps.size)
     indentation = np.empty(kept_steps.size)

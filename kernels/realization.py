@@ -148,10 +148,10 @@ def _curve(
         return np.zeros(kept_steps.size), 0
     line, control = one.ground.line, ConstantForce if asked.indentation_rate else PrintedForce
     setting = Setting(line.z, line.slope, one.law, two.law, one.state(i), two.state(i))
-    return _relaxation(setting, control(float(one.loads[i])), kept_steps)
+    return relaxation(setting, control(float(one.loads[i])), kept_steps)
 
 
-def _relaxation(
+def relaxation(
     setting: Setting, control: ConstantForce | PrintedForce, kept_steps: np.ndarray
 ) -> tuple[np.ndarray, int]:
     """Return the deviation from the steady friction at v2, and the element updates."""

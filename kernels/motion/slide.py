@@ -30,17 +30,19 @@ class Rings(NamedTuple):
 def start_rings(law, z, state, start, stop):
     """Return the Rings at the start: elements in flight decay anew from where they are."""
     n = z.size
-    gap = np.append(start[1:], start[0] + n) - stop
-    at = bounds(gap + 1)
+    lengths = np.empty(start.size, np.int64)
+    for s in range(start.size):
+        lengths[s] = (start[s + 1] if s + 1 < start.size else start[0] + n) - stop[s] + 1
+    at = bounds(lengths)
     slots = np.empty(at[-1])
     crossing = np.ones(start.size)
     for s in range(start.size):
-        for t in range(1, gap[s] + 2):
+        for t in range(1, lengths[s] + 1):
             crossing[s] = reach(law, crossing[s])
             if crossing[s] < NEGLIGIBLE:
                 crossing[s] = 0.0
             j = (stop[s] - 1 + t) % n
-            slots[at[s] + t % (gap[s] + 1)] = crossing[s] * min(state.w[j], z[j] - state.d)
+            slots[at[s] + t % lengths[s]] = crossing[s] * min(state.w[j], z[j] - state.d)
     return Rings(slots, at, crossing)
 
 

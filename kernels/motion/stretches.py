@@ -34,12 +34,15 @@ def touchable(z, cap):
 @kernel
 def gather(values, start, stop):
     """Return the values of all stretches [start, stop) one after the other."""
-    out = np.empty(np.sum(stop - start))
-    a = 0
+    size = 0
     for s in range(start.size):
-        b = a + stop[s] - start[s]
-        out[a:b] = values[start[s] : stop[s]]
-        a = b
+        size += stop[s] - start[s]
+    out = np.empty(size)
+    i = 0
+    for s in range(start.size):
+        for j in range(start[s], stop[s]):
+            out[i] = values[j]
+            i += 1
     return out
 
 

@@ -117,7 +117,6 @@ def interpolate(z, slope, curvature, at, spacing, fold):
     By the polynomial of fifth degree that has the height, slope and curvature at both ends.
     """
     heights, slopes = np.empty(at.size * fold), np.empty(at.size * fold)
-    x = np.arange(fold) / fold
     for i in range(at.size):
         j, k = at[i], at[i] + 1 if at[i] + 1 < z.size else 0
         rise = z[k] - z[j]
@@ -134,7 +133,7 @@ def interpolate(z, slope, curvature, at, spacing, fold):
             5.0 * p5 / spacing,
         )
         for q in range(fold):
-            y = x[q]
+            y = q / fold
             heights[i * fold + q] = z0 + y * (s + y * (b + y * (p3 + y * (p4 + y * p5))))
             slopes[i * fold + q] = s0 + y * (r1 + y * (r2 + y * (r3 + y * r4)))
     return heights, slopes

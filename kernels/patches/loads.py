@@ -108,17 +108,24 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
 @kernel
 def _indentations(decay, z, spans, own, loads, guesses, gaps):
     """Return (d, sweeps, full): where the whole line touches, d itself, elsewhere near it."""
-    d = loads / z.size + (z[0] + spans.whole[0] / z.size)
-    full = d > own.stay_all
-    some = np.flatnonzero(~full)
-    near, steps = guesses[some], POWER_STEPS
-    if np.isnan(near).all():
-        steps = STEPS
-        for k in range(some.size):
-            near[k] = elastic_guess(z, spans.deepest, loads[some[k]])
-    sweeps = np.zeros(loads.size, np.int64)
-    d[some] = approach(decay, z, spans, own.stay, loads[some], near, steps, gaps)
-    sweeps[some] = steps
+    size = loads.size
+    d, full, sweeps = np.empty(size), np.empty(size, np.bool_), np.zeros(size, np.int64)
+    some, partly, near = np.empty(size, np.int64), np.empty(size), np.empty(size)
+    count, guessed = 0, False
+    for i in range(size):
+        d[i] = loads[i] / z.size + (z[0] + spans.whole[0] / z.size)
+        full[i] = d[i] > own.stay_all
+        if not full[i]:
+            some[count], partly[count], near[count] = i, loads[i], guesses[i]
+            guessed = guessed or not np.isnan(guesses[i])
+            count += 1
+    if not guessed:
+        for k in range(count):
+            near[k] = elastic_guess(z, spans.deepest, partly[k])
+    steps = POWER_STEPS if guessed else STEPS
+    near = approach(decay, z, spans, own.stay, partly[:count], near[:count], steps, gaps)
+    for k in range(count):
+        d[some[k]], sweeps[some[k]] = near[k], steps
     return d, sweeps, full
 
 

@@ -49,7 +49,9 @@ def balance(contact, load, guess):
         force, weight = _carried(contact, deep)
         passes += 1
         if weight == 0.0:  # the guess was too low: one sample that carries all is an upper bound
-            least = (contact.threshold + load / contact.touching.weight).min()
+            least = np.inf
+            for i in range(contact.threshold.size):
+                least = min(least, contact.threshold[i] + load / contact.touching.weight[i])
             if fallen or not least > deep:
                 return deep
             deep, fallen = least, True

@@ -142,10 +142,13 @@ def slide_on_part(law, part, at_speeds, load, guess, how):
     never = Thresholds(own.stay, own.press, np.inf, np.inf)  # is all of a part all of the line
     press = np.empty((others.size, own.press.size + 1))
     for k in range(others.size):
-        press[k] = presses_of(heights, slopes, others[k])
+        found = presses_of(heights, slopes, others[k])
+        for b in range(found.size):
+            press[k, b] = found[b]
     speeds, gaps = Speeds(speed, never, others, press), gaps_of(law, at, fold, z.size)
     spans = spans_of(heights, slopes)
-    loads, guesses = np.array([load * fold]), np.array([guess])
+    loads, guesses = np.empty(1), np.empty(1)
+    loads[0], guesses[0] = load * fold, guess
     found, jumps = slide(decay_of(law), heights, slopes, spans, speeds, loads, guesses, how, gaps)
     d = found[0, INDENTATION]
     once = law.decay ** float(fold)

@@ -106,8 +106,10 @@ def median_width(z, d, spans, decay, contacts):
         patches += 1 - contacts.ends[i, 2]
         width[patches - 1] += contacts.ends[i, 0] - contacts.ends[i, 1] + 1
         carried[patches - 1] += _carried(z, d, spans, decay, contacts, i)
-    by_width = np.zeros(width[:patches].max() + 1)
-    half = 0.0
+    widest, half = 0, 0.0
+    for p in range(patches):
+        widest = max(widest, width[p])
+    by_width = np.zeros(widest + 1)
     for p in range(patches):
         by_width[width[p]] += carried[p]
         half += 0.5 * carried[p]

@@ -26,11 +26,9 @@ def carry_lanes(decay, z, spans, stay, d):
     """
     n, deepest = z.size, spans.deepest
     lanes = np.empty(10 * LANES)
-    lanes[D : D + LANES] = d
-    lanes[U : U + LANES] = z[deepest] - d
-    lanes[DU : DU + LANES] = 1.0
-    lanes[TOTAL : TOTAL + LANES] = d - z[deepest]
-    lanes[SLOPE : SLOPE + LANES] = 1.0
+    for k in range(LANES):
+        lanes[D + k], lanes[U + k], lanes[DU + k] = d[k], z[deepest] - d[k], 1.0
+        lanes[TOTAL + k], lanes[SLOPE + k] = d[k] - z[deepest], 1.0
     for first, last in ((deepest - 1, 0), (n - 1, deepest + 1)):
         j = first
         while j >= last:

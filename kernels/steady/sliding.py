@@ -24,7 +24,10 @@ WORTH = 4  # loads in lanes of 16 cost as much as some one by one
 def elastic_guess(z, deepest, load):
     """Return about the indentation of elastic contact, from few samples. load : n Fbar."""
     step = max(1, z.size // FEW)
-    some = z[deepest % step :: step]
+    first = deepest % step
+    some = np.empty((z.size - first + step - 1) // step)
+    for i in range(some.size):
+        some[i] = z[first + i * step]
     share = load / z.size * some.size
     d, _ = solve_indentation(some, share, z[deepest] + share / some.size)
     return d
@@ -48,7 +51,8 @@ def approach(decay, z, spans, stay, loads, guesses, steps, gaps=None):
     if gaps is None:
         for begin in range(0, count - WORTH + 1, LANES):
             some = broken[begin : min(begin + LANES, count)]
-            by_lanes[some] = True
+            for i in some:
+                by_lanes[i] = True
             _approach_lanes(decay, z, spans, stay, loads, some, steps, d)
     for i in range(loads.size):
         if not by_lanes[i]:
@@ -61,14 +65,16 @@ def approach(decay, z, spans, stay, loads, guesses, steps, gaps=None):
 @kernel
 def _approach_lanes(decay, z, spans, stay, loads, some, steps, d):
     """Take d under at most LANES of the loads through all steps; lanes to spare repeat one."""
-    lanes = np.full(LANES, d[some[0]])
-    lanes[: some.size] = d[some]
+    lanes = np.empty(LANES)
+    for k in range(LANES):
+        lanes[k] = d[some[k if k < some.size else 0]]
     for step in range(steps):
         total, slope = carry_lanes(decay, z, spans, stay, lanes)
         for k in range(some.size):
             load = loads[some[k]]
             lanes[k] = _next(step, lanes[k], total[k], slope[k], load, z[spans.deepest])
-    d[some] = lanes[: some.size]
+    for k in range(some.size):
+        d[some[k]] = lanes[k]
 
 
 @kernel

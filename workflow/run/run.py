@@ -6,6 +6,7 @@ from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from kernels import cache
 from workflow import result as results
 from workflow.cluster import Watch
 from workflow.errors import UserError
@@ -56,8 +57,8 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
     more than ``how.max_failures`` failed problems. With fewer, these are marked in the result.
     """
     began = time.monotonic()
-    folder = store_folder(result)
-    with hold(folder, without=how.no_lock), saying_what_compiles():
+    says = saying_what_compiles("what else is needed", "10 to 60 s", cache.FOLDER, cache.WAITING)
+    with hold(store_folder(result), without=how.no_lock), says:
         run = _Run(plan, result, how)
         if not run.is_done():
             run.load_kernels()
@@ -89,8 +90,7 @@ class _Run:
         self.missing = missing_work(plan, self.failures)
         done, left = self._extent(self.missing)
         self.summary = Summary(reused=done, predicted=left)
-        failed = len(self.failures.tasks())
-        status = Status(name, plan.records, done, left, failed)
+        status = Status(name, plan.records, done, left, len(self.failures.tasks()))
         self.status = StatusWriter(result, store.folder, status, self._extent)
 
     def is_done(self) -> bool:

@@ -9,7 +9,7 @@ from operator import itemgetter
 import numpy as np
 
 from kernels import QUARTET, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_cases
-from kernels.cache import compiling
+from kernels.loading import load
 from workflow.simulate.kept import record_steps
 from workflow.simulate.layout import Layout, row_layout, row_width
 from workflow.simulate.programmes import add_programme, steady_ends
@@ -33,16 +33,8 @@ def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.ran
 
 @lru_cache
 def load_kernels(scheme: str, asked: Quantities) -> None:
-    """Compile the kernels, or load them from the cache, once per process.
-
-    One process of a machine at a time: the others find what the first one compiled.
-    """
-    with compiling():
-        line = Line.self_affine(amplitudes(0.5, 512), np.linspace(0.0, 6.0, 256), 512, 4)
-        few, many = np.array([1]), np.array([4])  # steps: marched plainly, and by lists
-        wide, narrow = (0.1, 1.0), (1e-3, 100.0)  # load and speed: as sampled, and refined
-        run_cases(line, [Case(*wide, (1.2,), (few,), scheme)], asked)
-        run_cases(line, [Case(*narrow, (1.2,), (many,), scheme)], asked)
+    """Compile the kernels, or load them from the cache, once per process (kernels/loading.py)."""
+    load(scheme, asked)
 
 
 def block_means(batch: Batch) -> BatchResult:

@@ -58,7 +58,8 @@ def this_machine() -> Machine:
     data = _kept(file)
     if data is not None:
         return _machine(data)
-    with saying_what_compiles():
+    how = "the numerical core", "20 to 60 s", cache.FOLDER, cache.WAITING
+    with saying_what_compiles(*how):
         load_kernels("exponential", Quantities())
     print("Measuring the speed of this machine, about 3 s, once.", file=sys.stderr)
     data = _parsed(_measured())

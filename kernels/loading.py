@@ -1,0 +1,128 @@
+"""Machine code of all that a case can need: found in the cache, or compiled by two processes.
+
+    python -m kernels.loading SCHEME RATE
+
+compiles the marches (RATE 1 or 0: with the indentation rate or without) and some small kernels, so
+that both take about as long, while the process that has started it compiles the steady states.
+"""
+
+import contextlib
+import gc
+import os
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numba.core import event
+
+from kernels.active.setting import Setting
+from kernels.cache import WAITING, compiling
+from kernels.case import Case, Quantities
+from kernels.control.force import ConstantForce
+from kernels.control.printed_eq3 import PrintedForce
+from kernels.patches.fine_line import mark_touchable, marked
+from kernels.patches.refined import MARGIN
+from kernels.realization import relaxation, run_cases
+from kernels.rheology.kelvin import SCHEMES
+from kernels.rheology.law import State
+from kernels.steady.carry import Decay, carry
+from kernels.steady.spans import SPAN, Spans
+from kernels.surfaces.line import Line
+from kernels.surfaces.self_affine import amplitudes
+
+ROOT = Path(__file__).resolve().parents[1]
+FEW, MANY = np.array([1]), np.array([4])  # steps: marched plainly, and by lists
+WIDE, NARROW = (0.1, 1.0), (1e-3, 100.0)  # load and speed: as sampled, and refined
+
+
+def load(scheme: str, asked: Quantities) -> None:
+    """Compile the kernels, or load them from the cache.
+
+    One process of a machine at a time: the others find what the first one has compiled.
+    """
+    line = _line()
+    cases = [
+        Case(*WIDE, (1.2,), (FEW,), scheme),
+        Case(*NARROW, (1.2,), (MANY,), scheme),
+    ]
+    with compiling(), _nothing_collected():
+        with _helped(scheme, asked):
+            run_cases(line, cases, asked._replace(steady=True, relaxation=False))
+        run_cases(line, cases, asked)
+
+
+def load_half(scheme: str, rate: bool) -> None:
+    """Compile the half of the other process: of numbers that mean nothing, but have their types."""
+    z, slope, _, steps, _ = _line()
+    law = SCHEMES[scheme](1.0)
+    load = WIDE[0] * z.size
+    state = State(np.zeros_like(z), WIDE[0] + float(z.mean()))
+    sums = np.zeros(z.size // SPAN)
+    spans = Spans(sums, sums, sums, sums, sums, sums, np.zeros(4), int(np.argmin(z)))
+    carry(Decay(*law), z, spans, sums, state.d, None, state.w)  # the first that are needed
+    marked(mark_touchable(z, slope, spans, state, 1.0 / steps, MARGIN), SPAN)
+    setting = Setting(z, slope, law, law, state, state)
+    for kept in (FEW, MANY):
+        relaxation(setting, ConstantForce(load) if rate else PrintedForce(load), kept)
+
+
+def _line() -> Line:
+    return Line.self_affine(amplitudes(0.5, 512), np.linspace(0.0, 6.0, 256), 512, 4)
+
+
+@contextlib.contextmanager
+def _helped(scheme: str, asked: Quantities) -> Iterator[None]:
+    """Let another process compile its half as soon as this one compiles anything."""
+    command = [sys.executable, "-m", __name__, scheme, str(int(asked.indentation_rate))]
+    helpers: list[subprocess.Popen] = []
+
+    class Once(event.Listener):
+        def on_start(self, event: Any) -> None:
+            """Start it."""
+            if not helpers:
+                quiet = subprocess.DEVNULL
+                helpers.append(subprocess.Popen(command, cwd=ROOT, stdout=quiet, stderr=quiet))
+
+        def on_end(self, event: Any) -> None:
+            """Go on."""
+
+    if not asked.relaxation or _cores() == 1:
+        yield
+        return
+    try:
+        with event.install_listener("numba:compile", Once()):
+            yield
+        with event.trigger_event(WAITING):
+            for helper in helpers:
+                helper.wait()
+    finally:
+        for helper in helpers:
+            helper.kill()
+            helper.wait()
+
+
+def _cores() -> int:
+    """Return how many processors this process may use."""
+    if hasattr(os, "sched_getaffinity"):
+        return len(os.sched_getaffinity(0))
+    return os.cpu_count() or 1
+
+
+@contextlib.contextmanager
+def _nothing_collected() -> Iterator[None]:
+    """Look for no garbage: a compiler makes little, and a sixth of its time went there."""
+    before = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if before:
+            gc.enable()
+
+
+if __name__ == "__main__":
+    with _nothing_collected():
+        load_half(sys.argv[1], sys.argv[2] == "1")

@@ -1,0 +1,126 @@
+"""All machine code is there after loading; a second process compiles half of it."""
+
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+import numba
+import pytest
+
+from kernels import Quantities, loading
+from tests.sizes import PLAIN_PYTHON
+
+ROOT = Path(__file__).resolve().parents[2]
+compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
+
+HALF = """
+import sys
+from kernels import Quantities, loading
+from kernels.active.march import active_march
+from kernels.friction import lagged_slope, step_average
+from kernels.march import march
+from kernels.patches.fine_line import mark_touchable, marked
+from kernels.steady.carry import carry
+
+own = active_march, march, lagged_slope, step_average, mark_touchable, marked, carry
+rate = sys.argv[1] == "1"
+loading.load_half("exponential", rate)
+before = [kernel.signatures[:] for kernel in own]
+assert [len(signatures) for signatures in before] == [1] * len(own), before
+loading.load("implicit-euler", Quantities(indentation_rate=rate))
+assert [kernel.signatures[:] for kernel in own] == before
+"""
+
+
+@compiled_only
+@pytest.mark.parametrize("rate", ["1", "0"])
+def test_the_second_process_compiles_what_the_first_one_needs(rate):
+    command = [sys.executable, "-c", HALF, rate]
+    done = subprocess.run(command, cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr
+
+
+@pytest.fixture
+def helped(monkeypatch):
+    """Let the second process only wait, as if there were two cores; return all that started."""
+    started = []
+    real = subprocess.Popen
+
+    def start(command, **others):
+        assert command[1:4] == ["-m", "kernels.loading", "exponential"]
+        started.append(real(["sleep", "0.2" if not started else "60"], **others))
+        return started[-1]
+
+    monkeypatch.setattr(loading.subprocess, "Popen", start)
+    monkeypatch.setattr(loading, "_cores", lambda: 2)
+    return started
+
+
+def compile_something():
+    """Compile two kernels."""
+    for number in (1, 2):
+        numba.njit(lambda x: x + number)(1.0)  # noqa: B023
+
+
+@compiled_only
+def test_it_is_started_once_and_waited_for_where_anything_is_compiled(helped):
+    with loading._helped("exponential", Quantities()):
+        assert helped == []
+        compile_something()
+        assert len(helped) == 1
+    assert helped[0].returncode == 0
+    with loading._helped("exponential", Quantities()):
+        pass
+    assert len(helped) == 1
+
+
+@compiled_only
+def test_it_ends_with_the_first_one(helped):
+    def interrupted():
+        compile_something()
+        raise KeyboardInterrupt
+
+    with loading._helped("exponential", Quantities()):
+        compile_something()
+    with pytest.raises(KeyboardInterrupt), loading._helped("exponential", Quantities()):
+        interrupted()
+    assert [each.returncode for each in helped] == [0, -signal.SIGKILL]
+
+
+@compiled_only
+@pytest.mark.parametrize(("asked", "cores"), [(Quantities(relaxation=False), 2), (Quantities(), 1)])
+def test_there_is_none_where_nothing_marches_and_on_one_core(helped, monkeypatch, asked, cores):
+    monkeypatch.setattr(loading, "_cores", lambda: cores)
+    with loading._helped("exponential", asked):
+        compile_something()
+    assert helped == []
+
+
+COLD = """
+import numba, time
+from numba.core import event
+from kernels import Quantities, loading
+began = time.thread_time()
+with event.install_recorder("numba:compile") as found:
+    loading.load("exponential", Quantities())
+own = {record.data["dispatcher"].py_func.__name__ for _, record in found.buffer}
+print(*sorted(own), sep="\\n")
+"""
+
+
+@compiled_only
+@pytest.mark.exhaustive
+def test_two_processes_fill_an_empty_cache_together(tmp_path):
+    environment = {**os.environ, "NUMBA_CACHE_DIR": str(tmp_path)}
+    found = []
+    for _ in range(2):
+        command = [sys.executable, "-c", COLD]
+        done = subprocess.run(
+            command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True
+        )
+        found.append(done.stdout.split())
+    assert "slide" in found[0]
+    assert loading._cores() == 1 or not {"active_march", "march", "marked"} & set(found[0])
+    assert found[1] == []
