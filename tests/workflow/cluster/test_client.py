@@ -5,15 +5,14 @@ import contextlib
 import os
 import signal
 import socket
-import time
 from pathlib import Path
 from typing import NamedTuple
 
 import dask
-import psutil
 import pytest
 from distributed import Client, SpecCluster
 
+from tests.support.own_workers import facts, processes, started_again, starting
 from tests.support.small import small_plan
 from workflow.cluster import client as module
 from workflow.cluster.client import open_client
@@ -23,11 +22,6 @@ from workflow.run.run import run_plan
 from workflow.run.workers import How
 from workflow.study.cluster import Cluster
 from workflow.system import Interrupt
-
-
-def facts():
-    """Return what a worker says of itself."""
-    return os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN, dict(os.environ)
 
 
 def written(security, folder):
@@ -123,17 +117,6 @@ def test_ctrl_c_while_workers_start_is_heard(monkeypatch):
     assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
 
 
-def started_again(client, killed):
-    """Return the facts of the worker that takes the place of a killed one."""
-    for _ in range(600):
-        with contextlib.suppress(OSError):  # the killed one is still known
-            for pid, *rest in client.run(facts).values():
-                if pid != killed:
-                    return rest
-        time.sleep(0.1)
-    return pytest.fail("no worker was started again")
-
-
 @pytest.mark.exhaustive  # four processes, one after the other
 def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
     """Whatever dask's own settings are."""
@@ -145,25 +128,6 @@ def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
         os.kill(pid, signal.SIGKILL)
         how = started_again(client, pid)
     assert_set_up(*how)
-
-
-def processes():
-    """Return the pids of the worker processes that are children of this one."""
-    found = set()
-    for child in psutil.Process().children():
-        with contextlib.suppress(psutil.Error):
-            if "spawn_main" in " ".join(child.cmdline()):
-                found.add(child.pid)
-    return found
-
-
-def starting(known):
-    """Return a worker process of ours that has just been started, as it is not known."""
-    for _ in range(600):
-        for pid in processes() - known:
-            return pid
-        time.sleep(0.05)
-    return pytest.fail("no worker was started again")
 
 
 @pytest.mark.exhaustive  # seven processes, one after the other

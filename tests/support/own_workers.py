@@ -1,0 +1,44 @@
+"""Worker processes that a test has started: what they say of themselves, what replaces them."""
+
+import contextlib
+import os
+import signal
+import time
+
+import psutil
+import pytest
+
+
+def facts():
+    """Return what a worker says of itself."""
+    return os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN, dict(os.environ)
+
+
+def started_again(client, killed):
+    """Return the facts of the worker that takes the place of a killed one."""
+    for _ in range(600):
+        with contextlib.suppress(OSError):  # the killed one is still known
+            for pid, *rest in client.run(facts).values():
+                if pid != killed:
+                    return rest
+        time.sleep(0.1)
+    return pytest.fail("no worker was started again")
+
+
+def processes():
+    """Return the pids of the worker processes that are children of this one."""
+    found = set()
+    for child in psutil.Process().children():
+        with contextlib.suppress(psutil.Error):
+            if "spawn_main" in " ".join(child.cmdline()):
+                found.add(child.pid)
+    return found
+
+
+def starting(known):
+    """Return a worker process of ours that has just been started, as it is not known."""
+    for _ in range(600):
+        for pid in processes() - known:
+            return pid
+        time.sleep(0.05)
+    return pytest.fail("no worker was started again")
