@@ -99,7 +99,8 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
         if how.smooth and mu <= 0.0:
             # ... and that it takes work: what the forces do while the line rises.
             mu = how.steps * mean_rise(z, d[i], decay, listed)
-        found[i, INDENTATION], found[i, MU], found[i, CONTACT] = d[i], mu, contact / n
+        found[i, INDENTATION], found[i, MU] = d[i], mu
+        found[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
         found[i, SAMPLES] = median_width(z, d[i], spans, decay, listed)
         found[i, SWEEPS], found[i, FULL] = sweeps[i], full[i]
     return found, jumps
