@@ -61,5 +61,6 @@ def forgive_streams() -> None:
 def _forgiving(stream: Any) -> TextIO:
     if stream is None:
         return Path(os.devnull).open("w", encoding="utf-8")
-    encoding, lines = stream.encoding, stream.line_buffering
-    return _Forgiving(stream.detach(), encoding, "backslashreplace", line_buffering=lines)
+    how = {"line_buffering": stream.line_buffering, "write_through": stream.write_through}
+    encoding = stream.encoding
+    return _Forgiving(stream.detach(), encoding, "backslashreplace", **how)

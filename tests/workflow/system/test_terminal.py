@@ -1,6 +1,7 @@
 """Streams that are closed, broken or cannot show a letter trouble nobody; in real processes."""
 
 import os
+import select
 import subprocess
 import sys
 
@@ -54,6 +55,25 @@ def test_letters_that_the_terminal_lacks_are_shown_as_numbers(tmp_path):
     assert status == 0
     for text in (out, err):
         assert "µ\\u2081 \\u2264 \\u03c4".encode("latin-1") in text.splitlines()
+
+
+WAIT = """
+import sys
+from workflow.system import forgive_streams
+forgive_streams()
+print("said", file=sys.stderr)
+sys.stdin.read()
+"""
+
+
+@pytest.mark.parametrize("unbuffered", ["", "1"])
+def test_a_line_of_the_standard_error_is_there_at_once(unbuffered):
+    environment = {**os.environ, "PYTHONUNBUFFERED": unbuffered}
+    pipes = dict.fromkeys(("stdin", "stderr"), subprocess.PIPE)
+    with subprocess.Popen([sys.executable, "-c", WAIT], env=environment, cwd=ROOT, **pipes) as one:
+        assert select.select([one.stderr], [], [], PATIENCE)[0]
+        assert one.poll() is None
+        one.communicate()
 
 
 @pytest.mark.parametrize(
