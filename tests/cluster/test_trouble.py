@@ -87,7 +87,7 @@ def assert_refused(run, log):
 
 def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
     cluster, edited, log = Standing(tmp_path / "standing"), tmp_path / "edited", tmp_path / "log"
-    for name in ("kernels", "workflow"):
+    for name in ("kernels", "workflow", "studies"):
         shutil.copytree(ROOT / name, edited / name)
     with (edited / "kernels" / "steady" / "plain.py").open("a") as file:
         file.write("# edited\n")
