@@ -40,10 +40,12 @@ def draw(groups: Groups) -> Figure:
 
 
 def _saturation(ax: Axes, uniform: xr.Dataset, cost: float) -> None:
-    workers = np.geomspace(uniform.workers.min(), uniform.workers.max(), 200)
-    for seconds, colour, marker in zip(uniform.seconds.values, COLOURS, MARKERS, strict=False):
-        efficiency = uniform.efficiency.sel(seconds=seconds)
-        ax.plot(uniform.workers, efficiency, marker[0], color=colour, ms=3.5)
+    there = uniform.uniform_workers
+    workers = np.geomspace(there.min(), there.max(), 200)
+    means = uniform.uniform_seconds.values
+    for seconds, colour, marker in zip(means, COLOURS, MARKERS, strict=False):
+        efficiency = uniform.efficiency.sel(uniform_seconds=seconds)
+        ax.plot(there, efficiency, marker[0], color=colour, ms=3.5)
         ax.plot(workers, np.minimum(1.0, seconds / cost / workers), color=colour)
         ax.axvline(seconds / cost, color=colour, ls=":", lw=0.8)
         ax.plot([], [], marker, color=colour, ms=3.5, label=f"{seconds:g} s")

@@ -18,6 +18,27 @@ from .virtual import Costs, durations, simulated
 TASKS_PER_WORKER = 30  # of the uniform batches
 SECONDS_PER_BATCH = 1.3e-4  # of the driver of a simulated study: outline
 SECONDS_TO_PLAN = 1e-4  # per task of it
+ATTRIBUTES = {  # of the variables of a result: what they mean, and their units
+    "workers": ("workers of the simulated cluster", "1"),
+    "uniform_workers": ("workers of the simulated cluster", "1"),
+    "uniform_seconds": ("mean length of the batches", "s"),
+    "study": ("study that is simulated", ""),
+    "efficiency": ("share of their time in which the workers compute", "1"),
+    "rate": ("batches that are computed in a second", "s-1"),
+    "points": ("points of the grid", "1"),
+    "realizations": ("realizations of all points and variants", "1"),
+    "planning": ("CPU time of planning", "s"),
+    "batches": ("batches", "1"),
+    "longest_batch": ("length of the longest batch", "s"),
+    "wall": ("time from the first batch to the last result", "s"),
+    "work": ("time of all batches together", "s"),
+    "shards": ("shards of the store", "1"),
+    "store": ("size of the store", "MiB"),
+    "journal": ("size of its journal", "MiB"),
+    "driver_memory": ("most memory of the driver", "MiB"),
+    "driver_seconds": ("CPU time of the driver for a batch", "s"),
+    "indexing": ("CPU time of reading the store's index", "s"),
+}
 
 
 def listed(check: Callable[[str, object], Any]) -> Callable[[str, object], tuple]:
@@ -118,15 +139,27 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
     return {"": uniform, "studies": _studies(settings, costs, advance)}
 
 
+def _described(dataset: xr.Dataset) -> xr.Dataset:
+    """Return a dataset whose variables say what they mean."""
+    for name, variable in dataset.variables.items():
+        meaning, units = ATTRIBUTES[str(name)]
+        variable.attrs = {"long_name": meaning} | ({"units": units} if units else {})
+    return dataset
+
+
 def _uniform(settings: dict, costs: Costs, seed: int) -> xr.Dataset:
-    """Return efficiency over (seconds, workers) of simulated batches of one mean length."""
+    """Return efficiency and rate of simulated batches of one mean length.
+
+    Over (uniform_seconds, uniform_workers).
+    """
     rows = []
     for mean, workers in product(settings["uniform_seconds"], settings["uniform_workers"]):
         client = simulated(workers, durations(mean, TASKS_PER_WORKER * workers, seed), costs)
         rate = client.tasks / client.wall
         rows.append((mean, workers, client.efficiency, rate))
-    frame = pd.DataFrame(rows, columns=["seconds", "workers", "efficiency", "rate"])
-    return frame.set_index(["seconds", "workers"]).to_xarray()
+    over = ["uniform_seconds", "uniform_workers"]
+    frame = pd.DataFrame(rows, columns=[*over, "efficiency", "rate"])
+    return _described(frame.set_index(over).to_xarray())
 
 
 def _studies(settings: dict, costs: Costs, advance: Callable[[float], None]) -> xr.Dataset:
@@ -138,7 +171,7 @@ def _studies(settings: dict, costs: Costs, advance: Callable[[float], None]) -> 
             frames.append({**where, **alone(**where, costs=list(costs))})
         advance(_study_seconds(name, settings["scale"], len(settings["workers"])))
     frame = pd.DataFrame(frames).drop(columns="scale").set_index(["study", "workers"])
-    return frame.to_xarray()
+    return _described(frame.to_xarray())
 
 
 def table(groups: Groups) -> pd.DataFrame:

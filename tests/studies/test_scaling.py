@@ -3,6 +3,7 @@
 from operator import pos
 
 import pytest
+import xarray as xr
 
 from studies.scaling.measure import table
 from studies.scaling.virtual import Costs, VirtualClient, durations, simulated, virtual_stream
@@ -65,17 +66,29 @@ def test_no_more_is_in_flight_than_the_window():
 
 
 @pytest.fixture(scope="module")
-def groups(tmp_path_factory):
-    """Run the study at smoke scale; return the groups of its result."""
+def path(tmp_path_factory):
+    """Run the study at smoke scale; return its result."""
     folder = tmp_path_factory.mktemp("scaling")
     assert main(["run", "scaling", "--scale", "smoke", "--out", str(folder)]) == 0
-    return load(folder / "scaling-smoke.nc")
+    return folder / "scaling-smoke.nc"
+
+
+@pytest.fixture(scope="module")
+def groups(path):
+    """Return the groups of the result."""
+    return load(path)
 
 
 @whole_study
 def test_figure_and_table_are_written(groups):
     check_drawing("scaling", groups)
     assert [*table(groups).columns][:2] == ["study", "workers"]
+
+
+@whole_study
+def test_a_result_opens_as_a_tree(path, groups):
+    with xr.open_datatree(path) as tree:
+        assert tree["studies"].ds.workers.attrs == groups["studies"].workers.attrs != {}
 
 
 @whole_study
