@@ -23,7 +23,7 @@ PART = {**FLAGS, "no_cpython_wrapper": True, "pipeline_class": PartCompiler}
 def kernel(function: Callable) -> Callable:
     """Compile a function, or leave it as it is under NUMBA_DISABLE_JIT=1."""
     compiled = numba.njit(**FLAGS)(function)
-    if compiled is not function:
+    if compiled is not function:  # Python calls it as usual, kernels link its part in
         part = numba.njit(**PART)(function)
         compiled.get_call_template = part.get_call_template
         compiled.get_overload = part.get_overload

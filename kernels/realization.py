@@ -69,7 +69,8 @@ def run_cases(line: Line, cases: Sequence[Case], asked: Quantities) -> list[Outc
     ground = Ground.of(line, finer) if together else None
     for rows in together.values():
         assert ground is not None
-        found = _run_loads(ground, [cases[i] for i in rows], asked)
+        own = ground if cases[rows[0]].refine else ground._replace(curvature=None)
+        found = _run_loads(own, [cases[i] for i in rows], asked)
         outcomes.update(zip(rows, found, strict=True))
     return [outcomes[i] for i in range(len(cases))]
 
@@ -102,14 +103,12 @@ def _under_load(
     twos : steady sliding at each v2, or nothing.
     """
     n, others = one.ground.line.z.size, len(case.ratios) if asked.jump else 0
-    if case.refine:
-        refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
+    refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
     clocks.lap_alone(i, steady=one.updates[i] + n, jump=others * n)
     mu_2, curves, work = np.full(len(case.ratios), np.nan), [], float(one.updates[i])
     for k, two in enumerate(twos):
         if two is not one:
-            if case.refine:
-                refine(two, i)
+            refine(two, i)
             work += two.updates[i]
         mu_2[k] = two.mu[i]
         clocks.lap_alone(i, steady=1.0)
