@@ -7,7 +7,6 @@ that both take about as long, while the process that has started it compiles the
 """
 
 import contextlib
-import gc
 import os
 import subprocess
 import sys
@@ -23,6 +22,7 @@ from kernels.cache import WAITING, compiling
 from kernels.case import Case, Quantities
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
+from kernels.garbage import nothing_collected
 from kernels.patches.fine_line import mark_touchable, marked
 from kernels.patches.refined import MARGIN
 from kernels.realization import relaxation, run_cases
@@ -48,7 +48,7 @@ def load(scheme: str, asked: Quantities) -> None:
         Case(*WIDE, (1.2,), (FEW,), scheme),
         Case(*NARROW, (1.2,), (MANY,), scheme),
     ]
-    with compiling(), _nothing_collected():
+    with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
             run_cases(line, cases, asked._replace(steady=True, relaxation=False))
         run_cases(line, cases, asked)
@@ -111,18 +111,6 @@ def _cores() -> int:
     return os.cpu_count() or 1
 
 
-@contextlib.contextmanager
-def _nothing_collected() -> Iterator[None]:
-    """Look for no garbage: a compiler makes little, and a sixth of its time went there."""
-    before = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if before:
-            gc.enable()
-
-
 if __name__ == "__main__":
-    with _nothing_collected():
+    with nothing_collected():
         load_half(sys.argv[1], sys.argv[2] == "1")

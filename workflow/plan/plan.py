@@ -1,15 +1,13 @@
 """The plan: which problems, which batches, what they cost. Pure data; computes nothing."""
 
-import contextlib
-import gc
 import math
 from collections import defaultdict
-from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from kernels import START, Origin, Quantities
+from kernels.garbage import nothing_collected
 from workflow.errors import UserError
 from workflow.plan.cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from workflow.plan.goal import FIRST_SHARE, whole_blocks
@@ -112,7 +110,7 @@ def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Pla
     origin : where a programme that is resumed begins.
     """
     asked = asked_of(study)
-    with _nothing_collected():
+    with nothing_collected():  # of 1e5 tasks none is garbage, and a fifth of the time went there
         problems = problems_of(study)
         variants = [
             variant_of(study, asked, pace, label, problems[label], origin)
@@ -129,18 +127,6 @@ def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Pla
             blocks.update(zip(variant.goals, counts, strict=True))
     _check_records(study, sum(expected.values()))
     return Plan(study, variants, asked, pace, first, expected)
-
-
-@contextlib.contextmanager
-def _nothing_collected() -> Iterator[None]:
-    """Look for no garbage: of 1e5 tasks none is any, and a fifth of the time went there."""
-    before = gc.isenabled()
-    gc.disable()
-    try:
-        yield
-    finally:
-        if before:
-            gc.enable()
 
 
 def _check_records(study: Study, records: int) -> None:
