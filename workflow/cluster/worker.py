@@ -3,20 +3,26 @@
 Imported by name; needs nothing set up beforehand.
 """
 
+import logging
 import signal
 from collections.abc import Callable
 from typing import Any
 
-from distributed import Worker, get_worker
+from distributed import Status, Worker, get_worker
 
 from workflow.cluster.versions import Versions, require
 from workflow.simulate import Batch, BatchResult, block_means
 
+CLOSING = (Status.closing, Status.closed)
+
 
 def dask_setup(worker: Worker) -> None:
-    """Leave Ctrl-C to the driver, which lets running batches finish and be stored."""
-    del worker
+    """Leave Ctrl-C to the driver, which lets running batches finish and be stored.
+
+    Of a worker that closes nothing is logged: a heartbeat that this cuts off is no error.
+    """
     signal.signal(signal.SIGINT, signal.SIG_IGN)
+    logging.getLogger("distributed.worker").addFilter(lambda record: worker.status not in CLOSING)
 
 
 def run_batch(
