@@ -2,18 +2,15 @@
 
 import argparse
 from pathlib import Path
+from typing import TYPE_CHECKING
 
+from workflow import laboratory  # slow to import, all but the units: other commands do without
 from workflow.errors import UserError
-from workflow.laboratory import (
-    TIMES,
-    VELOCITIES,
-    Known,
-    describe,
-    draw_fit,
-    fit_records,
-    read_record,
-)
+from workflow.laboratory import TIMES, VELOCITIES
 from workflow.system import make_folder
+
+if TYPE_CHECKING:
+    from workflow.laboratory import Known
 
 DONE = 0
 
@@ -34,15 +31,16 @@ def add_fit_options(command: argparse.ArgumentParser) -> None:
 
 def run_fit(options: argparse.Namespace) -> int:
     """Read, fit, print and draw; return the exit status."""
-    known = Known(options.relaxation_time, options.hurst, options.q_max)
+    known = laboratory.Known(options.relaxation_time, options.hurst, options.q_max)
     _check(options, known)
     columns = _columns(options.columns)
-    records = [read_record(Path(f), columns, options.time, options.velocity) for f in options.files]
-    fit = fit_records(records, known, options.window)
-    print(*describe(fit), sep="\n")
+    units = options.time, options.velocity
+    records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
+    fit = laboratory.fit_records(records, known, options.window)
+    print(*laboratory.describe(fit), sep="\n")
     path = Path(options.out)
     make_folder(path.parent)
-    print(*draw_fit(fit, path), sep="\n")
+    print(*laboratory.draw_fit(fit, path), sep="\n")
     return DONE
 
 
@@ -53,7 +51,7 @@ def _columns(text: str) -> tuple[int, ...]:
     return tuple(map(int, words))
 
 
-def _check(options: argparse.Namespace, known: Known) -> None:
+def _check(options: argparse.Namespace, known: "Known") -> None:
     positive = {"--window": options.window, "--q-max": known.q_max}
     positive["--relaxation-time"] = known.relaxation_time
     for name, value in positive.items():
