@@ -26,8 +26,10 @@ from kernels.garbage import nothing_collected
 from kernels.patches.fine_line import mark_touchable, marked
 from kernels.patches.refined import MARGIN
 from kernels.realization import relaxation, run_cases
+from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES
-from kernels.rheology.law import State
+from kernels.rheology.law import State, law_of
+from kernels.rheology.spectrum import KELVIN
 from kernels.steady.carry import Decay, carry
 from kernels.steady.spans import SPAN, Spans
 from kernels.surfaces.line import Line
@@ -52,6 +54,7 @@ def load(scheme: str, asked: Quantities) -> None:
         with _helped(scheme, asked):
             run_cases(line, cases, asked._replace(steady=True, relaxation=False))
         run_cases(line, cases, asked)
+        law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
 
 
 def load_half(scheme: str, rate: bool) -> None:
@@ -95,8 +98,8 @@ def _helped(scheme: str, asked: Quantities) -> Iterator[None]:
     try:
         with event.install_listener("numba:compile", Once()):
             yield
-        with event.trigger_event(WAITING):
-            for helper in helpers:
+        for helper in helpers:  # none where all was found
+            with event.trigger_event(WAITING):
                 helper.wait()
     finally:
         for helper in helpers:

@@ -8,8 +8,10 @@ from pathlib import Path
 
 import numba
 import pytest
+from numba.core import event
 
 from kernels import Quantities, loading
+from kernels.cache import WAITING
 from tests.sizes import PLAIN_PYTHON
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -71,9 +73,10 @@ def test_it_is_started_once_and_waited_for_where_anything_is_compiled(helped):
         compile_something()
         assert len(helped) == 1
     assert helped[0].returncode == 0
-    with loading._helped("exponential", Quantities()):
+    with event.install_recorder(WAITING) as waits, loading._helped("exponential", Quantities()):
         pass
     assert len(helped) == 1
+    assert waits.buffer == []  # all was found: nobody is waited for
 
 
 @compiled_only
