@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from workflow.cli.effects import effect_lines
-from workflow.plan import Pace, Plan, Variant, make_plan, this_machine
+from workflow.plan import Pace, Plan, Prediction, Variant, make_plan, this_machine
 from workflow.simulate import programme_steps
 from workflow.study import Measured, Study, judged
 from workflow.system import core_time, duration
@@ -25,7 +25,8 @@ def outline_grid(study: Study, result: Path) -> Said:
     """Return what a study of a grid would do and cost, as lines and as data; computes nothing."""
     machine = this_machine()
     plan = planned(study, machine.pace)
-    return outline(plan, result, machine.note), _facts(plan)
+    cost = plan.prediction()
+    return outline(plan, result, cost, machine.note), _facts(plan, cost)
 
 
 def planned(study: Study, pace: Pace) -> Plan:
@@ -45,9 +46,10 @@ def outline_measured(study: Measured, result: Path) -> Said:
     return [*head, *lines, f"predicted   {duration(seconds)} of one core"], facts
 
 
-def _facts(plan: Plan) -> dict[str, Any]:
+def _facts(plan: Plan, cost: Prediction) -> dict[str, Any]:
     """Return a plan as data: numbers in SI units, times in s, memory in bytes."""
-    seconds, low, high = plan.prediction()
+    seconds, low, high = cost
+    records = plan.records
     grid = plan.study.grid.items()
     return {
         # JSON has no NaN, which stands where an axis has no value
@@ -56,8 +58,8 @@ def _facts(plan: Plan) -> dict[str, Any]:
         "points": plan.points,
         "problems": plan.problems,
         "variants": list(plan.study.variants),
-        "realizations": plan.records * plan.study.realizations_per_block,
-        "records": plan.records,
+        "realizations": records * plan.study.realizations_per_block,
+        "records": records,
         "predicted_core_seconds": seconds,
         "predicted_core_seconds_interval": [low, high],
         "predicted_worker_bytes": round(plan.predicted_worker_bytes()),
@@ -66,10 +68,10 @@ def _facts(plan: Plan) -> dict[str, Any]:
     }
 
 
-def outline(plan: Plan, result: Path, speed: str) -> list[str]:
+def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]:
     """Return the description of a plan, line by line.
 
-    speed : says where the pace of the prediction comes from.
+    cost : as it is predicted. speed : says where the pace of the prediction comes from.
     """
     study = plan.study
     lines = [f"study       {study.name}: {study.title}", f"result      {result}"]
@@ -86,7 +88,7 @@ def outline(plan: Plan, result: Path, speed: str) -> list[str]:
     lines += effect_lines(study)
     for variant in plan.variants:
         lines += march_lines(variant)
-    return [*lines, *_costs(plan, speed)]
+    return [*lines, *_costs(plan, cost, speed)]
 
 
 def march_lines(variant: Variant) -> list[str]:
@@ -117,10 +119,9 @@ def _span(values: np.ndarray) -> str:
     return low if low == high else f"{low} ... {high}"
 
 
-def _costs(plan: Plan, speed: str) -> list[str]:
-    _, low, high = plan.prediction()
+def _costs(plan: Plan, cost: Prediction, speed: str) -> list[str]:
     return [
-        f"predicted   {core_time(low, high)}",
+        f"predicted   {core_time(cost.low, cost.high)}",
         f"speed       as measured on {speed}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "

@@ -49,7 +49,7 @@ class Plan(NamedTuple):
     @property
     def records(self) -> int:
         """Number of records (task, block) of the whole study, predicted where there are goals."""
-        return sum(self.expected[t.key] for v in self.variants for t in v.tasks)
+        return sum(sum(map(self.expected.__getitem__, v.rows)) for v in self.variants)
 
     def longest_line(self) -> int:
         """Return the largest number of samples of any line."""
@@ -86,7 +86,7 @@ class Plan(NamedTuple):
         typical: dict[tuple[str, str], float] = defaultdict(float)
         each = self.study.realizations_per_block
         for variant in self.variants:
-            counts = np.array([self.expected[task.key] for task in variant.tasks])
+            counts = np.array([self.expected[key] for key in variant.rows])
             seconds = counts @ variant.typical
             seconds[0] += variant.drawing_of(self.expected)
             for part, own in zip(PARTS, each * seconds, strict=True):

@@ -53,7 +53,7 @@ class Variant(NamedTuple):
         total = 0.0
         for line in self.by_line:
             for samples, tasks in groupby(line, samples_of):
-                total += self.drawing[samples] * max(blocks[task.key] for task in tasks)
+                total += self.drawing[samples] * max([blocks[task.key] for task in tasks])
         return total
 
     def draw_seconds(self, samples: int) -> float:
