@@ -1,10 +1,10 @@
 """What a realization is asked for and what it gives: cases and outcomes. Plain data."""
 
-import time
 from typing import NamedTuple
 
 import numpy as np
 
+from kernels.clock import working_time
 from kernels.rheology.spectrum import KELVIN, Spectrum
 
 
@@ -42,7 +42,7 @@ class Case(NamedTuple):
 
 
 class Seconds(NamedTuple):
-    """CPU time of this thread in the phases of a case. No result depends on it."""
+    """CPU time of this thread in the phases of a case (clock.py). No result depends on it."""
 
     steady: float
     jump: float
@@ -69,11 +69,11 @@ class Clock:
 
     def __init__(self) -> None:
         self.spent = dict.fromkeys(Seconds._fields, 0.0)
-        self.last = time.thread_time()
+        self.last = working_time()
 
     def lap(self, phase: str) -> None:
         """Book the time to a phase."""
-        now = time.thread_time()
+        now = working_time()
         self.spent[phase] += now - self.last
         self.last = now
 
@@ -83,11 +83,11 @@ class Clocks:
 
     def __init__(self, cases: int) -> None:
         self.spent = np.zeros((len(Seconds._fields), cases))
-        self.last = time.thread_time()
+        self.last = working_time()
 
     def lap(self, **work: np.ndarray | float) -> None:
         """Book the time: work by the name of a phase, of every case or the same in all."""
-        now = time.thread_time()
+        now = working_time()
         shares = np.zeros_like(self.spent)
         for phase, done in work.items():
             shares[Seconds._fields.index(phase)] = done
@@ -96,7 +96,7 @@ class Clocks:
 
     def lap_alone(self, case: int, **work: float) -> None:
         """Book the time to one case: work by the name of a phase."""
-        now = time.thread_time()
+        now = working_time()
         each = (now - self.last) / sum(work.values())
         for phase, done in work.items():
             self.spent[Seconds._fields.index(phase), case] += each * done

@@ -1,11 +1,11 @@
 """What a programme of motion adds to the record of a realization."""
 
 import math
-import time
 
 import numpy as np
 
 from kernels import Case, Line, Quantities, Scene, run_case, run_scene
+from kernels.clock import working_time
 from workflow.simulate.kept import kept_steps
 from workflow.simulate.layout import EDGES, Layout, row_width
 from workflow.simulate.tasks import SCALARS, Batch, Recording, Task
@@ -22,14 +22,14 @@ def add_programme(
     """
     seconds = 0.0
     if batch.recording.asked:
-        began = time.thread_time()
+        began = working_time()
         found = run_scene(line, scene_of(task, batch.scheme, batch.recording), batch.resumed)
         for name, (first, shape) in places.items():
             if name not in found:
                 continue
             value = found[name]
             values[first : first + math.prod(shape)] += np.ravel(value)
-        seconds = time.thread_time() - began
+        seconds = working_time() - began
     values[row_width(places) :] = np.nan
     return seconds
 

@@ -1,6 +1,5 @@
 """Run a batch: draw its lines, run every realization, average over blocks."""
 
-import time
 from collections.abc import Callable, Iterable
 from functools import lru_cache
 from itertools import groupby, islice
@@ -9,6 +8,7 @@ from operator import itemgetter
 import numpy as np
 
 from kernels import QUARTET, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_cases
+from kernels.clock import working_time
 from kernels.loading import load
 from workflow.simulate.kept import record_steps
 from workflow.simulate.layout import Layout, row_layout, row_width
@@ -41,7 +41,7 @@ def block_means(batch: Batch) -> BatchResult:
     """Run the batch, on one thread of any process."""
     if batch.quantities.anything:
         load_kernels(batch.scheme, batch.quantities)
-    began = time.thread_time()
+    began = working_time()
     layouts = [row_layout(t, batch.quantities, batch.scheme, batch.recording) for t in batch.tasks]
     width = max(1, *(row_width(own) for own in layouts))  # netCDF knows no empty rows
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
@@ -55,7 +55,7 @@ def block_means(batch: Batch) -> BatchResult:
         _add_realizations(batch, layouts, cases, draw(number), sums, spent)
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
-    used = time.thread_time() - began
+    used = working_time() - began
     return BatchResult(scalars, curves, spent, used, peak_bytes(), this_maker())
 
 
@@ -70,9 +70,9 @@ def _add_realizations(
     """Add the realizations of one drawing to the sums of scalars and curves, one row per task."""
     drawing = 0.0
     for steps, on_a_line in cases:
-        began = time.thread_time()
+        began = working_time()
         for line in draw(steps):
-            drawing += time.thread_time() - began
+            drawing += working_time() - began
             outcomes: list[Outcome | None] = [None] * len(on_a_line)
             if batch.quantities.anything:
                 outcomes[:] = run_cases(line, [case for _, case in on_a_line], batch.quantities)
@@ -87,7 +87,7 @@ def _add_realizations(
                     else:
                         _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
                     spent[row, -1] += add_programme(batch, line, task, places, record[1])
-            began = time.thread_time()
+            began = working_time()
     spent[:, 0] += drawing / len(batch.tasks)
 
 

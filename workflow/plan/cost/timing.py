@@ -5,12 +5,12 @@ processor), and computes what a worker computes: whole realizations of a few pro
 """
 
 import json
-import time
 from datetime import UTC, datetime
 
 import numpy as np
 
 from kernels import Quantities
+from kernels.clock import working_time
 from workflow.plan.cost.work import DRAW, DRAWING, PARTS, Work, typical_seconds
 from workflow.simulate import Batch, Problem, Recording, Task, block_means
 from workflow.system import processor
@@ -48,9 +48,9 @@ def typical(probe: Batch) -> np.ndarray:
 
 def used(probe: Batch) -> np.ndarray:
     """Return the CPU seconds that the parts of a probe take."""
-    began = time.thread_time()
+    began = working_time()
     spent = block_means(probe).spent.sum(axis=0)
-    return np.append(spent, max(time.thread_time() - began - spent.sum(), 1e-6))
+    return np.append(spent, max(working_time() - began - spent.sum(), 1e-6))
 
 
 def factors(rounds: int = ROUNDS) -> dict[str, tuple[float, float]]:
