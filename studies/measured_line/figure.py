@@ -87,7 +87,7 @@ def _spectra(ax: Axes, groups: Groups) -> None:
     for name in ("", "self_affine"):
         spectrum = groups[name].power_spectrum
         colour = COLOURS[6] if name == "" else COLOURS[4]
-        label = "measured, random phases" if name == "" else STYLES[name]["label"]
+        label = STYLES[name]["label"]
         ax.plot(spectrum.wave_number, spectrum, color=colour, lw=0.9, label=label)
     ax.set(xscale="log", yscale="log", xlabel="$q$ (1/m)", ylabel="$C_{1D}$ (m³)")
     ax.set_title("(a) power spectra")
@@ -108,5 +108,5 @@ def _legends(kinds: Axes, forces: Axes, data: xr.Dataset) -> None:
         kinds.plot([], [], style["fmt"], color="0.3", ms=3.0, label=style["label"])
     kinds.legend(loc="lower right")
     for i, force in enumerate(data.normal_force.values):
-        forces.plot([], [], "o", color=COLOURS[i], label=f"$F_N$ = {force:g} N")
+        forces.plot([], [], "o", color=COLOURS[i], label=f"$F_N$ = {1e9 * force:g} nN")
     forces.legend(loc="upper left")
