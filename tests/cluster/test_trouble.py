@@ -4,6 +4,7 @@ import errno
 import os
 import re
 import shutil
+import time
 
 import pytest
 from distributed import Client
@@ -72,6 +73,35 @@ def test_a_sick_worker_fails_no_problem_and_is_left_out_and_named(tmp_path, caps
     said = [line for line in capsys.readouterr().err.splitlines() if "left out" in line]
     assert len(said) == 1
     assert re.match(r"worker tcp://127\.0\.0\.1:\d+: 3 batches in a row failed there", said[0])
+
+
+def sick_or_slow_at_first(batch):
+    """As ``sick``; a sound worker takes seconds for its first batch, as if it had to compile."""
+    if "SICK" not in os.environ and not BEGUN:
+        BEGUN.append(True)
+        time.sleep(5.0)
+    return sick(batch)
+
+
+BEGUN = []  # in a worker process
+
+
+def test_while_the_sound_worker_is_busy_the_sick_one_fails_no_problem(
+    tmp_path, monkeypatch, capsys
+):
+    """Dask looks often for what an idle worker may steal: the sick one idles all the time."""
+    monkeypatch.setenv("DASK_DISTRIBUTED__SCHEDULER__WORK_STEALING_INTERVAL", "50ms")
+    cluster = Standing(tmp_path / "standing", worker_1={"SICK": "yes"})
+    try:
+        with Client(cluster.address, timeout=PATIENCE) as client:
+            client.wait_for_workers(2, timeout=PATIENCE)
+        how = {"batch_seconds": 1e-3, "work": sick_or_slow_at_first}
+        found = run(tmp_path, scheduler=cluster.address, **how)
+    finally:
+        cluster.stop()
+    assert found.summary.failures == []
+    assert held(Store(store_folder(found.path))) == set(all_records(found.plan))
+    assert "3 batches in a row failed there" in capsys.readouterr().err
 
 
 def assert_refused(run, log):

@@ -5,7 +5,7 @@ for its host: the others there share its disk and memory.
 """
 
 from collections import Counter
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -28,6 +28,8 @@ class Roll(NamedTuple):
     threads: dict[str, int]
     heard: dict[str, float]  # time of the last heartbeat (s), by the scheduler's clock
     busy: dict[str, list[str]]  # keys of what they compute
+    paused: Collection[str] = ()  # who takes up nothing for now
+    stranded: Collection[str] = ()  # keys of what nobody is there for who may compute it
 
 
 def answer_rolls(dask_scheduler: Scheduler) -> None:
@@ -39,6 +41,8 @@ def answer_rolls(dask_scheduler: Scheduler) -> None:
             {worker.address: worker.nthreads for worker in workers},
             {worker.address: worker.last_seen for worker in workers},
             {worker.address: [str(task.key) for task in worker.processing] for worker in workers},
+            [worker.address for worker in workers if worker not in dask_scheduler.running],
+            [str(task.key) for task in dask_scheduler.unrunnable],
         )
 
     dask_scheduler.handlers[ROLL] = roll
@@ -106,10 +110,15 @@ class Crew:
         """Return the number of threads of workers that are there."""
         return sum(self.roll.threads[address] for address in self.present())
 
+    def able(self, but: Iterable[str] = ()) -> list[str]:
+        """Return the addresses of workers that are there and take up work, without some."""
+        others = {*self.roll.paused, *but}
+        return [address for address in self.present() if address not in others]
+
     def fit(self, but: Iterable[str] = ()) -> list[str]:
-        """Return workers that are there, not left out, and elsewhere than some addresses."""
+        """Return those of ``able`` that are not left out, and elsewhere than some addresses."""
         places = self.left_out | {self.place(address) for address in but}
-        return [address for address in self.present() if self.place(address) not in places]
+        return [address for address in self.able() if self.place(address) not in places]
 
     def idle(self, but: Iterable[str] = ()) -> list[str]:
         """Return those of ``fit`` that compute nothing."""
@@ -123,7 +132,7 @@ class Crew:
         """Note that a worker computed what workers at ``failed`` could not; leave out whom due."""
         place = self.place(address)
         self.blamed.pop(place, None)
-        for other in {self.place(other) for other in failed} - {place, *self.left_out}:
+        for other in {self.place(other) for other in failed if other} - {place, *self.left_out}:
             self.blamed[other] += 1
             if self.blamed[other] >= ROW:
                 self.left_out.add(other)

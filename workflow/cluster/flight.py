@@ -1,8 +1,8 @@
 """What is in flight: each item computed once, or where that takes too long, a second time."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, cast
 
 from distributed import Future
 from distributed.scheduler import KilledWorker
@@ -13,7 +13,7 @@ from workflow.system import duration
 
 LATE_FACTOR, LATE_SECONDS = 10.0, 60.0  # an item is late that takes more than both
 FIRST_SECONDS = 300.0  # instead, until something is done: machine code may have to be made
-TRIES = 4  # of an item that raises, at most
+DEATHS = 3  # of workers that an item survives, as dask's
 
 # What to do instead of an item that failed with an error, alone in the cluster or not.
 Retry = Callable[[Any, Exception, bool], list[Any]]
@@ -37,6 +37,7 @@ class Copy:
     """One future of an item."""
 
     future: Future
+    workers: Collection[str] = ()  # who alone may have it; none: anybody
     address: str = ""  # of the worker that has it
     since: float = 0.0  # when it was seen there first
     stuck: bool = False  # its result does not come
@@ -49,27 +50,45 @@ class Work:
     item: Any
     predicted: float  # s
     copies: dict[str, Copy] = field(default_factory=dict)  # by key
-    failed: list[str] = field(default_factory=list)  # addresses of workers where it raised
+    failed: list[str] = field(default_factory=list)  # where it raised: addresses, or ""
+    deaths: int = 0  # of workers that had it
     told: bool = False  # that it is late
 
     def late(self, now: float, least: float) -> float:
-        """Return for how long its first copy has been computed, if it is late; else 0.
-
-        least : s that every item may take.
-        """
+        """Return for how long its first copy has been computed, if over ``least``; else 0."""
         copy = next(iter(self.copies.values()))
         taken = now - copy.since if copy.address else 0.0
         return taken if taken > max(least, LATE_FACTOR * self.predicted) else 0.0
 
-    def to_be_tried_again(self, elsewhere: bool) -> bool:
-        """Return whether it has not failed on two workers yet, or twice on the only one."""
-        if len(set(self.failed)) > 1 or len(self.failed) >= TRIES:
-            return False
-        return elsewhere or len(self.failed) < 2
+    def fail(self, address: str, error: Exception) -> None:
+        """Note that a copy raised at an address, or that its workers died."""
+        if isinstance(error, KilledWorker):
+            self.deaths = max(self.deaths, error.allowed_failures) + 1
+        else:
+            self.failed.append(address)
 
-    def where(self) -> list[str]:
-        """Return the addresses of workers that have it, or where it failed."""
-        return [copy.address for copy in self.copies.values()] + self.failed
+    def to_be_tried_again(self, crew: Crew) -> bool:
+        """Return whether it has not failed at two places yet, nor twice at the only one.
+
+        A failure of which nobody knows where it was counts as a place of its own.
+        """
+        places = len({crew.place(a) for a in self.failed if a}) + self.failed.count("")
+        if places > 1 or self.deaths > DEATHS:
+            return False
+        return len(self.failed) < 2 or bool(crew.fit(self.failed))
+
+    def lost(self, gone: Callable[[str], bool]) -> bool:
+        """Return whether no copy of it, if there is any, may be expected from who is not gone."""
+        copies = self.copies.values()
+        return all(copy.stuck or (copy.address and gone(copy.address)) for copy in copies)
+
+    def having(self) -> list[str]:
+        """Return the addresses of workers that have it."""
+        return [copy.address for copy in self.copies.values()]
+
+    def workers(self, crew: Crew) -> list[str]:
+        """Return who is to compute it now: where it did not fail, or else whoever is there."""
+        return crew.fit(self.having() + self.failed) or crew.able(self.having())
 
 
 class Flight:
@@ -83,16 +102,15 @@ class Flight:
         """Return the number of copies."""
         return len(self.works)
 
-    def add(self, work: Work, future: Future) -> None:
-        """Take up a copy of an item."""
+    def add(self, work: Work, future: Future, workers: Collection[str] = ()) -> None:
+        """Take up a copy of an item, which may be for some workers alone."""
         key = str(future.key)
-        work.copies[key] = Copy(future)
+        work.copies[key] = Copy(future, workers)
         self.works[key] = work
 
     def fall(self, key: str) -> Work | None:
         """Take out a copy that failed; return its item, if it was still waited for."""
-        work = self.works.pop(key, None)
-        if work is not None:
+        if work := self.works.pop(key, None):
             del work.copies[key]
         return work
 
@@ -111,17 +129,23 @@ class Flight:
     def note(self, crew: Crew, now: float) -> None:
         """Note from a roll call which worker has what."""
         for address, keys in crew.roll.busy.items():
-            for key in keys:
-                if key in self.works:
-                    copy = self.works[key].copies[key]
-                    if copy.address != address:
-                        copy.address, copy.since = address, now
+            for copy in self._known(keys):
+                if copy.address != address:
+                    copy.address, copy.since = address, now
 
     def stick(self, keys: list[str]) -> None:
         """Note that the results of copies do not come."""
-        for key in keys:
-            if key in self.works:
-                self.works[key].copies[key].stuck = True
+        for copy in self._known(keys):
+            copy.stuck = True
+
+    def stranded(self, crew: Crew) -> list[tuple[Future, KilledWorker]]:
+        """Return copies for workers that are all gone: they would wait for ever."""
+        found = []
+        for copy in self._known(crew.roll.stranded):
+            key, last = str(copy.future.key), cast(Any, copy)  # of whom an address is known
+            if copy.workers:
+                found.append((copy.future, KilledWorker(key, last, self.works[key].deaths)))
+        return found
 
     def unbegun(self, crew: Crew) -> list[Work]:
         """Return items that no worker has yet."""
@@ -135,34 +159,31 @@ class Flight:
 
     def lost(self, crew: Crew) -> list[Work]:
         """Return items that only workers have of whom nothing is heard."""
-        return [
-            work
-            for work in dict.fromkeys(self.works.values())
-            if all(c.stuck or (c.address and crew.quiet(c.address)) for c in work.copies.values())
-        ]
+        return [work for work in dict.fromkeys(self.works.values()) if work.lost(crew.quiet)]
 
     def second_copies(self, crew: Crew, now: float) -> list[tuple[Work, list[str]]]:
         """Return items to be computed a second time, and by which workers; say what is late.
 
-        What a silent worker has goes to any other, what is late to an idle one.
+        What silent workers alone have goes to any other, what is late to an idle one.
         """
         idle = crew.idle()
         copies, late = [], []
-        for work in [*self.works.values()]:
-            first, *others = work.copies.values()
-            if others:
-                continue
+        for work in dict.fromkeys(self.works.values()):
             workers = []
-            if first.stuck or crew.silent(first.address):
-                workers = crew.fit(work.where())
-            elif work.late(now, self.least):
+            if work.lost(crew.silent):
+                workers = work.workers(crew)
+            elif len(work.copies) == 1 and work.late(now, self.least):
                 late.append(work)
-                workers = [address for address in idle if address not in work.where()][:1]
+                others = {*crew.fit(work.failed)} - {*work.having()}
+                workers = [address for address in idle if address in others][:1]
                 idle = [address for address in idle if address not in workers]
             if workers:
                 copies.append((work, workers))
         self._say({w: w.late(now, self.least) for w in late if not w.told}, len(copies))
         return copies
+
+    def _known(self, keys: Iterable[str]) -> list[Copy]:
+        return [self.works[key].copies[key] for key in keys if key in self.works]
 
     def _say(self, late: dict[Work, float], copies: int) -> None:
         """Say once of every item that it is late; values are the seconds it has taken."""

@@ -105,30 +105,29 @@ class _Stream:
         fresh = self.again[:free]
         del self.again[:free]
         fresh += map(self._work, islice(self.source, free - len(fresh)))
-        self.isolated = False if fresh else self.isolated
+        self.isolated = self.isolated and len(fresh) < 2
         if not fresh and not self.flight and self.alone:
             fresh, self.isolated = [self.alone.pop()], True
-        self._send(
-            [w for w in fresh if not w.failed],
-            self.rolls.crew.fit() if self.rolls.crew.left_out else [],
-        )
+        crew = self.rolls.crew
+        self._send([w for w in fresh if not w.failed], crew.fit() if crew.left_out else [])
         for work in fresh:
             if work.failed:
-                self._send([work], self.rolls.crew.fit(work.failed))
+                self._send([work], work.workers(crew))
 
     def _work(self, item: Any) -> Work:
         return Work(item, self.predicted(item))
 
     def _send(self, works: list[Work], workers: list[str]) -> None:
-        """Submit works, to some workers if there are any."""
+        """Submit works, for some workers alone if there are any.
+
+        As a mere wish it would be of no use: idle workers steal, and who fails is soon idle.
+        """
         if works:
-            where: dict[str, Any] = (
-                {"workers": workers, "allow_other_workers": True} if workers else {}
-            )
+            where: dict[str, Any] = {"workers": workers} if workers else {}
             items = [work.item for work in works]
             futures = self.client.map(self.function, items, pure=False, key=self.name, **where)
             for work, future in zip(works, futures, strict=True):
-                self.flight.add(work, future)
+                self.flight.add(work, future, workers)
             self.running.update(futures)
 
     def _take(self) -> list[tuple[Any, Any]]:
@@ -149,16 +148,15 @@ class _Stream:
         work = self.flight.fall(key)
         if work is None:
             return
-        work.failed.append(address)
-        if work.copies:
-            return  # the other may go well
-        killed = isinstance(error, KilledWorker)
-        sick = not (killed or isinstance(error, UserError))
-        if sick and work.to_be_tried_again(bool(self.rolls.crew.fit(work.failed))):
+        work.fail(address, error)
+        if not work.lost(self.rolls.crew.silent):
+            return  # another copy may go well
+        if isinstance(error, UserError) or not work.to_be_tried_again(self.rolls.crew):
+            self.left += self.flight.drop(work)
+            instead = map(self._work, self.retry(work.item, error, self.isolated))
+            (self.alone if isinstance(error, KilledWorker) else self.again).extend(instead)
+        elif not work.copies:  # or else at the next look
             self.again.append(work)
-        else:
-            instead = self.retry(work.item, error, self.isolated)
-            (self.alone if killed else self.again).extend(map(self._work, instead))
 
     def _tick(self) -> None:
         """Now and then look at the workers, and at what they do."""
@@ -180,6 +178,9 @@ class _Stream:
         self.window = max((2 if crew.left_out else PER_THREAD) * crew.threads(), LEAST)
         self.flight.note(crew, now)
         self.flight.stick(self.fetches.overdue(QUIET_SECONDS if stopping else SILENT_SECONDS))
+        for future, error in self.flight.stranded(crew):
+            self.left.append(future)
+            self._fail(str(future.key), "", error)
         if stopping:
             for work in self.flight.unbegun(crew):
                 self.left += self.flight.drop(work)

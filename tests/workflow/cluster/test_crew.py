@@ -1,12 +1,13 @@
 """The workers: silence is noted, failures are blamed on whom they follow, others do the work."""
 
+import time
 from types import SimpleNamespace
 
 import pytest
 from distributed.comm import CommClosedError
 
 from workflow.cluster.calls import Call
-from workflow.cluster.crew import ROLL, Crew, Roll, RollCalls, answer_rolls
+from workflow.cluster.crew import ROLL, Crew, Roll, RollCalls, answer_rolls, call_roll
 from workflow.cluster.watch import Watch
 from workflow.errors import UserError
 
@@ -66,6 +67,41 @@ def test_idle_are_those_that_have_nothing_and_may_have_it():
     called(crew, 0, busy=[A])
     assert crew.fit([B]) == [A, C]
     assert crew.idle([B]) == [C]
+
+
+def test_who_is_paused_is_there_but_not_fit():
+    crew = Crew()
+    called(crew, 0)
+    crew.note(crew.roll._replace(paused=[B]), 1.0)
+    assert (crew.threads(), crew.able([A]), crew.fit(), crew.idle([C])) == (3, [C], [A, C], [A])
+
+
+def test_of_a_failure_that_was_nobody_knows_where_nobody_is_blamed(capsys):
+    crew = Crew()
+    called(crew, 0)
+    for _ in range(5):
+        crew.succeeded(B, [""])
+    assert (crew.left_out, capsys.readouterr().err) == (set(), "")
+
+
+def change(status, address, dask_scheduler):
+    """Let a scheduler take a worker for paused, or running; run there."""
+    dask_scheduler.handle_worker_status_change(status, address, "test")
+
+
+def test_a_scheduler_says_what_nobody_is_there_for_and_who_is_paused(client):
+    """As dask's own says it: the future is for a worker that never was."""
+    first, _ = client.nthreads()
+    future = client.submit(abs, -1, workers=["tcp://127.0.0.1:1"], pure=False)
+    client.run_on_scheduler(change, "paused", first)
+    try:
+        while not (roll := call_roll(client, True)).stranded:
+            time.sleep(0.01)
+    finally:
+        client.run_on_scheduler(change, "running", first)
+    assert ([*roll.stranded], [*roll.paused]) == ([future.key], [first])
+    assert {*roll.threads} == {*client.nthreads()}
+    assert [*call_roll(client, False).paused] == []
 
 
 def test_who_fails_in_a_row_what_others_can_do_is_left_out_and_named(capsys):

@@ -120,13 +120,57 @@ def test_after_a_stop_what_no_worker_has_is_shed_and_what_silent_ones_have_left(
     assert [work.item for work in flight.lost(crew)] == ["short"]
 
 
-FAILED = [([A], True, True), ([A], False, True), ([A, A], False, False), ([A, A], True, True)]
-FAILED += [([A, B], True, False), ([A, A, A, A], True, False)]
+def test_copies_for_workers_that_are_gone_are_stranded_and_others_wait(flight):
+    flight.add(Work("bound", 1.0), Future("bound"), [A])
+    crew = crew_of({})
+    crew.note(crew.roll._replace(stranded=["short", "bound", "unknown"]), 1.0)
+    ((future, error),) = flight.stranded(crew)
+    assert (future.key, error.task, error.allowed_failures) == ("bound", "bound", 0)
+    assert "the task was ." in str(error)  # no worker had it
 
 
-@pytest.mark.parametrize(("failed", "elsewhere", "again"), FAILED)
-def test_an_item_is_given_up_after_two_workers_or_twice_on_the_only_one(failed, elsewhere, again):
-    assert Work("item", 1.0, failed=failed).to_be_tried_again(elsewhere) == again
+HERE, THERE = "tls://10.0.0.1", "tls://10.0.0.2"
+ONLY, BOTH, HOSTS = [A], [A, B], [f"{HERE}:1", f"{HERE}:2", f"{THERE}:1"]
+FAILED = [(ONLY, [A], True), (ONLY, [A, A], False), (BOTH, [A, A], True), (BOTH, [A] * 5, True)]
+FAILED += [(BOTH, [A, B], False), (BOTH, [B, A, A], False), (ONLY, [A, "gone"], False)]
+FAILED += [(HOSTS, HOSTS[:2], True), (HOSTS, HOSTS[1:], False), (HOSTS[:2], HOSTS[:2], False)]
+FAILED += [(BOTH, [""], True), (BOTH, ["", ""], False), (BOTH, [A, ""], False)]  # unknown places
+
+
+@pytest.mark.parametrize(("there", "failed", "again"), FAILED)
+def test_an_item_is_given_up_after_two_places_or_twice_at_the_only_one(there, failed, again):
+    crew, work = Crew(), Work("item", 1.0)
+    crew.note(Roll(dict.fromkeys(there, 1), dict.fromkeys(there, 0.0), {}), 1.0)
+    for address in failed:
+        work.fail(address, OSError())
+    assert work.failed == failed
+    assert work.to_be_tried_again(crew) == again
+
+
+def test_an_item_survives_three_deaths_of_its_workers():
+    crew, work = crew_of({}), Work("item", 1.0)
+    for deaths in range(3):
+        work.fail("", KilledWorker("key", None, deaths))
+        assert work.to_be_tried_again(crew)
+    work.fail("", KilledWorker("key", None, 0))
+    assert (work.deaths, work.failed) == (4, [])
+    assert not work.to_be_tried_again(crew)
+    killed = Work("item", 1.0)
+    killed.fail("", KilledWorker("key", None, 3))  # as dask counts
+    assert not killed.to_be_tried_again(crew)
+
+
+def test_an_item_goes_where_it_did_not_fail_or_else_to_whoever_does_not_have_it():
+    crew, work = crew_of({}), Work("item", 1.0)
+    flight = Flight()
+    flight.add(work, Future("first"))
+    work.copies["first"].address = A
+    work.fail(B, OSError())
+    assert work.workers(crew) == [C]
+    crew.note(crew.roll._replace(paused=[C]), 1.0)
+    assert work.workers(crew) == [B]
+    crew.note(crew.roll._replace(paused=[B, C]), 1.0)
+    assert work.workers(crew) == []
 
 
 def test_an_item_whose_worker_died_gets_one_chance_alone():

@@ -4,6 +4,7 @@ import errno
 import math
 import threading
 import time
+from collections import Counter
 
 import pytest
 from distributed import Client, get_worker
@@ -75,6 +76,34 @@ def test_one_sick_worker_fails_nothing_and_is_left_out_and_named(client, capsys)
     assert done == [max(workers)] * 40
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"worker {min(workers)}: 3 batches in a row failed there")
+
+
+def test_while_the_sound_worker_is_busy_dask_hands_nothing_back_to_the_sick_one(client):
+    """Until dask has twice looked for what to steal, which it does every second."""
+    workers = tuple(client.nthreads())
+    FAILED.clear()
+    DONE.clear()
+    items = [(*workers, number) for number in range(8)]
+    assert len(list(stream(client, sick_beside_a_busy_one, items))) == 8
+    assert {*Counter(FAILED).values()} == {1}
+
+
+FAILED = []  # items, as they fail on the sick worker: one of the threads of this process
+
+
+def sick_beside_a_busy_one(item):
+    """Fail on a worker; take long on the other with what comes first."""
+    *workers, number = item
+    if get_worker().address == min(workers):
+        FAILED.append(number)
+        raise OSError(errno.EIO, "Input/output error")
+    if not DONE:
+        time.sleep(2.5)
+    DONE.append(number)
+    return number
+
+
+DONE = []
 
 
 def test_what_fails_everywhere_is_tried_on_two_workers_before_it_is_given_up(client):

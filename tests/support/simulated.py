@@ -1,0 +1,70 @@
+"""A simulated cluster, behind the interface that a stream of work has with dask's client."""
+
+from collections.abc import Callable
+from types import SimpleNamespace
+from typing import Any
+
+from studies.scaling.virtual import AtOnce
+from tests.support.simulated_workers import Task, Workers
+from workflow.cluster.crew import ROLL
+from workflow.cluster.flow import stream
+from workflow.cluster.watch import Watch
+
+
+class Cluster(Workers):
+    """Stands in for distributed's Client and as_completed."""
+
+    loop = None
+
+    @property
+    def scheduler(self) -> SimpleNamespace:
+        """Return what answers calls."""
+        return SimpleNamespace(**{ROLL: self.handlers.get(ROLL)})
+
+    def run_on_scheduler(self, function: Callable, *arguments: Any) -> Any:
+        """Run a function there."""
+        return function(*arguments, dask_scheduler=self)
+
+    def sync(self, function: Callable) -> Any:
+        """Call the scheduler, which has heard of those that are not silent."""
+        for worker in self.workers.values():
+            worker.last_seen = worker.last_seen if worker.silent else self.now
+        return function()
+
+    def map(
+        self,
+        function: Callable,
+        items: list[Any],
+        workers: list[str] | None = None,
+        allow_other_workers: bool = False,
+        **_: Any,
+    ) -> list[Task]:
+        """Submit items."""
+        del function
+        tasks = [Task(str(next(self.numbers)), i, workers, allow_other_workers) for i in items]
+        for task in tasks:
+            self.tasks[task.key] = task
+            self.assign(task)
+        return tasks
+
+    def gather(self, tasks: list[Task]) -> list[Any]:
+        """Return results."""
+        return [task.value for task in tasks]
+
+    def cancel(self, tasks: list[Task]) -> None:
+        """Forget tasks."""
+
+    def update(self, tasks: list[Task]) -> None:
+        """Wait for these too."""
+
+    def next_batch(self, block: bool) -> list[Task]:
+        """Return what has ended since the last time."""
+        del block
+        ended, self.ended = self.ended, []
+        return ended
+
+
+def streamed(cluster: Cluster, items: list[Any], **how: Any) -> list[tuple[Any, Any]]:
+    """Return what a stream of items through a simulated cluster yields."""
+    simulated = {"clock": cluster, "completed": lambda *_, **__: cluster, "call": AtOnce}
+    return list(stream(cluster, abs, items, Watch(), **how, **simulated))

@@ -1,0 +1,200 @@
+"""Simulated: one sick worker among sound ones fails nothing, whatever becomes of the sound ones."""
+
+import random
+from collections import Counter
+
+import pytest
+from distributed.scheduler import KilledWorker
+
+from tests.support.simulated import Cluster, streamed
+from tests.support.simulated_workers import DIE
+
+ERROR = OSError("Input/output error")
+
+
+def sick(item):
+    """Fail at once, as with a broken disk."""
+    return 0.01, ERROR
+
+
+def sound(item):
+    """Take a second."""
+    return 1.0, item
+
+
+def first(seconds):
+    """Return a sound worker whose first item takes so long, as where all has to be compiled."""
+    times = iter([seconds])
+    return lambda item: (next(times, 1.0), item)
+
+
+class Given:
+    """Notes items that were given up."""
+
+    def __init__(self):
+        self.up = []
+
+    def __call__(self, item, error, alone):
+        self.up.append((item, str(error), alone))
+        return []
+
+
+def tries(cluster, name):
+    """Return how often each item was tried by a worker."""
+    return Counter(item for item, worker in cluster.tried if worker == name)
+
+
+def test_while_the_sound_worker_is_busy_for_long_nothing_is_tried_twice_by_the_sick_one(capsys):
+    cluster, given = Cluster(a=sick, b=first(100.0)), Given()
+    assert sorted(streamed(cluster, range(30), retry=given)) == [(i, i) for i in range(30)]
+    assert given.up == []
+    assert set(tries(cluster, "a").values()) == {1}
+    assert cluster.now < 1000.0 + 100.0 + 31.0
+    assert capsys.readouterr().err.count("3 batches in a row failed there") == 1
+
+
+def test_who_is_left_out_is_given_nothing_any_more():
+    cluster = Cluster(a=sick, b=sound)
+    assert len(streamed(cluster, range(100))) == 100
+    assert 3 <= len(tries(cluster, "a")) <= 10  # a window, or nearly
+
+
+def test_where_the_sound_worker_dies_another_does_what_waited_for_it():
+    cluster = Cluster(a=sick, b=first(1e9))
+    cluster.after(5.0, cluster.join, "c", sound)
+    cluster.after(5.5, cluster.die, "b")
+    assert sorted(streamed(cluster, range(10))) == [(i, i) for i in range(10)]
+    assert set(tries(cluster, "a").values()) == {1}
+
+
+def test_where_the_only_sound_worker_dies_items_fail_twice_on_the_other_and_nothing_waits():
+    cluster, given = Cluster(a=sick, b=first(1e9)), Given()
+    cluster.after(5.0, cluster.die, "b")
+    assert streamed(cluster, range(10), retry=given) == []
+    assert sorted(item for item, _, _ in given.up) == [*range(10)]
+    assert set(tries(cluster, "a").values()) == {2}
+    assert cluster.now < 1010.0
+
+
+def test_where_the_sound_worker_falls_silent_another_does_what_it_has():
+    cluster = Cluster(a=sick, b=sound, c=sound)
+    cluster.after(2.5, cluster.hush, "b")
+    assert sorted(streamed(cluster, range(20))) == [(i, i) for i in range(20)]
+    assert cluster.now < 1070.0
+
+
+def test_where_the_only_sound_worker_falls_silent_nothing_waits_for_it():
+    cluster, given = Cluster(a=sick, b=first(1e9)), Given()
+    cluster.after(5.0, cluster.hush, "b")
+    assert streamed(cluster, range(10), retry=given) == []
+    assert sorted(item for item, _, _ in given.up) == [*range(10)]
+    assert cluster.now < 1040.0  # 30 s, to be known as silent
+
+
+def test_what_comes_of_a_silent_worker_counts_if_it_comes_first():
+    cluster, given = Cluster(a=lambda item: (10.0, ERROR), b=first(20.0)), Given()
+    cluster.after(5.0, cluster.hush, "b")
+    cluster.after(40.0, cluster.wake, "b")
+    assert sorted(streamed(cluster, [1], retry=given)) == [(1, 1)]
+    assert given.up == []
+
+
+def test_where_the_sound_worker_pauses_another_does_what_is_for_it():
+    cluster = Cluster(a=sick, b=sound, c=first(10.0))
+    cluster.pause("b")
+    assert sorted(streamed(cluster, range(10))) == [(i, i) for i in range(10)]
+    assert not tries(cluster, "b")
+
+
+def test_what_two_sick_workers_fail_is_given_up_though_a_third_is_sound():
+    cluster, given = Cluster(a=sick, b=sick, c=first(50.0)), Given()
+    streamed(cluster, range(10), retry=given)
+    for item, said, alone in given.up:
+        assert (said, alone) == (str(ERROR), False)
+        assert (tries(cluster, "a")[item], tries(cluster, "b")[item]) == (1, 1)
+
+
+def test_two_workers_of_one_sick_host_count_as_one():
+    cluster = Cluster(far_1=sick, far_2=sick, far_3=sick, near_1=first(50.0))
+    assert sorted(streamed(cluster, range(30))) == [(i, i) for i in range(30)]
+
+
+def test_the_only_worker_is_tried_twice():
+    cluster, given = Cluster(a=sick), Given()
+    assert streamed(cluster, range(20), retry=given) == []
+    assert tries(cluster, "a") == dict.fromkeys(range(20), 2)
+    outcomes = iter([ERROR, 7])
+    assert streamed(Cluster(a=lambda item: (1.0, next(outcomes))), [7]) == [(7, 7)]
+
+
+def test_who_joins_later_is_tried_before_an_item_is_given_up():
+    cluster = Cluster(a=lambda item: (2.0, ERROR))
+    cluster.after(3.0, cluster.join, "b", sound)
+    assert streamed(cluster, [7]) == [(7, 7)]
+    assert cluster.tried == [(7, "a"), (7, "a"), (7, "b")]
+
+
+def test_what_kills_its_workers_is_blamed_alone_though_another_is_sick():
+    """Whoever dies is replaced by a worker with another address, as by dask's nannies."""
+
+    def poisoned(item):
+        return 0.1, DIE if item == 3 else item
+
+    def once_more(item, error, alone):
+        once = isinstance(error, KilledWorker) and not alone
+        return [item] if once else given(item, error, alone)
+
+    cluster, given = Cluster(a=sick, b0=poisoned, c0=poisoned), Given()
+    cluster.replaced = poisoned
+    others = [(i, i) for i in range(20) if i != 3]
+    assert sorted(streamed(cluster, range(20), retry=once_more)) == others
+    ((item, said, alone),) = given.up
+    assert (item, alone) == (3, True)
+    assert "4 different workers" in said
+    assert len(cluster.workers) == 3
+    assert sum(tries(cluster, name)[3] for name in {name for _, name in cluster.tried}) <= 16
+
+
+def trouble(cluster, seed):
+    """Let sound workers come and go by chance for a minute; return since when each is well."""
+    chance, well = random.Random(seed), {"b": cluster.now}
+
+    def join(name):
+        cluster.join(name, sound)
+        well[name] = cluster.now
+
+    def wake(name):
+        cluster.wake(name)
+        well[name] = cluster.now
+
+    def end(name, how):
+        well.pop(name, None)
+        how(name)
+
+    for number in range(8):
+        name, begin, last = f"s{number}", chance.uniform(0.0, 60.0), chance.uniform(0.0, 60.0)
+        cluster.after(begin, join, name)
+        how = chance.choice([cluster.die, cluster.hush, cluster.pause])
+        cluster.after(begin + last, end, name, how)
+        if how != cluster.die:
+            cluster.after(begin + last + chance.uniform(0.0, 60.0), wake, name)
+    cluster.after(chance.uniform(0.0, 60.0), end, "b", cluster.die)
+    cluster.after(130.0, join, "last")
+    return well
+
+
+@pytest.mark.parametrize("seed", range(20))
+def test_nothing_is_given_up_while_somebody_is_well_and_nothing_hangs(seed):
+    cluster, done = Cluster(a=sick, b=first(20.0)), []
+    well = trouble(cluster, seed)
+
+    def give_up(item, error, alone):
+        if isinstance(error, KilledWorker) and not alone:
+            return [item]
+        assert all(cluster.now - since < 2.0 for since in well.values()), well  # a roll, and a half
+        done.append(item)
+        return []
+
+    done += [item for item, _ in streamed(cluster, range(60), retry=give_up)]
+    assert sorted(done) == [*range(60)]
+    assert max(tries(cluster, "a").values()) <= 8
