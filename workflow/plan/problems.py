@@ -72,6 +72,23 @@ def together(problems: list[Problem]) -> list[tuple[np.ndarray, Problem]]:
     return found
 
 
+def sharers(many: Problem, steps: Numbers) -> tuple[np.ndarray, np.ndarray]:
+    """Return of each of many problems how many loads share its sweeps, and tasks its lines."""
+    lines = _numbered(many.hurst, many.elements, steps)
+    sweeps = _numbered(lines, many.speed)
+    _, first = np.unique(_numbered(sweeps, many.load), return_index=True)  # of several steps one
+    return np.bincount(sweeps[first])[sweeps], np.bincount(lines)[lines]
+
+
+def _numbered(*columns: Numbers) -> np.ndarray:
+    """Return numbers that are equal where all columns are, from 0 on; one may be one number."""
+    found = np.zeros(np.shape(columns[0]), np.int64)
+    for column in columns:
+        values, inverse = np.unique(column, return_inverse=True)
+        found = found * values.size + inverse
+    return np.unique(found, return_inverse=True)[1]
+
+
 def _times(material: Material, points: Points) -> np.ndarray:
     """Return tau (s) at every point."""
     if "temperature" not in points:

@@ -12,7 +12,7 @@ from kernels import Origin, Quantities
 from workflow.plan.cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
 from workflow.plan.goal import Goal, goal_of
 from workflow.plan.motion import recording_of
-from workflow.plan.problems import distinct_problems, together
+from workflow.plan.problems import distinct_problems, sharers, together
 from workflow.plan.resolution import horizon_steps, steps_per_spacing
 from workflow.simulate import CODE, Problem, Recording, Surface, Task, kept_steps
 from workflow.study import Material, Numerics, Study
@@ -111,7 +111,9 @@ def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _
         march_steps = horizon_steps(many, numerics, steps) if asked.relaxation else 0 * steps
         for row, own in enumerate((steps, march_steps)):  # one for all if given
             found[0][row, rows] = own
-        parts = typical_seconds(asked, Work(many, steps, march_steps, numerics.refines), recording)
+        shared = sharers(many, steps)
+        work = Work(many, steps, march_steps, numerics.refines, *shared)
+        parts = typical_seconds(asked, work, recording)
         for column, part in enumerate(PARTS):
             found[1][rows, column] = parts[part]
         if goal:

@@ -3,13 +3,20 @@
 import itertools
 import math
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from tests.support.small import complaint, keys, small_plan, small_study
 from workflow.plan.motion import canonical
-from workflow.plan.problems import distinct_problems, speed_ratio, together, viscous_pressure
+from workflow.plan.problems import (
+    distinct_problems,
+    sharers,
+    speed_ratio,
+    together,
+    viscous_pressure,
+)
 from workflow.simulate.tasks import Problem
 from workflow.study.grid import AXES
 
@@ -62,6 +69,22 @@ def test_every_point_is_mapped_to_its_own_problem_and_copies_to_one():
         assert problem.elements == round(0.01 / point["spacing"])
         expected = (load, speed, 1.0 + point["velocity_step"])
         assert problem[2:5] == pytest.approx(expected, rel=1e-11)
+
+
+@pytest.mark.parametrize("steps", [4, (1, 2)])
+def test_loads_share_sweeps_and_tasks_lines_where_all_else_is_the_same(steps):
+    found = problems("grid.velocity_step=[0.1, 0.2]", "grid.spacing=[1e-4, 2e-4]")
+    chosen = [own for own in found if own.load > 0.05 or own.hurst < 0.5]  # one load is missing
+    each = np.full(len(chosen), steps) if steps == 4 else np.resize(steps, len(chosen))
+    ((rows, many),) = together(chosen)
+    assert rows.tolist() == list(range(len(chosen)))
+    loads, tasks = sharers(many, steps if steps == 4 else each)
+    lines = [(own.hurst, own.elements, m) for own, m in zip(chosen, each, strict=True)]
+    sweeps = [(*line, own.speed) for line, own in zip(lines, chosen, strict=True)]
+    for row, (line, sweep) in enumerate(zip(lines, sweeps, strict=True)):
+        others = {own.load for own, at in zip(chosen, sweeps, strict=True) if at == sweep}
+        assert loads[row] == len(others)
+        assert tasks[row] == lines.count(line)
 
 
 @given(st.floats(1e-9, 0.9), st.sampled_from([-1.0, 1.0]))

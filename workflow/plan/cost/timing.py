@@ -15,35 +15,47 @@ from workflow.plan.cost.work import DRAW, DRAWING, PARTS, Work, typical_seconds
 from workflow.simulate import Batch, Problem, Recording, Task, block_means
 from workflow.system import processor
 
+FOUR = (0.003, 0.03, 0.3, 3.0)
 ROUNDS = 5  # of all probes; the quickest of each part counts, the slowest tells how far it varies
-LOADS = (0.003, 0.03, 0.3, 3.0)
-# H, N, vbar, m, steps to march: lines in the first, second and third cache, and long marches.
+# H, N, vbar, m, steps to march, loads, blocks of four lines: one load and many that share sweeps,
+# lines in the first, second and third cache, narrow contacts and wide ones. Together they take as
+# long over what is typical as the batches of all studies do.
 PROBES = (
-    (0.7, 250, 1.0, 4, 24),
-    (0.7, 1000, 3.0, 4, 300),
-    (0.3, 5000, 1.0, 4, 24),
-    (0.7, 5000, 30.0, 4, 100),
-    (0.7, 50_000, 3.0, 4, 24),
+    (0.7, 5000, 1.0, 4, 60, (0.1,), 4),
+    (0.3, 5000, 1.0, 4, 24, FOUR, 2),
+    (0.7, 5000, 30.0, 4, 100, FOUR, 2),
+    (0.7, 50_000, 3.0, 4, 24, FOUR, 1),
+    (0.3, 2000, 30.0, 8, 20, tuple(np.geomspace(0.01, 1.0, 5)), 1),
+    (0.5, 1000, 10.0, 8, 30, tuple(np.geomspace(0.003, 10.0, 20)), 1),
 )
 RECORDING = Recording(64)
 
 
-def batch(hurst: float, elements: int, speed: float, steps: int, march_steps: int) -> Batch:
-    """Return the batch of a probe: four lines under all loads."""
-    problems = [Problem(hurst, elements, load, speed, 1.2) for load in LOADS]
+def batch(
+    hurst: float,
+    elements: int,
+    speed: float,
+    steps: int,
+    march_steps: int,
+    loads: tuple[float, ...],
+    blocks: int,
+) -> Batch:
+    """Return the batch of a probe."""
+    problems = [Problem(hurst, elements, load, speed, 1.2) for load in loads]
     tasks = tuple(Task(problem, steps, march_steps, "") for problem in problems)
-    return Batch(1, "modal", Quantities(), "exponential", RECORDING, tasks, 0, 1, 4, 0.0)
+    return Batch(1, "modal", Quantities(), "exponential", RECORDING, tasks, 0, blocks, 4, 0.0)
 
 
 def typical(probe: Batch) -> np.ndarray:
     """Return the typical seconds of the parts of a probe."""
     found = np.zeros(len(PARTS))
+    count = len(probe.tasks)  # on the same lines at the same speed
     for task in probe.tasks:
-        work = Work(task.problem, task.steps_per_spacing, task.march_steps)
+        work = Work(task.problem, task.steps_per_spacing, task.march_steps, True, count, count)
         found += list(typical_seconds(probe.quantities, work, RECORDING).values())
     samples = probe.tasks[0].problem.elements * probe.tasks[0].steps_per_spacing
     found[PARTS.index(DRAWING)] = DRAW(samples)
-    return probe.realizations_per_block * found
+    return probe.blocks * probe.realizations_per_block * found
 
 
 def used(probe: Batch) -> np.ndarray:

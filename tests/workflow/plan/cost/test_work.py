@@ -24,6 +24,7 @@ from workflow.plan.cost.work import (
 )
 from workflow.simulate.tasks import Problem, Recording
 
+SIZES = 1000, 1_000_000
 CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
 ALL = Quantities()
 
@@ -34,9 +35,10 @@ def parts(elements=2500, march_steps=100, asked=ALL):
     return typical_seconds(asked, Work(problem, 4, march_steps), Recording(64))
 
 
-def parts_of(problem, steps, march_steps):
-    """Return the typical time of a problem by part."""
-    return typical_seconds(ALL, Work(problem, steps, march_steps), Recording(64))
+def parts_of(problem, steps, march_steps, loads=1):
+    """Return the typical time of a problem by part, where so many loads share its sweeps."""
+    work = Work(problem, steps, march_steps, True, loads, loads)
+    return typical_seconds(ALL, work, Recording(64))
 
 
 def seconds(**what):
@@ -67,6 +69,27 @@ def test_more_samples_never_take_less_time(size, factor):
 )
 def test_more_work_takes_more_time(less):
     assert seconds() > seconds(**less)
+
+
+def test_loads_at_a_speed_and_tasks_on_lines_share_what_they_can():
+    def whole(count, **shared):
+        problem = Problem(0.7, 2500, 0.05, 1.0, 1.2)
+        work = Work(problem, 4, 100, True, **shared)
+        return {part: count * t for part, t in typical_seconds(ALL, work, Recording(64)).items()}
+
+    alone, together = whole(20), whole(20, loads=20, tasks=20)
+    for part in ("steady", "jump", "calls"):
+        assert whole(1)[part] < together[part] < 0.8 * alone[part]
+    assert together["marching"] == alone["marching"]
+    on_a_line = whole(20, tasks=20)  # at speeds of their own
+    assert on_a_line["steady"] == alone["steady"]
+    assert together["calls"] < on_a_line["calls"] < alone["calls"]
+
+
+def test_what_would_take_too_many_fine_samples_is_not_refined():
+    few, many = (fine_samples(Problem(0.2, n, 0.1, 30.0, 1.2), 8.0 * n, 0.5, 3.0) for n in SIZES)
+    assert 8.0 * SIZES[0] < few
+    assert many < 0.1 * MOST_SAMPLES
 
 
 def test_every_part_is_told_and_what_is_not_asked_for_takes_none():
@@ -138,4 +161,5 @@ def test_full_contact_takes_no_marching_to_speak_of():
 
 def test_narrow_contacts_are_dear_where_they_are_refined():
     problem = Problem(0.2, 10_000, 0.1, 30.0, 1.2)
-    assert parts_of(problem, 8, 20)["steady"] > 5.0 * parts_of(problem, 2, 20)["steady"] > 0.0
+    refined, plain = (parts_of(problem, m, 20, loads=20)["steady"] for m in (8, 2))
+    assert refined > 5.0 * plain > 0.0
