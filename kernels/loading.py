@@ -17,7 +17,9 @@ from typing import Any
 import numpy as np
 from numba.core import event
 
-from kernels.active.setting import Setting
+from kernels.active.lists import rises_of
+from kernels.active.march import active_march
+from kernels.active.setting import Passing, Setting
 from kernels.cache import WAITING, compiling
 from kernels.case import Case, Quantities
 from kernels.control.force import ConstantForce
@@ -25,7 +27,7 @@ from kernels.control.printed_eq3 import PrintedForce
 from kernels.garbage import nothing_collected
 from kernels.patches.fine_line import mark_touchable, marked
 from kernels.patches.refined import MARGIN
-from kernels.realization import relaxation, run_cases
+from kernels.realization import plain_relaxation, run_cases
 from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State, law_of
@@ -67,9 +69,11 @@ def load_half(scheme: str, rate: bool) -> None:
     spans = Spans(sums, sums, sums, sums, sums, sums, np.zeros(4), int(np.argmin(z)))
     carry(Decay(*law), z, spans, sums, state.d, None, state.w)  # the first that are needed
     marked(mark_touchable(z, slope, spans, state, 1.0 / steps, MARGIN), SPAN)
-    setting = Setting(z, slope, law, law, state, state)
-    for kept in (FEW, MANY):
-        relaxation(setting, ConstantForce(load) if rate else PrintedForce(load), kept)
+    control = ConstantForce(load) if rate else PrintedForce(load)
+    plain_relaxation(z, slope, law, (state, state), control, FEW)
+    passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
+    setting = Setting(z, slope, spans, rises_of(z, slope), law, law, passing, passing)
+    active_march(setting, control, MANY)
 
 
 def _line() -> Line:

@@ -8,8 +8,9 @@ from collections.abc import Sequence
 
 import numpy as np
 
+from kernels.active.lists import rises_of
 from kernels.active.march import active_march
-from kernels.active.setting import Setting
+from kernels.active.setting import Passing, Setting
 from kernels.case import Case, Clocks, Outcome, Quantities
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
@@ -18,6 +19,8 @@ from kernels.limits import LOADS, SPEEDS, check_between
 from kernels.march import march
 from kernels.memory_case import run_memory_case
 from kernels.patches.steady_friction import Ground, Sliding, refine, steady_friction
+from kernels.rheology.kelvin import Kelvin
+from kernels.rheology.law import State
 from kernels.rheology.spectrum import shortest_step
 from kernels.surfaces.line import Line
 
@@ -92,15 +95,22 @@ def _run_loads(ground: Ground, cases: list[Case], asked: Quantities) -> list[Out
                 two = steady_friction(ground, ratio * speed, scheme, loads, one.d)
                 clocks.lap(steady=two.updates + n)
             twos.append(two)
-    return [_under_load(one, twos, i, case, asked, clocks) for i, case in enumerate(cases)]
+    rises = rises_of(ground.line.z, ground.line.slope) if asked.relaxation else None
+    return [_under_load(one, twos, rises, i, case, asked, clocks) for i, case in enumerate(cases)]
 
 
 def _under_load(
-    one: Sliding, twos: list[Sliding], i: int, case: Case, asked: Quantities, clocks: Clocks
+    one: Sliding,
+    twos: list[Sliding],
+    rises: np.ndarray | None,
+    i: int,
+    case: Case,
+    asked: Quantities,
+    clocks: Clocks,
 ) -> Outcome:
     """Return what is found under load i: at v1, and for each velocity step at v2 and between.
 
-    twos : steady sliding at each v2, or nothing.
+    twos : steady sliding at each v2, or nothing. rises : of the line (active/lists.py), to march.
     """
     n, others = one.ground.line.z.size, len(case.ratios) if asked.jump else 0
     refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
@@ -112,8 +122,8 @@ def _under_load(
             work += two.updates[i]
         mu_2[k] = two.mu[i]
         clocks.lap_alone(i, steady=1.0)
-        if asked.relaxation:
-            curve, updates = _curve(one, two, i, case.kept_steps[k], asked)
+        if rises is not None:
+            curve, updates = _curve(one, two, rises, i, case.kept_steps[k], asked)
             curves.append(mu_2[k] + curve)
             work += updates
             clocks.lap_alone(i, marching=1.0)
@@ -136,7 +146,12 @@ def _under_load(
 
 
 def _curve(
-    one: Sliding, two: Sliding, i: int, kept_steps: np.ndarray, asked: Quantities
+    one: Sliding,
+    two: Sliding,
+    rises: np.ndarray,
+    i: int,
+    kept_steps: np.ndarray,
+    asked: Quantities,
 ) -> tuple[np.ndarray, int]:
     """Return the deviation of mu from mu_2 under load i after the step, and element updates.
 
@@ -145,21 +160,35 @@ def _curve(
     """
     if one.full[i] and two.full[i]:
         return np.zeros(kept_steps.size), 0
-    line, control = one.ground.line, ConstantForce if asked.indentation_rate else PrintedForce
-    setting = Setting(line.z, line.slope, one.law, two.law, one.state(i), two.state(i))
-    return relaxation(setting, control(float(one.loads[i])), kept_steps)
-
-
-def relaxation(
-    setting: Setting, control: ConstantForce | PrintedForce, kept_steps: np.ndarray
-) -> tuple[np.ndarray, int]:
-    """Return the deviation from the steady friction at v2, and the element updates."""
-    work = 0
-    if kept_steps[-1] * setting.z.size > FEW:
-        mu, _, settled, work, inside = active_march(setting, control, kept_steps)
+    line, spans, _ = one.ground
+    control = ConstantForce if asked.indentation_rate else PrintedForce
+    load, work = control(float(one.loads[i])), 0
+    if kept_steps[-1] * line.z.size > FEW:
+        start, end = (
+            Passing(at.decay, at.own.stay, at.entered[i], float(at.d[i])) for at in (one, two)
+        )
+        setting = Setting(line.z, line.slope, spans, rises, one.law, two.law, start, end)
+        mu, _, settled, work, inside = active_march(setting, load, kept_steps)
         if inside:
             return mu - settled, work
-    z, slope, _, law, one, two = setting
+    law, states = two.law, (one.state(i), two.state(i))
+    curve, more = plain_relaxation(line.z, line.slope, law, states, load, kept_steps)
+    return curve, work + more
+
+
+def plain_relaxation(
+    z: np.ndarray,
+    slope: np.ndarray,
+    law: Kelvin,
+    states: tuple[State, State],
+    control: ConstantForce | PrintedForce,
+    kept_steps: np.ndarray,
+) -> tuple[np.ndarray, int]:
+    """Return the deviation from the steady friction at v2, and the element updates.
+
+    law : at v2. states : of steady sliding at v1 and at v2.
+    """
+    work, (one, two) = 0, states
     weight = lagged_slope(slope, law.lag)
     # d stays between its steady values but for a transient. It never exceeds what one element
     # needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.

@@ -2,14 +2,14 @@
 
 import numpy as np
 
-from kernels.active.bounds import first_indentation
+from kernels.active.bounds import first_thresholds
 from kernels.active.setting import advance, rise
-from kernels.active.strips import overlap_of
-from kernels.contact import weighted_overlap
+from kernels.contact import overlap, weighted_overlap
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
 from kernels.jit import by_type, kernel
 
+STRIP = 32  # samples, and partial sums
 MOST_PASSES = 100  # a few do; what takes more is left to the plain march
 
 
@@ -39,7 +39,10 @@ def amend(control, noted, flights, d):
 
 @foresee.of(ConstantForce)
 def _foresee(control, setting):
-    return first_indentation(setting, control.load)
+    c, sums = first_thresholds(setting)
+    target, d = control.load / setting.law.stiffness, setting.start.d
+    new, _ = _root(setting.law, c, None, sums, sums.samples, target, d, d)
+    return new if np.isfinite(new) else d
 
 
 @note.of(ConstantForce)
@@ -148,3 +151,32 @@ def _root(law, c, weight, sums, slope, target, d, guess):
             now = new
         before = count
     return np.nan, MOST_PASSES
+
+
+@kernel
+def overlap_of(c, d):
+    """Return (sum of d - c_i, number) over the touching elements c_i < d, as overlap does.
+
+    That one is faster for few elements.
+    """
+    if c.size < 4 * STRIP:
+        return overlap(c, d)
+    depth, count = np.zeros(STRIP), np.zeros(STRIP)
+    strips = c.size // STRIP
+    for s in range(strips):
+        part = c[s * STRIP : (s + 1) * STRIP]
+        for i in range(STRIP):
+            p = d - part[i]
+            depth[i] += p if p > 0.0 else 0.0
+            count[i] += 1.0 if p > 0.0 else 0.0
+    total, touching = overlap(c[strips * STRIP :], d)
+    return total + in_order(depth), touching + in_order(count)
+
+
+@kernel
+def in_order(parts):
+    """Return the sum of partial sums, from the first to the last."""
+    total = 0.0
+    for part in parts:
+        total += part
+    return total

@@ -167,27 +167,3 @@ def arriving(flights, f, least, most, steps):
     for slot in range(begin, end):
         low, high = min(low, flights.values[slot]), max(high, flights.values[slot])
     return low, high
-
-
-@kernel
-def aloft(law, lists, runs, flights, d, w, steps):
-    """Fill in w, shape (n,), the displacements of all elements in runs and on their way to them.
-
-    d : indentation now. steps : still to come; who would arrive later is left out.
-    """
-    powers = powers_of(law.decay, steps)
-    f = 0
-    for r in range(runs.top.size):
-        if not (runs.sure[r] and runs.distance[r] == 1):
-            begin, end, place = flights.begin[f], flights.begin[f + 1], flights.place[f]
-            for k in range(1, min(runs.distance[r], powers.size - 1) + 1):
-                j = runs.top[r] + k
-                arrival = flights.values[place]
-                w[j - w.size if j >= w.size else j] = arrival / powers[k] if arrival else 0.0
-                place += 1
-                if place == end:
-                    place = begin if flights.round[f] else end - 1
-            f += 1
-    for r in range(runs.top.size):
-        for i in range(lists.first[r], lists.first[r + 1]):
-            w[runs.bottom[r] + i - lists.first[r]] = lists.z[i] - max(lists.c[i], d)

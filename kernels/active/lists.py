@@ -1,11 +1,20 @@
-"""What is stepped: the listed samples, and the others that touch, as sums."""
+"""What is stepped: the listed samples, run after run, and the others that touch, as sums.
+
+The sums go span by span, from those that are known of the line. Over a span, from its first sample
+0 to the first one upstream of it, let Delta f_j = f_(j+1) - f_j. Then
+
+    level - a_j = (level - z_j / K) + E Delta z_j,    lagged slope = s_j + lag Delta s_j,
+
+so that their sums, and that of their products, need the sums of spans.py and those of
+(s_j - s_0) Delta z_j and Delta z_j Delta s_j: no sample is visited.
+"""
 
 from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.strips import STRIP, add_stretch, in_order
 from kernels.jit import kernel
+from kernels.steady.spans import SPAN
 
 
 class Lists(NamedTuple):
@@ -15,6 +24,15 @@ class Lists(NamedTuple):
     z: np.ndarray  # heights
     weight: np.ndarray  # lagged slopes (friction.py)
     c: np.ndarray  # thresholds of the last step (contact.py)
+
+
+class Met(NamedTuple):
+    """Listed samples as a walk against the motion meets them, run after run."""
+
+    z: np.ndarray  # heights
+    weight: np.ndarray  # lagged slopes
+    c: np.ndarray  # thresholds in steady sliding at v1
+    after: np.ndarray  # and at v2
 
 
 class Sums(NamedTuple):
@@ -28,41 +46,18 @@ class Sums(NamedTuple):
 
 
 @kernel
-def lagged(slope, lag, j):
-    """Return the lagged slope of one sample (friction.py)."""
-    return slope[j] + lag * (slope[j + 1 if j + 1 < slope.size else 0] - slope[j])
-
-
-@kernel
-def lists_of(setting, bounds, runs):
-    """Return the Lists of some Runs at the start of a march."""
+def lists_of(runs, met):
+    """Return the Lists of all Runs at the start of a march."""
     first = np.zeros(runs.top.size + 1, np.int64)
     for r in range(runs.top.size):
         first[r + 1] = first[r] + runs.top[r] - runs.bottom[r] + 1
     z, weight, c = np.empty(first[-1]), np.empty(first[-1]), np.empty(first[-1])
     for r in range(runs.top.size):
-        i = first[r]
-        for j in range(runs.bottom[r], runs.top[r] + 1):
-            # What lies higher cannot touch at any height: low, it costs w no digits.
-            z[i] = min(setting.z[j], bounds.high)
-            weight[i] = lagged(setting.slope, setting.law.lag, j)
-            c[i] = z[i] - setting.start.w[j]
-            i += 1
+        k = first[r + 1] - 1
+        for i in range(first[r], first[r + 1]):
+            z[k], weight[k], c[k] = met.z[i], met.weight[i], met.c[i]
+            k -= 1
     return Lists(first, z, weight, c)
-
-
-@kernel
-def sums_of(setting, stretches):
-    """Return the Sums over stretches."""
-    z, slope, law = setting.z, setting.slope, setting.law
-    level = setting.end.d / law.stiffness
-    depth, weight, moment = np.zeros(STRIP), np.zeros(STRIP), np.zeros(STRIP)
-    samples = 0
-    for s in range(stretches.start.size):
-        start, stop = stretches.start[s], stretches.stop[s]
-        add_stretch(law, z, slope, level, start, stop, depth, weight, moment)
-        samples += stop - start
-    return Sums(level, float(samples), in_order(depth), in_order(weight), in_order(moment))
 
 
 @kernel
@@ -85,3 +80,56 @@ def weighed(c, weight, d):
         depth = max(d - c[i], 0.0)
         p0, m0 = p0 + depth, m0 + depth * weight[i]
     return (p0 + p1) + (p2 + p3), (m0 + m1) + (m2 + m3)
+
+
+@kernel
+def rises_of(z, slope):
+    """Return the sums of (s_j - s_0) Delta z_j and of Delta z_j Delta s_j over every whole span.
+
+    z (in h), slope (in h/dx) : shape (n,), periodic.
+    """
+    count = z.size // SPAN
+    rises = np.empty((2, count))
+    for b in range(count):
+        first = b * SPAN
+        one = other = 0.0
+        for j in range(first, first + SPAN):
+            above = j + 1 if j + 1 < z.size else 0
+            up = z[above] - z[j]
+            one += (slope[j] - slope[first]) * up
+            other += (slope[above] - slope[j]) * up
+        rises[0, b], rises[1, b] = one, other
+    return rises
+
+
+@kernel
+def add_span(setting, level, b, tally):
+    """Add a span all of whose samples always touch to a tally: samples, depth, weight, moment."""
+    spans, law, first = setting.spans, setting.law, b * SPAN
+    above = first + SPAN if first + SPAN < setting.z.size else 0
+    z, s = setting.z[first], setting.slope[first]
+    up, turn = setting.z[above] - z, setting.slope[above] - s
+    one, other = setting.rises[0, b], setting.rises[1, b]
+    deep, slopes = level - z / law.stiffness, SPAN * s + spans.slope[b]
+    tally[0] += SPAN
+    tally[1] += SPAN * deep - spans.height[b] / law.stiffness + law.decay * up
+    tally[2] += slopes + law.lag * turn
+    moment = deep * slopes - (spans.work[b] + s * spans.height[b]) / law.stiffness
+    lagging = deep * turn - (up * turn - one - other) / law.stiffness
+    tally[3] += moment + law.lag * lagging + law.decay * ((one + s * up) + law.lag * other)
+
+
+@kernel
+def add_sample(setting, level, j, steep, tally):
+    """Add one sample that always touches to a tally. steep : a_j."""
+    depth, weight = level - steep, lagged(setting.slope, setting.law.lag, j)
+    tally[0] += 1.0
+    tally[1] += depth
+    tally[2] += weight
+    tally[3] += depth * weight
+
+
+@kernel
+def lagged(slope, lag, j):
+    """Return the lagged slope of one sample (friction.py)."""
+    return slope[j] + lag * (slope[j + 1 if j + 1 < slope.size else 0] - slope[j])

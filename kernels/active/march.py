@@ -2,6 +2,7 @@
 
 import numpy as np
 
+from kernels.active.aloft import aloft, aloft_at_first
 from kernels.active.balance import amend, foresee, note, settle
 from kernels.active.bounds import (
     NOTHING,
@@ -11,8 +12,8 @@ from kernels.active.bounds import (
     including,
     widened,
 )
-from kernels.active.flights import aloft, arrivals_of, arrive, depart
-from kernels.active.lists import lists_of, sums_of, weighed
+from kernels.active.flights import arrivals_of, arrive, depart
+from kernels.active.lists import lists_of, weighed
 from kernels.active.narrow import narrowed
 from kernels.active.runs import classes_of
 from kernels.active.setting import advance
@@ -36,13 +37,16 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
     mu, indentation = np.empty(kept_steps.size), np.empty(kept_steps.size)
     guess = foresee(control, setting)
     bounds = first_bounds(setting, guess, margins[0])
-    settled, work, inside = np.nan, 0, False
+    settled, work, inside, w = np.nan, 0, False, np.empty(setting.z.size)
     for attempt in range(1, len(margins) + 1):
-        runs, stretches = classes_of(setting, bounds)
-        lists = lists_of(setting, bounds, runs)
-        sums = sums_of(setting, stretches)
-        settled = steady_average(setting, runs, lists, sums)
-        arrivals = arrivals_of(law, lists, runs, start, setting.z, kept_steps[-1])
+        runs, met, sums = classes_of(setting, bounds)
+        lists = lists_of(runs, met)
+        depth, moment = weighed(met.after, met.weight, setting.end.d)
+        settled = (sums.moment + moment) / (
+            sums.depth + depth
+        )  # averaged over a step (friction.py)
+        aloft_at_first(setting, lists, runs, kept_steps[-1], w)
+        arrivals = arrivals_of(law, lists, runs, State(w, start.d), setting.z, kept_steps[-1])
         inside, d, push, used = follow(
             setting,
             control,
@@ -59,18 +63,6 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
             break
         bounds = widened(law, bounds, d, push, margins[attempt])
     return mu, indentation, settled, work, inside
-
-
-@kernel
-def steady_average(setting, runs, lists, sums):
-    """Return mu averaged over a step of steady sliding at v2 (friction.py)."""
-    c, i = np.empty(lists.c.size), 0
-    for r in range(runs.top.size):
-        for j in range(runs.bottom[r], runs.top[r] + 1):
-            c[i] = setting.z[j] - setting.end.w[j]
-            i += 1
-    depth, moment = weighed(c, lists.weight, setting.end.d)
-    return (sums.moment + moment) / (sums.depth + depth)
 
 
 @kernel

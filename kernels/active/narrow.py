@@ -62,7 +62,7 @@ def narrowed(law, line, bounds, runs, lists, sums, flights, d, steps):
             steep = rise(law, line[j], line[j + 1 if j + 1 < n else 0])
             c = lists.c[i] + (line[j] - lists.z[i])
             least, most, reach = _reach(law, bounds, line[j], c, d, steep, reach, w)
-            kind = class_of(ALWAYS, held and reach.high == 0.0, least, most)
+            kind = class_of(False, held and reach.high == 0.0, least, most)
             if kind == ALWAYS:
                 depth = sums.level - steep
                 parts[0] += 1.0

@@ -1,23 +1,35 @@
-"""Runs of samples of which it is open whether they touch, and stretches that always do: one walk.
+"""Runs of samples of which it is open whether they touch, and sums of those that do: one walk.
 
 The gap g_j(t) = c_j(t) - d(t) above the element at sample j is negative where it touches. With
 a_j and D of setting.py
 
     g_j(t) = a_j - D(t) + E max(g_(j+1)(t - 1), 0),
 
-so the bounds of D bound g from sample to sample against the motion; others are in marks.py.
+so the bounds of D bound g from sample to sample against the motion; others are in marks.py. Spans
+that always touch or never do are passed at once; in the others, which are few, the displacements
+of both steady states are found again.
 """
 
 from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.marks import ALL_ALWAYS, ALWAYS, FREE, OPEN, WORD, levels_of, marks_of
+from kernels.active.lists import Met, Sums, add_sample, add_span, lagged
+from kernels.active.marks import (
+    ALWAYS,
+    FORCED,
+    FREE,
+    always,
+    levels_of,
+    mark_of_first,
+    never,
+    reached,
+)
 from kernels.active.setting import rise
 from kernels.jit import kernel
+from kernels.steady.spans import SPAN
 
 LISTED = 2  # at times it touches, at times it does not, for all that the bounds tell
-FORCED = 4  # a mark: listed whatever the bounds tell
 SHORT = 8  # samples: what is never touched but this near is cheaper to list than to fly over
 UNKNOWN = 1e200  # a bound of gaps that says nothing
 
@@ -31,114 +43,127 @@ class Runs(NamedTuple):
     sure: np.ndarray  # whether that sample always touches
 
 
-class Stretches(NamedTuple):
-    """Stretches [start, stop) of samples that always touch, as their upstream neighbours do."""
-
-    start: np.ndarray
-    stop: np.ndarray
-
-
 @kernel
 def classes_of(setting, bounds):
-    """Return (Runs, Stretches) of a line; every other sample never touches within the bounds."""
+    """Return (Runs, Met, Sums) of a line; every other sample never touches within the bounds."""
     levels = levels_of(setting, bounds)
-    marks = marks_of(setting, bounds, levels)
+    first = mark_of_first(setting, bounds, levels)
     # All round the line samples may hold each other in contact: supposed first, then seen.
-    runs, stretches, high = walk(setting, bounds, levels, marks)
-    if marks[0] == ALWAYS and high > 0.0:
-        marks[0] = FORCED
-        runs, stretches, _ = walk(setting, bounds, levels, marks)
-    return runs, stretches
+    runs, met, sums, high = walk(setting, bounds, levels, first)
+    if first == ALWAYS and high > 0.0:
+        runs, met, sums, _ = walk(setting, bounds, levels, FORCED)
+    return runs, met, sums
 
 
 @kernel
-def walk(setting, bounds, levels, marks):
-    """Return (Runs, Stretches, high), ``high`` the upper bound of max(g, 0) at z[0].
+def walk(setting, bounds, levels, first):
+    """Return (Runs, Met, Sums, high), ``high`` the upper bound of max(g, 0) at z[0].
 
-    Where z[0] is marked as ALWAYS it is taken to be in contact, which ``high`` then tells.
+    first : the mark of z[0]. Where it is ALWAYS it is taken to be in contact, which ``high`` then
+    tells.
     """
-    n = setting.z.size
-    top, bottom, distance = (
-        np.empty(n // 2 + 1, np.int64),
-        np.empty(n // 2 + 1, np.int64),
-        np.empty(n // 2 + 1, np.int64),
-    )
-    sure = np.empty(n // 2 + 1, np.bool_)
-    start, stop = np.empty(n // 2 + 1, np.int64), np.empty(n // 2 + 1, np.int64)
-    count = blocks = 0
-    words = marks.view(np.int64)
-    if marks[0] == OPEN:
-        marks[0] = FORCED
+    n, whole = setting.z.size, setting.spans.lowest.size
+    level, tally = setting.end.d / setting.law.stiffness, np.zeros(4)
+    runs, met = _room(n)
     # Elements come to the end of the line from z[0], or from beyond it if it never touches.
-    source, from_sure, kind = n, marks[0] == ALWAYS, FREE
+    kind, source, from_sure = FREE, n, first == ALWAYS
     low, high = 0.0, (0.0 if from_sure else UNKNOWN)  # bounds of max(g, 0) one sample before
-    j = n - 1
-    while j >= 0:
-        mark, last, was = marks[j], j, kind
-        if mark == FREE or (mark == ALWAYS and high == 0.0):
-            kind, last = mark, same_until(marks, words, j)
-            low, high = 0.0, (UNKNOWN if mark == FREE else 0.0)
+    count = size = 0  # of runs, and of listed samples
+    for b in range(setting.start.entered.size - 1, -1, -1):
+        if b < whole and (b > 0 or first != FORCED):
+            if never(setting, bounds, levels, b):
+                kind, low, high = FREE, 0.0, UNKNOWN
+                continue
+            if high == 0.0 and always(setting, bounds, b):
+                add_span(setting, level, b, tally)
+                kind, source, from_sure = ALWAYS, b * SPAN, True
+                continue
+        at = kind, source, from_sure, low, high, count, size
+        at = _visit(setting, bounds, levels, first, b, at, runs, met, level, tally)
+        kind, source, from_sure, low, high, count, size = at
+    if first == FREE and count > 0:
+        runs.distance[0], runs.sure[0] = source + n - runs.top[0], from_sure
+    runs = Runs(runs.top[:count], runs.bottom[:count], runs.distance[:count], runs.sure[:count])
+    met = Met(met.z[:size], met.weight[:size], met.c[:size], met.after[:size])
+    return runs, met, Sums(level, tally[0], tally[1], tally[2], tally[3]), high
+
+
+@kernel
+def _room(n):
+    """Return Runs and Met with room for all that a line can have."""
+    most = n // 2 + 1
+    whole = np.empty(most, np.int64), np.empty(most, np.int64), np.empty(most, np.int64)
+    runs = Runs(whole[0], whole[1], whole[2], np.empty(most, np.bool_))
+    return runs, Met(np.empty(n), np.empty(n), np.empty(n), np.empty(n))
+
+
+@kernel
+def _visit(setting, bounds, levels, first, b, at, runs, met, level, tally):
+    """Walk through the samples of a span one by one; ``at`` is what walk knows, and comes back."""
+    z, (start, end) = setting.z, (setting.start, setting.end)
+    kind, source, from_sure, low, high, count, size = at
+    u, v = start.entered[b], end.entered[b]
+    for j in range(min((b + 1) * SPAN, z.size) - 1, b * SPAN - 1, -1):
+        w, after, was, held = reached(start.decay, u), reached(end.decay, v), kind, high == 0.0
+        u, v = min(w, z[j] - start.d), min(after, z[j] - end.d)
+        near, far = (w, after) if levels.early else (after, w)
+        kind, steep = FREE, 0.0
+        if z[j] - near < bounds.high + levels.near_slack:
+            steep = rise(setting.law, z[j], z[j + 1 if j + 1 < z.size else 0])
+            least, most = gap(setting.law, bounds, levels, z[j], steep, near, far, low, high)
+            now = z[j] - w - start.d
+            least, most = min(least, now), max(most, now)
+            low, high = max(least, 0.0), max(most, 0.0)
+            kind = class_of(j == 0 and first == FORCED, held and high == 0.0, least, most)
         else:
-            held = high == 0.0
-            least, most, low, high = gap(setting, bounds, levels, j, low, high)
-            kind = class_of(mark, held and high == 0.0, least, most)
+            low, high = 0.0, UNKNOWN
+        if kind == FREE:
+            if source - j < SHORT and source < z.size:  # listed, should a run begin behind it
+                _meet(setting, bounds, met, size + source - 1 - j, j, w, after)
+            continue
         if kind == ALWAYS:
-            if was != ALWAYS:
-                stop[blocks] = j + 1
-                blocks += 1
-            start[blocks - 1] = last
-        elif kind == LISTED:
-            near = was == FREE and source - j <= SHORT and source < n
-            if was != LISTED and not (near and bottom[count - 1] == source and count > 0):
-                top[count] = source - 1 if near and from_sure else j
-                distance[count], sure[count] = source - top[count], from_sure
+            add_sample(setting, level, j, steep, tally)
+        else:
+            near_by = was == FREE and source - j <= SHORT and source < z.size
+            if was != LISTED and not (near_by and count > 0 and runs.bottom[count - 1] == source):
+                runs.top[count] = source - 1 if near_by else j
+                runs.distance[count], runs.sure[count] = source - runs.top[count], from_sure
                 count += 1
-            bottom[count - 1] = last
-        if kind != FREE:
-            source, from_sure = last, high == 0.0
-        j = last - 1
-    if marks[0] == FREE and count > 0:
-        distance[0], sure[0] = source + n - top[0], from_sure
-    runs = Runs(top[:count], bottom[:count], distance[:count], sure[:count])
-    return runs, Stretches(start[:blocks], stop[:blocks]), high
+            runs.bottom[count - 1] = j
+            size += source - 1 - j if near_by else 0
+            _meet(setting, bounds, met, size, j, w, after)
+            size += 1
+        source, from_sure = j, high == 0.0
+    return kind, source, from_sure, low, high, count, size
 
 
 @kernel
-def same_until(marks, words, j):
-    """Return the last of the samples, from j down, that have the mark of j."""
-    mark = marks[j]
-    word = ALL_ALWAYS if mark == ALWAYS else 0
-    while j > 0 and marks[j - 1] == mark:
-        j -= 1
-        if j % WORD == 0:
-            while j > 0 and words[j // WORD - 1] == word:
-                j -= WORD
-    return j
+def _meet(setting, bounds, met, i, j, w, after):
+    """Note sample j in place i. w, after : displacements without force at v1 and v2."""
+    z = setting.z[j]
+    # What lies higher cannot touch at any height: low, it costs w no digits.
+    met.z[i] = min(z, bounds.high)
+    met.c[i] = met.z[i] - w
+    met.after[i] = z - after
+    met.weight[i] = lagged(setting.slope, setting.law.lag, j)
 
 
 @kernel
-def gap(setting, bounds, levels, j, low, high):
-    """Return (least, most, low, high): bounds of g_j and of max(g_j, 0), now and in all steps.
+def gap(law, bounds, levels, z, steep, near, far, low, high):
+    """Return (least, most): bounds of g_j in all steps to come.
 
-    low, high : bounds of max(g, 0) at the sample upstream.
+    steep : a_j. near, far : displacements of both steady states (marks.py). low, high : bounds of
+    max(g, 0) at the sample upstream.
     """
-    z, (w, d), law = setting.z, setting.start, setting.law
-    a = rise(law, z[j], z[j + 1 if j + 1 < z.size else 0])
-    least = max(
-        a - bounds.most + law.decay * low, z[j] - levels.near[j] - levels.near_slack - bounds.high
-    )
-    most = min(
-        a - bounds.least + law.decay * high, z[j] - levels.far[j] + levels.far_slack - bounds.low
-    )
-    now = z[j] - w[j] - d
-    least, most = min(least, now), max(most, now)
-    return least, most, max(least, 0.0), max(most, 0.0)
+    least = max(steep - bounds.most + law.decay * low, z - near - levels.near_slack - bounds.high)
+    most = min(steep - bounds.least + law.decay * high, z - far + levels.far_slack - bounds.low)
+    return least, most
 
 
 @kernel
-def class_of(mark, held, least, most):
+def class_of(forced, held, least, most):
     """Return what becomes of a sample; ``held`` : whether it and the one upstream always touch."""
-    if mark == FORCED:
+    if forced:
         return LISTED
     if held and most < 0.0:
         return ALWAYS

@@ -6,7 +6,17 @@ import numpy as np
 
 from kernels.jit import kernel
 from kernels.rheology.kelvin import Kelvin
-from kernels.rheology.law import State
+from kernels.steady.carry import Decay
+from kernels.steady.spans import Spans
+
+
+class Passing(NamedTuple):
+    """Steady sliding at one speed, as the elements pass the spans of the line (steady/spans.py)."""
+
+    decay: Decay
+    stay: np.ndarray  # largest thresholds at the speed, of each whole span
+    entered: np.ndarray  # with which displacement elements come to each span (steady/contacts.py)
+    d: float  # indentation
 
 
 class Setting(NamedTuple):
@@ -14,10 +24,12 @@ class Setting(NamedTuple):
 
     z: np.ndarray  # in h, shape (n,)
     slope: np.ndarray  # in h/dx, shape (n,)
+    spans: Spans
+    rises: np.ndarray  # shape (2, whole spans), of lists.py
     before: Kelvin  # of steps of one sample at v1
     law: Kelvin  # the same at v2
-    start: State  # of steady sliding at v1
-    end: State  # and at v2
+    start: Passing  # at v1
+    end: Passing  # and at v2
 
 
 @kernel

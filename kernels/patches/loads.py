@@ -28,7 +28,7 @@ from kernels.patches.touching import (
 )
 from kernels.steady.contacts import first, room_for
 from kernels.steady.sliding import POWER_STEPS, STEPS, approach, elastic_guess, indentation
-from kernels.steady.spans import Thresholds
+from kernels.steady.spans import SPAN, Thresholds
 
 # What is found of every load: d over the deepest sample, mu, the share in contact, samples per
 # contact, sweeps, and whether the whole line touches.
@@ -64,25 +64,28 @@ def corrected_share(steps: float, speed: float) -> float:
 
 @kernel
 def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
-    """Return (found, jumps), shapes (loads, 6) and (loads, others).
+    """Return (found, jumps, entered), shapes (loads, 6), (loads, others), (loads, n // SPAN + 1).
 
     decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, all NaN where there
-    are none. gaps : as of carry, for parts of a line.
+    are none. gaps : as of carry, for parts of a line. entered : as of Contacts.
     """
     n, own = z.size, speeds.thresholds
     contacts, everything = room_for(slope, speeds.own), room_for_all(n)
     memory = np.empty(n)
     found = np.empty((loads.size, 6))
     jumps = np.empty((loads.size, speeds.others.size))
+    entered = np.empty((loads.size, contacts.entered.size))
     d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses, gaps)
     for i in range(loads.size):
         load, pieces = loads[i], 1
         if full[i]:
-            _list_whole_line(n, contacts)
+            _list_whole_line(z, d[i], contacts)
         else:
             d[i], used, pieces = indentation(decay, z, spans, own.stay, load, d[i], contacts, gaps)
             sweeps[i] += used
         listed = first(contacts, pieces)
+        for b in range(contacts.entered.size):
+            entered[i, b] = contacts.entered[b]
         touching = list_touching(listed, everything)
         part = pressed(z, slope, spans, touching, speeds.own, own.press, memory)
         mu, contact, deep = _friction(part, full[i], own.press_all, load, d[i])
@@ -103,7 +106,7 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
         found[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
         found[i, SAMPLES] = median_width(z, d[i], spans, decay, listed)
         found[i, SWEEPS], found[i, FULL] = sweeps[i], full[i]
-    return found, jumps
+    return found, jumps, entered
 
 
 @kernel
@@ -131,10 +134,13 @@ def _indentations(decay, z, spans, own, loads, guesses, gaps):
 
 
 @kernel
-def _list_whole_line(n, contacts):
+def _list_whole_line(z, d, contacts):
     """Make one piece of the whole line."""
-    contacts.ends[0, 0], contacts.ends[0, 1], contacts.ends[0, 2] = n - 1, 0, 1
+    contacts.ends[0, 0], contacts.ends[0, 1], contacts.ends[0, 2] = z.size - 1, 0, 1
     contacts.edges[0, 0] = contacts.edges[0, 1] = 0.5
+    for b in range(contacts.entered.size):
+        above = (b + 1) * SPAN
+        contacts.entered[b] = z[above if above < z.size else 0] - d
 
 
 @kernel

@@ -149,7 +149,9 @@ def slide_on_part(law, part, at_speeds, load, guess, how):
     spans = spans_of(heights, slopes)
     loads, guesses = np.empty(1), np.empty(1)
     loads[0], guesses[0] = load * fold, guess
-    found, jumps = slide(decay_of(law), heights, slopes, spans, speeds, loads, guesses, how, gaps)
+    found, jumps, _ = slide(
+        decay_of(law), heights, slopes, spans, speeds, loads, guesses, how, gaps
+    )
     d = found[0, INDENTATION]
     once = law.decay ** float(fold)
     missed = mark_missed(z, slope, line_spans, spacing, once, d, at, gaps, fold, low)

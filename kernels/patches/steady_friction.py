@@ -48,6 +48,7 @@ class Sliding(NamedTuple):
     speed: float  # vbar
     loads: np.ndarray  # n Fbar
     d: np.ndarray  # indentation over the deepest sample, from which a march starts, in h
+    entered: np.ndarray  # displacements with which elements come to spans (steady/contacts.py)
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
     contact: np.ndarray  # share of the line
@@ -103,7 +104,7 @@ def steady_friction(
     speeds = Speeds(speed, own, np.array(others, float), press)
     steps = float(line.steps_per_spacing)
     how = How(steps, share, line.band_limited)
-    found, jumps = slide(decay, line.z, line.slope, spans, speeds, loads, guesses, how)
+    found, jumps, entered = slide(decay, line.z, line.slope, spans, speeds, loads, guesses, how)
     d = found[:, INDENTATION]
     return Sliding(
         ground,
@@ -114,6 +115,7 @@ def steady_friction(
         speed,
         loads,
         d,
+        entered,
         found[:, FULL] > 0.0,
         found[:, MU],
         found[:, CONTACT],

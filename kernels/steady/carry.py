@@ -11,7 +11,7 @@ import numpy as np
 
 from kernels.jit import kernel
 from kernels.rheology.law import NEGLIGIBLE, reach
-from kernels.steady.contacts import join_pieces, leave_piece, open_piece
+from kernels.steady.contacts import enter_span, join_pieces, leave_piece, open_piece
 from kernels.steady.spans import SPAN
 
 
@@ -67,11 +67,13 @@ def carry(decay, z, spans, stay, d, contacts=None, w=None, gaps=None):
         while j >= last:
             b = j // SPAN
             low = b * SPAN
-            if gaps is not None and gaps.left[b] < 1.0 and j == min(low + SPAN, n) - 1:
-                left, within = gaps.left[b], gaps.within[b]
-                gaps.entered[b] = u
-                total, slope = total - within * u, slope + within * du
-                u, du = (left * u if u < -NEGLIGIBLE else 0.0), left * du
+            if j == min(low + SPAN, n) - 1:
+                if gaps is not None and gaps.left[b] < 1.0:
+                    left, within = gaps.left[b], gaps.within[b]
+                    gaps.entered[b] = u
+                    total, slope = total - within * u, slope + within * du
+                    u, du = (left * u if u < -NEGLIGIBLE else 0.0), left * du
+                enter_span(contacts, b, u)
             if j == low + SPAN - 1 and low >= last:
                 left = decay.span * u if u < -NEGLIGIBLE else 0.0
                 if held and d > stay[b]:
@@ -140,6 +142,8 @@ def _cut(contacts, pieces, z, d, j, last, free):
 @kernel
 def _arrive(decay, z, d, deepest, u, held, pieces, contacts, w):
     """Come back to the deepest sample, with which the first piece begins."""
+    if deepest % SPAN == SPAN - 1 or deepest == z.size - 1:
+        enter_span(contacts, deepest // SPAN, u)
     free = decay.once * u if u < -NEGLIGIBLE else 0.0
     if w is not None:
         w[deepest] = free

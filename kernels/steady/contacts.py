@@ -5,6 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.jit import kernel
+from kernels.steady.spans import SPAN
 
 LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
 AHEAD, BEHIND, FREE = range(3)  # columns of edges
@@ -20,20 +21,22 @@ class Contacts(NamedTuple):
     edges: np.ndarray  # shape (pieces, 3): reach ahead of the top and behind the bottom, w at top
     slope: np.ndarray  # of the line, in h/dx, shape (n,)
     speed: float  # vbar of the steady state
+    entered: np.ndarray  # shape (n // SPAN + 1,): u upstream of each span, and of the samples left
 
 
 @kernel
 def room_for(slope, speed):
     """Return Contacts with room for all pieces that a line of these slopes can have."""
     most = slope.size // 2 + 3
-    return Contacts(np.empty((most, 3), np.int64), np.empty((most, 3)), slope, speed)
+    entered = np.empty(slope.size // SPAN + 1)
+    return Contacts(np.empty((most, 3), np.int64), np.empty((most, 3)), slope, speed, entered)
 
 
 @kernel
 def first(contacts, pieces):
     """Return so many pieces."""
     ends, edges = contacts.ends[:pieces], contacts.edges[:pieces]
-    return Contacts(ends, edges, contacts.slope, contacts.speed)
+    return Contacts(ends, edges, contacts.slope, contacts.speed, contacts.entered)
 
 
 @kernel
@@ -72,3 +75,10 @@ def join_pieces(contacts, above, piece, bottom, top, free):
         contacts.ends[above, 1], contacts.edges[above, BEHIND] = bottom, 0.5
         contacts.ends[piece, 0], contacts.ends[piece, 2] = top, 1
         contacts.edges[piece, AHEAD], contacts.edges[piece, FREE] = 0.5, free
+
+
+@kernel
+def enter_span(contacts, b, u):
+    """Note with which displacement the element enters that comes to span b from upstream."""
+    if contacts is not None:
+        contacts.entered[b] = u

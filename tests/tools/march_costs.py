@@ -31,10 +31,13 @@ from kernels import (
     run_case,
     steady_sliding,
 )
+from kernels.active.lists import rises_of
 from kernels.active.march import active_march
 from kernels.active.setting import Setting
 from kernels.rheology.kelvin import SCHEMES
+from kernels.steady.spans import spans_of
 from studies.accuracy.marches import TamaasMarch
+from tests.kernels.active.given import passing_of
 from tests.tools.rivals.checkout import COMMIT, ROOT, checkout
 from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.plain import naive_march, numpy_march
@@ -74,7 +77,11 @@ class Problem:
         self.weight = lagged_slope(line.slope, self.law.lag)
         self.kept = np.array([row.steps])
         self.control = ConstantForce(self.load)
-        self.setting = Setting(line.z, line.slope, self.before, self.law, self.one, self.two)
+        spans, rises = spans_of(line.z, line.slope), rises_of(line.z, line.slope)
+        laws = self.before, self.law
+        states = zip(laws, (self.one, self.two), strict=True)
+        ends = (passing_of(line.z, law, state) for law, state in states)
+        self.setting = Setting(line.z, line.slope, spans, rises, *laws, *ends)
 
     @property
     def updates(self) -> int:

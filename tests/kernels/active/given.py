@@ -13,7 +13,12 @@ from kernels import (
     steady_sliding,
     step_average,
 )
-from kernels.active.setting import Setting
+from kernels.active.lists import rises_of
+from kernels.active.setting import Passing, Setting
+from kernels.rheology.law import State
+from kernels.steady.carry import decay_of
+from kernels.steady.plain import sweep
+from kernels.steady.spans import SPAN, spans_of, thresholds_of
 from tests.lines import random_line
 
 
@@ -33,14 +38,36 @@ def setting_of(jump, elements, seed=1, line=None):
     z, slope = random_line(elements, jump.hurst, jump.m, seed) if line is None else line
     load = jump.load * z.size
     laws = [SCHEMES[jump.scheme](np.pi / (jump.m * jump.x * r)) for r in (1.0, jump.ratio)]
-    return Setting(z, slope, *laws, *(steady_sliding(law, z, load)[0] for law in laws)), load
+    passing = (passing_of(z, law, steady_sliding(law, z, load)[0]) for law in laws)
+    return Setting(z, slope, spans_of(z, slope), rises_of(z, slope), *laws, *passing), load
+
+
+def passing_of(z, law, state):
+    """Return a steady state as elements pass the spans of a line."""
+    w, d = state
+    u = np.minimum(w, z - d)
+    above = np.append(np.arange(SPAN, z.size, SPAN), 0)
+    entered = np.full(z.size // SPAN + 1, np.nan)
+    entered[: above.size] = u[above]
+    # No pressure is asked for: any speed.
+    return Passing(decay_of(law), thresholds_of(z, z, 1.0, law.stiffness).stay, entered, d)
+
+
+def states_of(setting):
+    """Return the states of both steady slides, by plain sweeps."""
+    states = []
+    for law, d in ((setting.before, setting.start.d), (setting.law, setting.end.d)):
+        w = np.empty_like(setting.z)
+        sweep(law, setting.z, d, np.argmin(setting.z), w)
+        states.append(State(w, d))
+    return states
 
 
 def size_of_jump(setting, jump, load):
     """Return the change of mu when the speed changes."""
-    v = jump.x / np.pi
+    v, start = jump.x / np.pi, states_of(setting)[0]
     before, after = (
-        quadrature(setting.z, setting.slope, *setting.start, v, speed, load)[0]
+        quadrature(setting.z, setting.slope, *start, v, speed, load)[0]
         for speed in (v, v * jump.ratio)
     )
     return abs(after - before)
@@ -48,12 +75,12 @@ def size_of_jump(setting, jump, load):
 
 def dense(setting, load, kept_steps):
     """Return (deviation of mu from its steady value at v2, indentation) of the plain march."""
-    law, (w, d) = setting.law, setting.end
+    law, (one, (w, d)) = setting.law, states_of(setting)
     weight = lagged_slope(setting.slope, law.lag)
     # Samples that cannot touch are left out: the digits of small displacements would be lost.
-    for cap in (1.02 * max(setting.start.d, d), 1.001 * max(setting.start.d, load)):
+    for cap in (1.02 * max(one.d, d), 1.001 * max(one.d, load)):
         mu, found, _, inside = march(
-            law, ConstantForce(load), setting.z, weight, setting.start, kept_steps, cap
+            law, ConstantForce(load), setting.z, weight, one, kept_steps, cap
         )
         if inside:
             break
@@ -63,7 +90,7 @@ def dense(setting, load, kept_steps):
 
 def rounding_of_mu(setting, load):
     """Return what rounding leaves open of mu: of the overlaps, differences of heights."""
-    w, d = setting.end
+    w, d = states_of(setting)[1]
     touching = (setting.z - w < d).sum()
     overlap = load / setting.law.stiffness / touching
     share = 1e-16 * (setting.z.max() + d) / overlap

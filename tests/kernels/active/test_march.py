@@ -10,7 +10,14 @@ from hypothesis import strategies as st
 from kernels import SCHEMES, ConstantForce, Line, PrintedForce
 from kernels.active.march import MARGINS, active_march
 from kernels.motion.stretches import touchable
-from tests.kernels.active.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
+from tests.kernels.active.given import (
+    Jump,
+    dense,
+    rounding_of_mu,
+    setting_of,
+    size_of_jump,
+    states_of,
+)
 from tests.reference_march import RigidElements, relaxation
 from tests.sizes import COMPILES_ALONE, size
 
@@ -57,7 +64,7 @@ def test_it_is_the_reference_march_of_eq_3_as_printed(scheme):
         kept = np.arange(1, steps + 1)
         mu, d, _, _, found = active_march(setting, PrintedForce(load), kept)
         if found:
-            w, now = setting.start
+            w, now = states_of(setting)[0]
             u = np.minimum(w, setting.z - now)
             elements = RigidElements(setting.z, setting.slope, u, now, jump.load, setting.law)
             expected_mu, expected = relaxation(elements, steps)
@@ -112,7 +119,8 @@ def test_small_lines(elements, seed, hurst, m, load, x, ratio, scheme, margin):
 def test_full_contact_has_nothing_to_list():
     jump = Jump(1.0, 4, 60.0, 3.0, 1.2)
     setting, load = setting_of(jump, size(200, 40))
-    assert (setting.z - setting.start.w < setting.start.d).all()
+    w, d = states_of(setting)[0]
+    assert (setting.z - w < d).all()
     assert_same(setting, load, jump, EVERY)
     *_, work, inside = active_march(setting, ConstantForce(load), EVERY)
     assert inside
@@ -122,7 +130,8 @@ def test_full_contact_has_nothing_to_list():
 def test_a_contact_narrower_than_a_sample_has_nothing_sure():
     jump = Jump(0.3, 1, 1e-6, 100.0, 1.2)
     setting, load = setting_of(jump, size(300, 60))
-    assert (setting.z - setting.end.w < setting.end.d).sum() <= 2
+    w, d = states_of(setting)[1]
+    assert (setting.z - w < d).sum() <= 2
     assert_same(setting, load, jump, EVERY)
 
 
@@ -139,7 +148,7 @@ def test_decay_near_zero_and_near_one(x):
 
 def test_only_the_recorded_steps_are_kept_and_arguments_left_alone():
     setting, load = setting_of(Jump(0.7, 2, 0.3, 5.0, 1.2), size(100, 40))
-    arrays = [setting.z, setting.slope, setting.start.w, setting.end.w]
+    arrays = [setting.z, setting.slope, setting.start.entered, setting.end.entered]
     copies = [array.copy() for array in arrays]
     every = active_march(setting, ConstantForce(load), EVERY)
     some = active_march(setting, ConstantForce(load), EVERY[[0, 4, 8]])

@@ -3,30 +3,26 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, solve_indentation
-from kernels.active.bounds import first_bounds, first_indentation, holds
+from kernels import SCHEMES, ConstantForce, solve_indentation
+from kernels.active.balance import foresee
+from kernels.active.bounds import first_bounds, holds
 from kernels.active.runs import classes_of
 from kernels.active.setting import advance
-from tests.kernels.active.given import Jump, setting_of
+from tests.kernels.active.given import Jump, setting_of, states_of
 from tests.sizes import size
 
-NEVER, LISTED, ALWAYS = range(3)
 
-
-def classes(setting, bounds):
-    """Return the class of every sample."""
-    runs, stretches = classes_of(setting, bounds)
-    found = np.full(setting.z.size, NEVER)
-    for start, stop in zip(*stretches, strict=True):
-        found[start:stop] = ALWAYS
+def listed_of(runs, touching):
+    """Return which samples are listed. touching : at some moment within the bounds."""
+    found = np.zeros(touching.size, bool)
     for bottom, top in zip(runs.bottom, runs.top, strict=True):
-        assert (found[bottom : top + 1] == NEVER).all()
-        found[bottom : top + 1] = LISTED
+        assert not found[bottom : top + 1].any()
+        found[bottom : top + 1] = True
     for top, distance, sure in zip(runs.top, runs.distance, runs.sure, strict=True):
         between = (top + np.arange(1, distance)) % found.size
-        assert (found[between] == NEVER).all()
-        above = found[(top + distance) % found.size]
-        assert above == LISTED or (sure and above == ALWAYS)
+        assert not (found | touching)[between].any()
+        above = (top + distance) % found.size
+        assert touching[above] if sure else found[above]
     return found
 
 
@@ -34,22 +30,25 @@ def classes(setting, bounds):
 @pytest.mark.parametrize("ratio", [0.4, 1.2, 2.5])
 @pytest.mark.parametrize("hurst", [0.0, 0.7])
 def test_classes_hold_as_long_as_bounds_do(hurst, ratio, scheme):
-    seen = np.zeros(3, int)
+    seen = np.zeros(3, int)  # samples that never touch, always do, are listed
     for load, x in ((1e-3, 0.3), (0.03, 30.0), (0.5, 3.0), (5.0, 100.0), (25.0, 3.0)):
         for margin in (0.1, 1.0):
             setting, force = setting_of(Jump(hurst, 4, load, x, ratio, scheme), size(80, 30))
             law, d = setting.law, setting.start.d
-            bounds = first_bounds(setting, first_indentation(setting, force), margin)
-            found = classes(setting, bounds)
-            seen += np.bincount(found, minlength=3)
-            u = np.minimum(setting.start.w, setting.z - d)
+            bounds = first_bounds(setting, foresee(ConstantForce(force), setting), margin)
+            runs, met, sums = classes_of(setting, bounds)
+            w = states_of(setting)[0].w
+            before = setting.z - w < d
+            listed = listed_of(runs, before)
+            assert listed.sum() == met.z.size
+            assert (before & ~listed).sum() == sums.samples
+            seen += [(~before & ~listed).sum(), int(sums.samples), met.z.size]
+            u = np.minimum(w, setting.z - d)
             for _ in range(size(100, 20)):
                 w, old = law.decay * np.roll(u, -1), d
                 d, _ = solve_indentation(setting.z - w, force / law.stiffness, d)
                 if not holds(bounds, d, advance(law, d, old)):
                     break
-                touching = setting.z - w < d
-                assert touching[found == ALWAYS].all()
-                assert not touching[found == NEVER].any()
+                assert ((setting.z - w < d) == before)[~listed].all()
                 u = np.minimum(w, setting.z - d)
     assert (seen > 0).all()

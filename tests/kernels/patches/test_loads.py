@@ -16,13 +16,14 @@ from kernels.patches.loads import (
     slide,
 )
 from kernels.steady.carry import decay_of
+from kernels.steady.spans import SPAN
 from tests.kernels.steady.given import LINES, known, line_of, touching
 
 SEVERAL = np.geomspace(1e-4, 60.0, 12)
 
 
 def slid(line, speed, several, criterion=True):
-    """Return (found, jumps) under loads Fbar."""
+    """Return (found, jumps, entered) under loads Fbar."""
     law, spans, own = known(line, speed)
     there = known(line, 1.2 * speed)[2]
     if not criterion:
@@ -37,14 +38,18 @@ def slid(line, speed, several, criterion=True):
 @pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
 def test_every_load_is_as_alone_and_full_contact_where_all_samples_touch(hurst, elements, m, speed):
     line = line_of(hurst, elements, m)
-    found, jumps = slid(line, speed, SEVERAL)
+    found, jumps, entered = slid(line, speed, SEVERAL)
+    above = np.append(np.arange(SPAN, line.z.size, SPAN), 0)
     for i, load in enumerate(SEVERAL):
-        alone, jump = slid(line, speed, SEVERAL[i : i + 1])
+        alone, jump, enter = slid(line, speed, SEVERAL[i : i + 1])
         np.testing.assert_array_equal(alone[0], found[i])
         np.testing.assert_array_equal(jump[0], jumps[i])
+        np.testing.assert_array_equal(enter[0][: above.size], entered[i][: above.size])
         (w, d), _ = steady_sliding(known(line, speed)[0], line.z, load * line.z.size)
         assert (found[i, FULL] == 1.0) == touching(line.z, w, d).all()
         assert (found[i, SWEEPS] == 0.0) == (found[i, FULL] == 1.0)
+        upstream = np.minimum(w, line.z - d)[above]
+        np.testing.assert_allclose(entered[i][: above.size], upstream, rtol=1e-9, atol=1e-150)
 
 
 def test_nothing_but_speed_is_changed_by_the_closed_form():
