@@ -52,7 +52,7 @@ test-exhaustive: $(TOOLS) ## Run the exhaustive tests alone
 	$(PYTEST) -m exhaustive
 
 test-cluster: $(TOOLS) ## Run the tests with real clusters on this machine (SLURM if it is installed)
-	$(BIN)/python -m pytest -m cluster tests/cluster
+	$(PYTEST) -m cluster tests/cluster
 
 test-nojit: $(TOOLS) ## Run the tests of the kernels as plain Python
 	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py)
