@@ -24,12 +24,18 @@ def note(control, lists, arrivals, d):
 
 
 @by_type
-def settle(control, law, lists, arrivals, noted, sums, d, guess):
+def settle(control, law, lists, arrivals, noted, sums, others, d, guess):
     """Return (d, push, passes): the new indentation, D of the samples in sums, passes over c.
 
-    noted : before the shift. d : the old indentation. guess : of the new one.
+    noted : before the shift. others : how many samples are landings, and their overlap were d to
+    stay. d : the old indentation. guess : of the new one.
     d is NaN where no balance was found. c is left consistent with the new d.
     """
+
+
+@by_type
+def lands(control):
+    """Return whether an element that always lands does so by the past of d alone (landings.py)."""
 
 
 @by_type
@@ -51,11 +57,22 @@ def _note(control, lists, arrivals, d):
 
 
 @settle.of(ConstantForce)
-def _settle(control, law, lists, arrivals, noted, sums, d, guess):
+def _settle(control, law, lists, arrivals, noted, sums, others, d, guess):
     """Solve n (D - level) + sum (level - a) + sum max(0, d - c) = load / K."""
-    target = control.load / law.stiffness
-    new, passes = _root(law, lists.c, None, sums, sums.samples, target, d, guess)
+    target = control.load / law.stiffness - others[1]
+    slope = sums.samples + others[0]
+    new, passes = _root(law, lists.c, None, sums, slope, target, d, guess)
     return new, advance(law, new, d), passes
+
+
+@lands.of(ConstantForce)
+def _lands(control):
+    return True
+
+
+@lands.of(PrintedForce)
+def _lands_otherwise(control):
+    return False  # what left contact is corrected by amend
 
 
 @amend.of(ConstantForce)
@@ -85,7 +102,7 @@ def _held(control, lists, arrivals, d):
 
 
 @settle.of(PrintedForce)
-def _balance(control, law, lists, arrivals, noted, sums, d, guess):
+def _balance(control, law, lists, arrivals, noted, sums, others, d, guess):
     """Balance the load where held elements move with the line but not with the indentation.
 
     As in printed_eq3.py: their last displacement counts as z - d with the new d, and so D is

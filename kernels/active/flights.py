@@ -12,6 +12,7 @@ import numpy as np
 
 from kernels.active.setting import rise
 from kernels.jit import kernel
+from kernels.rheology.law import NEGLIGIBLE
 
 FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
 
@@ -167,3 +168,30 @@ def arriving(flights, f, least, most, steps):
     for slot in range(begin, end):
         low, high = min(low, flights.values[slot]), max(high, flights.values[slot])
     return low, high
+
+
+@kernel
+def aloft_at_first(setting, lists, runs, steps, w):
+    """Fill in w, shape (n,), the displacements of all elements on their way to the runs at v1.
+
+    No sample between touches, so that they decay from where they left. steps : to come; who would
+    arrive later is left out.
+    """
+    n, start = setting.z.size, setting.start
+    for r in range(runs.top.size):
+        top, q = runs.top[r], runs.distance[r]
+        source = top + q - (n if top + q >= n else 0)
+        if runs.sure[r]:
+            u = setting.z[source] - start.d
+        else:
+            i = lists.first[r - 1 if r > 0 else runs.top.size - 1]
+            u = lists.z[i] - max(lists.c[i], start.d)
+            w[source] = lists.z[i] - lists.c[i]
+        k = min(q - 1, steps)
+        u *= start.decay.once ** float(q - k)
+        while k > 0:
+            u = u if u < -NEGLIGIBLE else 0.0
+            j = top + k
+            w[j - n if j >= n else j] = u
+            u *= start.decay.once
+            k -= 1

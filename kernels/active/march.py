@@ -2,8 +2,7 @@
 
 import numpy as np
 
-from kernels.active.aloft import aloft, aloft_at_first
-from kernels.active.balance import amend, foresee, note, settle
+from kernels.active.balance import amend, foresee, lands, note, settle
 from kernels.active.bounds import (
     NOTHING,
     closer_bounds,
@@ -12,15 +11,17 @@ from kernels.active.bounds import (
     including,
     widened,
 )
-from kernels.active.flights import arrivals_of, arrive, depart
+from kernels.active.flights import aloft_at_first, arrivals_of, arrive, depart
+from kernels.active.landings import landing, no_landings
 from kernels.active.lists import lists_of, weighed
-from kernels.active.narrow import narrowed
+from kernels.active.narrow import elements_aloft, narrowed
 from kernels.active.runs import classes_of
 from kernels.active.setting import advance
 from kernels.jit import kernel
 from kernels.rheology.law import State
 
 MARGINS = (0.05, 0.3, 2.0)  # of the spread of d and D, one after the other
+LEAST_SAVED = 0.25  # of the spread of D
 FIRST_DUE = 6  # step after which lists may be shortened; then after half as many again
 
 
@@ -72,37 +73,41 @@ def follow(setting, control, where, bounds, guess, kept_steps, mu, indentation, 
     where : runs, lists, sums and arrivals. mu, indentation : filled in. worth : of what shorter
     lists save, over what it costs to make them; they are made where that pays.
     """
-    law, d = setting.law, setting.start.d
+    law, d, last = setting.law, setting.start.d, kept_steps[-1]
     runs, lists, sums, arrivals = where
-    push = np.nan
+    landings, past, push = no_landings(setting.end.d, last), np.empty(last + 1), np.nan
+    past[0] = d
     work = kept = 0
     due, seen = FIRST_DUE, NOTHING
     w = np.empty(setting.z.size)
-    for step in range(1, kept_steps[-1] + 1):
+    for step in range(1, last + 1):
         noted = note(control, lists, arrivals, d)
         shift(law, lists, d)
         arrive(law, lists, arrivals, d)
         old = d
-        d, push, passes = settle(control, law, lists, arrivals, noted, sums, old, guess)
+        others = landings.tally[0], landing(landings, past, step, old, 0)
+        d, push, passes = settle(control, law, lists, arrivals, noted, sums, others, old, guess)
         work += passes * lists.c.size + arrivals[1].at.size
         real = advance(law, d, old)
         if not holds(bounds, d, real):
             return False, d, real, work
         amend(control, noted, arrivals[1], d)
-        guess = d + (d - old)
+        guess, past[step] = d + (d - old), d
         depart(lists, arrivals[1], d)
         if step == kept_steps[kept]:
-            mu[kept] = average(lists, sums, d, push)
+            others = landing(landings, past, step, d, 0), landing(landings, past, step, d, 1)
+            mu[kept] = average(lists, sums, others, d, push)
             indentation[kept] = d
             kept += 1
         seen = including(seen, d, real)
-        left = kept_steps[-1] - step
+        left = last - step
         if step == due and left > 0:
             closer = closer_bounds(law, bounds, seen, setting.end.d)
             if worth * gain(bounds, closer, lists, arrivals[1], left) > 1.0:
-                aloft(law, lists, runs, arrivals[1], d, w, left)
-                runs, lists, sums = narrowed(
-                    law, setting.z, closer, runs, lists, sums, arrivals[1], d, left
+                elements_aloft(law, lists, runs, arrivals[1], d, w, left)
+                everything = runs, lists, sums, arrivals, landings
+                runs, lists, sums, landings = narrowed(
+                    law, setting.z, closer, everything, past[: step + 1], w, left, lands(control)
                 )
                 arrivals = arrivals_of(law, lists, runs, State(w, d), setting.z, left)
                 bounds = closer
@@ -120,17 +125,21 @@ def shift(law, lists, d):
 
 
 @kernel
-def average(lists, sums, d, push):
-    """Return mu averaged over a step (friction.py). push : D of the samples in sums."""
+def average(lists, sums, others, d, push):
+    """Return mu averaged over a step (friction.py).
+
+    others : overlap and moment of the landings. push : D of the samples in sums.
+    """
     depth, moment = weighed(lists.c, lists.weight, d)
     more = push - sums.level
-    moment += sums.moment + more * sums.weight
-    return moment / (depth + sums.depth + more * sums.samples)
+    moment += others[1] + (sums.moment + more * sums.weight)
+    return moment / (depth + others[0] + (sums.depth + more * sums.samples))
 
 
 @kernel
 def gain(bounds, closer, lists, flights, steps):
     """Return what shorter lists save over what it costs to make them, by numbers alone."""
     saved = 1.0 - (closer.most - closer.least) / (bounds.most - bounds.least)
-    cost = 5.0 * flights.values.size + 60.0 * lists.c.size
-    return steps * lists.c.size * saved / cost if cost > 0.0 else 0.0
+    each = 2.0 * lists.c.size + 16.0 * flights.at.size
+    cost = 30.0 * flights.values.size + 100.0 * lists.c.size
+    return steps * each * saved / cost if saved > LEAST_SAVED and cost > 0.0 else 0.0

@@ -1,6 +1,7 @@
 """Shorter lists in a long march: what is still open within narrower bounds, of what was listed.
 
 What always touches goes on to, and so does what never does: nothing but the runs is looked at.
+Where elements always land that have left contact, they are summed (landings.py).
 The recursion of gaps g is that of runs.py; as the elements on their way are known, displacements
 u are bounded beside it.
 """
@@ -9,12 +10,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.flights import arriving
+from kernels.active.flights import arriving, powers_of
+from kernels.active.landings import land, landed
 from kernels.active.lists import Lists, Sums
 from kernels.active.marks import ALWAYS, FREE
 from kernels.active.runs import LISTED, SHORT, UNKNOWN, Runs, class_of
 from kernels.active.setting import rise
 from kernels.jit import kernel
+
+SUMMED = 5  # a class: it always touches, and elements always land there
 
 
 class Reach(NamedTuple):
@@ -27,12 +31,15 @@ class Reach(NamedTuple):
 
 
 @kernel
-def narrowed(law, line, bounds, runs, lists, sums, flights, d, steps):
-    """Return (runs, lists, sums) within narrower bounds, at the end of a step.
+def narrowed(law, line, bounds, where, past, aloft, steps, lands):
+    """Return (runs, lists, sums, landings) within narrower bounds, at the end of a step.
 
-    line : heights of all samples. d : indentation now. steps : still to come.
+    line : heights of all samples. where : runs, lists, sums, arrivals and landings up to now. past
+    : d from the start to the end of this step. aloft : displacements, as elements_aloft leaves
+    them. steps : still to come. lands : whether elements that always land may be summed.
     """
-    n, size = line.size, lists.c.size
+    runs, lists, sums, (_, flights), landings = where
+    n, size, d = line.size, lists.c.size, past[-1]
     top, bottom, distance, first, last = (
         np.empty(size, np.int64),
         np.empty(size, np.int64),
@@ -49,26 +56,20 @@ def narrowed(law, line, bounds, runs, lists, sums, flights, d, steps):
         j, kind = runs.top[r], FREE
         if runs.sure[r]:
             source, from_sure = j + runs.distance[r], True
-            height = line[source - n if source >= n else source]
-            reach = Reach(0.0, 0.0, height - bounds.high, height - bounds.low)
-        if runs.sure[r] and runs.distance[r] == 1:
-            w = law.decay * reach.least, law.decay * reach.most
-        else:
-            w = arriving(flights, flight, reach.least, reach.most, steps)
-            reach = Reach(0.0, UNKNOWN, reach.least, reach.most)
-            flight += 1
+        w, reach = _entering(law, line, bounds, runs, r, (flights, flight, steps), reach)
+        flight += not (runs.sure[r] and runs.distance[r] == 1)
         for i in range(lists.first[r + 1] - 1, lists.first[r] - 1, -1):
             was, held = kind, reach.high == 0.0
-            steep = rise(law, line[j], line[j + 1 if j + 1 < n else 0])
+            steep = rise(law, line[j], _at(line, j + 1))
             c = lists.c[i] + (line[j] - lists.z[i])
             least, most, reach = _reach(law, bounds, line[j], c, d, steep, reach, w)
             kind = class_of(False, held and reach.high == 0.0, least, most)
+            gap, behind = (_at(line, source), source, source - j), (line[j], lists.weight[i])
+            always = kind == LISTED and was == FREE and from_sure and reach.high == 0.0
+            if lands and always and land(law, landings, gap, behind, past, aloft, steps):
+                kind = SUMMED
             if kind == ALWAYS:
-                depth = sums.level - steep
-                parts[0] += 1.0
-                parts[1] += depth
-                parts[2] += lists.weight[i]
-                parts[3] += depth * lists.weight[i]
+                _add(parts, sums.level - steep, lists.weight[i])
             elif kind == LISTED:
                 near = was == FREE and source - j <= SHORT and source <= runs.top[r]
                 if was != LISTED and not (near and count > 0 and bottom[count - 1] == source):
@@ -92,7 +93,38 @@ def narrowed(law, line, bounds, runs, lists, sums, flights, d, steps):
         sums.weight + parts[2],
         sums.moment + parts[3],
     )
-    return runs, _part(lists, first[:count], last[:count]), more
+    return runs, _part(lists, first[:count], last[:count]), more, landed(landings)
+
+
+@kernel
+def _entering(law, line, bounds, runs, r, over, above):
+    """Return bounds of the displacements with which elements come to run r, and the Reach ahead.
+
+    over : flights, the next of them, and the steps to come. above : the Reach of the run before.
+    """
+    if runs.sure[r]:
+        height = _at(line, runs.top[r] + runs.distance[r])
+        above = Reach(0.0, 0.0, height - bounds.high, height - bounds.low)
+        if runs.distance[r] == 1:
+            return (law.decay * above.least, law.decay * above.most), above
+    flights, flight, steps = over
+    w = arriving(flights, flight, above.least, above.most, steps)
+    return w, Reach(0.0, UNKNOWN, above.least, above.most)
+
+
+@kernel
+def _at(line, j):
+    """Return the height of sample j, counted on round the period."""
+    return line[j - line.size if j >= line.size else j]
+
+
+@kernel
+def _add(parts, depth, weight):
+    """Add a sample that always touches to sums. depth : level - a_j."""
+    parts[0] += 1.0
+    parts[1] += depth
+    parts[2] += weight
+    parts[3] += depth * weight
 
 
 @kernel
@@ -124,3 +156,27 @@ def _part(lists, first, last):
             k = begin[r] + i - first[r]
             z[k], weight[k], c[k] = lists.z[i], lists.weight[i], lists.c[i]
     return Lists(begin, z, weight, c)
+
+
+@kernel
+def elements_aloft(law, lists, runs, flights, d, w, steps):
+    """Fill in w, shape (n,), the displacements of all elements in runs and on their way to them.
+
+    d : indentation now. steps : still to come; who would arrive later is left out.
+    """
+    powers = powers_of(law.decay, steps)
+    f = 0
+    for r in range(runs.top.size):
+        if not (runs.sure[r] and runs.distance[r] == 1):
+            begin, end, place = flights.begin[f], flights.begin[f + 1], flights.place[f]
+            for k in range(1, min(runs.distance[r], powers.size - 1) + 1):
+                j = runs.top[r] + k
+                arrival = flights.values[place]
+                w[j - w.size if j >= w.size else j] = arrival / powers[k] if arrival else 0.0
+                place += 1
+                if place == end:
+                    place = begin if flights.round[f] else end - 1
+            f += 1
+    for r in range(runs.top.size):
+        for i in range(lists.first[r], lists.first[r + 1]):
+            w[runs.bottom[r] + i - lists.first[r]] = lists.z[i] - max(lists.c[i], d)

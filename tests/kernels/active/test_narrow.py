@@ -6,10 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kernels import SCHEMES, ConstantForce, PrintedForce
-from kernels.active.aloft import aloft_at_first
 from kernels.active.balance import foresee
 from kernels.active.bounds import first_bounds
-from kernels.active.flights import arrivals_of
+from kernels.active.flights import aloft_at_first, arrivals_of
 from kernels.active.lists import lists_of
 from kernels.active.march import follow
 from kernels.active.runs import classes_of
