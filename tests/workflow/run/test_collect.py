@@ -64,6 +64,7 @@ def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector, monkeypatc
     rows = [0, 2]
     collector.fit(VARIANT, rows, BLOCKS, "fitting")
     assert collector.fitted[""].blocks.tolist() == [4, 0, 4, 0, 0, 0, 0, 0]
+    assert collector.summary.phases["fits"] > 0.0
     assert collector.fitted[""].at(rows)["rate_replicates"].shape == (2, JACKKNIFE_GROUPS + 1)
     monkeypatch.setattr(collector, "_load", pytest.fail)
     assert collector.fit(VARIANT, rows, BLOCKS, "fitting")

@@ -10,12 +10,16 @@ from hypothesis import strategies as st
 
 from kernels import QUARTET
 from tests.support.runs import run, shards
+from workflow.plan.batches import missing_work
 from workflow.plan.cost import PARTS, Pace
 from workflow.plan.goal import JACKKNIFE_GROUPS
 from workflow.plan.plan import make_plan
 from workflow.reduce.attainment import MISSED
 from workflow.reduce.fits import FITTED, NEGLIGIBLE
+from workflow.run.failures import Failures
+from workflow.run.key import is_unchanged
 from workflow.run.rounds import next_blocks
+from workflow.store.store import Store, store_folder
 
 WANTED = 0.03
 SETTINGS = (
@@ -80,6 +84,14 @@ def test_a_second_run_computes_nothing_and_leaves_the_result(reached):
     again = run(reached.path.parent, *SETTINGS)
     assert (again.summary.batches, shards(reached.path.parent)) == (0, before)
     assert again.path.stat().st_mtime_ns == written
+
+
+def test_a_result_stays_where_the_records_are_that_it_is_made_of_whatever_was_expected(reached):
+    plan, store = reached.plan, Store(store_folder(reached.path))
+    assert plan.first != plan.expected
+    stored = Failures(store, plan, 0)
+    assert is_unchanged(plan, store, stored, reached.path, missing_work(plan, ()))
+    assert not is_unchanged(plan, store, (), reached.path, [])
 
 
 def test_the_speed_of_the_machine_plays_no_part(reached):

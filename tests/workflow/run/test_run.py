@@ -9,6 +9,7 @@ from tests.support.runs import run, shards
 from tests.support.shards import held
 from tests.support.small import all_records
 from workflow.errors import UserError
+from workflow.run import run as driver
 from workflow.run.status import status_file
 from workflow.store import journal
 from workflow.store.store import Store, store_folder
@@ -40,7 +41,7 @@ def test_a_run_computes_everything_and_says_so(finished):
     assert json.loads(status_file(finished.path).read_text())["state"] == "finished"
     begun = [entry for entry, _ in journal.entries(store_folder(finished.path)) if "run" in entry]
     assert len(begun) == 1
-    assert 0.0 <= finished.summary.start <= finished.summary.wall < 3600.0
+    assert 0.0 < finished.summary.start <= finished.summary.wall < 3600.0
 
 
 def test_a_run_says_how_far_it_is(tmp_path, capsys):
@@ -48,6 +49,27 @@ def test_a_run_says_how_far_it_is(tmp_path, capsys):
     said = capsys.readouterr().err.splitlines()
     assert any(line.startswith("computing: 100%, 0 s left") for line in said)
     assert "fitting: 100%, 0 s left" in said
+
+
+def test_kernels_are_loaded_beforehand_where_this_machine_is_to_compute(
+    scheduler, tmp_path, monkeypatch
+):
+    loaded, few = [], ("grid.hurst=0.7", "grid.velocity=0.1")
+    monkeypatch.setattr(driver, "load_kernels", lambda scheme, _: loaded.append(scheme))
+    run(tmp_path / "there", *few, scheduler=scheduler)
+    assert loaded == []
+    found = run(tmp_path / "here", *few)
+    assert loaded == ["exponential", "implicit-euler"]
+    found.path.unlink()
+    run(tmp_path / "here", *few)  # which has only to fit
+    assert loaded == ["exponential", "implicit-euler"]
+
+
+def test_a_run_that_has_nothing_to_do_says_that_it_is_finished(finished, tmp_path):
+    result = copied(finished, tmp_path) / finished.path.name
+    status_file(result).unlink()
+    assert run(result.parent).summary.unchanged
+    assert json.loads(status_file(result).read_text())["state"] == "finished"
 
 
 def test_other_batches_on_a_cluster_give_the_same_bytes(finished, cut):

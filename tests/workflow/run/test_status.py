@@ -154,7 +154,12 @@ def test_without_a_status_that_holds_records_are_counted(place, spoil):
 def test_rounds_may_take_more_than_was_foreseen(tmp_path):
     lines = Status("x", 64, 80, 0.0).lines(tmp_path / "small.nc", None)
     assert lines[0].startswith("done        80 of 80 records")
-    assert lines[2] == "waiting     0 records"
+    assert lines[2:4] == ["waiting     0 records", "failed      0 problems"]
+
+
+@pytest.mark.parametrize("number", [1, 2])
+def test_what_no_run_has_written_nobody_runs(number):
+    assert not Status("x", 64, 0, 0.0).runs(f"process {number} on here since 12:00")
 
 
 def test_other_settings_are_another_status_and_another_cluster_is_not(place):

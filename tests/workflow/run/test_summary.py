@@ -35,6 +35,12 @@ def test_seconds_of_phases_and_of_tasks_add_up():
     assert sum(summary.tasks.values()) == pytest.approx(summary.used - 1.0)
 
 
+def test_seconds_of_other_tasks_than_those_of_the_batch_are_none_of_it():
+    result = spent([1.0] * 6)
+    with pytest.raises(ValueError, match="shorter"):
+        Summary().count(PLAN, BATCH, result._replace(spent=result.spent[1:]))
+
+
 def test_what_this_processor_took_stands_beside_what_is_typical():
     result = spent([1.0] * 6)
     summary = counted([1.0] * 6)
@@ -46,9 +52,12 @@ def test_what_this_processor_took_stands_beside_what_is_typical():
 
 
 def test_the_points_that_cost_most_come_first():
-    lines = counted([1.0, 5.0, 2.0, 0.5, 4.0, 3.0]).lines(PLAN)
+    weights = [1.0, 5.0, 2.0, 0.5, 4.0, 3.0]
+    lines = counted(weights).lines(PLAN)
     top = lines[lines.index("points that cost most:") + 1 :]
     for line, number in zip(top, (1, 4, 5), strict=True):
+        share = weights[number] / (sum(weights) + 1.0 / len(PHASES))  # a second went in calls
+        assert line.startswith(f"  {share:4.0%}  hurst=")
         problem = BATCH.tasks[number].problem
         velocity = problem.speed * 1e-4 / 1e-3
         assert f"hurst={problem.hurst:g} " in line
