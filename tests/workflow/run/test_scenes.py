@@ -59,7 +59,7 @@ scheme = "implicit-euler"
 """
 
 
-def run(folder, *settings, scheduler=LOCAL, batch_seconds=0.05, **how):
+def run(folder, *settings, scheduler=LOCAL, batch_seconds=0.2, **how):
     """Run the scenes, in this process unless a scheduler is given."""
     plan, path = small_plan(*settings, text=TEXT), folder / "small.nc"
     how = How(Cluster(scheduler), batch_seconds=batch_seconds, **how)

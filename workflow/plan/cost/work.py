@@ -25,12 +25,13 @@ PLAIN, BRANCHES, PROGRAMME = "plain", "branches", "programme"
 # N = 1000, Fbar = 0.3, vbar = 1: 1.07, 2.03 and 4.91 steps with 1, 4 and 13 branches. Steady states
 # there 165, 230 and 394 sweeps; at N = 4000 93 and 208 with 1 and 13; at other loads and speeds 85
 # to 185 with 4: the line through them is within a factor of two. Of 96 batches of all studies with
-# such elements the steps took 0.75 of what these say, and steady states at vbar > 10 twice as long
-# as below 3.
-DENSE = 0.56  # of a step: moves, forces, friction
-UNIT = 0.24  # of a step, for each internal variable
-NEWTON = 120.0  # sweeps of a steady state at high speed
+# such elements steps took as long, and steady states 1.2 to 3 times as long as vbar grew to 1e8.
+DENSE = 0.75  # of a step: moves, forces, friction
+UNIT = 0.32  # of a step, for each internal variable
+SHIFT = 7.0  # steps, to shift the line to between its samples
+NEWTON = 122.0  # sweeps of a steady state at rest
 TANGENT = 18.0  # sweeps, for each internal variable
+FASTER = 0.083  # of them more, for each factor of e in the speed
 
 
 class SecondsBySize(NamedTuple):
@@ -116,17 +117,25 @@ def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict
     if asked.anything:
         found |= (_kelvin if work.problem.spectrum == KELVIN else _memory)(asked, work)
     if recording.asked:
-        steps = _programme_steps(work) * _dense_step(work)
-        begins = work.problem.start == "steady" and work.problem.spectrum != KELVIN
-        found[MARCHING] = found[MARCHING] + steps + begins * _memory_state(work)
+        problem = work.problem
+        begins = problem.start == "steady" and problem.spectrum != KELVIN
+        found[MARCHING] = found[MARCHING] + _programme(work) + begins * _memory_state(work)
+        first, last = problem.ends
+        others = (first != problem.speed) | (last != problem.ratio * problem.speed)
+        found[CALLS] = found[CALLS] + asked.steady * others * found[STEADY]
     return found
 
 
-def _programme_steps(work: Work) -> np.ndarray:
-    """Return the number of steps of the programme of a problem, which the steps per spacing say."""
+def _programme(work: Work) -> Numbers:
+    """Return the time of the steps of a programme, which the steps per spacing say."""
     different, inverse = np.unique(work.steps, return_inverse=True)
-    counts = [programme_steps(work.problem, int(steps)).time.size for steps in different]
-    return np.array(counts)[inverse]
+    counts = []
+    for steps in different:
+        moved = programme_steps(work.problem, int(steps)).moved
+        between = np.abs(moved - np.round(moved)) > 1e-6  # of a sample
+        counts.append((moved.size, np.count_nonzero(between)))
+    whole, shifted = np.array(counts)[inverse].T
+    return whole * _dense_step(work) + SHIFT * shifted * STEP(work.samples)
 
 
 def _kelvin(asked: Quantities, work: Work) -> dict[str, Numbers]:
@@ -171,9 +180,8 @@ def _memory(asked: Quantities, work: Work) -> dict[str, Numbers]:
 
 def _memory_state(work: Work) -> Numbers:
     """Return the time of a steady state of elements with internal variables."""
-    speed = np.abs(work.problem.speed)
-    share = 0.5 * (1.0 + speed / (speed + 10.0))
-    return share * (NEWTON + TANGENT * work.units) * SWEEP(work.samples)
+    faster = 1.0 + FASTER * np.log1p(np.abs(work.problem.speed))
+    return faster * (NEWTON + TANGENT * work.units) * SWEEP(work.samples)
 
 
 def _dense_step(work: Work) -> Numbers:

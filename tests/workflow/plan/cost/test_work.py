@@ -7,7 +7,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import KELVIN, Line, Quantities, Spectrum, amplitudes, draw_phases, rms_slope
+from kernels import (
+    KELVIN,
+    Line,
+    Quantities,
+    Slide,
+    Spectrum,
+    amplitudes,
+    draw_phases,
+    rms_slope,
+)
 from kernels.motion.stretches import touchable
 from kernels.patches.refined import MOST_SAMPLES
 from kernels.rheology.kelvin import SCHEMES
@@ -27,6 +36,7 @@ from workflow.simulate.tasks import Problem, Recording
 SIZES = 1000, 1_000_000
 CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
 ALL = Quantities()
+BRANCH = Spectrum((1.0,), (1.0,), 1.0)
 
 
 def parts(elements=2500, march_steps=100, asked=ALL):
@@ -99,11 +109,39 @@ def test_every_part_is_told_and_what_is_not_asked_for_takes_none():
 
 
 def test_branches_and_programmes_are_work_of_another_kind():
-    branches = Spectrum((1.0,), (1.0,), 1.0)
     marched = Recording(64, asked=("trace",))
-    kinds = [kind_of(*of) for of in ((KELVIN, Recording(64)), (branches, Recording(64)))]
+    kinds = [kind_of(*of) for of in ((KELVIN, Recording(64)), (BRANCH, Recording(64)))]
     assert len({*kinds, kind_of(KELVIN, marched)}) == 3
-    assert kind_of(branches, marched) == kind_of(KELVIN, marched)
+    assert kind_of(BRANCH, marched) == kind_of(KELVIN, marched)
+
+
+def scene(*legs, speed=1.0, ratio=1.0, asked=ALL, start="steady"):
+    """Return the typical time of elements with a branch that are taken through legs, by part."""
+    problem = Problem(0.7, 500, 0.1, speed, ratio, BRANCH, programme=legs, start=start)
+    return typical_seconds(asked, Work(problem, 4, 0), Recording(64, asked=("trace",)))
+
+
+def test_steps_to_between_the_samples_are_dear():
+    whole, between = (scene(Slide(1.0, distance)) for distance in (10.0, 10.1))
+    assert between["marching"] > whole["marching"]  # one step more, to a line that is shifted
+    whole, between = (scene(*[Slide(1.0, d)] * 20)["marching"] for d in (0.25, 0.2))
+    assert between > 1.5 * whole  # the same number of steps
+
+
+def test_a_scene_that_begins_in_steady_sliding_finds_that_first():
+    steady, rest = (scene(Slide(1.0, 1.0), start=start) for start in ("steady", "rest"))
+    assert steady["marching"] > 2.0 * rest["marching"]
+
+
+def test_steady_states_of_other_slides_are_calls():
+    legs = Slide(1.0, 1.0), Slide(2.0, 1.0)
+    same, other = scene(*legs, ratio=2.0), scene(*legs, Slide(1.0, 1.0), ratio=2.0)
+    assert other["calls"] == pytest.approx(same["calls"] + same["steady"])
+
+
+def test_fast_sliding_takes_more_sweeps():
+    slow, fast = (scene(Slide(v, 1.0), speed=v)["steady"] for v in (1.0, 1e6))
+    assert fast > 1.5 * slow
 
 
 @given(st.floats(0.0, 1.0), st.floats(1e-6, 1e3), st.floats(1e-4, 1e4))
