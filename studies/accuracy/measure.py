@@ -67,7 +67,7 @@ TEXTS = {
 SECONDS_PER_POINT = 5.0
 SECONDS_PER_REALIZATION = 1.5e-3
 SECONDS_PER_UPDATE = 8e-8
-SECONDS_COMPILING = 15.0
+SECONDS_COMPILING = 5.0  # or rather loading; where no machine code is kept yet, a minute
 
 
 def parts(settings: dict) -> dict[str, float]:

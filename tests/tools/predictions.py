@@ -2,8 +2,8 @@
 
     python -m tests.tools.predictions --scales smoke default --seconds 60 --out predictions.json
 
-Each study runs as a user runs it, into a folder that is thrown away. The machine is measured anew
-just before, since what else runs on it changes. "First" is the CPU time over what this measurement
+Each study runs as a user runs it, into a folder that is thrown away. The machine is measured before
+and after it, since what else runs there changes. "First" is the CPU time over what the mean of both
 predicts, as on a new machine; "learned" is the same after the runs of all other rows. What earlier
 runs have taught this machine enters neither, and these teach it nothing. A study that measures
 predicts its time by itself, and learns nothing.
@@ -11,6 +11,7 @@ predicts its time by itself, and learns nothing.
 
 import argparse
 import json
+import math
 import os
 import tempfile
 from collections.abc import Iterator
@@ -28,7 +29,18 @@ from workflow.study import AnyStudy, Measured, Study, known_scales, known_studie
 WITHIN = 1.25
 
 
-def run_one(study: AnyStudy, measured: Pace, longest: float) -> dict[str, Any] | None:
+Parts = dict[str, tuple[float, float]]  # how much longer than typical they take (timing.py)
+
+
+def between(before: Parts, after: Parts) -> Parts:
+    """Return the geometric mean of two measurements."""
+    return {
+        part: (math.sqrt(before[part][0] * after[part][0]), max(before[part][1], after[part][1]))
+        for part in before
+    }
+
+
+def run_one(study: AnyStudy, longest: float) -> dict[str, Any] | None:
     """Run a study; return what it took and what was predicted, None where that is too long."""
     with tempfile.TemporaryDirectory() as folder:
         result = Path(folder, "result.nc")
@@ -40,16 +52,18 @@ def run_one(study: AnyStudy, measured: Pace, longest: float) -> dict[str, Any] |
             run_measured(study, result)
             return {"used": sum(os.times()[:4]) - began, "predicted": predicted}
         assert isinstance(study, Study)
-        plan = make_plan(study, measured)
+        before = factors()
+        plan = make_plan(study, Pace(before))
         if plan.prediction().seconds > longest:
             return None
         found = run_plan(plan, result, How())
     parts = [[*which, used, found.typical[which]] for which, used in found.spent.items()]
-    known = dict(measured.measured)
-    return {"used": found.used, "predicted": found.foreseen, "parts": parts, "measured": known}
+    measured = between(before, factors())
+    predicted = prediction(Pace(measured), found.typical).seconds
+    return {"used": found.used, "predicted": predicted, "parts": parts, "measured": measured}
 
 
-def learned_from(rows: list[dict[str, Any]], measured: dict[str, Any]) -> Pace:
+def learned_from(rows: list[dict[str, Any]], measured: Parts) -> Pace:
     """Return what a machine knows after some runs."""
     known: dict[str, Learned] = {}
     for row in rows:
@@ -107,7 +121,7 @@ def main() -> None:
         for name in asked.studies:
             if scale in ("default", *known_scales(name)):
                 study = read_study(name, None if scale == "default" else scale, [])
-                found = run_one(study, Pace(factors()), asked.seconds)
+                found = run_one(study, asked.seconds)
                 rows += [{"study": name, "scale": scale} | found] if found else []
                 if asked.out:  # a long run may be stopped
                     asked.out.write_text(json.dumps(rows) + "\n", encoding="utf-8")

@@ -7,16 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import (
-    KELVIN,
-    Line,
-    Quantities,
-    Slide,
-    Spectrum,
-    amplitudes,
-    draw_phases,
-    rms_slope,
-)
+from kernels import KELVIN, Line, Quantities, Slide, Spectrum, amplitudes, draw_phases, rms_slope
 from kernels.motion.stretches import touchable
 from kernels.patches.refined import MOST_SAMPLES
 from kernels.rheology.kelvin import SCHEMES
