@@ -120,9 +120,8 @@ def add_span(setting, level, b, tally):
 
 
 @kernel
-def add_sample(setting, level, j, steep, tally):
-    """Add one sample that always touches to a tally. steep : a_j."""
-    depth, weight = level - steep, lagged(setting.slope, setting.law.lag, j)
+def add_sample(depth, weight, tally):
+    """Add one sample that always touches to a tally. depth : level - a_j. weight : lagged slope."""
     tally[0] += 1.0
     tally[1] += depth
     tally[2] += weight

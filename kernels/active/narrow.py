@@ -12,7 +12,7 @@ import numpy as np
 
 from kernels.active.flights import arriving, powers_of
 from kernels.active.landings import land, landed
-from kernels.active.lists import Lists, Sums
+from kernels.active.lists import Lists, Sums, add_sample
 from kernels.active.marks import ALWAYS, FREE
 from kernels.active.runs import LISTED, SHORT, UNKNOWN, Runs, class_of
 from kernels.active.setting import rise
@@ -69,7 +69,7 @@ def narrowed(law, line, bounds, where, past, aloft, steps, lands):
             if lands and always and land(law, landings, gap, behind, past, aloft, steps):
                 kind = SUMMED
             if kind == ALWAYS:
-                _add(parts, sums.level - steep, lists.weight[i])
+                add_sample(sums.level - steep, lists.weight[i], parts)
             elif kind == LISTED:
                 near = was == FREE and source - j <= SHORT and source <= runs.top[r]
                 if was != LISTED and not (near and count > 0 and bottom[count - 1] == source):
@@ -116,15 +116,6 @@ def _entering(law, line, bounds, runs, r, over, above):
 def _at(line, j):
     """Return the height of sample j, counted on round the period."""
     return line[j - line.size if j >= line.size else j]
-
-
-@kernel
-def _add(parts, depth, weight):
-    """Add a sample that always touches to sums. depth : level - a_j."""
-    parts[0] += 1.0
-    parts[1] += depth
-    parts[2] += weight
-    parts[3] += depth * weight
 
 
 @kernel

@@ -100,7 +100,12 @@ def _room(n):
 @kernel
 def _visit(setting, bounds, levels, first, b, at, runs, met, level, tally):
     """Walk through the samples of a span one by one; ``at`` is what walk knows, and comes back."""
-    z, (start, end) = setting.z, (setting.start, setting.end)
+    z, slope, law, (start, end) = (
+        setting.z,
+        setting.slope,
+        setting.law,
+        (setting.start, setting.end),
+    )
     kind, source, from_sure, low, high, count, size = at
     u, v = start.entered[b], end.entered[b]
     for j in range(min((b + 1) * SPAN, z.size) - 1, b * SPAN - 1, -1):
@@ -109,8 +114,8 @@ def _visit(setting, bounds, levels, first, b, at, runs, met, level, tally):
         near, far = (w, after) if levels.early else (after, w)
         kind, steep = FREE, 0.0
         if z[j] - near < bounds.high + levels.near_slack:
-            steep = rise(setting.law, z[j], z[j + 1 if j + 1 < z.size else 0])
-            least, most = gap(setting.law, bounds, levels, z[j], steep, near, far, low, high)
+            steep = rise(law, z[j], z[j + 1 if j + 1 < z.size else 0])
+            least, most = gap(law, bounds, levels, z[j], steep, near, far, low, high)
             now = z[j] - w - start.d
             least, most = min(least, now), max(most, now)
             low, high = max(least, 0.0), max(most, 0.0)
@@ -119,10 +124,11 @@ def _visit(setting, bounds, levels, first, b, at, runs, met, level, tally):
             low, high = 0.0, UNKNOWN
         if kind == FREE:
             if source - j < SHORT and source < z.size:  # listed, should a run begin behind it
-                _meet(setting, bounds, met, size + source - 1 - j, j, w, after)
+                weight = lagged(slope, law.lag, j)
+                _meet(met, size + source - 1 - j, z[j], bounds.high, weight, w, after)
             continue
         if kind == ALWAYS:
-            add_sample(setting, level, j, steep, tally)
+            add_sample(level - steep, lagged(slope, law.lag, j), tally)
         else:
             near_by = was == FREE and source - j <= SHORT and source < z.size
             if was != LISTED and not (near_by and count > 0 and runs.bottom[count - 1] == source):
@@ -131,21 +137,20 @@ def _visit(setting, bounds, levels, first, b, at, runs, met, level, tally):
                 count += 1
             runs.bottom[count - 1] = j
             size += source - 1 - j if near_by else 0
-            _meet(setting, bounds, met, size, j, w, after)
+            _meet(met, size, z[j], bounds.high, lagged(slope, law.lag, j), w, after)
             size += 1
         source, from_sure = j, high == 0.0
     return kind, source, from_sure, low, high, count, size
 
 
 @kernel
-def _meet(setting, bounds, met, i, j, w, after):
-    """Note sample j in place i. w, after : displacements without force at v1 and v2."""
-    z = setting.z[j]
+def _meet(met, i, z, highest, weight, w, after):
+    """Note a sample in place i. w, after : displacements without force at v1 and v2."""
     # What lies higher cannot touch at any height: low, it costs w no digits.
-    met.z[i] = min(z, bounds.high)
+    met.z[i] = min(z, highest)
     met.c[i] = met.z[i] - w
     met.after[i] = z - after
-    met.weight[i] = lagged(setting.slope, setting.law.lag, j)
+    met.weight[i] = weight
 
 
 @kernel

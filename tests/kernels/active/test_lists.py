@@ -44,7 +44,7 @@ def test_a_span_is_its_samples_round_the_period(hurst):
         whole, one_by_one = np.zeros(4), np.zeros(4)
         add_span(setting, level, b, whole)
         for j in range(own.start, own.stop):
-            add_sample(setting, level, j, a[j], one_by_one)
+            add_sample(level - a[j], weight[j], one_by_one)
         each = level - a[own]
         expected = [SPAN, each.sum(), weight[own].sum(), each @ weight[own]]
         scale = np.abs(each).sum() * np.abs(weight[own]).max()
