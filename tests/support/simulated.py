@@ -16,6 +16,11 @@ class Cluster(Workers):
 
     loop = None
 
+    def __init__(self, **workers: Callable[[Any], tuple[float, Any]]) -> None:
+        """``workers`` : what each does, by name; see ``at``."""
+        super().__init__(**workers)
+        self.cancelled: list[Task] = []
+
     @property
     def scheduler(self) -> SimpleNamespace:
         """Return what answers calls."""
@@ -53,6 +58,7 @@ class Cluster(Workers):
 
     def cancel(self, tasks: list[Task]) -> None:
         """Forget tasks."""
+        self.cancelled += tasks
 
     def update(self, tasks: list[Task]) -> None:
         """Wait for these too."""

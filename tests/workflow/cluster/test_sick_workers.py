@@ -28,14 +28,11 @@ def first(seconds):
     return lambda item: (next(times, 1.0), item)
 
 
-class Given:
-    """Notes items that were given up."""
-
-    def __init__(self):
-        self.up = []
+class Given(list):
+    """Items that were given up."""
 
     def __call__(self, item, error, alone):
-        self.up.append((item, str(error), alone))
+        self.append((item, str(error), alone))
         return []
 
 
@@ -47,7 +44,7 @@ def tries(cluster, name):
 def test_while_the_sound_worker_is_busy_for_long_nothing_is_tried_twice_by_the_sick_one(capsys):
     cluster, given = Cluster(a=sick, b=first(100.0)), Given()
     assert sorted(streamed(cluster, range(30), retry=given)) == [(i, i) for i in range(30)]
-    assert given.up == []
+    assert given == []
     assert set(tries(cluster, "a").values()) == {1}
     assert cluster.now < 1000.0 + 100.0 + 31.0
     assert capsys.readouterr().err.count("3 batches in a row failed there") == 1
@@ -65,13 +62,14 @@ def test_where_the_sound_worker_dies_another_does_what_waited_for_it():
     cluster.after(5.5, cluster.die, "b")
     assert sorted(streamed(cluster, range(10))) == [(i, i) for i in range(10)]
     assert set(tries(cluster, "a").values()) == {1}
+    assert {*cluster.cancelled} >= {*cluster.unrunnable} != set()  # or they would be kept for ever
 
 
 def test_where_the_only_sound_worker_dies_items_fail_twice_on_the_other_and_nothing_waits():
     cluster, given = Cluster(a=sick, b=first(1e9)), Given()
     cluster.after(5.0, cluster.die, "b")
     assert streamed(cluster, range(10), retry=given) == []
-    assert sorted(item for item, _, _ in given.up) == [*range(10)]
+    assert sorted(item for item, _, _ in given) == [*range(10)]
     assert set(tries(cluster, "a").values()) == {2}
     assert cluster.now < 1010.0
 
@@ -87,7 +85,7 @@ def test_where_the_only_sound_worker_falls_silent_nothing_waits_for_it():
     cluster, given = Cluster(a=sick, b=first(1e9)), Given()
     cluster.after(5.0, cluster.hush, "b")
     assert streamed(cluster, range(10), retry=given) == []
-    assert sorted(item for item, _, _ in given.up) == [*range(10)]
+    assert sorted(item for item, _, _ in given) == [*range(10)]
     assert cluster.now < 1040.0  # 30 s, to be known as silent
 
 
@@ -96,7 +94,7 @@ def test_what_comes_of_a_silent_worker_counts_if_it_comes_first():
     cluster.after(5.0, cluster.hush, "b")
     cluster.after(40.0, cluster.wake, "b")
     assert sorted(streamed(cluster, [1], retry=given)) == [(1, 1)]
-    assert given.up == []
+    assert given == []
 
 
 def test_where_the_sound_worker_pauses_another_does_what_is_for_it():
@@ -109,7 +107,7 @@ def test_where_the_sound_worker_pauses_another_does_what_is_for_it():
 def test_what_two_sick_workers_fail_is_given_up_though_a_third_is_sound():
     cluster, given = Cluster(a=sick, b=sick, c=first(50.0)), Given()
     streamed(cluster, range(10), retry=given)
-    for item, said, alone in given.up:
+    for item, said, alone in given:
         assert (said, alone) == (str(ERROR), False)
         assert (tries(cluster, "a")[item], tries(cluster, "b")[item]) == (1, 1)
 
@@ -148,7 +146,7 @@ def test_what_kills_its_workers_is_blamed_alone_though_another_is_sick():
     cluster.replaced = poisoned
     others = [(i, i) for i in range(20) if i != 3]
     assert sorted(streamed(cluster, range(20), retry=once_more)) == others
-    ((item, said, alone),) = given.up
+    ((item, said, alone),) = given
     assert (item, alone) == (3, True)
     assert "4 different workers" in said
     assert len(cluster.workers) == 3

@@ -1,0 +1,27 @@
+"""Simulated: what is tried instead of an item that was alone in the cluster."""
+
+from distributed.scheduler import KilledWorker
+
+from tests.support.simulated import Cluster, streamed
+from tests.support.simulated_workers import DIE
+
+
+def test_two_items_instead_of_one_that_was_alone_are_not_alone():
+    """The item kills four workers, then it fails alone; of the two instead of it, one kills."""
+    deaths, asked = iter([DIE] * 4), []
+
+    def work(item):
+        if item == "both":
+            return 0.1, next(deaths, OSError())
+        return 0.1, DIE if item == 1 else item
+
+    def retry(item, error, alone):
+        asked.append((item, type(error), alone))
+        instead = [1, 2] if alone else [item]
+        return instead if item == "both" else []
+
+    cluster = Cluster(b0=work, c0=work)
+    cluster.replaced = work
+    assert streamed(cluster, ["both"], retry=retry) == [(2, 2)]
+    both = [("both", KilledWorker, False), ("both", OSError, True)]
+    assert asked == [*both, (1, KilledWorker, False)]
