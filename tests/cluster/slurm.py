@@ -7,6 +7,7 @@ import shutil
 import signal
 import socket
 import subprocess
+import tempfile
 import time
 from pathlib import Path
 
@@ -24,12 +25,12 @@ SlurmdPort={slurmd_port}
 CommunicationParameters=NoInAddrAny,NoCtldInAddrAny
 SlurmUser={user}
 SlurmdUser={user}
-AuthInfo=socket={folder}/run/munge.socket
+AuthInfo=socket={short}/run/munge.socket
 CredType=cred/munge
 StateSaveLocation={folder}/ctld
-SlurmdSpoolDir={folder}/spool/%n
-SlurmctldPidFile={folder}/run/slurmctld.pid
-SlurmdPidFile={folder}/run/slurmd-%n.pid
+SlurmdSpoolDir={short}/spool/%n
+SlurmctldPidFile={short}/run/slurmctld.pid
+SlurmdPidFile={short}/run/slurmd-%n.pid
 SlurmctldLogFile={folder}/log/slurmctld.log
 SlurmdLogFile={folder}/log/slurmd-%n.log
 ProctrackType=proctrack/linuxproc
@@ -63,12 +64,16 @@ class Slurm:
 
     def __init__(self, folder: Path) -> None:
         self.folder = folder
-        for name in ("ctld", "log", "run", "spool/n1", "spool/n2", "jobs"):
+        self.short = Path(tempfile.mkdtemp(prefix="slurm-", dir="/tmp"))  # sockets: 107 letters
+        for name in ("ctld", "log", "jobs"):
             (folder / name).mkdir(parents=True)
+        for name in ("run", *(f"spool/{node}" for node in NODES)):
+            (self.short / name).mkdir(parents=True)
         self.environment = {"SLURM_CONF": str(folder / "slurm.conf"), "PATH": _path()}
         ports = {name: free_port() for name in ("ctld_port", "slurmd_port", *NODES)}
         host = socket.gethostname().partition(".")[0]
-        text = CONFIGURATION.format(host=host, user=getpass.getuser(), folder=folder, **ports)
+        places = {"folder": folder, "short": self.short}
+        text = CONFIGURATION.format(host=host, user=getpass.getuser(), **places, **ports)
         (folder / "slurm.conf").write_text(text)
         self._start()
 
@@ -125,11 +130,15 @@ class Slurm:
         for nanny in self.nannies():
             for pid in (*workers_of(nanny), nanny.pid):
                 kill(pid, signal.SIGKILL)
-        for pid_file in (self.folder / "run").glob("*.pid"):
-            kill(int(pid_file.read_text()), signal.SIGTERM)
+        pids = [int(file.read_text()) for file in (self.short / "run").glob("*.pid")]
+        daemons = [psutil.Process(pid) for pid in pids if psutil.pid_exists(pid)]
+        for daemon in daemons:
+            kill(daemon.pid, signal.SIGTERM)
+        psutil.wait_procs(daemons, timeout=PATIENCE)  # they write as they end
+        shutil.rmtree(self.short, ignore_errors=True)
 
     def _start(self) -> None:
-        run, key = self.folder / "run", self.folder / "run" / "munge.key"
+        run, key = self.short / "run", self.short / "run" / "munge.key"
         key.write_bytes(os.urandom(128))
         key.chmod(0o600)
         run.chmod(0o755)
