@@ -60,7 +60,7 @@ class Status:
 
     def runs(self, by: str | None) -> bool:
         """Return whether it is this study that ``by`` runs."""
-        return by is not None and f"process {self.pid} on {self.host}" in by
+        return by is not None and by.startswith(f"process {self.pid} on {self.host} since")
 
     @property
     def ended(self) -> str:

@@ -162,6 +162,14 @@ def test_what_no_run_has_written_nobody_runs(number):
     assert not Status("x", 64, 0, 0.0).runs(f"process {number} on here since 12:00")
 
 
+@pytest.mark.parametrize(
+    ("number", "host", "whose"), [(1, "a", True), (1, "ab", False), (21, "a", False)]
+)
+def test_whose_run_it_is_hangs_on_the_whole_of_process_and_host(number, host, whose):
+    status = Status("x", 64, 0, 0.0, pid=1, host="a")
+    assert status.runs(f"process {number} on {host} since 12:00") is whose
+
+
 def test_other_settings_are_another_status_and_another_cluster_is_not(place):
     place[2].write(1, 1)
     other = small_study("study.seed=2")
