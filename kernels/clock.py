@@ -22,7 +22,7 @@ class _Listener(event.Listener):
         own.depth += 1
 
     def on_end(self, event: event.Event) -> None:
-        """Leave it out."""
+        """Leave out what has passed since the outermost began."""
         own.depth -= 1
         if own.depth == 0:
             own.lost += time.thread_time() - own.began

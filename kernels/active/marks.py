@@ -6,7 +6,7 @@ E at one of the speeds or the other, and in contact they are z - d.
 
 from typing import NamedTuple
 
-from kernels.active.setting import Passing
+from kernels.active.setting import Passing, rise
 from kernels.jit import kernel
 from kernels.rheology.law import NEGLIGIBLE
 from kernels.steady.spans import SPAN
@@ -66,5 +66,5 @@ def mark_of_first(setting, bounds, levels):
         u, v = min(w, z[j] - start.d), min(after, z[j] - end.d)
     if z[0] - (w if levels.early else after) >= bounds.high + levels.near_slack:
         return FREE
-    steep = (z[0] - z[1]) + z[1] / setting.law.stiffness
+    steep = rise(setting.law, z[0], z[1])
     return ALWAYS if z[0] - w < start.d and steep < bounds.least else FORCED
