@@ -67,7 +67,7 @@ TEXTS = {
 SECONDS_PER_POINT = 5.0
 SECONDS_PER_REALIZATION = 1.5e-3
 SECONDS_PER_UPDATE = 8e-8
-SECONDS_COMPILING = 5.0  # or rather loading; where no machine code is kept yet, a minute
+SECONDS_COMPILING = 5.0  # to load machine code; the first run on a machine takes a minute more
 
 
 def parts(settings: dict) -> dict[str, float]:
