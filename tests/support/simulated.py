@@ -6,7 +6,7 @@ from typing import Any
 
 from studies.scaling.virtual import AtOnce
 from tests.support.simulated_workers import Task, Workers
-from workflow.cluster.crew import ROLL
+from workflow.cluster.calls import ROLL
 from workflow.cluster.flow import stream
 from workflow.cluster.watch import Watch
 
@@ -73,4 +73,4 @@ class Cluster(Workers):
 def streamed(cluster: Cluster, items: list[Any], **how: Any) -> list[tuple[Any, Any]]:
     """Return what a stream of items through a simulated cluster yields."""
     simulated = {"clock": cluster, "completed": lambda *_, **__: cluster, "call": AtOnce}
-    return list(stream(cluster, abs, items, Watch(), **how, **simulated))
+    return list(stream(cluster, abs, items, **{"watch": Watch()} | how, **simulated))

@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.cluster.calls import Call
+    from workflow.cluster.calls import ROLL, Call, Roll
     from workflow.cluster.client import open_client
-    from workflow.cluster.crew import ROLL, Roll
     from workflow.cluster.flow import stream
     from workflow.cluster.versions import check_versions, own_versions
     from workflow.cluster.watch import Watch

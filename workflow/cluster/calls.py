@@ -1,7 +1,7 @@
 """Calls that may never return, because whoever is asked has been stopped."""
 
 import threading
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from typing import Any, NamedTuple, Protocol
 
 from distributed import Client, Future, Scheduler
@@ -13,6 +13,7 @@ from workflow.errors import UserError
 
 LOST = "the scheduler was lost; run again to resume"
 POLL_SECONDS = 0.02
+ROLL = "elastomer_friction_roll"  # what the scheduler is asked for
 
 
 class Clock(Protocol):
@@ -23,6 +24,39 @@ class Clock(Protocol):
 
     def sleep(self, seconds: float, /) -> None:
         """Let time pass."""
+
+
+class Roll(NamedTuple):
+    """What the scheduler knows of its workers, by address."""
+
+    threads: dict[str, int]
+    heard: dict[str, float]  # time of the last heartbeat (s), by the scheduler's clock
+    busy: dict[str, list[str]]  # keys of what they compute
+    paused: Collection[str] = ()  # who takes up nothing for now
+    stranded: Collection[str] = ()  # keys of what nobody is there for who may compute it
+
+
+def answer_rolls(dask_scheduler: Scheduler) -> None:
+    """Let a scheduler answer roll calls; run there, once, as it logs whatever it is told to run."""
+
+    def roll() -> Roll:
+        workers = dask_scheduler.workers.values()
+        return Roll(
+            {worker.address: worker.nthreads for worker in workers},
+            {worker.address: worker.last_seen for worker in workers},
+            {worker.address: [str(task.key) for task in worker.processing] for worker in workers},
+            [worker.address for worker in workers if worker not in dask_scheduler.running],
+            [str(task.key) for task in dask_scheduler.unrunnable],
+        )
+
+    dask_scheduler.handlers[ROLL] = roll
+
+
+def call_roll(client: Client, first: bool) -> Roll:
+    """Return the roll."""
+    if first:
+        client.run_on_scheduler(answer_rolls)
+    return Roll(*client.sync(getattr(client.scheduler, ROLL)))
 
 
 class Call:

@@ -5,54 +5,19 @@ for its host: the others there share its disk and memory.
 """
 
 from collections import Counter
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, field
-from typing import NamedTuple
 
-from distributed import Client, Scheduler
+from distributed import Client
 
-from workflow.cluster.calls import LOST, Call, Clock
+from workflow.cluster.calls import LOST, Call, Clock, Roll, call_roll
 from workflow.cluster.watch import BEAT_SECONDS, LONGEST_BEAT, QUIET_SECONDS, Watch, say
 from workflow.errors import UserError
 from workflow.system import duration
 
 SILENT_SECONDS = 30.0  # without a heartbeat, before that is said and its work done elsewhere
 QUIET_PER_WORKER = 0.01  # s; the more workers, the rarer dask's heartbeats
-ROLL = "elastomer_friction_roll"  # what the scheduler is asked for
 ROW = 3  # failures in a row that others did not have, before a worker is left out
-
-
-class Roll(NamedTuple):
-    """What the scheduler knows of its workers, by address."""
-
-    threads: dict[str, int]
-    heard: dict[str, float]  # time of the last heartbeat (s), by the scheduler's clock
-    busy: dict[str, list[str]]  # keys of what they compute
-    paused: Collection[str] = ()  # who takes up nothing for now
-    stranded: Collection[str] = ()  # keys of what nobody is there for who may compute it
-
-
-def answer_rolls(dask_scheduler: Scheduler) -> None:
-    """Let a scheduler answer roll calls; run there, once, as it logs whatever it is told to run."""
-
-    def roll() -> Roll:
-        workers = dask_scheduler.workers.values()
-        return Roll(
-            {worker.address: worker.nthreads for worker in workers},
-            {worker.address: worker.last_seen for worker in workers},
-            {worker.address: [str(task.key) for task in worker.processing] for worker in workers},
-            [worker.address for worker in workers if worker not in dask_scheduler.running],
-            [str(task.key) for task in dask_scheduler.unrunnable],
-        )
-
-    dask_scheduler.handlers[ROLL] = roll
-
-
-def call_roll(client: Client, first: bool) -> Roll:
-    """Return the roll."""
-    if first:
-        client.run_on_scheduler(answer_rolls)
-    return Roll(*client.sync(getattr(client.scheduler, ROLL)))
 
 
 def host_of(address: str) -> str:
@@ -69,6 +34,7 @@ class Crew:
     said: dict[str, float] = field(default_factory=dict)  # silence that has been told
     blamed: Counter[str] = field(default_factory=Counter)  # failures in a row, by place
     left_out: set[str] = field(default_factory=set)  # places
+    gone: dict[str, float] = field(default_factory=dict)  # s since a worker was lost, by address
     by_host: bool = False  # whether there are several hosts
 
     def note(self, roll: Roll, passed: float) -> None:
@@ -84,6 +50,9 @@ class Crew:
             else 0.0
             for address, heard in roll.heard.items()
         }
+        lost = {address: 0.0 for address in self.roll.threads if address not in roll.threads}
+        ago = {address: seconds + passed for address, seconds in (self.gone | lost).items()}
+        self.gone = {a: s for a, s in ago.items() if s < SILENT_SECONDS and a not in roll.threads}
         self.roll = roll
         self.by_host = len({host_of(address) for address in roll.threads}) > 1
         if not self.all_quiet():  # or else the watch says so
@@ -119,6 +88,14 @@ class Crew:
         """Return those of ``able`` that are not left out, and elsewhere than some addresses."""
         places = self.left_out | {self.place(address) for address in but}
         return [address for address in self.able() if self.place(address) not in places]
+
+    def awaits(self, but: Iterable[str] = ()) -> bool:
+        """Return whether nobody is in ``fit``, but one who was is lost since a moment.
+
+        A nanny starts a worker anew within seconds.
+        """
+        places = self.left_out | {self.place(address) for address in but}
+        return not self.fit(but) and any(self.place(lost) not in places for lost in self.gone)
 
     def idle(self, but: Iterable[str] = ()) -> list[str]:
         """Return those of ``fit`` that compute nothing."""

@@ -40,13 +40,13 @@ def stream(
     """Yield (item, function(item)) as they finish; once watch() is true, only what is running.
 
     At most a few items per worker thread are in flight, so memory does not grow with the
-    study. An item that raises is tried on another worker; ``retry`` returns what to do instead
-    of one that failed on two, or twice on the only one. What follows a killed worker is done
-    last, one item at a time, so that the item to blame is certain. An item that takes far
-    longer than ``predicted`` (s), or whose worker falls silent, is computed a second time on
-    another; the first result counts. Raises UserError when the scheduler is lost, or patience
-    ends. ``clock``, ``completed`` (distributed.as_completed) and ``call`` are others in a
-    simulation.
+    study. An item that raises is tried on another worker, for which it waits where one was lost a
+    moment ago; ``retry`` returns what to do instead of one that failed on two, or twice on the
+    only one. What follows a killed worker is done last, one item at a time, so that the item to
+    blame is certain. An item that takes far longer than ``predicted`` (s), or whose worker falls
+    silent, is computed a second time on another; the first result counts. Raises UserError when
+    the scheduler is lost, or patience ends. ``clock``, ``completed`` (distributed.as_completed)
+    and ``call`` are others in a simulation.
     """
     running, placing = completed([], loop=client.loop), partial(placed, function=function)
     watch = watch or Watch()
@@ -83,7 +83,7 @@ class _Stream:
             self._tick()
         self._submit()
         try:
-            while self.flight:
+            while self.flight or (self.again and not self.watch()):
                 ended = self.running.next_batch(block=False)
                 self.fetches.begin([f for f in ended if f.key in self.flight.works])
                 del ended
@@ -111,7 +111,9 @@ class _Stream:
         crew = self.rolls.crew
         self._send([w for w in fresh if not w.failed], crew.fit() if crew.left_out else [])
         for work in fresh:
-            if work.failed:
+            if work.failed and crew.awaits(work.failed):
+                self.again.append(work)
+            elif work.failed:
                 self._send([work], work.workers(crew))
 
     def _work(self, item: Any) -> Work:

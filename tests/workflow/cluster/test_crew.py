@@ -6,8 +6,8 @@ from types import SimpleNamespace
 import pytest
 from distributed.comm import CommClosedError
 
-from workflow.cluster.calls import Call
-from workflow.cluster.crew import ROLL, Crew, Roll, RollCalls, answer_rolls, call_roll
+from workflow.cluster.calls import ROLL, Call, Roll, answer_rolls, call_roll
+from workflow.cluster.crew import Crew, RollCalls
 from workflow.cluster.watch import Watch
 from workflow.errors import UserError
 

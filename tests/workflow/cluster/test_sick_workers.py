@@ -8,6 +8,7 @@ from distributed.scheduler import KilledWorker
 
 from tests.support.simulated import Cluster, streamed
 from tests.support.simulated_workers import DIE
+from workflow.cluster.watch import Watch
 
 ERROR = OSError("Input/output error")
 
@@ -71,7 +72,24 @@ def test_where_the_only_sound_worker_dies_items_fail_twice_on_the_other_and_noth
     assert streamed(cluster, range(10), retry=given) == []
     assert sorted(item for item, _, _ in given) == [*range(10)]
     assert set(tries(cluster, "a").values()) == {2}
-    assert cluster.now < 1010.0
+    assert 1030.0 < cluster.now < 1045.0  # 30 s, in which another might come in its place
+
+
+def test_where_the_only_sound_worker_is_started_anew_nothing_fails_twice():
+    cluster, given = Cluster(a=sick, b0=first(1e9)), Given()
+    cluster.after(5.0, cluster.die, "b0")
+    cluster.after(25.0, cluster.join, "b1", sound)
+    assert sorted(streamed(cluster, range(30), retry=given)) == [(i, i) for i in range(30)]
+    assert given == []
+    assert set(tries(cluster, "a").values()) == {1}
+
+
+def test_a_stop_does_not_wait_for_who_may_come_again():
+    cluster = Cluster(a=sick, b=first(1e9))
+    cluster.after(5.0, cluster.die, "b")
+    stopping = Watch(lambda: cluster.now > 1010.0)
+    assert streamed(cluster, range(10), watch=stopping) == []
+    assert cluster.now < 1015.0
 
 
 def test_where_the_sound_worker_falls_silent_another_does_what_it_has():
