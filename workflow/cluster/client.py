@@ -69,14 +69,16 @@ def open_client(
     # What is lost is said in one line, by the flow.
     for name in ("distributed.client", "distributed.scheduler"):
         logging.getLogger(name).setLevel(logging.CRITICAL)
+    watch = watch or Watch()
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
         if cluster.where == LOCAL:
             client = Client(stack.enter_context(_local_cluster(workers, dashboard)))
         elif cluster.where in BATCH_SYSTEMS:
             client = Client(stack.enter_context(job_cluster(cluster, dashboard)))
+            watch.logs = cluster.log_folder
         else:
-            client = _client_of(cluster, watch or Watch())
+            client = _client_of(cluster, watch)
         stack.callback(_close, client)
         if dashboard:
             say(f"dashboard: {client.dashboard_link} (anyone on the machine can look)")

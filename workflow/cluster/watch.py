@@ -38,6 +38,7 @@ class Watch:
     patience: float = math.inf  # s to wait without workers, or for answers
     listeners: list[Listener] = field(default_factory=list)
     crew: "Crew | None" = None  # what earlier streams know of the workers
+    logs: str = ""  # folder of what the workers say, if that is known
     lacking: str = ""
     waited: float = 0.0  # s that something has been lacking
     next_line: float = 0.0
@@ -80,5 +81,6 @@ class Watch:
             raise UserError(said)
         if self.waited >= self.next_line:
             until = f", at most {duration(self.patience)}" if self.patience < math.inf else ""
-            say(f"no {self.lacking} for {duration(self.waited)}: waiting{until}")
+            why = f" (logs of the jobs: {self.logs})" if self.logs else ""
+            say(f"no {self.lacking} for {duration(self.waited)}{why}: waiting{until}")
             self.next_line = 2.0 * max(self.waited, self.next_line)
