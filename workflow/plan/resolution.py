@@ -19,7 +19,6 @@ GENERAL_STEPS = 8  # where elements have internal variables, or a programme is m
 RENEWAL = 0.04  # of the line, slid until contacts are others
 FIRST_ORDER = 8  # times the steps, that a scheme of first order takes
 MOST_FOR_CONTACTS = 64
-WIDE = 40.0  # samples per contact, beyond which more of them change nothing
 
 
 def rung(need: Numbers) -> Numbers:
@@ -66,7 +65,7 @@ def _for_contacts(problem: Problem, steps: Numbers) -> Numbers:
     width, rate = contact_width(problem), expected_rate(problem)
     while True:
         finer, wide = rung(steps + 1), width * steps
-        coarse = (rate_error(problem, steps, wide, rate) > BIAS) & (finer <= most) & (wide < WIDE)
+        coarse = (rate_error(problem, steps, wide, rate) > BIAS) & (finer <= most)
         if not coarse.any():
             return steps
         steps = np.where(coarse, finer, steps)
