@@ -37,7 +37,8 @@ def mu_1_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers
     contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
     line = (elements / 88.0) ** (-1.22 * problem.hurst)
     coarse = 0.060 * contacts * (1.0 + 1.0 / speed) ** 0.92 * line / steps**2
-    finer = np.where(speed_ratio(problem) < 1.0, 0.10, 0.010) / steps
+    slow, fast = np.minimum(0.10 / steps, 0.005), 0.010 / steps
+    finer = np.where(speed_ratio(problem) < 1.0, slow, fast)
     contact = np.where(refine & (steps >= LEAST_STEPS), np.minimum(coarse, finer), coarse)
     return np.hypot(contact, 0.03 / steps**2)
 
@@ -48,7 +49,8 @@ def jump_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers
     contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
     line = (elements / 94.0) ** (-1.36 * problem.hurst)
     coarse = 0.158 * contacts * (1.0 + 1.0 / speed) ** 0.68 * line / steps**2
-    finer = np.where(speed_ratio(problem) < 1.0, 0.20, 0.034) / steps
+    slow, fast = np.minimum(0.20 / steps, 0.010), 0.034 / steps
+    finer = np.where(speed_ratio(problem) < 1.0, slow, fast)
     contact = np.where(refine & (steps >= LEAST_STEPS), np.minimum(coarse, finer), coarse)
     return np.hypot(contact, 0.06 / steps**2)
 
