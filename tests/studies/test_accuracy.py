@@ -9,8 +9,10 @@ from studies.accuracy.marches import MARCHES
 from studies.accuracy.measure import table
 from studies.accuracy.points import COMPARED, POINTS, Point, surface
 from studies.accuracy.recommendation import cheapest
+from studies.accuracy.wide import observe, stated
 from tests.support.studies import check_drawing, load
 from workflow.cli import main
+from workflow.simulate import Problem
 
 whole_study = pytest.mark.exhaustive  # its parts are asked for in make test
 POINT = Point(0.5, 0.3, 1.5)
@@ -41,6 +43,15 @@ def test_alternatives_agree_with_the_kernels_at_equal_m(name, m):
     before = one.advance(int(np.ceil(25.0 / np.log1p(dt))), dt)
     assert before[-1] == pytest.approx(steady, rel=TOLERANCE[name])
     np.testing.assert_allclose(one.advance(10, dt / 1.2), mu, rtol=TOLERANCE[name])
+
+
+def test_straight_lines_between_samples_relax_too_slowly_and_the_stated_bias_says_so():
+    problem = Problem(0.6, 1000, 0.2, 6.0, 1.2)  # wide contacts, short steps
+    coarse, finer, limit = (observe(problem, m, 64, 1) for m in (4, 8, 32))
+    error, less = coarse[2] / limit[2] - 1.0, finer[2] / limit[2] - 1.0
+    bound = stated(problem, 4, coarse)[2]
+    assert -bound < error < -0.4 * bound
+    assert abs(less) < min(0.5 * abs(error), stated(problem, 8, finer)[2])
 
 
 def test_choice_balances_bias_and_realizations():

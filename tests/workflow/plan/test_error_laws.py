@@ -18,6 +18,10 @@ POINTS = [
     Problem(0.0, 600, 0.2, 10.0, 1.2),
     Problem(1.0, 600, 0.02, 0.5, 1.2),
 ]
+OUTER = [  # where the bound was once ten times too small
+    Problem(0.2, 660, 0.0016, 0.025, 1.2),
+    Problem(0.7, 1580, 19.0, 870.0, 1.2),
+]
 LINES = 24
 FINE = 64
 
@@ -30,7 +34,7 @@ def scalars(problem, steps):
     return block_means(batch).scalars[0]
 
 
-@pytest.fixture(scope="module", params=POINTS, ids=str)
+@pytest.fixture(scope="module", params=POINTS + OUTER, ids=str)
 def measured(request):
     """Return a problem with its fine scalars."""
     return request.param, scalars(request.param, FINE)
@@ -43,9 +47,10 @@ def test_discretisation_errors_keep_their_bound(measured, name):
     for steps in (4, 8):
         bound = LAWS[name].error(problem, steps)
         found = scalars(problem, steps)[:, column].mean() / fine[:, column].mean() - 1.0
-        assert abs(found) <= 4.0 * bound + 1e-4  # the worst of the measurement
+        assert abs(found) <= 2.0 * bound  # the worst of the measurement
 
 
+@pytest.mark.parametrize("measured", POINTS, indirect=True, ids=str)
 @pytest.mark.parametrize("name", ["mu_1", "jump"])
 def test_scatter_is_that_of_the_lines(measured, name):
     problem, fine = measured
