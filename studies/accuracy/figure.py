@@ -102,8 +102,10 @@ def _alternatives(ax: Axes, data: xr.Dataset, name: str) -> None:
     """Draw error over time of the kernels and of the alternatives, at the compared points."""
     data = data.sel(quantity=name).isel(part=1 if name == "rate" else 0)
     for solver, colour in zip(data.solver.values, (0, 1, 4), strict=True):
-        for k, mark in enumerate(MARKS[: data.sizes["point"]]):
-            one = data.isel(point=k).sel(solver=solver)
+        if not data.error.sel(solver=solver).notnull().any():  # it is not installed
+            continue
+        for k, mark in enumerate(MARKS[: data.sizes["compared"]]):
+            one = data.isel(compared=k).sel(solver=solver)
             (line,) = ax.plot(1e3 * one.seconds, one.error, lw=0.8, marker=mark, ms=2.5)
             line.set(color=COLOURS[colour], label=None if k else str(solver))
     ax.set(xscale="log", yscale="log", ylim=LIMITS)

@@ -25,9 +25,11 @@ TEXTS = {
 def alternatives(
     points: tuple[Point, ...], settings: dict, seed: int, advance: Callable[[], None]
 ) -> xr.Dataset:
-    """Return errors and times of all methods on the same lines.
+    """Return errors and times of all methods on the same lines, over (compared, solver, tried).
 
-    Error and time are missing where a method is not installed, fails or would take too long.
+    Points and steps per spacing are fewer than those of the ladders, and named otherwise: groups
+    of one file share the dimensions of its root. Error and time are missing where a method is not
+    installed, fails or would take too long.
     """
     elements, finest = settings["elements"], settings["finest"]
     every = max((disc.ladder_steps(point, finest) for point in points), key=len)
@@ -45,7 +47,8 @@ def alternatives(
             ways.append(_marched(name, point, surfaces, [m for m in every if m <= most], limit))
         found.append(xr.concat(ways, "solver", join="outer"))
         advance()
-    return together(found, points, TEXTS).assign_coords(solver=list(SOLVERS))
+    data = together(found, points, TEXTS).assign_coords(solver=list(SOLVERS))
+    return data.rename(point="compared", steps="tried")
 
 
 def _marched(

@@ -16,8 +16,9 @@ from .paper import alone, planned
 from .virtual import Costs, durations, simulated
 
 TASKS_PER_WORKER = 30  # of the uniform batches
-SECONDS_PER_BATCH = 1.3e-4  # of the driver of a simulated study: outline
-SECONDS_TO_PLAN = 1e-4  # per task of it
+SECONDS_PER_TASK = 9e-5  # to simulate one of them; this and what follows are for the outline
+SECONDS_PER_BATCH = 1e-3  # of a simulated study
+SECONDS_TO_PLAN = 3e-5  # per task of it
 ATTRIBUTES = {  # of the variables of a result: what they mean, and their units
     "workers": ("workers of the simulated cluster", "1"),
     "uniform_workers": ("workers of the simulated cluster", "1"),
@@ -120,7 +121,13 @@ def outline(settings: dict) -> tuple[list[str], float]:
     seconds = sum(_study_seconds(name, scale, clusters) for name in settings["studies"])
     workers = ", ".join(map(str, settings["workers"]))
     named = ", ".join(settings["studies"])
-    return [f"simulated   {named} ({settings['scale']}) on {workers} workers"], seconds + 5.0
+    lines = [f"simulated   {named} ({settings['scale']}) on {workers} workers"]
+    return lines, seconds + _uniform_seconds(settings)
+
+
+def _uniform_seconds(settings: dict) -> float:
+    clusters, means = settings["uniform_workers"], settings["uniform_seconds"]
+    return SECONDS_PER_TASK * TASKS_PER_WORKER * sum(clusters) * len(means)
 
 
 @cache  # a plan of the paper's scale takes seconds, and the outline has asked before
@@ -135,7 +142,7 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
     """Return the groups uniform (at the root) and studies."""
     costs = Costs(settings["scheduler_seconds"], settings["driver_seconds"], settings["latency"])
     uniform = _uniform(settings, costs, seed)
-    advance(5.0)
+    advance(_uniform_seconds(settings))
     return {"": uniform, "studies": _studies(settings, costs, advance)}
 
 

@@ -57,6 +57,7 @@ def main() -> None:
     folder = Path(sys.argv[1])
     points = int(sys.argv[2]) if len(sys.argv) > 2 else 100_000
     file = folder / "many.toml"
+    file.parent.mkdir(parents=True, exist_ok=True)
     file.write_text(STUDY.format(velocities=points // 1000), encoding="utf-8")
     began = time.monotonic()
     plan = make_plan(read_study(str(file)))

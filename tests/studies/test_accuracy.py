@@ -108,7 +108,7 @@ def test_sampling_error_falls_as_the_root_of_the_number(groups):
 
 @whole_study
 def test_alternatives_are_less_accurate_at_equal_m(groups):
-    error = groups["alternatives"].error.sel(quantity="mu_1", steps=[2, 4]).mean("steps")
+    error = groups["alternatives"].error.sel(quantity="mu_1", tried=[2, 4]).mean("tried")
     assert (error.sel(solver="numpy") > error.sel(solver="kernels")).all()
 
 

@@ -42,6 +42,8 @@ def run(folder: Path, name: str, *settings: str, variants: Sequence[str] = ()) -
 def load(path: Path) -> Groups:
     """Return the groups of a result, which has to keep the CF conventions."""
     assert not conventions.INSTALLED or conventions.complaints(path) == []
+    with xr.open_datatree(path):  # whose groups agree in the dimensions that they share
+        pass
     groups = {}
     for group, data in xr.open_groups(path).items():
         groups[group.strip("/")] = data.load()
