@@ -16,12 +16,12 @@ from workflow.plan.variant import Variant, problems_of, variant_of
 from workflow.simulate import Batch, Task, row_layout, row_width
 from workflow.study import Study
 
-DRIVER_BYTES = 300e6  # interpreter and libraries of the process that plans and collects
-WORKER_BYTES = 200e6  # interpreter, libraries, machine code
+DRIVER_BYTES = 320e6  # interpreter and libraries of the process that plans and collects
+WORKER_BYTES = 235e6  # interpreter, libraries, machine code
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
 BYTES_PER_TASK = 2000  # of the plan
 BYTES_PER_RECORD = 1  # many share an entry of the index
-BYTES_PER_POINT = 1000  # of the result, all estimates
+BYTES_PER_POINT = 4500  # of the result, all estimates, as they are collected
 MOST_RECORDS = 20_000_000  # planned, indexed and collected in minutes and in 2 GiB
 BYTES_PER_CURVE_SAMPLE = 80  # the same, curves
 
