@@ -20,6 +20,7 @@ CAPTION = (
     "paper gives as 1 − H."
 )
 NEARLY_FULL = 0.8  # contact fraction above which markers are triangles
+MANY, SMALL = 3000, 1.3  # points of which markers are small, and how small
 MARKS = {  # of what was not fitted, below the axis line, in a row for each H
     NO_RELAXATION: ("|", "nothing to relax"),
     NOT_EXPONENTIAL: ("x", "not exponential"),
@@ -74,6 +75,8 @@ def _rates(ax: Axes, dataset: xr.Dataset, group: str, bias: float = 0.0) -> None
         marker = SCHEMES[group]["marker"]
         for part, form, label in ((~full, marker, f"$H = {hurst:g}$"), (full, "^", None)):
             style = DOTS | {"fmt": form, "color": colour, "label": label, "alpha": 0.8}
+            if dataset.relaxation_rate.size > MANY:
+                style |= {"ms": SMALL, "lw": 0.3}
             shown = points.isel(point=(fitted & part).values)
             more = bias * shown.relaxation_rate_bias * shown.relaxation_rate
             error_bars(ax, shown, "relaxation_rate", "speed_ratio", log=True, bias=more, **style)

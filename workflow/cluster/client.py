@@ -64,6 +64,7 @@ def open_client(
     settings = {
         "distributed.worker.preload": ["workflow.cluster.worker"],
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
+        "distributed.admin.low-level-log-length": 0,  # or the last 1000 messages stay in memory
         **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in WORKER_ENVIRONMENT.items()},
     }
     # What is lost is said in one line, by the flow.

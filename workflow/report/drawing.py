@@ -97,7 +97,8 @@ def error_bars(
         marker = line.get_marker() if line is not None else "None"
         ring: dict[str, Any] = {"color": drawn.lines[2][0].get_color()[0], "ls": ""} | RING
         ring["marker"] = "o" if marker in ("None", None, "") else marker
-        ring["ms"] = max(RING["ms"], style.get("ms", 0.0) + 0.8)
+        ring["ms"] = style.get("ms", RING["ms"] - 0.8) + 0.8
+        ring["mew"] = min(RING["mew"], 0.3 * ring["ms"])
         ax.plot(points[over].values[hollow] + aside, value[hollow], zorder=2.5, **ring)
 
 
