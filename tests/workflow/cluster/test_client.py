@@ -2,26 +2,20 @@
 
 import asyncio
 import contextlib
-import gc
 import os
 import signal
 import socket
-import time
-import weakref
 from pathlib import Path
 from typing import NamedTuple
 
 import dask
-import numpy as np
 import pytest
 from distributed import Client, SpecCluster
 
 from tests.support.own_workers import facts, processes, started_again, starting
-from tests.support.runs import PATIENCE
 from tests.support.small import small_plan
 from workflow.cluster import client as module
 from workflow.cluster.client import open_client
-from workflow.cluster.flow import stream
 from workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
 from workflow.errors import UserError
 from workflow.run.run import run_plan
@@ -74,26 +68,6 @@ def own():
             open_client(Cluster(), 1) as client,
         ):
             yield Own(client, *before)
-
-
-def test_what_was_sent_does_not_stay_in_memory(own):
-    sent = []
-
-    def items():
-        for size in range(60):
-            item = np.zeros(40_000 + size)
-            sent.append(weakref.ref(item))
-            yield item
-
-    assert len(list(map(len, stream(own.client, np.sum, items())))) == 60
-    kept = PATIENCE
-    while (alive := sum(ref() is not None for ref in sent)) > 8 and kept > 0.0:
-        gc.collect()
-        time.sleep(0.1)
-        kept -= 0.1
-    assert alive <= 8
-    (comm,) = own.client.cluster.scheduler.stream_comms.values()
-    assert not comm.recent_message_log
 
 
 def assert_set_up(ignores_ctrl_c, environment):
