@@ -1,5 +1,6 @@
-"""A simulated cluster, behind the interface that a stream of work has with dask's client."""
+"""A simulated cluster behind the interface that a stream of work has with dask's client."""
 
+from collections import Counter
 from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
@@ -9,6 +10,24 @@ from tests.support.simulated_workers import Task, Workers
 from workflow.cluster.calls import ROLL
 from workflow.cluster.flow import stream
 from workflow.cluster.watch import Watch
+
+ERROR = OSError("Input/output error")
+
+
+def sick(item):
+    """Fail at once, as with a broken disk."""
+    return 0.01, ERROR
+
+
+def sound(item):
+    """Take a second."""
+    return 1.0, item
+
+
+def first(seconds):
+    """Return a sound worker whose first item takes so long, as where all has to be compiled."""
+    times = iter([seconds])
+    return lambda item: (next(times, 1.0), item)
 
 
 class Cluster(Workers):
@@ -74,3 +93,8 @@ def streamed(cluster: Cluster, items: list[Any], **how: Any) -> list[tuple[Any, 
     """Return what a stream of items through a simulated cluster yields."""
     simulated = {"clock": cluster, "completed": lambda *_, **__: cluster, "call": AtOnce}
     return list(stream(cluster, abs, items, **{"watch": Watch()} | how, **simulated))
+
+
+def tries(cluster, name):
+    """Return how often each item was tried by a worker."""
+    return Counter(item for item, worker in cluster.tried if worker == name)

@@ -86,16 +86,19 @@ class Crew:
 
     def fit(self, but: Iterable[str] = ()) -> list[str]:
         """Return those of ``able`` that are not left out, and elsewhere than some addresses."""
-        places = self.left_out | {self.place(address) for address in but}
-        return [address for address in self.able() if self.place(address) not in places]
+        return self._elsewhere(self.able(), but)
 
     def awaits(self, but: Iterable[str] = ()) -> bool:
-        """Return whether nobody is in ``fit``, but one who was is lost since a moment.
+        """Return whether ``fit`` has nobody, but a worker that would be in it was lost just now.
 
-        A nanny starts a worker anew within seconds.
+        It may come again: a nanny starts a worker anew within seconds.
         """
+        return not self.fit(but) and bool(self._elsewhere(self.gone, but))
+
+    def _elsewhere(self, addresses: Iterable[str], but: Iterable[str]) -> list[str]:
+        """Return those of some addresses that are neither left out nor where others are."""
         places = self.left_out | {self.place(address) for address in but}
-        return not self.fit(but) and any(self.place(lost) not in places for lost in self.gone)
+        return [address for address in addresses if self.place(address) not in places]
 
     def idle(self, but: Iterable[str] = ()) -> list[str]:
         """Return those of ``fit`` that compute nothing."""

@@ -38,7 +38,7 @@ class Watch:
     patience: float = math.inf  # s to wait without workers, or for answers
     listeners: list[Listener] = field(default_factory=list)
     crew: "Crew | None" = None  # what earlier streams know of the workers
-    logs: str = ""  # folder of what the workers say, if that is known
+    logs: str = ""  # folder of the logs of the jobs, where workers are jobs
     lacking: str = ""
     waited: float = 0.0  # s that something has been lacking
     next_line: float = 0.0

@@ -32,27 +32,37 @@ def known(problem: Problem) -> Numbers:
 
 
 def mu_1_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of mu_1 (and mu_2): second order."""
+    """Return the error of mu_1 (and mu_2): second order, but for contacts that are refined."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
     line = (elements / 88.0) ** (-1.22 * problem.hurst)
     coarse = 0.060 * contacts * (1.0 + 1.0 / speed) ** 0.92 * line / steps**2
-    slow, fast = np.minimum(0.10 / steps, 0.005), 0.010 / steps
-    finer = np.where(speed_ratio(problem) < 1.0, slow, fast)
-    contact = np.where(refine & (steps >= LEAST_STEPS), np.minimum(coarse, finer), coarse)
-    return np.hypot(contact, 0.03 / steps**2)
+    if refine:
+        slow = np.minimum(0.10 / steps, 0.005)
+        coarse = _refined(steps, coarse, np.where(_slides(problem), 0.010 / steps, slow))
+    return np.hypot(coarse, 0.03 / steps**2)
 
 
 def jump_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of the jump: second order."""
+    """Return the error of the jump: second order, but for contacts that are refined."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
     line = (elements / 94.0) ** (-1.36 * problem.hurst)
     coarse = 0.158 * contacts * (1.0 + 1.0 / speed) ** 0.68 * line / steps**2
-    slow, fast = np.minimum(0.20 / steps, 0.010), 0.034 / steps
-    finer = np.where(speed_ratio(problem) < 1.0, slow, fast)
-    contact = np.where(refine & (steps >= LEAST_STEPS), np.minimum(coarse, finer), coarse)
-    return np.hypot(contact, 0.06 / steps**2)
+    if refine:
+        slow = np.minimum(0.20 / steps, 0.010)
+        coarse = _refined(steps, coarse, np.where(_slides(problem), 0.034 / steps, slow))
+    return np.hypot(coarse, 0.06 / steps**2)
+
+
+def _refined(steps: Numbers, coarse: Numbers, finer: Numbers) -> Numbers:
+    """Return the error where refinement, from LEAST_STEPS on, bounds it to ``finer``."""
+    return np.where(steps >= LEAST_STEPS, np.minimum(coarse, finer), coarse)
+
+
+def _slides(problem: Problem) -> Numbers:
+    """Return whether contacts move on within a relaxation time: x >= 1."""
+    return speed_ratio(problem) >= 1.0
 
 
 def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
@@ -66,15 +76,14 @@ def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True)
 def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers) -> Numbers:
     """Return the error of b from the steps of the march and the samples of the contacts.
 
-    samples : per contact. rate : b. Contacts, and the shape of the line between two samples,
-    matter where contacts slide past, above x = 1.
+    samples : per contact. rate : b. The edges of contacts, and that the line is straight between
+    two samples, matter where contacts slide past, from x = 1 on.
     """
     share = _share(problem, steps, rate)
     stepping = 0.02 * (share / allowed_share(problem)) ** 1.5
     edges = 1.8 * np.maximum(samples, 1.0) ** -1.8
     shape = 0.5 / steps**2
-    sliding = np.where(speed_ratio(problem) >= 1.0, np.hypot(edges, shape), 0.0)
-    return np.hypot(stepping, sliding)
+    return np.hypot(stepping, np.where(_slides(problem), np.hypot(edges, shape), 0.0))
 
 
 def first_order_rate_error(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:

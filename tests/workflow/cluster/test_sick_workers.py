@@ -1,30 +1,10 @@
 """Simulated: one sick worker among sound ones fails nothing, whatever becomes of the sound ones."""
 
-from collections import Counter
-
 from distributed.scheduler import KilledWorker
 
-from tests.support.simulated import Cluster, streamed
+from tests.support.simulated import ERROR, Cluster, first, sick, sound, streamed, tries
 from tests.support.simulated_workers import DIE
 from workflow.cluster.watch import Watch
-
-ERROR = OSError("Input/output error")
-
-
-def sick(item):
-    """Fail at once, as with a broken disk."""
-    return 0.01, ERROR
-
-
-def sound(item):
-    """Take a second."""
-    return 1.0, item
-
-
-def first(seconds):
-    """Return a sound worker whose first item takes so long, as where all has to be compiled."""
-    times = iter([seconds])
-    return lambda item: (next(times, 1.0), item)
 
 
 class Given(list):
@@ -33,11 +13,6 @@ class Given(list):
     def __call__(self, item, error, alone):
         self.append((item, str(error), alone))
         return []
-
-
-def tries(cluster, name):
-    """Return how often each item was tried by a worker."""
-    return Counter(item for item, worker in cluster.tried if worker == name)
 
 
 def test_while_the_sound_worker_is_busy_for_long_nothing_is_tried_twice_by_the_sick_one(capsys):

@@ -5,8 +5,7 @@ import random
 import pytest
 from distributed.scheduler import KilledWorker
 
-from tests.support.simulated import Cluster, streamed
-from tests.workflow.cluster.test_sick_workers import first, sick, sound, tries
+from tests.support.simulated import Cluster, first, sick, sound, streamed, tries
 
 
 def trouble(cluster, seed):
