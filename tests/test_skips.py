@@ -8,8 +8,6 @@ import pytest
 
 from tests.support.runs import PATIENCE, ROOT
 
-pytestmark = pytest.mark.exhaustive  # each starts pytest anew; CI, which gives a list, runs them
-
 TESTS = """
 import pytest
 def test_known():
