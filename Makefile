@@ -1,4 +1,5 @@
 # Everything a user needs: `make help`. make creates .venv by itself.
+# Tests run in as many PROCESSES as there are cores, or as many as are given; 0: in that of pytest alone.
 PYTHON ?= python3
 VENV   := .venv
 BIN    := $(VENV)/bin
@@ -6,7 +7,8 @@ READY  := $(VENV)/.ready
 TOOLS  := $(VENV)/.tools
 SCALE  ?=
 ARGS   ?=
-PYTEST := $(BIN)/python -m pytest -n auto
+PROCESSES ?= auto
+PYTEST := $(BIN)/python -m pytest -n $(PROCESSES)
 USUAL  := not cluster and not exhaustive
 NUMERICAL := tests/kernels tests/independent tests/workflow/reduce \
   $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
@@ -66,6 +68,9 @@ test-generic: $(TOOLS) ## ... with none but the plainest instructions
 
 test-rounding: $(TOOLS) ## ... with lines that are rounded otherwise
 	LAST_BIT=1 $(PYTEST) -m "$(USUAL)" $(NUMERICAL)
+
+install-%: ## Install what test-oldest or test-newest needs, and no more
+	$(PYTHON) -m tests.tools.environments $* install
 
 test-oldest: $(TOOLS) ## Try the oldest supported packages: a smoke study and numerical tests
 	$(BIN)/python -m tests.tools.environments oldest
