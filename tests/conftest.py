@@ -24,7 +24,9 @@ COMPILING = "studies/test_figures.py"
 WITHOUT_KERNELS = tuple(
     f"workflow/{room}" for room in ("study", "store", "plan", "reduce", "laboratory", "system")
 )
-ORDER = (COMPILING, *WITHOUT_KERNELS, "studies", "workflow/run", "hard", "workflow", "independent")
+CLUSTERS = tuple(f"cluster/test_{name}.py" for name in ("trouble", "disk", "stops"))
+WITH_KERNELS = ("studies", "workflow/run", "hard", "workflow", "independent")
+ORDER = (COMPILING, *WITHOUT_KERNELS, *WITH_KERNELS, *CLUSTERS)
 
 
 def pytest_configure(config: pytest.Config) -> None:
