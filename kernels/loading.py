@@ -17,7 +17,6 @@ from typing import Any
 import numpy as np
 from numba.core import event
 
-from kernels.active.lists import rises_of
 from kernels.active.march import active_march
 from kernels.active.setting import Passing, Setting
 from kernels.cache import WAITING, compiling
@@ -33,7 +32,7 @@ from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State, law_of
 from kernels.rheology.spectrum import KELVIN
 from kernels.steady.carry import Decay, carry
-from kernels.steady.spans import SPAN, Spans
+from kernels.steady.spans import SPAN, TURN, Spans
 from kernels.surfaces.line import Line
 from kernels.surfaces.self_affine import amplitudes
 
@@ -66,13 +65,14 @@ def load_half(scheme: str, rate: bool) -> None:
     load = WIDE[0] * z.size
     state = State(np.zeros_like(z), WIDE[0] + float(z.mean()))
     sums = np.zeros(z.size // SPAN)
-    spans = Spans(sums, sums, sums, sums, sums, sums, np.zeros(4), int(np.argmin(z)))
+    rows = np.zeros((sums.size + 1, TURN + 1))
+    spans = Spans(sums, sums, sums, sums, rows, np.zeros(4), int(np.argmin(z)))
     carry(Decay(*law), z, spans, sums, state.d, None, state.w)  # the first that are needed
     marked(mark_touchable(z, slope, spans, state, 1.0 / steps, MARGIN), SPAN)
     control = ConstantForce(load) if rate else PrintedForce(load)
     plain_relaxation(z, slope, law, (state, state), control, FEW)
     passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
-    setting = Setting(z, slope, spans, rises_of(z, slope), law, law, passing, passing)
+    setting = Setting(z, slope, spans, law, law, passing, passing, 0.0)
     active_march(setting, control, MANY)
 
 

@@ -8,7 +8,6 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from kernels.active.lists import rises_of
 from kernels.active.march import active_march
 from kernels.active.setting import Passing, Setting
 from kernels.case import Case, Clocks, Outcome, Quantities
@@ -84,25 +83,24 @@ def _run_loads(ground: Ground, cases: list[Case], asked: Quantities) -> list[Out
     n = ground.line.z.size
     loads = np.array([case.load for case in cases]) * n
     clocks = Clocks(len(cases))
-    to = tuple(ratio * speed for ratio in ratios) if asked.jump else ()
-    one = steady_friction(ground, speed, scheme, loads, None, to)
+    after = tuple(ratio * speed for ratio in ratios)
+    to = after if asked.jump or asked.relaxation else ()
+    following = after if asked.steady or asked.relaxation else ()
+    one = steady_friction(ground, speed, scheme, loads, None, to, following)
     clocks.lap(steady=one.updates + n, jump=len(to) * n)
     twos: list[Sliding] = []
-    if asked.steady or asked.relaxation:
-        for ratio in ratios:
-            two = one
-            if ratio != 1.0:
-                two = steady_friction(ground, ratio * speed, scheme, loads, one.d)
-                clocks.lap(steady=two.updates + n)
-            twos.append(two)
-    rises = rises_of(ground.line.z, ground.line.slope) if asked.relaxation else None
-    return [_under_load(one, twos, rises, i, case, asked, clocks) for i, case in enumerate(cases)]
+    for k, later in enumerate(following):
+        two = one
+        if later != speed:
+            two = steady_friction(ground, later, scheme, loads, one.ahead[:, k])
+            clocks.lap(steady=two.updates + n)
+        twos.append(two)
+    return [_under_load(one, twos, i, case, asked, clocks) for i, case in enumerate(cases)]
 
 
 def _under_load(
     one: Sliding,
     twos: list[Sliding],
-    rises: np.ndarray | None,
     i: int,
     case: Case,
     asked: Quantities,
@@ -110,7 +108,7 @@ def _under_load(
 ) -> Outcome:
     """Return what is found under load i: at v1, and for each velocity step at v2 and between.
 
-    twos : steady sliding at each v2, or nothing. rises : of the line (active/lists.py), to march.
+    twos : steady sliding at each v2, or nothing.
     """
     n, others = one.ground.line.z.size, len(case.ratios) if asked.jump else 0
     refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
@@ -122,8 +120,8 @@ def _under_load(
             work += two.updates[i]
         mu_2[k] = two.mu[i]
         clocks.lap_alone(i, steady=1.0)
-        if rises is not None:
-            curve, updates = _curve(one, two, rises, i, case.kept_steps[k], asked)
+        if asked.relaxation:
+            curve, updates = _curve(one, two, i, k, case.kept_steps[k], asked)
             curves.append(mu_2[k] + curve)
             work += updates
             clocks.lap_alone(i, marching=1.0)
@@ -148,12 +146,12 @@ def _under_load(
 def _curve(
     one: Sliding,
     two: Sliding,
-    rises: np.ndarray,
     i: int,
+    k: int,
     kept_steps: np.ndarray,
     asked: Quantities,
 ) -> tuple[np.ndarray, int]:
-    """Return the deviation of mu from mu_2 under load i after the step, and element updates.
+    """Return the deviation of mu from mu_2 under load i after step k, and element updates.
 
     Where the whole line touches at both speeds, d is the same at both, every step begins with
     u = z - d and ends with it, and mu is mu_2 at once.
@@ -167,7 +165,8 @@ def _curve(
         start, end = (
             Passing(at.decay, at.own.stay, at.entered[i], float(at.d[i])) for at in (one, two)
         )
-        setting = Setting(line.z, line.slope, spans, rises, one.law, two.law, start, end)
+        rate = float(one.rates[i, k])
+        setting = Setting(line.z, line.slope, spans, one.law, two.law, start, end, rate)
         mu, _, settled, work, inside = active_march(setting, load, kept_steps)
         if inside:
             return mu - settled, work

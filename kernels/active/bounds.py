@@ -4,11 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.lists import Sums, add_span
-from kernels.active.marks import reached
 from kernels.active.setting import advance
 from kernels.jit import kernel
-from kernels.steady.spans import SPAN
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
 CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread
@@ -75,32 +72,3 @@ def closer_bounds(law, bounds, seen, end):
     new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
     low, high = max(new.low, bounds.low), min(new.high, bounds.high)
     return Bounds(low, high, max(new.least, bounds.least), min(new.most, bounds.most))
-
-
-@kernel
-def first_thresholds(setting):
-    """Return (c, sums): thresholds of the first step, and sums over spans that touch all over.
-
-    The thresholds of all elements at v2 are z - (E / E_1) w, as w = E_1 u at v1. Spans that touch
-    nowhere are left out.
-    """
-    z, spans, start, end = setting.z, setting.spans, setting.start, setting.end
-    factor = setting.law.decay / start.decay.once if start.decay.once > 0.0 else 0.0
-    level, tally = end.d / setting.law.stiffness, np.zeros(4)
-    c, count, most = np.empty(z.size), 0, max(start.d, end.d)
-    for b in range(start.entered.size):
-        u, stop = start.entered[b], min((b + 1) * SPAN, z.size)
-        if b < spans.lowest.size:
-            w = start.decay.span * u  # nowhere in the span do elements lie higher
-            if spans.lowest[b] - max(w, factor * w) >= most:
-                continue
-            above = z[stop if stop < z.size else 0]
-            if u == above - start.d and start.d > max(start.stay[b], end.stay[b]):
-                add_span(setting, level, b, tally)
-                continue
-        for j in range(stop - 1, b * SPAN - 1, -1):
-            w = reached(start.decay, u)
-            u = min(w, z[j] - start.d)
-            c[count] = z[j] - factor * w
-            count += 1
-    return c[:count], Sums(level, tally[0], tally[1], tally[2], tally[3])

@@ -11,8 +11,8 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.active.setting import rise
-from kernels.jit import kernel
-from kernels.rheology.law import NEGLIGIBLE
+from kernels.jit import by_type, kernel
+from kernels.rheology.law import NEGLIGIBLE, State
 
 FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
 
@@ -40,6 +40,22 @@ class Flights(NamedTuple):
     crossing: np.ndarray  # E^q
 
 
+class Steady(NamedTuple):
+    """Elements in steady sliding at v1: between runs they decay from where they left."""
+
+    once: float  # what is left of a displacement after one sample
+    d: float  # indentation
+
+
+@by_type
+def launch(aloft, values, begin, end, powers, line, top, distance, u):
+    """Fill in the displacements, at their arrival, of the elements now upstream of sample top.
+
+    aloft : displacements of now, a State of all samples or Steady. distance, u : of the sample
+    that elements come from, and the displacement there.
+    """
+
+
 @kernel
 def powers_of(decay, steps):
     """Return E^k for k = 0 ... up to steps or to the first one that is as good as zero."""
@@ -54,11 +70,11 @@ def powers_of(decay, steps):
 
 
 @kernel
-def arrivals_of(law, lists, runs, state, line, steps):
+def arrivals_of(law, lists, runs, aloft, line, steps):
     """Return (Neighbours, Flights) of all runs.
 
-    line : heights of all samples. state : displacements w without force and indentation d of now,
-    of all samples that elements fly over. steps : still to come.
+    line : heights of all samples. aloft : displacements without force and indentation of now,
+    Steady, or a State of all samples that elements fly over. steps : still to come.
     """
     powers = powers_of(law.decay, steps)
     near, far = np.empty(runs.top.size, np.int64), np.empty(runs.top.size, np.int64)
@@ -76,11 +92,11 @@ def arrivals_of(law, lists, runs, state, line, steps):
         above = runs.top[near[i]] + 1
         steep[i] = rise(law, lists.z[at[i]], line[above if above < line.size else 0])
     neighbours = Neighbours(at, steep)
-    return neighbours, _flights(lists, runs, far[:f], state, line, powers)
+    return neighbours, _flights(lists, runs, far[:f], aloft, line, powers)
 
 
 @kernel
-def _flights(lists, runs, far, state, line, powers):
+def _flights(lists, runs, far, aloft, line, powers):
     """Return the Flights of the runs ``far``."""
     reach, size = powers.size - 1, far.size
     at, begin, place = (
@@ -104,18 +120,21 @@ def _flights(lists, runs, far, state, line, powers):
             height[f] = lists.z[source[f]]
     values = np.empty(begin[-1])
     for f in range(size):
-        _launch(values, begin[f], begin[f + 1], powers, state, line, runs.top[far[f]])
+        r = far[f]
+        u = height[f] - (aloft.d if source[f] < 0 else max(lists.c[source[f]], aloft.d))
+        launch(
+            aloft, values, begin[f], begin[f + 1], powers, line, runs.top[r], runs.distance[r], u
+        )
         if not goes[f]:
             values[begin[f + 1] - 1] = 0.0  # all that comes later has been forgotten
         elif source[f] < 0:
-            values[begin[f + 1] - 1] = crossing[f] * (height[f] - state.d)
+            values[begin[f + 1] - 1] = crossing[f] * u
     return Flights(at, begin, place, goes, values, source, height, crossing)
 
 
-@kernel
-def _launch(values, begin, end, powers, state, line, top):
-    """Fill in the displacements, at their arrival, of the elements now upstream of sample top."""
-    w, d = state
+@launch.of(State)
+def _launch(aloft, values, begin, end, powers, line, top, distance, u):
+    w, d = aloft
     count = min(end - begin, powers.size - 1)
     wrap = min(line.size - top - 1, count)
     for k in range(wrap):
@@ -124,6 +143,16 @@ def _launch(values, begin, end, powers, state, line, top):
     for k in range(wrap, count):
         j = k - wrap
         values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
+
+
+@launch.of(Steady)
+def _launch_at_first(aloft, values, begin, end, powers, line, top, distance, u):
+    count = min(end - begin, powers.size - 1)
+    u *= aloft.once ** float(distance - count)
+    for k in range(count - 1, -1, -1):
+        u = u if u < -NEGLIGIBLE else 0.0
+        values[begin + k] = powers[k + 1] * u
+        u *= aloft.once
 
 
 @kernel
@@ -168,30 +197,3 @@ def arriving(flights, f, least, most, steps):
     for slot in range(begin, end):
         low, high = min(low, flights.values[slot]), max(high, flights.values[slot])
     return low, high
-
-
-@kernel
-def aloft_at_first(setting, lists, runs, steps, w):
-    """Fill in w, shape (n,), the displacements of all elements on their way to the runs at v1.
-
-    No sample between touches, so that they decay from where they left. steps : to come; who would
-    arrive later is left out.
-    """
-    n, start = setting.z.size, setting.start
-    for r in range(runs.top.size):
-        top, q = runs.top[r], runs.distance[r]
-        source = top + q - (n if top + q >= n else 0)
-        if runs.sure[r]:
-            u = setting.z[source] - start.d
-        else:
-            i = lists.first[r - 1 if r > 0 else runs.top.size - 1]
-            u = lists.z[i] - max(lists.c[i], start.d)
-            w[source] = lists.z[i] - lists.c[i]
-        k = min(q - 1, steps)
-        u *= start.decay.once ** float(q - k)
-        while k > 0:
-            u = u if u < -NEGLIGIBLE else 0.0
-            j = top + k
-            w[j - n if j >= n else j] = u
-            u *= start.decay.once
-            k -= 1

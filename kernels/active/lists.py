@@ -5,8 +5,8 @@ The sums go span by span, from those that are known of the line. Over a span, fr
 
     level - a_j = (level - z_j / K) + E Delta z_j,    lagged slope = s_j + lag Delta s_j,
 
-so that their sums, and that of their products, need the sums of spans.py and those of
-(s_j - s_0) Delta z_j and Delta z_j Delta s_j: no sample is visited.
+so that their sums, and that of their products, need the sums of spans.py alone: no sample is
+visited.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.jit import kernel
-from kernels.steady.spans import SPAN
+from kernels.steady.spans import FIRST, HEIGHT, RISE, SLOPE, SPAN, STEEP, TURN, WORK
 
 
 class Lists(NamedTuple):
@@ -83,38 +83,17 @@ def weighed(c, weight, d):
 
 
 @kernel
-def rises_of(z, slope):
-    """Return the sums of (s_j - s_0) Delta z_j and of Delta z_j Delta s_j over every whole span.
-
-    z (in h), slope (in h/dx) : shape (n,), periodic.
-    """
-    count = z.size // SPAN
-    rises = np.empty((2, count))
-    for b in range(count):
-        first = b * SPAN
-        one = other = 0.0
-        for j in range(first, first + SPAN):
-            above = j + 1 if j + 1 < z.size else 0
-            up = z[above] - z[j]
-            one += (slope[j] - slope[first]) * up
-            other += (slope[above] - slope[j]) * up
-        rises[0, b], rises[1, b] = one, other
-    return rises
-
-
-@kernel
 def add_span(setting, level, b, tally):
     """Add a span all of whose samples always touch to a tally: samples, depth, weight, moment."""
-    spans, law, first = setting.spans, setting.law, b * SPAN
-    above = first + SPAN if first + SPAN < setting.z.size else 0
-    z, s = setting.z[first], setting.slope[first]
-    up, turn = setting.z[above] - z, setting.slope[above] - s
-    one, other = setting.rises[0, b], setting.rises[1, b]
-    deep, slopes = level - z / law.stiffness, SPAN * s + spans.slope[b]
+    rows, law = setting.spans.rows, setting.law
+    z, s = rows[b, FIRST], rows[b, STEEP]
+    up, turn = rows[b + 1, FIRST] - z, rows[b + 1, STEEP] - s
+    one, other = rows[b, RISE], rows[b, TURN]
+    deep, slopes = level - z / law.stiffness, SPAN * s + rows[b, SLOPE]
     tally[0] += SPAN
-    tally[1] += SPAN * deep - spans.height[b] / law.stiffness + law.decay * up
+    tally[1] += SPAN * deep - rows[b, HEIGHT] / law.stiffness + law.decay * up
     tally[2] += slopes + law.lag * turn
-    moment = deep * slopes - (spans.work[b] + s * spans.height[b]) / law.stiffness
+    moment = deep * slopes - (rows[b, WORK] + s * rows[b, HEIGHT]) / law.stiffness
     lagging = deep * turn - (up * turn - one - other) / law.stiffness
     tally[3] += moment + law.lag * lagging + law.decay * ((one + s * up) + law.lag * other)
 

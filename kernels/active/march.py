@@ -11,7 +11,7 @@ from kernels.active.bounds import (
     including,
     widened,
 )
-from kernels.active.flights import aloft_at_first, arrivals_of, arrive, depart
+from kernels.active.flights import Steady, arrivals_of, arrive, depart
 from kernels.active.landings import landing, no_landings
 from kernels.active.lists import lists_of, weighed
 from kernels.active.narrow import elements_aloft, narrowed
@@ -38,7 +38,7 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
     mu, indentation = np.empty(kept_steps.size), np.empty(kept_steps.size)
     guess = foresee(control, setting)
     bounds = first_bounds(setting, guess, margins[0])
-    settled, work, inside, w = np.nan, 0, False, np.empty(setting.z.size)
+    settled, work, inside, steady = np.nan, 0, False, Steady(start.decay.once, start.d)
     for attempt in range(1, len(margins) + 1):
         runs, met, sums = classes_of(setting, bounds)
         lists = lists_of(runs, met)
@@ -46,8 +46,7 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
         settled = (sums.moment + moment) / (
             sums.depth + depth
         )  # averaged over a step (friction.py)
-        aloft_at_first(setting, lists, runs, kept_steps[-1], w)
-        arrivals = arrivals_of(law, lists, runs, State(w, start.d), setting.z, kept_steps[-1])
+        arrivals = arrivals_of(law, lists, runs, steady, setting.z, kept_steps[-1])
         inside, d, push, used = follow(
             setting,
             control,

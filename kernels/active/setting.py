@@ -25,11 +25,11 @@ class Setting(NamedTuple):
     z: np.ndarray  # in h, shape (n,)
     slope: np.ndarray  # in h/dx, shape (n,)
     spans: Spans
-    rises: np.ndarray  # shape (2, whole spans), of lists.py
     before: Kelvin  # of steps of one sample at v1
     law: Kelvin  # the same at v2
     start: Passing  # at v1
     end: Passing  # and at v2
+    rate: float  # d' in h/tau just after the velocity jump
 
 
 @kernel

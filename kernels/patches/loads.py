@@ -12,13 +12,8 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.jit import kernel
-from kernels.patches.pressure import (
-    balance,
-    elastic_part,
-    friction,
-    friction_everywhere,
-    pressed,
-)
+from kernels.patches.pressed import MovingLine, pressed, room_for_pressed
+from kernels.patches.pressure import balance, elastic_part, friction, friction_everywhere
 from kernels.patches.touching import (
     list_touching,
     mean_rise,
@@ -26,6 +21,7 @@ from kernels.patches.touching import (
     room_for_all,
     steepest,
 )
+from kernels.steady.ahead import indentation_ahead
 from kernels.steady.contacts import first, room_for
 from kernels.steady.sliding import POWER_STEPS, STEPS, approach, elastic_guess, indentation
 from kernels.steady.spans import SPAN, Thresholds
@@ -36,12 +32,13 @@ INDENTATION, MU, CONTACT, SAMPLES, SWEEPS, FULL = range(6)
 
 
 class Speeds(NamedTuple):
-    """The speed of steady sliding, and those that are jumped to."""
+    """The speed of steady sliding, those jumped to, and those of which it is asked next."""
 
     own: float  # vbar
     thresholds: Thresholds  # at it
     others: np.ndarray  # vbar, shape (others,)
     press: np.ndarray  # shape (others, spans + 1): thresholds of the pressure, of all samples last
+    ahead: np.ndarray  # what is left of a displacement after one sample at the next, shape (next,)
 
 
 class How(NamedTuple):
@@ -64,49 +61,66 @@ def corrected_share(steps: float, speed: float) -> float:
 
 @kernel
 def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
-    """Return (found, jumps, entered), shapes (loads, 6), (loads, others), (loads, n // SPAN + 1).
+    """Return (found, jumps, rates, entered, ahead), each of as many rows as there are loads.
 
     decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, all NaN where there
-    are none. gaps : as of carry, for parts of a line. entered : as of Contacts.
+    are none. gaps : as of carry, for parts of a line. jumps : to the others of ``speeds``. rates :
+    d' after them. entered : as of Contacts. ahead : about d at the next speeds.
     """
     n, own = z.size, speeds.thresholds
-    contacts, everything = room_for(slope, speeds.own), room_for_all(n)
-    memory = np.empty(n)
+    contacts, rooms = room_for(slope, speeds.own), (room_for_all(n), room_for_pressed(n))
     found = np.empty((loads.size, 6))
-    jumps = np.empty((loads.size, speeds.others.size))
+    jumps, rates = np.empty((2, loads.size, speeds.others.size))
+    ahead = np.empty((loads.size, speeds.ahead.size))
     entered = np.empty((loads.size, contacts.entered.size))
     d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses, gaps)
     for i in range(loads.size):
         load, pieces = loads[i], 1
         if full[i]:
             _list_whole_line(z, d[i], contacts)
+            ahead[i, :] = d[i]
         else:
-            d[i], used, pieces = indentation(decay, z, spans, own.stay, load, d[i], contacts, gaps)
+            d[i], used, held, pieces = indentation(
+                decay, z, spans, own.stay, load, d[i], contacts, gaps
+            )
             sweeps[i] += used
+            for k in range(speeds.ahead.size):
+                listed = first(contacts, pieces)
+                ahead[i, k] = indentation_ahead(speeds.ahead[k], z, d[i], load, held, listed)
         listed = first(contacts, pieces)
         for b in range(contacts.entered.size):
             entered[i, b] = contacts.entered[b]
-        touching = list_touching(listed, everything)
-        part = pressed(z, slope, spans, touching, speeds.own, own.press, memory)
-        mu, contact, deep = _friction(part, full[i], own.press_all, load, d[i])
-        for k in range(speeds.others.size):
-            there = pressed(z, slope, spans, touching, speeds.others[k], speeds.press[k], memory)
-            after, _, _ = _friction(there, full[i], speeds.press[k, -1], load, deep)
-            jumps[i, k] = after - mu  # errors of the elastic part cancel
-        if how.share > 0.0:
-            part = pressed(z, slope, spans, touching, speeds.own, own.press, memory)
-            mu += how.share / load * elastic_part(part, listed, deep, how.steps)
-            # Where a contact is narrower than a sample this alone is sure: mu is a mean of slopes.
-            limit = steepest(slope, spans, touching)
-            mu = min(max(mu, -limit), limit)
+        at = MovingLine(z, slope, spans, speeds.own, own.press)
+        mu, contact = _weigh(
+            at, speeds, listed, load, d[i], full[i], how, rooms, jumps[i], rates[i]
+        )
         if how.smooth and mu <= 0.0:
-            # ... and that it takes work: what the forces do while the line rises.
+            # That it takes work is sure: what the forces do while the line rises.
             mu = how.steps * mean_rise(z, d[i], decay, listed)
         found[i, INDENTATION], found[i, MU] = d[i], mu
         found[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
-        found[i, SAMPLES] = median_width(z, d[i], spans, decay, listed)
+        found[i, SAMPLES] = median_width(z, d[i], decay, listed)
         found[i, SWEEPS], found[i, FULL] = sweeps[i], full[i]
-    return found, jumps, entered
+    return found, jumps, rates, entered, ahead
+
+
+@kernel
+def _weigh(at, speeds, contacts, load, d, full, how, rooms, jumps, rates):
+    """Return (mu, samples under pressure) of steady sliding at d; fill in jumps and rates."""
+    touching = list_touching(at.z, at.slope, contacts, rooms[0])
+    part = pressed(at, touching, d, rooms[1])
+    mu, contact, own = _friction(part, full, speeds.thresholds.press_all, load, d)
+    missing = elastic_part(part, contacts, own, how.steps) if how.share > 0.0 else 0.0
+    for k in range(speeds.others.size):
+        line = MovingLine(at.z, at.slope, at.spans, speeds.others[k], speeds.press[k])
+        there = pressed(line, touching, own, rooms[1])
+        after, _, deep = _friction(there, full, speeds.press[k, -1], load, own)
+        jumps[k], rates[k] = after - mu, deep - own  # errors of the elastic part cancel
+    if how.share > 0.0:
+        # Where a contact is narrower than a sample this alone is sure: mu is a mean of slopes.
+        limit = steepest(at.spans, touching)
+        mu = min(max(mu + how.share / load * missing, -limit), limit)
+    return mu, contact
 
 
 @kernel
@@ -147,9 +161,10 @@ def _list_whole_line(z, d, contacts):
 def _friction(contact, full, highest, load, guess):
     """Return (mu, samples under pressure, d + d'). highest : threshold of all samples."""
     if full:
-        mu, deep = friction_everywhere(contact.z, contact.slope, contact.spans, contact.speed, load)
+        z, slope, spans, speed, _ = contact.line
+        mu, deep = friction_everywhere(z, slope, spans, speed, load)
         if deep > highest:
-            return mu, float(contact.z.size), deep
+            return mu, float(z.size), deep
     deep = balance(contact, load, guess)
     mu, count = friction(contact, deep)
     return mu, count, deep

@@ -5,36 +5,13 @@ The quadrature of friction.py, which any state has, for a state whose touching s
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """
 
-from typing import NamedTuple
-
 import numpy as np
 
 from kernels.jit import kernel
-from kernels.patches.touching import Touching, covered
+from kernels.patches.pressed import moments, span_under
+from kernels.patches.touching import covered
 from kernels.steady.contacts import AHEAD, BEHIND, LEAST_REACH, MOST_REACH
-from kernels.steady.spans import SPAN, Spans
-
-
-class Pressed(NamedTuple):
-    """What touches, and at which speed it is asked how hard."""
-
-    z: np.ndarray  # in h, shape (n,)
-    slope: np.ndarray  # in h/dx, shape (n,)
-    spans: Spans
-    touching: Touching
-    speed: float  # vbar
-    press: np.ndarray  # largest z - vbar z' of the spans (spans.py)
-    threshold: np.ndarray  # z - vbar z' of the listed samples
-
-
-@kernel
-def pressed(z, slope, spans, touching, speed, press, memory):
-    """Return Pressed; its thresholds lie in ``memory``."""
-    threshold = memory[: touching.at.size]
-    for i in range(threshold.size):
-        j = touching.at[i]
-        threshold[i] = z[j] - speed * slope[j]
-    return Pressed(z, slope, spans, touching, speed, press, threshold)
+from kernels.steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
 
 
 @kernel
@@ -64,68 +41,40 @@ def balance(contact, load, guess):
 
 @kernel
 def _carried(contact, deep):
-    """Return (force, samples) under pressure. Four partial sums in a fixed order."""
-    threshold, weight = contact.threshold, contact.touching.weight
-    f0 = f1 = f2 = f3 = 0.0
-    w0 = w1 = w2 = w3 = 0.0
-    whole = threshold.size - threshold.size % 4
-    for i in range(0, whole, 4):
-        p0, p1 = deep - threshold[i], deep - threshold[i + 1]
-        p2, p3 = deep - threshold[i + 2], deep - threshold[i + 3]
-        a0, a1 = (weight[i] if p0 > 0.0 else 0.0), (weight[i + 1] if p1 > 0.0 else 0.0)
-        a2, a3 = (weight[i + 2] if p2 > 0.0 else 0.0), (weight[i + 3] if p3 > 0.0 else 0.0)
-        f0, f1, f2, f3 = f0 + a0 * p0, f1 + a1 * p1, f2 + a2 * p2, f3 + a3 * p3
-        w0, w1, w2, w3 = w0 + a0, w1 + a1, w2 + a2, w3 + a3
-    for i in range(whole, threshold.size):
-        p0 = deep - threshold[i]
-        if p0 > 0.0:
-            f0 += weight[i] * p0
-            w0 += weight[i]
-    force, count = (f0 + f1) + (f2 + f3), (w0 + w1) + (w2 + w3)
-    z, slope, spans, speed = contact.z, contact.slope, contact.spans, contact.speed
-    for b in contact.touching.spans:
-        j = b * SPAN
-        if deep > contact.press[b]:
-            p0 = deep - (z[j] - speed * slope[j])
-            force += SPAN * p0 - (spans.height[b] - speed * spans.slope[b])
+    """Return (force, samples) under pressure."""
+    force, _, count = moments(contact.threshold, contact.touching.weight, None, deep)
+    more, _, others = moments(contact.loose, None, None, deep)
+    force, count = force + more, count + others
+    line = contact.line
+    for i in range(contact.spans.size):
+        b = contact.spans[i]
+        if deep > line.press[b]:
+            force += SPAN * (deep - contact.first[i]) - contact.sums[i]
             count += SPAN
-            continue
-        for k in range(j, j + SPAN):
-            p0 = deep - (z[k] - speed * slope[k])
-            if p0 > 0.0:
-                force += p0
-                count += 1.0
+        else:
+            more, _, others = span_under(line, b, deep)
+            force, count = force + more, count + others
     return force, count
 
 
 @kernel
 def friction(contact, deep):
     """Return (mu, samples under pressure): eq. 5, in h/dx, with pressures as of balance."""
-    z, slope, spans, speed = contact.z, contact.slope, contact.spans, contact.speed
-    at, weight, numbers = contact.touching
-    normal = tangential = count = 0.0
-    for i in range(at.size):
-        p = deep - contact.threshold[i]
-        force = weight[i] * p if p > 0.0 else 0.0
-        normal += force
-        tangential += force * slope[at[i]]
-        count += weight[i] if p > 0.0 else 0.0
-    for b in numbers:
-        j = b * SPAN
-        if deep > contact.press[b]:
-            p = deep - (z[j] - speed * slope[j])
-            force = SPAN * p - (spans.height[b] - speed * spans.slope[b])
-            normal += force
-            uneven = p * spans.slope[b] - (spans.work[b] - speed * spans.square[b])
-            tangential += force * slope[j] + uneven
-            count += SPAN
-            continue
-        for k in range(j, j + SPAN):
-            p = deep - (z[k] - speed * slope[k])
-            if p > 0.0:
-                normal += p
-                tangential += p * slope[k]
-                count += 1.0
+    touching, line = contact.touching, contact.line
+    normal, tangential, count = moments(contact.threshold, touching.weight, touching.slope, deep)
+    more, along, others = moments(contact.loose, None, contact.slope, deep)
+    normal, tangential, count = normal + more, tangential + along, count + others
+    rows, speed = line.spans.rows, line.speed
+    for i in range(contact.spans.size):
+        b = contact.spans[i]
+        if deep > line.press[b]:
+            p = deep - contact.first[i]
+            more, others = SPAN * p - contact.sums[i], float(SPAN)
+            uneven = p * rows[b, SLOPE] - (rows[b, WORK] - speed * rows[b, SQUARE])
+            along = more * rows[b, STEEP] + uneven
+        else:
+            more, along, others = span_under(line, b, deep)
+        normal, tangential, count = normal + more, tangential + along, count + others
     return tangential / normal, count
 
 
@@ -149,7 +98,7 @@ def elastic_part(contact, contacts, deep, steps):
     Cell by cell the exact part is a telescoping sum: its ends are the edges of the contact. A
     sample at a trailing edge that is not resolved is left as it is. steps : samples per spacing.
     """
-    z, slope, speed = contact.z, contact.slope, contact.speed
+    z, slope, speed = contact.line.z, contact.line.slope, contact.line.speed
     missing = _elastic_sum(contact, deep)
     for i in range(contacts.ends.shape[0]):
         top, bottom = contacts.ends[i, 0], contacts.ends[i, 1]
@@ -172,19 +121,18 @@ def elastic_part(contact, contacts, deep, steps):
 @kernel
 def _elastic_sum(contact, deep):
     """Return the sum of (z - d - d') z' under pressure and of vbar z'^2 over what else touches."""
-    z, slope, spans, speed = contact.z, contact.slope, contact.spans, contact.speed
-    at, weight, numbers = contact.touching
+    (z, slope, spans, speed, press), touching = contact.line, contact.touching
     total = 0.0
-    for i in range(at.size):
-        s = slope[at[i]]
+    for i in range(touching.slope.size):
+        s = touching.slope[i]
         on = contact.threshold[i] < deep
-        total += weight[i] * s * ((z[at[i]] - deep) if on else speed * s)
-    for b in numbers:
+        total += touching.weight[i] * s * ((touching.height[i] - deep) if on else speed * s)
+    for b in touching.spans:
         j = b * SPAN
-        if deep > contact.press[b]:
+        if deep > press[b]:
             lift = deep - z[j]
-            total -= (SPAN * lift - spans.height[b]) * slope[j]
-            total -= lift * spans.slope[b] - spans.work[b]
+            total -= (SPAN * lift - spans.rows[b, HEIGHT]) * slope[j]
+            total -= lift * spans.rows[b, SLOPE] - spans.rows[b, WORK]
             continue
         for k in range(j, j + SPAN):
             on = z[k] - speed * slope[k] < deep

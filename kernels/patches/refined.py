@@ -145,11 +145,12 @@ def slide_on_part(law, part, at_speeds, load, guess, how):
         found = presses_of(heights, slopes, others[k])
         for b in range(found.size):
             press[k, b] = found[b]
-    speeds, gaps = Speeds(speed, never, others, press), gaps_of(law, at, fold, z.size)
+    speeds = Speeds(speed, never, others, press, np.empty(0))
+    gaps = gaps_of(law, at, fold, z.size)
     spans = spans_of(heights, slopes)
     loads, guesses = np.empty(1), np.empty(1)
     loads[0], guesses[0] = load * fold, guess
-    found, jumps, _ = slide(
+    found, jumps, _, _, _ = slide(
         decay_of(law), heights, slopes, spans, speeds, loads, guesses, how, gaps
     )
     d = found[0, INDENTATION]

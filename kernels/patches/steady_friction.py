@@ -56,6 +56,8 @@ class Sliding(NamedTuple):
     samples: np.ndarray  # of the line per contact; below 1 where finer ones tell
     seen: dict[int, Refined]  # load -> finer samples, where friction is read from those
     jumps: np.ndarray  # shape (loads, speeds jumped to): change of mu at the moment
+    rates: np.ndarray  # of the same shape: d' just after the jump, in h/tau
+    ahead: np.ndarray  # shape (loads, speeds that follow): about d there
     updates: np.ndarray  # of elements, the measure of cost
     known: dict[int, State]  # load -> state, of the last load that was asked for
 
@@ -78,6 +80,11 @@ class Sliding(NamedTuple):
         return self.known[i]
 
 
+def kelvin_at(scheme: str, line: Line, speed: float) -> Kelvin:
+    """Return the law for steps of one sample at ``speed`` (vbar)."""
+    return SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
+
+
 def steady_friction(
     ground: Ground,
     speed: float,
@@ -85,14 +92,16 @@ def steady_friction(
     loads: np.ndarray,
     guesses: np.ndarray | None = None,
     others: tuple[float, ...] = (),
+    following: tuple[float, ...] = (),
 ) -> Sliding:
     """Return steady sliding, its friction and its jumps to ``others``, all speeds vbar.
 
-    loads : n Fbar, guesses : of d, shape (loads,). What is found under a load depends on its own
-    guess and on no other load. Narrow contacts are to be refined after it.
+    loads : n Fbar, guesses : of d, shape (loads,). following : speeds at which it is asked for
+    next, for which d is guessed. What is found under a load depends on its own guess and on no
+    other load. Narrow contacts are to be refined after it.
     """
     line, spans, _ = ground
-    law = SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
+    law = kelvin_at(scheme, line, speed)
     decay = decay_of(law)
     own = thresholds_of(line.z, line.slope, speed, law.stiffness)
     press = np.empty((len(others), own.press.size + 1))
@@ -101,10 +110,13 @@ def steady_friction(
     none = np.full(loads.size, np.nan)
     guesses = none if guesses is None else np.ascontiguousarray(guesses)  # compiled once
     share = corrected_share(line.steps_per_spacing, speed)
-    speeds = Speeds(speed, own, np.array(others, float), press)
+    ahead = np.array([decay_of(kelvin_at(scheme, line, later)).once for later in following])
+    speeds = Speeds(speed, own, np.array(others, float), press, ahead)
     steps = float(line.steps_per_spacing)
     how = How(steps, share, line.band_limited)
-    found, jumps, entered = slide(decay, line.z, line.slope, spans, speeds, loads, guesses, how)
+    found, jumps, rates, entered, ahead = slide(
+        decay, line.z, line.slope, spans, speeds, loads, guesses, how
+    )
     d = found[:, INDENTATION]
     return Sliding(
         ground,
@@ -123,6 +135,8 @@ def steady_friction(
         found[:, SAMPLES],
         {},
         jumps,
+        rates,
+        ahead,
         found[:, SWEEPS] * line.z.size,
         {},
     )

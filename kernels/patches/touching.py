@@ -6,15 +6,16 @@ import numpy as np
 
 from kernels.friction import LEAST_COVERED
 from kernels.jit import kernel
-from kernels.steady.contacts import AHEAD, BEHIND, FREE
+from kernels.steady.contacts import AHEAD, BEHIND, FREE, SUM
 from kernels.steady.spans import SPAN
 
 
 class Touching(NamedTuple):
-    """The touching samples of a line: those of whole spans, and others."""
+    """The touching samples of a line: those of whole spans, and the others one by one."""
 
-    at: np.ndarray  # samples that belong to no span of the list
-    weight: np.ndarray  # how much of each the contact covers
+    weight: np.ndarray  # how much of each sample the contact covers
+    height: np.ndarray  # of each, in h
+    slope: np.ndarray  # of each, in h/dx
     spans: np.ndarray  # number of every span that is all within a piece of contact
 
 
@@ -34,44 +35,41 @@ def covered(contacts, i):
 def room_for_all(samples):
     """Return Touching with room for all samples of a line."""
     spans = np.empty(samples // SPAN + 1, np.int64)
-    return Touching(np.empty(samples, np.int64), np.empty(samples), spans)
+    return Touching(np.empty(samples), np.empty(samples), np.empty(samples), spans)
 
 
 @kernel
-def list_touching(contacts, room):
-    """Return Touching, in the memory of ``room``."""
-    at, weight, spans = room
+def list_touching(z, slope, contacts, room):
+    """Return Touching of a line of heights z and slopes, in the memory of ``room``."""
+    weight, height, steep, spans = room
     count = whole = 0
     for i in range(contacts.ends.shape[0]):
         top, j = contacts.ends[i, 0], contacts.ends[i, 1]
         at_top, at_bottom = covered(contacts, i)
-        if j < top:
-            at[count], weight[count] = j, at_bottom
-            count += 1
-            j += 1
-        while j < top:
-            stop = min(top, j - j % SPAN + SPAN)
-            if stop - j == SPAN:
+        begin = count
+        while j <= top:
+            stop = min(top + 1, j - j % SPAN + SPAN)
+            if stop - j == SPAN and begin < count and stop <= top:
                 spans[whole] = j // SPAN
                 whole += 1
                 j = stop
             while j < stop:
-                at[count], weight[count] = j, 1.0
+                weight[count], height[count], steep[count] = 1.0, z[j], slope[j]
                 count += 1
                 j += 1
-        at[count], weight[count] = top, at_top
-        count += 1
-    return Touching(at[:count], weight[:count], spans[:whole])
+        weight[begin] = at_bottom
+        weight[count - 1] = at_top  # of a piece of one sample, which is all top
+    return Touching(weight[:count], height[:count], steep[:count], spans[:whole])
 
 
 @kernel
-def steepest(slope, spans, touching):
+def steepest(spans, touching):
     """Return the largest |z'| among the touching samples."""
     most = 0.0
     for b in touching.spans:
         most = max(most, spans.steepest[b])
-    for j in touching.at:
-        most = max(most, abs(slope[j]))
+    for steep in touching.slope:
+        most = max(most, abs(steep))
     return most
 
 
@@ -90,7 +88,7 @@ def mean_rise(z, d, decay, contacts):
 
 
 @kernel
-def median_width(z, d, spans, decay, contacts):
+def median_width(z, d, decay, contacts):
     """Return the median over the load of the width of patches (patches/samples.py), in samples."""
     pieces = contacts.ends.shape[0]
     start = 0
@@ -105,7 +103,7 @@ def median_width(z, d, spans, decay, contacts):
         i = start + k if start + k < pieces else start + k - pieces
         patches += 1 - contacts.ends[i, 2]
         width[patches - 1] += contacts.ends[i, 0] - contacts.ends[i, 1] + 1
-        carried[patches - 1] += _carried(z, d, spans, decay, contacts, i)
+        carried[patches - 1] += _carried(z, d, decay, contacts, i)
     widest, half = 0, 0.0
     for p in range(patches):
         widest = max(widest, width[p])
@@ -122,16 +120,8 @@ def median_width(z, d, spans, decay, contacts):
 
 
 @kernel
-def _carried(z, d, spans, decay, contacts, i):
+def _carried(z, d, decay, contacts, i):
     """Return sum (w - u) over a piece: inside it every w is E times the u ahead."""
-    top, j = contacts.ends[i, 0], contacts.ends[i, 1]
-    sum_u = 0.0
-    bottom = z[j] - d
-    while j <= top:
-        if j % SPAN == 0 and j + SPAN - 1 <= top:
-            sum_u += SPAN * (z[j] - d) + spans.height[j // SPAN]
-            j += SPAN
-        else:
-            sum_u += z[j] - d
-            j += 1
-    return contacts.edges[i, FREE] - decay.once * bottom - (1.0 - decay.once) * sum_u
+    bottom = z[contacts.ends[i, 1]] - d
+    rest = (1.0 - decay.once) * contacts.edges[i, SUM]
+    return contacts.edges[i, FREE] - decay.once * bottom + rest

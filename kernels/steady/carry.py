@@ -11,7 +11,14 @@ import numpy as np
 
 from kernels.jit import kernel
 from kernels.rheology.law import NEGLIGIBLE, reach
-from kernels.steady.contacts import enter_span, join_pieces, leave_piece, open_piece
+from kernels.steady.contacts import (
+    begin_sum,
+    end_sum,
+    enter_span,
+    join_pieces,
+    leave_piece,
+    open_piece,
+)
 from kernels.steady.spans import SPAN
 
 
@@ -60,10 +67,11 @@ def carry(decay, z, spans, stay, d, contacts=None, w=None, gaps=None):
     du = 1.0  # -du/dd: 1 in contact, decaying outside
     total, slope, touching, pieces = -u, 1.0, 1, 1
     held = True
+    begin_sum(contacts, 0, 0.0)
     for first, last in ((deepest - 1, 0), (n - 1, deepest + 1)):
         j = first
         if j == n - 1 and held:
-            pieces = _cut(contacts, pieces, z, d, j, last, decay.once * u)
+            pieces = _cut(contacts, pieces, z, d, j, last, decay.once * u, total)
         while j >= last:
             b = j // SPAN
             low = b * SPAN
@@ -78,10 +86,10 @@ def carry(decay, z, spans, stay, d, contacts=None, w=None, gaps=None):
                 left = decay.span * u if u < -NEGLIGIBLE else 0.0
                 if held and d > stay[b]:
                     _hold(decay, z, d, u, w, low)
-                    total += SPAN * (d - z[low]) - spans.height[b]
+                    u = spans.first[b] - d
+                    total -= SPAN * u + spans.height[b]
                     slope += SPAN
                     touching += SPAN
-                    u = z[low] - d
                     j -= SPAN
                     continue
                 if not held and spans.lowest[b] - d >= left:
@@ -97,6 +105,8 @@ def carry(decay, z, spans, stay, d, contacts=None, w=None, gaps=None):
             element = _samples(decay, z, d, j, stop, element, contacts, w)
             u, du, held, total, slope, touching, pieces = element
             j = stop - 1
+    if held:
+        end_sum(contacts, pieces - 1, total)
     _arrive(decay, z, d, spans.deepest, u, held, pieces, contacts, w)
     return total, slope, touching, pieces
 
@@ -114,6 +124,7 @@ def _samples(decay, z, d, first, stop, element, contacts, w):
         if gap < free:
             if not held:
                 open_piece(contacts, pieces, z, d, j, free, u)
+                begin_sum(contacts, pieces, total)
                 pieces += 1
                 held = True
             u = gap
@@ -122,6 +133,7 @@ def _samples(decay, z, d, first, stop, element, contacts, w):
         else:
             if held:
                 leave_piece(contacts, pieces - 1, z, d, j)
+                end_sum(contacts, pieces - 1, total)
                 held = False
             u = free
             du = decay.once * du if alive else 0.0
@@ -131,10 +143,12 @@ def _samples(decay, z, d, first, stop, element, contacts, w):
 
 
 @kernel
-def _cut(contacts, pieces, z, d, j, last, free):
+def _cut(contacts, pieces, z, d, j, last, free, total):
     """Cut a patch that goes on at the end of the array; return the number of pieces."""
     if last <= j and z[j] - d < free:
         join_pieces(contacts, pieces - 1, pieces, 0, j, free)
+        end_sum(contacts, pieces - 1, total)
+        begin_sum(contacts, pieces, total)
         return pieces + 1
     return pieces
 

@@ -8,7 +8,7 @@ from kernels.jit import kernel
 from kernels.steady.spans import SPAN
 
 LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
-AHEAD, BEHIND, FREE = range(3)  # columns of edges
+AHEAD, BEHIND, FREE, SUM = range(4)  # columns of edges
 
 
 class Contacts(NamedTuple):
@@ -18,7 +18,8 @@ class Contacts(NamedTuple):
     """
 
     ends: np.ndarray  # shape (pieces, 3): top and bottom sample, whether it joins the piece before
-    edges: np.ndarray  # shape (pieces, 3): reach ahead of the top and behind the bottom, w at top
+    edges: np.ndarray  # shape (pieces, 4): reach ahead of the top and behind the bottom, w at top,
+    # and the sum of d - z
     slope: np.ndarray  # of the line, in h/dx, shape (n,)
     speed: float  # vbar of the steady state
     entered: np.ndarray  # shape (n // SPAN + 1,): u upstream of each span, and of the samples left
@@ -29,7 +30,7 @@ def room_for(slope, speed):
     """Return Contacts with room for all pieces that a line of these slopes can have."""
     most = slope.size // 2 + 3
     entered = np.empty(slope.size // SPAN + 1)
-    return Contacts(np.empty((most, 3), np.int64), np.empty((most, 3)), slope, speed, entered)
+    return Contacts(np.empty((most, 3), np.int64), np.empty((most, 4)), slope, speed, entered)
 
 
 @kernel
@@ -75,6 +76,20 @@ def join_pieces(contacts, above, piece, bottom, top, free):
         contacts.ends[above, 1], contacts.edges[above, BEHIND] = bottom, 0.5
         contacts.ends[piece, 0], contacts.ends[piece, 2] = top, 1
         contacts.edges[piece, AHEAD], contacts.edges[piece, FREE] = 0.5, free
+
+
+@kernel
+def begin_sum(contacts, piece, total):
+    """Begin the sum of d - z over a piece. total : -sum u over the samples before it."""
+    if contacts is not None:
+        contacts.edges[piece, SUM] = -total
+
+
+@kernel
+def end_sum(contacts, piece, total):
+    """End the sum of d - z over a piece. total : -sum u over the samples up to its bottom."""
+    if contacts is not None:
+        contacts.edges[piece, SUM] += total
 
 
 @kernel

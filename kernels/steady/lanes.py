@@ -37,7 +37,9 @@ def carry_lanes(decay, z, spans, stay, d):
             stop = max(low, last)
             whole = 0.0
             if j == low + SPAN - 1 and low >= last:
-                whole = _cross(decay, lanes, stay[b], spans.lowest[b], z[low], spans.height[b])
+                whole = _cross(
+                    decay, lanes, stay[b], spans.lowest[b], spans.first[b], spans.height[b]
+                )
             if whole < LANES:
                 _visit(decay, z, lanes, j, stop)
             if whole > 0.0:

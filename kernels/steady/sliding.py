@@ -14,7 +14,7 @@ from kernels.steady.carry import carry
 from kernels.steady.lanes import LANES, carry_lanes
 
 POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed; the first with a guess
-CLOSE = 4e-15  # of the load: what may be left of an excess
+CLOSE = 1e-13  # of the load: what may be left of an excess, beyond the rounding of long sums
 FEW = 512  # samples of a line that are asked where an elastic foundation would be
 BROKEN = 0.5  # of all spans: where more may be neither held nor free, lanes are quicker
 WORTH = 4  # loads in lanes of 16 cost as much as some one by one
@@ -106,8 +106,9 @@ def _next(step, d, total, slope, load, deepest):
 
 @kernel
 def indentation(decay, z, spans, stay, load, near, contacts, gaps=None):
-    """Return (d, sweeps, pieces) of steady sliding under the load n Fbar; contacts are filled.
+    """Return (d, sweeps, touching, pieces) of steady sliding under the load n Fbar.
 
+    touching : samples; contacts are filled with so many pieces.
     decay, z, spans, stay, contacts, gaps : as of carry. near : d as approach leaves it.
     """
     d = near
@@ -122,7 +123,7 @@ def indentation(decay, z, spans, stay, load, near, contacts, gaps=None):
         progress = touching < fewest or excess < 0.5 * least
         right = excess > 0.0 and new < d and progress
         if abs(excess) <= CLOSE * load or (sweeps > 1 and not right):
-            return d, sweeps, pieces
+            return d, sweeps, touching, pieces
         if excess > 0.0:
             fewest, least = min(fewest, touching), min(least, excess)
         d = new

@@ -18,6 +18,10 @@ from kernels.jit import kernel
 
 SPAN = 16
 EIGHT = 8  # samples that are compared at once, in the vector registers of the processor
+# Columns of what is known of a span, as many as the processor fetches at once: height z0 and slope
+# s0 of its first sample, and sums over all its samples j, with Delta f_j = f_(j+1) - f_j, of
+# z - z0, z' - s0, (z - z0) (z' - s0), (z' - s0)^2, (z' - s0) Delta z and Delta z Delta z'.
+FIRST, STEEP, HEIGHT, SLOPE, WORK, SQUARE, RISE, TURN = range(8)
 
 
 class Spans(NamedTuple):
@@ -28,12 +32,11 @@ class Spans(NamedTuple):
     """
 
     lowest: np.ndarray  # height
-    steepest: np.ndarray  # largest |z'|
+    first: np.ndarray  # z0
     height: np.ndarray  # sum of z - z0
-    slope: np.ndarray  # sum of z' - s0
-    work: np.ndarray  # sum of (z - z0) (z' - s0)
-    square: np.ndarray  # sum of (z' - s0)^2
-    whole: np.ndarray  # shape (4,): the four sums over all samples, from the first of the line
+    steepest: np.ndarray  # largest |z'|
+    rows: np.ndarray  # shape (n // SPAN + 1, 8); the last row has FIRST and STEEP of what follows
+    whole: np.ndarray  # shape (4,): sums over all samples, as HEIGHT to SQUARE of the line
     deepest: int  # sample, the lowest one
 
 
@@ -49,9 +52,8 @@ class Thresholds(NamedTuple):
 @kernel
 def spans_of(z, slope):
     """Return the Spans of a line. z (in h), slope (in h/dx) : shape (n,)."""
-    count = z.size // SPAN
-    lowest, steepest = np.empty(count), np.empty(count)
-    sums = np.empty((4, count))
+    n, count = z.size, z.size // SPAN
+    lowest, steepest, rows = np.empty(count), np.empty(count), np.zeros((count + 1, TURN + 1))
     whole = np.zeros(4)
     for b in range(count):
         first = b * SPAN
@@ -62,20 +64,36 @@ def spans_of(z, slope):
             a0, a1, a2, a3 = a0 + four[0], a1 + four[1], a2 + four[2], a3 + four[3]
             low, steep = _smaller(low, four[4]), _larger(steep, four[5])
         lowest[b], steepest[b] = low, steep
-        sums[0, b], sums[1, b], sums[2, b], sums[3, b] = a0, a1, a2, a3
+        rows[b, FIRST], rows[b, STEEP] = z[first], slope[first]
+        rows[b, HEIGHT], rows[b, SLOPE], rows[b, WORK], rows[b, SQUARE] = a0, a1, a2, a3
+        rows[b, RISE], rows[b, TURN] = _rises(z, slope, first)
         a, c = z[first] - z[0], slope[first] - slope[0]
         whole[0] += a0 + SPAN * a
         whole[1] += a1 + SPAN * c
         whole[2] += a2 + a * a1 + c * (a0 + SPAN * a)
         whole[3] += a3 + c * (2.0 * a1 + SPAN * c)
-    for j in range(count * SPAN, z.size):
+    for j in range(count * SPAN, n):
         a, c = z[j] - z[0], slope[j] - slope[0]
         whole[0] += a
         whole[1] += c
         whole[2] += a * c
         whole[3] += c * c
-    deepest = int(np.argmin(z))
-    return Spans(lowest, steepest, sums[0], sums[1], sums[2], sums[3], whole, deepest)
+    after = count * SPAN if count * SPAN < n else 0
+    rows[count, FIRST], rows[count, STEEP] = z[after], slope[after]
+    starts, heights = rows[:count, FIRST].copy(), rows[:count, HEIGHT].copy()
+    return Spans(lowest, starts, heights, steepest, rows, whole, int(np.argmin(z)))
+
+
+@kernel
+def _rises(z, slope, first):
+    """Return the sums of (z' - s0) Delta z and of Delta z Delta z' over the span from ``first``."""
+    one = other = 0.0
+    for j in range(first, first + SPAN):
+        above = j + 1 if j + 1 < z.size else 0
+        up = z[above] - z[j]
+        one += (slope[j] - slope[first]) * up
+        other += (slope[above] - slope[j]) * up
+    return one, other
 
 
 @kernel

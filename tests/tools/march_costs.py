@@ -28,10 +28,10 @@ from kernels import (
     draw_phases,
     lagged_slope,
     march,
+    quadrature,
     run_case,
     steady_sliding,
 )
-from kernels.active.lists import rises_of
 from kernels.active.march import active_march
 from kernels.active.setting import Setting
 from kernels.rheology.kelvin import SCHEMES
@@ -77,11 +77,15 @@ class Problem:
         self.weight = lagged_slope(line.slope, self.law.lag)
         self.kept = np.array([row.steps])
         self.control = ConstantForce(self.load)
-        spans, rises = spans_of(line.z, line.slope), rises_of(line.z, line.slope)
+        spans = spans_of(line.z, line.slope)
         laws = self.before, self.law
         states = zip(laws, (self.one, self.two), strict=True)
         ends = (passing_of(line.z, law, state) for law, state in states)
-        self.setting = Setting(line.z, line.slope, spans, rises, *laws, *ends)
+        speeds = self.speed, RATIO * self.speed
+        rates = [
+            quadrature(*line[:2], *self.one, speeds[0], speed, self.load)[1] for speed in speeds
+        ]
+        self.setting = Setting(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])
 
     @property
     def updates(self) -> int:

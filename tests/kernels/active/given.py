@@ -13,7 +13,6 @@ from kernels import (
     steady_sliding,
     step_average,
 )
-from kernels.active.lists import rises_of
 from kernels.active.setting import Passing, Setting
 from kernels.rheology.law import State
 from kernels.steady.carry import decay_of
@@ -38,8 +37,11 @@ def setting_of(jump, elements, seed=1, line=None):
     z, slope = random_line(elements, jump.hurst, jump.m, seed) if line is None else line
     load = jump.load * z.size
     laws = [SCHEMES[jump.scheme](np.pi / (jump.m * jump.x * r)) for r in (1.0, jump.ratio)]
-    passing = (passing_of(z, law, steady_sliding(law, z, load)[0]) for law in laws)
-    return Setting(z, slope, spans_of(z, slope), rises_of(z, slope), *laws, *passing), load
+    states = [steady_sliding(law, z, load)[0] for law in laws]
+    passing = (passing_of(z, law, state) for law, state in zip(laws, states, strict=True))
+    v = jump.x / np.pi
+    before, after = (quadrature(z, slope, *states[0], v, r * v, load)[1] for r in (1.0, jump.ratio))
+    return Setting(z, slope, spans_of(z, slope), *laws, *passing, after - before), load
 
 
 def passing_of(z, law, state):

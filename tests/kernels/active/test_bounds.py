@@ -5,9 +5,9 @@ import pytest
 
 from kernels import SCHEMES, ConstantForce
 from kernels.active.balance import foresee
-from kernels.active.bounds import bounds_of, first_bounds, first_thresholds, holds, widened
+from kernels.active.bounds import bounds_of, first_bounds, holds, widened
 from kernels.active.setting import advance
-from tests.kernels.active.given import Jump, dense, setting_of, states_of
+from tests.kernels.active.given import Jump, dense, setting_of
 
 LAW = SCHEMES["exponential"](0.3)
 
@@ -28,26 +28,12 @@ def test_wider_ones_hold_what_left_them():
     assert holds(widened(LAW, narrow, 4.0, 1.5, 0.1), 4.0, 1.5)
 
 
-def test_the_first_step_is_guessed_and_lies_within_the_first_bounds():
-    setting, load = setting_of(Jump(0.7, 4, 0.3, 10.0, 1.2), 200)
+@pytest.mark.parametrize("ratio", [0.7, 1.2])
+@pytest.mark.parametrize(("load", "x"), [(0.01, 10.0), (0.3, 10.0), (0.5, 1.0), (2.0, 3.0)])
+def test_the_first_step_is_foreseen_and_lies_within_the_first_bounds(load, x, ratio):
+    setting, load = setting_of(Jump(0.7, 4, load, x, ratio), 200)
     guess = foresee(ConstantForce(load), setting)
     _, (d,) = dense(setting, load, np.array([1]))
-    assert guess == pytest.approx(d, rel=1e-3)
-    found = first_bounds(setting, guess, 0.1)
+    assert 0.9 < (guess - setting.start.d) / (d - setting.start.d) < 1.7
+    found = first_bounds(setting, guess, 0.05)
     assert holds(found, d, advance(setting.law, d, setting.start.d))
-
-
-@pytest.mark.parametrize("ratio", [0.7, 1.2])
-@pytest.mark.parametrize(("load", "x"), [(0.01, 10.0), (0.5, 1.0), (5.0, 3.0), (25.0, 1.0)])
-def test_thresholds_and_sums_are_those_of_all_elements(load, x, ratio):
-    setting, _ = setting_of(Jump(0.9, 4, load, x, ratio), 160)
-    d, law = setting.start.d, setting.law
-    c, sums = first_thresholds(setting)
-    assert c.size < setting.z.size
-    push = advance(law, d, d)
-    depth = np.maximum(d - c, 0.0).sum() + sums.depth + (push - sums.level) * sums.samples
-    w, _ = states_of(setting)[0]
-    u = np.minimum(w, setting.z - d)
-    expected = np.maximum(d - (setting.z - law.decay * np.roll(u, -1)), 0.0)
-    assert depth == pytest.approx(expected.sum(), rel=1e-9)
-    assert (c < d).sum() + sums.samples == (expected > 0.0).sum()

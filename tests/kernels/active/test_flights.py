@@ -6,7 +6,7 @@ import pytest
 from kernels import ConstantForce
 from kernels.active.balance import foresee
 from kernels.active.bounds import first_bounds
-from kernels.active.flights import FORGOTTEN, aloft_at_first, powers_of
+from kernels.active.flights import FORGOTTEN, Steady, arrivals_of, launch, powers_of
 from kernels.active.lists import lists_of
 from kernels.active.runs import classes_of
 from tests.kernels.active.given import Jump, setting_of, states_of
@@ -24,16 +24,24 @@ def test_powers_end_at_the_last_step_or_where_all_is_forgotten():
 
 
 @pytest.mark.parametrize("load", [1e-3, 0.1, 1.0])
-def test_displacements_before_the_first_step_are_those_of_the_plain_sweep(load):
+def test_at_first_those_arrive_who_are_aloft_in_steady_sliding(load):
     setting, force = setting_of(Jump(0.5, 4, load, 10.0, 1.2), 120)
     bounds = first_bounds(setting, foresee(ConstantForce(force), setting), 0.1)
     runs, met, _ = classes_of(setting, bounds)
-    w = np.full(setting.z.size, np.nan)
-    aloft_at_first(setting, lists_of(runs, met), runs, STEPS, w)
-    filled = np.isfinite(w)
-    assert filled.any()
-    expected = states_of(setting)[0].w[filled]
-    np.testing.assert_allclose(w[filled], expected, rtol=1e-11, atol=1e-15)
-    for top, distance in zip(runs.top, runs.distance, strict=True):
-        upstream = (top + np.arange(1, min(distance, STEPS + 1))) % w.size
-        assert filled[upstream].all()
+    rest = setting.law, lists_of(runs, met), runs
+    state = states_of(setting)[0]
+    steady = Steady(setting.start.decay.once, setting.start.d)
+    _, found = arrivals_of(*rest, steady, setting.z, STEPS)
+    _, expected = arrivals_of(*rest, state, setting.z, STEPS)
+    assert found.values.size > STEPS
+    np.testing.assert_allclose(found.values, expected.values, rtol=1e-11, atol=1e-15)
+    np.testing.assert_array_equal(found.begin, expected.begin)
+
+
+def test_what_is_aloft_arrives_after_the_samples_between_decayed_at_the_new_speed():
+    values = np.full(6, np.nan)
+    powers = powers_of(0.5, 10)
+    launch(Steady(0.8, 0.1), values, 1, 5, powers, values, 7, 6, -1.0)
+    assert np.isnan(values[[0, 5]]).all()
+    expected = [-(0.5**k) * 0.8 ** (6 - k) for k in (1, 2, 3, 4)]  # k samples upstream of the run
+    np.testing.assert_allclose(values[1:5], expected, rtol=1e-14)

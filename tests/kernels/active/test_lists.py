@@ -6,10 +6,10 @@ import pytest
 from kernels import ConstantForce, lagged_slope
 from kernels.active.balance import foresee
 from kernels.active.bounds import first_bounds
-from kernels.active.lists import add_sample, add_span, lists_of, rises_of, weighed
+from kernels.active.lists import add_sample, add_span, lists_of, weighed
 from kernels.active.runs import classes_of
 from kernels.active.setting import rise
-from kernels.steady.spans import SPAN
+from kernels.steady.spans import SPAN, spans_of
 from tests.kernels.active.given import Jump, setting_of
 
 
@@ -36,7 +36,7 @@ def test_weighed_sums_are_those_of_the_touching_samples():
 def test_a_span_is_its_samples_round_the_period(hurst):
     setting, _ = setting_of(Jump(hurst, 4, 0.5, 10.0, 1.2), 4 * SPAN)
     z, level = setting.z + 7.0, 0.4
-    setting = setting._replace(z=z, rises=rises_of(z, setting.slope))
+    setting = setting._replace(z=z, spans=spans_of(z, setting.slope))
     a = rise(setting.law, z, np.roll(z, -1))
     weight = lagged_slope(setting.slope, setting.law.lag)
     for b in (0, 3, z.size // SPAN - 1):

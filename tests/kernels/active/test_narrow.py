@@ -8,11 +8,10 @@ from hypothesis import strategies as st
 from kernels import SCHEMES, ConstantForce, PrintedForce
 from kernels.active.balance import foresee
 from kernels.active.bounds import first_bounds
-from kernels.active.flights import aloft_at_first, arrivals_of
+from kernels.active.flights import Steady, arrivals_of
 from kernels.active.lists import lists_of
 from kernels.active.march import follow
 from kernels.active.runs import classes_of
-from kernels.rheology.law import State
 from tests.kernels.active.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
 from tests.sizes import COMPILES_ALONE, size
 
@@ -24,9 +23,8 @@ def followed(setting, control, steps, worth, margin=0.1):
     guess = foresee(control, setting)
     bounds = first_bounds(setting, guess, margin)
     runs, met, sums = classes_of(setting, bounds)
-    lists, state = lists_of(runs, met), State(np.empty_like(setting.z), setting.start.d)
-    aloft_at_first(setting, lists, runs, steps, state.w)
-    arrivals = arrivals_of(setting.law, lists, runs, state, setting.z, steps)
+    lists, steady = lists_of(runs, met), Steady(setting.start.decay.once, setting.start.d)
+    arrivals = arrivals_of(setting.law, lists, runs, steady, setting.z, steps)
     kept = np.arange(1, steps + 1)
     mu, d = np.full(steps, np.nan), np.full(steps, np.nan)
     where = runs, lists, sums, arrivals

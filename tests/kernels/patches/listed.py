@@ -1,10 +1,9 @@
 """The contacts of steady states, listed, and as a state of every sample."""
 
-import numpy as np
 import pytest
 
 from kernels import steady_sliding
-from kernels.patches.pressure import pressed
+from kernels.patches.pressed import MovingLine, pressed, room_for_pressed
 from kernels.patches.touching import list_touching, room_for_all
 from kernels.steady.carry import carry, decay_of
 from kernels.steady.contacts import first, room_for
@@ -29,10 +28,15 @@ class Listed:
         self.decay = decay_of(self.law)
         *_, pieces = carry(self.decay, z, self.spans, own.stay, self.state.d, room, None, None)
         self.contacts = first(room, pieces)
-        self.touching = list_touching(self.contacts, room_for_all(z.size))
+        self.touching = list_touching(z, slope, self.contacts, room_for_all(z.size))
 
-    def at(self, speed):
-        """Return what touches, at the moment when the speed has become ``speed``."""
+    def at(self, speed, guess=None):
+        """Return what touches, at the moment when the speed has become ``speed``.
+
+        guess : of the indentation and its rate; None: the indentation.
+        """
         z, slope = self.line.z, self.line.slope
         press = thresholds_of(z, slope, speed, self.law.stiffness).press
-        return pressed(z, slope, self.spans, self.touching, speed, press, np.empty(z.size))
+        line = MovingLine(z, slope, self.spans, speed, press)
+        guess = self.state.d if guess is None else guess
+        return pressed(line, self.touching, guess, room_for_pressed(z.size))

@@ -15,7 +15,10 @@ def test_every_touching_sample_is_listed_once_as_far_as_contact_covers_it(given)
     listed = Listed(*given)
     line, (w, d) = listed.line, listed.state
     weight = np.zeros(line.z.size)
-    np.add.at(weight, listed.touching.at, listed.touching.weight)
+    at = {height: j for j, height in enumerate(line.z)}
+    for covered, height, slope in zip(*listed.touching[:3], strict=True):
+        weight[at[height]] += covered
+        assert slope == line.slope[at[height]]
     for b in listed.touching.spans:
         weight[b * SPAN : (b + 1) * SPAN] += 1.0
     expected = np.zeros(line.z.size)
@@ -28,7 +31,7 @@ def test_every_touching_sample_is_listed_once_as_far_as_contact_covers_it(given)
 def test_widths_and_slopes_are_those_of_the_samples(given):
     listed = Listed(*given)
     line, (w, d) = listed.line, listed.state
-    width = median_width(line.z, d, listed.spans, listed.decay, listed.contacts)
+    width = median_width(line.z, d, listed.decay, listed.contacts)
     assert width == samples_per_contact(d - (line.z - w))
     expected = np.abs(line.slope[touching(line.z, w, d)]).max()
-    assert steepest(line.slope, listed.spans, listed.touching) == expected
+    assert steepest(listed.spans, listed.touching) == expected

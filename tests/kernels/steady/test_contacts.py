@@ -16,7 +16,7 @@ def test_pieces_are_the_samples_in_contact(hurst, elements, m, speed, load):
     z, n = line.z, line.z.size
     touches = touching(z, plain, d)
     seen = np.zeros(n, int)
-    for (top, bottom, joined), (ahead, behind, free) in zip(
+    for (top, bottom, joined), (ahead, behind, free, total) in zip(
         contacts.ends[:pieces], contacts.edges[:pieces], strict=True
     ):
         seen[bottom : top + 1] += 1
@@ -27,6 +27,7 @@ def test_pieces_are_the_samples_in_contact(hurst, elements, m, speed, load):
             0.5 if touches[k] else _reach(z, line.slope, plain, d, speed, j, k)
             for j, k in ((top, above), (bottom, below))
         ]
+        assert total == pytest.approx((d - z[bottom : top + 1]).sum(), rel=1e-9, abs=1e-12)
         assert [ahead, behind] == pytest.approx(reach, rel=1e-6, abs=1e-9)
     np.testing.assert_array_equal(seen, touches)
 

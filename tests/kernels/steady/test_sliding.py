@@ -21,7 +21,7 @@ def solved(line, speed, load, guess=None, scheme="exponential"):
     guess = elastic_guess(line.z, spans.deepest, total) if guess is None else guess
     to = decay, line.z, spans, own.stay
     (near,) = approach(*to, np.array([total]), np.array([guess]), steps, None)
-    d, after, _ = indentation(*to, total, near, room_for(line.slope, speed), None)
+    d, after, _, _ = indentation(*to, total, near, room_for(line.slope, speed), None)
     return d, steps + after
 
 

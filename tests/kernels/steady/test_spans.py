@@ -4,7 +4,17 @@ import numpy as np
 import pytest
 
 from kernels import steady_sliding
-from kernels.steady.spans import SPAN
+from kernels.steady.spans import (
+    FIRST,
+    HEIGHT,
+    RISE,
+    SLOPE,
+    SPAN,
+    SQUARE,
+    STEEP,
+    TURN,
+    WORK,
+)
 from tests.kernels.steady.given import LINES, LOADS, known, line_of, touching
 
 
@@ -15,19 +25,30 @@ def test_sums_are_those_of_the_samples(hurst, elements, m, speed):
     count = line.z.size // SPAN
     z, s = (values[: count * SPAN].reshape(count, SPAN) for values in line[:2])
     a, c = z - z[:, :1], s - s[:, :1]
+    up, turn = (np.roll(f, -1)[: count * SPAN].reshape(count, SPAN) for f in line[:2])
+    up, turn = up - z, turn - s
+    rows = spans.rows[:count].T
     for found, expected in [
         (spans.lowest, z.min(axis=1, initial=np.inf)),
         (spans.steepest, np.abs(s).max(axis=1, initial=0.0)),
+        (spans.first, z[:, 0]),
         (spans.height, a.sum(axis=1)),
-        (spans.slope, c.sum(axis=1)),
-        (spans.work, (a * c).sum(axis=1)),
-        (spans.square, (c * c).sum(axis=1)),
+        (rows[FIRST], z[:, 0]),
+        (rows[STEEP], s[:, 0]),
+        (rows[HEIGHT], a.sum(axis=1)),
+        (rows[SLOPE], c.sum(axis=1)),
+        (rows[WORK], (a * c).sum(axis=1)),
+        (rows[SQUARE], (c * c).sum(axis=1)),
+        (rows[RISE], (c * up).sum(axis=1)),
+        (rows[TURN], (up * turn).sum(axis=1)),
     ]:
         np.testing.assert_allclose(found, expected, rtol=1e-12, atol=1e-12)
     a, c = line.z - line.z[0], line.slope - line.slope[0]
     expected = [a.sum(), c.sum(), (a * c).sum(), (c * c).sum()]
     np.testing.assert_allclose(spans.whole, expected, rtol=1e-12, atol=1e-11)
     assert line.z[spans.deepest] == line.z.min()
+    after = count * SPAN % line.z.size
+    assert (spans.rows[count, [FIRST, STEEP]] == [line.z[after], line.slope[after]]).all()
 
 
 @pytest.mark.parametrize("scheme", ["exponential", "implicit-euler"])
