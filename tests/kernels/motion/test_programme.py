@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 import pytest
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 from kernels.motion.programme import (
@@ -48,6 +48,7 @@ def test_a_distance_that_is_whole_but_for_rounding_ends_at_a_whole_sample():
     distance=st.floats(0.01, 30.0),
     start=st.floats(-3.0, 3.0),
 )
+@example(speed=1.0, distance=0.328125, start=-1.125)
 def test_a_slide_between_fractions_takes_its_time_in_steps_of_about_a_sample(
     speed, distance, start
 ):
@@ -56,7 +57,8 @@ def test_a_slide_between_fractions_takes_its_time_in_steps_of_about_a_sample(
     assert steps.position[-1] == pytest.approx(start + math.copysign(distance * M, speed), abs=1e-8)
     assert steps.dt.sum() == pytest.approx(distance / abs(speed), rel=1e-6)
     np.testing.assert_allclose(moved, speed * M * steps.dt, rtol=1e-9)
-    assert np.abs(moved).max() <= 1.25 + 1e-6
+    # Whole samples nearer than a quarter to an end are passed by: at one end, or at both at once.
+    assert np.abs(moved).max() <= (1.25 if moved.size > 1 else 1.5) + 1e-6
     assert np.abs(moved).min() >= min(0.25, distance * M) - 1e-6
     assert np.all(steps.position[:-1] % 1.0 == 0.0)
 
