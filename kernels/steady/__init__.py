@@ -2,5 +2,6 @@
 
 ``plain`` visits every sample and is the reference. The other files find the same for many loads
 of one line: ``spans`` says what is known of sixteen samples in a row, ``carry`` is a sweep that
-uses it and can list the contacts, ``sliding`` solves with that for the indentation.
+uses it and can list the contacts, ``lanes`` one for sixteen loads at once, ``sliding`` solves with
+them for the indentation. ``ahead`` guesses from the contacts what it will be at another speed.
 """
