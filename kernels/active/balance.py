@@ -9,8 +9,7 @@ from kernels.control.printed_eq3 import PrintedForce
 from kernels.jit import by_type, kernel
 
 STRIP = 32  # samples, and partial sums
-NEARER = 0.1  # of d: it falls by no more in the first step
-FARTHER = 1.2  # than the rate after the jump takes d in the first step, which it tells to a tenth
+NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
 MOST_PASSES = 100  # a few do; what takes more is left to the plain march
 
 
@@ -46,11 +45,11 @@ def amend(control, noted, flights, d):
 
 @foresee.of(ConstantForce)
 def _foresee(control, setting):
-    # An element that stays in contact has d' act on it, which d follows as 1 - E of a step. Where
-    # the load is next to nothing the rate is rounding, but one element could carry all of it.
+    # d follows d' as an element in contact does, by 1 - E = 1 / K in a step. Under next to no load
+    # the rate is rounding, but one element could carry all of it.
     law, d = setting.law, setting.start.d
-    most = law.decay * d + control.load / law.stiffness
-    return min(max(d + FARTHER * setting.rate / law.stiffness, NEARER * d), most)
+    new = max(d + FARTHER * setting.rate / law.stiffness, NEARER * d)
+    return min(new, law.decay * d + control.load / law.stiffness)
 
 
 @note.of(ConstantForce)
