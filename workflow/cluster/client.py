@@ -7,7 +7,7 @@ import signal
 import socket
 import ssl
 import tempfile
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import partial
 from typing import Any
 
@@ -35,6 +35,7 @@ from workflow.system import WORKER_ENVIRONMENT
 
 CONNECT_SECONDS = 10
 CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye, or a worker process to end by itself
+TRIES = 3  # to begin a thread of dask, which gives it ten seconds each: few on a busy machine
 LOST_SECONDS = 30.0  # without a worker process, until a nanny of our own is given up
 AGAIN_SECONDS = 5.0  # between looks at whether one has to be replaced
 HERE = "127.0.0.1"
@@ -126,16 +127,29 @@ def _loop_without_ctrl_c() -> Iterator[IOLoop]:
     Ctrl-C is sent to the whole process group: worker processes must be born not to hear it. This
     thread hears it all the while, so that it is not lost while they start.
     """
-    runner = LoopRunner()
     before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
     try:
-        runner.start()  # threads and processes inherit what is blocked
+        runner = begun(_running_loop)  # threads and processes inherit what is blocked
     finally:
         signal.pthread_sigmask(signal.SIG_SETMASK, before)
     try:
         yield runner.loop
     finally:
         runner.stop()
+
+
+def _running_loop() -> LoopRunner:
+    runner = LoopRunner()
+    runner.start()
+    return runner
+
+
+def begun(begin: Callable[[], Any]) -> Any:
+    """Return what ``begin`` does, which asserts that a thread has begun within ten seconds."""
+    for _ in range(TRIES - 1):
+        with contextlib.suppress(AssertionError):
+            return begin()
+    return begin()
 
 
 def _client_of(cluster: Cluster, watch: Watch) -> Client:
@@ -152,7 +166,7 @@ def _client_of(cluster: Cluster, watch: Watch) -> Client:
 
 
 def _connected(address: str, security: Any) -> Client:
-    return Client(address, timeout=CONNECT_SECONDS, security=security)
+    return begun(partial(Client, address, timeout=CONNECT_SECONDS, security=security))
 
 
 def _is_mute(address: str) -> bool:

@@ -180,3 +180,17 @@ def test_no_scheduler_at_the_address(monkeypatch, address):
     # A client of dask that cannot connect leaves itself behind as the one to compute with.
     with dask.config.set(scheduler=None), pytest.raises(UserError, match=expected):
         open_client(Cluster(address)).__enter__()
+
+
+def test_a_thread_of_dask_may_begin_late():
+    late = iter([AssertionError, AssertionError])
+
+    def begin():
+        for error in late:
+            raise error
+        return "begun"
+
+    assert module.begun(begin) == "begun"
+    late = iter([AssertionError] * module.TRIES)
+    with pytest.raises(AssertionError):
+        module.begun(begin)
