@@ -68,7 +68,7 @@ def run_cases(line: Line, cases: Sequence[Case], asked: Quantities) -> list[Outc
         else:
             outcomes[i] = run_memory_case(line, case, asked)
     finer = any(case.refine for case in cases)
-    ground = Ground.of(line, finer) if together else None
+    ground = Ground.of(line, finer, asked.relaxation) if together else None
     for rows in together.values():
         assert ground is not None
         own = ground if cases[rows[0]].refine else ground._replace(curvature=None)

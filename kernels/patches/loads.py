@@ -75,19 +75,19 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
     entered = np.empty((loads.size, contacts.entered.size))
     d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses, gaps)
     for i in range(loads.size):
-        load, pieces = loads[i], 1
+        load, pieces, held = loads[i], 1, n
         if full[i]:
             _list_whole_line(z, d[i], contacts)
-            ahead[i, :] = d[i]
         else:
             d[i], used, held, pieces = indentation(
                 decay, z, spans, own.stay, load, d[i], contacts, gaps
             )
             sweeps[i] += used
-            for k in range(speeds.ahead.size):
-                listed = first(contacts, pieces)
-                ahead[i, k] = indentation_ahead(speeds.ahead[k], z, d[i], load, held, listed)
         listed = first(contacts, pieces)
+        for k in range(speeds.ahead.size):
+            ahead[i, k] = d[i]
+            if not full[i]:
+                ahead[i, k] = indentation_ahead(speeds.ahead[k], z, d[i], load, held, listed)
         for b in range(contacts.entered.size):
             entered[i, b] = contacts.entered[b]
         at = MovingLine(z, slope, spans, speeds.own, own.press)

@@ -87,7 +87,8 @@ def span_under(line, b, deep):
 def moments(threshold, weight, slope, deep):
     """Return (sum of w p, sum of w p z', sum of w) over samples with pressure p > 0.
 
-    weight : w, or None where it is 1. Four partial sums in a fixed order.
+    weight : w, or None where it is 1. slope : z', or None where only forces are asked for. Four
+    partial sums in a fixed order.
     """
     n0 = n1 = n2 = n3 = t0 = t1 = t2 = t3 = c0 = c1 = c2 = c3 = 0.0
     whole = threshold.size - threshold.size % 4

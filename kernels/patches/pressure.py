@@ -7,6 +7,7 @@ Source: Li et al. (2014), doi:10.1038/srep05795.
 
 import numpy as np
 
+from kernels.contact import overlap
 from kernels.jit import kernel
 from kernels.patches.pressed import moments, span_under
 from kernels.patches.touching import covered
@@ -43,7 +44,7 @@ def balance(contact, load, guess):
 def _carried(contact, deep):
     """Return (force, samples) under pressure."""
     force, _, count = moments(contact.threshold, contact.touching.weight, None, deep)
-    more, _, others = moments(contact.loose, None, None, deep)
+    more, others = overlap(contact.loose, deep)
     force, count = force + more, count + others
     line = contact.line
     for i in range(contact.spans.size):

@@ -20,7 +20,7 @@ from kernels.patches.refined import NARROW, Refined, curvatures_of, refined
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
 from kernels.steady.carry import Decay, carry, decay_of
-from kernels.steady.spans import Spans, Thresholds, presses_of, spans_of, thresholds_of
+from kernels.steady.spans import Spans, Thresholds, add_rises, presses_of, spans_of, thresholds_of
 from kernels.surfaces.line import Line
 
 
@@ -32,9 +32,12 @@ class Ground(NamedTuple):
     curvature: np.ndarray | None  # shape (n,); where it is wanted and known between its samples
 
     @classmethod
-    def of(cls, line: Line, finer: bool = True) -> "Ground":
-        """Return the ground that a line is; finer : whether it may be refined."""
-        return cls(line, spans_of(line.z, line.slope), curvatures_of(line) if finer else None)
+    def of(cls, line: Line, finer: bool = True, marched: bool = False) -> "Ground":
+        """Return the ground that a line is; finer : it may be refined; marched : it is marched."""
+        spans = spans_of(line.z, line.slope)
+        if marched:
+            add_rises(spans.rows, line.z, line.slope)
+        return cls(line, spans, curvatures_of(line) if finer else None)
 
 
 class Sliding(NamedTuple):
@@ -110,7 +113,7 @@ def steady_friction(
     none = np.full(loads.size, np.nan)
     guesses = none if guesses is None else np.ascontiguousarray(guesses)  # compiled once
     share = corrected_share(line.steps_per_spacing, speed)
-    ahead = np.array([decay_of(kelvin_at(scheme, line, later)).once for later in following])
+    ahead = np.array([kelvin_at(scheme, line, later).decay for later in following])
     speeds = Speeds(speed, own, np.array(others, float), press, ahead)
     steps = float(line.steps_per_spacing)
     how = How(steps, share, line.band_limited)

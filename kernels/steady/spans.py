@@ -35,7 +35,8 @@ class Spans(NamedTuple):
     first: np.ndarray  # z0
     height: np.ndarray  # sum of z - z0
     steepest: np.ndarray  # largest |z'|
-    rows: np.ndarray  # shape (n // SPAN + 1, 8); the last row has FIRST and STEEP of what follows
+    rows: np.ndarray  # shape (n // SPAN + 1, 8): of every span, RISE and TURN as add_rises leaves
+    # them; the last row has FIRST and STEEP of what follows
     whole: np.ndarray  # shape (4,): sums over all samples, as HEIGHT to SQUARE of the line
     deepest: int  # sample, the lowest one
 
@@ -53,7 +54,11 @@ class Thresholds(NamedTuple):
 def spans_of(z, slope):
     """Return the Spans of a line. z (in h), slope (in h/dx) : shape (n,)."""
     n, count = z.size, z.size // SPAN
-    lowest, steepest, rows = np.empty(count), np.empty(count), np.zeros((count + 1, TURN + 1))
+    lowest, steepest, rows = (
+        np.empty(count),
+        np.empty(count),
+        np.full((count + 1, TURN + 1), np.nan),
+    )
     whole = np.zeros(4)
     for b in range(count):
         first = b * SPAN
@@ -66,7 +71,6 @@ def spans_of(z, slope):
         lowest[b], steepest[b] = low, steep
         rows[b, FIRST], rows[b, STEEP] = z[first], slope[first]
         rows[b, HEIGHT], rows[b, SLOPE], rows[b, WORK], rows[b, SQUARE] = a0, a1, a2, a3
-        rows[b, RISE], rows[b, TURN] = _rises(z, slope, first)
         a, c = z[first] - z[0], slope[first] - slope[0]
         whole[0] += a0 + SPAN * a
         whole[1] += a1 + SPAN * c
@@ -85,15 +89,17 @@ def spans_of(z, slope):
 
 
 @kernel
-def _rises(z, slope, first):
-    """Return the sums of (z' - s0) Delta z and of Delta z Delta z' over the span from ``first``."""
-    one = other = 0.0
-    for j in range(first, first + SPAN):
-        above = j + 1 if j + 1 < z.size else 0
-        up = z[above] - z[j]
-        one += (slope[j] - slope[first]) * up
-        other += (slope[above] - slope[j]) * up
-    return one, other
+def add_rises(rows, z, slope):
+    """Fill in RISE and TURN of the rows of Spans. Only a march asks for them."""
+    for b in range(rows.shape[0] - 1):
+        first = b * SPAN
+        one = other = 0.0
+        for j in range(first, first + SPAN):
+            above = j + 1 if j + 1 < z.size else 0
+            up = z[above] - z[j]
+            one += (slope[j] - slope[first]) * up
+            other += (slope[above] - slope[j]) * up
+        rows[b, RISE], rows[b, TURN] = one, other
 
 
 @kernel

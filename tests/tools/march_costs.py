@@ -34,8 +34,8 @@ from kernels import (
 )
 from kernels.active.march import active_march
 from kernels.active.setting import Setting
+from kernels.patches.steady_friction import Ground
 from kernels.rheology.kelvin import SCHEMES
-from kernels.steady.spans import spans_of
 from studies.accuracy.marches import TamaasMarch
 from tests.kernels.active.given import passing_of
 from tests.tools.rivals.checkout import COMMIT, ROOT, checkout
@@ -77,13 +77,13 @@ class Problem:
         self.weight = lagged_slope(line.slope, self.law.lag)
         self.kept = np.array([row.steps])
         self.control = ConstantForce(self.load)
-        spans = spans_of(line.z, line.slope)
+        spans = Ground.of(line, finer=False, marched=True).spans
         laws = self.before, self.law
-        states = zip(laws, (self.one, self.two), strict=True)
+        states = (self.before, self.one), (self.law, self.two)
         ends = (passing_of(line.z, law, state) for law, state in states)
-        speeds = self.speed, RATIO * self.speed
         rates = [
-            quadrature(*line[:2], *self.one, speeds[0], speed, self.load)[1] for speed in speeds
+            quadrature(*line[:2], *self.one, self.speed, speed, self.load)[1]
+            for speed in (self.speed, RATIO * self.speed)
         ]
         self.setting = Setting(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])
 

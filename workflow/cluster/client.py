@@ -145,7 +145,7 @@ def _running_loop() -> LoopRunner:
 
 
 def begun(begin: Callable[[], Any]) -> Any:
-    """Return what ``begin`` does, which asserts that a thread has begun within ten seconds."""
+    """Return what ``begin`` returns; try again where dask asserts that its thread has begun."""
     for _ in range(TRIES - 1):
         with contextlib.suppress(AssertionError):
             return begin()

@@ -17,7 +17,7 @@ from kernels.active.setting import Passing, Setting
 from kernels.rheology.law import State
 from kernels.steady.carry import decay_of
 from kernels.steady.plain import sweep
-from kernels.steady.spans import SPAN, spans_of, thresholds_of
+from kernels.steady.spans import SPAN, add_rises, spans_of, thresholds_of
 from tests.lines import random_line
 
 
@@ -41,7 +41,9 @@ def setting_of(jump, elements, seed=1, line=None):
     passing = (passing_of(z, law, state) for law, state in zip(laws, states, strict=True))
     v = jump.x / np.pi
     before, after = (quadrature(z, slope, *states[0], v, r * v, load)[1] for r in (1.0, jump.ratio))
-    return Setting(z, slope, spans_of(z, slope), *laws, *passing, after - before), load
+    spans = spans_of(z, slope)
+    add_rises(spans.rows, z, slope)
+    return Setting(z, slope, spans, *laws, *passing, after - before), load
 
 
 def passing_of(z, law, state):

@@ -9,7 +9,7 @@ from kernels.active.bounds import first_bounds
 from kernels.active.lists import add_sample, add_span, lists_of, weighed
 from kernels.active.runs import classes_of
 from kernels.active.setting import rise
-from kernels.steady.spans import SPAN, spans_of
+from kernels.steady.spans import SPAN, add_rises, spans_of
 from tests.kernels.active.given import Jump, setting_of
 
 
@@ -37,6 +37,7 @@ def test_a_span_is_its_samples_round_the_period(hurst):
     setting, _ = setting_of(Jump(hurst, 4, 0.5, 10.0, 1.2), 4 * SPAN)
     z, level = setting.z + 7.0, 0.4
     setting = setting._replace(z=z, spans=spans_of(z, setting.slope))
+    add_rises(setting.spans.rows, z, setting.slope)
     a = rise(setting.law, z, np.roll(z, -1))
     weight = lagged_slope(setting.slope, setting.law.lag)
     for b in (0, 3, z.size // SPAN - 1):

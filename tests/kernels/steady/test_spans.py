@@ -14,6 +14,7 @@ from kernels.steady.spans import (
     STEEP,
     TURN,
     WORK,
+    add_rises,
 )
 from tests.kernels.steady.given import LINES, LOADS, known, line_of, touching
 
@@ -27,6 +28,8 @@ def test_sums_are_those_of_the_samples(hurst, elements, m, speed):
     a, c = z - z[:, :1], s - s[:, :1]
     up, turn = (np.roll(f, -1)[: count * SPAN].reshape(count, SPAN) for f in line[:2])
     up, turn = up - z, turn - s
+    assert np.isnan(spans.rows[:count, RISE:]).all()
+    add_rises(spans.rows, *line[:2])
     rows = spans.rows[:count].T
     for found, expected in [
         (spans.lowest, z.min(axis=1, initial=np.inf)),
