@@ -66,9 +66,14 @@ def including(seen, d, push):
 
 
 @kernel
-def closer_bounds(law, bounds, seen, end):
-    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``."""
+def closer_bounds(law, bounds, seen, end, room):
+    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``.
+
+    room : that they leave at least to d and to D, on both sides of what was seen of them.
+    """
     lowest, highest = min(seen.low, end), max(seen.high, end)
     new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
-    low, high = max(new.low, bounds.low), min(new.high, bounds.high)
-    return Bounds(low, high, max(new.least, bounds.least), min(new.most, bounds.most))
+    low = max(min(new.low, lowest - room[0]), bounds.low)
+    high = min(max(new.high, highest + room[0]), bounds.high)
+    least = max(min(new.least, seen.least - room[1]), bounds.least)
+    return Bounds(low, high, least, min(max(new.most, seen.most + room[1]), bounds.most))

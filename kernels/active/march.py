@@ -20,7 +20,9 @@ from kernels.active.setting import advance
 from kernels.jit import kernel
 from kernels.rheology.law import State
 
-MARGINS = (0.05, 0.3, 2.0)  # of the spread of d and D, one after the other
+MARGINS = (0.05, 0.3, 2.0, 2.0)  # of the spread of d and D, one after the other
+ROOM = (0.0, 0.5, 1.0, 100.0)  # left to d by shorter lists, of its spread at first
+ROOM_OF_RATE = (0.0, 0.1, 0.2, 100.0)  # and to D, likewise
 LEAST_SAVED = 0.25  # of the spread of D
 FIRST_DUE = 6  # step after which lists may be shortened; then after half as many again
 
@@ -38,6 +40,7 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
     mu, indentation = np.empty(kept_steps.size), np.empty(kept_steps.size)
     guess = foresee(control, setting)
     bounds = first_bounds(setting, guess, margins[0])
+    spread = bounds.high - bounds.low, bounds.most - bounds.least
     settled, work, inside, steady = np.nan, 0, False, Steady(start.decay.once, start.d)
     for attempt in range(1, len(margins) + 1):
         runs, met, sums = classes_of(setting, bounds)
@@ -56,7 +59,7 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
             kept_steps,
             mu,
             indentation,
-            1.0 if attempt == 1 else 0.0,
+            (1.0, ROOM[attempt - 1] * spread[0], ROOM_OF_RATE[attempt - 1] * spread[1]),
         )
         work += used + setting.z.size
         if inside or attempt == len(margins) or not np.isfinite(d):
@@ -66,13 +69,15 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
 
 
 @kernel
-def follow(setting, control, where, bounds, guess, kept_steps, mu, indentation, worth):
+def follow(setting, control, where, bounds, guess, kept_steps, mu, indentation, narrowing):
     """March as long as the bounds hold; return (inside, d, push, work).
 
-    where : runs, lists, sums and arrivals. mu, indentation : filled in. worth : of what shorter
-    lists save, over what it costs to make them; they are made where that pays.
+    where : runs, lists, sums and arrivals. mu, indentation : filled in. narrowing : what shorter
+    lists save is worth, over what it costs to make them, which they are where that pays; and the
+    room that they leave to d and to D beyond what was seen of these.
     """
     law, d, last = setting.law, setting.start.d, kept_steps[-1]
+    worth, room = narrowing[0], narrowing[1:]
     runs, lists, sums, arrivals = where
     landings, past, push = no_landings(setting.end.d, last), np.empty(last + 1), np.nan
     past[0] = d
@@ -101,7 +106,7 @@ def follow(setting, control, where, bounds, guess, kept_steps, mu, indentation, 
         seen = including(seen, d, real)
         left = last - step
         if step == due and left > 0:
-            closer = closer_bounds(law, bounds, seen, setting.end.d)
+            closer = closer_bounds(law, bounds, seen, setting.end.d, room)
             if worth * gain(bounds, closer, lists, arrivals[1], left) > 1.0:
                 elements_aloft(law, lists, runs, arrivals[1], d, w, left)
                 everything = runs, lists, sums, arrivals, landings

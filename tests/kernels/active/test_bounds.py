@@ -5,7 +5,7 @@ import pytest
 
 from kernels import SCHEMES, ConstantForce
 from kernels.active.balance import foresee
-from kernels.active.bounds import bounds_of, first_bounds, holds, widened
+from kernels.active.bounds import bounds_of, closer_bounds, first_bounds, holds, widened
 from kernels.active.setting import advance
 from tests.kernels.active.given import Jump, dense, setting_of
 
@@ -26,6 +26,19 @@ def test_wider_ones_hold_what_left_them():
     narrow = bounds_of(LAW, 2.0, 3.0, 0.6, 0.9, 0.1)
     assert not holds(narrow, 4.0, 1.5)
     assert holds(widened(LAW, narrow, 4.0, 1.5, 0.1), 4.0, 1.5)
+
+
+@pytest.mark.parametrize("room", [0.0, 0.5, 5.0])
+def test_closer_ones_leave_room_but_never_go_beyond(room):
+    """Their own margin is 0.6 of the spread between what was seen, here 2.5, and the end, 2.75."""
+    outer = bounds_of(LAW, 1.0, 3.0, 0.2, 0.9, 0.4)
+    seen = bounds_of(LAW, 2.5, 2.5, 0.6, 0.6, 0.0)
+    found = closer_bounds(LAW, outer, seen, 2.75, (room, 0.01 * room))
+    assert found.high == pytest.approx(max(2.75 + 0.6 * 0.25, min(2.75 + room, outer.high)))
+    assert found.high <= outer.high
+    assert found.low >= outer.low
+    assert found.most >= min(0.6 + 0.01 * room, outer.most)
+    assert holds(found, 2.75, 0.6)
 
 
 @pytest.mark.parametrize("ratio", [0.7, 1.2])

@@ -1,5 +1,7 @@
 """Lists that are shortened as often as can be: the march stays the same, and they do get short."""
 
+from functools import partial
+
 import numpy as np
 import pytest
 from hypothesis import given, settings
@@ -10,15 +12,15 @@ from kernels.active.balance import foresee
 from kernels.active.bounds import first_bounds
 from kernels.active.flights import Steady, arrivals_of
 from kernels.active.lists import lists_of
-from kernels.active.march import follow
+from kernels.active.march import MARGINS, active_march, follow
 from kernels.active.runs import classes_of
 from tests.kernels.active.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
 from tests.sizes import COMPILES_ALONE, size
 
-NEVER, ALWAYS = 0.0, 1e9
+NEVER, ALWAYS = (0.0, 0.0, 0.0), (1e9, 0.0, 0.0)
 
 
-def followed(setting, control, steps, worth, margin=0.1):
+def followed(setting, control, steps, narrowing, margin=0.1):
     """Return (mu, indentation, inside, work) of a march whose lists are shortened."""
     guess = foresee(control, setting)
     bounds = first_bounds(setting, guess, margin)
@@ -28,7 +30,7 @@ def followed(setting, control, steps, worth, margin=0.1):
     kept = np.arange(1, steps + 1)
     mu, d = np.full(steps, np.nan), np.full(steps, np.nan)
     where = runs, lists, sums, arrivals
-    inside, _, _, work = follow(setting, control, where, bounds, guess, kept, mu, d, worth)
+    inside, _, _, work = follow(setting, control, where, bounds, guess, kept, mu, d, narrowing)
     return mu, d, inside, work
 
 
@@ -94,8 +96,21 @@ def test_eq_3_as_printed_is_marched_the_same_with_lists_that_are_left_alone(sche
 def test_lists_become_short():
     setting, load = setting_of(Jump(0.7, 4, 1.0, 60.0, 1.2), size(1000, 60))
     short, long = (
-        followed(setting, ConstantForce(load), size(300, 40), worth) for worth in (ALWAYS, NEVER)
+        followed(setting, ConstantForce(load), size(300, 40), narrowing)
+        for narrowing in (ALWAYS, NEVER)
     )
     assert short[2]
     assert long[2]
     assert short[3] < size(0.6, 0.95) * long[3]
+
+
+def test_a_march_that_began_anew_shortens_its_lists_too():
+    """At H = 1 and large x, d comes to rest and moves on where a higher asperity is met."""
+    setting, load = setting_of(Jump(1.0, 4, 0.025, size(3e3, 150.0), 0.8), size(2000, 100))
+    marched = partial(active_march, setting, ConstantForce(load), np.array([size(10_000, 500)]))
+    first, found, long = (marched(m) for m in (MARGINS[:1], MARGINS, (-0.4, -0.4, -0.4, 1e3)))
+    assert not first[-1]
+    assert found[-1]
+    assert long[-1]
+    np.testing.assert_allclose(found[1], long[1], rtol=1e-11)
+    assert found[3] < size(0.2, 0.9) * long[3]
