@@ -8,6 +8,8 @@ TOOLS  := $(VENV)/.tools
 SCALE  ?=
 ARGS   ?=
 PROCESSES ?= auto
+# pip need not make bytecode of all packages: of what is imported Python does, where it may write it.
+PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check $(if $(PYTHONDONTWRITEBYTECODE),,--no-compile)
 PYTEST := $(BIN)/python -m pytest -n $(PROCESSES)
 USUAL  := not cluster and not exhaustive
 NUMERICAL := tests/kernels tests/independent tests/workflow/reduce \
@@ -23,11 +25,11 @@ setup: $(TOOLS) ## Create .venv with the package and its development tools
 
 $(READY): pyproject.toml # the package alone: what a study needs
 	$(PYTHON) -m venv $(VENV)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable .
+	$(PIP) --editable .
 	touch $@
 
 $(TOOLS): $(READY)
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	$(PIP) --editable '.[dev]'
 	touch $@
 
 study: $(READY) ## Run a study that lies anywhere, and draw its figure: STUDY=my/study.toml [SCALE=...]
@@ -98,7 +100,7 @@ check: $(TOOLS) ## Lint, formatting, types and the import contracts
 	$(BIN)/lint-imports
 
 docs: $(READY) ## Build the documentation as a site with a search: site/index.html
-	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[docs]'
+	$(PIP) --editable '.[docs]'
 	$(BIN)/python -m workflow.reference
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
 
