@@ -21,8 +21,9 @@ from kernels.jit import kernel
 from kernels.rheology.law import State
 
 MARGINS = (0.05, 0.3, 2.0, 2.0)  # of the spread of d and D, one after the other
-ROOM = (0.0, 0.5, 1.0, 100.0)  # left to d by shorter lists, of its spread at first
-ROOM_OF_RATE = (0.0, 0.1, 0.2, 100.0)  # and to D, likewise
+# What shorter lists leave to d and to D, of their spread at first; in the end none are made.
+ROOM = (0.0, 0.5, 1.0, 100.0)
+ROOM_OF_RATE = (0.0, 0.1, 0.2, 100.0)
 LEAST_SAVED = 0.25  # of the spread of D
 FIRST_DUE = 6  # step after which lists may be shortened; then after half as many again
 
@@ -72,9 +73,9 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
 def follow(setting, control, where, bounds, guess, kept_steps, mu, indentation, narrowing):
     """March as long as the bounds hold; return (inside, d, push, work).
 
-    where : runs, lists, sums and arrivals. mu, indentation : filled in. narrowing : what shorter
-    lists save is worth, over what it costs to make them, which they are where that pays; and the
-    room that they leave to d and to D beyond what was seen of these.
+    where : runs, lists, sums and arrivals. mu, indentation : filled in. narrowing : (worth,
+    room for d, room for D). Shorter lists are made where what they save, times worth, exceeds what
+    it costs to make them; they leave so much room to d and D beyond what was seen of these.
     """
     law, d, last = setting.law, setting.start.d, kept_steps[-1]
     worth, room = narrowing[0], narrowing[1:]
