@@ -49,6 +49,9 @@ class Seconds(NamedTuple):
     marching: float
 
 
+STEADY, JUMP = (Seconds._fields.index(name) for name in ("steady", "jump"))
+
+
 class Outcome(NamedTuple):
     """Results of a case; mu in h/dx, indentation in h over the mean line."""
 
@@ -85,13 +88,12 @@ class Clocks:
         self.spent = np.zeros((len(Seconds._fields), cases))
         self.last = working_time()
 
-    def lap(self, **work: np.ndarray | float) -> None:
-        """Book the time: work by the name of a phase, of every case or the same in all."""
+    def lap(self, steady: np.ndarray, jump: float = 0.0) -> None:
+        """Book the time: work of the steady state of every case, of the jumps the same in all."""
         now = working_time()
-        shares = np.zeros_like(self.spent)
-        for phase, done in work.items():
-            shares[Seconds._fields.index(phase)] = done
-        self.spent += (now - self.last) / shares.sum() * shares
+        each = (now - self.last) / (float(steady.sum()) + steady.size * jump)
+        self.spent[STEADY] += each * steady
+        self.spent[JUMP] += each * jump
         self.last = now
 
     def lap_alone(self, case: int, **work: float) -> None:

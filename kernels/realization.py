@@ -113,7 +113,8 @@ def _under_load(
     n, others = one.ground.line.z.size, len(case.ratios) if asked.jump else 0
     refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
     clocks.lap_alone(i, steady=one.updates[i] + n, jump=others * n)
-    mu_2, curves, work = np.full(len(case.ratios), np.nan), [], float(one.updates[i])
+    none, curves, work = np.full(len(case.ratios), np.nan), [], float(one.updates[i])
+    mu_2 = none.copy()
     for k, two in enumerate(twos):
         if two is not one:
             refine(two, i)
@@ -127,19 +128,18 @@ def _under_load(
             clocks.lap_alone(i, marching=1.0)
         if two is not one:
             two.known.clear()  # of several velocity steps one at a time is in memory
-    samples = one.samples if asked.relaxation else one.samples_seen
-    jump = one.jumps[i].copy() if asked.jump else np.full(len(case.ratios), np.nan)
+    samples = float(one.samples[i]) if asked.relaxation else one.samples_seen(i)
     return Outcome(
         float(one.mu[i]),
         float(one.indentation[i]),
         float(one.contact[i]),
-        float(samples[i]),
+        samples,
         mu_2,
-        jump,
+        one.jumps[i].copy() if asked.jump else none,
         curves,
         int(work),
         clocks.seconds(i),
-        np.full(len(case.ratios), np.nan),
+        none,
     )
 
 

@@ -34,7 +34,7 @@ from kernels.patches.loads import (
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State
 from kernels.steady.carry import decay_of
-from kernels.steady.spans import SPAN, Spans, Thresholds, presses_of, spans_of, thresholds_of
+from kernels.steady.spans import SPAN, Spans, Thresholds, presses_at, spans_of, thresholds_of
 from kernels.surfaces.line import Line
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
@@ -140,12 +140,7 @@ def slide_on_part(law, part, at_speeds, load, guess, how):
     heights, slopes = interpolate(z, slope, curvature, at, spacing, fold)
     own = thresholds_of(heights, slopes, speed, law.stiffness)
     never = Thresholds(own.stay, own.press, np.inf, np.inf)  # is all of a part all of the line
-    press = np.empty((others.size, own.press.size + 1))
-    for k in range(others.size):
-        found = presses_of(heights, slopes, others[k])
-        for b in range(found.size):
-            press[k, b] = found[b]
-    speeds = Speeds(speed, never, others, press, np.empty(0))
+    speeds = Speeds(speed, never, others, presses_at(heights, slopes, others), np.empty(0))
     gaps = gaps_of(law, at, fold, z.size)
     spans = spans_of(heights, slopes)
     loads, guesses = np.empty(1), np.empty(1)

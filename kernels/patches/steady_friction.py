@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kernels.jit import kernel
 from kernels.patches.loads import (
     CONTACT,
     FULL,
@@ -20,7 +21,7 @@ from kernels.patches.refined import NARROW, Refined, curvatures_of, refined
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
 from kernels.steady.carry import Decay, carry, decay_of
-from kernels.steady.spans import Spans, Thresholds, add_rises, presses_of, spans_of, thresholds_of
+from kernels.steady.spans import Spans, Thresholds, add_rises, presses_at, spans_of, thresholds_of
 from kernels.surfaces.line import Line
 
 
@@ -64,13 +65,9 @@ class Sliding(NamedTuple):
     updates: np.ndarray  # of elements, the measure of cost
     known: dict[int, State]  # load -> state, of the last load that was asked for
 
-    @property
-    def samples_seen(self) -> np.ndarray:
-        """Return the samples per contact that the friction rests on, shape (loads,)."""
-        found = self.samples.copy()
-        for i, finer in self.seen.items():
-            found[i] = finer.samples
-        return found
+    def samples_seen(self, i: int) -> float:
+        """Return the samples per contact that the friction under load i rests on."""
+        return self.seen[i].samples if i in self.seen else float(self.samples[i])
 
     def state(self, i: int) -> State:
         """Return the state under load i on the samples of the line; it is not to be changed."""
@@ -105,20 +102,14 @@ def steady_friction(
     """
     line, spans, _ = ground
     law = kelvin_at(scheme, line, speed)
-    decay = decay_of(law)
-    own = thresholds_of(line.z, line.slope, speed, law.stiffness)
-    press = np.empty((len(others), own.press.size + 1))
-    for k, other in enumerate(others):
-        press[k] = presses_of(line.z, line.slope, other)
     none = np.full(loads.size, np.nan)
     guesses = none if guesses is None else np.ascontiguousarray(guesses)  # compiled once
     share = corrected_share(line.steps_per_spacing, speed)
-    ahead = np.array([kelvin_at(scheme, line, later).decay for later in following])
-    speeds = Speeds(speed, own, np.array(others, float), press, ahead)
-    steps = float(line.steps_per_spacing)
-    how = How(steps, share, line.band_limited)
-    found, jumps, rates, entered, ahead = slide(
-        decay, line.z, line.slope, spans, speeds, loads, guesses, how
+    left = np.array([kelvin_at(scheme, line, later).decay for later in following])
+    at_speeds = speed, np.array(others, float), left
+    how = How(float(line.steps_per_spacing), share, line.band_limited)
+    own, decay, (found, jumps, rates, entered, ahead) = slide_on_line(
+        law, line.z, line.slope, spans, at_speeds, loads, guesses, how
     )
     d = found[:, INDENTATION]
     return Sliding(
@@ -143,6 +134,19 @@ def steady_friction(
         found[:, SWEEPS] * line.z.size,
         {},
     )
+
+
+@kernel
+def slide_on_line(law, z, slope, spans, at_speeds, loads, guesses, how):
+    """Return (Thresholds at the own speed, the Decay, what slide returns), in one call from Python.
+
+    at_speeds : own and others, vbar; and what is left of displacements at those that follow.
+    """
+    speed, others, left = at_speeds
+    decay = decay_of(law)
+    own = thresholds_of(z, slope, speed, law.stiffness)
+    speeds = Speeds(speed, own, others, presses_at(z, slope, others), left)
+    return own, decay, slide(decay, z, slope, spans, speeds, loads, guesses, how)
 
 
 def refine(sliding: Sliding, i: int, others: tuple[float, ...] = ()) -> None:

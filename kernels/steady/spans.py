@@ -170,6 +170,17 @@ def presses_of(z, slope, speed):
 
 
 @kernel
+def presses_at(z, slope, speeds):
+    """Return what presses_of returns at several speeds (vbar), one row for each."""
+    press = np.empty((speeds.size, z.size // SPAN + 1))
+    for k in range(speeds.size):
+        found = presses_of(z, slope, speeds[k])
+        for b in range(found.size):
+            press[k, b] = found[b]
+    return press
+
+
+@kernel
 def _largest(e):
     """Return the largest of eight numbers."""
     one, other = _larger(_larger(e[0], e[4]), _larger(e[1], e[5])), _larger(e[2], e[6])

@@ -1,5 +1,6 @@
 """A sampled rigid line, checked once: what the kernels take for granted holds from here on."""
 
+import math
 from collections.abc import Iterator
 from typing import NamedTuple
 
@@ -35,7 +36,7 @@ class Line(NamedTuple):
             raise ValueError("a line needs one slope per height, one sample per spacing or more")
         top = int(np.argmax(z))
         highest, datum = float(z[top]), float(z.min())
-        if not (np.isfinite([highest, datum]).all() and np.isfinite(slope).all()):
+        if not (math.isfinite(highest) and math.isfinite(datum) and np.isfinite(slope).all()):
             raise ValueError("the line holds samples that are not finite numbers")
         height = max(highest, -datum)
         if height > 0.0 and not 1.0 / TALLEST <= height <= TALLEST:

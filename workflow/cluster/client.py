@@ -66,6 +66,9 @@ def open_client(
         "distributed.worker.preload": ["workflow.cluster.worker"],
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
         "distributed.admin.low-level-log-length": 0,  # or the last 1000 messages stay in memory
+        # A loop that asks fifty times a second whether it is late takes a twentieth of a core.
+        "distributed.admin.tick.interval": "1s",
+        "distributed.worker.profile.enabled": dashboard,  # where somebody looks at it
         **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in WORKER_ENVIRONMENT.items()},
     }
     # What is lost is said in one line, by the flow.

@@ -7,7 +7,7 @@ import numpy as np
 from kernels import Case, Line, Quantities, Scene, run_case, run_scene
 from kernels.clock import working_time
 from workflow.simulate.kept import kept_steps
-from workflow.simulate.layout import EDGES, Layout, row_width
+from workflow.simulate.layout import EDGES, Layout
 from workflow.simulate.tasks import SCALARS, Batch, Recording, Task
 
 STEADY = Quantities(steady=True, jump=False, relaxation=False)
@@ -30,7 +30,6 @@ def add_programme(
             value = found[name]
             values[first : first + math.prod(shape)] += np.ravel(value)
         seconds = working_time() - began
-    values[row_width(places) :] = np.nan
     return seconds
 
 
@@ -59,11 +58,10 @@ def steady_ends(batch: Batch, line: Line, task: Task) -> dict[str, float]:
     Empty where they are those before and after the velocity step, which the case gives.
     """
     problem = task.problem
+    if not (problem.programme and batch.quantities.steady):
+        return {}
     first, last = problem.ends
-    if not batch.quantities.steady or (first, last) == (
-        problem.speed,
-        problem.ratio * problem.speed,
-    ):
+    if (first, last) == (problem.speed, problem.ratio * problem.speed):
         return {}
     case = Case(problem.load, first, (last / first,), (), batch.scheme, problem.spectrum)
     found = run_case(line, case, STEADY)

@@ -53,6 +53,8 @@ def block_means(batch: Batch) -> BatchResult:
         block = number // batch.realizations_per_block
         sums = scalars[:, block], curves[:, block]
         _add_realizations(batch, layouts, cases, draw(number), sums, spent)
+    for row, places in enumerate(layouts):
+        curves[row, :, row_width(places) :] = np.nan
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
     used = working_time() - began
@@ -77,9 +79,9 @@ def _add_realizations(
             if batch.quantities.anything:
                 outcomes[:] = run_cases(line, [case for _, case in on_a_line], batch.quantities)
             for (rows, _), outcome in zip(on_a_line, outcomes, strict=True):
-                if outcome is not None:
-                    spent[rows, 1:] += np.array(outcome.seconds) / len(rows)
+                seconds = np.array(outcome.seconds) / len(rows) if outcome else 0.0
                 for k, row in enumerate(rows):
+                    spent[row, 1:] += seconds
                     record = sums[0][row], sums[1][row]
                     task, places = batch.tasks[row], layouts[row]
                     if outcome is None:
@@ -155,9 +157,9 @@ def _add_outcome(
     ends : what of the scalars belongs to other slides of a programme.
     """
     scalars, values = sums
-    for column, name in enumerate(SCALARS):  # one number, or one per velocity jump
-        own = getattr(outcome, name)
-        scalars[column] += ends.get(name, own[k] if isinstance(own, np.ndarray) else own)
+    found = {name: getattr(outcome, name) for name in SCALARS} | ends
+    # Each is one number, or one per velocity jump.
+    scalars += [own[k] if isinstance(own, np.ndarray) else own for own in found.values()]
     if outcome.curves:
         first, (size,) = places["curve"]
         curve = outcome.curves[k]

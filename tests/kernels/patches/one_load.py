@@ -16,5 +16,5 @@ def one_load(line, speed, scheme, load, others=()):
         **{name: getattr(found, name)[0] for name in names},
         state=found.state(0),
         seen=found.seen.get(0),
-        samples_seen=float(found.samples_seen[0]),
+        samples_seen=found.samples_seen(0),
     )
