@@ -12,7 +12,9 @@ PROCESSES ?= auto
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check $(if $(PYTHONDONTWRITEBYTECODE),,--no-compile)
 PYTEST := $(BIN)/python -m pytest -n $(PROCESSES)
 USUAL  := not cluster and not exhaustive
-NUMERICAL := tests/kernels tests/independent tests/workflow/reduce \
+# What other processors may change: not which machine code is made, kept and found.
+NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/test_,cache.py loading.py machine_code.py) \
+  tests/independent tests/workflow/reduce \
   $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
@@ -59,7 +61,7 @@ test-cluster: $(TOOLS) ## Run the tests with real clusters on this machine (SLUR
 	$(PYTEST) -m cluster tests/cluster
 
 test-nojit: $(TOOLS) ## Run the tests of the kernels as plain Python
-	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py)
+	NUMBA_DISABLE_JIT=1 $(PYTEST) -m "$(USUAL)" tests/kernels $(addprefix tests/hard/test_,corners.py shapes.py domain.py scenes.py)
 
 test-processors: test-generic test-rounding ## Run the numerical tests as other processors do
 
