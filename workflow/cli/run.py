@@ -9,11 +9,12 @@ from pathlib import Path
 
 from workflow.cli.outline import planned
 from workflow.errors import UserError
-from workflow.plan import learn, this_machine
+from workflow.plan import TYPICAL, Plan, known_machine, learn, this_machine
 from workflow.study import BATCH_SYSTEMS, Measured, Study
 from workflow.system import program
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
+UNTIMED = 3.0  # s, predicted; a study that may be shorter ends before this machine is measured
 OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
 
 
@@ -59,7 +60,7 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
     from workflow.run import How, run_plan
 
-    plan = planned(study, this_machine().pace)
+    plan = paced_plan(study)
     where = options.scheduler or options.batch_system or study.cluster.where
     how = How(
         cluster=study.cluster._replace(where=where),
@@ -84,6 +85,17 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     else:
         print(f"stopped: more than {options.max_failures} problems failed", file=sys.stderr)
     return FAILED if summary.failures else DONE
+
+
+def paced_plan(study: Study) -> Plan:
+    """Return the plan at the pace of this machine, or a typical one where that hardly matters.
+
+    A machine that is not known yet is measured for studies that take longer than measuring it.
+    """
+    if known := known_machine():
+        return planned(study, known.pace)
+    plan = planned(study, TYPICAL)
+    return plan if plan.prediction().high < UNTIMED else planned(study, this_machine().pace)
 
 
 def resume_line(what: str) -> str:

@@ -57,7 +57,7 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
     more than ``how.max_failures`` failed problems. With fewer, these are marked in the result.
     """
     began = time.monotonic()
-    says = saying_what_compiles("what else is needed", "10 to 60 s", cache.FOLDER, cache.WAITING)
+    says = saying_what_compiles("the kernels needed", "10 to 60 s", cache.FOLDER, cache.WAITING)
     with hold(store_folder(result), without=how.no_lock), says:
         run = _Run(plan, result, how)
         if not run.is_done():

@@ -3,8 +3,13 @@
 import pytest
 
 from tests.support.commands import refusal
+from tests.support.small import small_study
 from workflow.cli import main
-from workflow.cli.run import resume_line
+from workflow.cli import run as command
+from workflow.cli.run import paced_plan, resume_line
+from workflow.plan import TYPICAL, Pace
+from workflow.plan.cost.machine import Machine
+from workflow.plan.cost.work import PARTS
 
 
 def test_run_reports_what_it_did(capsys, study, tmp_path):
@@ -47,3 +52,18 @@ def test_results_below_a_file_are_refused(capsys, study):
 def test_how_to_go_on_can_be_typed_again(monkeypatch):
     monkeypatch.setattr("sys.argv", ["workflow", "run", "fig7", "--set", "grid.hurst=[0.3, 0.7]"])
     assert resume_line("interrupted").endswith("run fig7 --set 'grid.hurst=[0.3, 0.7]'")
+
+
+@pytest.mark.parametrize(
+    ("realizations", "known", "measured"), [(4, 0, 0), (10**5, 0, 1), (10**5, 1, 0)]
+)
+def test_a_machine_is_measured_for_what_takes_longer_than_that(
+    monkeypatch, realizations, known, measured
+):
+    """Unless it is known."""
+    asked, fast = [], Machine(Pace(dict.fromkeys(PARTS, (0.5, 1.1))), "fast")
+    monkeypatch.setattr(command, "known_machine", lambda: fast if known else None)
+    monkeypatch.setattr(command, "this_machine", lambda: asked.append(1) or fast)
+    plan = paced_plan(small_study(f"study.realizations={realizations}"))
+    assert len(asked) == measured
+    assert plan.pace == (fast.pace if known or measured else TYPICAL)

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.plan.cost.machine import Parted, learn, this_machine
+    from workflow.plan.cost.machine import Parted, known_machine, learn, this_machine
     from workflow.plan.cost.pace import TYPICAL, Pace, Prediction, prediction
     from workflow.plan.cost.work import (
         DRAW,

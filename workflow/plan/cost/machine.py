@@ -52,12 +52,16 @@ def pace_file() -> Path:
     return Path(cache.FOLDER) / f"pace-{name}.json"
 
 
+def known_machine() -> Machine | None:
+    """Return the pace of this machine as it was measured before, or None where it was not."""
+    data = _kept(pace_file())
+    return None if data is None else _machine(data)
+
+
 def this_machine() -> Machine:
     """Return the pace of this machine, measured now if it is not known yet."""
-    file = pace_file()
-    data = _kept(file)
-    if data is not None:
-        return _machine(data)
+    if known := known_machine():
+        return known
     how = "the numerical core", "20 to 60 s", cache.FOLDER, cache.WAITING
     with saying_what_compiles(*how):
         load_kernels("exponential", Quantities())
@@ -66,8 +70,9 @@ def this_machine() -> Machine:
     if data is None:
         return Machine(TYPICAL, "another machine, as this one could not be timed")
     found = _machine(data)
-    if not _keep(file, data):
-        return found._replace(note=f"{found.note}, not kept: {file.parent} is not writable")
+    if not _keep(pace_file(), data):
+        folder = pace_file().parent
+        return found._replace(note=f"{found.note}, not kept: {folder} is not writable")
     return found
 
 

@@ -5,7 +5,7 @@ import json
 import pytest
 
 from workflow.plan.cost import machine
-from workflow.plan.cost.machine import learn, pace_file, this_machine
+from workflow.plan.cost.machine import known_machine, learn, pace_file, this_machine
 from workflow.plan.cost.pace import TYPICAL, Pace, label
 from workflow.plan.cost.work import PARTS, PLAIN
 
@@ -31,7 +31,9 @@ def measured(tmp_path, monkeypatch):
 
 
 def test_it_is_measured_once_and_kept(measured):
+    assert known_machine() is None
     first, second = this_machine(), this_machine()
+    assert known_machine() == first
     assert len(measured) == 1
     assert first == second == (PACE, "M, 2020-01-01")
     assert json.loads(pace_file().read_text()) == json.loads(TEXT)
