@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.reduce.statistics import fit_curves, significant, standard_error
+from workflow.reduce.statistics import fit_decays, significant, standard_error
 
 FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE, NO_STATE, NEGLIGIBLE = range(7)
 
@@ -58,7 +58,7 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
     start = _start(time, deviation[0])
     if start is None:
         return _unfitted(NOT_EXPONENTIAL, size)
-    known = _fit_all(time, deviation, np.array(start))
+    known = _fit_all(time, deviation, start)
     quality = _quality(time, deviation[0], known[0])
     if not quality >= LEAST_QUALITY:  # NaN where the mean curve has no fit
         residual = (1.0 - quality) * np.sum(deviation[0] ** 2)
@@ -68,7 +68,7 @@ def fit_relaxation(time: np.ndarray, deviation: np.ndarray, slope: float) -> Rel
         return _unfitted(UNDETERMINED, size)
     free = np.full(size, np.nan)
     if end > WINDOW_LEAST:
-        free = _fit_all(time, deviation, np.array([*known[0], 0.0]))[:, 1]
+        free = _fit_all(time, deviation, known[:, 1], offset=True)[:, 1]
         if not significant(free):
             free[:] = np.nan
     return RelaxationFit(FITTED, known[:, 1], known[:, 0], free, float(time[-1]), quality)
@@ -86,7 +86,7 @@ def fit_exponential(time: np.ndarray, deviation: np.ndarray) -> np.ndarray:
     start = _start(time, deviation)
     if start is None:
         return nothing
-    (found,) = _fit_all(time, deviation[None], np.array(start))
+    (found,) = _fit_all(time, deviation[None], start)
     return found if _quality(time, deviation, found) >= LEAST_QUALITY else nothing
 
 
@@ -103,44 +103,30 @@ def _quality(time: np.ndarray, deviation: np.ndarray, fit: np.ndarray) -> float:
     return float(1.0 - residual / np.sum(deviation**2))
 
 
-def _start(time: np.ndarray, deviation: np.ndarray) -> tuple[float, float] | None:
-    """Return (amplitude, rate) through the first sample and the one nearest to 1/e of it."""
+def _start(time: np.ndarray, deviation: np.ndarray) -> np.ndarray | None:
+    """Return the rate through the first sample and the one nearest to 1/e of it, shape (1,)."""
     share = deviation[1:] / deviation[0]
     usable = np.flatnonzero((share > 0.0) & (share < 1.0))
     if not usable.size:
         return None
     k = usable[np.argmin(np.abs(np.log(share[usable]) + 1.0))]
-    rate = -np.log(share[k]) / (time[k + 1] - time[0])
-    return deviation[0] * np.exp(min(rate * time[0], 50.0)), rate
+    return -np.log(share[k : k + 1]) / (time[k + 1] - time[0])
 
 
-def _fit_all(time: np.ndarray, curves: np.ndarray, start: np.ndarray) -> np.ndarray:
+def _fit_all(
+    time: np.ndarray, curves: np.ndarray, rates: np.ndarray, offset: bool = False
+) -> np.ndarray:
     """Fit every row of ``curves``; rows (amplitude, rate), NaN where it fails.
 
-    start : amplitude, rate and, where an offset is to be fitted too, that. All rows are fitted at
-    once, in scaled variables; the rate is kept positive by its logarithm.
+    rates : where the search begins. offset : whether an offset is fitted too.
     Samples weigh as much as the time that they stand for: the sum is that of the curve in between,
     whatever the steps, and does not lean on the first sample half a step after the jump.
     """
-    scale, span = start[0], time[-1]
-    weight = np.sqrt(_durations(time) / span)
-
-    def model(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
-        phase = np.exp(p[:, 1:2]) * t
-        decay = weight * np.exp(-phase)
-        columns = [decay, -p[:, :1] * phase * decay]
-        values = p[:, :1] * decay
-        if start.size > 2:
-            values = values + p[:, 2:] * weight
-            columns.append(np.broadcast_to(weight, decay.shape))
-        return values, np.stack(columns, axis=2)
-
-    first = np.array([1.0, np.log(start[1] * span), *(start[2:] / scale)])
-    with np.errstate(all="ignore"):
-        p = fit_curves(model, time / span, weight * curves / scale, first)
-        rate = np.exp(p[:, 1])
-    found = np.column_stack([p[:, 0] * scale, rate / span])
-    return np.where(((rate > 1e-3) & (rate < 1e4))[:, None], found, np.nan)
+    scale, span = curves[0, 0], time[-1]
+    found = fit_decays(time, curves / scale, _durations(time), rates, offset)
+    amplitude, phase = scale * found[:, 0], found[:, 1] * span
+    inside = (phase > 1e-3) & (phase < 1e4)
+    return np.where(inside[:, None], np.column_stack([amplitude, found[:, 1]]), np.nan)
 
 
 def _durations(time: np.ndarray) -> np.ndarray:

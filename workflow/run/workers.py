@@ -14,7 +14,7 @@ from workflow.simulate import Batch, BatchResult, block_means
 from workflow.study import HERE, LOCAL, Cluster
 
 SECONDS_HERE = 10.0  # of predicted work that this process does by itself
-SECONDS_PER_FIT = 1e-4  # and replicate
+SECONDS_PER_FIT = 3e-5  # and replicate
 TRIES = 2  # of an item that raises here; on a cluster two workers try it
 
 # What yields (item, function(item)): stream(function, items, watch, retry, predicted).

@@ -163,3 +163,14 @@ def test_what_noise_can_leave_over_is_told_from_another_law(noise, status):
     blocks = np.random.default_rng(5).standard_normal((20, 63))
     blocks = (blocks - blocks.mean(axis=0)) * noise * np.sqrt(20.0)  # of their mean: noise
     assert_refused(replicates(wave * np.exp(-SHARE) + blocks, 0), status)
+
+
+@pytest.mark.parametrize("last", [-1.1e-6, 1e-13])
+def test_what_is_gone_within_a_sample_has_no_rate(last):
+    """Steps of 8 tau: the first sample is all that is left, and every rate above 1 fits it."""
+    time = np.array([8.3, 16.7, 25.0])
+    curves = 2.3e-4 * (1.0 + 0.05 * np.random.default_rng(1).standard_normal((16, 1)))
+    deviation = np.hstack([curves, last * curves / 2.3e-4, 1e-13 * curves])
+    found = fit_relaxation(time, replicates(deviation, 0), 1.0)
+    assert found.status == UNDETERMINED
+    assert np.isnan(found.rate).all()

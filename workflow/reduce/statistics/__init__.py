@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
+    from workflow.reduce.statistics.decays import fit_decays
     from workflow.reduce.statistics.jackknife import (
         errors_needed,
         grouped_means,
