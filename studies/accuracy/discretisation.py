@@ -37,16 +37,23 @@ def reference(point: Point, surfaces: list[Surface], most: int) -> Reference:
 
 
 def climb(
-    point: Point, surfaces: list[Surface], scheme: str, steps: list[int], limit: Reference
+    point: Point,
+    surfaces: list[Surface],
+    scheme: str,
+    steps: list[int],
+    limit: Reference,
+    refine: bool = True,
 ) -> xr.Dataset:
     """Return what a scheme gives over m; errors are those on the lines of the reference.
+
+    refine : narrow contacts, as "auto" does.
 
     The deviation of one realization is that at a middle m, on all lines.
     """
     paired, elements = limit.limit.mu_1.size, surfaces[0].elements
     rows, apart = [], []
     for m in steps:
-        runs = run(point, surfaces[: lines_at(m, len(surfaces))], Method(scheme, m))
+        runs = run(point, surfaces[: lines_at(m, len(surfaces))], Method(scheme, m, refine))
         found = compare(observe(point, elements, runs, paired, limit.end), limit)
         rows.append((*found, seconds(runs)))
         apart.append(deviations(observe(point, elements, runs, runs.mu_1.size, limit.end)))

@@ -64,7 +64,7 @@ TEXTS = {
 }
 
 # Core-seconds, measured at the default scale.
-SECONDS_PER_POINT = 5.0
+SECONDS_PER_POINT = 6.5
 SECONDS_PER_REALIZATION = 1.5e-3
 SECONDS_PER_UPDATE = 8e-8
 SECONDS_COMPILING = 5.0  # to load machine code; the first run on a machine takes a minute more
@@ -107,7 +107,7 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
     ladders.warm_up()
     advance(cost["compiling"])
     each = cost["discretisations"] / len(chosen)
-    root = ladders.discretisations(chosen, settings, seed, partial(advance, each))
+    root, as_sampled = ladders.discretisations(chosen, settings, seed, partial(advance, each))
     each = cost["realizations"] / len(chosen)
     sampling = ladders.sampling(chosen, settings, seed, partial(advance, each))
     compared = chosen[:COMPARED]
@@ -115,6 +115,7 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
     found = rivals.alternatives(compared, settings, seed, partial(advance, each))
     return {
         "": root,
+        "as_sampled": as_sampled,
         "sampling": sampling,
         "alternatives": found,
         "recommendation": recommend(root),

@@ -11,7 +11,8 @@ from workflow.report import COLOURS
 
 NAMES = {"mu_1": "$\\mu_1$", "jump": "$\\Delta\\mu_0$", "rate": "$b$", "curve": "$\\mu(t)$"}
 REGIMES = ((0.0, 1.0, "$x < 1$"), (1.0, 10.5, "$1 \\leq x \\leq 10$"), (10.5, np.inf, "$x > 10$"))
-LIMITS = (2e-8, 2.0)
+REFINED = ("mu_1", "jump", "curve")  # a curve ends at mu_2; b is that of the march alone
+LIMITS = (5e-9, 50.0)
 
 
 def draw_ladders(ax: Axes, data: xr.Dataset, name: str) -> None:
@@ -31,16 +32,36 @@ def draw_ladders(ax: Axes, data: xr.Dataset, name: str) -> None:
         order = float(data.order.sel(scheme=scheme).median())
         said = f": order {order:.1f}" if np.isfinite(order) else ""
         ax.plot([], [], line, color="0.2", label=f"{label}{said}")
-    ax.legend(loc="lower left", handlelength=1.6)
     ax.set(xscale="log", yscale="log", ylim=LIMITS)
     milliseconds(ax)
     ax.set_ylabel("relative error")
 
 
+def draw_narrow(ax: Axes, refined: xr.Dataset, as_sampled: xr.Dataset, name: str) -> None:
+    """Draw the worst point where narrow contacts are refined, and where not, with the median."""
+    ways = (
+        (refined.sel(scheme="exponential"), "refined", "k", ("worst",)),
+        (as_sampled, "not refined", "w", ("median", "worst")),
+    )
+    for data, said, filling, shown in ways:
+        one = data.sel(quantity=name).isel(part=1 if name == "curve" else 0)
+        middle = _medians(one)
+        worst = one.error.max("point").where(np.isfinite(middle.error))
+        for which in shown:
+            error, line = (middle.error, "o--") if which == "median" else (worst, "v-.")
+            (drawn,) = ax.plot(1e3 * middle.seconds, error, line, color="k", lw=0.8, ms=3.0)
+            drawn.set(mfc=filling, mew=0.8, label=f"{which}, {said}")
+
+
+def _medians(data: xr.Dataset) -> xr.Dataset:
+    """Return the medians over the points of times and errors, of m that most points have."""
+    common = data.error.notnull().mean("point") > 0.5
+    return data[["seconds", "error"]].median("point").where(common)
+
+
 def _front(ax: Axes, data: xr.Dataset) -> None:
     """Draw the Pareto front of the medians over points: nothing is faster and more accurate."""
-    common = data.error.notnull().mean("point") > 0.5
-    medians = data[["seconds", "error"]].median("point").where(common)
+    medians = _medians(data)
     ways = medians.to_dataframe().dropna().sort_values("seconds").reset_index()
     front = ways[ways.error < ways.error.cummin().shift(fill_value=np.inf)]
     ax.plot(1e3 * front.seconds, front.error, "k-", lw=2.0, alpha=0.6)

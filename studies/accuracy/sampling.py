@@ -20,6 +20,7 @@ class Method(NamedTuple):
 
     scheme: str
     steps: int  # m, samples and time steps per dx
+    refine: bool = True  # narrow contacts, as "auto" does; not where m is a number
 
 
 class Runs(NamedTuple):
@@ -43,7 +44,8 @@ def kept_steps_of(point: Point, elements: int, method: Method) -> tuple[np.ndarr
 def run(point: Point, surfaces: list[Surface], method: Method) -> Runs:
     """Run a method on lines as the workflow would, and take the CPU time of each."""
     kept_steps, moments = kept_steps_of(point, surfaces[0].elements, method)
-    case = Case(point.load, point.speed, (RATIO,), (kept_steps,), method.scheme)
+    asked = point.load, point.speed, (RATIO,), (kept_steps,)
+    case = Case(*asked, method.scheme, refine=method.refine)
     rows = []
     for surface in surfaces:
         clock = [time.process_time()]

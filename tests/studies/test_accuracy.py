@@ -9,6 +9,7 @@ from studies.accuracy.marches import MARCHES
 from studies.accuracy.measure import table
 from studies.accuracy.points import COMPARED, POINTS, Point, surface
 from studies.accuracy.recommendation import cheapest
+from studies.accuracy.sampling import Method, run
 from studies.accuracy.wide import observe, stated
 from tests.support.studies import check_drawing, load
 from workflow.cli import main
@@ -54,6 +55,16 @@ def test_straight_lines_between_samples_relax_too_slowly_and_the_stated_bias_say
     assert abs(less) < min(0.5 * abs(error), stated(problem, 8, finer)[2])
 
 
+def test_a_narrow_contact_is_right_at_four_samples_if_it_is_refined_and_not_otherwise():
+    point = Point(0.7, 1e-3, 100.0)
+    lines = [surface(point, 200, 1, index) for index in range(4)]
+    limit, refined, plain = (
+        run(point, lines, Method("exponential", *how)).mu_1 for how in ((64,), (4,), (4, False))
+    )
+    assert (abs(refined / limit - 1.0) < 0.02).all()
+    assert (abs(plain / limit - 1.0) > 0.05).any()
+
+
 def test_choice_balances_bias_and_realizations():
     ladder = ("point", "scheme", "steps")
     bias = np.tile([[0.1], [0.02], [-0.005]], (1, 1, 1, 3))
@@ -90,6 +101,28 @@ def test_both_schemes_converge_to_one_reference(groups):
         assert (error.sel(steps=16) < share * error.sel(steps=1)).all()
         assert (data.reference_error.sel(quantity=quantity) < 0.01).all()
     assert (data.seconds.dropna("steps", how="all") > 0.0).any()
+
+
+@whole_study
+def test_refining_narrow_contacts_begins_at_four_samples_and_pays_there(groups):
+    """In the median; what is coarser is as sampled anyway."""
+    refined = groups[""].error.sel(scheme="exponential", quantity=["mu_1", "jump"])
+    plain = groups["as_sampled"].error.sel(quantity=["mu_1", "jump"])
+    coarse = {"steps": [1, 2]}
+    np.testing.assert_array_equal(plain.sel(coarse), refined.sel(coarse))
+    ratio = (plain / refined).sel(steps=4).median("point")
+    assert (ratio >= 1.0).all()
+    assert ratio.max() > 1.5
+
+
+@whole_study
+def test_refinement_moves_a_curve_with_the_steady_friction_it_ends_at_and_leaves_the_rate(groups):
+    refined = groups[""].error.sel(scheme="exponential")
+    plain = groups["as_sampled"].error
+    one, other = (each.sel(quantity="rate") for each in (refined, plain))
+    np.testing.assert_allclose(other, one, rtol=1e-6, atol=1e-9)
+    worst = [each.sel(quantity="curve", steps=4).max("point") for each in (plain, refined)]
+    assert worst[0] > worst[1]
 
 
 @whole_study
