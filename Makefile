@@ -12,7 +12,8 @@ PROCESSES ?= auto
 PIP := $(BIN)/python -m pip install --quiet --disable-pip-version-check $(if $(PYTHONDONTWRITEBYTECODE),,--no-compile)
 PYTEST := $(BIN)/python -m pytest -n $(PROCESSES)
 USUAL  := not cluster and not exhaustive
-# What other processors may change: not which machine code is made, kept and found.
+# Tests of numbers, which other processors may round otherwise. Which machine code is made, kept and
+# found is the same on all.
 NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/test_,cache.py loading.py machine_code.py) \
   tests/independent tests/workflow/reduce \
   $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)

@@ -46,9 +46,8 @@ def climb(
 ) -> xr.Dataset:
     """Return what a scheme gives over m; errors are those on the lines of the reference.
 
-    refine : narrow contacts, as "auto" does.
-
-    The deviation of one realization is that at a middle m, on all lines.
+    refine : whether narrow contacts are refined, as "auto" does. The deviation of one realization
+    is that at a middle m, on all lines.
     """
     paired, elements = limit.limit.mu_1.size, surfaces[0].elements
     rows, apart = [], []

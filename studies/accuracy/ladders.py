@@ -35,9 +35,9 @@ def discretisations(
 ) -> tuple[xr.Dataset, xr.Dataset]:
     """Return errors, times, orders and what follows from them for all points.
 
-    First of both schemes with narrow contacts refined, as "auto" does; then of the exponential
-    one as sampled, as a study takes an m that is a number.
-    Errors are relative, those of curves to the jump; missing at m that a point does not need.
+    The first dataset is of both schemes with narrow contacts refined, as "auto" does. The second
+    is of the exponential scheme with nothing refined, as in a study whose m is a number. Errors
+    are relative, those of curves to the jump; missing at m that a point does not need.
     """
     found, plain = [], []
     for point in points:

@@ -64,7 +64,7 @@ TEXTS = {
 }
 
 # Core-seconds, measured at the default scale.
-SECONDS_PER_POINT = 6.5
+SECONDS_PER_POINT = 3.5
 SECONDS_PER_REALIZATION = 1.5e-3
 SECONDS_PER_UPDATE = 8e-8
 SECONDS_COMPILING = 5.0  # to load machine code; the first run on a machine takes a minute more

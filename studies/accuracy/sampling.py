@@ -20,7 +20,7 @@ class Method(NamedTuple):
 
     scheme: str
     steps: int  # m, samples and time steps per dx
-    refine: bool = True  # narrow contacts, as "auto" does; not where m is a number
+    refine: bool = True  # narrow contacts; "auto" does, a study whose m is a number does not
 
 
 class Runs(NamedTuple):

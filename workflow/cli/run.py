@@ -14,7 +14,7 @@ from workflow.study import BATCH_SYSTEMS, Measured, Study
 from workflow.system import program
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
-UNTIMED = 3.0  # s, predicted; a study that may be shorter ends before this machine is measured
+UNTIMED = 3.0  # s; a study that takes less at the most ends before this machine is measured
 OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
 
 

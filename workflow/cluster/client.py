@@ -66,7 +66,8 @@ def open_client(
         "distributed.worker.preload": ["workflow.cluster.worker"],
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
         "distributed.admin.low-level-log-length": 0,  # or the last 1000 messages stay in memory
-        # A loop that asks fifty times a second whether it is late takes a twentieth of a core.
+        # Every loop asks 50 times a second whether it is late, and every worker looks 100 times at
+        # what it does: together a tenth of a core, with nothing to do.
         "distributed.admin.tick.interval": "1s",
         "distributed.worker.profile.enabled": dashboard,  # where somebody looks at it
         **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in WORKER_ENVIRONMENT.items()},

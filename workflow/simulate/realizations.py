@@ -43,9 +43,9 @@ def block_means(batch: Batch) -> BatchResult:
         load_kernels(batch.scheme, batch.quantities)
     began = working_time()
     layouts = [row_layout(t, batch.quantities, batch.scheme, batch.recording) for t in batch.tasks]
-    width = max(1, *(row_width(own) for own in layouts))  # netCDF knows no empty rows
+    widths = [row_width(own) for own in layouts]
     scalars = np.zeros((len(batch.tasks), batch.blocks, len(SCALARS)))
-    curves = np.zeros((len(batch.tasks), batch.blocks, width))
+    curves = np.zeros((len(batch.tasks), batch.blocks, max(1, *widths)))  # no empty rows in netCDF
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     cases = _cases(batch)
     size, draw = _drawing(batch)
@@ -53,8 +53,8 @@ def block_means(batch: Batch) -> BatchResult:
         block = number // batch.realizations_per_block
         sums = scalars[:, block], curves[:, block]
         _add_realizations(batch, layouts, cases, draw(number), sums, spent)
-    for row, places in enumerate(layouts):
-        curves[row, :, row_width(places) :] = np.nan
+    for row, width in enumerate(widths):
+        curves[row, :, width:] = np.nan
     scalars /= batch.realizations_per_block
     curves /= batch.realizations_per_block
     used = working_time() - began
@@ -79,14 +79,13 @@ def _add_realizations(
             if batch.quantities.anything:
                 outcomes[:] = run_cases(line, [case for _, case in on_a_line], batch.quantities)
             for (rows, _), outcome in zip(on_a_line, outcomes, strict=True):
-                seconds = np.array(outcome.seconds) / len(rows) if outcome else 0.0
                 for k, row in enumerate(rows):
-                    spent[row, 1:] += seconds
                     record = sums[0][row], sums[1][row]
                     task, places = batch.tasks[row], layouts[row]
                     if outcome is None:
                         record[0][:] = np.nan
                     else:
+                        spent[row, 1:] += np.array(outcome.seconds) / len(rows)
                         _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
                     spent[row, -1] += add_programme(batch, line, task, places, record[1])
             began = working_time()

@@ -70,9 +70,9 @@ def this_machine() -> Machine:
     if data is None:
         return Machine(TYPICAL, "another machine, as this one could not be timed")
     found = _machine(data)
-    if not _keep(pace_file(), data):
-        folder = pace_file().parent
-        return found._replace(note=f"{found.note}, not kept: {folder} is not writable")
+    file = pace_file()
+    if not _keep(file, data):
+        return found._replace(note=f"{found.note}, not kept: {file.parent} is not writable")
     return found
 
 

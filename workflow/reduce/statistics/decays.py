@@ -7,7 +7,8 @@ the samples, y the curve and e = exp(-k t), both less their means where there is
     min over the amplitude of <(y - a e)^2> = <y^2> - <y e>^2 / <e^2>,
 
 so that k makes <y e>^2 / <e^2> largest. Its derivatives with respect to log k are known, and
-Newton's method needs few steps. ``least_squares.fit_curves`` finds the same for any law, and later.
+Newton's method needs few steps. ``least_squares.fit_curves``, which fits any law, finds the same
+and takes longer.
 Source: G. H. Golub and V. Pereyra, SIAM J. Numer. Anal. 10, 413 (1973), doi:10.1137/0710036.
 """
 
@@ -42,23 +43,24 @@ def fit_decays(
     """Return rows (amplitude, rate) of the exponential that fits each row of ``curves`` best.
 
     time : shape (samples,). curves : shape (curves, samples). weight : of the samples, shape
-    (samples,), positive. rates : where the search begins, positive, shape (curves,) or a number.
+    (samples,), positive. rates : where the search begins, positive, shape (curves,) or (1,).
     offset : whether a constant is fitted too. A curve with no exponential near ends at the end of
     the RANGE, or where it began.
     """
     share = weight / weight.sum()
     if offset:
         curves = curves - _means(curves, share)
+    weighted = share * curves
     low, high = np.log(np.array(RANGE) / time[-1])
     log = np.clip(np.log(np.broadcast_to(rates, len(curves))), low, high)
     with np.errstate(all="ignore"):  # a decay that is gone at once has no amplitude
-        best = _at(time, share * curves, share, log, offset)
+        best = _at(time, weighted, share, log, offset)
         part, going = np.ones(len(curves)), np.ones(len(curves), bool)
         for _ in range(MOST_STEPS):
             tried = np.clip(best.log + part * best.step, low, high)
             going &= np.isfinite(tried)
             step = np.abs(tried - best.log)
-            new = _at(time, share * curves, share, tried, offset)
+            new = _at(time, weighted, share, tried, offset)
             better = new.gain >= (1.0 - ROUNDING) * best.gain
             best = _Rates(*(np.where(better & going, *p) for p in zip(new, best, strict=True)))
             part = np.where(better, 1.0, SMALLER * part)
@@ -71,16 +73,19 @@ def fit_decays(
 def _at(
     time: np.ndarray, weighted: np.ndarray, share: np.ndarray, log: np.ndarray, offset: bool
 ) -> _Rates:
-    """Return curves, times the shares of the samples in their weight, at some rates."""
+    """Return what curves come to at some rates.
+
+    share : of the samples in the weight. weighted : each curve times it. log : log k of each.
+    """
     phase = np.exp(log)[:, None] * time
-    decay = np.exp(-phase)
-    first = -phase * decay  # derivative with respect to log k
+    decay = np.exp(-phase)  # e, then its derivatives with respect to log k
+    first = -phase * decay
     second = first * (1.0 - phase)
-    if offset:
+    if offset:  # the second derivative is only multiplied by what has no mean
         decay, first = (each - _means(each, share) for each in (decay, first))
-    of_curve = [_sums(weighted, each) for each in (decay, first, second)]
     own, slope = share * decay, share * first
-    p, dp, ddp = of_curve
+    # p = <y e>, q = <e^2>, and their derivatives: the gain is p^2 / q, the amplitude a is p / q.
+    p, dp, ddp = (_sums(weighted, each) for each in (decay, first, second))
     q, dq = _sums(own, decay), 2.0 * _sums(own, first)
     ddq = 2.0 * (_sums(slope, first) + _sums(own, second))
     gain, a = p * p / q, p / q
