@@ -1,9 +1,13 @@
 """The CF conventions of netCDF files, as the compliance checker, if installed, reads them."""
 
+from collections.abc import Iterator
+from contextlib import ExitStack, contextmanager
+from copy import copy
 from functools import cache
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
+from unittest import mock
 
 INSTALLED = find_spec("compliance_checker") is not None  # CI fails without it: test_conventions.py
 # The first asks every group for a dimension called time; the second subtracts names from names
@@ -13,6 +17,21 @@ BROKEN = [
     "check_coordinate_variables_strict_monotonicity",
 ]
 OPTIONAL = 1  # weight of what is no more than advice
+# What the checker finds out of a file hundreds of times, most of its time.
+ASKED_OFTEN = [
+    "get_auxiliary_coordinate_variables",
+    "get_axis_variables",
+    "get_bounds_variables",
+    "get_cell_boundary_variables",
+    "get_climatology_variable",
+    "get_forecast_metadata_variables",
+    "get_geophysical_variables",
+    "get_instrument_variables",
+    "get_platform_variables",
+    "get_time_variable",
+    "get_time_variables",
+    "get_z_variables",
+]
 
 
 @cache
@@ -23,11 +42,27 @@ def _suite() -> Any:
     return CheckSuite()
 
 
+@contextmanager
+def _remembering() -> Iterator[None]:
+    """Let the checker find out once of a file, within this block, what it asks for often."""
+    from compliance_checker.cf import util
+
+    def once(function: Any) -> Any:
+        kept = cache(function)
+        return lambda dataset: copy(kept(dataset))
+
+    with ExitStack() as patches:
+        for name in ASKED_OFTEN:
+            patches.enter_context(mock.patch.object(util, name, once(getattr(util, name))))
+        yield
+
+
 def complaints(path: Path) -> list[str]:
     """Return what a file has that CF-1.8 does not allow or does not recommend."""
     dataset = _suite().load_dataset(str(path))
     try:
-        ((results, errors),) = _suite().run_all(dataset, ["cf:1.8"], [], BROKEN).values()
+        with _remembering():
+            ((results, errors),) = _suite().run_all(dataset, ["cf:1.8"], [], BROKEN).values()
     finally:
         dataset.close()
     assert not errors, errors
