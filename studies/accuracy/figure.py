@@ -101,7 +101,7 @@ def _balance(ax: Axes, data: xr.Dataset) -> None:
     ax.plot(grid, front, "k", lw=2.2, alpha=0.25, label="best")
     ax.set(xscale="log", yscale="log", xlabel="CPU s in all", xlim=(2e-3, 5e2), ylim=(1e-5, 0.2))
     ax.set_title(f"(b) both, $\\mu_1$ at $x = {float(one.x):g}$")
-    ax.legend(loc="lower left")
+    ax.legend(loc="lower left", frameon=True, framealpha=1.0, edgecolor="none", borderpad=0.1)
 
 
 def _alternatives(ax: Axes, data: xr.Dataset, name: str) -> None:
