@@ -162,8 +162,9 @@ def _client_of(cluster: Cluster, watch: Watch) -> Client:
     while True:
         try:
             return patiently(watch, NO_ANSWER, _connected, cluster.where, security)
-        except (OSError, ValueError) as error:
-            if not _is_mute(cluster.where):
+        # What another service says, dask takes for the length of a message.
+        except (OSError, ValueError, MemoryError) as error:
+            if isinstance(error, ValueError) or not _is_mute(cluster.where):  # or no address
                 whose = " that the certificates fit" if security else ""
                 text = f"--scheduler {cluster.where}: no scheduler answers there{whose}"
                 raise UserError(text) from error
@@ -176,18 +177,20 @@ def _connected(address: str, security: Any) -> Client:
 def _is_mute(address: str) -> bool:
     """Return whether somebody takes connections at an address and says nothing, as if stopped."""
     try:
-        with socket.create_connection(get_address_host_port(address), CONNECT_SECONDS) as end:
+        end = socket.create_connection(get_address_host_port(address), CONNECT_SECONDS)
+    except OSError:  # refused, or nobody takes it
+        return False
+    with end, contextlib.suppress(OSError):
+        try:
             if address.startswith(ENCRYPTED):
                 context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
                 context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
                 context.wrap_socket(end).close()  # it is only seen whether it answers
             else:
                 end.recv(1)
-            return False
-    except TimeoutError:
-        return True
-    except (OSError, ValueError):
-        return False
+        except TimeoutError:
+            return True
+    return False
 
 
 def _close(client: Client) -> None:

@@ -172,7 +172,7 @@ def test_a_worker_process_of_our_own_is_not_waited_for_long():
 
 
 @pytest.mark.parametrize(
-    "address", ["tcp://127.0.0.1:1", "nonsense", "foo://host:1", "tcp://127.0.0.1"]
+    "address", ["tcp://127.0.0.1:1", "nonsense", "foo://127.0.0.1:1", "tcp://127.0.0.1"]
 )
 def test_no_scheduler_at_the_address(monkeypatch, address):
     monkeypatch.setattr(module, "CONNECT_SECONDS", 0.2)

@@ -1,0 +1,67 @@
+"""An address at which something else answers, or nobody: one line, and no waiting."""
+
+import contextlib
+import socket
+import threading
+
+import dask
+import pytest
+
+from workflow.cluster import client as module
+from workflow.cluster.client import open_client
+from workflow.errors import UserError
+from workflow.study.cluster import Cluster
+
+
+@pytest.fixture
+def terminal():
+    """Return the port of something that greets whoever comes, as a secure shell does."""
+    server = socket.create_server(("127.0.0.1", 0))
+
+    def greet():
+        with contextlib.suppress(OSError):  # until it is closed
+            while True:
+                end, _ = server.accept()
+                with end:
+                    end.sendall(b"SSH-2.0-OpenSSH_9.2p1 Debian-2+deb12u3\r\n")
+
+    threading.Thread(target=greet, daemon=True).start()
+    yield server.getsockname()[1]
+    server.shutdown(socket.SHUT_RDWR)
+    server.close()
+
+
+def refused(address):
+    """Assert that a scheduler is not found at an address, and that this is said in one line."""
+    # A client of dask that cannot connect leaves itself behind as the one to compute with.
+    expected = f"^--scheduler {address}: no scheduler answers there$"
+    with dask.config.set(scheduler=None), pytest.raises(UserError, match=expected):
+        open_client(Cluster(address)).__enter__()
+
+
+def test_another_service_is_refused(monkeypatch, terminal):
+    monkeypatch.setattr(module, "CONNECT_SECONDS", 1.0)
+    refused(f"tcp://127.0.0.1:{terminal}")
+
+
+def test_an_address_that_lets_connections_wait_is_not_waited_for(monkeypatch):
+    """As one behind a firewall, which drops what is sent to it."""
+
+    def dropped(*_):
+        raise TimeoutError("timed out")
+
+    monkeypatch.setattr(module, "_connected", dropped)
+    monkeypatch.setattr(module.socket, "create_connection", dropped)
+    refused("tcp://10.0.0.1:8786")
+
+
+def test_what_is_no_address_is_not_looked_for_in_the_network(monkeypatch):
+    monkeypatch.setattr(module.socket, "create_connection", pytest.fail)
+    refused("foo://host:1")
+
+
+def test_who_takes_connections_and_says_nothing_may_have_been_stopped(monkeypatch):
+    monkeypatch.setattr(module, "CONNECT_SECONDS", 0.2)
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        assert module._is_mute(f"tcp://127.0.0.1:{server.getsockname()[1]}")
+        assert module._is_mute(f"tls://127.0.0.1:{server.getsockname()[1]}")
