@@ -162,25 +162,25 @@ def _client_of(cluster: Cluster, watch: Watch) -> Client:
     while True:
         try:
             return patiently(watch, NO_ANSWER, _connected, cluster.where, security)
-        # What another service says, dask takes for the length of a message.
+        # Where another service greets, dask reads a length that no memory holds (MemoryError).
         except (OSError, ValueError, MemoryError) as error:
-            if isinstance(error, ValueError) or not _is_mute(cluster.where):  # or no address
+            no_address = isinstance(error, ValueError)
+            if no_address or not _is_mute(cluster.where):
                 whose = " that the certificates fit" if security else ""
                 text = f"--scheduler {cluster.where}: no scheduler answers there{whose}"
                 raise UserError(text) from error
 
 
 def _connected(address: str, security: Any) -> Client:
-    return begun(partial(Client, address, timeout=CONNECT_SECONDS, security=security))
+    # One that cannot connect would stay dask's default, by which xarray locks the files it writes.
+    how = {"timeout": CONNECT_SECONDS, "security": security, "set_as_default": False}
+    return begun(partial(Client, address, **how))
 
 
 def _is_mute(address: str) -> bool:
     """Return whether somebody takes connections at an address and says nothing, as if stopped."""
-    try:
-        end = socket.create_connection(get_address_host_port(address), CONNECT_SECONDS)
-    except OSError:  # refused, or nobody takes it
-        return False
-    with end, contextlib.suppress(OSError):
+    place = get_address_host_port(address)
+    with contextlib.suppress(OSError), socket.create_connection(place, CONNECT_SECONDS) as end:
         try:
             if address.startswith(ENCRYPTED):
                 context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)

@@ -4,8 +4,8 @@ import contextlib
 import socket
 import threading
 
-import dask
 import pytest
+from distributed import default_client
 
 from workflow.cluster import client as module
 from workflow.cluster.client import open_client
@@ -31,12 +31,30 @@ def terminal():
     server.close()
 
 
+def default():
+    """Return the client that dask uses by itself, if there is one."""
+    with contextlib.suppress(ValueError):
+        return default_client()
+
+
 def refused(address):
-    """Assert that a scheduler is not found at an address, and that this is said in one line."""
-    # A client of dask that cannot connect leaves itself behind as the one to compute with.
+    """Assert that one line says that no scheduler is at an address, and that nothing is left."""
+    before = default()
     expected = f"^--scheduler {address}: no scheduler answers there$"
-    with dask.config.set(scheduler=None), pytest.raises(UserError, match=expected):
+    with pytest.raises(UserError, match=expected):
         open_client(Cluster(address)).__enter__()
+    assert default() is before
+
+
+def test_no_scheduler_at_the_address(monkeypatch):
+    monkeypatch.setattr(module, "CONNECT_SECONDS", 0.2)
+    refused("tcp://127.0.0.1:1")
+
+
+@pytest.mark.parametrize("address", ["nonsense", "foo://host:1", "tcp://127.0.0.1"])
+def test_what_is_no_address_is_not_looked_for_in_the_network(monkeypatch, address):
+    monkeypatch.setattr(module.socket, "create_connection", pytest.fail)
+    refused(address)
 
 
 def test_another_service_is_refused(monkeypatch, terminal):
@@ -53,11 +71,6 @@ def test_an_address_that_lets_connections_wait_is_not_waited_for(monkeypatch):
     monkeypatch.setattr(module, "_connected", dropped)
     monkeypatch.setattr(module.socket, "create_connection", dropped)
     refused("tcp://10.0.0.1:8786")
-
-
-def test_what_is_no_address_is_not_looked_for_in_the_network(monkeypatch):
-    monkeypatch.setattr(module.socket, "create_connection", pytest.fail)
-    refused("foo://host:1")
 
 
 def test_who_takes_connections_and_says_nothing_may_have_been_stopped(monkeypatch):

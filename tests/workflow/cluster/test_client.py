@@ -17,7 +17,6 @@ from tests.support.small import small_plan
 from workflow.cluster import client as module
 from workflow.cluster.client import open_client
 from workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
-from workflow.errors import UserError
 from workflow.run.run import run_plan
 from workflow.run.workers import How
 from workflow.study.cluster import Cluster
@@ -169,17 +168,6 @@ def test_a_worker_process_of_our_own_is_not_waited_for_long():
     nanny.process = Deaf()
     asyncio.run(nanny.kill(timeout=30.0, reason="test"))
     assert (nanny.process.timeout, nanny.process.reason) == (module.CLOSE_SECONDS, "test")
-
-
-@pytest.mark.parametrize(
-    "address", ["tcp://127.0.0.1:1", "nonsense", "foo://127.0.0.1:1", "tcp://127.0.0.1"]
-)
-def test_no_scheduler_at_the_address(monkeypatch, address):
-    monkeypatch.setattr(module, "CONNECT_SECONDS", 0.2)
-    expected = f"^--scheduler {address}: no scheduler answers there$"
-    # A client of dask that cannot connect leaves itself behind as the one to compute with.
-    with dask.config.set(scheduler=None), pytest.raises(UserError, match=expected):
-        open_client(Cluster(address)).__enter__()
 
 
 def test_a_thread_of_dask_may_begin_late():
