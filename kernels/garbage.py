@@ -1,5 +1,6 @@
-"""Work that makes next to no garbage, for which Python need not look for any."""
+"""When Python need not look for garbage: in work that makes next to none, and at the end."""
 
+import atexit
 import contextlib
 import gc
 from collections.abc import Iterator
@@ -15,3 +16,8 @@ def nothing_collected() -> Iterator[None]:
     finally:
         if before:
             gc.enable()
+
+
+# The system takes back at once what is left when a process ends. Python would look through it
+# first, for a second after compiling.
+atexit.register(gc.freeze)

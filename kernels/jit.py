@@ -6,6 +6,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numba
+from numba import types
 from numba.extending import overload
 
 from kernels.cache import CheckedCache
@@ -25,11 +26,25 @@ def kernel(function: Callable) -> Callable:
     compiled = numba.njit(**FLAGS)(function)
     if compiled is not function:  # Python calls it as usual, kernels link its part in
         part = numba.njit(**PART)(function)
-        compiled.get_call_template = part.get_call_template
+        compiled.get_call_template = _by_types_alone(part.get_call_template)
         compiled.get_overload = part.get_overload
         with contextlib.suppress(RuntimeError):  # no folder at all can be written
             compiled._cache = CheckedCache(function)
     return compiled
+
+
+def _by_types_alone(template_of: Callable) -> Callable:
+    """Return how numba finds what is called, for the types of arguments and not their values.
+
+    It would compile a function anew for every constant it is called with, and for those with which
+    a variable only begins: a fifth of all that a study compiles, and the machine code no quicker.
+    """
+
+    def found(arguments: Any, keywords: dict[str, Any]) -> Any:
+        general = {name: types.unliteral(kind) for name, kind in keywords.items()}
+        return template_of([types.unliteral(kind) for kind in arguments], general)
+
+    return found
 
 
 class by_type:

@@ -26,12 +26,13 @@ from kernels.control.printed_eq3 import PrintedForce
 from kernels.garbage import nothing_collected
 from kernels.patches.fine_line import mark_touchable, marked
 from kernels.patches.refined import MARGIN
+from kernels.patches.steady_friction import Ground
 from kernels.realization import plain_relaxation, run_cases
 from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State, law_of
 from kernels.rheology.spectrum import KELVIN
-from kernels.steady.carry import Decay, carry
+from kernels.steady.carry import NO_GAPS, Decay, carry
 from kernels.steady.spans import SPAN, TURN, Spans
 from kernels.surfaces.line import Line
 from kernels.surfaces.self_affine import amplitudes
@@ -53,9 +54,10 @@ def load(scheme: str, asked: Quantities) -> None:
     ]
     with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
+            Ground.of(line, marched=asked.relaxation)
             run_cases(line, cases, asked._replace(steady=True, relaxation=False))
+            law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
         run_cases(line, cases, asked)
-        law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
 
 
 def load_half(scheme: str, rate: bool) -> None:
@@ -67,7 +69,7 @@ def load_half(scheme: str, rate: bool) -> None:
     sums = np.zeros(z.size // SPAN)
     rows = np.zeros((sums.size + 1, TURN + 1))
     spans = Spans(sums, sums, sums, sums, rows, np.zeros(4), int(np.argmin(z)))
-    carry(Decay(*law), z, spans, sums, state.d, None, state.w)  # the first that are needed
+    carry(Decay(*law), z, spans, sums, state.d, None, state.w, NO_GAPS)  # the first that are needed
     marked(mark_touchable(z, slope, spans, state, 1.0 / steps, MARGIN), SPAN)
     control = ConstantForce(load) if rate else PrintedForce(load)
     plain_relaxation(z, slope, law, (state, state), control, FEW)

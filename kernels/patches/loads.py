@@ -60,11 +60,11 @@ def corrected_share(steps: float, speed: float) -> float:
 
 
 @kernel
-def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps=None):
+def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps):
     """Return (found, jumps, rates, entered, ahead), each of as many rows as there are loads.
 
     decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, all NaN where there
-    are none. gaps : as of carry, for parts of a line. jumps : to the others of ``speeds``. rates :
+    are none. gaps : as of carry. jumps : to the others of ``speeds``. rates :
     d' after them. entered : as of Contacts. ahead : about d at the next speeds.
     """
     n, own = z.size, speeds.thresholds

@@ -11,15 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.patches.fine_line import (
-    curvatures,
-    gaps_of,
-    interpolate,
-    mark_missed,
-    mark_touchable,
-    marked,
-)
+from kernels.patches.fine_line import curvatures, mark_touchable, marked
 from kernels.patches.loads import (
     CONTACT,
     INDENTATION,
@@ -27,14 +19,12 @@ from kernels.patches.loads import (
     SAMPLES,
     SWEEPS,
     How,
-    Speeds,
     corrected_share,
-    slide,
 )
+from kernels.patches.part import NONE, Part, slide_on
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State
-from kernels.steady.carry import decay_of
-from kernels.steady.spans import SPAN, Spans, Thresholds, presses_at, spans_of, thresholds_of
+from kernels.steady.spans import SPAN, Spans
 from kernels.surfaces.line import Line
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
@@ -83,7 +73,8 @@ def refined(
     """
     steps, n = line.steps_per_spacing, line.z.size
     low = mark_touchable(line.z, line.slope, spans, state, 1.0 / steps, MARGIN)
-    fold, near, others = finer(samples), state.d, np.array(speeds[1:])
+    fold, near = finer(samples), state.d
+    at_speeds = speeds[0], np.array(speeds[1:]), NONE
     for _ in range(TRIED):
         at = marked(low, SPAN // math.gcd(SPAN, fold))  # so that fine samples make whole spans
         if fold > MOST_FOLD or at.size * fold > MOST_SAMPLES:
@@ -92,14 +83,16 @@ def refined(
         fine = float(steps * fold)
         part = Part(line.z, line.slope, spans, curvature, at, fold, low)
         how = How(fine, corrected_share(fine, speeds[0]), True)
-        at_speeds = speeds[0], others
-        near, missed, found, jumps = slide_on_part(law, part, at_speeds, load, near, how)
+        loads, guesses = np.array([load * fold]), np.array([near])
+        _, _, (under, jumps, *_), missed = slide_on(law, part, at_speeds, loads, guesses, how)
+        found = under[0]
+        near = float(found[INDENTATION])
         if missed:
             continue
         if found[SAMPLES] >= 0.5 * FINE:
             contact = found[CONTACT] * at.size / n
             updates = int(found[SWEEPS]) * at.size * fold
-            return Refined(fold, found[SAMPLES], near, found[MU], contact, jumps, updates)
+            return Refined(fold, found[SAMPLES], near, found[MU], contact, jumps[0], updates)
         fold *= finer(found[SAMPLES])
     return None
 
@@ -112,43 +105,3 @@ def finer(samples: float) -> int:
     power = 2 ** max(1, math.ceil(math.log2(FINE / samples)))
     between = 3 * power // 4
     return between if power >= 8 and between * samples >= FINE else power
-
-
-class Part(NamedTuple):
-    """What of a line is refined."""
-
-    z: np.ndarray  # of the line, as the next three
-    slope: np.ndarray
-    spans: Spans
-    curvature: np.ndarray
-    at: np.ndarray  # the intervals (fine_line.py)
-    fold: int  # fine samples in each
-    low: np.ndarray  # which intervals are wanted, shape (n,)
-
-
-@kernel
-def slide_on_part(law, part, at_speeds, load, guess, how):
-    """Return (d, intervals missed, what slide found of the load, jumps).
-
-    law : for steps of one fine sample. at_speeds : own and others, vbar. load : on the samples of
-    the line. guess : of d, which is over the deepest sample of the line here. Intervals that
-    elements touch though they are no part are marked in part.low.
-    """
-    z, slope, line_spans, curvature, at, fold, low = part
-    speed, others = at_speeds
-    spacing = fold / how.steps
-    heights, slopes = interpolate(z, slope, curvature, at, spacing, fold)
-    own = thresholds_of(heights, slopes, speed, law.stiffness)
-    never = Thresholds(own.stay, own.press, np.inf, np.inf)  # is all of a part all of the line
-    speeds = Speeds(speed, never, others, presses_at(heights, slopes, others), np.empty(0))
-    gaps = gaps_of(law, at, fold, z.size)
-    spans = spans_of(heights, slopes)
-    loads, guesses = np.empty(1), np.empty(1)
-    loads[0], guesses[0] = load * fold, guess
-    found, jumps, _, _, _ = slide(
-        decay_of(law), heights, slopes, spans, speeds, loads, guesses, how, gaps
-    )
-    d = found[0, INDENTATION]
-    once = law.decay ** float(fold)
-    missed = mark_missed(z, slope, line_spans, spacing, once, d, at, gaps, fold, low)
-    return d, missed, found[0], jumps[0]

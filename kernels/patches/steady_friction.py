@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
 from kernels.patches.loads import (
     CONTACT,
     FULL,
@@ -13,15 +12,14 @@ from kernels.patches.loads import (
     SAMPLES,
     SWEEPS,
     How,
-    Speeds,
     corrected_share,
-    slide,
 )
+from kernels.patches.part import Part, slide_on
 from kernels.patches.refined import NARROW, Refined, curvatures_of, refined
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
-from kernels.steady.carry import Decay, carry, decay_of
-from kernels.steady.spans import Spans, Thresholds, add_rises, presses_at, spans_of, thresholds_of
+from kernels.steady.carry import NO_GAPS, Decay, carry
+from kernels.steady.spans import Spans, Thresholds, add_rises, spans_of
 from kernels.surfaces.line import Line
 
 
@@ -74,7 +72,7 @@ class Sliding(NamedTuple):
         if i not in self.known:
             z, d = self.ground.line.z, float(self.d[i])
             w = np.empty_like(z)
-            carry(self.decay, z, self.ground.spans, self.own.stay, d, None, w)
+            carry(self.decay, z, self.ground.spans, self.own.stay, d, None, w, NO_GAPS)
             self.known.clear()
             self.known[i] = State(w, d)
         return self.known[i]
@@ -108,9 +106,9 @@ def steady_friction(
     left = np.array([kelvin_at(scheme, line, later).decay for later in following])
     at_speeds = speed, np.array(others, float), left
     how = How(float(line.steps_per_spacing), share, line.band_limited)
-    own, decay, (found, jumps, rates, entered, ahead) = slide_on_line(
-        law, line.z, line.slope, spans, at_speeds, loads, guesses, how
-    )
+    part = Part(line.z, line.slope, spans)
+    own, decay, under, _ = slide_on(law, part, at_speeds, loads, guesses, how)
+    found, jumps, rates, entered, ahead = under
     d = found[:, INDENTATION]
     return Sliding(
         ground,
@@ -134,19 +132,6 @@ def steady_friction(
         found[:, SWEEPS] * line.z.size,
         {},
     )
-
-
-@kernel
-def slide_on_line(law, z, slope, spans, at_speeds, loads, guesses, how):
-    """Return (Thresholds at the own speed, the Decay, what slide returns), in one call from Python.
-
-    at_speeds : own and others, vbar; and what is left of displacements at those that follow.
-    """
-    speed, others, left = at_speeds
-    decay = decay_of(law)
-    own = thresholds_of(z, slope, speed, law.stiffness)
-    speeds = Speeds(speed, own, others, presses_at(z, slope, others), left)
-    return own, decay, slide(decay, z, slope, spans, speeds, loads, guesses, how)
 
 
 def refine(sliding: Sliding, i: int, others: tuple[float, ...] = ()) -> None:

@@ -33,12 +33,16 @@ class Decay(NamedTuple):
 class Gaps(NamedTuple):
     """What elements go through that come to a span over samples that are left out.
 
-    Of every span, and of the samples behind the last whole one.
+    Of every span, and of the samples behind the last whole one; of none where no sample is left
+    out.
     """
 
     left: np.ndarray  # of a displacement after the gap; 1 where there is none
     within: np.ndarray  # the sum of what is left at its samples
     entered: np.ndarray  # with which displacement they went in, in the last sweep; it is filled
+
+
+NO_GAPS = Gaps(np.empty(0), np.empty(0), np.empty(0))
 
 
 @kernel
@@ -53,13 +57,13 @@ def decay_of(law):
 
 
 @kernel
-def carry(decay, z, spans, stay, d, contacts=None, w=None, gaps=None):
+def carry(decay, z, spans, stay, d, contacts, w, gaps):
     """Carry the elements once round the line, from its deepest sample against the motion.
 
     decay, spans, stay : Decay, Spans and largest thresholds (spans.py) of the line z, shape (n,).
-    d : indentation, which reaches the deepest sample. contacts : filled where it is given. w : free
-    displacements, shape (n,), filled where it is given. gaps : where samples are left out, all
-    of them higher than d.
+    d : indentation, which reaches the deepest sample. contacts : filled, or None. w : free
+    displacements, shape (n,), filled, or None. gaps : where samples are left out, all of them
+    higher than d; of no spans where none is.
     Return (-sum u, its derivative with respect to d, touching samples, pieces of contact).
     """
     n, deepest = z.size, spans.deepest
@@ -76,7 +80,7 @@ def carry(decay, z, spans, stay, d, contacts=None, w=None, gaps=None):
             b = j // SPAN
             low = b * SPAN
             if j == min(low + SPAN, n) - 1:
-                if gaps is not None and gaps.left[b] < 1.0:
+                if gaps.left.size > 0 and gaps.left[b] < 1.0:
                     left, within = gaps.left[b], gaps.within[b]
                     gaps.entered[b] = u
                     total, slope = total - within * u, slope + within * du

@@ -34,7 +34,7 @@ def elastic_guess(z, deepest, load):
 
 
 @kernel
-def approach(decay, z, spans, stay, loads, guesses, steps, gaps=None):
+def approach(decay, z, spans, stay, loads, guesses, steps, gaps):
     """Return d near the roots under all loads n Fbar.
 
     decay, z, spans, stay, gaps : as of carry. guesses : of d. steps : sweeps for each load. Each d
@@ -48,7 +48,7 @@ def approach(decay, z, spans, stay, loads, guesses, steps, gaps=None):
             broken[count] = i
             count += 1
     by_lanes = np.zeros(loads.size, np.bool_)
-    if gaps is None:
+    if gaps.left.size == 0:
         for begin in range(0, count - WORTH + 1, LANES):
             some = broken[begin : min(begin + LANES, count)]
             for i in some:
@@ -105,7 +105,7 @@ def _next(step, d, total, slope, load, deepest):
 
 
 @kernel
-def indentation(decay, z, spans, stay, load, near, contacts, gaps=None):
+def indentation(decay, z, spans, stay, load, near, contacts, gaps):
     """Return (d, sweeps, touching, pieces) of steady sliding under the load n Fbar.
 
     touching : samples; contacts are filled with so many pieces.

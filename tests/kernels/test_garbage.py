@@ -1,6 +1,9 @@
 """While nothing is collected Python looks for no garbage; after it all is as it was."""
 
 import gc
+import subprocess
+import sys
+from pathlib import Path
 
 import pytest
 
@@ -24,3 +27,26 @@ def test_the_collector_is_as_it_was_after_an_error_too(enabled):
         assert gc.isenabled() == enabled
     finally:
         (gc.enable if usual else gc.disable)()
+
+
+ENDING = """
+import gc
+{first}
+gc.disable()
+
+class Garbage:
+    def __del__(self):
+        print("found")
+
+garbage = Garbage()
+garbage.own = garbage
+del garbage
+"""
+
+
+@pytest.mark.parametrize(("first", "found"), [("", "found\n"), ("import kernels.garbage", "")])
+def test_at_its_end_a_process_looks_for_no_garbage(first, found):
+    command = [sys.executable, "-c", ENDING.format(first=first)]
+    root = Path(__file__).resolve().parents[2]
+    done = subprocess.run(command, cwd=root, capture_output=True, text=True, check=True)
+    assert done.stdout == found

@@ -116,6 +116,39 @@ def test_a_type_without_a_body_is_refused():
         changed_twice(Unknown(1.0), 5.0)
 
 
+@by_type
+def note(law, number, flag):
+    """Return a number."""
+
+
+@note.of(Scaled)
+def _note(law, number, flag):
+    return number if flag else 0
+
+
+@kernel
+def chosen(law, number, flag):
+    """Return a number, of one type whatever is known of it."""
+    return note(law, number, flag)
+
+
+@kernel
+def begun_with_constants(law, count):
+    """Return what a variable that begins with a constant, and constants, come to."""
+    number, flag = 0, True
+    for _ in range(count):
+        number = chosen(law, number + 1, flag) + chosen(law, 2, True) + chosen(law, 0, False)
+        flag = number < 100
+    return number
+
+
+@compiled_only
+def test_a_constant_is_no_type_of_its_own():
+    assert begun_with_constants(Scaled(1.0), 3) == 9
+    (signature,) = chosen.get_overload.__self__.nopython_signatures  # of what is linked in
+    assert signature.args[1:] == (numba.int64, numba.boolean)
+
+
 @compiled_only
 @pytest.mark.parametrize("compiled", [kernel, numba.njit])
 def test_bodies_are_compiled_with_the_flags_of_kernels_whoever_calls(compiled):

@@ -5,7 +5,7 @@ import pytest
 from kernels import steady_sliding
 from kernels.patches.pressed import MovingLine, pressed, room_for_pressed
 from kernels.patches.touching import list_touching, room_for_all
-from kernels.steady.carry import carry, decay_of
+from kernels.steady.carry import NO_GAPS, carry, decay_of
 from kernels.steady.contacts import first, room_for
 from kernels.steady.spans import thresholds_of
 from tests.kernels.steady.given import LINES, LOADS, known, line_of
@@ -26,7 +26,7 @@ class Listed:
         self.state, _ = steady_sliding(self.law, z, self.total)
         room = room_for(slope, speed)
         self.decay = decay_of(self.law)
-        *_, pieces = carry(self.decay, z, self.spans, own.stay, self.state.d, room, None, None)
+        *_, pieces = carry(self.decay, z, self.spans, own.stay, self.state.d, room, None, NO_GAPS)
         self.contacts = first(room, pieces)
         self.touching = list_touching(z, slope, self.contacts, room_for_all(z.size))
 

@@ -15,7 +15,7 @@ from kernels.patches.loads import (
     Speeds,
     slide,
 )
-from kernels.steady.carry import decay_of
+from kernels.steady.carry import NO_GAPS, decay_of
 from kernels.steady.spans import SPAN
 from tests.kernels.steady.given import LINES, known, line_of, touching
 
@@ -33,7 +33,7 @@ def slid(line, speed, several, criterion=True):
     speeds = Speeds(speed, own, np.array([1.2 * speed]), press, np.array([later]))
     none = np.full(several.size, np.nan)
     total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True)
-    return slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, how)
+    return slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, how, NO_GAPS)
 
 
 @pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)

@@ -3,7 +3,7 @@
 import numpy as np
 
 from kernels import SCHEMES, Line, steady_sliding
-from kernels.steady.carry import carry, decay_of
+from kernels.steady.carry import NO_GAPS, carry, decay_of
 from kernels.steady.contacts import room_for
 from kernels.steady.plain import sweep
 from kernels.steady.spans import spans_of, thresholds_of
@@ -46,10 +46,9 @@ def both(line, speed, load, scheme="exponential"):
     plain, w = np.empty_like(line.z), np.empty_like(line.z)
     total, slope, count = sweep(law, line.z, d, spans.deepest, plain, None)
     contacts = room_for(line.slope, speed)
-    # What is not filled is None, as in the kernels: for a default numba compiles another version.
     round_the_line = decay_of(law), line.z, spans, own.stay, d
-    found = carry(*round_the_line, contacts, None, None)
+    found = carry(*round_the_line, contacts, None, NO_GAPS)
     expected = law.stiffness * total, law.stiffness * slope, count
-    assert found == carry(*round_the_line, None, w)  # whatever is filled
-    assert found == carry(*round_the_line, None, None, None)
+    assert found == carry(*round_the_line, None, w, NO_GAPS)  # whatever is filled
+    assert found == carry(*round_the_line, None, None, NO_GAPS)
     return d, plain, expected, w, found, contacts

@@ -5,7 +5,7 @@ import pytest
 
 from kernels import steady_sliding
 from kernels.steady.ahead import indentation_ahead
-from kernels.steady.carry import carry, decay_of
+from kernels.steady.carry import NO_GAPS, carry, decay_of
 from kernels.steady.contacts import first, room_for
 from tests.kernels.steady.given import LINES, LOADS, known, line_of
 
@@ -22,7 +22,7 @@ def guessed(given, ratio):
     law, spans, own = known(line, speed)
     (_, d), _ = steady_sliding(law, line.z, total)
     room = room_for(line.slope, speed)
-    *_, touching, pieces = carry(decay_of(law), line.z, spans, own.stay, d, room, None, None)
+    *_, touching, pieces = carry(decay_of(law), line.z, spans, own.stay, d, room, None, NO_GAPS)
     later = known(line, ratio * speed)[0]
     once = decay_of(later).once
     guess = indentation_ahead(once, line.z, d, total, touching, first(room, pieces))

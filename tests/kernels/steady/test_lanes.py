@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels.steady.carry import carry, decay_of
+from kernels.steady.carry import NO_GAPS, carry, decay_of
 from kernels.steady.lanes import LANES, carry_lanes
 from tests.kernels.steady.given import LINES, known, line_of
 
@@ -16,7 +16,7 @@ def test_lanes_do_what_one_sweep_does_whatever_lies_beside(hurst, elements, m, s
     line = line_of(hurst, elements, m)
     law, spans, own = known(line, speed, scheme)
     decay = decay_of(law)
-    alone = [carry(decay, line.z, spans, own.stay, d, None, None, None)[:2] for d in SEVERAL]
+    alone = [carry(decay, line.z, spans, own.stay, d, None, None, NO_GAPS)[:2] for d in SEVERAL]
     for order in (np.arange(LANES), np.arange(LANES)[::-1], np.full(LANES, 5)):
         found = np.array(carry_lanes(decay, line.z, spans, own.stay, SEVERAL[order])).T
         np.testing.assert_array_equal(found, [alone[k] for k in order])
@@ -28,5 +28,5 @@ def test_what_has_decayed_is_zero_in_lanes_too():
     z = np.concatenate([line.z, np.full(5000, 9.0), line.z])
     law, spans, own = known(line._replace(z=z, slope=np.zeros(z.size)), 1.0 / np.log(2.0))
     found = carry_lanes(decay_of(law), z, spans, own.stay, np.full(LANES, 1.0))
-    expected = carry(decay_of(law), z, spans, own.stay, 1.0, None, None, None)
+    expected = carry(decay_of(law), z, spans, own.stay, 1.0, None, None, NO_GAPS)
     np.testing.assert_array_equal(np.array(found)[:, 0], expected[:2])

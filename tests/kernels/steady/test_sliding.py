@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from kernels import steady_sliding
-from kernels.steady.carry import decay_of
+from kernels.steady.carry import NO_GAPS, decay_of
 from kernels.steady.contacts import room_for
 from kernels.steady.sliding import POWER_STEPS, STEPS, WORTH, approach, elastic_guess, indentation
 from tests.kernels.steady.given import LINES, LOADS, known, line_of
@@ -20,8 +20,8 @@ def solved(line, speed, load, guess=None, scheme="exponential"):
     steps = STEPS if guess is None else POWER_STEPS
     guess = elastic_guess(line.z, spans.deepest, total) if guess is None else guess
     to = decay, line.z, spans, own.stay
-    (near,) = approach(*to, np.array([total]), np.array([guess]), steps, None)
-    d, after, _, _ = indentation(*to, total, near, room_for(line.slope, speed), None)
+    (near,) = approach(*to, np.array([total]), np.array([guess]), steps, NO_GAPS)
+    d, after, _, _ = indentation(*to, total, near, room_for(line.slope, speed), NO_GAPS)
     return d, steps + after
 
 
@@ -70,7 +70,7 @@ def test_lanes_change_no_bit():
     loads = line.z.size * np.geomspace(0.3, 10.0, 20)
     guesses = np.array([elastic_guess(line.z, spans.deepest, load) for load in loads])
     to = decay_of(law), line.z, spans, own.stay
-    together = approach(*to, loads, guesses, STEPS, None)
+    together = approach(*to, loads, guesses, STEPS, NO_GAPS)
     for some in (slice(0, 1), slice(3, 3 + WORTH), slice(2, 20), slice(None, None, -1)):
-        found = approach(*to, loads[some].copy(), guesses[some].copy(), STEPS, None)
+        found = approach(*to, loads[some].copy(), guesses[some].copy(), STEPS, NO_GAPS)
         np.testing.assert_array_equal(found, together[some])
