@@ -6,6 +6,7 @@ more of the next one than any measurement. No key, no number of lines and no res
 
 import math
 from collections.abc import Mapping
+from statistics import mean
 from typing import NamedTuple
 
 from workflow.plan.cost.work import PLAIN
@@ -52,8 +53,14 @@ class Pace(NamedTuple):
     learned: Mapping[str, Learned] = {}  # by ``label``
 
     def rate(self, kind: str, part: str) -> Rate:
-        """Return how much longer than typical a part of some kind of work takes."""
+        """Return how much longer than typical a part of some kind of work takes.
+
+        Until it was run, the measured part tells of work of its own kind alone: what is known of
+        other code is how quick the machine is in the mean of all parts.
+        """
         first, worst = self.measured.get(part, (1.0, 1.0))
+        if kind != PLAIN and self.measured:
+            first = math.exp(mean(math.log(factor) for factor, _ in self.measured.values()))
         known = self.learned.get(label(kind, part), Learned())
         share = known.seconds / (known.seconds + MEASURED_SECONDS)
         log = (1.0 - share) * math.log(first) + share * known.log

@@ -76,6 +76,16 @@ def test_one_kind_of_work_teaches_nothing_of_another():
     assert pace.rate(BRANCHES, "steady").factor > 9.0
 
 
+def test_of_other_code_the_machine_tells_how_quick_it_is_in_the_mean():
+    quick = dict.fromkeys(PARTS, (0.5, 1.1)) | {"marching": (0.05, 1.1)}
+    pace = Pace(quick)
+    assert pace.rate(PLAIN, "marching").factor == pytest.approx(0.05)
+    between = 0.5 * 0.1 ** (1.0 / len(PARTS))
+    assert pace.rate(BRANCHES, "marching").factor == pytest.approx(between)
+    assert pace.rate(BRANCHES, "steady").factor == pytest.approx(between)
+    assert TYPICAL.rate(BRANCHES, "marching").factor == 1.0
+
+
 def test_a_prediction_is_the_sum_of_its_parts_with_an_interval_about_it():
     pace = learned((300.0, 100.0))
     parts = {(PLAIN, "steady"): 10.0, (PLAIN, "marching"): 5.0}
