@@ -19,8 +19,9 @@ class _Part(JITCodeLibrary):
 
         Without any, or before others are linked into it, kernels are up to a fifth slower.
         """
-        passes, builder = self._codegen._module_pass_manager()
-        passes.run(self._final_module, builder)
+        made = self._codegen._module_pass_manager()
+        passes, *builder = made if isinstance(made, tuple) else (made,)  # alone before numba 0.62
+        passes.run(self._final_module, *builder)
 
     def _finalize_final_module(self) -> None:
         """Make no machine code."""
