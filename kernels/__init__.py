@@ -9,7 +9,8 @@ Then a problem is given by the Hurst exponent H, the number of elements N = L/dx
 slopes come out in units of h/dx, and so do friction coefficients.
 Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 
-``run_case`` is one realization, ``run_cases`` many on one line. An effect is a file of surfaces,
+``run_case`` is one realization, ``run_cases`` many on one line, and ``run_prepared`` the same many
+on line after line. An effect is a file of surfaces,
 rheology, control or motion; what a scene does not ask for is not in its machine code.
 """
 
@@ -29,7 +30,8 @@ from kernels.motion.programme import (
     Slide,
     steps_of,
 )
-from kernels.realization import run_case, run_cases
+from kernels.prepare import Prepared, prepare
+from kernels.realization import run_case, run_cases, run_prepared
 from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State, law_of, memories

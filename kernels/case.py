@@ -85,15 +85,16 @@ class Clocks:
     """Books the time since its last reading to phases of several cases, in proportion to work."""
 
     def __init__(self, cases: int) -> None:
-        self.spent = np.zeros((len(Seconds._fields), cases))
+        self.spent = [[0.0] * cases for _ in Seconds._fields]
         self.last = working_time()
 
-    def lap(self, steady: np.ndarray, jump: float = 0.0) -> None:
+    def lap(self, steady: list[float], jump: float = 0.0) -> None:
         """Book the time: work of the steady state of every case, of the jumps the same in all."""
         now = working_time()
-        each = (now - self.last) / (float(steady.sum()) + steady.size * jump)
-        self.spent[STEADY] += each * steady
-        self.spent[JUMP] += each * jump
+        each = (now - self.last) / (sum(steady) + len(steady) * jump)
+        for case, work in enumerate(steady):
+            self.spent[STEADY][case] += each * work
+            self.spent[JUMP][case] += each * jump
         self.last = now
 
     def lap_alone(self, case: int, **work: float) -> None:
@@ -101,9 +102,9 @@ class Clocks:
         now = working_time()
         each = (now - self.last) / sum(work.values())
         for phase, done in work.items():
-            self.spent[Seconds._fields.index(phase), case] += each * done
+            self.spent[Seconds._fields.index(phase)][case] += each * done
         self.last = now
 
     def seconds(self, case: int) -> Seconds:
         """Return what a case has taken."""
-        return Seconds(*self.spent[:, case].tolist())
+        return Seconds(*[phase[case] for phase in self.spent])

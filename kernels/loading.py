@@ -54,7 +54,7 @@ def load(scheme: str, asked: Quantities) -> None:
     ]
     with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
-            Ground.of(line, marched=asked.relaxation)
+            Ground(line, marched=asked.relaxation)
             run_cases(line, cases, asked._replace(steady=True, relaxation=False))
             law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
         run_cases(line, cases, asked)

@@ -14,34 +14,15 @@ from kernels.case import Case, Clocks, Outcome, Quantities
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import lagged_slope, step_average
-from kernels.limits import LOADS, SPEEDS, check_between
 from kernels.march import march
 from kernels.memory_case import run_memory_case
 from kernels.patches.steady_friction import Ground, Sliding, refine, steady_friction
+from kernels.prepare import Prepared, Together, prepare
 from kernels.rheology.kelvin import Kelvin
 from kernels.rheology.law import State
-from kernels.rheology.spectrum import shortest_step
 from kernels.surfaces.line import Line
 
 FEW = 4000  # steps of elements: so few are stepped sooner than lists are made
-LEAST_STEP = 1e-9  # |r - 1|, or zero; r is then known to 1e-7 of it, the jump to 1e-5
-
-
-def _check(line: Line, case: Case, asked: Quantities) -> None:
-    """Raise ValueError for a case without meaning, or beyond what doubles can resolve."""
-    speeds = [abs(speed) for speed in (case.speed, *(r * case.speed for r in case.ratios))]
-    check_between("load", case.load, LOADS)
-    for speed in speeds:
-        check_between("speed", speed, SPEEDS)
-    for ratio in case.ratios:
-        if 0.0 < abs(ratio - 1.0) < 0.99 * LEAST_STEP:  # or 1e-9 itself would round out of it
-            raise ValueError(f"ratio = 1 + {ratio - 1.0:g}: the step is lost in rounding")
-    shortest = 1.0 / (line.steps_per_spacing * max(speeds))
-    if shortest < shortest_step(case.spectrum):
-        raise ValueError(f"speed = {max(speeds):g}: steps of {shortest:g} tau are lost in rounding")
-    for kept in case.kept_steps if asked.relaxation else ():
-        if not (len(kept) and kept[0] >= 1 and (kept[1:] > kept[:-1]).all()):
-            raise ValueError("kept_steps must hold increasing step numbers from 1 on")
 
 
 def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
@@ -52,50 +33,45 @@ def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
 def run_cases(line: Line, cases: Sequence[Case], asked: Quantities) -> list[Outcome]:
     """Compute cases on one line. What one gives does not depend on the others, to the bit.
 
+    Raises ValueError for a case that is not supported.
+    """
+    return run_prepared(line, prepare(cases, line.steps_per_spacing, asked))
+
+
+def run_prepared(line: Line, prepared: Prepared) -> list[Outcome]:
+    """Compute cases on one line that are prepared for many.
+
     Kelvin elements that slide one way share what they can: those of one speed are found together.
     The relaxation curve is mu_2 plus the deviation of the marched step average from its own
     steady value, so that it ends at mu_2 exactly whatever the step. Raises ValueError for a
-    case that is not supported.
+    line of other steps per spacing than the cases are prepared for.
     """
-    for case in cases:
-        _check(line, case, asked)
-    outcomes: dict[int, Outcome] = {}
-    together: dict[tuple, list[int]] = {}
-    for i, case in enumerate(cases):
-        if case.plain:
-            alike = case.speed, case.scheme, case.ratios, case.refine
-            together.setdefault(alike, []).append(i)
-        else:
-            outcomes[i] = run_memory_case(line, case, asked)
-    finer = any(case.refine for case in cases)
-    ground = Ground.of(line, finer, asked.relaxation) if together else None
-    for rows in together.values():
-        assert ground is not None
-        own = ground if cases[rows[0]].refine else ground._replace(curvature=None)
-        found = _run_loads(own, [cases[i] for i in rows], asked)
-        outcomes.update(zip(rows, found, strict=True))
+    if line.steps_per_spacing != prepared.steps_per_spacing:
+        raise ValueError(f"steps_per_spacing: not the {prepared.steps_per_spacing} prepared for")
+    asked, cases = prepared.asked, prepared.cases
+    outcomes = {i: run_memory_case(line, cases[i], asked) for i in prepared.alone}
+    if prepared.together:
+        ground = Ground(line, marched=asked.relaxation)
+        for some in prepared.together:
+            outcomes.update(zip(some.rows, _run_loads(ground, some, asked), strict=True))
     return [outcomes[i] for i in range(len(cases))]
 
 
-def _run_loads(ground: Ground, cases: list[Case], asked: Quantities) -> list[Outcome]:
+def _run_loads(ground: Ground, some: Together, asked: Quantities) -> list[Outcome]:
     """Compute cases of Kelvin elements that differ in their loads, and in what is kept."""
-    speed, ratios, scheme = cases[0].speed, cases[0].ratios, cases[0].scheme
-    n = ground.line.z.size
-    loads = np.array([case.load for case in cases]) * n
-    clocks = Clocks(len(cases))
-    after = tuple(ratio * speed for ratio in ratios)
-    to = after if asked.jump or asked.relaxation else ()
-    following = after if asked.steady or asked.relaxation else ()
-    one = steady_friction(ground, speed, scheme, loads, None, to, following)
-    clocks.lap(steady=one.updates + n, jump=len(to) * n)
+    n, pace = ground.line.z.size, some.pace
+    loads = some.loads * n
+    clocks = Clocks(len(some.cases))
+    one = steady_friction(ground, pace, loads)
+    clocks.lap((one.updates + n).tolist(), jump=len(pace.others) * n)
     twos: list[Sliding] = []
-    for k, later in enumerate(following):
+    for k, later in enumerate(some.following):
         two = one
-        if later != speed:
-            two = steady_friction(ground, later, scheme, loads, one.ahead[:, k])
-            clocks.lap(steady=two.updates + n)
+        if later.speed != pace.speed:
+            two = steady_friction(ground, later, loads, one.ahead[:, k])
+            clocks.lap((two.updates + n).tolist())
         twos.append(two)
-    return [_under_load(one, twos, i, case, asked, clocks) for i, case in enumerate(cases)]
+    return [_under_load(one, twos, i, case, asked, clocks) for i, case in enumerate(some.cases)]
 
 
 def _under_load(
@@ -110,14 +86,17 @@ def _under_load(
 
     twos : steady sliding at each v2, or nothing.
     """
-    n, others = one.ground.line.z.size, len(case.ratios) if asked.jump else 0
-    refine(one, i, tuple(ratio * case.speed for ratio in case.ratios[:others]))
-    clocks.lap_alone(i, steady=one.updates[i] + n, jump=others * n)
-    none, curves, work = np.full(len(case.ratios), np.nan), [], float(one.updates[i])
+    n = one.ground.line.z.size
+    if case.refine:
+        refine(one, i)
+    work = float(one.updates[i])
+    clocks.lap_alone(i, steady=work + n, jump=float(len(one.pace.others) * n))
+    none, curves = np.full(len(case.ratios), np.nan), []
     mu_2 = none.copy()
     for k, two in enumerate(twos):
         if two is not one:
-            refine(two, i)
+            if case.refine:
+                refine(two, i)
             work += two.updates[i]
         mu_2[k] = two.mu[i]
         clocks.lap_alone(i, steady=1.0)
@@ -158,7 +137,7 @@ def _curve(
     """
     if one.full[i] and two.full[i]:
         return np.zeros(kept_steps.size), 0
-    line, spans, _ = one.ground
+    line, law = one.ground.line, two.pace.law
     control = ConstantForce if asked.indentation_rate else PrintedForce
     load, work = control(float(one.loads[i])), 0
     if kept_steps[-1] * line.z.size > FEW:
@@ -166,11 +145,11 @@ def _curve(
             Passing(at.decay, at.own.stay, at.entered[i], float(at.d[i])) for at in (one, two)
         )
         rate = float(one.rates[i, k])
-        setting = Setting(line.z, line.slope, spans, one.law, two.law, start, end, rate)
+        setting = Setting(line.z, line.slope, one.ground.spans, one.pace.law, law, start, end, rate)
         mu, _, settled, work, inside = active_march(setting, load, kept_steps)
         if inside:
             return mu - settled, work
-    law, states = two.law, (one.state(i), two.state(i))
+    states = one.state(i), two.state(i)
     curve, more = plain_relaxation(line.z, line.slope, law, states, load, kept_steps)
     return curve, work + more
 

@@ -1,5 +1,6 @@
 """Friction of steady sliding and of the jumps from it, at as many samples as the contacts need."""
 
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
@@ -23,31 +24,60 @@ from kernels.steady.spans import Spans, Thresholds, add_rises, spans_of
 from kernels.surfaces.line import Line
 
 
-class Ground(NamedTuple):
+class Ground:
     """A line, and what is shared by all loads and speeds on it."""
 
-    line: Line
-    spans: Spans
-    curvature: np.ndarray | None  # shape (n,); where it is wanted and known between its samples
+    def __init__(self, line: Line, marched: bool = False) -> None:
+        self.line: Line = line
+        self.spans: Spans = spans_of(line.z, line.slope)
+        if marched:
+            add_rises(self.spans.rows, line.z, line.slope)
+
+    @cached_property
+    def curvature(self) -> np.ndarray | None:
+        """z'', shape (n,), where the line is known between its samples."""
+        return curvatures_of(self.line)
+
+
+class Pace(NamedTuple):
+    """A speed of steady sliding, and what of it is the same on all lines of as many samples."""
+
+    speed: float  # vbar
+    others: tuple[float, ...]  # speeds jumped to, vbar
+    scheme: str
+    law: Kelvin  # for steps of one sample
+    share: float  # of the elastic part of mu that is corrected
+    at_speeds: tuple[float, np.ndarray, np.ndarray]  # as of slide_on
 
     @classmethod
-    def of(cls, line: Line, finer: bool = True, marched: bool = False) -> "Ground":
-        """Return the ground that a line is; finer : it may be refined; marched : it is marched."""
-        spans = spans_of(line.z, line.slope)
-        if marched:
-            add_rises(spans.rows, line.z, line.slope)
-        return cls(line, spans, curvatures_of(line) if finer else None)
+    def of(
+        cls,
+        scheme: str,
+        steps: int,
+        speed: float,
+        others: tuple[float, ...] = (),
+        following: tuple[float, ...] = (),
+    ) -> "Pace":
+        """Return the pace at ``speed`` with ``steps`` samples per spacing; all speeds vbar.
+
+        following : speeds at which steady sliding is asked for next, for which d is guessed.
+        """
+
+        def law_at(some: float) -> Kelvin:
+            return SCHEMES[scheme](1.0 / (steps * some))
+
+        left = np.array([law_at(later).decay for later in following])
+        at_speeds = speed, np.array(others, float), left
+        return cls(speed, others, scheme, law_at(speed), corrected_share(steps, speed), at_speeds)
 
 
 class Sliding(NamedTuple):
     """Steady sliding on one line at one speed; arrays of shape (loads,)."""
 
     ground: Ground
+    pace: Pace
     own: Thresholds
-    law: Kelvin  # for steps of one sample
     decay: Decay
-    scheme: str
-    speed: float  # vbar
     loads: np.ndarray  # n Fbar
     d: np.ndarray  # indentation over the deepest sample, from which a march starts, in h
     entered: np.ndarray  # displacements with which elements come to spans (steady/contacts.py)
@@ -78,45 +108,26 @@ class Sliding(NamedTuple):
         return self.known[i]
 
 
-def kelvin_at(scheme: str, line: Line, speed: float) -> Kelvin:
-    """Return the law for steps of one sample at ``speed`` (vbar)."""
-    return SCHEMES[scheme](1.0 / (line.steps_per_spacing * speed))
-
-
 def steady_friction(
-    ground: Ground,
-    speed: float,
-    scheme: str,
-    loads: np.ndarray,
-    guesses: np.ndarray | None = None,
-    others: tuple[float, ...] = (),
-    following: tuple[float, ...] = (),
+    ground: Ground, pace: Pace, loads: np.ndarray, guesses: np.ndarray | None = None
 ) -> Sliding:
-    """Return steady sliding, its friction and its jumps to ``others``, all speeds vbar.
+    """Return steady sliding, its friction and its jumps to the other speeds of its pace.
 
-    loads : n Fbar, guesses : of d, shape (loads,). following : speeds at which it is asked for
-    next, for which d is guessed. What is found under a load depends on its own guess and on no
-    other load. Narrow contacts are to be refined after it.
+    loads : n Fbar, guesses : of d, shape (loads,). What is found under a load depends on its own
+    guess and on no other load. Narrow contacts are to be refined after it.
     """
-    line, spans, _ = ground
-    law = kelvin_at(scheme, line, speed)
-    none = np.full(loads.size, np.nan)
-    guesses = none if guesses is None else np.ascontiguousarray(guesses)  # compiled once
-    share = corrected_share(line.steps_per_spacing, speed)
-    left = np.array([kelvin_at(scheme, line, later).decay for later in following])
-    at_speeds = speed, np.array(others, float), left
-    how = How(float(line.steps_per_spacing), share, line.band_limited)
-    part = Part(line.z, line.slope, spans)
-    own, decay, under, _ = slide_on(law, part, at_speeds, loads, guesses, how)
+    line = ground.line
+    guesses = np.full(loads.size, np.nan) if guesses is None else np.ascontiguousarray(guesses)
+    how = How(float(line.steps_per_spacing), pace.share, line.band_limited)
+    part = Part(line.z, line.slope, ground.spans)
+    own, decay, under, _ = slide_on(pace.law, part, pace.at_speeds, loads, guesses, how)
     found, jumps, rates, entered, ahead = under
     d = found[:, INDENTATION]
     return Sliding(
         ground,
+        pace,
         own,
-        law,
         decay,
-        scheme,
-        speed,
         loads,
         d,
         entered,
@@ -134,17 +145,17 @@ def steady_friction(
     )
 
 
-def refine(sliding: Sliding, i: int, others: tuple[float, ...] = ()) -> None:
+def refine(sliding: Sliding, i: int) -> None:
     """Read friction and jumps under load i from finer samples, if its contacts are narrow.
 
-    others : speeds jumped to. Lines that are not known between their samples stay as they are.
+    Lines that are not known between their samples stay as they are.
     """
-    line, spans, curvature = sliding.ground
-    if curvature is None or sliding.samples[i] >= NARROW:
+    ground, pace, samples = sliding.ground, sliding.pace, float(sliding.samples[i])
+    if samples >= NARROW or ground.curvature is None:
         return
-    speeds, state = (sliding.speed, *others), sliding.state(i)
-    load, samples = float(sliding.loads[i]), float(sliding.samples[i])
-    found = refined(line, spans, curvature, speeds, sliding.scheme, load, state, samples)
+    line, speeds = ground.line, (pace.speed, *pace.others)
+    state, load = sliding.state(i), float(sliding.loads[i])
+    found = refined(line, ground.spans, ground.curvature, speeds, pace.scheme, load, state, samples)
     if found is None:
         return
     sliding.seen[i] = found

@@ -33,7 +33,7 @@ def test_a_clock_books_time_to_its_phases():
 
 def test_clocks_book_time_by_work_or_to_one_case_alone():
     clocks = Clocks(2)
-    clocks.lap(steady=np.array([1.0, 3.0]))
+    clocks.lap(steady=[1.0, 3.0])
     first, second = (clocks.seconds(case).steady for case in range(2))
     assert second == pytest.approx(3.0 * first)
     clocks.lap_alone(1, jump=2.0, marching=6.0)

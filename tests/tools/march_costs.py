@@ -77,7 +77,7 @@ class Problem:
         self.weight = lagged_slope(line.slope, self.law.lag)
         self.kept = np.array([row.steps])
         self.control = ConstantForce(self.load)
-        spans = Ground.of(line, finer=False, marched=True).spans
+        spans = Ground(line, marched=True).spans
         laws = self.before, self.law
         states = (self.before, self.one), (self.law, self.two)
         ends = (passing_of(line.z, law, state) for law, state in states)

@@ -13,7 +13,7 @@ import numpy as np
 
 from kernels import Spectrum, amplitudes, rms_slope
 from kernels.limits import LOADS, SPEEDS
-from kernels.realization import LEAST_STEP
+from kernels.prepare import LEAST_STEP
 from workflow.errors import UserError
 from workflow.kinetic_law import relaxation_rate
 from workflow.plan.motion import Scale, Setting, canonical, line_modes, rounded, setting

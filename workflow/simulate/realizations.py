@@ -7,7 +7,18 @@ from operator import itemgetter
 
 import numpy as np
 
-from kernels import QUARTET, Case, Line, Outcome, Quantities, amplitudes, draw_phases, run_cases
+from kernels import (
+    QUARTET,
+    Case,
+    Line,
+    Outcome,
+    Prepared,
+    Quantities,
+    amplitudes,
+    draw_phases,
+    prepare,
+    run_prepared,
+)
 from kernels.clock import working_time
 from kernels.loading import load
 from workflow.simulate.kept import record_steps
@@ -18,8 +29,8 @@ from workflow.system import peak_bytes, this_maker
 
 # Steps per spacing -> the lines of realizations in a row that one drawing gives.
 Draw = Callable[[int], Iterable[Line]]
-# Steps per spacing, then all cases on such a line, each with the rows of its tasks.
-Cases = list[tuple[int, list[tuple[list[int], Case]]]]
+# All cases on a line of some steps per spacing, and of each the rows of its tasks.
+Cases = list[tuple[Prepared, list[list[int]]]]
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
@@ -71,14 +82,14 @@ def _add_realizations(
 ) -> None:
     """Add the realizations of one drawing to the sums of scalars and curves, one row per task."""
     drawing = 0.0
-    for steps, on_a_line in cases:
+    for prepared, shared in cases:
         began = working_time()
-        for line in draw(steps):
+        for line in draw(prepared.steps_per_spacing):
             drawing += working_time() - began
-            outcomes: list[Outcome | None] = [None] * len(on_a_line)
+            outcomes: list[Outcome | None] = [None] * len(shared)
             if batch.quantities.anything:
-                outcomes[:] = run_cases(line, [case for _, case in on_a_line], batch.quantities)
-            for (rows, _), outcome in zip(on_a_line, outcomes, strict=True):
+                outcomes[:] = run_prepared(line, prepared)
+            for rows, outcome in zip(shared, outcomes, strict=True):
                 for k, row in enumerate(rows):
                     record = sums[0][row], sums[1][row]
                     task, places = batch.tasks[row], layouts[row]
@@ -127,7 +138,9 @@ def _cases(batch: Batch) -> Cases:
         shared.setdefault(key, []).append(row)
     found: Cases = []
     for steps, keys in groupby(sorted(shared), itemgetter(0)):
-        found.append((steps, [(shared[key], _case(batch, shared[key])) for key in keys]))
+        rows = [shared[key] for key in keys]
+        given = [_case(batch, some) for some in rows] if batch.quantities.anything else ()
+        found.append((prepare(given, steps, batch.quantities), rows))
     return found
 
 

@@ -4,13 +4,14 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from kernels.patches.steady_friction import Ground, refine, steady_friction
+from kernels.patches.steady_friction import Ground, Pace, refine, steady_friction
 
 
 def one_load(line, speed, scheme, load, others=()):
     """Return what is found under a load; ``seen`` is None where the samples of the line will do."""
-    found = steady_friction(Ground.of(line), speed, scheme, np.array([load]), None, others)
-    refine(found, 0, others)
+    pace = Pace.of(scheme, line.steps_per_spacing, speed, others)
+    found = steady_friction(Ground(line), pace, np.array([load]))
+    refine(found, 0)
     names = ("d", "mu", "contact", "indentation", "updates", "jumps", "full", "samples")
     return SimpleNamespace(
         **{name: getattr(found, name)[0] for name in names},
