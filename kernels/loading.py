@@ -26,7 +26,7 @@ from kernels.control.printed_eq3 import PrintedForce
 from kernels.garbage import nothing_collected
 from kernels.patches.fine_line import mark_touchable, marked
 from kernels.patches.refined import MARGIN
-from kernels.patches.steady_friction import Ground
+from kernels.patches.steady_friction import Grounds
 from kernels.realization import plain_relaxation, run_cases
 from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES
@@ -54,7 +54,7 @@ def load(scheme: str, asked: Quantities) -> None:
     ]
     with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
-            Ground(line, marched=asked.relaxation)
+            Grounds.of([line], marched=asked.relaxation)
             run_cases(line, cases, asked._replace(steady=True, relaxation=False))
             law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
         run_cases(line, cases, asked)

@@ -21,6 +21,7 @@ class Together(NamedTuple):
     loads: np.ndarray  # Fbar, shape (cases,)
     pace: Pace  # at v1
     following: tuple[Pace, ...]  # at each v2 that is asked for
+    nothing: np.ndarray  # shape (ratios,): NaN, not to be changed
 
 
 class Prepared(NamedTuple):
@@ -59,7 +60,8 @@ def _together(rows: list[int], cases: Sequence[Case], steps: int, asked: Quantit
     following = after if asked.steady or asked.relaxation else ()
     pace = Pace.of(scheme, steps, speed, to, following)
     twos = tuple(Pace.of(scheme, steps, later) for later in following)
-    return Together(rows, own, np.array([case.load for case in own]), pace, twos)
+    loads, nothing = np.array([case.load for case in own]), np.full(len(ratios), np.nan)
+    return Together(rows, own, loads, pace, twos, nothing)
 
 
 def _check(case: Case, steps: int, asked: Quantities) -> None:

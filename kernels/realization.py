@@ -16,7 +16,7 @@ from kernels.control.printed_eq3 import PrintedForce
 from kernels.friction import lagged_slope, step_average
 from kernels.march import march
 from kernels.memory_case import run_memory_case
-from kernels.patches.steady_friction import Ground, Sliding, refine, steady_friction
+from kernels.patches.steady_friction import Grounds, Sliding, refine, steady_friction
 from kernels.prepare import Prepared, Together, prepare
 from kernels.rheology.kelvin import Kelvin
 from kernels.rheology.law import State
@@ -35,76 +35,89 @@ def run_cases(line: Line, cases: Sequence[Case], asked: Quantities) -> list[Outc
 
     Raises ValueError for a case that is not supported.
     """
-    return run_prepared(line, prepare(cases, line.steps_per_spacing, asked))
+    return run_prepared([line], prepare(cases, line.steps_per_spacing, asked))[0]
 
 
-def run_prepared(line: Line, prepared: Prepared) -> list[Outcome]:
-    """Compute cases on one line that are prepared for many.
+def run_prepared(lines: Sequence[Line], prepared: Prepared) -> list[list[Outcome]]:
+    """Compute cases that are prepared for many lines on some of as many samples; one list each.
 
-    Kelvin elements that slide one way share what they can: those of one speed are found together.
+    Kelvin elements that slide one way share what they can: those of one speed are found together,
+    on all the lines. What a line gives does not depend on the others, to the bit.
     The relaxation curve is mu_2 plus the deviation of the marched step average from its own
-    steady value, so that it ends at mu_2 exactly whatever the step. Raises ValueError for a
-    line of other steps per spacing than the cases are prepared for.
+    steady value, so that it ends at mu_2 exactly whatever the step. Raises ValueError for
+    lines that differ in their samples, or of other steps than the cases are prepared for.
     """
-    if line.steps_per_spacing != prepared.steps_per_spacing:
-        raise ValueError(f"steps_per_spacing: not the {prepared.steps_per_spacing} prepared for")
+    kinds = {(line.z.size, line.steps_per_spacing, line.band_limited) for line in lines}
+    if len(kinds) != 1 or lines[0].steps_per_spacing != prepared.steps_per_spacing:
+        raise ValueError(f"lines must be alike, of {prepared.steps_per_spacing} steps per spacing")
     asked, cases = prepared.asked, prepared.cases
-    outcomes = {i: run_memory_case(line, cases[i], asked) for i in prepared.alone}
+    found: list[dict[int, Outcome]] = [
+        {i: run_memory_case(line, cases[i], asked) for i in prepared.alone} for line in lines
+    ]
     if prepared.together:
-        ground = Ground(line, marched=asked.relaxation)
+        grounds = Grounds.of(lines, marched=asked.relaxation)
         for some in prepared.together:
-            outcomes.update(zip(some.rows, _run_loads(ground, some, asked), strict=True))
-    return [outcomes[i] for i in range(len(cases))]
+            for own, outcomes in zip(found, _run_loads(grounds, some, asked), strict=True):
+                own.update(zip(some.rows, outcomes, strict=True))
+    return [[own[i] for i in range(len(cases))] for own in found]
 
 
-def _run_loads(ground: Ground, some: Together, asked: Quantities) -> list[Outcome]:
+def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list[Outcome]]:
     """Compute cases of Kelvin elements that differ in their loads, and in what is kept."""
-    n, pace = ground.line.z.size, some.pace
+    n, pace, count = grounds.each[0].line.z.size, some.pace, len(some.cases)
     loads = some.loads * n
-    clocks = Clocks(len(some.cases))
-    one = steady_friction(ground, pace, loads)
-    clocks.lap((one.updates + n).tolist(), jump=len(pace.others) * n)
-    twos: list[Sliding] = []
+    clocks = Clocks(len(grounds.each) * count)
+    ones = steady_friction(grounds, pace, loads)
+    clocks.lap(_work(ones), jump=len(pace.others) * n)
+    twos: list[list[Sliding]] = [[] for _ in ones]
     for k, later in enumerate(some.following):
-        two = one
+        found = ones
         if later.speed != pace.speed:
-            two = steady_friction(ground, later, loads, one.ahead[:, k])
-            clocks.lap((two.updates + n).tolist())
-        twos.append(two)
-    return [_under_load(one, twos, i, case, asked, clocks) for i, case in enumerate(some.cases)]
+            guesses = np.array([one.found.ahead[:, k] for one in ones])
+            found = steady_friction(grounds, later, loads, guesses)
+            clocks.lap(_work(found))
+        for own, two in zip(twos, found, strict=True):
+            own.append(two)
+    return [
+        [_under_load(one, own, i, some, asked, clocks, j * count + i) for i in range(count)]
+        for j, (one, own) in enumerate(zip(ones, twos, strict=True))
+    ]
+
+
+def _work(found: list[Sliding]) -> list[float]:
+    """Return the work of every line and load, in samples."""
+    return [done + own.ground.line.z.size for own in found for done in own.updates.tolist()]
 
 
 def _under_load(
     one: Sliding,
     twos: list[Sliding],
     i: int,
-    case: Case,
+    some: Together,
     asked: Quantities,
     clocks: Clocks,
+    place: int,
 ) -> Outcome:
     """Return what is found under load i: at v1, and for each velocity step at v2 and between.
 
-    twos : steady sliding at each v2, or nothing.
+    twos : steady sliding at each v2, or nothing. place : of this line and load on the clocks.
     """
-    n = one.ground.line.z.size
-    if case.refine:
-        refine(one, i)
-    work = float(one.updates[i])
-    clocks.lap_alone(i, steady=work + n, jump=float(len(one.pace.others) * n))
-    none, curves = np.full(len(case.ratios), np.nan), []
-    mu_2 = none.copy()
+    case, n = some.cases[i], one.ground.line.z.size
+    if case.refine and refine(one, i):
+        jumping = float(len(one.pace.others) * n)
+        clocks.lap_alone(place, steady=one.updates[i] + n, jump=jumping)
+    work, mu_2, curves = float(one.updates[i]), some.nothing.copy(), []
     for k, two in enumerate(twos):
         if two is not one:
-            if case.refine:
-                refine(two, i)
+            if case.refine and refine(two, i):
+                clocks.lap_alone(place, steady=1.0)
             work += two.updates[i]
         mu_2[k] = two.mu[i]
-        clocks.lap_alone(i, steady=1.0)
         if asked.relaxation:
             curve, updates = _curve(one, two, i, k, case.kept_steps[k], asked)
             curves.append(mu_2[k] + curve)
             work += updates
-            clocks.lap_alone(i, marching=1.0)
+            clocks.lap_alone(place, marching=1.0)
         if two is not one:
             two.known.clear()  # of several velocity steps one at a time is in memory
     samples = float(one.samples[i]) if asked.relaxation else one.samples_seen(i)
@@ -114,11 +127,11 @@ def _under_load(
         float(one.contact[i]),
         samples,
         mu_2,
-        one.jumps[i].copy() if asked.jump else none,
+        one.found.jumps[i].copy() if asked.jump else some.nothing,
         curves,
         int(work),
-        clocks.seconds(i),
-        none,
+        clocks.seconds(place),
+        some.nothing,
     )
 
 
@@ -142,9 +155,9 @@ def _curve(
     load, work = control(float(one.loads[i])), 0
     if kept_steps[-1] * line.z.size > FEW:
         start, end = (
-            Passing(at.decay, at.own.stay, at.entered[i], float(at.d[i])) for at in (one, two)
+            Passing(at.decay, at.stay, at.found.entered[i], float(at.d[i])) for at in (one, two)
         )
-        rate = float(one.rates[i, k])
+        rate = float(one.found.rates[i, k])
         setting = Setting(line.z, line.slope, one.ground.spans, one.pace.law, law, start, end, rate)
         mu, _, settled, work, inside = active_march(setting, load, kept_steps)
         if inside:

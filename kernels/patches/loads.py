@@ -41,6 +41,16 @@ class Speeds(NamedTuple):
     ahead: np.ndarray  # what is left of a displacement after one sample at the next, shape (next,)
 
 
+class Found(NamedTuple):
+    """What is found, of as many rows as there are loads; of several lines one above the other."""
+
+    table: np.ndarray  # shape (..., loads, 6): INDENTATION to FULL
+    jumps: np.ndarray  # shape (..., loads, others): change of mu at the jumps to other speeds
+    rates: np.ndarray  # of the same shape: d' after them
+    entered: np.ndarray  # shape (..., loads, spans + 1), as of Contacts
+    ahead: np.ndarray  # shape (..., loads, next): about d at the next speeds
+
+
 class How(NamedTuple):
     """How friction is found."""
 
@@ -60,19 +70,15 @@ def corrected_share(steps: float, speed: float) -> float:
 
 
 @kernel
-def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps):
-    """Return (found, jumps, rates, entered, ahead), each of as many rows as there are loads.
+def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps, into):
+    """Fill ``into``, which is Found, for steady sliding of one line under all loads.
 
     decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, all NaN where there
-    are none. gaps : as of carry. jumps : to the others of ``speeds``. rates :
-    d' after them. entered : as of Contacts. ahead : about d at the next speeds.
+    are none. gaps : as of carry.
     """
     n, own = z.size, speeds.thresholds
     contacts, rooms = room_for(slope, speeds.own), (room_for_all(n), room_for_pressed(n))
-    found = np.empty((loads.size, 6))
-    jumps, rates = np.empty((2, loads.size, speeds.others.size))
-    ahead = np.empty((loads.size, speeds.ahead.size))
-    entered = np.empty((loads.size, contacts.entered.size))
+    table, jumps, rates, entered, ahead = into
     d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses, gaps)
     for i in range(loads.size):
         load, pieces, held = loads[i], 1, n
@@ -97,11 +103,10 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps):
         if how.smooth and mu <= 0.0:
             # That it takes work is sure: what the forces do while the line rises.
             mu = how.steps * mean_rise(z, d[i], decay, listed)
-        found[i, INDENTATION], found[i, MU] = d[i], mu
-        found[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
-        found[i, SAMPLES] = median_width(z, d[i], decay, listed)
-        found[i, SWEEPS], found[i, FULL] = sweeps[i], full[i]
-    return found, jumps, rates, entered, ahead
+        table[i, INDENTATION], table[i, MU] = d[i], mu
+        table[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
+        table[i, SAMPLES] = median_width(z, d[i], decay, listed)
+        table[i, SWEEPS], table[i, FULL] = sweeps[i], full[i]
 
 
 @kernel

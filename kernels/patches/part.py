@@ -1,4 +1,4 @@
-"""Steady sliding on a line, or on finer samples of a part of it: all in one call from Python."""
+"""Steady sliding on lines, or on finer samples of a part of one: all in one call from Python."""
 
 from typing import NamedTuple
 
@@ -6,19 +6,18 @@ import numpy as np
 
 from kernels.jit import kernel
 from kernels.patches.fine_line import gaps_of, interpolate, mark_missed
-from kernels.patches.loads import INDENTATION, Speeds, slide
+from kernels.patches.loads import INDENTATION, Found, Speeds, slide
 from kernels.steady.carry import decay_of
-from kernels.steady.spans import Spans, Thresholds, presses_at, spans_of, thresholds_of
+from kernels.steady.spans import SPAN, Thresholds, presses_at, spans_of, thresholds_of
+from kernels.steady.stack import Stack, spans_in
 
 NONE, NOT_ANY, NOWHERE = np.empty(0), np.empty(0, bool), np.empty(0, np.int64)
 
 
 class Part(NamedTuple):
-    """What of a line elements slide on: all samples, or finer ones of some intervals."""
+    """What elements slide on: all samples of some lines, or finer ones of intervals of one."""
 
-    z: np.ndarray  # of the line, as the next two
-    slope: np.ndarray
-    spans: Spans
+    stack: Stack
     curvature: np.ndarray = NONE
     at: np.ndarray = NOWHERE  # intervals that are refined (fine_line.py); none: all as it is
     fold: int = 1  # fine samples in each
@@ -27,27 +26,57 @@ class Part(NamedTuple):
 
 @kernel
 def slide_on(law, part, at_speeds, loads, guesses, how):
-    """Return (Thresholds at the own speed, the Decay, what slide returns, intervals missed).
+    """Return (largest thresholds of contact of the spans, the Decay, Found, intervals missed).
 
     law : for steps of one sample, or of a fine one. at_speeds : own and others, vbar; and what is
-    left of displacements at those that follow. loads, guesses : as of slide, on these samples.
+    left of displacements at those that follow. loads, guesses : as of slide, on these samples;
+    guesses of each line. The thresholds are those of Thresholds, shape (lines, spans).
     Intervals that elements touch though they are no part are marked in part.low.
     """
-    z, slope, spans, curvature, at, fold, low = part
+    stack, curvature, at, fold, low = part
     speed, others, left = at_speeds
-    gaps, refined = gaps_of(law, at, fold, z.size), at.size > 0
-    heights, slopes, own_spans = z, slope, spans
-    if refined:
-        heights, slopes = interpolate(z, slope, curvature, at, fold / how.steps, fold)
-        own_spans = spans_of(heights, slopes)
-    own = thresholds_of(heights, slopes, speed, law.stiffness)
-    if refined:  # all of a part is never all of the line
-        own = Thresholds(own.stay, own.press, np.inf, np.inf)
-    decay, press = decay_of(law), presses_at(heights, slopes, others)
-    speeds = Speeds(speed, own, others, press, left)
-    found = slide(decay, heights, slopes, own_spans, speeds, loads, guesses, how, gaps)
+    refined = at.size > 0
+    lines, n = stack.z.shape
+    samples = at.size * fold if refined else n
+    gaps, decay = gaps_of(law, at, fold, n), decay_of(law)
+    found, stay = _room(lines, samples, loads, others, left), np.empty((lines, samples // SPAN))
     missed = 0
-    if refined:
-        once, d = law.decay ** float(fold), found[0][0, INDENTATION]
-        missed = mark_missed(z, slope, spans, fold / how.steps, once, d, at, gaps, fold, low)
-    return own, decay, found, missed
+    for k in range(lines):
+        z, slope, spans_of_z = stack.z[k], stack.slope[k], spans_in(stack, k)
+        heights, slopes, spans = z, slope, spans_of_z
+        if refined:
+            heights, slopes = interpolate(z, slope, curvature, at, fold / how.steps, fold)
+            spans = spans_of(heights, slopes)
+        own = thresholds_of(heights, slopes, speed, law.stiffness)
+        if refined:  # all of a part is never all of the line
+            own = Thresholds(own.stay, own.press, np.inf, np.inf)
+        speeds = Speeds(speed, own, others, presses_at(heights, slopes, others), left)
+        into = _of_line(found, k)
+        slide(decay, heights, slopes, spans, speeds, loads, guesses[k], how, gaps, into)
+        for b in range(own.stay.size):
+            stay[k, b] = own.stay[b]
+        if refined:
+            once, d = law.decay ** float(fold), into.table[0, INDENTATION]
+            missed += mark_missed(
+                z, slope, spans_of_z, fold / how.steps, once, d, at, gaps, fold, low
+            )
+    return stay, decay, found, missed
+
+
+@kernel
+def _room(lines, samples, loads, others, left):
+    """Return Found of so many lines, empty."""
+    shape = lines, loads.size, others.size
+    return Found(
+        np.empty((lines, loads.size, 6)),
+        np.empty(shape),
+        np.empty(shape),
+        np.empty((lines, loads.size, samples // SPAN + 1)),
+        np.empty((lines, loads.size, left.size)),
+    )
+
+
+@kernel
+def _of_line(found, k):
+    """Return what is found of line k: rows of all."""
+    return Found(found.table[k], found.jumps[k], found.rates[k], found.entered[k], found.ahead[k])

@@ -24,7 +24,8 @@ from kernels.patches.loads import (
 from kernels.patches.part import NONE, Part, slide_on
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State
-from kernels.steady.spans import SPAN, Spans
+from kernels.steady.spans import SPAN
+from kernels.steady.stack import Stack, spans_of_line
 from kernels.surfaces.line import Line
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
@@ -57,7 +58,7 @@ def curvatures_of(line: Line) -> np.ndarray | None:
 
 def refined(
     line: Line,
-    spans: Spans,
+    stack: Stack,
     curvature: np.ndarray,
     speeds: tuple[float, ...],
     scheme: str,
@@ -67,12 +68,12 @@ def refined(
 ) -> Refined | None:
     """Return steady sliding on a refined line, or None where what could touch is too long.
 
-    spans, curvature : of the line. speeds : vbar, of sliding and then those that are jumped to.
+    stack, curvature : of the line. speeds : vbar, of sliding and then those that are jumped to.
     load : n Fbar. state, samples : of steady sliding on the line as it is, and the samples per
     contact.
     """
     steps, n = line.steps_per_spacing, line.z.size
-    low = mark_touchable(line.z, line.slope, spans, state, 1.0 / steps, MARGIN)
+    low = mark_touchable(line.z, line.slope, spans_of_line(stack, 0), state, 1.0 / steps, MARGIN)
     fold, near = finer(samples), state.d
     at_speeds = speeds[0], np.array(speeds[1:]), NONE
     for _ in range(TRIED):
@@ -81,18 +82,20 @@ def refined(
             return None
         law = SCHEMES[scheme](1.0 / (steps * fold * speeds[0]))
         fine = float(steps * fold)
-        part = Part(line.z, line.slope, spans, curvature, at, fold, low)
+        part = Part(stack, curvature, at, fold, low)
         how = How(fine, corrected_share(fine, speeds[0]), True)
-        loads, guesses = np.array([load * fold]), np.array([near])
-        _, _, (under, jumps, *_), missed = slide_on(law, part, at_speeds, loads, guesses, how)
-        found = under[0]
+        loads, guesses = np.array([load * fold]), np.array([[near]])
+        _, _, under, missed = slide_on(law, part, at_speeds, loads, guesses, how)
+        found = under.table[0, 0]
         near = float(found[INDENTATION])
         if missed:
             continue
         if found[SAMPLES] >= 0.5 * FINE:
             contact = found[CONTACT] * at.size / n
             updates = int(found[SWEEPS]) * at.size * fold
-            return Refined(fold, found[SAMPLES], near, found[MU], contact, jumps[0], updates)
+            return Refined(
+                fold, found[SAMPLES], near, found[MU], contact, under.jumps[0, 0], updates
+            )
         fold *= finer(found[SAMPLES])
     return None
 

@@ -1,5 +1,6 @@
 """Friction of steady sliding and of the jumps from it, at as many samples as the contacts need."""
 
+from collections.abc import Sequence
 from functools import cached_property
 from typing import NamedTuple
 
@@ -12,6 +13,7 @@ from kernels.patches.loads import (
     MU,
     SAMPLES,
     SWEEPS,
+    Found,
     How,
     corrected_share,
 )
@@ -20,23 +22,43 @@ from kernels.patches.refined import NARROW, Refined, curvatures_of, refined
 from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State
 from kernels.steady.carry import NO_GAPS, Decay, carry
-from kernels.steady.spans import Spans, Thresholds, add_rises, spans_of
+from kernels.steady.spans import Spans, add_rises
+from kernels.steady.stack import Stack, alone, spans_of_line, stack_of, stacked
 from kernels.surfaces.line import Line
 
 
 class Ground:
     """A line, and what is shared by all loads and speeds on it."""
 
-    def __init__(self, line: Line, marched: bool = False) -> None:
-        self.line: Line = line
-        self.spans: Spans = spans_of(line.z, line.slope)
-        if marched:
-            add_rises(self.spans.rows, line.z, line.slope)
+    def __init__(self, line: Line, stack: Stack, k: int) -> None:
+        """Take line k of a stack."""
+        self.line, self.stack, self.row = line, stack, k
+
+    @cached_property
+    def spans(self) -> Spans:
+        """What is known of spans of the line."""
+        return spans_of_line(self.stack, self.row)
 
     @cached_property
     def curvature(self) -> np.ndarray | None:
         """z'', shape (n,), where the line is known between its samples."""
         return curvatures_of(self.line)
+
+
+class Grounds(NamedTuple):
+    """Lines of as many samples, on which steady sliding is found in one call."""
+
+    stack: Stack
+    each: list[Ground]
+
+    @classmethod
+    def of(cls, lines: Sequence[Line], marched: bool = False) -> "Grounds":
+        """Return the grounds that lines are; marched : they are marched too."""
+        stack = stack_of(stacked([line.z for line in lines]), stacked([o.slope for o in lines]))
+        if marched:
+            for rows, line in zip(stack.rows, lines, strict=True):
+                add_rises(rows, line.z, line.slope)
+        return cls(stack, [Ground(line, stack, k) for k, line in enumerate(lines)])
 
 
 class Pace(NamedTuple):
@@ -62,13 +84,9 @@ class Pace(NamedTuple):
 
         following : speeds at which steady sliding is asked for next, for which d is guessed.
         """
-
-        def law_at(some: float) -> Kelvin:
-            return SCHEMES[scheme](1.0 / (steps * some))
-
-        left = np.array([law_at(later).decay for later in following])
-        at_speeds = speed, np.array(others, float), left
-        return cls(speed, others, scheme, law_at(speed), corrected_share(steps, speed), at_speeds)
+        law, *later = (SCHEMES[scheme](1.0 / (steps * some)) for some in (speed, *following))
+        at_speeds = speed, np.array(others, float), np.array([own.decay for own in later])
+        return cls(speed, others, scheme, law, corrected_share(steps, speed), at_speeds)
 
 
 class Sliding(NamedTuple):
@@ -76,20 +94,17 @@ class Sliding(NamedTuple):
 
     ground: Ground
     pace: Pace
-    own: Thresholds
+    stay: np.ndarray  # shape (spans,): thresholds above which contact lasts (Thresholds)
     decay: Decay
     loads: np.ndarray  # n Fbar
+    found: Found  # of this line; of refined contacts its jumps are those of finer samples
     d: np.ndarray  # indentation over the deepest sample, from which a march starts, in h
-    entered: np.ndarray  # displacements with which elements come to spans (steady/contacts.py)
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
     contact: np.ndarray  # share of the line
     indentation: np.ndarray  # in h, over the mean line
     samples: np.ndarray  # of the line per contact; below 1 where finer ones tell
     seen: dict[int, Refined]  # load -> finer samples, where friction is read from those
-    jumps: np.ndarray  # shape (loads, speeds jumped to): change of mu at the moment
-    rates: np.ndarray  # of the same shape: d' just after the jump, in h/tau
-    ahead: np.ndarray  # shape (loads, speeds that follow): about d there
     updates: np.ndarray  # of elements, the measure of cost
     known: dict[int, State]  # load -> state, of the last load that was asked for
 
@@ -102,65 +117,77 @@ class Sliding(NamedTuple):
         if i not in self.known:
             z, d = self.ground.line.z, float(self.d[i])
             w = np.empty_like(z)
-            carry(self.decay, z, self.ground.spans, self.own.stay, d, None, w, NO_GAPS)
+            carry(self.decay, z, self.ground.spans, self.stay, d, None, w, NO_GAPS)
             self.known.clear()
             self.known[i] = State(w, d)
         return self.known[i]
 
 
 def steady_friction(
-    ground: Ground, pace: Pace, loads: np.ndarray, guesses: np.ndarray | None = None
-) -> Sliding:
-    """Return steady sliding, its friction and its jumps to the other speeds of its pace.
+    grounds: Grounds, pace: Pace, loads: np.ndarray, guesses: np.ndarray | None = None
+) -> list[Sliding]:
+    """Return steady sliding on every line, its friction and its jumps to other speeds of its pace.
 
-    loads : n Fbar, guesses : of d, shape (loads,). What is found under a load depends on its own
-    guess and on no other load. Narrow contacts are to be refined after it.
+    loads : n Fbar, guesses : of d, shape (lines, loads). What is found under a load depends on
+    its own guess and on no other load or line. Narrow contacts are to be refined after it.
     """
-    line = ground.line
-    guesses = np.full(loads.size, np.nan) if guesses is None else np.ascontiguousarray(guesses)
-    how = How(float(line.steps_per_spacing), pace.share, line.band_limited)
-    part = Part(line.z, line.slope, ground.spans)
-    own, decay, under, _ = slide_on(pace.law, part, pace.at_speeds, loads, guesses, how)
-    found, jumps, rates, entered, ahead = under
-    d = found[:, INDENTATION]
+    one = grounds.each[0].line
+    if guesses is None:
+        guesses = np.full((len(grounds.each), loads.size), np.nan)
+    how = How(float(one.steps_per_spacing), pace.share, one.band_limited)
+    stay, decay, found, _ = slide_on(
+        pace.law, Part(grounds.stack), pace.at_speeds, loads, guesses, how
+    )
+    rows = (Found(*(field[k] for field in found)) for k in range(len(grounds.each)))
+    return [
+        _on_one(ground, pace, loads, decay, own, row)
+        for ground, own, row in zip(grounds.each, stay, rows, strict=True)
+    ]
+
+
+def _on_one(
+    ground: Ground, pace: Pace, loads: np.ndarray, decay: Decay, stay: np.ndarray, found: Found
+) -> Sliding:
+    """Return steady sliding on one line."""
+    line, table = ground.line, found.table
+    d = table[:, INDENTATION]
     return Sliding(
         ground,
         pace,
-        own,
+        stay,
         decay,
         loads,
+        found,
         d,
-        entered,
-        found[:, FULL] > 0.0,
-        found[:, MU],
-        found[:, CONTACT],
+        table[:, FULL] > 0.0,
+        table[:, MU],
+        table[:, CONTACT],
         d + line.datum,
-        found[:, SAMPLES],
+        table[:, SAMPLES],
         {},
-        jumps,
-        rates,
-        ahead,
-        found[:, SWEEPS] * line.z.size,
+        table[:, SWEEPS] * line.z.size,
         {},
     )
 
 
-def refine(sliding: Sliding, i: int) -> None:
+def refine(sliding: Sliding, i: int) -> bool:
     """Read friction and jumps under load i from finer samples, if its contacts are narrow.
 
-    Lines that are not known between their samples stay as they are.
+    Return whether that was tried. Lines that are not known between their samples stay as they are.
     """
     ground, pace, samples = sliding.ground, sliding.pace, float(sliding.samples[i])
     if samples >= NARROW or ground.curvature is None:
-        return
+        return False
     line, speeds = ground.line, (pace.speed, *pace.others)
     state, load = sliding.state(i), float(sliding.loads[i])
-    found = refined(line, ground.spans, ground.curvature, speeds, pace.scheme, load, state, samples)
+    stack, curvature = alone(ground.stack, ground.row), ground.curvature
+    found = refined(line, stack, curvature, speeds, pace.scheme, load, state, samples)
     if found is None:
-        return
+        return True
     sliding.seen[i] = found
     sliding.mu[i], sliding.contact[i] = found.mu, found.contact
     sliding.indentation[i] = found.d + line.datum
     sliding.samples[i] = found.samples / found.fold
     sliding.updates[i] += found.updates
-    sliding.jumps[i] = found.jumps
+    sliding.found.jumps[i] = found.jumps
+    return True

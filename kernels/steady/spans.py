@@ -53,13 +53,24 @@ class Thresholds(NamedTuple):
 @kernel
 def spans_of(z, slope):
     """Return the Spans of a line. z (in h), slope (in h/dx) : shape (n,)."""
-    n, count = z.size, z.size // SPAN
-    lowest, steepest, rows = (
+    count = z.size // SPAN
+    lowest, first, height, steepest = (
         np.empty(count),
         np.empty(count),
-        np.full((count + 1, TURN + 1), np.nan),
+        np.empty(count),
+        np.empty(count),
     )
-    whole = np.zeros(4)
+    rows, whole = np.empty((count + 1, TURN + 1)), np.empty(4)
+    deepest = fill_spans(z, slope, Spans(lowest, first, height, steepest, rows, whole, 0))
+    return Spans(lowest, first, height, steepest, rows, whole, deepest)
+
+
+@kernel
+def fill_spans(z, slope, spans):
+    """Fill the arrays of Spans with what they are of a line; return the deepest sample."""
+    n, count = z.size, z.size // SPAN
+    lowest, steepest, rows, whole = spans.lowest, spans.steepest, spans.rows, spans.whole
+    whole[:] = 0.0
     for b in range(count):
         first = b * SPAN
         a0 = a1 = a2 = a3 = steep = 0.0
@@ -71,6 +82,8 @@ def spans_of(z, slope):
         lowest[b], steepest[b] = low, steep
         rows[b, FIRST], rows[b, STEEP] = z[first], slope[first]
         rows[b, HEIGHT], rows[b, SLOPE], rows[b, WORK], rows[b, SQUARE] = a0, a1, a2, a3
+        rows[b, RISE] = rows[b, TURN] = np.nan
+        spans.first[b], spans.height[b] = z[first], a0
         a, c = z[first] - z[0], slope[first] - slope[0]
         whole[0] += a0 + SPAN * a
         whole[1] += a1 + SPAN * c
@@ -83,9 +96,9 @@ def spans_of(z, slope):
         whole[2] += a * c
         whole[3] += c * c
     after = count * SPAN if count * SPAN < n else 0
+    rows[count, :] = np.nan
     rows[count, FIRST], rows[count, STEEP] = z[after], slope[after]
-    starts, heights = rows[:count, FIRST].copy(), rows[:count, HEIGHT].copy()
-    return Spans(lowest, starts, heights, steepest, rows, whole, int(np.argmin(z)))
+    return int(np.argmin(z))
 
 
 @kernel

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels.surfaces.measured import measured_modes
-from kernels.surfaces.self_affine import sample_line
+from kernels.surfaces.self_affine import sample_line, sample_modes
 
 QUARTET = 4  # lines that one drawing of phases gives
 TALLEST = 1e50  # and its inverse: heights far above numbers that count as zero
@@ -34,7 +34,7 @@ class Line(NamedTuple):
         """
         if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or steps_per_spacing < 1:
             raise ValueError("a line needs one slope per height, one sample per spacing or more")
-        top = int(np.argmax(z))
+        top = int(z.argmax())
         highest, datum = float(z[top]), float(z.min())
         if not (math.isfinite(highest) and math.isfinite(datum) and np.isfinite(slope).all()):
             raise ValueError("the line holds samples that are not finite numbers")
@@ -42,7 +42,8 @@ class Line(NamedTuple):
         if height > 0.0 and not 1.0 / TALLEST <= height <= TALLEST:
             raise ValueError(f"height = {height:g}: heights must be in units of their roughness")
         # Heights over the deepest point keep full precision where light loads touch.
-        heights = _beginning_at(top, z) - datum
+        heights = _beginning_at(top, z)
+        heights -= datum
         return cls(heights, _beginning_at(top, slope), datum, steps_per_spacing, band_limited)
 
     @classmethod
@@ -68,11 +69,11 @@ class Line(NamedTuple):
         are not independent of each other (docs/errors.md says what they are worth); lines of other
         phases are.
         """
-        for turn in (0.0, 0.5 * np.pi):
-            z, slope = sample_line(amplitude, phases + turn, elements, steps_per_spacing)
-            for sign in (1.0, -1.0):
-                samples = sign * z, sign * slope
-                yield cls.from_samples(*samples, steps_per_spacing, band_limited=True)
+        modes = amplitude * np.exp(1j * phases)
+        for turned in (modes, 1j * modes):
+            z, slope = sample_modes(turned, elements, steps_per_spacing)
+            yield cls.from_samples(z, slope, steps_per_spacing, band_limited=True)
+            yield cls.from_samples(-z, -slope, steps_per_spacing, band_limited=True)
 
     @classmethod
     def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Line":

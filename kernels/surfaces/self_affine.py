@@ -107,12 +107,19 @@ def sample_line(
 
     Every m samples the same function: sample j of m = 1 is sample j m of any other m.
     """
+    return sample_modes(amplitude * np.exp(1j * phases), elements, steps_per_spacing)
+
+
+def sample_modes(
+    modes: np.ndarray, elements: int, steps_per_spacing: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return what sample_line returns of the complex modes A_k e^(i phi_k), shape (floor(N/2),)."""
     samples = elements * steps_per_spacing
     both = np.zeros((2, samples // 2 + 1), dtype=complex)  # of heights and of slopes
-    modes = both[:, 1 : amplitude.size + 1]
-    modes[0] = 0.5 * samples * amplitude * np.exp(1j * phases)
-    modes[1] = (2.0j * np.pi / elements) * mode_numbers(elements) * modes[0]
-    if 2 * amplitude.size == samples:
+    heights, slopes = both[:, 1 : modes.size + 1]
+    np.multiply(0.5 * samples, modes, out=heights)
+    np.multiply((2.0j * np.pi / elements) * mode_numbers(elements), heights, out=slopes)
+    if 2 * modes.size == samples:
         # The Nyquist mode of an even grid: its two complex halves fall on one coefficient.
         both[:, -1] = 2.0 * both[:, -1].real
     z, slope = np.fft.irfft(both, samples)

@@ -21,7 +21,7 @@ from kernels.active.march import active_march
 from kernels.friction import elastic_correction
 from kernels.march import march
 from kernels.patches.refined import NARROW
-from kernels.patches.steady_friction import Ground, Pace, steady_friction
+from kernels.patches.steady_friction import Grounds, Pace, steady_friction
 from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
 
@@ -48,7 +48,7 @@ def test_samples_are_refined_only_where_that_is_wanted():
     finer = given._replace(refine=True)
     as_sampled, refined = run_case(line, given, asked), run_case(line, finer, asked)
     pace = Pace.of(given.scheme, line.steps_per_spacing, 100.0)
-    alone = steady_friction(Ground(line), pace, np.array([1e-3 * line.z.size]))
+    (alone,) = steady_friction(Grounds.of([line]), pace, np.array([1e-3 * line.z.size]))
     assert as_sampled.mu_1 == alone.mu[0] > 0.0
     assert as_sampled.samples_per_contact == alone.samples[0] < 0.5 * NARROW
     assert refined.samples_per_contact >= NARROW

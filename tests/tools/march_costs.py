@@ -34,7 +34,7 @@ from kernels import (
 )
 from kernels.active.march import active_march
 from kernels.active.setting import Setting
-from kernels.patches.steady_friction import Ground
+from kernels.patches.steady_friction import Grounds
 from kernels.rheology.kelvin import SCHEMES
 from studies.accuracy.marches import TamaasMarch
 from tests.kernels.active.given import passing_of
@@ -77,7 +77,7 @@ class Problem:
         self.weight = lagged_slope(line.slope, self.law.lag)
         self.kept = np.array([row.steps])
         self.control = ConstantForce(self.load)
-        spans = Ground(line, marched=True).spans
+        spans = Grounds.of([line], marched=True).each[0].spans
         laws = self.before, self.law
         states = (self.before, self.one), (self.law, self.two)
         ends = (passing_of(line.z, law, state) for law, state in states)

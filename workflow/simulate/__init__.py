@@ -9,6 +9,7 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.simulate.code import CODE
+    from workflow.simulate.drawing import line_generator
     from workflow.simulate.kept import kept_steps, programme_steps, record_steps, record_times
     from workflow.simulate.layout import (
         EDGES,
@@ -18,7 +19,7 @@ if TYPE_CHECKING:
         unpack,
     )
     from workflow.simulate.programmes import scene_of
-    from workflow.simulate.realizations import block_means, line_generator, load_kernels
+    from workflow.simulate.realizations import block_means, load_kernels
     from workflow.simulate.tasks import (
         PHASES,
         SCALARS,

@@ -1,45 +1,33 @@
 """Run a batch: draw its lines, run every realization, average over blocks."""
 
-from collections.abc import Callable, Iterable
+from collections.abc import Iterable, Iterator
 from functools import lru_cache
-from itertools import groupby, islice
+from itertools import groupby, islice, repeat
 from operator import itemgetter
 
 import numpy as np
 
 from kernels import (
-    QUARTET,
     Case,
     Line,
     Outcome,
     Prepared,
     Quantities,
-    amplitudes,
-    draw_phases,
     prepare,
     run_prepared,
 )
 from kernels.clock import working_time
 from kernels.loading import load
+from workflow.simulate.drawing import Draw, lines_of
 from workflow.simulate.kept import record_steps
 from workflow.simulate.layout import Layout, row_layout, row_width
 from workflow.simulate.programmes import add_programme, steady_ends
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
 from workflow.system import peak_bytes, this_maker
 
-# Steps per spacing -> the lines of realizations in a row that one drawing gives.
-Draw = Callable[[int], Iterable[Line]]
+SHORT = 8192  # samples of a line on which a call from Python takes longer than what is computed
 # All cases on a line of some steps per spacing, and of each the rows of its tasks.
 Cases = list[tuple[Prepared, list[list[int]]]]
-
-
-def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
-    """Return the generator of one drawing: a function of study seed, H, N and index alone.
-
-    Every m, scheme, load and speed sees the same lines; batching and order play no part.
-    """
-    hurst_bits = int(np.float64(hurst).view(np.uint64))
-    return np.random.default_rng([seed, hurst_bits, elements, index])
 
 
 @lru_cache
@@ -59,7 +47,7 @@ def block_means(batch: Batch) -> BatchResult:
     curves = np.zeros((len(batch.tasks), batch.blocks, max(1, *widths)))  # no empty rows in netCDF
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     cases = _cases(batch)
-    size, draw = _drawing(batch)
+    size, draw = lines_of(batch)
     for number in range(0, batch.blocks * batch.realizations_per_block, size):
         block = number // batch.realizations_per_block
         sums = scalars[:, block], curves[:, block]
@@ -83,50 +71,49 @@ def _add_realizations(
     """Add the realizations of one drawing to the sums of scalars and curves, one row per task."""
     drawing = 0.0
     for prepared, shared in cases:
-        began = working_time()
-        for line in draw(prepared.steps_per_spacing):
-            drawing += working_time() - began
-            outcomes: list[Outcome | None] = [None] * len(shared)
-            if batch.quantities.anything:
-                outcomes[:] = run_prepared(line, prepared)
-            for rows, outcome in zip(shared, outcomes, strict=True):
-                for k, row in enumerate(rows):
-                    record = sums[0][row], sums[1][row]
-                    task, places = batch.tasks[row], layouts[row]
-                    if outcome is None:
-                        record[0][:] = np.nan
-                    else:
-                        spent[row, 1:] += np.array(outcome.seconds) / len(rows)
-                        _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
-                    spent[row, -1] += add_programme(batch, line, task, places, record[1])
+        lines = iter(draw(prepared.steps_per_spacing))
+        while True:
             began = working_time()
+            some = _next(lines)
+            drawing += working_time() - began
+            if not some:
+                break
+            found: Iterable = repeat([None] * len(shared))
+            if batch.quantities.anything:
+                found = run_prepared(some, prepared)
+            for line, outcomes in zip(some, found, strict=False):
+                for rows, outcome in zip(shared, outcomes, strict=True):
+                    _add_case(batch, layouts, line, (rows, outcome), sums, spent)
     spent[:, 0] += drawing / len(batch.tasks)
 
 
-def _drawing(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
-    """Return how many realizations one drawing is for, and what draws them from a number on.
+def _next(lines: Iterator[Line]) -> list[Line]:
+    """Return the next line, or several that are short, whose realizations are run together."""
+    some = list(islice(lines, 1))
+    if some and some[0].z.size <= SHORT:
+        some += lines
+    return some
 
-    Random self-affine lines come in quartets, those of a block together. Lines that were measured
-    come one by one, and so do random ones like them, which are as many.
-    """
-    if batch.heights is not None:
-        heights = batch.heights
-        return 1, lambda number: lambda steps: (Line.measured(heights[number], steps),)
-    problem = batch.tasks[0].problem  # all tasks are of its lines
-    hurst, elements, surface = problem.hurst, problem.elements, problem.surface
-    size = 1 if surface.measured else min(QUARTET, batch.realizations_per_block)
-    amplitude = batch.modes
-    if amplitude is None:
-        modes = surface.rolloff, surface.cutoff
-        amplitude = amplitudes(hurst, elements, batch.normalisation, *modes)
-    first = batch.first_block * batch.realizations_per_block
 
-    def draw(number: int) -> Draw:
-        generator = line_generator(batch.seed, hurst, elements, (first + number) // size)
-        phases = draw_phases(generator, elements)
-        return lambda steps: islice(Line.quartet(amplitude, phases, elements, steps), size)
-
-    return size, draw
+def _add_case(
+    batch: Batch,
+    layouts: list[Layout],
+    line: Line,
+    case: tuple[list[int], Outcome | None],
+    sums: tuple[np.ndarray, np.ndarray],
+    spent: np.ndarray,
+) -> None:
+    """Add what a case, and the programmes of its tasks, give on a line to the sums of its rows."""
+    rows, outcome = case
+    for k, row in enumerate(rows):
+        record = sums[0][row], sums[1][row]
+        task, places = batch.tasks[row], layouts[row]
+        if outcome is None:
+            record[0][:] = np.nan
+        else:
+            spent[row, 1:] += [seconds / len(rows) for seconds in outcome.seconds]
+            _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
+        spent[row, -1] += add_programme(batch, line, task, places, record[1])
 
 
 def _cases(batch: Batch) -> Cases:

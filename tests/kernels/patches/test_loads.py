@@ -11,6 +11,7 @@ from kernels.patches.loads import (
     MU,
     SAMPLES,
     SWEEPS,
+    Found,
     How,
     Speeds,
     slide,
@@ -23,7 +24,7 @@ SEVERAL = np.geomspace(1e-4, 60.0, 12)
 
 
 def slid(line, speed, several, criterion=True):
-    """Return (found, jumps, rates, entered, ahead) under loads Fbar, ahead at 1.2 of the speed."""
+    """Return what is Found under loads Fbar, with the speed 1.2 times as large as the next."""
     law, spans, own = known(line, speed)
     there = known(line, 1.2 * speed)[2]
     if not criterion:
@@ -33,7 +34,10 @@ def slid(line, speed, several, criterion=True):
     speeds = Speeds(speed, own, np.array([1.2 * speed]), press, np.array([later]))
     none = np.full(several.size, np.nan)
     total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True)
-    return slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, how, NO_GAPS)
+    shapes = 6, 1, 1, line.z.size // SPAN + 1, 1
+    into = Found(*(np.full((several.size, width), np.nan) for width in shapes))
+    slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, how, NO_GAPS, into)
+    return into
 
 
 @pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)

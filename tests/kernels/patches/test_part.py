@@ -6,6 +6,7 @@ import pytest
 from kernels.patches.loads import FULL, INDENTATION, How
 from kernels.patches.part import NONE, Part, slide_on
 from kernels.patches.refined import curvatures_of
+from kernels.steady.stack import stack_of
 from tests.kernels.steady.given import known, line_of
 
 SPEED, LOADS = 5.0, (1e-3, 0.3)
@@ -14,12 +15,13 @@ LINE = line_of(0.7, 64, 4)
 
 def slide(at, load, fold=1):
     """Return (part, what slide_on returns) of some intervals of the line, each of ``fold``."""
-    law, spans, _ = known(LINE, SPEED * fold)
+    law, _, _ = known(LINE, SPEED * fold)
     low = np.zeros(LINE.z.size, bool)
-    part = Part(LINE.z, LINE.slope, spans, curvatures_of(LINE), np.asarray(at), fold, low)
+    stack = stack_of(LINE.z.reshape(1, -1), LINE.slope.reshape(1, -1))
+    part = Part(stack, curvatures_of(LINE), np.asarray(at), fold, low)
     if not len(at):
-        part = Part(LINE.z, LINE.slope, spans)
-    loads, guesses = np.array([load * LINE.z.size * fold]), np.array([np.nan])
+        part = Part(stack)
+    loads, guesses = np.array([load * LINE.z.size * fold]), np.array([[np.nan]])
     speeds, how = (SPEED, np.array([1.2 * SPEED]), NONE), How(4.0 * fold, 0.0, True)
     return part, slide_on(law, part, speeds, loads, guesses, how)
 
@@ -35,10 +37,9 @@ def test_all_intervals_with_one_sample_each_are_the_line_itself(load):
 
 def test_only_the_line_itself_can_be_in_full_contact():
     _, (_, _, (whole, *_), _) = slide([], 1e3)
-    _, (own, _, (found, *_), _) = slide(np.arange(LINE.z.size), 1e3)
-    assert own.stay_all == own.press_all == np.inf
-    assert (whole[0, FULL], found[0, FULL]) == (1.0, 0.0)
-    assert found[0, INDENTATION] == pytest.approx(whole[0, INDENTATION], rel=1e-12)
+    _, (_, _, (found, *_), _) = slide(np.arange(LINE.z.size), 1e3)
+    assert (whole[0, 0, FULL], found[0, 0, FULL]) == (1.0, 0.0)
+    assert found[0, 0, INDENTATION] == pytest.approx(whole[0, 0, INDENTATION], rel=1e-12)
 
 
 def test_what_a_part_lacks_is_marked():

@@ -9,7 +9,7 @@ from kernels import SCHEMES, Line, amplitudes, draw_phases, quadrature, rms_slop
 from kernels.patches.fine_line import curvatures, interpolate
 from kernels.patches.refined import FINE, NARROW, curvatures_of, finer, refined
 from kernels.patches.samples import samples_per_contact
-from kernels.steady.spans import spans_of
+from kernels.steady.stack import stack_of
 from kernels.surfaces.self_affine import mode_numbers
 from tests.kernels.patches.one_load import one_load
 from tests.sizes import size
@@ -104,9 +104,9 @@ def test_a_part_of_a_fine_line_is_as_all_of_it(power, speed, scheme):
     law = SCHEMES[scheme](1.0 / (4 * v))
     state, _ = steady_sliding(law, line.z, load)
     samples = samples_per_contact(state.d - (line.z - state.w))
-    spans = spans_of(line.z, line.slope)
+    stack = stack_of(line.z.reshape(1, -1), line.slope.reshape(1, -1))
     curvature = curvatures_of(line)
-    found = refined(line, spans, curvature, (v, 1.2 * v), scheme, load, state, samples)
+    found = refined(line, stack, curvature, (v, 1.2 * v), scheme, load, state, samples)
     if found is None or found.fold > size(64, 8):
         return
     heights, slopes = interpolate(

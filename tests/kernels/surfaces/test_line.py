@@ -66,7 +66,8 @@ def test_the_first_of_a_quartet_is_the_line_alone_and_every_other_one_stands_on_
     for line in quartet:
         assert np.sqrt(np.mean((line.z + line.datum) ** 2)) == pytest.approx(1.0, rel=1e-13)
     for line, below in (quartet[:2], quartet[2:]):
-        assert below.datum == -(line.z[0] + line.datum)  # its deepest point was the highest
+        highest = line.z[0] + line.datum  # which rounds
+        assert below.datum == pytest.approx(-highest, rel=1e-15)  # its deepest point was that
         np.testing.assert_allclose(np.sort(below.z), np.sort(line.z[0] - line.z), atol=1e-14)
 
 

@@ -57,7 +57,7 @@ def reachable(function, found):
 
 def test_every_function_that_block_means_reaches_is_hashed():
     found = reachable(work.block_means, set())
-    assert {work.record_steps, work.line_generator, *reach.bodies.values()} <= found
+    assert {work.record_steps, work.lines_of, *reach.bodies.values()} <= found
     files = {Path(function.__code__.co_filename) for function in found}
     root = FOLDERS[0].parent
     strangers = {root / ".venv", root / "tests"}  # a test may have made a law of its own known

@@ -7,10 +7,11 @@ from kernels import QUARTET, Line, amplitudes, draw_phases, run_scene
 from tests.support.small import cut_batches, small_plan
 from tests.workflow.plan.test_motion import PROGRAMME, TEXT
 from workflow.simulate import realizations
+from workflow.simulate.drawing import line_generator
 from workflow.simulate.kept import kept_steps
 from workflow.simulate.layout import row_layout, unpack
 from workflow.simulate.programmes import scene_of
-from workflow.simulate.realizations import block_means, line_generator
+from workflow.simulate.realizations import block_means
 from workflow.simulate.tasks import PHASES, SCALARS
 
 SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"

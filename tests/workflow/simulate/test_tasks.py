@@ -5,7 +5,8 @@ import pytest
 
 from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
 from tests.support.small import cut_batches, small_plan
-from workflow.simulate.realizations import block_means, line_generator
+from workflow.simulate.drawing import line_generator
+from workflow.simulate.realizations import block_means
 from workflow.simulate.tasks import SCALARS
 from workflow.study.effects.quantities import QUANTITIES
 

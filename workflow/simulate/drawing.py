@@ -1,0 +1,47 @@
+"""The lines of a batch: random ones, which are drawn, or measured ones."""
+
+from collections.abc import Callable, Iterable
+from itertools import islice
+
+import numpy as np
+
+from kernels import QUARTET, Line, amplitudes, draw_phases
+from workflow.simulate.tasks import Batch
+
+# Steps per spacing -> the lines of realizations in a row that one drawing gives.
+Draw = Callable[[int], Iterable[Line]]
+
+
+def lines_of(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
+    """Return how many realizations one drawing is for, and what draws them from a number on.
+
+    Random self-affine lines come in quartets, those of a block together. Lines that were measured
+    come one by one, and so do random ones like them, which are as many.
+    """
+    if batch.heights is not None:
+        heights = batch.heights
+        return 1, lambda number: lambda steps: (Line.measured(heights[number], steps),)
+    problem = batch.tasks[0].problem  # all tasks are of its lines
+    hurst, elements, surface = problem.hurst, problem.elements, problem.surface
+    size = 1 if surface.measured else min(QUARTET, batch.realizations_per_block)
+    amplitude = batch.modes
+    if amplitude is None:
+        modes = surface.rolloff, surface.cutoff
+        amplitude = amplitudes(hurst, elements, batch.normalisation, *modes)
+    first = batch.first_block * batch.realizations_per_block
+
+    def draw(number: int) -> Draw:
+        generator = line_generator(batch.seed, hurst, elements, (first + number) // size)
+        phases = draw_phases(generator, elements)
+        return lambda steps: islice(Line.quartet(amplitude, phases, elements, steps), size)
+
+    return size, draw
+
+
+def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:
+    """Return the generator of one drawing: a function of study seed, H, N and index alone.
+
+    Every m, scheme, load and speed sees the same lines; batching and order play no part.
+    """
+    hurst_bits = int(np.float64(hurst).view(np.uint64))
+    return np.random.default_rng([seed, hurst_bits, elements, index])
