@@ -24,7 +24,8 @@ from kernels.patches.touching import (
 from kernels.steady.ahead import indentation_ahead
 from kernels.steady.contacts import first, room_for
 from kernels.steady.sliding import POWER_STEPS, STEPS, approach, elastic_guess, indentation
-from kernels.steady.spans import SPAN, Thresholds
+from kernels.steady.spans import SPAN
+from kernels.steady.thresholds import Thresholds
 
 # What is found of every load: d over the deepest sample, mu, the share in contact, samples per
 # contact, sweeps, and whether the whole line touches.

@@ -8,8 +8,9 @@ from kernels.jit import kernel
 from kernels.patches.fine_line import gaps_of, interpolate, mark_missed
 from kernels.patches.loads import INDENTATION, Found, Speeds, slide
 from kernels.steady.carry import decay_of
-from kernels.steady.spans import SPAN, Thresholds, presses_at, spans_of, thresholds_of
+from kernels.steady.spans import SPAN, spans_of
 from kernels.steady.stack import Stack, spans_in
+from kernels.steady.thresholds import Thresholds, presses_at, thresholds_of
 
 NONE, NOT_ANY, NOWHERE = np.empty(0), np.empty(0, bool), np.empty(0, np.int64)
 

@@ -17,7 +17,6 @@ import numpy as np
 from kernels.jit import kernel
 
 SPAN = 16
-EIGHT = 8  # samples that are compared at once, in the vector registers of the processor
 # Columns of what is known of a span, as many as the processor fetches at once: height z0 and slope
 # s0 of its first sample, and sums over all its samples j, with Delta f_j = f_(j+1) - f_j, of
 # z - z0, z' - s0, (z - z0) (z' - s0), (z' - s0)^2, (z' - s0) Delta z and Delta z Delta z'.
@@ -39,15 +38,6 @@ class Spans(NamedTuple):
     # them; the last row has FIRST and STEEP of what follows
     whole: np.ndarray  # shape (4,): sums over all samples, as HEIGHT to SQUARE of the line
     deepest: int  # sample, the lowest one
-
-
-class Thresholds(NamedTuple):
-    """Largest thresholds of every whole span at one speed, each of shape (n // SPAN,)."""
-
-    stay: np.ndarray  # of t_j: below d, contact lasts
-    press: np.ndarray  # of z - vbar z': below d + d', the pressure is positive
-    stay_all: float  # the same of all samples of the line
-    press_all: float
 
 
 @kernel
@@ -78,7 +68,7 @@ def fill_spans(z, slope, spans):
         for j in range(first, first + SPAN, 4):
             four = _four(z, slope, j, z[first], slope[first])
             a0, a1, a2, a3 = a0 + four[0], a1 + four[1], a2 + four[2], a3 + four[3]
-            low, steep = _smaller(low, four[4]), _larger(steep, four[5])
+            low, steep = smaller(low, four[4]), larger(steep, four[5])
         lowest[b], steepest[b] = low, steep
         rows[b, FIRST], rows[b, STEEP] = z[first], slope[first]
         rows[b, HEIGHT], rows[b, SLOPE], rows[b, WORK], rows[b, SQUARE] = a0, a1, a2, a3
@@ -98,7 +88,23 @@ def fill_spans(z, slope, spans):
     after = count * SPAN if count * SPAN < n else 0
     rows[count, :] = np.nan
     rows[count, FIRST], rows[count, STEEP] = z[after], slope[after]
-    return int(np.argmin(z))
+    return _deepest(z, lowest)
+
+
+@kernel
+def _deepest(z, lowest):
+    """Return the first of the lowest samples; numpy's argmin takes as long as all sums."""
+    low, at = np.inf, lowest.size
+    for b in range(lowest.size):
+        if lowest[b] < low:
+            low, at = lowest[b], b
+    for j in range(lowest.size * SPAN, z.size):
+        if z[j] < low:
+            low, at = z[j], lowest.size
+    j = at * SPAN
+    while z[j] > low:
+        j += 1
+    return j
 
 
 @kernel
@@ -120,81 +126,21 @@ def _four(z, slope, j, z0, s0):
     """Return the sums, the lowest height and the largest |z'| of four samples from j on."""
     a, b, c, d = z[j] - z0, z[j + 1] - z0, z[j + 2] - z0, z[j + 3] - z0
     p, q, r, s = slope[j] - s0, slope[j + 1] - s0, slope[j + 2] - s0, slope[j + 3] - s0
-    low = _smaller(_smaller(z[j], z[j + 1]), _smaller(z[j + 2], z[j + 3]))
-    steep = _larger(
-        _larger(abs(slope[j]), abs(slope[j + 1])), _larger(abs(slope[j + 2]), abs(slope[j + 3]))
+    low = smaller(smaller(z[j], z[j + 1]), smaller(z[j + 2], z[j + 3]))
+    steep = larger(
+        larger(abs(slope[j]), abs(slope[j + 1])), larger(abs(slope[j + 2]), abs(slope[j + 3]))
     )
     work, square = (a * p + b * q) + (c * r + d * s), (p * p + q * q) + (r * r + s * s)
     return (a + b) + (c + d), (p + q) + (r + s), work, square, low, steep
 
 
 @kernel
-def _smaller(a, b):
+def smaller(a, b):
+    """Return the smaller number, the second where both are the same."""
     return a if a < b else b
 
 
 @kernel
-def _larger(a, b):
+def larger(a, b):
+    """Return the larger number, the second where both are the same."""
     return a if a > b else b
-
-
-@kernel
-def thresholds_of(z, slope, speed, stiffness):
-    """Return the Thresholds at ``speed`` (vbar). stiffness : K of the law (rheology/law.py)."""
-    n = z.size
-    stay, press = np.empty(n // SPAN), presses_of(z, slope, speed)
-    eight = np.empty(EIGHT)
-    whole = (n - 1) // SPAN  # spans with a sample of the array upstream of them
-    stay_all = -np.inf
-    for b in range(whole):
-        h = z[b * SPAN : b * SPAN + SPAN + 1]
-        for k in range(EIGHT):
-            hold = h[k + 1] + stiffness * (h[k] - h[k + 1])
-            other = h[k + 9] + stiffness * (h[k + 8] - h[k + 9])
-            eight[k] = hold if hold > other else other
-        stay[b] = _largest(eight)
-        stay_all = _larger(stay_all, stay[b])
-    rest = -np.inf
-    for j in range(whole * SPAN, n):
-        ahead = z[j + 1 if j + 1 < n else 0]
-        rest = _larger(rest, ahead + stiffness * (z[j] - ahead))
-    stay[whole:] = rest  # of a whole span that ends the line
-    return Thresholds(stay, press[:-1], _larger(stay_all, rest), press[-1])
-
-
-@kernel
-def presses_of(z, slope, speed):
-    """Return the largest z - vbar z' of every whole span, and at last that of all samples."""
-    count = z.size // SPAN
-    press = np.empty(count + 1)
-    eight = np.empty(EIGHT)
-    highest = -np.inf
-    for b in range(count):
-        h, s = z[b * SPAN : b * SPAN + SPAN], slope[b * SPAN : b * SPAN + SPAN]
-        for k in range(EIGHT):
-            push, other = h[k] - speed * s[k], h[k + 8] - speed * s[k + 8]
-            eight[k] = push if push > other else other
-        press[b] = _largest(eight)
-        highest = _larger(highest, press[b])
-    for j in range(count * SPAN, z.size):
-        highest = _larger(highest, z[j] - speed * slope[j])
-    press[count] = highest
-    return press
-
-
-@kernel
-def presses_at(z, slope, speeds):
-    """Return what presses_of returns at several speeds (vbar), one row for each."""
-    press = np.empty((speeds.size, z.size // SPAN + 1))
-    for k in range(speeds.size):
-        found = presses_of(z, slope, speeds[k])
-        for b in range(found.size):
-            press[k, b] = found[b]
-    return press
-
-
-@kernel
-def _largest(e):
-    """Return the largest of eight numbers."""
-    one, other = _larger(_larger(e[0], e[4]), _larger(e[1], e[5])), _larger(e[2], e[6])
-    return _larger(one, _larger(other, _larger(e[3], e[7])))

@@ -11,7 +11,6 @@ Printed by `make bench` (bench.py).
 import argparse
 import contextlib
 import json
-import math
 import subprocess
 import sys
 import time
@@ -22,27 +21,18 @@ import numpy as np
 from kernels import (
     QUARTET,
     Case,
-    ConstantForce,
-    Line,
     Quantities,
-    amplitudes,
-    draw_phases,
-    lagged_slope,
     march,
     prepare,
-    quadrature,
     run_prepared,
     steady_sliding,
 )
 from kernels.active.march import active_march
-from kernels.active.setting import Setting
-from kernels.patches.steady_friction import Grounds
-from kernels.rheology.kelvin import SCHEMES
 from studies.accuracy.marches import TamaasMarch
-from tests.kernels.active.given import passing_of
 from tests.tools.rivals.checkout import COMMIT, ROOT, checkout
 from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.plain import naive_march, numpy_march
+from tests.tools.rivals.problem import Problem
 from tests.tools.rivals.rows import RATIO, ROWS, Row
 from workflow.simulate.realizations import SHORT
 
@@ -62,38 +52,6 @@ def fastest(function: Callable[[], object]) -> float:
         function()
         taken.append(time.thread_time() - began)
     return min(taken)
-
-
-class Problem:
-    """A row with its line and its steady states."""
-
-    def __init__(self, row: Row) -> None:
-        self.row, self.speed = row, row.x / math.pi
-        phases = draw_phases(np.random.default_rng(1), row.elements)
-        amplitude = amplitudes(row.hurst, row.elements)
-        self.line = line = Line.self_affine(amplitude, phases, row.elements, row.m)
-        self.load = row.load * line.z.size
-        paces = (1.0 / (row.m * self.speed * ratio) for ratio in (1.0, RATIO))
-        self.before, self.law = (SCHEMES["exponential"](pace) for pace in paces)
-        self.one, self.sweeps = steady_sliding(self.before, line.z, self.load)
-        self.two, _ = steady_sliding(self.law, line.z, self.load)
-        self.weight = lagged_slope(line.slope, self.law.lag)
-        self.kept = np.array([row.steps])
-        self.control = ConstantForce(self.load)
-        spans = Grounds.of([line], marched=True).each[0].spans
-        laws = self.before, self.law
-        states = (self.before, self.one), (self.law, self.two)
-        ends = (passing_of(line.z, law, state) for law, state in states)
-        rates = [
-            quadrature(*line[:2], *self.one, self.speed, speed, self.load)[1]
-            for speed in (self.speed, RATIO * self.speed)
-        ]
-        self.setting = Setting(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])
-
-    @property
-    def updates(self) -> int:
-        """Return the number of nominal element steps of the march."""
-        return self.line.z.size * self.row.steps
 
 
 def marches(problem: Problem, compiled: Compiled | None) -> dict[str, float]:

@@ -17,7 +17,8 @@ from kernels.active.setting import Passing, Setting
 from kernels.rheology.law import State
 from kernels.steady.carry import decay_of
 from kernels.steady.plain import sweep
-from kernels.steady.spans import SPAN, add_rises, spans_of, thresholds_of
+from kernels.steady.spans import SPAN, add_rises, spans_of
+from kernels.steady.thresholds import thresholds_of
 from tests.lines import random_line
 
 

@@ -14,7 +14,8 @@ from kernels.patches.fine_line import (
     marked,
 )
 from kernels.steady.carry import carry, decay_of
-from kernels.steady.spans import spans_of, thresholds_of
+from kernels.steady.spans import spans_of
+from kernels.steady.thresholds import thresholds_of
 
 STEPS, ELEMENTS = 4, 100
 

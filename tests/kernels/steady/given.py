@@ -6,7 +6,8 @@ from kernels import SCHEMES, Line, steady_sliding
 from kernels.steady.carry import NO_GAPS, carry, decay_of
 from kernels.steady.contacts import room_for
 from kernels.steady.plain import sweep
-from kernels.steady.spans import spans_of, thresholds_of
+from kernels.steady.spans import spans_of
+from kernels.steady.thresholds import thresholds_of
 from tests.lines import random_line
 
 # (Hurst exponent, elements, samples per spacing, vbar): patches narrower and wider than a span,

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from kernels import steady_sliding
 from kernels.steady.spans import (
     FIRST,
     HEIGHT,
@@ -15,8 +14,9 @@ from kernels.steady.spans import (
     TURN,
     WORK,
     add_rises,
+    spans_of,
 )
-from tests.kernels.steady.given import LINES, LOADS, known, line_of, touching
+from tests.kernels.steady.given import LINES, known, line_of
 
 
 @pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
@@ -54,32 +54,8 @@ def test_sums_are_those_of_the_samples(hurst, elements, m, speed):
     assert (spans.rows[count, [FIRST, STEEP]] == [line.z[after], line.slope[after]]).all()
 
 
-@pytest.mark.parametrize("scheme", ["exponential", "implicit-euler"])
-@pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
-def test_thresholds_tell_where_contact_lasts_and_presses(hurst, elements, m, speed, scheme):
-    line = line_of(hurst, elements, m)
-    law, _, found = known(line, speed, scheme)
-    z = line.z
-    stay = (z - law.decay * np.roll(z, -1)) / (1.0 - law.decay)
-    press = z - speed * line.slope
-    count = z.size // SPAN
-    for largest, whole, each in [
-        (found.stay, found.stay_all, stay),
-        (found.press, found.press_all, press),
-    ]:
-        scale = 1e-12 * np.abs(each).max()
-        spans = each[: count * SPAN].reshape(count, SPAN).max(axis=1, initial=-np.inf)
-        np.testing.assert_allclose(largest, spans, atol=scale)
-        assert whole == pytest.approx(each.max(), abs=scale)
-
-
-@pytest.mark.parametrize("load", LOADS)
-@pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
-def test_the_criterion_of_full_contact_is_exact(hurst, elements, m, speed, load):
-    line = line_of(hurst, elements, m)
-    law, _, found = known(line, speed)
-    (w, d), _ = steady_sliding(law, line.z, load * line.z.size)
-    full = load + line.z.mean() > found.stay_all
-    assert touching(line.z, w, d).all() == full
-    if full:
-        assert d == pytest.approx(load + line.z.mean(), rel=1e-12)
+@pytest.mark.parametrize("samples", [1, 15, 16, 17, 40, 48])
+def test_the_deepest_sample_is_the_first_of_the_lowest(samples):
+    for seed in range(20):
+        z = np.random.default_rng(seed).integers(0, 4, samples).astype(float)
+        assert spans_of(z, z).deepest == np.argmin(z)
