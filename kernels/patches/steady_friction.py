@@ -104,8 +104,8 @@ class Sliding(NamedTuple):
     contact: np.ndarray  # share of the line
     indentation: np.ndarray  # in h, over the mean line
     samples: np.ndarray  # of the line per contact; below 1 where finer ones tell
-    seen: dict[int, Refined]  # load -> finer samples, where friction is read from those
     updates: np.ndarray  # of elements, the measure of cost
+    seen: dict[int, Refined]  # load -> finer samples, where friction is read from those
     known: dict[int, State]  # load -> state, of the last load that was asked for
 
     def samples_seen(self, i: int) -> float:
@@ -138,36 +138,30 @@ def steady_friction(
     stay, decay, found, _ = slide_on(
         pace.law, Part(grounds.stack), pace.at_speeds, loads, guesses, how
     )
-    rows = (Found(*(field[k] for field in found)) for k in range(len(grounds.each)))
+    table = found.table
+    full, updates = table[..., FULL] > 0.0, table[..., SWEEPS] * one.z.size
+    datum = np.array([[ground.line.datum] for ground in grounds.each])
+    indentation = table[..., INDENTATION] + datum
     return [
-        _on_one(ground, pace, loads, decay, own, row)
-        for ground, own, row in zip(grounds.each, stay, rows, strict=True)
+        Sliding(
+            ground,
+            pace,
+            stay[k],
+            decay,
+            loads,
+            Found(*[field[k] for field in found]),
+            table[k, :, INDENTATION],
+            full[k],
+            table[k, :, MU],
+            table[k, :, CONTACT],
+            indentation[k],
+            table[k, :, SAMPLES],
+            updates[k],
+            {},
+            {},
+        )
+        for k, ground in enumerate(grounds.each)
     ]
-
-
-def _on_one(
-    ground: Ground, pace: Pace, loads: np.ndarray, decay: Decay, stay: np.ndarray, found: Found
-) -> Sliding:
-    """Return steady sliding on one line."""
-    line, table = ground.line, found.table
-    d = table[:, INDENTATION]
-    return Sliding(
-        ground,
-        pace,
-        stay,
-        decay,
-        loads,
-        found,
-        d,
-        table[:, FULL] > 0.0,
-        table[:, MU],
-        table[:, CONTACT],
-        d + line.datum,
-        table[:, SAMPLES],
-        {},
-        table[:, SWEEPS] * line.z.size,
-        {},
-    )
 
 
 def refine(sliding: Sliding, i: int) -> bool:

@@ -34,16 +34,10 @@ class Line(NamedTuple):
         """
         if z.shape != slope.shape or z.ndim != 1 or z.size == 0 or steps_per_spacing < 1:
             raise ValueError("a line needs one slope per height, one sample per spacing or more")
-        top = int(z.argmax())
-        highest, datum = float(z[top]), float(z.min())
-        if not (math.isfinite(highest) and math.isfinite(datum) and np.isfinite(slope).all()):
-            raise ValueError("the line holds samples that are not finite numbers")
-        height = max(highest, -datum)
-        if height > 0.0 and not 1.0 / TALLEST <= height <= TALLEST:
-            raise ValueError(f"height = {height:g}: heights must be in units of their roughness")
+        top, datum = int(z.argmax()), float(z.min())
+        _check(float(z[top]), datum, slope)
         # Heights over the deepest point keep full precision where light loads touch.
-        heights = _beginning_at(top, z)
-        heights -= datum
+        heights = _beginning_at(top, z) - datum
         return cls(heights, _beginning_at(top, slope), datum, steps_per_spacing, band_limited)
 
     @classmethod
@@ -72,8 +66,13 @@ class Line(NamedTuple):
         modes = amplitude * np.exp(1j * phases)
         for turned in (modes, 1j * modes):
             z, slope = sample_modes(turned, elements, steps_per_spacing)
-            yield cls.from_samples(z, slope, steps_per_spacing, band_limited=True)
-            yield cls.from_samples(-z, -slope, steps_per_spacing, band_limited=True)
+            top, low = int(z.argmax()), int(z.argmin())
+            highest, lowest = float(z[top]), float(z[low])
+            _check(highest, lowest, slope)
+            heights, slopes = _beginning_at(top, z) - lowest, _beginning_at(top, slope)
+            yield cls(heights, slopes, lowest, steps_per_spacing, band_limited=True)
+            heights, slopes = highest - _beginning_at(low, z), -_beginning_at(low, slope)
+            yield cls(heights, slopes, -highest, steps_per_spacing, band_limited=True)
 
     @classmethod
     def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Line":
@@ -85,6 +84,15 @@ class Line(NamedTuple):
         modes = measured_modes(heights)
         z, slope = sample_line(*modes, heights.size, steps_per_spacing)
         return cls.from_samples(z + heights.mean(), slope, steps_per_spacing, band_limited=True)
+
+
+def _check(highest: float, lowest: float, slope: np.ndarray) -> None:
+    """Raise ValueError for heights (in h) and slopes that no line has."""
+    if not (math.isfinite(highest) and math.isfinite(lowest) and np.isfinite(slope).all()):
+        raise ValueError("the line holds samples that are not finite numbers")
+    height = max(highest, -lowest)
+    if height > 0.0 and not 1.0 / TALLEST <= height <= TALLEST:
+        raise ValueError(f"height = {height:g}: heights must be in units of their roughness")
 
 
 def _beginning_at(first: int, values: np.ndarray) -> np.ndarray:

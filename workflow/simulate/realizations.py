@@ -3,7 +3,7 @@
 from collections.abc import Iterable, Iterator
 from functools import lru_cache
 from itertools import groupby, islice, repeat
-from operator import itemgetter
+from operator import attrgetter, itemgetter
 
 import numpy as np
 
@@ -25,6 +25,7 @@ from workflow.simulate.programmes import add_programme, steady_ends
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
 from workflow.system import peak_bytes, this_maker
 
+scalars_of = attrgetter(*SCALARS)
 SHORT = 8192  # samples of a line on which a call from Python takes longer than what is computed
 # All cases on a line of some steps per spacing, and of each the rows of its tasks.
 Cases = list[tuple[Prepared, list[list[int]]]]
@@ -156,9 +157,11 @@ def _add_outcome(
     ends : what of the scalars belongs to other slides of a programme.
     """
     scalars, values = sums
-    found = {name: getattr(outcome, name) for name in SCALARS} | ends
+    found = scalars_of(outcome)
+    if ends:
+        found = tuple((dict(zip(SCALARS, found, strict=True)) | ends).values())
     # Each is one number, or one per velocity jump.
-    scalars += [own[k] if isinstance(own, np.ndarray) else own for own in found.values()]
+    scalars += [own[k] if isinstance(own, np.ndarray) else own for own in found]
     if outcome.curves:
         first, (size,) = places["curve"]
         curve = outcome.curves[k]

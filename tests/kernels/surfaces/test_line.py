@@ -63,6 +63,9 @@ def test_the_first_of_a_quartet_is_the_line_alone_and_every_other_one_stands_on_
     alone = Line.self_affine(amplitude, phases, 50, 3)
     np.testing.assert_array_equal(quartet[0].z, alone.z)
     np.testing.assert_array_equal(quartet[0].slope, alone.slope)
+    other = Line.from_samples(-alone.z, -alone.slope, 3)
+    np.testing.assert_allclose(quartet[1].z, other.z, atol=1e-15)
+    np.testing.assert_array_equal(quartet[1].slope, other.slope)
     for line in quartet:
         assert np.sqrt(np.mean((line.z + line.datum) ** 2)) == pytest.approx(1.0, rel=1e-13)
     for line, below in (quartet[:2], quartet[2:]):
