@@ -17,6 +17,7 @@ from workflow.plan.cost.work import (
     PARTS,
     SecondsBySize,
     Work,
+    begun_anew,
     fine_samples,
     kind_of,
     touchable_share,
@@ -189,6 +190,11 @@ def test_full_contact_takes_no_marching_to_speak_of():
 
 
 def test_narrow_contacts_are_dear_where_they_are_refined():
-    problem = Problem(0.2, 10_000, 0.1, 30.0, 1.2)
-    refined, plain = (parts_of(problem, m, 20, loads=20)["steady"] for m in (8, 2))
+    at = Problem(0.2, 10_000, 0.1, 30.0, 1.2)
+    refined, plain = (parts_of(at, m, 20, loads=20)["steady"] for m in (8, 2))
     assert refined > 5.0 * plain > 0.0
+
+
+def test_marches_begin_anew_near_h_of_one_at_high_speed():
+    often, seldom = (begun_anew(Problem(h, 1e4, 1.0, 1e6, 1.2)) for h in (1.0, 0.5))
+    assert often > 2.4 > 1.01 > max(seldom, begun_anew(Problem(1.0, 1e4, 1.0, 9.0, 1.2)))
