@@ -28,7 +28,7 @@ PLAIN, BRANCHES, PROGRAMME = "plain", "branches", "programme"
 # such elements steps took as long, and steady states 1.2 to 3 times as long as vbar grew to 1e8.
 DENSE = 0.75  # of a step: moves, forces, friction
 UNIT = 0.32  # of a step, for each internal variable
-SHIFT = 7.0  # steps, to shift the line to between its samples
+SHIFT = 10.0  # steps, to shift the line to between its samples
 NEWTON = 122.0  # sweeps of a steady state at rest
 TANGENT = 18.0  # sweeps, for each internal variable
 FASTER = 0.083  # of them more, for each factor of e in the speed
