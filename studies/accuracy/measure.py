@@ -63,11 +63,11 @@ TEXTS = {
     ),
 }
 
-# Core-seconds, measured at the default scale.
-SECONDS_PER_POINT = 3.5
-SECONDS_PER_REALIZATION = 1.5e-3
-SECONDS_PER_UPDATE = 8e-8
-SECONDS_COMPILING = 5.0  # to load machine code; the first run on a machine takes a minute more
+# Core-seconds of the typical machine, measured at the default scale.
+SECONDS_PER_POINT = 4.8
+SECONDS_PER_REALIZATION = 2e-3
+SECONDS_PER_UPDATE = 1.1e-7
+SECONDS_COMPILING = 6.0  # to load machine code; the first run on a machine takes a minute more
 
 
 def parts(settings: dict) -> dict[str, float]:
@@ -96,8 +96,10 @@ def outline(settings: dict) -> tuple[list[str], float]:
         f"realizations {settings['realizations']} for the sampling error",
         f"alternatives {', '.join(MARCHES)} at {min(len(chosen), COMPARED)} points",
     ]
-    lines += [f"  {name:16s}{seconds:6.0f} s" for name, seconds in parts(settings).items()]
-    return lines, sum(parts(settings).values())
+    cost = parts(settings)
+    seconds = sum(cost.values())
+    lines += [f"  {name:16s}{part / seconds:6.0%} of the time" for name, part in cost.items()]
+    return lines, seconds
 
 
 def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:

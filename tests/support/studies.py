@@ -15,11 +15,13 @@ from tests.support import conventions
 from workflow.plan.plan import make_plan
 from workflow.reduce.fits import FITTED
 from workflow.report.drawing import STYLE
+from workflow.report.page.section import section
 from workflow.run import workers
 from workflow.run.run import run_plan
 from workflow.run.workers import How
 from workflow.study.read import known_studies, read_study
 from workflow.study.scripts import load_script
+from workflow.study.study import AnyStudy
 
 Groups = dict[str, xr.Dataset]
 
@@ -36,7 +38,9 @@ def run(folder: Path, name: str, *settings: str, variants: Sequence[str] = ()) -
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(workers, "SECONDS_HERE", math.inf)
         run_plan(make_plan(replace(study, variants=chosen)), path, How())
-    return load(path)
+    groups = load(path)
+    check_section(study, groups, folder)
+    return groups
 
 
 def load(path: Path) -> Groups:
@@ -49,6 +53,18 @@ def load(path: Path) -> Groups:
         groups[group.strip("/")] = data.load()
         data.close()
     return groups
+
+
+def check_section(study: AnyStudy, groups: Groups, folder: Path) -> None:
+    """Show a result in the report, but for its figure: what it was computed with, and its table."""
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr("workflow.report.page.section.draw_groups", lambda *_: [])
+        shown = section(study, groups, folder)
+    assert shown["troubles"] == []
+    units = {meaning: unit for meaning, _, unit in shown["parameters"]}
+    assert units["relaxed shear modulus G"] == "Pa"
+    assert len(units) == len(shown["parameters"]) >= len(groups[""].realizations.dims)
+    assert not any("nan" in values for _, values, _ in shown["parameters"])
 
 
 def check_drawing(name: str, groups: Groups) -> None:

@@ -30,6 +30,14 @@ def result(study="fig7", error=0.01, **axes):
     for axis in AXES:
         units, long_name = AXIS_ATTRIBUTES[axis]
         dataset[axis].attrs = {"units": units, "long_name": long_name}
+    constants = {
+        "shear_modulus": (1e7, "Pa", "relaxed shear modulus G"),
+        "tau": (RELAXATION_TIME, "s", "time scale tau"),
+        "length": (0.01, "m", "length L of the line, one period"),
+    }
+    for name, (value, units, long_name) in constants.items():
+        dataset[name] = xr.DataArray(value, attrs={"units": units, "long_name": long_name})
+    dataset = dataset.set_coords(list(constants))
     x = np.pi * dataset.velocity * RELAXATION_TIME / dataset.spacing
     plain = {"speed_ratio": x, "rms_slope": SLOPE, "contact_fraction": 0.2, "realizations": 10}
     return add(dataset, error, **plain)

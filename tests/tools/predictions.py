@@ -5,21 +5,20 @@
 Each study runs as a user runs it, into a folder that is thrown away. The machine is measured before
 and after it, since what else runs there changes. "First" is the CPU time over what the mean of both
 predicts, as on a new machine; "learned" is the same after the runs of all other rows. What earlier
-runs have taught this machine enters neither, and these teach it nothing. A study that measures
-predicts its time by itself, and learns nothing.
+runs have taught this machine enters neither, and these teach it nothing.
 """
 
 import argparse
 import json
 import math
-import os
 import tempfile
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
 from kernels import Quantities
-from workflow.plan.cost.pace import Learned, Pace, label, prediction
+from workflow.plan.cost.machine import Parted
+from workflow.plan.cost.pace import WHOLE, Learned, Pace, label, prediction
 from workflow.plan.cost.timing import factors
 from workflow.plan.plan import make_plan
 from workflow.run import How, run_measured, run_plan
@@ -45,29 +44,36 @@ def run_one(study: AnyStudy, longest: float) -> dict[str, Any] | None:
     with tempfile.TemporaryDirectory() as folder:
         result = Path(folder, "result.nc")
         if isinstance(study, Measured):
-            predicted = study.script.outline(study.settings)[1]
-            if predicted > longest:
+            before, typical = factors(), study.script.outline(study.settings)[1]
+            if prediction(Pace(before), {(study.name, WHOLE): typical}).seconds > longest:
                 return None
-            began = sum(os.times()[:4])
-            run_measured(study, result)
-            return {"used": sum(os.times()[:4]) - began, "predicted": predicted}
+            done = run_measured(study, result, Pace(before))
+            return described(before, done.spent, done.typical)
         assert isinstance(study, Study)
         before = factors()
         plan = make_plan(study, Pace(before))
         if plan.prediction().seconds > longest:
             return None
         found = run_plan(plan, result, How())
-    parts = [[*which, used, found.typical[which]] for which, used in found.spent.items()]
+    return described(before, found.spent, found.typical)
+
+
+def described(before: Parts, spent: Parted, typical: Parted) -> dict[str, Any]:
+    """Return what a run took and what was predicted, in all and by part."""
     measured = between(before, factors())
-    predicted = prediction(Pace(measured), found.typical).seconds
-    return {"used": found.used, "predicted": predicted, "parts": parts, "measured": measured}
+    return {
+        "used": sum(spent.values()),
+        "predicted": prediction(Pace(measured), typical).seconds,
+        "parts": [[*which, used, typical[which]] for which, used in spent.items()],
+        "measured": measured,
+    }
 
 
 def learned_from(rows: list[dict[str, Any]], measured: Parts) -> Pace:
     """Return what a machine knows after some runs."""
     known: dict[str, Learned] = {}
     for row in rows:
-        for kind, part, used, typical in row.get("parts", []):
+        for kind, part, used, typical in row["parts"]:
             name = label(kind, part)
             known[name] = known.get(name, Learned()).after(used, typical)
     return Pace(measured, known)
@@ -76,12 +82,9 @@ def learned_from(rows: list[dict[str, Any]], measured: Parts) -> Pace:
 def again(rows: list[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """Yield the rows with what the others would have led to predict."""
     for number, row in enumerate(rows):
-        new = {"learned": row["predicted"]}
-        if "parts" in row:
-            pace = learned_from(rows[:number] + rows[number + 1 :], row["measured"])
-            typical = {(kind, part): seconds for kind, part, _, seconds in row["parts"]}
-            new["learned"] = prediction(pace, typical).seconds
-        yield row | new
+        pace = learned_from(rows[:number] + rows[number + 1 :], row["measured"])
+        typical = {(kind, part): seconds for kind, part, _, seconds in row["parts"]}
+        yield row | {"learned": prediction(pace, typical).seconds}
 
 
 def table(rows: list[dict[str, Any]]) -> Iterator[str]:
@@ -90,7 +93,7 @@ def table(rows: list[dict[str, Any]]) -> Iterator[str]:
     for row in rows:
         shares = [
             f"{part} {used / typical:.2f} ({used / row['used']:.0%})"
-            for _, part, used, typical in row.get("parts", [])
+            for _, part, used, typical in row["parts"]
             if used > 0.05 * row["used"] and typical
         ]
         ratios = row["used"] / row["predicted"], row["used"] / row["learned"]

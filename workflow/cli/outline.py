@@ -8,10 +8,19 @@ from typing import Any
 import numpy as np
 
 from workflow.cli.effects import effect_lines
-from workflow.plan import Pace, Plan, Prediction, Variant, make_plan, this_machine
+from workflow.plan import (
+    WHOLE,
+    Pace,
+    Plan,
+    Prediction,
+    Variant,
+    make_plan,
+    prediction,
+    this_machine,
+)
 from workflow.simulate import programme_steps
 from workflow.study import Measured, Study, judged
-from workflow.system import core_time, duration
+from workflow.system import core_time
 
 SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes
@@ -40,10 +49,17 @@ def planned(study: Study, pace: Pace) -> Plan:
 
 def outline_measured(study: Measured, result: Path) -> Said:
     """Return what a study would measure and how long it would take; measures nothing."""
-    lines, seconds = study.script.outline(study.settings)
+    lines, typical = study.script.outline(study.settings)
+    machine = this_machine()
+    seconds, low, high = prediction(machine.pace, {(study.name, WHOLE): typical})
     head = [f"study       {study.name}: {study.title}", f"result      {result}"]
-    facts = {"outline": lines, "predicted_core_seconds": seconds}
-    return [*head, *lines, f"predicted   {duration(seconds)} of one core"], facts
+    facts = {
+        "outline": lines,
+        "predicted_core_seconds": seconds,
+        "predicted_core_seconds_interval": [low, high],
+    }
+    cost = [f"predicted   {core_time(low, high)}", f"speed       as measured on {machine.note}"]
+    return [*head, *lines, *cost], facts
 
 
 def _facts(plan: Plan, cost: Prediction) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from pathlib import Path
 
 from workflow.cli.outline import planned
 from workflow.errors import UserError
-from workflow.plan import TYPICAL, Plan, known_machine, learn, this_machine
+from workflow.plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
 from workflow.study import BATCH_SYSTEMS, Measured, Study
 from workflow.system import program
 
@@ -46,10 +46,12 @@ def run_measured_study(options: argparse.Namespace, study: Measured, result: Pat
     from workflow.run import run_measured
 
     try:
-        print(run_measured(study, result), result, sep="\n")
+        done = run_measured(study, result, _pace(study.script.outline(study.settings)[1]))
     except KeyboardInterrupt:
         print("interrupted; nothing was written, an earlier result is as it was", file=sys.stderr)
         return RESUMABLE
+    learn(done.spent, done.typical)
+    print(*done.lines, result, sep="\n")
     return DONE
 
 
@@ -88,14 +90,22 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
 
 
 def paced_plan(study: Study) -> Plan:
-    """Return the plan at the pace of this machine, or a typical one where that hardly matters.
+    """Return the plan at the pace of this machine, or a typical one where that hardly matters."""
+    if known := known_machine():
+        return planned(study, known.pace)
+    plan = planned(study, TYPICAL)
+    pace = _pace(plan.prediction().high)
+    return plan if pace is TYPICAL else planned(study, pace)
+
+
+def _pace(seconds: float) -> Pace:
+    """Return the pace of this machine for a study that takes at most so long on the typical one.
 
     A machine that is not known yet is measured for studies that take longer than measuring it.
     """
     if known := known_machine():
-        return planned(study, known.pace)
-    plan = planned(study, TYPICAL)
-    return plan if plan.prediction().high < UNTIMED else planned(study, this_machine().pace)
+        return known.pace
+    return TYPICAL if seconds < UNTIMED else this_machine().pace
 
 
 def resume_line(what: str) -> str:

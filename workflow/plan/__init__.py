@@ -17,7 +17,16 @@ if TYPE_CHECKING:
         total_records,
         total_seconds,
     )
-    from workflow.plan.cost import TYPICAL, Pace, Prediction, known_machine, learn, this_machine
+    from workflow.plan.cost import (
+        TYPICAL,
+        WHOLE,
+        Pace,
+        Prediction,
+        known_machine,
+        learn,
+        prediction,
+        this_machine,
+    )
     from workflow.plan.error_laws import LAWS, first_order_rate_error, known, rate_error
     from workflow.plan.goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
     from workflow.plan.plan import Plan, make_plan

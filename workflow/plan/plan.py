@@ -16,7 +16,7 @@ from workflow.plan.variant import Variant, problems_of, variant_of
 from workflow.simulate import Batch, Task, row_layout, row_width
 from workflow.study import Study
 
-DRIVER_BYTES = 320e6  # interpreter and libraries of the process that plans and collects
+DRIVER_BYTES = 400e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
 BYTES_PER_TASK = 2000  # of the plan

@@ -7,6 +7,7 @@ has a usual figure.
 import contextlib
 import inspect
 import io
+import logging
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple, cast
@@ -22,6 +23,9 @@ from workflow.report.points import Point, remembered
 from workflow.result import BROKEN, Groups, broken, open_result
 from workflow.study import AnyStudy, load_script
 from workflow.system import write_durably
+
+# It takes the dates of some fonts for wrong, which a reader of a figure need not know.
+logging.getLogger("fontTools").setLevel(logging.ERROR)
 
 Drawn = Figure | dict[str, Figure]  # several: "" is the first, the others go by their names
 

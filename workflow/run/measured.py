@@ -4,28 +4,47 @@ import os
 import sys
 from functools import partial
 from pathlib import Path
+from typing import NamedTuple
 
+from workflow.plan import WHOLE, Pace, prediction
 from workflow.result import origin, write_datasets
 from workflow.study import HERE, Measured
 from workflow.system import Patience, Reporter, check_place, duration, make_folder
 
+Took = dict[tuple[str, str], float]  # (study, WHOLE) -> CPU seconds
 
-def run_measured(study: Measured, result: Path) -> str:
-    """Measure, write the result file durably; return what to print: a summary and the time.
+
+class Done(NamedTuple):
+    """What a measurement says, and what it took."""
+
+    lines: list[str]
+    spent: Took
+    typical: Took  # what it takes on the typical machine
+
+
+def run_measured(study: Measured, result: Path, pace: Pace) -> Done:
+    """Measure, write the result file durably.
 
     An interrupted measurement writes nothing: an earlier result stays as it was.
     """
-    lines, seconds = study.script.outline(study.settings)
+    lines, typical = study.script.outline(study.settings)
+    which = study.name, WHOLE
+    seconds = prediction(pace, {which: typical}).seconds
+    slower = seconds / typical  # than the typical machine
     print("\n".join(lines), file=sys.stderr)
     make_folder(result.parent)
     check_place(result)
     began = sum(os.times()[:4])
     with Reporter("measuring", seconds) as reporter:
-        groups = study.script.measure(study.settings, study.seed, reporter.advance)
+
+        def advance(part: float) -> None:
+            reporter.advance(slower * part)
+
+        groups = study.script.measure(study.settings, study.seed, advance)
     used = sum(os.times()[:4]) - began  # of this process and of those it waited for
     origins = origin(study)
     marked = {name: data.assign_attrs(origins | data.attrs) for name, data in groups.items()}
     Patience(HERE.patience)(partial(write_datasets, result, marked))
     summary = study.script.summary(groups) if hasattr(study.script, "summary") else []
     time_line = f"{duration(used)} of core time used, {duration(seconds)} predicted"
-    return "\n".join([*summary, time_line])
+    return Done([*summary, time_line], {which: used}, {which: typical})

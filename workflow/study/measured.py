@@ -6,9 +6,10 @@ declares, and [scales.NAME]. measure.py holds
     SETTINGS   name -> check(key, value), which returns the value or raises UserError
     TEXTS      name -> Text, what is said of the setting on the page of keys; a study of this
                program has it
-    outline(settings) -> (lines that say what would be measured, predicted core-seconds)
+    outline(settings) -> (lines that say what would be measured, core-seconds that it takes on the
+               typical machine, which workflow/plan/cost/work.py describes)
     measure(settings, seed, advance) -> group -> xarray.Dataset; "" is the root. It calls
-               advance(seconds) with the predicted seconds of each part that is done
+               advance(seconds) with what each part that is done takes of these seconds
     table(groups) -> pandas.DataFrame of a finished result, if the study has one
     summary(groups) -> lines to print after a run, if the study has any
 """

@@ -1,18 +1,21 @@
 """A measured study is run: all its groups with their origin, or nothing at all."""
 
 import json
+import math
 import os
 
 import pytest
 import xarray as xr
 
 from workflow.errors import UserError
+from workflow.plan import TYPICAL, WHOLE, Pace
+from workflow.plan.cost.pace import Learned, label
 from workflow.run.measured import run_measured
 from workflow.study.read import read_study
 
 
 def test_all_groups_are_written_with_their_origin(powers, tmp_path, capsys):
-    said = run_measured(read_study("powers"), tmp_path / "powers.nc").splitlines()
+    said = run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL).lines
     shown = capsys.readouterr()
     assert "powers      3\n" in shown.err  # the outline
     assert not shown.out  # it is for the summary
@@ -29,11 +32,11 @@ def test_all_groups_are_written_with_their_origin(powers, tmp_path, capsys):
 
 def test_an_interrupted_measurement_leaves_the_earlier_result(powers, tmp_path):
     result = tmp_path / "powers.nc"
-    run_measured(read_study("powers"), result)
+    run_measured(read_study("powers"), result, TYPICAL)
     before = result.read_bytes()
     (powers / "helper.py").write_text("def power(base, n):\n    raise KeyboardInterrupt\n")
     with pytest.raises(KeyboardInterrupt):
-        run_measured(read_study("powers"), result)
+        run_measured(read_study("powers"), result, TYPICAL)
     assert result.read_bytes() == before
 
 
@@ -41,11 +44,23 @@ def test_nothing_is_measured_where_the_result_could_not_be_written(powers, tmp_p
     (powers / "helper.py").write_text("def power(base, n):\n    raise AssertionError\n")
     (tmp_path / "powers.nc").mkdir()
     with pytest.raises(UserError, match=r"powers\.nc: cannot be written: Is a directory"):
-        run_measured(read_study("powers"), tmp_path / "powers.nc")
+        run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL)
 
 
 def test_core_time_is_that_of_processors_not_of_the_clock(powers, tmp_path, monkeypatch):
     hours = iter(range(9))
     monkeypatch.setattr(os, "times", lambda: (1.0, 2.0, 3.0, 4.0, 3600.0 * next(hours)))
-    said = run_measured(read_study("powers"), tmp_path / "powers.nc").splitlines()
+    said = run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL).lines
     assert said[-1].startswith("0 s of core time used")
+
+
+def test_the_pace_of_the_machine_and_earlier_runs_tell_how_long_it_takes(powers, tmp_path):
+    study, result = read_study("powers"), tmp_path / "powers.nc"
+    seconds = 1.5  # of its outline
+    done = run_measured(study, result, Pace({"steady": (4.0, 1.0)}))
+    assert done.lines[-1].endswith(" 6 s predicted")
+    assert done.typical == {("powers", WHOLE): seconds}
+    assert set(done.spent) == set(done.typical)
+    often = Learned(seconds=3600.0, log=math.log(20.0), square=math.log(20.0) ** 2)
+    done = run_measured(study, result, Pace({}, {label("powers", WHOLE): often}))
+    assert done.lines[-1].endswith("30 s predicted")

@@ -9,7 +9,7 @@ from workflow.lazy import public_names
 
 if TYPE_CHECKING:
     from workflow.plan.cost.machine import Parted, known_machine, learn, this_machine
-    from workflow.plan.cost.pace import TYPICAL, Pace, Prediction, prediction
+    from workflow.plan.cost.pace import TYPICAL, WHOLE, Pace, Prediction, prediction
     from workflow.plan.cost.work import (
         DRAW,
         PARTS,

@@ -14,6 +14,7 @@ from workflow.plan.cost.work import PLAIN
 MEASURED_SECONDS = 3.0  # of runs that a measurement is worth
 MOST_SECONDS = 3600.0  # of runs that are remembered: what is longer ago fades
 LEAST_SECONDS = 0.2  # of a part of a run, below which it teaches nothing
+WHOLE = "whole"  # the part of work that is not told apart: that of a study that measures
 UNKNOWN = 0.35  # spread of the logarithm of used over predicted, where nothing is known
 LAWS = 0.10  # of it, that the laws leave where much is known
 SPREADS = 1.3  # to either side of an interval: nine of ten

@@ -15,16 +15,13 @@ from workflow.report.figure import Picture, caption, draw_groups
 from workflow.report.points import Point
 from workflow.report.table import write_tables
 from workflow.result import ROOT, Groups, differing_settings, listed, result_file
-from workflow.study import AXES, AnyStudy, known_scales, read_study
+from workflow.study import AnyStudy, known_scales, read_study
 
 SMOKE = "smoke"
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends
 ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
-CONSTANTS = (
-    ("material", "shear_modulus", "shear modulus G", "Pa"),
-    ("material", "relaxation_time", "relaxation time τ", "s"),
-    ("surface", "length", "length of the line L", "m"),
-)
+CONSTANTS = ("shear_modulus", "tau", "length")  # coordinates of a result that are no axes
+UNITS = {"1": "", "s-1": "s⁻¹", "degree_Celsius": "°C"}  # of the CF conventions, where others read
 
 
 class Image(NamedTuple):
@@ -65,7 +62,7 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
         "files": [file.name for file in files],
         "caption": caption(study),
         "troubles": troubles,
-        "parameters": _parameters(data),
+        "parameters": _parameters(study, data),
         "variants": [_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
         "facts": _facts(data) + ([("Not as in study.toml", listed(changed))] if changed else []),
         "origin": [(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
@@ -97,8 +94,8 @@ def _image(picture: Picture) -> Image:
     return Image(uri, *sizes, picture.points)
 
 
-def _parameters(data: xr.Dataset) -> list[tuple[str, str, str]]:
-    """Return (meaning, values, unit) of the axes, then of what is the same at all points.
+def _parameters(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str, str]]:
+    """Return (meaning, values, unit) of the axes that have values, then of material and line.
 
     Of a measured study: its settings.
     """
@@ -106,19 +103,17 @@ def _parameters(data: xr.Dataset) -> list[tuple[str, str, str]]:
     if "measure" in settings:
         measured = {k: v if isinstance(v, list) else [v] for k, v in settings["measure"].items()}
         return [(k.replace("_", " "), ", ".join(map(str, v)), "") for k, v in measured.items()]
-    rows = [_axis(data[axis]) for axis in AXES]
-    for table, key, meaning, unit in CONSTANTS:
-        rows.append((meaning, f"{settings[table][key]:g}", unit))
-    return rows
+    names = [*(axis for axis in data.dims if axis in study.axes), *CONSTANTS]
+    return [_axis(data[name]) for name in names if data[name].notnull().any()]
 
 
 def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
-    shown = [f"{value:.4g}" for value in axis.values]
+    shown = [f"{value:.4g}" for value in axis.values.flat]
     text = ", ".join(shown)
     if len(shown) > SHOWN_VALUES:
         text = f"{shown[0]} … {shown[-1]} ({len(shown)} values)"
-    unit = str(axis.attrs["units"]).replace("s-1", "s⁻¹")
-    return str(axis.attrs["long_name"]), text, "" if unit == "1" else unit
+    unit = str(axis.attrs["units"])
+    return str(axis.attrs["long_name"]), text, UNITS.get(unit, unit.replace("s-1", "s⁻¹"))
 
 
 def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:

@@ -8,6 +8,7 @@ import pytest
 
 from tests.support.commands import output, refusal
 from tests.support.synthetic import add, result
+from workflow.plan import TYPICAL
 from workflow.report.claims import known_claims
 from workflow.report.page.report import study_names, write_report
 from workflow.result.netcdf import write_datasets
@@ -158,7 +159,7 @@ def test_report_of_chosen_studies_and_a_figure_that_cannot_be_drawn(capsys, tmp_
 
 
 def test_a_measured_study_shows_its_settings_and_no_time_stepping(powers, tmp_path):
-    run_measured(read_study("powers"), tmp_path / "powers.nc")
+    run_measured(read_study("powers"), tmp_path / "powers.nc", TYPICAL)
     (powers / "figure.py").unlink()
     page = written(tmp_path, "powers")
     assert "Powers of two" in page
