@@ -27,13 +27,15 @@ from kernels.garbage import nothing_collected
 from kernels.patches.fine_line import mark_touchable, marked
 from kernels.patches.refined import MARGIN
 from kernels.patches.steady_friction import Grounds
-from kernels.realization import plain_relaxation, run_cases
+from kernels.realization import run_cases
+from kernels.relaxation import Ends, plain_relaxations
 from kernels.rheology.forms import form_of
 from kernels.rheology.kelvin import SCHEMES
 from kernels.rheology.law import State, law_of
 from kernels.rheology.spectrum import KELVIN
 from kernels.steady.carry import NO_GAPS, Decay, carry
-from kernels.steady.spans import SPAN, TURN, Spans
+from kernels.steady.spans import SPAN, TURN
+from kernels.steady.stack import Stack, spans_of_line
 from kernels.surfaces.line import Line
 from kernels.surfaces.self_affine import amplitudes
 
@@ -67,12 +69,15 @@ def load_half(scheme: str, rate: bool) -> None:
     load = WIDE[0] * z.size
     state = State(np.zeros_like(z), WIDE[0] + float(z.mean()))
     sums = np.zeros(z.size // SPAN)
-    rows = np.zeros((sums.size + 1, TURN + 1))
-    spans = Spans(sums, sums, sums, sums, rows, np.zeros(4), int(np.argmin(z)))
+    rows, row = np.zeros((1, sums.size + 1, TURN + 1)), sums[None]
+    whole, deepest = np.zeros((1, 4)), np.array([np.argmin(z)])
+    stack = Stack(z[None], slope[None], row, row, row, row, rows, whole, deepest)
+    spans = spans_of_line(stack, 0)
     carry(Decay(*law), z, spans, sums, state.d, None, state.w, NO_GAPS)  # the first that are needed
     marked(mark_touchable(z, slope, spans, state, 1.0 / steps, MARGIN), SPAN)
     control = ConstantForce(load) if rate else PrintedForce(load)
-    plain_relaxation(z, slope, law, (state, state), control, FEW)
+    ends = Ends(Decay(*law), row, np.array([state.d]))
+    plain_relaxations(stack, law, ends, ends, control, FEW)
     passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
     setting = Setting(z, slope, spans, law, law, passing, passing, 0.0)
     active_march(setting, control, MANY)

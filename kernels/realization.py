@@ -10,16 +10,14 @@ import numpy as np
 
 from kernels.active.march import active_march
 from kernels.active.setting import Passing, Setting
-from kernels.case import Case, Clocks, Outcome, Quantities
+from kernels.case import Case, Clocks, Outcome, Quantities, Seconds
 from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
-from kernels.friction import lagged_slope, step_average
-from kernels.march import march
 from kernels.memory_case import run_memory_case
 from kernels.patches.steady_friction import Grounds, Sliding, refine, steady_friction
 from kernels.prepare import Prepared, Together, prepare
-from kernels.rheology.kelvin import Kelvin
-from kernels.rheology.law import State
+from kernels.relaxation import Ends, plain_relaxations
+from kernels.steady.stack import alone
 from kernels.surfaces.line import Line
 
 FEW = 4000  # steps of elements: so few are stepped sooner than lists are made
@@ -57,36 +55,35 @@ def run_prepared(lines: Sequence[Line], prepared: Prepared) -> list[list[Outcome
     if prepared.together:
         grounds = Grounds.of(lines, marched=asked.relaxation)
         for some in prepared.together:
-            for own, outcomes in zip(found, _run_loads(grounds, some, asked), strict=True):
-                own.update(zip(some.rows, outcomes, strict=True))
+            for row, outcomes in zip(some.rows, _run_loads(grounds, some, asked), strict=True):
+                for own, outcome in zip(found, outcomes, strict=True):
+                    own[row] = outcome
     return [[own[i] for i in range(len(cases))] for own in found]
 
 
 def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list[Outcome]]:
-    """Compute cases of Kelvin elements that differ in their loads, and in what is kept."""
-    n, pace, count = grounds.each[0].line.z.size, some.pace, len(some.cases)
-    loads = some.loads * n
-    clocks = Clocks(len(grounds.each) * count)
-    ones = steady_friction(grounds, pace, loads)
-    clocks.lap(_work(ones), jump=len(pace.others) * n)
-    twos: list[list[Sliding]] = [[] for _ in ones]
+    """Compute cases of Kelvin elements that differ in their loads, and in what is kept.
+
+    Return the outcomes of each case, on all the lines.
+    """
+    lines, n = grounds.stack.z.shape
+    loads, clocks = some.loads * n, Clocks(len(some.cases))
+    one = steady_friction(grounds, some.pace, loads)
+    clocks.lap(_work(one), jump=len(some.pace.others) * n * lines)
+    twos = []
     for k, later in enumerate(some.following):
-        found = ones
-        if later.speed != pace.speed:
-            guesses = np.array([one.found.ahead[:, k] for one in ones])
-            found = steady_friction(grounds, later, loads, guesses)
-            clocks.lap(_work(found))
-        for own, two in zip(twos, found, strict=True):
-            own.append(two)
-    return [
-        [_under_load(one, own, i, some, asked, clocks, j * count + i) for i in range(count)]
-        for j, (one, own) in enumerate(zip(ones, twos, strict=True))
-    ]
+        two = one
+        if later.speed != some.pace.speed:
+            guesses = np.ascontiguousarray(one.found.ahead[..., k])
+            two = steady_friction(grounds, later, loads, guesses)
+            clocks.lap(_work(two))
+        twos.append(two)
+    return [_under_load(one, twos, i, some, asked, clocks) for i in range(len(some.cases))]
 
 
-def _work(found: list[Sliding]) -> list[float]:
-    """Return the work of every line and load, in samples."""
-    return [done + own.ground.line.z.size for own in found for done in own.updates.tolist()]
+def _work(found: Sliding) -> list[float]:
+    """Return the work under every load on all the lines, in samples."""
+    return (found.updates + found.grounds.stack.z.shape[1]).sum(axis=0).tolist()
 
 
 def _under_load(
@@ -96,96 +93,85 @@ def _under_load(
     some: Together,
     asked: Quantities,
     clocks: Clocks,
-    place: int,
-) -> Outcome:
-    """Return what is found under load i: at v1, and for each velocity step at v2 and between.
+) -> list[Outcome]:
+    """Return what is found under load i on all the lines: at v1, at each v2 and between.
 
-    twos : steady sliding at each v2, or nothing. place : of this line and load on the clocks.
+    twos : steady sliding at each v2, or nothing.
     """
-    case, n = some.cases[i], one.ground.line.z.size
-    if case.refine and refine(one, i):
-        jumping = float(len(one.pace.others) * n)
-        clocks.lap_alone(place, steady=one.updates[i] + n, jump=jumping)
-    work, mu_2, curves = float(one.updates[i]), some.nothing.copy(), []
+    case, (lines, n) = some.cases[i], one.grounds.stack.z.shape
+    for j in range(lines):
+        if case.refine and refine(one, j, i):
+            jumping = float(len(one.pace.others) * n)
+            clocks.lap_alone(i, steady=one.updates[j, i] + n, jump=jumping)
+    work = one.updates[:, i].copy()
+    mu_2 = np.full((lines, len(case.ratios)), np.nan)
+    curves: list[list[np.ndarray]] = [[] for _ in range(lines)]
     for k, two in enumerate(twos):
         if two is not one:
-            if case.refine and refine(two, i):
-                clocks.lap_alone(place, steady=1.0)
-            work += two.updates[i]
-        mu_2[k] = two.mu[i]
+            for j in range(lines):
+                if case.refine and refine(two, j, i):
+                    clocks.lap_alone(i, steady=1.0)
+            work += two.updates[:, i]
+        mu_2[:, k] = two.mu[:, i]
         if asked.relaxation:
-            curve, updates = _curve(one, two, i, k, case.kept_steps[k], asked)
-            curves.append(mu_2[k] + curve)
+            found, updates = _curves(one, two, i, k, case.kept_steps[k], asked)
+            found += two.mu[:, i : i + 1]
+            for own, curve in zip(curves, found, strict=True):
+                own.append(curve)
             work += updates
-            clocks.lap_alone(place, marching=1.0)
-        if two is not one:
-            two.known.clear()  # of several velocity steps one at a time is in memory
-    samples = float(one.samples[i]) if asked.relaxation else one.samples_seen(i)
-    return Outcome(
-        float(one.mu[i]),
-        float(one.indentation[i]),
-        float(one.contact[i]),
-        samples,
-        mu_2,
-        one.found.jumps[i].copy() if asked.jump else some.nothing,
-        curves,
-        int(work),
-        clocks.seconds(place),
-        some.nothing,
-    )
+            clocks.lap_alone(i, marching=1.0)
+    jumps = one.found.jumps[:, i] if asked.jump else np.full(mu_2.shape, np.nan)
+    seconds = Seconds(*(spent / lines for spent in clocks.seconds(i)))
+    nothing = some.nothing
+    return [
+        Outcome(
+            float(one.mu[j, i]),
+            float(one.indentation[j, i]),
+            float(one.contact[j, i]),
+            float(one.samples[j, i]) if asked.relaxation else one.samples_seen(j, i),
+            mu_2[j],
+            jumps[j].copy(),
+            curves[j],
+            int(work[j]),
+            seconds,
+            nothing,
+        )
+        for j in range(lines)
+    ]
 
 
-def _curve(
-    one: Sliding,
-    two: Sliding,
-    i: int,
-    k: int,
-    kept_steps: np.ndarray,
-    asked: Quantities,
-) -> tuple[np.ndarray, int]:
+def _curves(
+    one: Sliding, two: Sliding, i: int, k: int, kept_steps: np.ndarray, asked: Quantities
+) -> tuple[np.ndarray, np.ndarray]:
     """Return the deviation of mu from mu_2 under load i after step k, and element updates.
 
-    Where the whole line touches at both speeds, d is the same at both, every step begins with
-    u = z - d and ends with it, and mu is mu_2 at once.
+    On all the lines: shapes (lines, kept) and (lines,). Where the whole line touches at both
+    speeds, d is the same at both, every step begins with u = z - d and ends with it, and mu is
+    mu_2 at once.
     """
-    if one.full[i] and two.full[i]:
-        return np.zeros(kept_steps.size), 0
-    line, law = one.ground.line, two.pace.law
-    control = ConstantForce if asked.indentation_rate else PrintedForce
-    load, work = control(float(one.loads[i])), 0
-    if kept_steps[-1] * line.z.size > FEW:
+    stack, law = one.grounds.stack, two.pace.law
+    lines, n = stack.z.shape
+    control = (ConstantForce if asked.indentation_rate else PrintedForce)(float(one.loads[i]))
+    curves, updates = np.zeros((lines, kept_steps.size)), np.zeros(lines)
+    marched = ~(one.full[:, i] & two.full[:, i])
+    ends = [Ends(at.decay, at.stay, at.d[:, i].copy()) for at in (one, two)]
+    if kept_steps[-1] * n <= FEW:
+        if marched.any():
+            found, work = plain_relaxations(stack, law, *ends, control, kept_steps)
+            curves[marched], updates[marched] = found[marched], work[marched]
+        return curves, updates
+    for j in np.flatnonzero(marched).tolist():
+        ground = one.grounds.each[j]
         start, end = (
-            Passing(at.decay, at.stay, at.found.entered[i], float(at.d[i])) for at in (one, two)
+            Passing(at.decay, at.stay[j], at.found.entered[j, i], float(at.d[j, i]))
+            for at in (one, two)
         )
-        rate = float(one.found.rates[i, k])
-        setting = Setting(line.z, line.slope, one.ground.spans, one.pace.law, law, start, end, rate)
-        mu, _, settled, work, inside = active_march(setting, load, kept_steps)
-        if inside:
-            return mu - settled, work
-    states = one.state(i), two.state(i)
-    curve, more = plain_relaxation(line.z, line.slope, law, states, load, kept_steps)
-    return curve, work + more
-
-
-def plain_relaxation(
-    z: np.ndarray,
-    slope: np.ndarray,
-    law: Kelvin,
-    states: tuple[State, State],
-    control: ConstantForce | PrintedForce,
-    kept_steps: np.ndarray,
-) -> tuple[np.ndarray, int]:
-    """Return the deviation from the steady friction at v2, and the element updates.
-
-    law : at v2. states : of steady sliding at v1 and at v2.
-    """
-    work, (one, two) = 0, states
-    weight = lagged_slope(slope, law.lag)
-    # d stays between its steady values but for a transient. It never exceeds what one element
-    # needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.
-    for cap in (1.02 * max(one.d, two.d), 1.001 * max(one.d, control.load)):
-        mu, _, passes, inside = march(law, control, z, weight, one, kept_steps, cap)
-        work += passes * z.size
-        if inside:
-            break
-    return mu - step_average(weight, z - two.w, two.d), work
+        rate, line = float(one.found.rates[j, i, k]), ground.line
+        setting = Setting(line.z, line.slope, ground.spans, one.pace.law, law, start, end, rate)
+        mu, _, settled, updates[j], inside = active_march(setting, control, kept_steps)
+        curves[j] = mu - settled
+        if not inside:
+            own = (at._replace(stay=at.stay[j : j + 1], d=at.d[j : j + 1]) for at in ends)
+            found, work = plain_relaxations(alone(stack, j), law, *own, control, kept_steps)
+            curves[j], updates[j] = found[0], updates[j] + work[0]
+    return curves, updates

@@ -90,14 +90,14 @@ class Pace(NamedTuple):
 
 
 class Sliding(NamedTuple):
-    """Steady sliding on one line at one speed; arrays of shape (loads,)."""
+    """Steady sliding on lines at one speed; arrays of shape (lines, loads) but for the first."""
 
-    ground: Ground
+    grounds: Grounds
     pace: Pace
-    stay: np.ndarray  # shape (spans,): thresholds above which contact lasts (Thresholds)
+    stay: np.ndarray  # shape (lines, spans): thresholds above which contact lasts (Thresholds)
     decay: Decay
-    loads: np.ndarray  # n Fbar
-    found: Found  # of this line; of refined contacts its jumps are those of finer samples
+    loads: np.ndarray  # n Fbar, shape (loads,)
+    found: Found  # of refined contacts its jumps are those of finer samples
     d: np.ndarray  # indentation over the deepest sample, from which a march starts, in h
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
@@ -105,27 +105,23 @@ class Sliding(NamedTuple):
     indentation: np.ndarray  # in h, over the mean line
     samples: np.ndarray  # of the line per contact; below 1 where finer ones tell
     updates: np.ndarray  # of elements, the measure of cost
-    seen: dict[int, Refined]  # load -> finer samples, where friction is read from those
-    known: dict[int, State]  # load -> state, of the last load that was asked for
+    seen: dict[tuple[int, int], Refined]  # (line, load) -> finer samples, if friction is read there
 
-    def samples_seen(self, i: int) -> float:
-        """Return the samples per contact that the friction under load i rests on."""
-        return self.seen[i].samples if i in self.seen else float(self.samples[i])
+    def samples_seen(self, j: int, i: int) -> float:
+        """Return the samples per contact that the friction on line j under load i rests on."""
+        return self.seen[j, i].samples if (j, i) in self.seen else float(self.samples[j, i])
 
-    def state(self, i: int) -> State:
-        """Return the state under load i on the samples of the line; it is not to be changed."""
-        if i not in self.known:
-            z, d = self.ground.line.z, float(self.d[i])
-            w = np.empty_like(z)
-            carry(self.decay, z, self.ground.spans, self.stay, d, None, w, NO_GAPS)
-            self.known.clear()
-            self.known[i] = State(w, d)
-        return self.known[i]
+    def state(self, j: int, i: int) -> State:
+        """Return the state on line j under load i, on its samples."""
+        ground, d = self.grounds.each[j], float(self.d[j, i])
+        w = np.empty_like(ground.line.z)
+        carry(self.decay, ground.line.z, ground.spans, self.stay[j], d, None, w, NO_GAPS)
+        return State(w, d)
 
 
 def steady_friction(
     grounds: Grounds, pace: Pace, loads: np.ndarray, guesses: np.ndarray | None = None
-) -> list[Sliding]:
+) -> Sliding:
     """Return steady sliding on every line, its friction and its jumps to other speeds of its pace.
 
     loads : n Fbar, guesses : of d, shape (lines, loads). What is found under a load depends on
@@ -139,49 +135,44 @@ def steady_friction(
         pace.law, Part(grounds.stack), pace.at_speeds, loads, guesses, how
     )
     table = found.table
-    full, updates = table[..., FULL] > 0.0, table[..., SWEEPS] * one.z.size
     datum = np.array([[ground.line.datum] for ground in grounds.each])
-    indentation = table[..., INDENTATION] + datum
-    return [
-        Sliding(
-            ground,
-            pace,
-            stay[k],
-            decay,
-            loads,
-            Found(*[field[k] for field in found]),
-            table[k, :, INDENTATION],
-            full[k],
-            table[k, :, MU],
-            table[k, :, CONTACT],
-            indentation[k],
-            table[k, :, SAMPLES],
-            updates[k],
-            {},
-            {},
-        )
-        for k, ground in enumerate(grounds.each)
-    ]
+    return Sliding(
+        grounds,
+        pace,
+        stay,
+        decay,
+        loads,
+        found,
+        table[..., INDENTATION],
+        table[..., FULL] > 0.0,
+        table[..., MU],
+        table[..., CONTACT],
+        table[..., INDENTATION] + datum,
+        table[..., SAMPLES],
+        table[..., SWEEPS] * one.z.size,
+        {},
+    )
 
 
-def refine(sliding: Sliding, i: int) -> bool:
-    """Read friction and jumps under load i from finer samples, if its contacts are narrow.
+def refine(sliding: Sliding, j: int, i: int) -> bool:
+    """Read friction and jumps on line j under load i from finer samples, if contacts are narrow.
 
     Return whether that was tried. Lines that are not known between their samples stay as they are.
     """
-    ground, pace, samples = sliding.ground, sliding.pace, float(sliding.samples[i])
+    ground, pace = sliding.grounds.each[j], sliding.pace
+    samples = float(sliding.samples[j, i])
     if samples >= NARROW or ground.curvature is None:
         return False
     line, speeds = ground.line, (pace.speed, *pace.others)
-    state, load = sliding.state(i), float(sliding.loads[i])
-    stack, curvature = alone(ground.stack, ground.row), ground.curvature
+    state, load = sliding.state(j, i), float(sliding.loads[i])
+    stack, curvature = alone(sliding.grounds.stack, j), ground.curvature
     found = refined(line, stack, curvature, speeds, pace.scheme, load, state, samples)
     if found is None:
         return True
-    sliding.seen[i] = found
-    sliding.mu[i], sliding.contact[i] = found.mu, found.contact
-    sliding.indentation[i] = found.d + line.datum
-    sliding.samples[i] = found.samples / found.fold
-    sliding.updates[i] += found.updates
-    sliding.found.jumps[i] = found.jumps
+    sliding.seen[j, i] = found
+    sliding.mu[j, i], sliding.contact[j, i] = found.mu, found.contact
+    sliding.indentation[j, i] = found.d + line.datum
+    sliding.samples[j, i] = found.samples / found.fold
+    sliding.updates[j, i] += found.updates
+    sliding.found.jumps[j, i] = found.jumps
     return True

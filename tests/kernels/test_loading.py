@@ -21,12 +21,11 @@ HALF = """
 import sys
 from kernels import Quantities, loading
 from kernels.active.march import active_march
-from kernels.friction import lagged_slope, step_average
-from kernels.march import march
 from kernels.patches.fine_line import mark_touchable, marked
+from kernels.relaxation import plain_relaxations
 from kernels.steady.carry import carry
 
-own = active_march, march, lagged_slope, step_average, mark_touchable, marked, carry
+own = active_march, plain_relaxations, mark_touchable, marked, carry
 rate = sys.argv[1] == "1"
 loading.load_half("exponential", rate)
 before = [kernel.signatures[:] for kernel in own]

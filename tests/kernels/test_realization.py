@@ -48,9 +48,9 @@ def test_samples_are_refined_only_where_that_is_wanted():
     finer = given._replace(refine=True)
     as_sampled, refined = run_case(line, given, asked), run_case(line, finer, asked)
     pace = Pace.of(given.scheme, line.steps_per_spacing, 100.0)
-    (alone,) = steady_friction(Grounds.of([line]), pace, np.array([1e-3 * line.z.size]))
-    assert as_sampled.mu_1 == alone.mu[0] > 0.0
-    assert as_sampled.samples_per_contact == alone.samples[0] < 0.5 * NARROW
+    alone = steady_friction(Grounds.of([line]), pace, np.array([1e-3 * line.z.size]))
+    assert as_sampled.mu_1 == alone.mu[0, 0] > 0.0
+    assert as_sampled.samples_per_contact == alone.samples[0, 0] < 0.5 * NARROW
     assert refined.samples_per_contact >= NARROW
     together = run_cases(line, [given, finer], asked)
     assert [one.mu_1 for one in together] == [as_sampled.mu_1, refined.mu_1]
@@ -108,15 +108,7 @@ def test_curve_is_mu_2_plus_the_deviation_of_the_marched_step_average(scheme):
     np.testing.assert_allclose(outcome.curves[0] - outcome.mu_2[0], deviation, rtol=1e-9)
 
 
-def test_curve_is_marched_again_where_bounds_and_cap_are_exceeded(monkeypatch):
-    caps = []
-
-    def exceeded(*args):
-        caps.append(args[-1])
-        mu, d, passes, inside = march(*args)
-        again = len(caps) % 2 == 0
-        return (mu, d, passes, inside) if again else (mu + 1.0, d, passes, False)
-
+def test_curve_is_marched_plainly_where_bounds_are_exceeded(monkeypatch):
     def left(*args):
         mu, d, settled, work, _ = active_march(*args)
         return mu + 2.0, d, settled, work, False
@@ -124,14 +116,9 @@ def test_curve_is_marched_again_where_bounds_and_cap_are_exceeded(monkeypatch):
     line, case = line_of(), CASE._replace(load=1.0)
     usual = run_case(line, case, ALL)
     monkeypatch.setattr(realization, "active_march", left)
-    expected = run_case(line, case, ALL)
-    monkeypatch.setattr(realization, "march", exceeded)
     outcome = run_case(line, case, ALL)
-    assert len(caps) == 2 * 3
-    assert set(caps[1::2]) == {1.001 * case.load * line.z.size}  # more than d can ever be
-    assert min(caps) > outcome.indentation - line.datum
+    assert outcome.work > usual.work
     # Not the wrong first try; more of the line is marched, and rounded otherwise.
-    np.testing.assert_allclose(outcome.curves, expected.curves, rtol=1e-12)
     np.testing.assert_allclose(outcome.curves, usual.curves, rtol=1e-12)
 
 

@@ -19,7 +19,6 @@ from collections.abc import Callable
 import numpy as np
 
 from kernels import (
-    QUARTET,
     Case,
     Quantities,
     march,
@@ -34,7 +33,7 @@ from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.plain import naive_march, numpy_march
 from tests.tools.rivals.problem import Problem
 from tests.tools.rivals.rows import RATIO, ROWS, Row
-from workflow.simulate.realizations import SHORT
+from workflow.simulate.realizations import lines_at_once
 
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
 SLOW_STEPS = 3  # of ways so slow that a few steps tell
@@ -87,12 +86,12 @@ def marches(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
 def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
     """Return seconds of two steady states, the jump and the march: the program's, and in C.
 
-    The program's for lines that come as in a batch, short ones four at a time.
+    The program's for lines that come as in a batch, short ones many at a time.
     """
     p = problem
     case = Case(p.row.load, p.speed, (RATIO,), (p.kept,), "exponential")
     prepared = prepare([case], p.row.m, Quantities())
-    lines = [p.line] * (QUARTET if p.line.z.size <= SHORT else 1)
+    lines = [p.line] * lines_at_once(p.line.z.size)
     found = {"case": fastest(lambda: run_prepared(lines, prepared)) / len(lines)}
     if compiled:
 

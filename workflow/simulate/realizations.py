@@ -1,6 +1,6 @@
 """Run a batch: draw its lines, run every realization, average over blocks."""
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable
 from functools import lru_cache
 from itertools import groupby, islice, repeat
 from operator import attrgetter, itemgetter
@@ -27,8 +27,10 @@ from workflow.system import peak_bytes, this_maker
 
 scalars_of = attrgetter(*SCALARS)
 SHORT = 8192  # samples of a line on which a call from Python takes longer than what is computed
+TOGETHER = 4 * SHORT  # samples of lines that are short, at most, in one call
 # All cases on a line of some steps per spacing, and of each the rows of its tasks.
 Cases = list[tuple[Prepared, list[list[int]]]]
+Sums = tuple[np.ndarray, np.ndarray]  # of scalars and curves, over a block: one row per task
 
 
 @lru_cache
@@ -49,10 +51,14 @@ def block_means(batch: Batch) -> BatchResult:
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     cases = _cases(batch)
     size, draw = lines_of(batch)
-    for number in range(0, batch.blocks * batch.realizations_per_block, size):
-        block = number // batch.realizations_per_block
-        sums = scalars[:, block], curves[:, block]
-        _add_realizations(batch, layouts, cases, draw(number), sums, spent)
+    numbers = range(0, batch.blocks * batch.realizations_per_block, size)
+    several = max(1, TOGETHER // (size * batch.tasks[0].problem.elements))  # drawings
+    for first in range(0, len(numbers), several):
+        some: list[tuple[Draw, Sums]] = []
+        for number in numbers[first : first + several]:
+            block = number // batch.realizations_per_block
+            some.append((draw(number), (scalars[:, block], curves[:, block])))
+        _add_realizations(batch, layouts, cases, some, spent)
     for row, width in enumerate(widths):
         curves[row, :, width:] = np.nan
     scalars /= batch.realizations_per_block
@@ -65,35 +71,33 @@ def _add_realizations(
     batch: Batch,
     layouts: list[Layout],
     cases: Cases,
-    draw: Draw,
-    sums: tuple[np.ndarray, np.ndarray],
+    draws: list[tuple[Draw, Sums]],
     spent: np.ndarray,
 ) -> None:
-    """Add the realizations of one drawing to the sums of scalars and curves, one row per task."""
+    """Add the realizations of some drawings to the sums of their blocks."""
     drawing = 0.0
     for prepared, shared in cases:
-        lines = iter(draw(prepared.steps_per_spacing))
+        steps = prepared.steps_per_spacing
+        several = lines_at_once(batch.tasks[0].problem.elements * steps)
+        lines = ((line, sums) for draw, sums in draws for line in draw(steps))
         while True:
             began = working_time()
-            some = _next(lines)
+            some = list(islice(lines, several))
             drawing += working_time() - began
             if not some:
                 break
             found: Iterable = repeat([None] * len(shared))
             if batch.quantities.anything:
-                found = run_prepared(some, prepared)
-            for line, outcomes in zip(some, found, strict=False):
+                found = run_prepared([line for line, _ in some], prepared)
+            for (line, sums), outcomes in zip(some, found, strict=False):
                 for rows, outcome in zip(shared, outcomes, strict=True):
                     _add_case(batch, layouts, line, (rows, outcome), sums, spent)
     spent[:, 0] += drawing / len(batch.tasks)
 
 
-def _next(lines: Iterator[Line]) -> list[Line]:
-    """Return the next line, or several that are short, whose realizations are run together."""
-    some = list(islice(lines, 1))
-    if some and some[0].z.size <= SHORT:
-        some += lines
-    return some
+def lines_at_once(samples: int) -> int:
+    """Return how many lines of so many samples are run in one call: several that are short."""
+    return TOGETHER // samples if samples <= SHORT else 1
 
 
 def _add_case(
@@ -101,7 +105,7 @@ def _add_case(
     layouts: list[Layout],
     line: Line,
     case: tuple[list[int], Outcome | None],
-    sums: tuple[np.ndarray, np.ndarray],
+    sums: Sums,
     spent: np.ndarray,
 ) -> None:
     """Add what a case, and the programmes of its tasks, give on a line to the sums of its rows."""
@@ -150,7 +154,7 @@ def _case(batch: Batch, rows: list[int]) -> Case:
 
 
 def _add_outcome(
-    outcome: Outcome, k: int, ends: dict[str, float], places: Layout, sums: tuple[np.ndarray, ...]
+    outcome: Outcome, k: int, ends: dict[str, float], places: Layout, sums: Sums
 ) -> None:
     """Add velocity jump k of a case to the sums of one record, scalars and row.
 

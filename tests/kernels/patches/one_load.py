@@ -10,13 +10,13 @@ from kernels.patches.steady_friction import Grounds, Pace, refine, steady_fricti
 def one_load(line, speed, scheme, load, others=()):
     """Return what is found under a load; ``seen`` is None where the samples of the line will do."""
     pace = Pace.of(scheme, line.steps_per_spacing, speed, others)
-    (found,) = steady_friction(Grounds.of([line]), pace, np.array([load]))
-    refine(found, 0)
+    found = steady_friction(Grounds.of([line]), pace, np.array([load]))
+    refine(found, 0, 0)
     names = ("d", "mu", "contact", "indentation", "updates", "full", "samples")
     return SimpleNamespace(
-        **{name: getattr(found, name)[0] for name in names},
-        jumps=found.found.jumps[0],
-        state=found.state(0),
-        seen=found.seen.get(0),
-        samples_seen=found.samples_seen(0),
+        **{name: getattr(found, name)[0, 0] for name in names},
+        jumps=found.found.jumps[0, 0],
+        state=found.state(0, 0),
+        seen=found.seen.get((0, 0)),
+        samples_seen=found.samples_seen(0, 0),
     )
