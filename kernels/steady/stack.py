@@ -1,7 +1,7 @@
 """Lines of as many samples each, one above the other, that one call from Python goes through.
 
-A call costs more than steady sliding on a short line, so lines of one drawing are handed over
-together. What is found on one does not depend on the others.
+A call costs more than steady sliding on a short line, so short lines are handed over together. What
+is found on one does not depend on the others.
 """
 
 from collections.abc import Sequence

@@ -64,10 +64,10 @@ TEXTS = {
 }
 
 # Core-seconds of the typical machine, measured at the default scale.
-SECONDS_PER_POINT = 4.8
-SECONDS_PER_REALIZATION = 2e-3
-SECONDS_PER_UPDATE = 1.1e-7
-SECONDS_COMPILING = 6.0  # to load machine code; the first run on a machine takes a minute more
+SECONDS_PER_POINT = 4.1
+SECONDS_PER_REALIZATION = 1.7e-3
+SECONDS_PER_UPDATE = 9.3e-8
+SECONDS_COMPILING = 5.0  # to load machine code; the first run on a machine takes a minute more
 
 
 def parts(settings: dict) -> dict[str, float]:

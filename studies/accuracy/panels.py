@@ -72,9 +72,13 @@ def _front(ax: Axes, data: xr.Dataset) -> None:
 
 
 def milliseconds(ax: Axes) -> None:
-    """Label the axis of time."""
+    """Label the axis of time, which is logarithmic and has its limits."""
     ax.set_xlabel("CPU ms per realization")
-    ax.xaxis.set_major_locator(LogLocator(subs=(1.0, 2.0, 5.0)))
+    low, high = ax.get_xlim()
+    few = (1.0, 2.0, 5.0)  # less than a decade has hardly any of them, and would be cut evenly
+    ax.xaxis.set_major_locator(
+        LogLocator(subs=few if high > 10.0 * low else (1.0, 1.5, 2.0, 3.0, 5.0))
+    )
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter("")
 

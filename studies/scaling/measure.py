@@ -16,9 +16,9 @@ from .paper import alone, planned
 from .virtual import Costs, durations, simulated
 
 TASKS_PER_WORKER = 30  # of the uniform batches
-SECONDS_PER_TASK = 1.2e-4  # of the typical machine, to simulate one of them; the next two are too
-SECONDS_PER_BATCH = 1.4e-3  # of a simulated study
-SECONDS_TO_PLAN = 4e-5  # per task of it
+SECONDS_PER_TASK = 1.0e-4  # of the typical machine, to simulate one of them; the next two are too
+SECONDS_PER_BATCH = 1.2e-3  # of a simulated study
+SECONDS_TO_PLAN = 3.4e-5  # per task of it
 ATTRIBUTES = {  # of the variables of a result: what they mean, and their units
     "workers": ("workers of the simulated cluster", "1"),
     "uniform_workers": ("workers of the simulated cluster", "1"),

@@ -17,9 +17,9 @@ from .probe import COUNTS, RESIDUALS, Motion, probe
 
 HURST, M, RATIO = 0.7, 4, 1.2  # of the map
 KINDS = RESIDUALS | COUNTS
-SECONDS = 1.1e-4  # of the typical machine, per step of a short line
-SECONDS_PER_SAMPLE = 1.16e-7  # and per sample of it
-LONG_SECONDS = 6.8e-6  # per element of a very long line
+SECONDS = 9e-5  # of the typical machine, per step of a short line
+SECONDS_PER_SAMPLE = 9.5e-8  # and per sample of it
+LONG_SECONDS = 5.8e-6  # per element of a very long line
 SETTINGS = {
     "map_loads": partial(integer, least=2),
     "map_speeds": partial(integer, least=2),

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Sequence
 from dataclasses import replace
+from itertools import pairwise
 from pathlib import Path
 
 import matplotlib as mpl
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
 
 from tests.support import conventions
 from workflow.plan.plan import make_plan
@@ -77,8 +79,20 @@ def check_drawing(name: str, groups: Groups) -> None:
                 figure.canvas.draw()
                 assert figure.axes
                 assert all(ax.has_data() or not ax.axison for ax in figure.axes)
+                assert not [ax.get_title() for ax in figure.axes if _collide(ax)]
     finally:
         plt.close("all")
+
+
+def _collide(ax: Axes) -> bool:
+    """Return whether two labels of the x axis overlap."""
+    low, high = sorted(ax.get_xlim())
+    labels = ax.get_xticklabels() + ax.get_xticklabels(minor=True)
+    shown = [
+        label for label in labels if label.get_text() and low <= label.get_position()[0] <= high
+    ]
+    boxes = sorted((label.get_window_extent() for label in shown), key=lambda box: box.x0)
+    return any(one.x1 > other.x0 for one, other in pairwise(boxes)) if ax.axison else False
 
 
 def rates(data: xr.Dataset, low: float, high: float) -> tuple[np.ndarray, np.ndarray]:

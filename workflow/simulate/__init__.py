@@ -19,7 +19,7 @@ if TYPE_CHECKING:
         unpack,
     )
     from workflow.simulate.programmes import scene_of
-    from workflow.simulate.realizations import block_means, load_kernels
+    from workflow.simulate.realizations import block_means, lines_at_once, load_kernels
     from workflow.simulate.tasks import (
         PHASES,
         SCALARS,

@@ -4,6 +4,7 @@ from collections.abc import Iterable
 from functools import lru_cache
 from itertools import groupby, islice, repeat
 from operator import attrgetter, itemgetter
+from typing import Any
 
 import numpy as np
 
@@ -78,7 +79,7 @@ def _add_realizations(
     drawing = 0.0
     for prepared, shared in cases:
         steps = prepared.steps_per_spacing
-        several = lines_at_once(batch.tasks[0].problem.elements * steps)
+        several = int(lines_at_once(batch.tasks[0].problem.elements * steps))
         lines = ((line, sums) for draw, sums in draws for line in draw(steps))
         while True:
             began = working_time()
@@ -95,9 +96,12 @@ def _add_realizations(
     spent[:, 0] += drawing / len(batch.tasks)
 
 
-def lines_at_once(samples: int) -> int:
-    """Return how many lines of so many samples are run in one call: several that are short."""
-    return TOGETHER // samples if samples <= SHORT else 1
+def lines_at_once(samples: Any) -> Any:
+    """Return how many lines of so many samples are run in one call: several that are short.
+
+    samples : a number, or an array of them.
+    """
+    return np.where(samples <= SHORT, TOGETHER // samples, 1)
 
 
 def _add_case(

@@ -10,8 +10,8 @@ from workflow.lazy import public_names
 if TYPE_CHECKING:
     from workflow.plan.cost.machine import Parted, known_machine, learn, this_machine
     from workflow.plan.cost.pace import TYPICAL, WHOLE, Pace, Prediction, prediction
+    from workflow.plan.cost.sizes import DRAW
     from workflow.plan.cost.work import (
-        DRAW,
         PARTS,
         Work,
         kind_of,

@@ -11,7 +11,8 @@ import numpy as np
 
 from kernels import Quantities
 from kernels.clock import working_time
-from workflow.plan.cost.work import DRAW, DRAWING, PARTS, Work, typical_seconds
+from workflow.plan.cost.sizes import DRAW
+from workflow.plan.cost.work import DRAWING, PARTS, Work, typical_seconds
 from workflow.simulate import Batch, Problem, Recording, Task, block_means
 from workflow.system import processor
 
@@ -24,9 +25,9 @@ PROBES = (
     (0.7, 5000, 1.0, 4, 60, (0.1,), 4),
     (0.3, 5000, 1.0, 4, 24, FOUR, 2),
     (0.7, 5000, 30.0, 4, 100, FOUR, 2),
-    (0.7, 50_000, 3.0, 4, 24, FOUR, 1),
+    (0.7, 50_000, 3.0, 4, 24, (0.3,), 1),
     (0.3, 2000, 30.0, 8, 20, tuple(np.geomspace(0.01, 1.0, 5)), 1),
-    (0.5, 1000, 10.0, 8, 30, tuple(np.geomspace(0.003, 10.0, 20)), 1),
+    (0.5, 1000, 1.0, 8, 30, tuple(np.geomspace(0.003, 10.0, 20)), 1),
 )
 RECORDING = Recording(64)
 

@@ -1,7 +1,5 @@
 """The cost model: additive, increasing, and true in what does not depend on a machine."""
 
-import math
-
 import numpy as np
 import pytest
 from hypothesis import given
@@ -15,7 +13,6 @@ from kernels.steady.plain import steady_sliding
 from workflow.plan.cost.work import (
     DRAWING,
     PARTS,
-    SecondsBySize,
     Work,
     begun_anew,
     fine_samples,
@@ -26,7 +23,6 @@ from workflow.plan.cost.work import (
 from workflow.simulate.tasks import Problem, Recording
 
 SIZES = 1000, 1_000_000
-CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
 ALL = Quantities()
 BRANCH = Spectrum((1.0,), (1.0,), 1.0)
 
@@ -46,18 +42,6 @@ def parts_of(problem, steps, march_steps, loads=1):
 def seconds(**what):
     """Return the typical time of a task."""
     return sum(parts(**what).values())
-
-
-def test_a_curve_passes_through_what_was_measured():
-    assert [CURVE(size) for size in CURVE.sizes] == pytest.approx(CURVE.seconds)
-    assert CURVE(math.sqrt(1000.0)) == pytest.approx(4.0)  # a power law in between
-    assert CURVE(1.0) == pytest.approx(2.0)  # what a call takes at least
-    assert CURVE(2000.0) == pytest.approx(160.0)
-
-
-@given(st.floats(1.0, 1e7), st.floats(1.0, 4.0))
-def test_more_samples_never_take_less_time(size, factor):
-    assert CURVE(size * factor) >= CURVE(size) * (1.0 - 1e-12)
 
 
 @pytest.mark.parametrize(
