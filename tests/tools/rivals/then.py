@@ -11,11 +11,11 @@ import time
 from pathlib import Path
 
 import numpy as np
-from kernels.relaxation import march
 from kernels.schemes import SCHEMES
 
 from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
 from kernels.friction import lagged_slope
+from kernels.relaxation import march
 from kernels.steady import steady_sliding
 
 
