@@ -17,7 +17,7 @@ from workflow.cli import main
 
 pytestmark = pytest.mark.cluster
 
-OPTIONS = ("--set", "study.realizations=40", "--batch-seconds", "1e-4", "--workers", "1")
+OPTIONS = ("--set", "study.realizations=40", "--batch-seconds", "1e-9", "--workers", "1")
 
 
 @pytest.fixture(scope="module")

@@ -23,7 +23,7 @@ from workflow.store import journal
 
 pytestmark = pytest.mark.cluster
 
-SETTINGS = ("--set", "study.realizations=80", "--batch-seconds", "1e-4")  # many batches
+SETTINGS = ("--set", "study.realizations=80", "--batch-seconds", "1e-9")  # many batches
 
 
 class Trial:

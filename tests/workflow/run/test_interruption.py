@@ -16,7 +16,7 @@ LONG, RECORDS = "study.realizations=40", 160  # a batch each
 
 def ended(folder, number, *options):
     """Return a long run whose process group got a signal early: exit status, stdout, stderr."""
-    options = ["--out", str(folder), "--set", LONG, "--batch-seconds", "1e-4", *options]
+    options = ["--out", str(folder), "--set", LONG, "--batch-seconds", "1e-9", *options]
     process = start("run", write_study(folder), *options)
     try:
         wait_for_shards(process, folder, 2)
