@@ -11,8 +11,6 @@ numbers of lines. How draws lead to the whole stands in sample.py.
 import argparse
 import contextlib
 import json
-import os
-import sys
 from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
@@ -37,7 +35,6 @@ from workflow.plan.cost import PARTS
 from workflow.plan.plan import Plan, make_plan
 from workflow.simulate import BatchResult, block_means
 from workflow.study import read_study
-from workflow.system import WORKER_ENVIRONMENT
 
 LEAST = 60  # draws of all variants
 LEAST_THEN, SHARE_THEN = 5, 0.1
@@ -169,10 +166,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    if not os.environ.items() >= WORKER_ENVIRONMENT.items():  # how memory is kept is set at start
-        os.execve(
-            sys.executable,
-            [sys.executable, "-m", "tests.tools.core_hours", *sys.argv[1:]],
-            {**os.environ, **WORKER_ENVIRONMENT},
-        )
     main()

@@ -31,7 +31,7 @@ from workflow.cluster.security import (
 from workflow.cluster.watch import NO_ANSWER, Watch, say
 from workflow.errors import UserError
 from workflow.study import BATCH_SYSTEMS, LOCAL, Cluster
-from workflow.system import WORKER_ENVIRONMENT
+from workflow.system import THREADS
 
 CONNECT_SECONDS = 10
 CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye, or a worker process to end by itself
@@ -70,7 +70,7 @@ def open_client(
         # what it does: together a tenth of a core, with nothing to do.
         "distributed.admin.tick.interval": "1s",
         "distributed.worker.profile.enabled": dashboard,  # where somebody looks at it
-        **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in WORKER_ENVIRONMENT.items()},
+        **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in THREADS.items()},
     }
     # What is lost is said in one line, by the flow.
     for name in ("distributed.client", "distributed.scheduler"):

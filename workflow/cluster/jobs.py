@@ -12,7 +12,7 @@ from typing import Any
 from workflow.cluster.security import ENCRYPTED, own_security, scheduler_kind
 from workflow.errors import UserError
 from workflow.study import BATCH_SYSTEMS, Cluster, walltime_seconds
-from workflow.system import ROOT, WORKER_ENVIRONMENT, refused
+from workflow.system import ROOT, THREADS, refused
 
 # What a worker keeps on a disk is put in the path of imports: it must be nobody else's. Nor is
 # anything imported from the folder where the job was submitted.
@@ -63,7 +63,7 @@ def _close_certificates(jobs: Any, folder: str) -> None:
 def _settings(cluster: Cluster, dashboard: bool, keys: str) -> dict[str, Any]:
     """Return what dask-jobqueue is told; ``keys`` is the folder of the certificates."""
     lifetime = cluster.lifetime
-    exported = [f"export {name}={value}" for name, value in WORKER_ENVIRONMENT.items()]
+    exported = [f"export {name}={value}" for name, value in THREADS.items()]
     kind, options = scheduler_kind(dashboard)
     return {
         "queue": cluster.queue or None,

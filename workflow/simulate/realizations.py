@@ -24,7 +24,7 @@ from workflow.simulate.kept import record_steps
 from workflow.simulate.layout import Layout, row_layout, row_width
 from workflow.simulate.programmes import add_programme, steady_ends
 from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
-from workflow.system import peak_bytes, this_maker
+from workflow.system import keep_memory, peak_bytes, this_maker
 
 scalars_of = attrgetter(*SCALARS)
 SHORT = 8192  # samples of a line on which a call from Python takes longer than what is computed
@@ -42,6 +42,7 @@ def load_kernels(scheme: str, asked: Quantities) -> None:
 
 def block_means(batch: Batch) -> BatchResult:
     """Run the batch, on one thread of any process."""
+    keep_memory()
     if batch.quantities.anything:
         load_kernels(batch.scheme, batch.quantities)
     began = working_time()

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
         version_of,
     )
     from workflow.system.patience import Patience
-    from workflow.system.process import THREADS, WORKER_ENVIRONMENT, Interrupt, peak_bytes
+    from workflow.system.process import THREADS, Interrupt, keep_memory, peak_bytes
     from workflow.system.progress import Reporter, core_time, counted, duration
     from workflow.system.terminal import forgive_streams, program
 

@@ -1,10 +1,12 @@
 """This process: when it is to stop, how much memory it has had, how libraries in it behave."""
 
 import contextlib
+import ctypes
 import resource
 import signal
 import sys
 import time
+from functools import cache
 from pathlib import Path
 from types import FrameType
 
@@ -53,11 +55,20 @@ def peak_bytes() -> int:
 
 # Libraries must not start threads of their own: cores are shared out, and sums keep their order.
 THREADS = {f"{library}_NUM_THREADS": "1" for library in ("OMP", "MKL", "OPENBLAS", "NUMBA")}
-# How a worker process is set up. Kernels allocate the same large arrays again and again: keep them
-# in the process. With dask's own setting (trim at 64 KiB) page faults cost as much time as the
-# kernels.
-WORKER_ENVIRONMENT = {
-    "MALLOC_TRIM_THRESHOLD_": str(2**28),
-    "MALLOC_MMAP_THRESHOLD_": str(2**25),
-    **THREADS,
-}
+# Options of mallopt of the GNU C library, and how many bytes.
+FREE_THAT_STAYS = -1, 2**28
+LARGEST_THAT_STAYS = -3, 2**25
+
+
+@cache
+def keep_memory() -> bool:
+    """Let this process keep the memory of arrays that it frees; return whether it does.
+
+    Kernels allocate the same large arrays again and again. As the C library is set up, and more so
+    as dask sets it up for its workers (it gives back what is over 64 KiB), page faults cost as much
+    time as the kernels. Where there is no such setting, everything stays as it is.
+    """
+    mallopt = getattr(ctypes.CDLL(None), "mallopt", None)
+    return mallopt is not None and all(
+        mallopt(*option) for option in (FREE_THAT_STAYS, LARGEST_THAT_STAYS)
+    )

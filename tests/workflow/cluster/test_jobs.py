@@ -18,7 +18,6 @@ LINES = (
     "#SBATCH --no-requeue",
     "export OMP_NUM_THREADS=1",
     "export NUMBA_NUM_THREADS=1",
-    "export MALLOC_TRIM_THRESHOLD_=268435456",
     "module load python",
     "export PYTHONSAFEPATH=1",
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",

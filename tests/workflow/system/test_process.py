@@ -1,6 +1,9 @@
-"""Signals that ask a run to stop."""
+"""Signals that ask a run to stop, and memory that a process keeps."""
 
+import os
 import signal
+import subprocess
+import sys
 
 import pytest
 
@@ -36,3 +39,29 @@ def test_a_terminal_that_hangs_up_asks_too_unless_nohup_ignores_it(capsys):
     finally:
         signal.signal(signal.SIGHUP, before)
     assert "stopping" in capsys.readouterr().err
+
+
+FAULTS = """
+import resource
+import numpy as np
+from workflow.system.process import keep_memory
+if {kept}:
+    assert keep_memory()
+for _ in range(50):
+    before = resource.getrusage(resource.RUSAGE_SELF).ru_minflt
+    a = [np.ones(1_000_000) for _ in range(5)]  # 40 MB, in arrays of 8
+    del a
+    print(resource.getrusage(resource.RUSAGE_SELF).ru_minflt - before)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only the GNU C library can be told")
+def test_memory_of_large_arrays_stays_in_the_process():
+    def faults(kept, **environment):
+        """Return how many pages the last of many rounds has asked for, if memory is kept or not."""
+        code = [sys.executable, "-c", FAULTS.format(kept=kept)]
+        done = subprocess.run(code, env=os.environ | environment, capture_output=True, check=True)
+        return int(done.stdout.split()[-1])
+
+    assert faults(kept=True, MALLOC_TRIM_THRESHOLD_="65536") < 10  # as dask sets it for workers
+    assert faults(kept=False, MALLOC_TRIM_THRESHOLD_="65536") > 1000

@@ -8,15 +8,10 @@ from typing import TYPE_CHECKING
 from workflow.lazy import public_names
 
 if TYPE_CHECKING:
+    from workflow.plan.cost.amounts import touchable_share
     from workflow.plan.cost.machine import Parted, known_machine, learn, this_machine
     from workflow.plan.cost.pace import TYPICAL, WHOLE, Pace, Prediction, prediction
     from workflow.plan.cost.sizes import DRAW
-    from workflow.plan.cost.work import (
-        PARTS,
-        Work,
-        kind_of,
-        touchable_share,
-        typical_seconds,
-    )
+    from workflow.plan.cost.work import PARTS, Work, kind_of, typical_seconds
 
 __all__, __getattr__ = public_names(__name__, __file__)

@@ -21,13 +21,13 @@ import numpy as np
 from kernels import Quantities, cache
 from kernels.cache import source_hash
 from workflow.errors import UserError
-from workflow.plan.cost import timing, work
+from workflow.plan.cost import amounts, sizes, timing, work
 from workflow.plan.cost.pace import TYPICAL, Learned, Pace, label
 from workflow.plan.cost.work import PARTS
 from workflow.simulate import load_kernels
 from workflow.system import (
     ROOT,
-    WORKER_ENVIRONMENT,
+    THREADS,
     make_folder,
     processor,
     saying_what_compiles,
@@ -46,7 +46,8 @@ class Machine(NamedTuple):
 
 def pace_file() -> Path:
     """Return where the pace of these kernels on this processor is kept."""
-    method = b"".join(Path(str(module.__file__)).read_bytes() for module in (timing, work))
+    modules = timing, work, amounts, sizes
+    method = b"".join(Path(str(module.__file__)).read_bytes() for module in modules)
     what = (source_hash(), processor(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
     name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
     return Path(cache.FOLDER) / f"pace-{name}.json"
@@ -138,7 +139,7 @@ def _parsed(text: str) -> dict[str, Any] | None:
 
 def _measured() -> str:
     """Return what a process with the settings of a worker measures, "" where it fails."""
-    environment = {**os.environ, **WORKER_ENVIRONMENT}
+    environment = {**os.environ, **THREADS}
     command = [sys.executable, "-m", "workflow.plan.cost.timing"]
     done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True)
     return done.stdout if done.returncode == 0 else ""

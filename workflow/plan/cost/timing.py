@@ -19,15 +19,17 @@ from workflow.system import processor
 FOUR = (0.003, 0.03, 0.3, 3.0)
 ROUNDS = 5  # of all probes; the quickest of each part counts, the slowest tells how far it varies
 # H, N, vbar, m, steps to march, loads, blocks of four lines: one load and many that share sweeps,
-# lines in the first, second and third cache, narrow contacts and wide ones. Together they take as
-# long over what is typical as the batches of all studies do.
+# short lines and long ones, narrow contacts and wide ones, slow sliding and fast. Together they
+# take as long over what is typical as the batches of all studies do.
 PROBES = (
-    (0.7, 5000, 1.0, 4, 60, (0.1,), 4),
-    (0.3, 5000, 1.0, 4, 24, FOUR, 2),
-    (0.7, 5000, 30.0, 4, 100, FOUR, 2),
-    (0.7, 50_000, 3.0, 4, 24, (0.3,), 1),
-    (0.3, 2000, 30.0, 8, 20, tuple(np.geomspace(0.01, 1.0, 5)), 1),
-    (0.5, 1000, 1.0, 8, 30, tuple(np.geomspace(0.003, 10.0, 20)), 1),
+    (0.7, 5000, 1.0, 4, 60, (0.1,), 12),
+    (0.0, 5000, 10.0, 12, 40, FOUR, 1),
+    (0.7, 5000, 30.0, 4, 100, FOUR, 4),
+    (0.7, 50_000, 3.0, 4, 24, (0.3,), 3),
+    (0.3, 2000, 30.0, 8, 20, tuple(np.geomspace(0.01, 1.0, 5)), 4),
+    (0.5, 1000, 1.0, 8, 30, tuple(np.geomspace(0.003, 10.0, 20)), 8),
+    (0.3, 1000, 1.0, 8, 40, (0.01, 0.1), 12),
+    (0.8, 5000, 100.0, 4, 100, (0.3,), 12),
 )
 RECORDING = Recording(64)
 

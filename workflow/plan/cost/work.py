@@ -10,7 +10,12 @@ from typing import NamedTuple
 import numpy as np
 
 from kernels import KELVIN, Quantities, Spectrum
-from kernels.patches.refined import FINE, LEAST_STEPS, MOST_SAMPLES, NARROW
+from workflow.plan.cost.amounts import (
+    begun_anew,
+    fine_samples,
+    partial_contact,
+    touchable_share,
+)
 from workflow.plan.cost.sizes import STEP, SWEEP
 from workflow.plan.error_laws import contact_width
 from workflow.plan.problems import Numbers, speed_ratio, viscous_pressure
@@ -66,45 +71,6 @@ def kind_of(spectrum: Spectrum, recording: Recording) -> str:
     return PLAIN if spectrum == KELVIN else BRANCHES
 
 
-def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:
-    """Return the share of the line that is marched: what lies below the indentation.
-
-    At rest it grows with the load; at speed little area carries it, load over viscous pressure.
-    Measured on 1500 random problems, Fbar 1e-4 ... 30, vbar 0.02 ... 1000, N 700 ... 12000: half of
-    them within 20 %, nine of ten within a factor of 2.2.
-    """
-    rest = np.exp(-0.40 + 0.78 * hurst) * load**0.635
-    speed = np.exp(1.58 + 0.44 * hurst) * (load / viscous_pressure**0.72) ** 1.06
-    return (1.0 + rest**-2.8 + speed**-2.8) ** (-1.0 / 2.8)
-
-
-def partial_contact(load: Numbers, viscous_pressure: Numbers, limit: float) -> Numbers:
-    """Return 1 where part of a line touches and 0 where all of it does, at loads over a limit."""
-    return 1.0 / (1.0 + (load / (1.0 + viscous_pressure) / limit) ** 4)
-
-
-def begun_anew(problem: Problem) -> Numbers:
-    """Return how much longer marches take that begin anew, with wider bounds (kernels/active).
-
-    Near H = 1 and above x = 1e4 most do. Of 60 batches of grid6d at paper scale, together as long
-    as predicted with it, half are within a factor of two, and nine of ten within ten.
-    """
-    near_one = 1.0 / (1.0 + np.exp((0.83 - problem.hurst) / 0.03))
-    return 1.0 + 1.5 * near_one / (1.0 + (1e4 / speed_ratio(problem)) ** 2)
-
-
-def fine_samples(problem: Problem, samples: Numbers, share: Numbers, width: Numbers) -> Numbers:
-    """Return the fine samples of a steady state, where contacts are narrow (kernels/patches).
-
-    share : of the line that can touch. width : of the contacts, in samples.
-    """
-    odds = (samples / problem.elements >= LEAST_STEPS) & (speed_ratio(problem) >= 1.0)
-    fold = 1.46 * FINE / np.maximum(width, 0.05)  # a power of two, between this and twice that
-    whole = samples * np.minimum(1.2 * share, 1.0) * fold
-    few = 1.0 / (1.0 + (whole / (0.6 * MOST_SAMPLES)) ** 2)  # of more it takes none
-    return odds * few * whole / (1.0 + (width / (0.92 * NARROW)) ** 4)
-
-
 def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict[str, Numbers]:
     """Return part -> time of one realization on a line that exists, of the typical machine."""
     found: dict[str, Numbers] = dict.fromkeys(PARTS, 0.0)
@@ -136,38 +102,56 @@ def _programme(work: Work) -> Numbers:
 def _kelvin(asked: Quantities, work: Work) -> dict[str, Numbers]:
     """Return the time of a case of Kelvin elements, which goes with the edges of contacts.
 
-    The more loads there are at a speed, the more sweeps they share. Over 201 batches of all studies
-    and scales nine in ten are within a factor of 1.6 (steady states) and 1.5 (the rest). What is
-    narrower than NARROW samples on average may be refined or not, which costs a factor of ten at
-    single points. Of 54 batches of 300 to 20 000 samples, x = 0.5 and 20, the whole is within 1.25
-    for 47 and 1.55 for all.
+    The more loads there are at a speed, the more sweeps they share. Of 888 batches of all studies
+    and scales, drawn by their cost, two in three are within a factor of 1.2 (steady states, jumps)
+    and 1.25 (marches, calls). What is narrower than NARROW samples on average may be refined or
+    not, which costs a factor of ten at single points.
     """
-    problem, n = work.problem._replace(speed=np.abs(work.problem.speed)), work.samples
-    load, pressure = problem.load, viscous_pressure(problem)
-    share = touchable_share(problem.hurst, load, pressure)
-    width = contact_width(problem) * work.steps
-    edges = share / np.maximum(width, 1.0)  # per sample of the line
-    fine = work.refine * fine_samples(problem, n, share, width)
-    steady_states = 0.5 * (1 + (asked.steady or asked.relaxation))
-    open_ones = partial_contact(load, pressure, 2.2)
-    alone = 1.0 / lines_at_once(n)  # of short lines many share what a call takes
-    line = 2.0e-5 + 6e-5 * alone + 1.2e-8 * n
-    each = 1.7e-5 + n * (2.9e-9 + open_ones * 4.4e-7 * edges) + 4.2e-8 * fine
-    together = 1.7e-5 + 8e-5 * alone + 1.7e-8 * n
-    jump = 2e-6 + n * (6e-10 + 3.7e-8 * edges) + 1.6e-9 * fine
-    march: Numbers = 0.0
+    work = work._replace(problem=work.problem._replace(speed=np.abs(work.problem.speed)))
+    problem, n = work.problem, work.samples
+    share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
+    width = np.maximum(contact_width(problem) * work.steps, 0.05)
+    found = _sweeps(asked, work, share, width)
     if asked.relaxation:
-        listed = 2.3e-8 * np.exp(-1.5 * problem.hurst) * share / (np.maximum(width, 1.0) + 1.9)
-        setup = 8.2e-9 + 3.9e-9 * share + 2.5e-7 * edges
-        steps = begun_anew(problem) * work.march_steps
-        marched = n * setup + (9.8e-7 + n * listed) * steps
-        march = 7.6e-5 + partial_contact(load, pressure, 1.7) * marched
+        found[MARCHING] = _march(work, share, width)
+    alone = 1.0 / lines_at_once(n)  # of short lines many share what a call takes
+    line = 1.8e-5 + 1.4e-5 * alone + 9e-9 * n
+    found[CALLS] = 2.5e-5 + 5.6e-5 * alone / work.loads + line / work.tasks
+    return found
+
+
+def _sweeps(asked: Quantities, work: Work, share: Numbers, width: Numbers) -> dict[str, Numbers]:
+    """Return the time of steady states and jumps of Kelvin elements.
+
+    A steady state takes longer where a jump or a march begins from it, and where no cache holds the
+    line.
+    """
+    problem, n = work.problem, work.samples
+    partial = partial_contact(problem.load, viscous_pressure(problem), 2.2)
+    fine = work.refine * partial * fine_samples(problem, n, share, width)
+    edges = share * np.exp(-1.25 * problem.hurst) / np.cbrt(np.maximum(width, 1.0))
+    slow = 2.0 - 1.0 / (1.0 + (n / 4e5) ** 2)
+    each = 1.9e-5 + n * (1.5e-9 + 1.23e-7 * partial * edges) + 4.2e-8 * slow * fine
+    together = 1.45e-5 + 5e-5 / lines_at_once(n) + 6e-9 * n
+    states = 0.78 + 0.22 * asked.jump + 0.6 * asked.relaxation
+    jump = 3.2e-6 + n * (3.7e-10 + 1.2e-8 * edges) + 1.8e-9 * fine
     return {
-        STEADY: steady_states * (each + together / work.loads),
-        JUMP: asked.jump * (jump + (2.5e-6 + 1.6e-9 * n) / work.loads),
-        MARCHING: march,
-        CALLS: 1.2e-5 + 1e-4 * alone / work.loads + line / work.tasks,
+        STEADY: states * (each + together / work.loads),
+        JUMP: asked.jump * (jump + (5e-6 + 1.2e-9 * n) / work.loads),
     }
+
+
+def _march(work: Work, share: Numbers, width: Numbers) -> Numbers:
+    """Return the time of a march of Kelvin elements, whose lists grow shorter as it goes on."""
+    problem, n = work.problem, work.samples
+    width = np.maximum(width, 1.0)
+    setup = 3e-9 + 4.9e-9 * share + 1.1e-7 * share / width
+    listed = 5.9e-8 * np.exp(-problem.hurst) * share / (width + 10.0)
+    shorter = np.sqrt(1.0 + 1.0 / speed_ratio(problem)) / np.cbrt(1.0 + work.march_steps / 300.0)
+    steps = begun_anew(problem) * work.march_steps
+    marched = n * setup + (2.1e-6 + n * listed * shorter) * steps
+    partial = partial_contact(problem.load, viscous_pressure(problem), 1.7)
+    return 7.3e-5 + partial * marched
 
 
 def _memory(asked: Quantities, work: Work) -> dict[str, Numbers]:

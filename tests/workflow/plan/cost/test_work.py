@@ -5,19 +5,12 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import KELVIN, Line, Quantities, Slide, Spectrum, amplitudes, draw_phases, rms_slope
-from kernels.motion.stretches import touchable
-from kernels.patches.refined import MOST_SAMPLES
-from kernels.rheology.kelvin import SCHEMES
-from kernels.steady.plain import steady_sliding
+from kernels import KELVIN, Quantities, Slide, Spectrum
 from workflow.plan.cost.work import (
     DRAWING,
     PARTS,
     Work,
-    begun_anew,
-    fine_samples,
     kind_of,
-    touchable_share,
     typical_seconds,
 )
 from workflow.simulate.tasks import Problem, Recording
@@ -72,12 +65,6 @@ def test_loads_at_a_speed_and_tasks_on_lines_share_what_they_can():
     assert together["calls"] < on_a_line["calls"] < alone["calls"]
 
 
-def test_what_would_take_too_many_fine_samples_is_not_refined():
-    few, many = (fine_samples(Problem(0.2, n, 0.1, 30.0, 1.2), 8.0 * n, 0.5, 3.0) for n in SIZES)
-    assert 8.0 * SIZES[0] < few
-    assert many < 0.1 * MOST_SAMPLES
-
-
 def test_every_part_is_told_and_what_is_not_asked_for_takes_none():
     assert set(parts()) == set(PARTS)
     steady = parts(asked=ALL._replace(jump=False, relaxation=False), march_steps=0)
@@ -120,31 +107,6 @@ def test_fast_sliding_takes_more_sweeps():
     assert fast > 1.5 * slow
 
 
-@given(st.floats(0.0, 1.0), st.floats(1e-6, 1e3), st.floats(1e-4, 1e4))
-def test_a_share_is_a_share(hurst, load, viscous_pressure):
-    assert 0.0 < touchable_share(hurst, load, viscous_pressure) <= 1.0
-
-
-def states(count=40, elements=1000, steps=4):
-    """Yield (H, Fbar, viscous pressure, touchable share) of random problems."""
-    rng = np.random.default_rng(8)
-    for _ in range(count):
-        hurst, load, speed = rng.uniform(0, 1), 10 ** rng.uniform(-3, 0.5), 10 ** rng.uniform(0, 2)
-        amplitude = amplitudes(hurst, elements)
-        line = Line.self_affine(amplitude, draw_phases(rng, elements), elements, steps)
-        law = SCHEMES["exponential"](1.0 / (steps * speed))
-        (_, d), _ = steady_sliding(law, line.z, load * line.z.size)
-        start, stop = touchable(line.z, 1.02 * d)
-        share = np.sum(stop - start) / line.z.size
-        yield hurst, load, speed * rms_slope(amplitude, elements), share
-
-
-def test_shares_are_those_of_the_kernels():
-    share = [np.log(row[3] / touchable_share(*row[:3])) for row in states()]
-    assert np.median(np.abs(share)) < np.log(1.5)
-    assert abs(np.mean(share)) < np.log(1.3)
-
-
 PROBLEMS = st.builds(
     lambda *numbers: Problem(*numbers),
     st.floats(0.0, 1.0),
@@ -162,7 +124,6 @@ def test_all_parts_of_any_problem_take_some_time_whichever_way_it_slides(problem
     assert all(np.isfinite(value) and value > 0.0 for value in here.values())
     back = parts_of(problem._replace(speed=-problem.speed), m, march)
     assert here == {name: back[name] for name in here}
-    assert 0.0 <= fine_samples(problem, m * problem.elements, 0.5, 3.0) <= MOST_SAMPLES
 
 
 def test_full_contact_takes_no_marching_to_speak_of():
@@ -177,8 +138,3 @@ def test_narrow_contacts_are_dear_where_they_are_refined():
     at = Problem(0.2, 10_000, 0.1, 30.0, 1.2)
     refined, plain = (parts_of(at, m, 20, loads=20)["steady"] for m in (8, 2))
     assert refined > 5.0 * plain > 0.0
-
-
-def test_marches_begin_anew_near_h_of_one_at_high_speed():
-    often, seldom = (begun_anew(Problem(h, 1e4, 1.0, 1e6, 1.2)) for h in (1.0, 0.5))
-    assert often > 2.4 > 1.01 > max(seldom, begun_anew(Problem(1.0, 1e4, 1.0, 9.0, 1.2)))
