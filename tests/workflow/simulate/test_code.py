@@ -13,7 +13,7 @@ from workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
 
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
 # What the hashed files use of ours that no number depends on.
-FROM_SYSTEM = ("Maker", "peak_bytes", "this_maker")
+FROM_SYSTEM = ("Maker", "keep_memory", "peak_bytes", "this_maker")
 NO_NUMBERS = {"workflow.lazy.public_names", *(f"workflow.system.{name}" for name in FROM_SYSTEM)}
 
 
