@@ -91,7 +91,7 @@ def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
     p = problem
     case = Case(p.row.load, p.speed, (RATIO,), (p.kept,), "exponential")
     prepared = prepare([case], p.row.m, Quantities())
-    lines = [p.line] * int(lines_at_once(p.line.z.size))
+    lines = [p.line] * lines_at_once(p.line.z.size)
     found = {"case": fastest(lambda: run_prepared(lines, prepared)) / len(lines)}
     if compiled:
 

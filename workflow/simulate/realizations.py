@@ -80,7 +80,7 @@ def _add_realizations(
     drawing = 0.0
     for prepared, shared in cases:
         steps = prepared.steps_per_spacing
-        several = int(lines_at_once(batch.tasks[0].problem.elements * steps))
+        several = lines_at_once(batch.tasks[0].problem.elements * steps)
         lines = ((line, sums) for draw, sums in draws for line in draw(steps))
         while True:
             began = working_time()
@@ -102,7 +102,7 @@ def lines_at_once(samples: Any) -> Any:
 
     samples : a number, or an array of them.
     """
-    return np.where(samples <= SHORT, TOGETHER // samples, 1)
+    return 1 + (samples <= SHORT) * (TOGETHER // samples - 1)
 
 
 def _add_case(

@@ -38,8 +38,6 @@ SHIFT = 12.0  # steps, to shift the line to between its samples
 NEWTON = 118.0  # sweeps of a steady state at rest
 TANGENT = 17.0  # sweeps, for each internal variable
 FASTER = 0.083  # of them more, for each factor of e in the speed
-
-
 CALL = 1.2e-4  # s, calls from Python for elements with internal variables
 
 

@@ -9,18 +9,11 @@ from kernels.motion.stretches import touchable
 from kernels.patches.refined import MOST_SAMPLES
 from kernels.rheology.kelvin import SCHEMES
 from kernels.steady.plain import steady_sliding
+from tests.workflow.plan.cost.problems import PROBLEMS
 from workflow.plan.cost.amounts import begun_anew, fine_samples, touchable_share
 from workflow.simulate.tasks import Problem
 
 SIZES = 1000, 1_000_000
-PROBLEMS = st.builds(
-    lambda *numbers: Problem(*numbers),
-    st.floats(0.0, 1.0),
-    st.integers(100, 100_000),
-    st.floats(1e-4, 100.0),
-    st.floats(1e-3, 1e4),
-    st.floats(0.1, 10.0),
-)
 
 
 def test_what_would_take_too_many_fine_samples_is_not_refined():

@@ -6,6 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kernels import KELVIN, Quantities, Slide, Spectrum
+from tests.workflow.plan.cost.problems import PROBLEMS
 from workflow.plan.cost.work import (
     DRAWING,
     PARTS,
@@ -15,7 +16,6 @@ from workflow.plan.cost.work import (
 )
 from workflow.simulate.tasks import Problem, Recording
 
-SIZES = 1000, 1_000_000
 ALL = Quantities()
 BRANCH = Spectrum((1.0,), (1.0,), 1.0)
 
@@ -105,16 +105,6 @@ def test_steady_states_of_other_slides_are_calls():
 def test_fast_sliding_takes_more_sweeps():
     slow, fast = (scene(Slide(v, 1.0), speed=v)["steady"] for v in (1.0, 1e6))
     assert fast > 1.5 * slow
-
-
-PROBLEMS = st.builds(
-    lambda *numbers: Problem(*numbers),
-    st.floats(0.0, 1.0),
-    st.integers(100, 100_000),
-    st.floats(1e-4, 100.0),
-    st.floats(1e-3, 1e4),
-    st.floats(0.1, 10.0),
-)
 
 
 @given(PROBLEMS, st.sampled_from([1, 4, 6, 64]), st.integers(8, 10_000))
