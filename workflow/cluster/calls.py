@@ -1,5 +1,6 @@
 """Calls that may never return, because whoever is asked has been stopped."""
 
+import contextlib
 import threading
 from collections.abc import Callable, Collection
 from typing import Any, NamedTuple, Protocol
@@ -13,7 +14,32 @@ from workflow.errors import UserError
 
 LOST = "the scheduler was lost; run again to resume"
 POLL_SECONDS = 0.02
+CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye, or a worker process to end by itself
 ROLL = "elastomer_friction_roll"  # what the scheduler is asked for
+
+
+class SafeClient(Client):
+    """A client that is closed where it is used, and never by Python's collection of garbage.
+
+    That may come while dask holds the lock of its threads, and would wait for that very lock.
+    """
+
+    def start(self, **kwargs: Any) -> None:
+        """Connect. Where that fails, close what has been opened, and end the thread."""
+        try:
+            super().start(**kwargs)
+        except BaseException:
+            self.end()
+            self._loop_runner.stop()  # which dask leaves running where nobody answers
+            raise
+
+    def end(self) -> None:
+        """Close it, whether or not its scheduler answers."""
+        with contextlib.suppress(TimeoutError):
+            self.close(timeout=CLOSE_SECONDS)
+
+    def __del__(self) -> None:
+        """Close nothing."""
 
 
 class Clock(Protocol):

@@ -19,7 +19,7 @@ from distributed.system import MEMORY_LIMIT
 from distributed.utils import LoopRunner
 from tornado.ioloop import IOLoop, PeriodicCallback
 
-from workflow.cluster.calls import patiently
+from workflow.cluster.calls import CLOSE_SECONDS, SafeClient, patiently
 from workflow.cluster.jobs import job_cluster
 from workflow.cluster.security import (
     ENCRYPTED,
@@ -34,7 +34,6 @@ from workflow.study import BATCH_SYSTEMS, LOCAL, Cluster
 from workflow.system import THREADS
 
 CONNECT_SECONDS = 10
-CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye, or a worker process to end by itself
 TRIES = 3  # to begin a thread of dask, which gives it ten seconds each: few on a busy machine
 LOST_SECONDS = 30.0  # without a worker process, until a nanny of our own is given up
 AGAIN_SECONDS = 5.0  # between looks at whether one has to be replaced
@@ -79,13 +78,13 @@ def open_client(
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
         if cluster.where == LOCAL:
-            client = Client(stack.enter_context(_local_cluster(workers, dashboard)))
+            client = SafeClient(stack.enter_context(_local_cluster(workers, dashboard)))
         elif cluster.where in BATCH_SYSTEMS:
-            client = Client(stack.enter_context(job_cluster(cluster, dashboard)))
+            client = SafeClient(stack.enter_context(job_cluster(cluster, dashboard)))
             watch.logs = cluster.log_folder
         else:
             client = _client_of(cluster, watch)
-        stack.callback(_close, client)
+        stack.callback(client.end)
         if dashboard:
             say(f"dashboard: {client.dashboard_link} (anyone on the machine can look)")
         yield client
@@ -156,7 +155,7 @@ def begun(begin: Callable[[], Any]) -> Any:
     return begin()
 
 
-def _client_of(cluster: Cluster, watch: Watch) -> Client:
+def _client_of(cluster: Cluster, watch: Watch) -> SafeClient:
     """Return a client of a scheduler that stands; wait for one that is there and says nothing."""
     security = security_of(cluster)
     while True:
@@ -171,10 +170,10 @@ def _client_of(cluster: Cluster, watch: Watch) -> Client:
                 raise UserError(text) from error
 
 
-def _connected(address: str, security: Any) -> Client:
-    # One that cannot connect would stay dask's default, by which xarray locks the files it writes.
+def _connected(address: str, security: Any) -> SafeClient:
+    # While one tries to connect, xarray is not to ask dask's default for locks of files it writes.
     how = {"timeout": CONNECT_SECONDS, "security": security, "set_as_default": False}
-    return begun(partial(Client, address, **how))
+    return begun(partial(SafeClient, address, **how))
 
 
 def _is_mute(address: str) -> bool:
@@ -191,9 +190,3 @@ def _is_mute(address: str) -> bool:
         except TimeoutError:
             return True
     return False
-
-
-def _close(client: Client) -> None:
-    """Close a client, whether or not its scheduler answers."""
-    with contextlib.suppress(TimeoutError):
-        client.close(timeout=CLOSE_SECONDS)

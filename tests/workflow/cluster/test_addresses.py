@@ -1,6 +1,7 @@
 """An address at which something else answers, or nobody: one line, and no waiting."""
 
 import contextlib
+import gc
 import socket
 import threading
 
@@ -8,6 +9,7 @@ import pytest
 from distributed import default_client
 
 from workflow.cluster import client as module
+from workflow.cluster.calls import SafeClient
 from workflow.cluster.client import open_client
 from workflow.errors import UserError
 from workflow.study.cluster import Cluster
@@ -37,13 +39,21 @@ def default():
         return default_client()
 
 
+def loops():
+    """Return how many threads of dask's loops there are."""
+    return sum(thread.name == "IO loop" for thread in threading.enumerate())
+
+
 def refused(address):
     """Assert that one line says that no scheduler is at an address, and that nothing is left."""
-    before = default()
+    before = default(), loops()
     expected = f"^--scheduler {address}: no scheduler answers there$"
-    with pytest.raises(UserError, match=expected):
+    with pytest.raises(UserError, match=expected) as error:
         open_client(Cluster(address)).__enter__()
-    assert default() is before
+    assert error.tb is not None  # it keeps what has been opened from being collected
+    clients = [one for one in gc.get_objects() if type(one) is SafeClient]
+    assert {client.status for client in clients} <= {"closed", "running"}
+    assert (default(), loops()) == before
 
 
 def test_no_scheduler_at_the_address(monkeypatch):
@@ -55,6 +65,17 @@ def test_no_scheduler_at_the_address(monkeypatch):
 def test_what_is_no_address_is_not_looked_for_in_the_network(monkeypatch, address):
     monkeypatch.setattr(module.socket, "create_connection", pytest.fail)
     refused(address)
+
+
+def test_collecting_garbage_closes_no_client(monkeypatch):
+    """Closing takes a lock that dask may hold just then: that would be waited for without end."""
+    closed = []
+    monkeypatch.setattr(SafeClient, "end", lambda client: None)
+    with pytest.raises(ValueError, match="unknown address scheme"):
+        SafeClient("foo://127.0.0.1:1", set_as_default=False)
+    monkeypatch.setattr(SafeClient, "close", closed.append)
+    gc.collect()
+    assert not closed
 
 
 def test_another_service_is_refused(monkeypatch, terminal):
