@@ -26,9 +26,11 @@ help: ## List the targets
 
 setup: $(TOOLS) ## Create .venv with the package and its development tools
 
-$(READY): pyproject.toml # the package alone: what a study needs
+$(READY): pyproject.toml # the package alone, and its machine code: what a study needs
 	$(PYTHON) -m venv $(VENV)
 	$(PIP) --editable .
+	@echo "Compiling the numerical core, about half a minute, once."
+	$(BIN)/python -c 'from kernels import Quantities, loading; loading.load("exponential", Quantities())'
 	touch $@
 
 $(TOOLS): $(READY)

@@ -2,8 +2,8 @@
 
     python -m kernels.loading SCHEME RATE
 
-compiles the marches (RATE 1 or 0: with the indentation rate or without) and some small kernels, so
-that both take about as long, while the process that has started it compiles the steady states.
+compiles the marches (RATE 1 or 0: with the indentation rate or without) and some small kernels,
+while the process that has started it compiles steady sliding, so that both take about as long.
 """
 
 import contextlib
@@ -25,12 +25,14 @@ from kernels.control.force import ConstantForce
 from kernels.control.printed_eq3 import PrintedForce
 from kernels.garbage import nothing_collected
 from kernels.patches.fine_line import mark_touchable, marked
-from kernels.patches.refined import MARGIN
-from kernels.patches.steady_friction import Grounds
+from kernels.patches.loads import How
+from kernels.patches.part import Part, slide_on
+from kernels.patches.refined import MARGIN, curvatures_of
+from kernels.patches.steady_friction import Grounds, Pace
 from kernels.realization import run_cases
 from kernels.relaxation import Ends, plain_relaxations
 from kernels.rheology.forms import form_of
-from kernels.rheology.kelvin import SCHEMES
+from kernels.rheology.kelvin import SCHEMES, Kelvin
 from kernels.rheology.law import State, law_of
 from kernels.rheology.spectrum import KELVIN
 from kernels.steady.carry import NO_GAPS, Decay, carry
@@ -40,6 +42,7 @@ from kernels.surfaces.line import Line
 from kernels.surfaces.self_affine import amplitudes
 
 ROOT = Path(__file__).resolve().parents[1]
+STEPS = 4  # per spacing
 FEW, MANY = np.array([1]), np.array([4])  # steps: marched plainly, and by lists
 WIDE, NARROW = (0.1, 1.0), (1e-3, 100.0)  # load and speed: as sampled, and refined
 
@@ -56,35 +59,52 @@ def load(scheme: str, asked: Quantities) -> None:
     ]
     with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
-            Grounds.of([line], marched=asked.relaxation)
-            run_cases(line, cases, asked._replace(steady=True, relaxation=False))
+            pace, nobody = Pace.of(scheme, STEPS, WIDE[1], (1.2,), (1.2,)), np.empty((1, 0))
+            how = How(float(STEPS), pace.share, True)
+            slide_on(pace.law, Part(_stack(line)), pace.at_speeds, nobody[0], nobody, how)
+            _load_fine(line, pace.law)
             law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
         run_cases(line, cases, asked)
 
 
 def load_half(scheme: str, rate: bool) -> None:
     """Compile the half of the other process: of numbers that mean nothing, but have their types."""
-    z, slope, _, steps, _ = _line()
+    line = _line()
+    z, slope = line.z, line.slope
+    Grounds.of([line], marched=True)
     law = SCHEMES[scheme](1.0)
     load = WIDE[0] * z.size
     state = State(np.zeros_like(z), WIDE[0] + float(z.mean()))
-    sums = np.zeros(z.size // SPAN)
-    rows, row = np.zeros((1, sums.size + 1, TURN + 1)), sums[None]
-    whole, deepest = np.zeros((1, 4)), np.array([np.argmin(z)])
-    stack = Stack(z[None], slope[None], row, row, row, row, rows, whole, deepest)
+    stack, sums = _stack(line), np.zeros(z.size // SPAN)
     spans = spans_of_line(stack, 0)
-    carry(Decay(*law), z, spans, sums, state.d, None, state.w, NO_GAPS)  # the first that are needed
-    marked(mark_touchable(z, slope, spans, state, 1.0 / steps, MARGIN), SPAN)
     control = ConstantForce(load) if rate else PrintedForce(load)
-    ends = Ends(Decay(*law), row, np.array([state.d]))
+    ends = Ends(Decay(*law), sums[None], np.array([state.d]))
     plain_relaxations(stack, law, ends, ends, control, FEW)
     passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
     setting = Setting(z, slope, spans, law, law, passing, passing, 0.0)
     active_march(setting, control, MANY)
 
 
+def _load_fine(line: Line, law: Kelvin) -> None:
+    """Compile what is asked of a line and a state before its contacts are refined."""
+    spans, state = spans_of_line(_stack(line), 0), State(np.zeros_like(line.z), WIDE[0])
+    stay = np.zeros(line.z.size // SPAN)
+    carry(Decay(*law), line.z, spans, stay, state.d, None, state.w, NO_GAPS)
+    curvatures_of(line)
+    marked(mark_touchable(line.z, line.slope, spans, state, 1.0 / STEPS, MARGIN), SPAN)
+
+
+def _stack(line: Line) -> Stack:
+    """Return a stack of one line of whose spans nothing is known."""
+    z = line.z[None]
+    row = np.zeros((1, line.z.size // SPAN))
+    rows, whole = np.zeros((1, row.size + 1, TURN + 1)), np.zeros((1, 4))
+    deepest = np.array([np.argmin(line.z)])
+    return Stack(z, line.slope[None], row, row, row, row, rows, whole, deepest)
+
+
 def _line() -> Line:
-    return Line.self_affine(amplitudes(0.5, 512), np.linspace(0.0, 6.0, 256), 512, 4)
+    return Line.self_affine(amplitudes(0.5, 512), np.linspace(0.0, 6.0, 256), 512, STEPS)
 
 
 @contextlib.contextmanager

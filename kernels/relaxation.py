@@ -46,5 +46,10 @@ def plain_relaxations(stack, law, one, two, control, kept_steps):
         if not inside:
             mu, _, passes, _ = march(law, control, z, weight, state, kept_steps, last)
             updates[k] += passes * n
-        curves[k] = mu - step_average(weight, z - after, two.d[k])
+        thresholds = after
+        for j in range(n):  # loops: numba compiles the parts of array expressions for seconds
+            thresholds[j] = z[j] - after[j]
+        steady = step_average(weight, thresholds, two.d[k])
+        for i in range(mu.size):
+            curves[k, i] = mu[i] - steady
     return curves, updates

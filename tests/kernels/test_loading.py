@@ -21,11 +21,11 @@ HALF = """
 import sys
 from kernels import Quantities, loading
 from kernels.active.march import active_march
-from kernels.patches.fine_line import mark_touchable, marked
 from kernels.relaxation import plain_relaxations
-from kernels.steady.carry import carry
+from kernels.steady.spans import add_rises
+from kernels.steady.stack import stack_of
 
-own = active_march, plain_relaxations, mark_touchable, marked, carry
+own = active_march, plain_relaxations, add_rises, stack_of
 rate = sys.argv[1] == "1"
 loading.load_half("exponential", rate)
 before = [kernel.signatures[:] for kernel in own]
@@ -123,6 +123,6 @@ def test_two_processes_fill_an_empty_cache_together(tmp_path):
             command, cwd=ROOT, env=environment, capture_output=True, text=True, check=True
         )
         found.append(done.stdout.split())
-    assert "slide" in found[0]
-    assert loading._cores() == 1 or not {"active_march", "march", "marked"} & set(found[0])
+    assert "slide_on" in found[0]
+    assert loading._cores() == 1 or not {"active_march", "march", "stack_of"} & set(found[0])
     assert found[1] == []
