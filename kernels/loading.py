@@ -2,7 +2,7 @@
 
     python -m kernels.loading SCHEME RATE
 
-compiles the marches (RATE 1 or 0: with the indentation rate or without) and some small kernels,
+compiles the marches (RATE 1 or 0: with the indentation rate or without) and the sums over a line,
 while the process that has started it compiles steady sliding, so that both take about as long.
 """
 

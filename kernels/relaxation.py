@@ -46,10 +46,9 @@ def plain_relaxations(stack, law, one, two, control, kept_steps):
         if not inside:
             mu, _, passes, _ = march(law, control, z, weight, state, kept_steps, last)
             updates[k] += passes * n
-        thresholds = after
         for j in range(n):  # loops: numba compiles the parts of array expressions for seconds
-            thresholds[j] = z[j] - after[j]
-        steady = step_average(weight, thresholds, two.d[k])
+            after[j] = z[j] - after[j]  # the threshold of contact
+        steady = step_average(weight, after, two.d[k])
         for i in range(mu.size):
             curves[k, i] = mu[i] - steady
     return curves, updates
