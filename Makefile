@@ -30,7 +30,7 @@ $(READY): pyproject.toml # the package alone, and its machine code: what a study
 	$(PYTHON) -m venv $(VENV)
 	$(PIP) --editable .
 	@echo "Compiling the numerical core, about half a minute, once."
-	$(BIN)/python -c 'from kernels import Quantities, loading; loading.load("exponential", Quantities())'
+	$(BIN)/python -c 'from elastomer_friction.kernels import Quantities, loading; loading.load("exponential", Quantities())'
 	touch $@
 
 $(TOOLS): $(READY)
@@ -106,7 +106,7 @@ check: $(TOOLS) ## Lint, formatting, types and the import contracts
 
 docs: $(READY) ## Build the documentation as a site with a search: site/index.html
 	$(PIP) --editable '.[docs]'
-	$(BIN)/python -m workflow.reference
+	$(BIN)/python -m elastomer_friction.workflow.reference
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
 
 bench: $(TOOLS) ## Print what effects cost, as ratios (accuracy: make study-accuracy)

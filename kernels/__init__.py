@@ -14,13 +14,13 @@ on line after line. An effect is a file of surfaces,
 rheology, control or motion; what a scene does not ask for is not in its machine code.
 """
 
-from kernels.case import Case, Outcome, Quantities, Seconds
-from kernels.contact import solve_indentation
-from kernels.control.force import ConstantForce
-from kernels.control.printed_eq3 import PrintedForce
-from kernels.friction import lagged_slope, quadrature, step_average
-from kernels.march import march
-from kernels.motion.programme import (
+from elastomer_friction.kernels.case import Case, Outcome, Quantities, Seconds
+from elastomer_friction.kernels.contact import solve_indentation
+from elastomer_friction.kernels.control.force import ConstantForce
+from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
+from elastomer_friction.kernels.friction import lagged_slope, quadrature, step_average
+from elastomer_friction.kernels.march import march
+from elastomer_friction.kernels.motion.programme import (
     Hold,
     Leg,
     Oscillation,
@@ -30,13 +30,13 @@ from kernels.motion.programme import (
     Slide,
     steps_of,
 )
-from kernels.prepare import Prepared, prepare
-from kernels.realization import run_case, run_cases, run_prepared
-from kernels.rheology.forms import form_of
-from kernels.rheology.kelvin import SCHEMES, Kelvin
-from kernels.rheology.law import State, law_of, memories
-from kernels.rheology.spectrum import KELVIN, Spectrum
-from kernels.scene import (
+from elastomer_friction.kernels.prepare import Prepared, prepare
+from elastomer_friction.kernels.realization import run_case, run_cases, run_prepared
+from elastomer_friction.kernels.rheology.forms import form_of
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES, Kelvin
+from elastomer_friction.kernels.rheology.law import State, law_of, memories
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
+from elastomer_friction.kernels.scene import (
     ENERGIES,
     START,
     TRACES,
@@ -47,15 +47,18 @@ from kernels.scene import (
     scene_steps,
     trace_stamps,
 )
-from kernels.steady.plain import steady_sliding
-from kernels.surfaces.equivalent import equivalent_amplitudes, equivalent_spectrum
-from kernels.surfaces.line import QUARTET, Line
-from kernels.surfaces.measured import measured_amplitudes
-from kernels.surfaces.self_affine import (
+from elastomer_friction.kernels.steady.plain import steady_sliding
+from elastomer_friction.kernels.surfaces.equivalent import (
+    equivalent_amplitudes,
+    equivalent_spectrum,
+)
+from elastomer_friction.kernels.surfaces.line import QUARTET, Line
+from elastomer_friction.kernels.surfaces.measured import measured_amplitudes
+from elastomer_friction.kernels.surfaces.self_affine import (
     amplitudes,
     draw_phases,
     matching_rolloff,
     rms_slope,
     sample_line,
 )
-from kernels.surfaces.spectrum import power_spectrum, rms_height
+from elastomer_friction.kernels.surfaces.spectrum import power_spectrum, rms_height

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.clock import working_time
-from kernels.rheology.spectrum import KELVIN, Spectrum
+from elastomer_friction.kernels.clock import working_time
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 
 
 class Quantities(NamedTuple):

@@ -16,7 +16,7 @@ can carry d below every threshold; that restarts it once, from the bound of one 
 
 import numpy as np
 
-from kernels.jit import kernel
+from elastomer_friction.kernels.jit import kernel
 
 
 @kernel

@@ -9,8 +9,8 @@ import numba
 from numba import types
 from numba.extending import overload
 
-from kernels.cache import CheckedCache
-from kernels.linking import PartCompiler
+from elastomer_friction.kernels.cache import CheckedCache
+from elastomer_friction.kernels.linking import PartCompiler
 
 FLAGS = {
     "nogil": True,  # a scheduler must be able to talk to a worker while a kernel runs

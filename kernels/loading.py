@@ -1,6 +1,6 @@
 """Machine code of all that a case can need: found in the cache, or compiled by two processes.
 
-    python -m kernels.loading SCHEME RATE
+    python -m elastomer_friction.kernels.loading SCHEME RATE
 
 compiles the marches (RATE 1 or 0: with the indentation rate or without) and the sums over a line,
 while the process that has started it compiles steady sliding, so that both take about as long.
@@ -17,29 +17,29 @@ from typing import Any
 import numpy as np
 from numba.core import event
 
-from kernels.active.march import active_march
-from kernels.active.setting import Passing, Setting
-from kernels.cache import WAITING, compiling
-from kernels.case import Case, Quantities
-from kernels.control.force import ConstantForce
-from kernels.control.printed_eq3 import PrintedForce
-from kernels.garbage import nothing_collected
-from kernels.patches.fine_line import mark_touchable, marked
-from kernels.patches.loads import How
-from kernels.patches.part import Part, slide_on
-from kernels.patches.refined import MARGIN, curvatures_of
-from kernels.patches.steady_friction import Grounds, Pace
-from kernels.realization import run_cases
-from kernels.relaxation import Ends, plain_relaxations
-from kernels.rheology.forms import form_of
-from kernels.rheology.kelvin import SCHEMES, Kelvin
-from kernels.rheology.law import State, law_of
-from kernels.rheology.spectrum import KELVIN
-from kernels.steady.carry import NO_GAPS, Decay, carry
-from kernels.steady.spans import SPAN, TURN
-from kernels.steady.stack import Stack, spans_of_line
-from kernels.surfaces.line import Line
-from kernels.surfaces.self_affine import amplitudes
+from elastomer_friction.kernels.active.march import active_march
+from elastomer_friction.kernels.active.setting import Passing, Setting
+from elastomer_friction.kernels.cache import WAITING, compiling
+from elastomer_friction.kernels.case import Case, Quantities
+from elastomer_friction.kernels.control.force import ConstantForce
+from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
+from elastomer_friction.kernels.garbage import nothing_collected
+from elastomer_friction.kernels.patches.fine_line import mark_touchable, marked
+from elastomer_friction.kernels.patches.loads import How
+from elastomer_friction.kernels.patches.part import Part, slide_on
+from elastomer_friction.kernels.patches.refined import MARGIN, curvatures_of
+from elastomer_friction.kernels.patches.steady_friction import Grounds, Pace
+from elastomer_friction.kernels.realization import run_cases
+from elastomer_friction.kernels.relaxation import Ends, plain_relaxations
+from elastomer_friction.kernels.rheology.forms import form_of
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES, Kelvin
+from elastomer_friction.kernels.rheology.law import State, law_of
+from elastomer_friction.kernels.rheology.spectrum import KELVIN
+from elastomer_friction.kernels.steady.carry import NO_GAPS, Decay, carry
+from elastomer_friction.kernels.steady.spans import SPAN, TURN
+from elastomer_friction.kernels.steady.stack import Stack, spans_of_line
+from elastomer_friction.kernels.surfaces.line import Line
+from elastomer_friction.kernels.surfaces.self_affine import amplitudes
 
 ROOT = Path(__file__).resolve().parents[1]
 STEPS = 4  # per spacing

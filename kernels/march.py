@@ -7,11 +7,11 @@ by their types: numba compiles a version for each pair, in which no other has le
 
 import numpy as np
 
-from kernels.control.balance import balance, note
-from kernels.friction import step_average
-from kernels.jit import kernel
-from kernels.motion.slide import shift, start_rings
-from kernels.motion.stretches import bounds, gather, touchable
+from elastomer_friction.kernels.control.balance import balance, note
+from elastomer_friction.kernels.friction import step_average
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.motion.slide import shift, start_rings
+from elastomer_friction.kernels.motion.stretches import bounds, gather, touchable
 
 
 @kernel

@@ -5,18 +5,18 @@ A Kelvin element that slides one way under a load takes a quicker one (realizati
 
 import numpy as np
 
-from kernels.case import Case, Clock, Outcome, Quantities, Seconds
-from kernels.friction import lagged_slope
-from kernels.memory.dissipation import steady_friction
-from kernels.memory.jump import friction_jump, initial_rate
-from kernels.memory.steady import steady_memory
-from kernels.motion.programme import Slide
-from kernels.patches.samples import samples_per_contact
-from kernels.rheology.forms import form_of
-from kernels.rheology.law import Elements, law_of
-from kernels.rheology.retardation import Retardation
-from kernels.scene import Saved, Scene, run_scene
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels.case import Case, Clock, Outcome, Quantities, Seconds
+from elastomer_friction.kernels.friction import lagged_slope
+from elastomer_friction.kernels.memory.dissipation import steady_friction
+from elastomer_friction.kernels.memory.jump import friction_jump, initial_rate
+from elastomer_friction.kernels.memory.steady import steady_memory
+from elastomer_friction.kernels.motion.programme import Slide
+from elastomer_friction.kernels.patches.samples import samples_per_contact
+from elastomer_friction.kernels.rheology.forms import form_of
+from elastomer_friction.kernels.rheology.law import Elements, law_of
+from elastomer_friction.kernels.rheology.retardation import Retardation
+from elastomer_friction.kernels.scene import Saved, Scene, run_scene
+from elastomer_friction.kernels.surfaces.line import Line
 
 
 def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:

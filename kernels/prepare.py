@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.case import Case, Quantities
-from kernels.limits import LOADS, SPEEDS, check_between
-from kernels.patches.steady_friction import Pace
-from kernels.rheology.spectrum import shortest_step
+from elastomer_friction.kernels.case import Case, Quantities
+from elastomer_friction.kernels.limits import LOADS, SPEEDS, check_between
+from elastomer_friction.kernels.patches.steady_friction import Pace
+from elastomer_friction.kernels.rheology.spectrum import shortest_step
 
 LEAST_STEP = 1e-9  # |r - 1|, or zero; r is then known to 1e-7 of it, the jump to 1e-5
 

@@ -8,17 +8,22 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from kernels.active.march import active_march
-from kernels.active.setting import Passing, Setting
-from kernels.case import Case, Clocks, Outcome, Quantities, Seconds
-from kernels.control.force import ConstantForce
-from kernels.control.printed_eq3 import PrintedForce
-from kernels.memory_case import run_memory_case
-from kernels.patches.steady_friction import Grounds, Sliding, refine, steady_friction
-from kernels.prepare import Prepared, Together, prepare
-from kernels.relaxation import Ends, plain_relaxations
-from kernels.steady.stack import alone
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels.active.march import active_march
+from elastomer_friction.kernels.active.setting import Passing, Setting
+from elastomer_friction.kernels.case import Case, Clocks, Outcome, Quantities, Seconds
+from elastomer_friction.kernels.control.force import ConstantForce
+from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
+from elastomer_friction.kernels.memory_case import run_memory_case
+from elastomer_friction.kernels.patches.steady_friction import (
+    Grounds,
+    Sliding,
+    refine,
+    steady_friction,
+)
+from elastomer_friction.kernels.prepare import Prepared, Together, prepare
+from elastomer_friction.kernels.relaxation import Ends, plain_relaxations
+from elastomer_friction.kernels.steady.stack import alone
+from elastomer_friction.kernels.surfaces.line import Line
 
 FEW = 4000  # steps of elements: so few are stepped sooner than lists are made
 

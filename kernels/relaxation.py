@@ -4,12 +4,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.friction import lagged_slope, step_average
-from kernels.jit import kernel
-from kernels.march import march
-from kernels.rheology.law import State
-from kernels.steady.carry import Decay, Gaps, carry
-from kernels.steady.stack import spans_in
+from elastomer_friction.kernels.friction import lagged_slope, step_average
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.march import march
+from elastomer_friction.kernels.rheology.law import State
+from elastomer_friction.kernels.steady.carry import Decay, Gaps, carry
+from elastomer_friction.kernels.steady.stack import spans_in
 
 
 class Ends(NamedTuple):

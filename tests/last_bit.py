@@ -8,8 +8,8 @@ import os
 
 import numpy as np
 
-import kernels
-from kernels.surfaces import line, self_affine
+from elastomer_friction import kernels
+from elastomer_friction.kernels.surfaces import line, self_affine
 
 WANTED = os.environ.get("LAST_BIT")
 exact_line = self_affine.sample_line

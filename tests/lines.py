@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kernels import amplitudes, draw_phases, sample_line
+from elastomer_friction.kernels import amplitudes, draw_phases, sample_line
 
 
 def random_line(elements: int, hurst: float, steps_per_spacing: int, seed: int):

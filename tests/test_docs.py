@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pytest
 
-from workflow.study.effects.material import MATERIAL
-from workflow.study.effects.quantities import QUANTITIES
-from workflow.study.effects.scene import SCENE
-from workflow.study.effects.segments import HOLD, KINDS, OSCILLATE, RAMP, SLIDE
+from elastomer_friction.workflow.study.effects.material import MATERIAL
+from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
+from elastomer_friction.workflow.study.effects.scene import SCENE
+from elastomer_friction.workflow.study.effects.segments import HOLD, KINDS, OSCILLATE, RAMP, SLIDE
 
 ROOT = Path(__file__).resolve().parents[1]
 PAGES = [ROOT / "README.md", ROOT / "CONTRIBUTING.md", *sorted((ROOT / "docs").rglob("*.md"))]

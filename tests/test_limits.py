@@ -10,10 +10,10 @@ from pathlib import Path
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.plan import make_plan
 from tests.support.documents import without
 from tests.support.small import TEXT, small_study
-from workflow.errors import UserError
-from workflow.plan.plan import make_plan
 
 ROOT = Path(__file__).resolve().parents[1]
 STUDY = ("cluster", "grid", "numerics", "read", "study", "variants")

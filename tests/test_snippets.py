@@ -9,9 +9,9 @@ import matplotlib as mpl
 import pytest
 from matplotlib import pyplot as plt
 
+from elastomer_friction.workflow.cli import command_parser
+from elastomer_friction.workflow.study import described_tables, known_studies
 from tests.support.snippets import PAGES, PROGRAM, ROOT, Block, blocks, commands, provide, run_block
-from workflow.cli import command_parser
-from workflow.study import described_tables, known_studies
 
 BLOCKS = [block for page in PAGES for block in blocks(page)]
 MARKS = {"", "file", "needs", "exhaustive", "not run"}

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from kernels.rheology.law import Elements, law_of
-from kernels.rheology.prony import Prony
-from kernels.rheology.spectrum import KELVIN, Spectrum
+from elastomer_friction.kernels.rheology.law import Elements, law_of
+from elastomer_friction.kernels.rheology.prony import Prony
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from tests.references import sorted_root
 
 

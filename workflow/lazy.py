@@ -11,17 +11,14 @@ from importlib import import_module
 from pathlib import Path
 from typing import Any
 
-from workflow.ours import stranger
-
-if said := stranger():  # every room comes by here
-    raise ImportError(said)
+Lookup = Callable[[str], Any]
 
 
-def public_names(package: str, file: str) -> tuple[list[str], Callable[[str], Any]]:
-    """Return ``__all__`` and ``__getattr__`` of the package whose ``__init__`` is ``file``."""
+def public_names(package: str, file: str) -> tuple[list[str], Lookup, Callable[[], list[str]]]:
+    """Return ``__all__``, ``__getattr__`` and ``__dir__`` of the package of an ``__init__``."""
     tree = ast.parse(Path(file).read_text(encoding="utf-8"))
     homes = {
-        alias.asname or alias.name: str(statement.module)
+        alias.asname or alias.name: (str(statement.module), alias.name)
         for block in tree.body
         if isinstance(block, ast.If)
         for statement in block.body
@@ -32,6 +29,10 @@ def public_names(package: str, file: str) -> tuple[list[str], Callable[[str], An
     def find(name: str) -> Any:
         if name not in homes:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
-        return getattr(import_module(homes[name]), name)
+        home, name_there = homes[name]
+        module = import_module(home)
+        if not hasattr(module, name_there):  # a room of a package, not imported yet
+            return import_module(f"{home}.{name_there}")
+        return getattr(module, name_there)
 
-    return sorted(homes), find
+    return sorted(homes), find, lambda: sorted(homes)

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from kernels.active.setting import advance, rise
-from kernels.contact import overlap, weighted_overlap
-from kernels.control.force import ConstantForce
-from kernels.control.printed_eq3 import PrintedForce
-from kernels.jit import by_type, kernel
+from elastomer_friction.kernels.active.setting import advance, rise
+from elastomer_friction.kernels.contact import overlap, weighted_overlap
+from elastomer_friction.kernels.control.force import ConstantForce
+from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
+from elastomer_friction.kernels.jit import by_type, kernel
 
 STRIP = 32  # samples, and partial sums
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step

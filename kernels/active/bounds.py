@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.setting import advance
-from kernels.jit import kernel
+from elastomer_friction.kernels.active.setting import advance
+from elastomer_friction.kernels.jit import kernel
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
 CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread

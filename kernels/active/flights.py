@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.setting import rise
-from kernels.jit import by_type, kernel
-from kernels.rheology.law import NEGLIGIBLE, State
+from elastomer_friction.kernels.active.setting import rise
+from elastomer_friction.kernels.jit import by_type, kernel
+from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, State
 
 FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
 

@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.flights import FORGOTTEN
-from kernels.jit import kernel
+from elastomer_friction.kernels.active.flights import FORGOTTEN
+from elastomer_friction.kernels.jit import kernel
 
 SAME = 2e-15  # of d: displacements that differ by rounding
 

@@ -13,8 +13,17 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.steady.spans import FIRST, HEIGHT, RISE, SLOPE, SPAN, STEEP, TURN, WORK
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.steady.spans import (
+    FIRST,
+    HEIGHT,
+    RISE,
+    SLOPE,
+    SPAN,
+    STEEP,
+    TURN,
+    WORK,
+)
 
 
 class Lists(NamedTuple):

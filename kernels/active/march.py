@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from kernels.active.balance import amend, foresee, lands, note, settle
-from kernels.active.bounds import (
+from elastomer_friction.kernels.active.balance import amend, foresee, lands, note, settle
+from elastomer_friction.kernels.active.bounds import (
     NOTHING,
     closer_bounds,
     first_bounds,
@@ -11,14 +11,14 @@ from kernels.active.bounds import (
     including,
     widened,
 )
-from kernels.active.flights import Steady, arrivals_of, arrive, depart
-from kernels.active.landings import landing, no_landings
-from kernels.active.lists import lists_of, weighed
-from kernels.active.narrow import elements_aloft, narrowed
-from kernels.active.runs import classes_of
-from kernels.active.setting import advance
-from kernels.jit import kernel
-from kernels.rheology.law import State
+from elastomer_friction.kernels.active.flights import Steady, arrivals_of, arrive, depart
+from elastomer_friction.kernels.active.landings import landing, no_landings
+from elastomer_friction.kernels.active.lists import lists_of, weighed
+from elastomer_friction.kernels.active.narrow import elements_aloft, narrowed
+from elastomer_friction.kernels.active.runs import classes_of
+from elastomer_friction.kernels.active.setting import advance
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import State
 
 MARGINS = (0.05, 0.3, 2.0, 2.0)  # of the spread of d and D, one after the other
 # What shorter lists leave to d and to D, of their spread at first; in the end none are made.

@@ -6,10 +6,10 @@ E at one of the speeds or the other, and in contact they are z - d.
 
 from typing import NamedTuple
 
-from kernels.active.setting import Passing, rise
-from kernels.jit import kernel
-from kernels.rheology.law import NEGLIGIBLE
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.active.setting import Passing, rise
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import NEGLIGIBLE
+from elastomer_friction.kernels.steady.spans import SPAN
 
 FREE, OPEN, ALWAYS = 0, 1, 3  # never touches; may touch; always does if the one upstream does
 FORCED = 4  # a mark: listed whatever the bounds tell

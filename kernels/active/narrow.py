@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.flights import arriving, powers_of
-from kernels.active.landings import land, landed
-from kernels.active.lists import Lists, Sums, add_sample
-from kernels.active.marks import ALWAYS, FREE
-from kernels.active.runs import LISTED, SHORT, UNKNOWN, Runs, class_of
-from kernels.active.setting import rise
-from kernels.jit import kernel
+from elastomer_friction.kernels.active.flights import arriving, powers_of
+from elastomer_friction.kernels.active.landings import land, landed
+from elastomer_friction.kernels.active.lists import Lists, Sums, add_sample
+from elastomer_friction.kernels.active.marks import ALWAYS, FREE
+from elastomer_friction.kernels.active.runs import LISTED, SHORT, UNKNOWN, Runs, class_of
+from elastomer_friction.kernels.active.setting import rise
+from elastomer_friction.kernels.jit import kernel
 
 SUMMED = 5  # a class: it always touches, and elements always land there
 

@@ -14,8 +14,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.active.lists import Met, Sums, add_sample, add_span, lagged
-from kernels.active.marks import (
+from elastomer_friction.kernels.active.lists import Met, Sums, add_sample, add_span, lagged
+from elastomer_friction.kernels.active.marks import (
     ALWAYS,
     FORCED,
     FREE,
@@ -25,9 +25,9 @@ from kernels.active.marks import (
     never,
     reached,
 )
-from kernels.active.setting import rise
-from kernels.jit import kernel
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.active.setting import rise
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.steady.spans import SPAN
 
 LISTED = 2  # at times it touches, at times it does not, for all that the bounds tell
 SHORT = 8  # samples: what is never touched but this near is cheaper to list than to fly over

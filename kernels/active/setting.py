@@ -4,10 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.rheology.kelvin import Kelvin
-from kernels.steady.carry import Decay
-from kernels.steady.spans import Spans
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.kelvin import Kelvin
+from elastomer_friction.kernels.steady.carry import Decay
+from elastomer_friction.kernels.steady.spans import Spans
 
 
 class Passing(NamedTuple):

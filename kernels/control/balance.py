@@ -4,7 +4,7 @@ A control is a NamedTuple of what it prescribes. The functions declared here are
 type.
 """
 
-from kernels.jit import by_type
+from elastomer_friction.kernels.jit import by_type
 
 
 @by_type

@@ -17,13 +17,13 @@ import math
 
 import numpy as np
 
-from kernels.friction import lagged_slope
-from kernels.jit import kernel
-from kernels.rheology.law import Elements, law_of
-from kernels.rheology.prony import moments
-from kernels.rheology.relaxed import Moduli
-from kernels.rheology.retardation import Retardation
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels.friction import lagged_slope
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import Elements, law_of
+from elastomer_friction.kernels.rheology.prony import moments
+from elastomer_friction.kernels.rheology.relaxed import Moduli
+from elastomer_friction.kernels.rheology.retardation import Retardation
+from elastomer_friction.kernels.surfaces.line import Line
 
 
 def steady_friction(

@@ -6,11 +6,11 @@ elastomer is glassy for a moment: forces and friction are continuous, their rate
 
 import numpy as np
 
-from kernels.friction import quadrature
-from kernels.rheology.law import Elements, displacement, lasting, law_of
-from kernels.rheology.relaxed import Moduli
-from kernels.rheology.retardation import Retardation
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels.friction import quadrature
+from elastomer_friction.kernels.rheology.law import Elements, displacement, lasting, law_of
+from elastomer_friction.kernels.rheology.relaxed import Moduli
+from elastomer_friction.kernels.rheology.retardation import Retardation
+from elastomer_friction.kernels.surfaces.line import Line
 
 
 def friction_jump(

@@ -14,11 +14,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.contact import solve_indentation
-from kernels.jit import kernel
-from kernels.rheology.law import Elements, law_of, memories, predict, rest, settle
-from kernels.rheology.relaxed import Moduli
-from kernels.rheology.retardation import Retardation
+from elastomer_friction.kernels.contact import solve_indentation
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import (
+    Elements,
+    law_of,
+    memories,
+    predict,
+    rest,
+    settle,
+)
+from elastomer_friction.kernels.rheology.relaxed import Moduli
+from elastomer_friction.kernels.rheology.retardation import Retardation
 
 TURNS = 60  # at most; a few are enough
 EXACT = 1e-13  # residual that is as good as none

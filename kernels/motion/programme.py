@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.motion.path import (
+from elastomer_friction.kernels.motion.path import (
     along,
     crossed,
     fewest_steps,
@@ -20,7 +20,7 @@ from kernels.motion.path import (
     oscillating,
     piecewise,
 )
-from kernels.rheology.spectrum import SHORTEST
+from elastomer_friction.kernels.rheology.spectrum import SHORTEST
 
 FIRST_OF_HOLD = 1e-6  # of a hold, where no speed before it tells how soon something happens
 

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.motion.stretches import bounds
-from kernels.rheology.law import NEGLIGIBLE, reach
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.motion.stretches import bounds
+from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, reach
 
 
 class Rings(NamedTuple):

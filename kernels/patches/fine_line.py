@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.rheology.law import NEGLIGIBLE
-from kernels.steady.carry import Gaps
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import NEGLIGIBLE
+from elastomer_friction.kernels.steady.carry import Gaps
+from elastomer_friction.kernels.steady.spans import SPAN
 
 STRIP = 64  # intervals that are asked at once whether any is marked
 

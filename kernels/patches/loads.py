@@ -11,21 +11,32 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.patches.pressed import MovingLine, pressed, room_for_pressed
-from kernels.patches.pressure import balance, elastic_part, friction, friction_everywhere
-from kernels.patches.touching import (
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.patches.pressed import MovingLine, pressed, room_for_pressed
+from elastomer_friction.kernels.patches.pressure import (
+    balance,
+    elastic_part,
+    friction,
+    friction_everywhere,
+)
+from elastomer_friction.kernels.patches.touching import (
     list_touching,
     mean_rise,
     median_width,
     room_for_all,
     steepest,
 )
-from kernels.steady.ahead import indentation_ahead
-from kernels.steady.contacts import first, room_for
-from kernels.steady.sliding import POWER_STEPS, STEPS, approach, elastic_guess, indentation
-from kernels.steady.spans import SPAN
-from kernels.steady.thresholds import Thresholds
+from elastomer_friction.kernels.steady.ahead import indentation_ahead
+from elastomer_friction.kernels.steady.contacts import first, room_for
+from elastomer_friction.kernels.steady.sliding import (
+    POWER_STEPS,
+    STEPS,
+    approach,
+    elastic_guess,
+    indentation,
+)
+from elastomer_friction.kernels.steady.spans import SPAN
+from elastomer_friction.kernels.steady.thresholds import Thresholds
 
 # What is found of every load: d over the deepest sample, mu, the share in contact, samples per
 # contact, sweeps, and whether the whole line touches.

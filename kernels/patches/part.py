@@ -4,13 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.patches.fine_line import gaps_of, interpolate, mark_missed
-from kernels.patches.loads import INDENTATION, Found, Speeds, slide
-from kernels.steady.carry import decay_of
-from kernels.steady.spans import SPAN, spans_of
-from kernels.steady.stack import Stack, spans_in
-from kernels.steady.thresholds import Thresholds, presses_at, thresholds_of
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.patches.fine_line import gaps_of, interpolate, mark_missed
+from elastomer_friction.kernels.patches.loads import INDENTATION, Found, Speeds, slide
+from elastomer_friction.kernels.steady.carry import decay_of
+from elastomer_friction.kernels.steady.spans import SPAN, spans_of
+from elastomer_friction.kernels.steady.stack import Stack, spans_in
+from elastomer_friction.kernels.steady.thresholds import Thresholds, presses_at, thresholds_of
 
 NONE, NOT_ANY, NOWHERE = np.empty(0), np.empty(0, bool), np.empty(0, np.int64)
 

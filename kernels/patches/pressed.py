@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.patches.touching import Touching
-from kernels.steady.spans import FIRST, HEIGHT, SLOPE, SPAN, STEEP, Spans
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.patches.touching import Touching
+from elastomer_friction.kernels.steady.spans import FIRST, HEIGHT, SLOPE, SPAN, STEEP, Spans
 
 
 class MovingLine(NamedTuple):

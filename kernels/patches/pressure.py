@@ -7,12 +7,12 @@ Source: Li et al. (2014), doi:10.1038/srep05795.
 
 import numpy as np
 
-from kernels.contact import overlap
-from kernels.jit import kernel
-from kernels.patches.pressed import moments, span_under
-from kernels.patches.touching import covered
-from kernels.steady.contacts import AHEAD, BEHIND, LEAST_REACH, MOST_REACH
-from kernels.steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
+from elastomer_friction.kernels.contact import overlap
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.patches.pressed import moments, span_under
+from elastomer_friction.kernels.patches.touching import covered
+from elastomer_friction.kernels.steady.contacts import AHEAD, BEHIND, LEAST_REACH, MOST_REACH
+from elastomer_friction.kernels.steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
 
 
 @kernel

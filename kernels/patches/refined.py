@@ -11,8 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.patches.fine_line import curvatures, mark_touchable, marked
-from kernels.patches.loads import (
+from elastomer_friction.kernels.patches.fine_line import curvatures, mark_touchable, marked
+from elastomer_friction.kernels.patches.loads import (
     CONTACT,
     INDENTATION,
     MU,
@@ -21,12 +21,12 @@ from kernels.patches.loads import (
     How,
     corrected_share,
 )
-from kernels.patches.part import NONE, Part, slide_on
-from kernels.rheology.kelvin import SCHEMES
-from kernels.rheology.law import State
-from kernels.steady.spans import SPAN
-from kernels.steady.stack import Stack, spans_of_line
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels.patches.part import NONE, Part, slide_on
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES
+from elastomer_friction.kernels.rheology.law import State
+from elastomer_friction.kernels.steady.spans import SPAN
+from elastomer_friction.kernels.steady.stack import Stack, spans_of_line
+from elastomer_friction.kernels.surfaces.line import Line
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump

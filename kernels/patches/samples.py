@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kernels.jit import kernel
+from elastomer_friction.kernels.jit import kernel
 
 
 @kernel

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.patches.loads import (
+from elastomer_friction.kernels.patches.loads import (
     CONTACT,
     FULL,
     INDENTATION,
@@ -17,14 +17,14 @@ from kernels.patches.loads import (
     How,
     corrected_share,
 )
-from kernels.patches.part import Part, slide_on
-from kernels.patches.refined import NARROW, Refined, curvatures_of, refined
-from kernels.rheology.kelvin import SCHEMES, Kelvin
-from kernels.rheology.law import State
-from kernels.steady.carry import NO_GAPS, Decay, carry
-from kernels.steady.spans import Spans, add_rises
-from kernels.steady.stack import Stack, alone, spans_of_line, stack_of, stacked
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels.patches.part import Part, slide_on
+from elastomer_friction.kernels.patches.refined import NARROW, Refined, curvatures_of, refined
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES, Kelvin
+from elastomer_friction.kernels.rheology.law import State
+from elastomer_friction.kernels.steady.carry import NO_GAPS, Decay, carry
+from elastomer_friction.kernels.steady.spans import Spans, add_rises
+from elastomer_friction.kernels.steady.stack import Stack, alone, spans_of_line, stack_of, stacked
+from elastomer_friction.kernels.surfaces.line import Line
 
 
 class Ground:

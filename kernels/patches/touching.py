@@ -4,10 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.friction import LEAST_COVERED
-from kernels.jit import kernel
-from kernels.steady.contacts import AHEAD, BEHIND, FREE, SUM
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.friction import LEAST_COVERED
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.steady.contacts import AHEAD, BEHIND, FREE, SUM
+from elastomer_friction.kernels.steady.spans import SPAN
 
 
 class Touching(NamedTuple):

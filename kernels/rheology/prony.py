@@ -19,8 +19,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.rheology.law import (
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import (
     NEGLIGIBLE,
     displacement,
     lasting,
@@ -30,7 +30,7 @@ from kernels.rheology.law import (
     rest,
     settle,
 )
-from kernels.rheology.retardation import Retardation
+from elastomer_friction.kernels.rheology.retardation import Retardation
 
 SCHEME = "exponential"
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.rheology.law import (
+from elastomer_friction.kernels.rheology.law import (
     NEGLIGIBLE,
     displacement,
     lasting,
@@ -21,8 +21,8 @@ from kernels.rheology.law import (
     rest,
     settle,
 )
-from kernels.rheology.retardation import merged
-from kernels.rheology.spectrum import Spectrum
+from elastomer_friction.kernels.rheology.retardation import merged
+from elastomer_friction.kernels.rheology.spectrum import Spectrum
 
 SCHEME = "implicit-euler"
 

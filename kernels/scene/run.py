@@ -2,16 +2,16 @@
 
 import numpy as np
 
-from kernels.control.force import ConstantForce
-from kernels.control.indentation import PrescribedIndentation
-from kernels.motion.programme import first_speed, last_speed
-from kernels.motion.track import Track, tracks
-from kernels.rheology.forms import form_of
-from kernels.rheology.law import Elements, displacement, law_of
-from kernels.scene.begin import Form, fresh, relaxed, steady
-from kernels.scene.energy import ENERGIES, Ledger, stored_energy
-from kernels.scene.follow import follow
-from kernels.scene.records import (
+from elastomer_friction.kernels.control.force import ConstantForce
+from elastomer_friction.kernels.control.indentation import PrescribedIndentation
+from elastomer_friction.kernels.motion.programme import first_speed, last_speed
+from elastomer_friction.kernels.motion.track import Track, tracks
+from elastomer_friction.kernels.rheology.forms import form_of
+from elastomer_friction.kernels.rheology.law import Elements, displacement, law_of
+from elastomer_friction.kernels.scene.begin import Form, fresh, relaxed, steady
+from elastomer_friction.kernels.scene.energy import ENERGIES, Ledger, stored_energy
+from elastomer_friction.kernels.scene.follow import follow
+from elastomer_friction.kernels.scene.records import (
     TRACES,
     Film,
     Lengths,
@@ -20,8 +20,15 @@ from kernels.scene.records import (
     keep_frame,
     keep_trace,
 )
-from kernels.scene.scene import START, Saved, Scene, check_scene, indentation_at, scene_steps
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels.scene.scene import (
+    START,
+    Saved,
+    Scene,
+    check_scene,
+    indentation_at,
+    scene_steps,
+)
+from elastomer_friction.kernels.surfaces.line import Line
 
 
 class Recorders:

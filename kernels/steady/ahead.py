@@ -8,8 +8,8 @@ the sum in second order only.
 
 import math
 
-from kernels.jit import kernel
-from kernels.steady.contacts import SUM
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.steady.contacts import SUM
 
 
 @kernel

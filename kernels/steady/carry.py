@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.rheology.law import NEGLIGIBLE, reach
-from kernels.steady.contacts import (
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, reach
+from elastomer_friction.kernels.steady.contacts import (
     begin_sum,
     end_sum,
     enter_span,
@@ -19,7 +19,7 @@ from kernels.steady.contacts import (
     leave_piece,
     open_piece,
 )
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.steady.spans import SPAN
 
 
 class Decay(NamedTuple):

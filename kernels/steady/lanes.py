@@ -8,9 +8,9 @@ those of carry.py to the bit, and which loads lie beside each other plays no par
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.rheology.law import NEGLIGIBLE
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import NEGLIGIBLE
+from elastomer_friction.kernels.steady.spans import SPAN
 
 LANES = 16
 # Rows of the memory of lanes: indentation, displacement u and -du/dd, -sum u and its derivative,

@@ -13,9 +13,9 @@ excess force: never more than n + log2(first excess / (4e-16 load)) in all.
 
 import numpy as np
 
-from kernels.contact import solve_indentation
-from kernels.jit import kernel
-from kernels.rheology.law import NEGLIGIBLE, State, reach
+from elastomer_friction.kernels.contact import solve_indentation
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, State, reach
 
 
 @kernel

@@ -8,10 +8,10 @@ contacts.
 
 import numpy as np
 
-from kernels.contact import solve_indentation
-from kernels.jit import kernel
-from kernels.steady.carry import carry
-from kernels.steady.lanes import LANES, carry_lanes
+from elastomer_friction.kernels.contact import solve_indentation
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.steady.carry import carry
+from elastomer_friction.kernels.steady.lanes import LANES, carry_lanes
 
 POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed; the first with a guess
 CLOSE = 1e-13  # of the load: what may be left of an excess, beyond the rounding of long sums

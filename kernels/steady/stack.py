@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.steady.spans import SPAN, TURN, Spans, fill_spans
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.steady.spans import SPAN, TURN, Spans, fill_spans
 
 
 class Stack(NamedTuple):

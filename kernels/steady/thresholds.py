@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels.jit import kernel
-from kernels.steady.spans import SPAN, larger
+from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.steady.spans import SPAN, larger
 
 EIGHT = 8  # samples that are compared at once, in the vector registers of the processor
 

@@ -5,7 +5,7 @@ import time
 
 import numpy as np
 
-from kernels import Line
+from elastomer_friction.kernels import Line
 
 from .marches import MARCHES
 from .points import RATIO, Point, Surface

@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import amplitudes, rms_slope
-from workflow.reduce import fit_relaxation, replicates, standard_error
+from elastomer_friction.kernels import amplitudes, rms_slope
+from elastomer_friction.workflow.reduce import fit_relaxation, replicates, standard_error
 
 from .points import Point
 from .sampling import Runs

@@ -6,8 +6,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report import COLOURS, write_below
-from workflow.result import Groups
+from elastomer_friction.workflow.report import COLOURS, write_below
+from elastomer_friction.workflow.result import Groups
 
 from .panels import NAMES, REFINED, draw_ladders, draw_narrow, milliseconds, name_regimes
 

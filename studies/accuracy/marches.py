@@ -7,7 +7,7 @@ differs is how: no steady solver, no exact jump, every element at every step.
 import numpy as np
 from scipy.optimize import brentq
 
-from kernels import Line
+from elastomer_friction.kernels import Line
 
 SEARCH = 1e-13  # width in h at which a search for d ends
 

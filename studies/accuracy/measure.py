@@ -7,8 +7,8 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from workflow.result import Groups
-from workflow.study import Text, integer, positive
+from elastomer_friction.workflow.result import Groups
+from elastomer_friction.workflow.study import Text, integer, positive
 
 from . import ladders, rivals
 from .marches import MARCHES

@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import amplitudes, draw_phases
-from workflow.simulate import Problem, line_generator
+from elastomer_friction.kernels import amplitudes, draw_phases
+from elastomer_friction.workflow.simulate import Problem, line_generator
 
 RATIO = 1.2  # v2 / v1
 

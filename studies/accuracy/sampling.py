@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import Case, Line, Quantities, run_case
-from workflow.plan import horizon_steps
-from workflow.simulate import record_steps, record_times
-from workflow.study import Numerics
+from elastomer_friction.kernels import Case, Line, Quantities, run_case
+from elastomer_friction.workflow.plan import horizon_steps
+from elastomer_friction.workflow.simulate import record_steps, record_times
+from elastomer_friction.workflow.study import Numerics
 
 from .points import RATIO, Point, Surface
 

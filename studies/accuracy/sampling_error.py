@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workflow.reduce import fit_exponential
+from elastomer_friction.workflow.reduce import fit_exponential
 
 from .points import Point, Surface
 from .sampling import Method, Runs, run

@@ -1,6 +1,6 @@
 """How far "auto" is from the limit of fine samples, over the whole range of the paper.
 
-    python -m studies.accuracy.wide [POINTS [LINES [SEED]]]
+    python -m elastomer_friction.studies.accuracy.wide [POINTS [LINES [SEED]]]
 
 Random problems (a Latin hypercube in H, log N, log Fbar, log x), a few lines each; the same lines
 at the steps that "auto" takes, at half and at FINER times as many. Printed is what 50 and 90
@@ -13,11 +13,11 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
-from workflow.plan import LAWS, horizon_steps, rate_error, steps_per_spacing
-from workflow.reduce import FITTED, fit_relaxation, replicates
-from workflow.simulate import Problem, record_steps, record_times
-from workflow.study import Numerics, Scene
+from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
+from elastomer_friction.workflow.plan import LAWS, horizon_steps, rate_error, steps_per_spacing
+from elastomer_friction.workflow.reduce import FITTED, fit_relaxation, replicates
+from elastomer_friction.workflow.simulate import Problem, record_steps, record_times
+from elastomer_friction.workflow.study import Numerics, Scene
 
 FINER = 8
 LARGEST = 1e10  # samples times steps of the finest march of a line

@@ -6,10 +6,10 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import DOTS, X_LABEL, by_hurst
-from workflow.reduce import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
-from workflow.report import COLOURS, error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import DOTS, X_LABEL, by_hurst
+from elastomer_friction.workflow.reduce import EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Panels (a) and (b) show what is fitted where friction does not relax as one exponential: the "

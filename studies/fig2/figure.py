@@ -7,9 +7,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import SCHEMES, VARIANTS
-from workflow.report import error_band, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import SCHEMES, VARIANTS
+from elastomer_friction.workflow.report import error_band, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "The coefficient of friction µ is shown over the time since a jump of the sliding velocity, "

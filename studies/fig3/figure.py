@@ -10,9 +10,9 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
-from studies.style import CONVERGED, SCHEMES, shades
-from workflow.report import error_band, error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import CONVERGED, SCHEMES, shades
+from elastomer_friction.workflow.report import error_band, error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Panel (a) shows the steady coefficient of friction over the sliding velocity, with the "

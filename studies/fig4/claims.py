@@ -3,7 +3,15 @@
 import numpy as np
 import xarray as xr
 
-from workflow.report import HOLDS, NOT_FOUND, ONLY_COARSE, Claim, Results, given, per_point
+from elastomer_friction.workflow.report import (
+    HOLDS,
+    NOT_FOUND,
+    ONLY_COARSE,
+    Claim,
+    Results,
+    given,
+    per_point,
+)
 
 RATE = 2.4  # of figure 4
 USUAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typical

@@ -6,10 +6,10 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import CONVERGED, SCHEMES, VARIANTS, in_micrometres
-from workflow.reduce import FITTED
-from workflow.report import COLOURS, error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import CONVERGED, SCHEMES, VARIANTS, in_micrometres
+from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Panel (a) shows how friction relaxes to its steady value µ₂ after a velocity step, and the "

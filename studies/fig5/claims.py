@@ -5,7 +5,7 @@ from collections.abc import Callable
 import numpy as np
 import xarray as xr
 
-from workflow.report import Claim, Results, given, judge, mean_error
+from elastomer_friction.workflow.report import Claim, Results, given, judge, mean_error
 
 SLOW = 0.5  # x below which sliding is slow
 

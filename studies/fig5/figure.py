@@ -4,9 +4,9 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from studies.style import shades
-from workflow.report import error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import shades
+from elastomer_friction.workflow.report import error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Panel (a) shows the jump of friction over the relative velocity step, and panel (b) the "

@@ -2,9 +2,17 @@
 
 import numpy as np
 
-from studies.style import normalised
-from workflow.kinetic_law import PLATEAU, normalised_jump
-from workflow.report import TOLERANCE, Claim, Results, given, judge, mean_error, percent
+from elastomer_friction.studies.style import normalised
+from elastomer_friction.workflow.kinetic_law import PLATEAU, normalised_jump
+from elastomer_friction.workflow.report import (
+    TOLERANCE,
+    Claim,
+    Results,
+    given,
+    judge,
+    mean_error,
+    percent,
+)
 
 FLAT = 0.9  # share of its largest value from which mu_1 counts as on the plateau
 MIDDLE = (0.3, 0.7)  # Hurst exponents of the plateau claim

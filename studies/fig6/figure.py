@@ -4,10 +4,10 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from studies.style import DOTS, normalised, shades
-from workflow.kinetic_law import PLATEAU, normalised_jump
-from workflow.report import error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import DOTS, normalised, shades
+from elastomer_friction.workflow.kinetic_law import PLATEAU, normalised_jump
+from elastomer_friction.workflow.report import error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "The upper panel shows the normalised jump of friction over the normalised steady friction for "

@@ -3,9 +3,9 @@
 import numpy as np
 import xarray as xr
 
-from workflow.kinetic_law import relaxation_rate
-from workflow.reduce import FITTED, NOT_EXPONENTIAL
-from workflow.report import (
+from elastomer_friction.workflow.kinetic_law import relaxation_rate
+from elastomer_friction.workflow.reduce import FITTED, NOT_EXPONENTIAL
+from elastomer_friction.workflow.report import (
     FACTOR,
     HOLDS,
     NOT_FOUND,

@@ -8,10 +8,10 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import CONVERGED, DOTS, PAPER_STEP, SCHEMES, X_LABEL, by_hurst
-from workflow.reduce import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
-from workflow.report import error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import CONVERGED, DOTS, PAPER_STEP, SCHEMES, X_LABEL, by_hurst
+from elastomer_friction.workflow.reduce import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
+from elastomer_friction.workflow.report import error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "The rate b at which friction relaxes after a velocity step is shown over the dimensionless "

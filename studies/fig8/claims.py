@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from workflow.report import HOLDS, Claim, Results, given, judge, reworded
+from elastomer_friction.workflow.report import HOLDS, Claim, Results, given, judge, reworded
 
 ALPHA_TOLERANCE = 0.2
 

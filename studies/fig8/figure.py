@@ -6,9 +6,9 @@ import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from studies.style import CONVERGED, SCHEMES, VARIANTS
-from workflow.report import error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import CONVERGED, SCHEMES, VARIANTS
+from elastomer_friction.workflow.report import error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "The exponent α of the relaxation rate for x > 1 is shown over the Hurst exponent H, with the "

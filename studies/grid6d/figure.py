@@ -7,11 +7,11 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
-from studies.style import DOTS, X_LABEL, by_hurst, normalised
-from workflow.kinetic_law import normalised_jump
-from workflow.reduce import FITTED
-from workflow.report import COLOURS, error_bars, foot_line, without_unresolved
-from workflow.result import Groups
+from elastomer_friction.studies.style import DOTS, X_LABEL, by_hurst, normalised
+from elastomer_friction.workflow.kinetic_law import normalised_jump
+from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, without_unresolved
+from elastomer_friction.workflow.result import Groups
 
 from .prediction import LIMITS, law_error, shares_within
 

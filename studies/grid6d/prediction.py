@@ -3,7 +3,7 @@
 import numpy as np
 import xarray as xr
 
-from workflow.kinetic_law import normalised_jump, relaxation_rate
+from elastomer_friction.workflow.kinetic_law import normalised_jump, relaxation_rate
 
 LIMITS = (0.01, 0.05, 0.20)
 

@@ -8,10 +8,10 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.figure import Figure
 
-from studies.style import shades
-from workflow.report import COLOURS, foot_line, log_bars
-from workflow.result import Groups
-from workflow.study import Study, read_study
+from elastomer_friction.studies.style import shades
+from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
+from elastomer_friction.workflow.result import Groups
+from elastomer_friction.workflow.study import Study, read_study
 
 from .collapse import ALONG_BOTH, OVERLAP, UNSHIFTED
 from .curves import LARGEST_ERROR

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from workflow.report import not_resolved
+from elastomer_friction.workflow.report import not_resolved
 
 from .collapse import ALONG_BOTH, ALONG_SPEED, UNSHIFTED, Collapse, collapse
 from .curves import Family, at_forces, at_indentations

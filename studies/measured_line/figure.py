@@ -12,10 +12,10 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import X_LABEL, normalised
-from workflow.reduce import FITTED
-from workflow.report import COLOURS, error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import X_LABEL, normalised
+from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Panels (a) to (c) show the power spectra of measured lines, their steady friction and the "

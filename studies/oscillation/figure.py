@@ -17,9 +17,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.oscillation.prediction import Motion, modulus, motions, shift, unit
-from workflow.report import COLOURS, foot_line, log_bars
-from workflow.result import Groups
+from elastomer_friction.studies.oscillation.prediction import Motion, modulus, motions, shift, unit
+from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "A line oscillates about a place of rest, and friction is shown over the velocity in loops, "

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import xarray as xr
 
-from kernels.rheology.spectrum import Spectrum, complex_modulus
+from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 
 
 class Motion(NamedTuple):

@@ -19,9 +19,9 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
-from workflow.reduce import FITTED, NO_STATE
-from workflow.report import COLOURS, error_bars, write_below
-from workflow.result import Groups
+from elastomer_friction.workflow.reduce import FITTED, NO_STATE
+from elastomer_friction.workflow.report import COLOURS, error_bars, write_below
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "The parameters a, b and D_c of the rate-and-state law of friction are fitted to computed "

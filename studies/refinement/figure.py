@@ -6,10 +6,10 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import CONVERGED, DOTS, PALEST, PAPER_STEP, SCHEMES, X_LABEL
-from workflow.reduce import FITTED
-from workflow.report import error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import CONVERGED, DOTS, PALEST, PAPER_STEP, SCHEMES, X_LABEL
+from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.workflow.report import error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Panels (a) and (b) show the relaxation rate b over the dimensionless velocity x with ever "

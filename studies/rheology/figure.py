@@ -8,11 +8,11 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from kernels.rheology.spectrum import Spectrum, complex_modulus
-from studies.master_curve.collapse import UNSHIFTED, Collapse, Curve, collapse
-from workflow.report import COLOURS, error_bars, foot_line
-from workflow.result import Groups
-from workflow.study import Material, Study, read_study
+from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
+from elastomer_friction.studies.master_curve.collapse import UNSHIFTED, Collapse, Curve, collapse
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
+from elastomer_friction.workflow.study import Material, Study, read_study
 
 CAPTION = (
     "Three materials, a Kelvin element, a standard linear solid and a rubber of many branches, are "

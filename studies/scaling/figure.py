@@ -8,9 +8,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report import COLOURS, write_below
-from workflow.result import Groups
-from workflow.system import duration
+from elastomer_friction.workflow.report import COLOURS, write_below
+from elastomer_friction.workflow.result import Groups
+from elastomer_friction.workflow.system import duration
 
 CAPTION = (
     "Panels (a) and (b) show which share of their time the workers of a simulated cluster are "

@@ -8,9 +8,9 @@ from typing import Any
 import pandas as pd
 import xarray as xr
 
-from workflow.errors import UserError
-from workflow.result import Groups
-from workflow.study import Text, integer, positive
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.result import Groups
+from elastomer_friction.workflow.study import Text, integer, positive
 
 from .paper import alone, planned
 from .virtual import Costs, durations, simulated

@@ -1,7 +1,7 @@
 """A whole study on a virtual cluster: real plan, flow, shelf, store and journal, no kernels.
 
-`python -m studies.scaling.paper ARGUMENTS` runs it in a process of its own, so that its memory is
-that of a driver.
+`python -m elastomer_friction.studies.scaling.paper ARGUMENTS` runs it in a process of its own, so
+that its memory is that of a driver.
 """
 
 import json
@@ -15,7 +15,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from workflow.plan import (
+from elastomer_friction.workflow.plan import (
     Missing,
     Plan,
     batch_target,
@@ -25,10 +25,10 @@ from workflow.plan import (
     missing_work,
     total_seconds,
 )
-from workflow.simulate import PHASES, SCALARS, Batch, BatchResult
-from workflow.store import Shelf, Store, size
-from workflow.study import Study, read_study
-from workflow.system import peak_bytes, this_maker
+from elastomer_friction.workflow.simulate import PHASES, SCALARS, Batch, BatchResult
+from elastomer_friction.workflow.store import Shelf, Store, size
+from elastomer_friction.workflow.study import Study, read_study
+from elastomer_friction.workflow.system import peak_bytes, this_maker
 
 from .virtual import Costs, VirtualClient, virtual_stream
 
@@ -37,7 +37,12 @@ MEBIBYTE = 2**20
 
 def alone(**arguments: Any) -> dict[str, float]:
     """Return what ``measured(**arguments)`` returns in a process of its own."""
-    command = [sys.executable, "-m", "studies.scaling.paper", json.dumps(arguments)]
+    command = [
+        sys.executable,
+        "-m",
+        "elastomer_friction.studies.scaling.paper",
+        json.dumps(arguments),
+    ]
     done = subprocess.run(command, stdout=subprocess.PIPE, text=True, check=True)
     return json.loads(done.stdout.splitlines()[-1])
 

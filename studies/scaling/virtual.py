@@ -18,7 +18,7 @@ from typing import Any, NamedTuple, cast
 import numpy as np
 from distributed import Client
 
-from workflow.cluster import ROLL, Call, Roll, stream
+from elastomer_friction.workflow.cluster import ROLL, Call, Roll, stream
 
 SPREAD = 0.5  # of a task's time, about its mean, each way
 BEGAN = 1000.0  # s; no clock of a machine starts at zero with a program, and flow looks at once

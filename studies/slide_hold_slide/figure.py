@@ -20,9 +20,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from studies.style import PALEST
-from workflow.report import COLOURS, error_bars, foot_line
-from workflow.result import Groups
+from elastomer_friction.studies.style import PALEST
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "A line slides, rests for a while and slides on, and panels (a) and (b) show by how much the "

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import SCHEMES, Line, amplitudes, draw_phases
+from elastomer_friction.kernels import SCHEMES, Line, amplitudes, draw_phases
 
 from .probe import Motion
 from .shapes import shapes

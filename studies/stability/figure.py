@@ -7,9 +7,9 @@ from matplotlib.collections import QuadMesh
 from matplotlib.colors import BoundaryNorm, LogNorm, Normalize
 from matplotlib.figure import Figure
 
-from studies.style import X_LABEL
-from workflow.report import write_below
-from workflow.result import Groups
+from elastomer_friction.studies.style import X_LABEL
+from elastomer_friction.workflow.report import write_below
+from elastomer_friction.workflow.result import Groups
 
 from .probe import RESIDUALS
 

@@ -8,9 +8,17 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from kernels import SCHEMES, Case, Line, Quantities, amplitudes, rms_slope, run_case
-from workflow.result import Groups
-from workflow.study import Text, integer
+from elastomer_friction.kernels import (
+    SCHEMES,
+    Case,
+    Line,
+    Quantities,
+    amplitudes,
+    rms_slope,
+    run_case,
+)
+from elastomer_friction.workflow.result import Groups
+from elastomer_friction.workflow.study import Text, integer
 
 from .corners import corners, number_of_corners, random_line
 from .probe import COUNTS, RESIDUALS, Motion, probe

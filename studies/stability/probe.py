@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import (
+from elastomer_friction.kernels import (
     SCHEMES,
     ConstantForce,
     Kelvin,
@@ -19,7 +19,7 @@ from kernels import (
     solve_indentation,
     steady_sliding,
 )
-from kernels.steady.plain import sweep
+from elastomer_friction.kernels.steady.plain import sweep
 
 TINY = np.finfo(float).tiny  # the smallest normal number
 EPS = np.finfo(float).eps

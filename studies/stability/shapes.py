@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kernels import Line
+from elastomer_friction.kernels import Line
 
 
 def line_through(z, steps_per_spacing: int = 2) -> Line:

@@ -17,8 +17,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from workflow.report import COLOURS, foot_line
-from workflow.result import Groups
+from elastomer_friction.workflow.report import COLOURS, foot_line
+from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Friction and indentation are shown over the distance slid since velocity steps up (solid) and "

@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import psutil
 
+from elastomer_friction.workflow.store import journal
 from tests.cluster.processes import PATIENCE, STUDY, Standing, end, kill, start, workers_of
 from tests.cluster.slurm import NODES, Slurm
 from tests.cluster.stops import Stops
-from workflow.store import journal
 
 ENDINGS = {0, 2, 130, -signal.SIGKILL, -signal.SIGTERM, -signal.SIGINT}  # Ctrl-C: too early
 BATCH_SECONDS = "0.15"  # short, so that much can happen in a small study

@@ -12,11 +12,11 @@ from pathlib import Path
 
 import psutil
 
-from studies.scaling.paper import pretend
-from workflow.plan import make_plan
-from workflow.run import How, run_plan
-from workflow.study import read_study
-from workflow.system import peak_bytes
+from elastomer_friction.studies.scaling.paper import pretend
+from elastomer_friction.workflow.plan import make_plan
+from elastomer_friction.workflow.run import How, run_plan
+from elastomer_friction.workflow.study import read_study
+from elastomer_friction.workflow.system import peak_bytes
 
 STUDY = """
 [study]

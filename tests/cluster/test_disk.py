@@ -9,11 +9,11 @@ import time
 
 import pytest
 
+from elastomer_friction.workflow.cli import main
 from tests.cluster.processes import PATIENCE, start
 from tests.support.faulty_disk import faulty_disk
 from tests.support.runs import ROOT
 from tests.support.small import write_study
-from workflow.cli import main
 
 pytestmark = pytest.mark.cluster
 
@@ -141,7 +141,7 @@ def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(tmp_path, 
 LOOK = """
 import sys
 from pathlib import Path
-from workflow.system import holder
+from elastomer_friction.workflow.system import holder
 while True:
     holder(Path(sys.argv[1]))
 """
@@ -154,7 +154,7 @@ def test_status_beside_a_starting_run_never_makes_it_fail(tmp_path, capsys):
     (store / "lock").touch()
     command = [sys.executable, "-c", LOOK, str(store)]
     lookers = [subprocess.Popen(command, cwd=ROOT) for _ in range(2)]
-    hold = "from pathlib import Path; from workflow.system import hold\n"
+    hold = "from pathlib import Path; from elastomer_friction.workflow.system import hold\n"
     hold += f"for _ in range(300):\n    with hold(Path({str(store)!r})): pass"
     try:
         time.sleep(2.0)

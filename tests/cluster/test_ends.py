@@ -9,13 +9,13 @@ from pathlib import Path
 import psutil
 import pytest
 
+from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.study.cluster import Cluster
 from tests.cluster.processes import PATIENCE, Standing
 from tests.support.runs import run
 from tests.support.small import small_plan
-from workflow.run.run import run_plan
-from workflow.run.workers import How
-from workflow.simulate.realizations import block_means
-from workflow.study.cluster import Cluster
 
 pytestmark = pytest.mark.cluster
 

@@ -2,13 +2,13 @@
 
 import pytest
 
-from studies.scaling.paper import pretend
-from workflow.plan.plan import make_plan
-from workflow.run.run import run_plan
-from workflow.run.workers import How
-from workflow.study.cluster import Cluster
-from workflow.study.read import read_study
-from workflow.system.process import peak_bytes
+from elastomer_friction.studies.scaling.paper import pretend
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.study.cluster import Cluster
+from elastomer_friction.workflow.study.read import read_study
+from elastomer_friction.workflow.system.process import peak_bytes
 
 pytestmark = pytest.mark.cluster
 

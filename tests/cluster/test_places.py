@@ -2,9 +2,9 @@
 
 import pytest
 
+from elastomer_friction.workflow.store import journal
 from tests.cluster.processes import PATIENCE, STUDY, result_of, start
 from tests.cluster.tally import begun
-from workflow.store import journal
 
 pytestmark = pytest.mark.cluster
 

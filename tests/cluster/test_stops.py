@@ -9,6 +9,7 @@ import psutil
 import pytest
 from distributed import Client
 
+from elastomer_friction.workflow.store import journal
 from tests.cluster.processes import (
     PATIENCE,
     Standing,
@@ -19,7 +20,6 @@ from tests.cluster.processes import (
     workers_of,
 )
 from tests.support.small import write_study
-from workflow.store import journal
 
 pytestmark = pytest.mark.cluster
 

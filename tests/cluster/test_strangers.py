@@ -8,9 +8,9 @@ import time
 import psutil
 import pytest
 
+from elastomer_friction.workflow.store import journal
 from tests.cluster.processes import PATIENCE, STUDY, end, free_port, start, start_scheduler
 from tests.support.runs import ROOT
-from workflow.store import journal
 
 pytestmark = [
     pytest.mark.cluster,

@@ -9,6 +9,9 @@ import time
 import pytest
 from distributed import Client
 
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.store import Store, store_folder
 from tests.cluster.havoc import Count
 from tests.cluster.processes import (
     PATIENCE,
@@ -24,9 +27,6 @@ from tests.support.runs import ROOT, run
 from tests.support.shards import held
 from tests.support.small import all_records, small_plan
 from tests.tools.chaos import run_chaos
-from workflow.simulate.realizations import block_means
-from workflow.store import journal
-from workflow.store.store import Store, store_folder
 
 pytestmark = pytest.mark.cluster
 

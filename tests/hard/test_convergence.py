@@ -3,7 +3,15 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, Case, Line, Quantities, amplitudes, draw_phases, run_case
+from elastomer_friction.kernels import (
+    SCHEMES,
+    Case,
+    Line,
+    Quantities,
+    amplitudes,
+    draw_phases,
+    run_case,
+)
 from tests.convergence import observed_order
 from tests.lines import parabola
 from tests.references import parabola_forces

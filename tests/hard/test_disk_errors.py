@@ -8,11 +8,11 @@ import time
 
 import pytest
 
+from elastomer_friction.workflow.store.store import Store
 from tests.support.faults import TRUTH, checked, fill
 from tests.support.faulty_disk import faulty_disk
 from tests.support.runs import PATIENCE, ROOT
 from tests.support.shards import reopened
-from workflow.store.store import Store
 
 # Stores three shards and reads them again, with as much patience as it is told; for each line that
 # comes in, "FOLDER PATIENCE write|read".
@@ -20,9 +20,9 @@ SCRIPT = """
 import sys
 from pathlib import Path
 from tests.support.faults import TRUTH, checked, fill
-from workflow.errors import UserError
-from workflow.store.store import Store
-from workflow.system import Patience
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.store.store import Store
+from elastomer_friction.workflow.system import Patience
 for line in sys.stdin:
     folder, patience, what = line.split()
     try:

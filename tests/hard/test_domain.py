@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernels import SCHEMES, Case, Line, Quantities, amplitudes, run_case
-from studies.stability.probe import Motion, probe
+from elastomer_friction.kernels import SCHEMES, Case, Line, Quantities, amplitudes, run_case
+from elastomer_friction.studies.stability.probe import Motion, probe
 from tests.hard.bounds import EPS, MARGIN, assert_stable, bounds
 from tests.reference_march import constants, steady
 from tests.sizes import size

@@ -11,17 +11,21 @@ import numpy as np
 import pytest
 from scipy.stats import chi2, norm, t
 
-from tests.support.sweeps import sweep
-from workflow.reduce.exponents import fit_power_law
-from workflow.reduce.fits import (
+from elastomer_friction.workflow.reduce.exponents import fit_power_law
+from elastomer_friction.workflow.reduce.fits import (
     FITTED,
     NO_RELAXATION,
     NOT_EXPONENTIAL,
     UNDETERMINED,
     fit_relaxation,
 )
-from workflow.reduce.models import compare_models
-from workflow.reduce.statistics.jackknife import errors_needed, replicates, standard_error
+from elastomer_friction.workflow.reduce.models import compare_models
+from elastomer_friction.workflow.reduce.statistics.jackknife import (
+    errors_needed,
+    replicates,
+    standard_error,
+)
+from tests.support.sweeps import sweep
 
 # 25 pulls find a bias of one standard error with 96 % (5 deviations of their mean), and errors that
 # are stated at half or at twice their size with 97 % or 84 % (the sum of squares, chi2).

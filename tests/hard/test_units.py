@@ -2,9 +2,9 @@
 
 import pytest
 
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.plan.problems import distinct_problems
 from tests.support.small import small_study
-from workflow.plan.plan import make_plan
-from workflow.plan.problems import distinct_problems
 
 
 def problems(roughness, time, length=0.01):

@@ -14,15 +14,15 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.store import Store
 from tests.support.disks import make_read_only, mounted
 from tests.support.failing_calls import Crash, Faults
 from tests.support.faults import SHARDS, TRUTH, checked, copies, fill, flips, prefixes, readable
 from tests.support.shards import WORK, held, records, reopened
 from tests.support.small import random_result
 from tests.support.sweeps import mostly_exhaustive, sweep
-from workflow.errors import UserError
-from workflow.store import journal
-from workflow.store.store import Store
 
 STRIDE = sweep("stride", 9973, int(os.environ.get("WRITE_FAULT_STRIDE", "997")))
 

@@ -5,7 +5,15 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce, State, lagged_slope, march, quadrature, steady_sliding
+from elastomer_friction.kernels import (
+    SCHEMES,
+    ConstantForce,
+    State,
+    lagged_slope,
+    march,
+    quadrature,
+    steady_sliding,
+)
 from tests.convergence import observed_order
 from tests.independent.continuous import Modes, Sliding
 from tests.support.sweeps import sweep

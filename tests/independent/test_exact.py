@@ -9,8 +9,16 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kernels import Case, ConstantForce, Line, Quantities, lagged_slope, march, run_case
-from studies.stability.probe import Motion
+from elastomer_friction.kernels import (
+    Case,
+    ConstantForce,
+    Line,
+    Quantities,
+    lagged_slope,
+    march,
+    run_case,
+)
+from elastomer_friction.studies.stability.probe import Motion
 from tests.independent.exact import (
     Exponential,
     ImplicitEuler,

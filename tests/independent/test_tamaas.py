@@ -10,7 +10,14 @@ the half-space a foundation of independent springs. tamaas pushes a surface upwa
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding, step_average
+from elastomer_friction.kernels import (
+    SCHEMES,
+    ConstantForce,
+    lagged_slope,
+    march,
+    steady_sliding,
+    step_average,
+)
 from tests.lines import random_line
 from tests.support.sweeps import mostly_exhaustive
 

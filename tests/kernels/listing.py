@@ -18,7 +18,7 @@ import numpy as np
 
 def instructions(function: Callable, *arguments: object) -> list[str]:
     """Return the machine instructions of a kernel, compiled anew for arguments of these types."""
-    from kernels.jit import FLAGS
+    from elastomer_friction.kernels.jit import FLAGS
 
     compiled = numba.njit(**FLAGS)(getattr(function, "py_func", function))
     compiled(*arguments)
@@ -29,16 +29,16 @@ def instructions(function: Callable, *arguments: object) -> list[str]:
 
 def listings() -> dict[str, list[str]]:
     """Return the instructions of kernels of which every effect is off."""
-    from kernels.control.force import ConstantForce
-    from kernels.march import march
-    from kernels.motion.track import Track
-    from kernels.rheology.kelvin import SCHEMES
-    from kernels.rheology.law import Elements, State
-    from kernels.rheology.prony import SCHEME
-    from kernels.rheology.retardation import retardation
-    from kernels.rheology.spectrum import KELVIN
-    from kernels.scene.follow import follow
-    from kernels.steady.plain import steady_sliding
+    from elastomer_friction.kernels.control.force import ConstantForce
+    from elastomer_friction.kernels.march import march
+    from elastomer_friction.kernels.motion.track import Track
+    from elastomer_friction.kernels.rheology.kelvin import SCHEMES
+    from elastomer_friction.kernels.rheology.law import Elements, State
+    from elastomer_friction.kernels.rheology.prony import SCHEME
+    from elastomer_friction.kernels.rheology.retardation import retardation
+    from elastomer_friction.kernels.rheology.spectrum import KELVIN
+    from elastomer_friction.kernels.scene.follow import follow
+    from elastomer_friction.kernels.steady.plain import steady_sliding
 
     z, kelvin, control = np.array([3.0, 1.0, 0.0, 2.0]), SCHEMES[SCHEME](0.3), ConstantForce(4.0)
     state = State(np.zeros(4), 2.0)
@@ -56,17 +56,18 @@ def listings() -> dict[str, list[str]]:
 def main(loaded: str) -> None:
     """Print the listings as JSON; ``bare`` imports nothing but what they name."""
     if loaded == "bare":
-        for name in ("kernels", "kernels.scene"):
+        for name in ("", ".kernels", ".kernels.scene"):
+            name = f"elastomer_friction{name}"
             package = types.ModuleType(name)
             package.__path__ = [name.replace(".", "/")]
             sys.modules[name] = package
     else:
-        import kernels  # noqa: F401
+        from elastomer_friction import kernels  # noqa: F401
     found = {
         name: (len(lines), hashlib.sha256("\n".join(lines).encode()).hexdigest())
         for name, lines in listings().items()
     }
-    modules = sorted(name for name in sys.modules if name.startswith("kernels."))
+    modules = sorted(name for name in sys.modules if name.startswith("elastomer_friction.kernels."))
     print(json.dumps({"kernels": found, "modules": modules}))
 
 

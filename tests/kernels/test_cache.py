@@ -7,8 +7,8 @@ from pathlib import Path
 import numba
 import pytest
 
-from kernels import cache, march
-from kernels.jit import kernel
+from elastomer_friction.kernels import cache, march
+from elastomer_friction.kernels.jit import kernel
 from tests.sizes import PLAIN_PYTHON
 
 HASH = cache.source_hash()

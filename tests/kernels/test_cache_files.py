@@ -10,8 +10,8 @@ from threading import Thread
 import numba
 import pytest
 
-from kernels.cache import CheckedCache, _CheckedFile, compiling
-from kernels.jit import kernel
+from elastomer_friction.kernels.cache import CheckedCache, _CheckedFile, compiling
+from elastomer_friction.kernels.jit import kernel
 from tests.support.disks import mounted
 from tests.support.runs import standing
 
@@ -30,7 +30,7 @@ def compiled(monkeypatch):
 @pytest.fixture
 def cache(tmp_path, monkeypatch):
     """Let machine code be kept in an empty folder."""
-    monkeypatch.setattr("kernels.cache.FOLDER", str(tmp_path))
+    monkeypatch.setattr("elastomer_friction.kernels.cache.FOLDER", str(tmp_path))
     return tmp_path
 
 
@@ -67,7 +67,7 @@ def test_damaged_machine_code_is_made_again(cache, suffix, damage):
 
 def test_a_full_disk_costs_a_warning(tmp_path, monkeypatch):
     with mounted(tmp_path / "disk", "8k") as disk:
-        monkeypatch.setattr("kernels.cache.FOLDER", str(disk))
+        monkeypatch.setattr("elastomer_friction.kernels.cache.FOLDER", str(disk))
         for _ in range(2):
             with pytest.warns(RuntimeWarning, match="not cached: .Errno 28. No space left"):
                 assert hits() == 0
@@ -99,7 +99,7 @@ def test_one_process_of_a_machine_at_a_time_compiles(cache):
 
 HOLDER = """
 import sys, time
-from kernels import cache
+from elastomer_friction.kernels import cache
 cache.FOLDER = sys.argv[1]
 with cache.compiling():
     print("holds it", flush=True)
@@ -120,6 +120,6 @@ def test_a_process_that_was_stopped_while_it_compiled_is_not_waited_for(cache):
 
 
 def test_without_a_folder_to_lock_each_compiles_for_itself(monkeypatch):
-    monkeypatch.setattr("kernels.cache.FOLDER", "/nowhere/at/all")
+    monkeypatch.setattr("elastomer_friction.kernels.cache.FOLDER", "/nowhere/at/all")
     with compiling():
         pass

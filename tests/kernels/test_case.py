@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels.case import Case, Clock, Clocks, Quantities, Seconds
-from kernels.rheology.spectrum import Spectrum
+from elastomer_friction.kernels.case import Case, Clock, Clocks, Quantities, Seconds
+from elastomer_friction.kernels.rheology.spectrum import Spectrum
 
 PLAIN = Case(0.1, 1.0, (1.2, 0.5), (np.array([1]),), "exponential")
 

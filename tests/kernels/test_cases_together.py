@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernels import Case, Quantities, Spectrum, run_case, run_cases
+from elastomer_friction.kernels import Case, Quantities, Spectrum, run_case, run_cases
 from tests.cases import CASE, line_of
 
 LINE = line_of()

@@ -6,7 +6,7 @@ from threading import Thread
 import numba
 import pytest
 
-from kernels.clock import own, working_time
+from elastomer_friction.kernels.clock import own, working_time
 from tests.sizes import PLAIN_PYTHON
 
 

@@ -6,8 +6,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from kernels import solve_indentation
-from kernels.contact import overlap, weighted_overlap
+from elastomer_friction.kernels import solve_indentation
+from elastomer_friction.kernels.contact import overlap, weighted_overlap
 from tests.references import sorted_root
 
 HEIGHTS = st.floats(-10.0, 10.0, allow_subnormal=False)

@@ -6,8 +6,14 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from kernels import SCHEMES, lagged_slope, quadrature, steady_sliding, step_average
-from kernels.friction import elastic_correction
+from elastomer_friction.kernels import (
+    SCHEMES,
+    lagged_slope,
+    quadrature,
+    steady_sliding,
+    step_average,
+)
+from elastomer_friction.kernels.friction import elastic_correction
 from tests.convergence import observed_order
 from tests.lines import parabola, random_line
 from tests.references import jump_without_loss, parabola_forces, parabola_jump, slow_sliding

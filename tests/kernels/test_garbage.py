@@ -7,7 +7,7 @@ from pathlib import Path
 
 import pytest
 
-from kernels.garbage import nothing_collected
+from elastomer_friction.kernels.garbage import nothing_collected
 
 
 def fail():
@@ -44,7 +44,9 @@ del garbage
 """
 
 
-@pytest.mark.parametrize(("first", "found"), [("", "found\n"), ("import kernels.garbage", "")])
+@pytest.mark.parametrize(
+    ("first", "found"), [("", "found\n"), ("import elastomer_friction.kernels.garbage", "")]
+)
 def test_at_its_end_a_process_looks_for_no_garbage(first, found):
     command = [sys.executable, "-c", ENDING.format(first=first)]
     root = Path(__file__).resolve().parents[2]

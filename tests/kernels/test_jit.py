@@ -10,8 +10,8 @@ import numba
 import pytest
 from numba.core.dispatcher import Dispatcher
 
-from kernels import SCHEMES, Quantities, run_case
-from kernels.jit import by_type, kernel
+from elastomer_friction.kernels import SCHEMES, Quantities, run_case
+from elastomer_friction.kernels.jit import by_type, kernel
 from tests.cases import CASE, line_of
 from tests.sizes import PLAIN_PYTHON
 
@@ -22,7 +22,8 @@ compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: no
 @compiled_only
 def test_kernels_release_the_interpreter():
     """A scheduler must be able to talk to a worker while a kernel runs."""
-    modules = [module for name, module in sys.modules.items() if name.startswith("kernels")]
+    ours = "elastomer_friction.kernels"
+    modules = [module for name, module in sys.modules.items() if name.startswith(ours)]
     found = [v for module in modules for v in vars(module).values() if isinstance(v, Dispatcher)]
     assert len(found) > 20
     assert all(one.targetoptions["nogil"] is True for one in found)

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from kernels.limits import LOADS, SPEEDS, check_between
+from elastomer_friction.kernels.limits import LOADS, SPEEDS, check_between
 
 
 @pytest.mark.parametrize("limits", [LOADS, SPEEDS])

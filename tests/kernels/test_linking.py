@@ -6,7 +6,7 @@ import numba
 import numpy as np
 import pytest
 
-from kernels.jit import by_type, kernel
+from elastomer_friction.kernels.jit import by_type, kernel
 from tests.sizes import PLAIN_PYTHON
 
 pytestmark = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")

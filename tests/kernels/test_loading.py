@@ -10,8 +10,8 @@ import numba
 import pytest
 from numba.core import event
 
-from kernels import Quantities, loading
-from kernels.cache import WAITING
+from elastomer_friction.kernels import Quantities, loading
+from elastomer_friction.kernels.cache import WAITING
 from tests.sizes import PLAIN_PYTHON
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -19,11 +19,11 @@ compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: no
 
 HALF = """
 import sys
-from kernels import Quantities, loading
-from kernels.active.march import active_march
-from kernels.relaxation import plain_relaxations
-from kernels.steady.spans import add_rises
-from kernels.steady.stack import stack_of
+from elastomer_friction.kernels import Quantities, loading
+from elastomer_friction.kernels.active.march import active_march
+from elastomer_friction.kernels.relaxation import plain_relaxations
+from elastomer_friction.kernels.steady.spans import add_rises
+from elastomer_friction.kernels.steady.stack import stack_of
 
 own = active_march, plain_relaxations, add_rises, stack_of
 rate = sys.argv[1] == "1"
@@ -50,7 +50,7 @@ def helped(monkeypatch):
     real = subprocess.Popen
 
     def start(command, **others):
-        assert command[1:4] == ["-m", "kernels.loading", "exponential"]
+        assert command[1:4] == ["-m", "elastomer_friction.kernels.loading", "exponential"]
         started.append(real(["sleep", "0.2" if not started else "60"], **others))
         return started[-1]
 
@@ -103,7 +103,7 @@ def test_there_is_none_where_nothing_marches_and_on_one_core(helped, monkeypatch
 COLD = """
 import numba, time
 from numba.core import event
-from kernels import Quantities, loading
+from elastomer_friction.kernels import Quantities, loading
 began = time.thread_time()
 with event.install_recorder("numba:compile") as found:
     loading.load("exponential", Quantities())

@@ -12,13 +12,13 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kernels import ConstantForce
-from kernels.motion.programme import Slide, steps_of
-from kernels.motion.track import tracks
-from kernels.rheology.forms import FORMS
-from kernels.scene.begin import relaxed
-from kernels.scene.follow import follow
-from kernels.scene.records import Trace
+from elastomer_friction.kernels import ConstantForce
+from elastomer_friction.kernels.motion.programme import Slide, steps_of
+from elastomer_friction.kernels.motion.track import tracks
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.scene.begin import relaxed
+from elastomer_friction.kernels.scene.follow import follow
+from elastomer_friction.kernels.scene.records import Trace
 from tests.kernels.listing import instructions
 from tests.kernels.scene.given import SOLID, a_line
 from tests.sizes import PLAIN_PYTHON
@@ -26,12 +26,12 @@ from tests.sizes import PLAIN_PYTHON
 ROOT = Path(__file__).resolve().parents[2]
 RECORDERS = ("trace", "ledger", "lengths", "film")
 EFFECTS = (
-    "kernels.control.indentation",
-    "kernels.control.printed_eq3",
-    "kernels.memory.steady",
-    "kernels.rheology.relaxed",
-    "kernels.scene.run",
-    "kernels.surfaces.measured",
+    "elastomer_friction.kernels.control.indentation",
+    "elastomer_friction.kernels.control.printed_eq3",
+    "elastomer_friction.kernels.memory.steady",
+    "elastomer_friction.kernels.rheology.relaxed",
+    "elastomer_friction.kernels.scene.run",
+    "elastomer_friction.kernels.surfaces.measured",
 )
 pytestmark = [
     pytest.mark.exhaustive,

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kernels import (
+from elastomer_friction.kernels import (
     SCHEMES,
     ConstantForce,
     PrintedForce,
@@ -14,7 +14,7 @@ from kernels import (
     steady_sliding,
     step_average,
 )
-from kernels.motion.stretches import touchable
+from elastomer_friction.kernels.motion.stretches import touchable
 from tests.lines import random_line
 from tests.reference_march import Elements, RigidElements, constants, relaxation, steady
 from tests.sizes import size

@@ -3,8 +3,16 @@
 import numpy as np
 import pytest
 
-from kernels import Case, Line, Quantities, Spectrum, amplitudes, draw_phases, run_case
-from kernels.memory_case import run_memory_case
+from elastomer_friction.kernels import (
+    Case,
+    Line,
+    Quantities,
+    Spectrum,
+    amplitudes,
+    draw_phases,
+    run_case,
+)
+from elastomer_friction.kernels.memory_case import run_memory_case
 
 LINE = Line.self_affine(amplitudes(0.7, 64), draw_phases(np.random.default_rng(2), 64), 64, 8)
 MIRROR = Line.from_samples(LINE.z[::-1].copy(), -LINE.slope[::-1], 8)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import Quantities, Spectrum, prepare, run_cases, run_prepared
+from elastomer_friction.kernels import Quantities, Spectrum, prepare, run_cases, run_prepared
 from tests.cases import ALL, CASE, KEPT, line_of
 
 MEMORY = CASE._replace(

@@ -5,7 +5,7 @@ from functools import partial
 import numpy as np
 import pytest
 
-from kernels import (
+from elastomer_friction.kernels import (
     SCHEMES,
     ConstantForce,
     Quantities,
@@ -17,11 +17,11 @@ from kernels import (
     steady_sliding,
     step_average,
 )
-from kernels.active.march import active_march
-from kernels.friction import elastic_correction
-from kernels.march import march
-from kernels.patches.refined import NARROW
-from kernels.patches.steady_friction import Grounds, Pace, steady_friction
+from elastomer_friction.kernels.active.march import active_march
+from elastomer_friction.kernels.friction import elastic_correction
+from elastomer_friction.kernels.march import march
+from elastomer_friction.kernels.patches.refined import NARROW
+from elastomer_friction.kernels.patches.steady_friction import Grounds, Pace, steady_friction
 from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
 

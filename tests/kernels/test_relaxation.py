@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce, lagged_slope, march, step_average
-from kernels.patches.steady_friction import Grounds, Pace, steady_friction
-from kernels.relaxation import Ends, plain_relaxations
-from kernels.steady.stack import alone
+from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, step_average
+from elastomer_friction.kernels.patches.steady_friction import Grounds, Pace, steady_friction
+from elastomer_friction.kernels.relaxation import Ends, plain_relaxations
+from elastomer_friction.kernels.steady.stack import alone
 from tests.cases import KEPT, M, line_of
 
 SPEEDS, LOAD = (3.0, 3.6), 0.3

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
+from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
 from tests.convergence import observed_order
 from tests.lines import random_line
 from tests.reference_march import Elements, constants, steady

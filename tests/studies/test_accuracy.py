@@ -4,16 +4,24 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from kernels import SCHEMES, ConstantForce, Line, lagged_slope, march, steady_sliding, step_average
-from studies.accuracy.marches import MARCHES
-from studies.accuracy.measure import table
-from studies.accuracy.points import COMPARED, POINTS, Point, surface
-from studies.accuracy.recommendation import cheapest
-from studies.accuracy.sampling import Method, run
-from studies.accuracy.wide import observe, stated
+from elastomer_friction.kernels import (
+    SCHEMES,
+    ConstantForce,
+    Line,
+    lagged_slope,
+    march,
+    steady_sliding,
+    step_average,
+)
+from elastomer_friction.studies.accuracy.marches import MARCHES
+from elastomer_friction.studies.accuracy.measure import table
+from elastomer_friction.studies.accuracy.points import COMPARED, POINTS, Point, surface
+from elastomer_friction.studies.accuracy.recommendation import cheapest
+from elastomer_friction.studies.accuracy.sampling import Method, run
+from elastomer_friction.studies.accuracy.wide import observe, stated
+from elastomer_friction.workflow.cli import main
+from elastomer_friction.workflow.simulate import Problem
 from tests.support.studies import check_drawing, load
-from workflow.cli import main
-from workflow.simulate import Problem
 
 whole_study = pytest.mark.exhaustive  # its parts are asked for in make test
 POINT = Point(0.5, 0.3, 1.5)

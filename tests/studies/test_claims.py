@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from studies.fig4 import claims as fig4
-from studies.fig5 import claims as fig5
-from studies.fig6 import claims as fig6
-from studies.fig7 import claims as fig7
-from studies.fig8 import claims as fig8
+from elastomer_friction.studies.fig4 import claims as fig4
+from elastomer_friction.studies.fig5 import claims as fig5
+from elastomer_friction.studies.fig6 import claims as fig6
+from elastomer_friction.studies.fig7 import claims as fig7
+from elastomer_friction.studies.fig8 import claims as fig8
+from elastomer_friction.workflow.kinetic_law import normalised_jump
 from tests.support.synthetic import SLOPE, add, result, with_alpha, with_rates
-from workflow.kinetic_law import normalised_jump
 
 
 def slow(zeta=1.0, xi=1.0, covariance=1.0, error=0.03):

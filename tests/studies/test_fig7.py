@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from matplotlib import pyplot as plt
 
-from studies.fig7.figure import draw
+from elastomer_friction.studies.fig7.figure import draw
+from elastomer_friction.workflow.reduce.fits import FITTED, NO_RELAXATION
 from tests.studies.conftest import FULL_CONTACT
 from tests.support.studies import check_drawing, rates
-from workflow.reduce.fits import FITTED, NO_RELAXATION
 
 
 @pytest.fixture(scope="module")

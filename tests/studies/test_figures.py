@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from studies.grid6d.prediction import law_error
+from elastomer_friction.studies.grid6d.prediction import law_error
+from elastomer_friction.workflow.kinetic_law import normalised_jump
+from elastomer_friction.workflow.reduce.fits import FITTED
 from tests.support.studies import check_drawing, run
 from tests.support.sweeps import mostly_exhaustive
-from workflow.kinetic_law import normalised_jump
-from workflow.reduce.fits import FITTED
 
 SETTINGS = {  # what makes a study smaller than at smoke scale
     "fig2": ("grid.spacing=1e-5",),

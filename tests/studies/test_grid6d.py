@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from studies.grid6d.prediction import law_curve, law_error, shares_within
-from workflow.kinetic_law import normalised_jump
+from elastomer_friction.studies.grid6d.prediction import law_curve, law_error, shares_within
+from elastomer_friction.workflow.kinetic_law import normalised_jump
 
 
 def result(x):

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from studies.master_curve.collapse import (
+from elastomer_friction.studies.master_curve.collapse import (
     ALONG_BOTH,
     ALONG_SPEED,
     LEAST_POINTS,
@@ -11,9 +11,9 @@ from studies.master_curve.collapse import (
     Curve,
     collapse,
 )
-from studies.master_curve.judge import remaining, resolved, thermal
+from elastomer_friction.studies.master_curve.judge import remaining, resolved, thermal
+from elastomer_friction.workflow.study.read import read_study
 from tests.support.studies import check_drawing, run
-from workflow.study.read import read_study
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from studies.oscillation.prediction import modulus, motions, shift, unit
+from elastomer_friction.studies.oscillation.prediction import modulus, motions, shift, unit
 from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own

@@ -5,11 +5,11 @@ from dataclasses import replace
 
 import pytest
 
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.study.measured import Measured
+from elastomer_friction.workflow.study.read import known_studies, read_study
 from tests.support.small import cut_batches
 from tests.support.sweeps import mostly_exhaustive, sweep
-from workflow.plan.plan import make_plan
-from workflow.study.measured import Measured
-from workflow.study.read import known_studies, read_study
 
 SCALES = {
     name: [None, *tomllib.loads(path.read_text()).get("scales", {})]

@@ -6,8 +6,8 @@ At the smoke scale: v1 t q_max = 0.13 and 7.5, steps down and up by a factor of 
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.reduce import FITTED, NO_STATE, UNDETERMINED
 from tests.support.studies import check_drawing, run
-from workflow.reduce import FITTED, NO_STATE, UNDETERMINED
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kernels.rheology.spectrum import complex_modulus
-from studies.rheology.figure import after_step, master, warmest
+from elastomer_friction.kernels.rheology.spectrum import complex_modulus
+from elastomer_friction.studies.rheology.figure import after_step, master, warmest
+from elastomer_friction.workflow.study.read import read_study
 from tests.support.studies import check_drawing, run
-from workflow.study.read import read_study
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 

@@ -5,11 +5,17 @@ from operator import pos
 import pytest
 import xarray as xr
 
-from studies.scaling.measure import table
-from studies.scaling.virtual import Costs, VirtualClient, durations, simulated, virtual_stream
+from elastomer_friction.studies.scaling.measure import table
+from elastomer_friction.studies.scaling.virtual import (
+    Costs,
+    VirtualClient,
+    durations,
+    simulated,
+    virtual_stream,
+)
+from elastomer_friction.workflow.cli import main
+from elastomer_friction.workflow.cluster.flow import PER_THREAD
 from tests.support.studies import check_drawing, load
-from workflow.cli import main
-from workflow.cluster.flow import PER_THREAD
 
 whole_study = pytest.mark.exhaustive  # the simulation that it rests on is asked for in make test
 COSTS = Costs(scheduler=2e-3, driver=5e-4, latency=1e-3)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from studies.slide_hold_slide.figure import LONGEST, TAU, law
+from elastomer_friction.studies.slide_hold_slide.figure import LONGEST, TAU, law
 from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own

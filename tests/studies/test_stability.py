@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from studies.stability import corners
-from studies.stability.measure import measure, table
-from studies.stability.probe import COUNTS, RESIDUALS
+from elastomer_friction.studies.stability import corners
+from elastomer_friction.studies.stability.measure import measure, table
+from elastomer_friction.studies.stability.probe import COUNTS, RESIDUALS
+from elastomer_friction.workflow.study.read import read_study
 from tests.support.studies import check_drawing
-from workflow.study.read import read_study
 
 pytestmark = pytest.mark.exhaustive  # the corners in make test: tests/hard/test_corners.py
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from studies.velocity_steps.figure import steps_of
+from elastomer_friction.studies.velocity_steps.figure import steps_of
 from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own

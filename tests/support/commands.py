@@ -1,6 +1,6 @@
 """The command line from the inside: what a command prints, or the one line that refuses it."""
 
-from workflow.cli import main
+from elastomer_friction.workflow.cli import main
 
 
 def output(capsys, *arguments: str) -> str:

@@ -2,14 +2,14 @@
 
 import numpy as np
 
+from elastomer_friction.workflow.plan.problems import speed_ratio
+from elastomer_friction.workflow.reduce.blocks import Blocks
+from elastomer_friction.workflow.reduce.complete import exponents_of
+from elastomer_friction.workflow.reduce.estimates import reduce_blocks
+from elastomer_friction.workflow.reduce.resolution import resolution
+from elastomer_friction.workflow.result.dataset import build_dataset
+from elastomer_friction.workflow.study.effects.quantities import judged
 from tests.support.small import small_plan
-from workflow.plan.problems import speed_ratio
-from workflow.reduce.blocks import Blocks
-from workflow.reduce.complete import exponents_of
-from workflow.reduce.estimates import reduce_blocks
-from workflow.reduce.resolution import resolution
-from workflow.result.dataset import build_dataset
-from workflow.study.effects.quantities import judged
 
 QUANTITIES = ("steady", "jump", "relaxation", "models")
 RATE, JUMP, STEP = 1.5, 0.3, 0.2  # b, dmu_0, mu_2 - mu_1

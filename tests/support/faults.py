@@ -7,11 +7,11 @@ from pathlib import Path
 
 import netCDF4
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.simulate.tasks import Record
+from elastomer_friction.workflow.store.store import DamagedShard, Store
 from tests.support.shards import SAMPLES, WORK, held, records, reopened
 from tests.support.small import random_result
-from workflow.errors import UserError
-from workflow.simulate.tasks import Record
-from workflow.store.store import DamagedShard, Store
 
 Damage = Callable[[bytes], bytes]
 

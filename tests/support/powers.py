@@ -16,7 +16,7 @@ MEASURE = """
 from functools import partial
 import pandas as pd
 import xarray as xr
-from workflow.study.settings.checks import integer, positive
+from elastomer_friction.workflow.study.settings.checks import integer, positive
 from .helper import power
 
 SETTINGS = {"powers": partial(integer, least=1), "base": positive}

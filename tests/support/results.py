@@ -5,9 +5,9 @@ from pathlib import Path
 import xarray as xr
 from matplotlib import pyplot as plt
 
+from elastomer_friction.workflow.cli import main
+from elastomer_friction.workflow.result.netcdf import write_datasets
 from tests.support.commands import besides_notes, refusal
-from workflow.cli import main
-from workflow.result.netcdf import write_datasets
 
 FIGURE = """
 from matplotlib.figure import Figure

@@ -11,13 +11,13 @@ from typing import NamedTuple
 
 import xarray as xr
 
+from elastomer_friction.workflow.plan.plan import Plan
+from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.summary import Summary
+from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.store.store import store_folder
+from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
 from tests.support.small import small_plan
-from workflow.plan.plan import Plan
-from workflow.run.run import run_plan
-from workflow.run.summary import Summary
-from workflow.run.workers import How
-from workflow.store.store import store_folder
-from workflow.study.cluster import LOCAL, Cluster
 
 ROOT = Path(__file__).resolve().parents[2]
 PATIENCE = 120.0  # seconds to wait for a process at most

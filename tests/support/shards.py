@@ -1,7 +1,7 @@
 """Stores filled with random results, and what is in them."""
 
+from elastomer_friction.workflow.store.store import Store
 from tests.support.small import cut_batches, random_result, small_plan
-from workflow.store.store import Store
 
 WORK = list(cut_batches(small_plan(), set(), 1e-9))  # one task and block each
 BATCH = next(cut_batches(small_plan(), set(), 1e9))  # four tasks, four blocks

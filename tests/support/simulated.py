@@ -5,11 +5,11 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
-from studies.scaling.virtual import AtOnce
+from elastomer_friction.studies.scaling.virtual import AtOnce
+from elastomer_friction.workflow.cluster.calls import ROLL
+from elastomer_friction.workflow.cluster.flow import stream
+from elastomer_friction.workflow.cluster.watch import Watch
 from tests.support.simulated_workers import Task, Workers
-from workflow.cluster.calls import ROLL
-from workflow.cluster.flow import stream
-from workflow.cluster.watch import Watch
 
 ERROR = OSError("Input/output error")
 

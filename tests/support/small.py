@@ -6,12 +6,12 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from workflow.errors import UserError
-from workflow.plan.batches import cut, make_batches, missing_work
-from workflow.plan.plan import make_plan
-from workflow.simulate.tasks import PHASES, SCALARS, BatchResult
-from workflow.study.read import read_study
-from workflow.system import Maker
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.batches import cut, make_batches, missing_work
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, BatchResult
+from elastomer_friction.workflow.study.read import read_study
+from elastomer_friction.workflow.system import Maker
 
 MAKER = Maker("python 3, numpy 2", "a processor")
 

@@ -13,17 +13,17 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.reduce.fits import FITTED
+from elastomer_friction.workflow.report.drawing import STYLE
+from elastomer_friction.workflow.report.page.section import section
+from elastomer_friction.workflow.run import workers
+from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.study.read import known_studies, read_study
+from elastomer_friction.workflow.study.scripts import load_script
+from elastomer_friction.workflow.study.study import AnyStudy
 from tests.support import conventions
-from workflow.plan.plan import make_plan
-from workflow.reduce.fits import FITTED
-from workflow.report.drawing import STYLE
-from workflow.report.page.section import section
-from workflow.run import workers
-from workflow.run.run import run_plan
-from workflow.run.workers import How
-from workflow.study.read import known_studies, read_study
-from workflow.study.scripts import load_script
-from workflow.study.study import AnyStudy
 
 Groups = dict[str, xr.Dataset]
 
@@ -60,7 +60,7 @@ def load(path: Path) -> Groups:
 def check_section(study: AnyStudy, groups: Groups, folder: Path) -> None:
     """Show a result in the report, but for its figure: what it was computed with, and its table."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("workflow.report.page.section.draw_groups", lambda *_: [])
+        patch.setattr("elastomer_friction.workflow.report.page.section.draw_groups", lambda *_: [])
         shown = section(study, groups, folder)
     assert shown["troubles"] == []
     units = {meaning: unit for meaning, _, unit in shown["parameters"]}

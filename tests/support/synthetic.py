@@ -3,12 +3,12 @@
 import numpy as np
 import xarray as xr
 
-from workflow.reduce.fits import FITTED
-from workflow.result.netcdf import write_datasets
-from workflow.result.provenance import provenance
-from workflow.result.variables import AXIS_ATTRIBUTES
-from workflow.study.grid import AXES
-from workflow.study.read import read_study
+from elastomer_friction.workflow.reduce.fits import FITTED
+from elastomer_friction.workflow.result.netcdf import write_datasets
+from elastomer_friction.workflow.result.provenance import provenance
+from elastomer_friction.workflow.result.variables import AXIS_ATTRIBUTES
+from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.read import read_study
 
 RELAXATION_TIME, SLOPE = 1e-3, 0.02
 

@@ -8,7 +8,7 @@ from functools import partial
 
 import numpy as np
 
-from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
+from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
 from tests.tools.march_costs import march_costs
 from tests.tools.scene_costs import scene_costs, seconds
 

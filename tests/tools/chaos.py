@@ -16,11 +16,11 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
+from elastomer_friction.workflow.store import journal
 from tests.cluster.havoc import Chaos, Count, FinishedTooSoonError
 from tests.cluster.processes import PATIENCE, STUDY, Standing, end, start
 from tests.cluster.slurm import Slurm, missing
 from tests.cluster.tally import begun
-from workflow.store import journal
 
 SHARES = {"slurm": 0.3, "local": 0.2}  # of the strikes; the rest at a scheduler that stands
 

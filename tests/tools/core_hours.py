@@ -17,6 +17,11 @@ from typing import Any
 
 import numpy as np
 
+from elastomer_friction.workflow.plan import this_machine
+from elastomer_friction.workflow.plan.cost import PARTS
+from elastomer_friction.workflow.plan.plan import Plan, make_plan
+from elastomer_friction.workflow.simulate import BatchResult, block_means
+from elastomer_friction.workflow.study import read_study
 from tests.tools.rivals.batches import Then, at
 from tests.tools.rivals.checkout import COMMIT
 from tests.tools.sample import (
@@ -30,11 +35,6 @@ from tests.tools.sample import (
     strata,
     total,
 )
-from workflow.plan import this_machine
-from workflow.plan.cost import PARTS
-from workflow.plan.plan import Plan, make_plan
-from workflow.simulate import BatchResult, block_means
-from workflow.study import read_study
 
 LEAST = 60  # draws of all variants
 LEAST_THEN, SHARE_THEN = 5, 0.1

@@ -13,7 +13,7 @@ from typing import Any
 
 from distributed import Client, LocalCluster
 
-from workflow.cluster.security import own_security
+from elastomer_friction.workflow.cluster.security import own_security
 
 ROUNDS, WINDOWS, WINDOW = 9, 20, 8  # as many tasks at a time as a stream of two workers has
 SIZES = {"of nothing": 0, "of 100 kB each way": 100_000, "of 1 MB each way": 1_000_000}

@@ -14,21 +14,21 @@ from typing import NamedTuple
 import numpy as np
 from scipy.stats import t as student
 
-from kernels import QUARTET, Quantities, amplitudes, rms_slope
-from workflow.plan.error_laws import LAWS
-from workflow.plan.goal import JACKKNIFE_GROUPS, Goal, least_blocks
-from workflow.plan.resolution import horizon_steps, steps_per_spacing
-from workflow.reduce.attainment import attained
-from workflow.reduce.blocks import Blocks, Estimates
-from workflow.reduce.estimates import reduce_blocks
-from workflow.reduce.fits import FITTED
-from workflow.reduce.statistics.jackknife import grouped_means
-from workflow.run.rounds import next_blocks
-from workflow.simulate.kept import record_steps, record_times
-from workflow.simulate.realizations import block_means
-from workflow.simulate.tasks import Batch, Problem, Recording, Task
-from workflow.study.numerics import Numerics
-from workflow.study.study import Scene
+from elastomer_friction.kernels import QUARTET, Quantities, amplitudes, rms_slope
+from elastomer_friction.workflow.plan.error_laws import LAWS
+from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS, Goal, least_blocks
+from elastomer_friction.workflow.plan.resolution import horizon_steps, steps_per_spacing
+from elastomer_friction.workflow.reduce.attainment import attained
+from elastomer_friction.workflow.reduce.blocks import Blocks, Estimates
+from elastomer_friction.workflow.reduce.estimates import reduce_blocks
+from elastomer_friction.workflow.reduce.fits import FITTED
+from elastomer_friction.workflow.reduce.statistics.jackknife import grouped_means
+from elastomer_friction.workflow.run.rounds import next_blocks
+from elastomer_friction.workflow.simulate.kept import record_steps, record_times
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.tasks import Batch, Problem, Recording, Task
+from elastomer_friction.workflow.study.numerics import Numerics
+from elastomer_friction.workflow.study.study import Scene
 
 SEED = 7
 STUDIES, LINES = 160, 256  # independent studies, lines of each at most

@@ -18,7 +18,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from kernels import (
+from elastomer_friction.kernels import (
     Case,
     Quantities,
     march,
@@ -26,14 +26,14 @@ from kernels import (
     run_prepared,
     steady_sliding,
 )
-from kernels.active.march import active_march
-from studies.accuracy.marches import TamaasMarch
+from elastomer_friction.kernels.active.march import active_march
+from elastomer_friction.studies.accuracy.marches import TamaasMarch
+from elastomer_friction.workflow.simulate.realizations import lines_at_once
 from tests.tools.rivals.checkout import COMMIT, ROOT, checkout
 from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.plain import naive_march, numpy_march
 from tests.tools.rivals.problem import Problem
 from tests.tools.rivals.rows import RATIO, ROWS, Row
-from workflow.simulate.realizations import lines_at_once
 
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
 SLOW_STEPS = 3  # of ways so slow that a few steps tell

@@ -16,14 +16,21 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from kernels import Quantities
-from workflow.plan.cost.machine import Parted
-from workflow.plan.cost.pace import WHOLE, Learned, Pace, label, prediction
-from workflow.plan.cost.timing import factors
-from workflow.plan.plan import make_plan
-from workflow.run import How, run_measured, run_plan
-from workflow.simulate import load_kernels
-from workflow.study import AnyStudy, Measured, Study, known_scales, known_studies, read_study
+from elastomer_friction.kernels import Quantities
+from elastomer_friction.workflow.plan.cost.machine import Parted
+from elastomer_friction.workflow.plan.cost.pace import WHOLE, Learned, Pace, label, prediction
+from elastomer_friction.workflow.plan.cost.timing import factors
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.run import How, run_measured, run_plan
+from elastomer_friction.workflow.simulate import load_kernels
+from elastomer_friction.workflow.study import (
+    AnyStudy,
+    Measured,
+    Study,
+    known_scales,
+    known_studies,
+    read_study,
+)
 
 WITHIN = 1.25
 

@@ -16,12 +16,18 @@ from unittest.mock import patch
 
 import numpy as np
 
-from kernels import QUARTET
-from workflow.plan.batches import batch_target, cut, make_batches, missing_work, total_seconds
-from workflow.plan.plan import Plan
-from workflow.plan.problems import Numbers, expected_rate
-from workflow.simulate import Batch, Problem
-from workflow.study import Numerics, Scene
+from elastomer_friction.kernels import QUARTET
+from elastomer_friction.workflow.plan.batches import (
+    batch_target,
+    cut,
+    make_batches,
+    missing_work,
+    total_seconds,
+)
+from elastomer_friction.workflow.plan.plan import Plan
+from elastomer_friction.workflow.plan.problems import Numbers, expected_rate
+from elastomer_friction.workflow.simulate import Batch, Problem
+from elastomer_friction.workflow.study import Numerics, Scene
 
 LEAST_DRAWS = 8  # of a variant: its share of the error is known then
 LEAST_SECONDS = 2.0  # of a draw, predicted: what a batch begins with is lost in it
@@ -43,7 +49,7 @@ def earlier_steps(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers
 def earlier_discretisation() -> Iterator[None]:
     """Let what is planned be discretised as by commit 9b0af71, which refined no contacts."""
     with (
-        patch("workflow.plan.variant.steps_per_spacing", earlier_steps),
+        patch("elastomer_friction.workflow.plan.variant.steps_per_spacing", earlier_steps),
         patch.object(Numerics, "refines", False),
     ):
         yield

@@ -12,7 +12,7 @@ from functools import partial
 
 import numpy as np
 
-from kernels import (
+from elastomer_friction.kernels import (
     KELVIN,
     SCHEMES,
     ConstantForce,

@@ -5,6 +5,10 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.plan.cost import TYPICAL
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.plan.problems import together
+from elastomer_friction.workflow.simulate.realizations import block_means
 from tests.support.small import small_plan, small_study
 from tests.tools.sample import (
     cut_down,
@@ -16,10 +20,6 @@ from tests.tools.sample import (
     strata,
     total,
 )
-from workflow.plan.cost import TYPICAL
-from workflow.plan.plan import make_plan
-from workflow.plan.problems import together
-from workflow.simulate.realizations import block_means
 
 PLAN = small_plan("study.realizations=64", "study.realizations_per_block=8")
 WHOLE = strata(PLAN)

@@ -9,12 +9,12 @@ from collections.abc import Callable
 
 import numpy as np
 
-from kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
-from kernels.memory.steady import steady_memory
-from kernels.motion.programme import Slide
-from kernels.rheology.retardation import retardation
-from kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
+from elastomer_friction.kernels.memory.steady import steady_memory
+from elastomer_friction.kernels.motion.programme import Slide
+from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
+from elastomer_friction.kernels.surfaces.line import Line
 from tests.convergence import observed_order
 from tests.kernels.memory.test_dissipation import friction
 from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, trace

@@ -10,11 +10,11 @@ from pathlib import Path
 import pytest
 from distributed import Client
 
+from elastomer_friction.workflow.plan.cost import PARTS, machine
 from tests.support.powers import write_powers
 from tests.support.results import FIGURE
 from tests.support.runs import Run, run
 from tests.support.small import write_study
-from workflow.plan.cost import PARTS, machine
 
 
 @pytest.fixture(scope="session", autouse=True)

@@ -2,7 +2,13 @@
 
 import pytest
 
-from workflow.errors import LONGEST, Complaints, UserError, UserErrors, did_you_mean
+from elastomer_friction.workflow.errors import (
+    LONGEST,
+    Complaints,
+    UserError,
+    UserErrors,
+    did_you_mean,
+)
 
 
 def test_a_message_is_one_line_of_what_can_be_shown():

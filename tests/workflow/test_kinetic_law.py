@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from workflow.kinetic_law import KineticLaw, normalised_jump, relaxation_rate
+from elastomer_friction.workflow.kinetic_law import KineticLaw, normalised_jump, relaxation_rate
 
 SLOPE, TAU, Q_MAX = 0.2, 1e-3, 1e6
 VELOCITY = np.geomspace(1e-5, 1.0, 60)

@@ -34,7 +34,7 @@ IMPATIENT = """
 import runpy, sys
 class CtrlC:
     def find_spec(self, name, *_):
-        if name == "workflow.cli.commands":
+        if name == "elastomer_friction.workflow.cli.commands":
             raise KeyboardInterrupt
 sys.meta_path.insert(0, CtrlC())
 runpy.run_module("workflow", run_name="__main__")

@@ -2,7 +2,7 @@
 
 from collections.abc import Iterator
 
-from workflow.study import (
+from elastomer_friction.workflow.study import (
     QUANTITIES,
     FromFile,
     Hold,

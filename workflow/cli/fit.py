@@ -4,13 +4,15 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from workflow import laboratory  # slow to import, all but the units: other commands do without
-from workflow.errors import UserError
-from workflow.laboratory import TIMES, VELOCITIES
-from workflow.system import make_folder
+from elastomer_friction.workflow import (
+    laboratory,  # slow to import, all but the units: other commands do without
+)
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.laboratory import TIMES, VELOCITIES
+from elastomer_friction.workflow.system import make_folder
 
 if TYPE_CHECKING:
-    from workflow.laboratory import Known
+    from elastomer_friction.workflow.laboratory import Known
 
 DONE = 0
 

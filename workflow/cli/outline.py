@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from workflow.cli.effects import effect_lines
-from workflow.plan import (
+from elastomer_friction.workflow.cli.effects import effect_lines
+from elastomer_friction.workflow.plan import (
     WHOLE,
     Pace,
     Plan,
@@ -18,9 +18,9 @@ from workflow.plan import (
     prediction,
     this_machine,
 )
-from workflow.simulate import programme_steps
-from workflow.study import Measured, Study, judged
-from workflow.system import core_time
+from elastomer_friction.workflow.simulate import programme_steps
+from elastomer_friction.workflow.study import Measured, Study, judged
+from elastomer_friction.workflow.system import core_time
 
 SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes

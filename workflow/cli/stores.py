@@ -3,11 +3,11 @@
 import argparse
 from pathlib import Path
 
-from workflow.cli.run import DONE, FAILED
-from workflow.errors import UserError
-from workflow.result import result_file
-from workflow.store import Verified, holds_a_store, merge_into, store_folder
-from workflow.study import read_study
+from elastomer_friction.workflow.cli.run import DONE, FAILED
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.result import result_file
+from elastomer_friction.workflow.store import Verified, holds_a_store, merge_into, store_folder
+from elastomer_friction.workflow.study import read_study
 
 
 def add_verify_options(command: argparse.ArgumentParser) -> None:

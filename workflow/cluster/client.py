@@ -19,19 +19,19 @@ from distributed.system import MEMORY_LIMIT
 from distributed.utils import LoopRunner
 from tornado.ioloop import IOLoop, PeriodicCallback
 
-from workflow.cluster.calls import CLOSE_SECONDS, SafeClient, patiently
-from workflow.cluster.jobs import job_cluster
-from workflow.cluster.security import (
+from elastomer_friction.workflow.cluster.calls import CLOSE_SECONDS, SafeClient, patiently
+from elastomer_friction.workflow.cluster.jobs import job_cluster
+from elastomer_friction.workflow.cluster.security import (
     ENCRYPTED,
     PagelessWorker,
     own_security,
     scheduler_kind,
     security_of,
 )
-from workflow.cluster.watch import NO_ANSWER, Watch, say
-from workflow.errors import UserError
-from workflow.study import BATCH_SYSTEMS, LOCAL, Cluster
-from workflow.system import THREADS
+from elastomer_friction.workflow.cluster.watch import NO_ANSWER, Watch, say
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study import BATCH_SYSTEMS, LOCAL, Cluster
+from elastomer_friction.workflow.system import THREADS
 
 CONNECT_SECONDS = 10
 TRIES = 3  # to begin a thread of dask, which gives it ten seconds each: few on a busy machine
@@ -62,7 +62,7 @@ def open_client(
     if dashboard and importlib.util.find_spec("bokeh") is None:
         raise UserError("--dashboard: needs bokeh (the extra 'dashboard' of this package)")
     settings = {
-        "distributed.worker.preload": ["workflow.cluster.worker"],
+        "distributed.worker.preload": ["elastomer_friction.workflow.cluster.worker"],
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
         "distributed.admin.low-level-log-length": 0,  # or the last 1000 messages stay in memory
         # Every loop asks 50 times a second whether it is late, and every worker looks 100 times at

@@ -10,10 +10,16 @@ from dataclasses import dataclass, field
 
 from distributed import Client
 
-from workflow.cluster.calls import LOST, Call, Clock, Roll, call_roll
-from workflow.cluster.watch import BEAT_SECONDS, LONGEST_BEAT, QUIET_SECONDS, Watch, say
-from workflow.errors import UserError
-from workflow.system import duration
+from elastomer_friction.workflow.cluster.calls import LOST, Call, Clock, Roll, call_roll
+from elastomer_friction.workflow.cluster.watch import (
+    BEAT_SECONDS,
+    LONGEST_BEAT,
+    QUIET_SECONDS,
+    Watch,
+    say,
+)
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system import duration
 
 SILENT_SECONDS = 30.0  # without a heartbeat, before that is said and its work done elsewhere
 QUIET_PER_WORKER = 0.01  # s; the more workers, the rarer dask's heartbeats

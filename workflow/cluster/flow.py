@@ -15,12 +15,19 @@ from dask.utils import funcname
 from distributed import Client, Future, as_completed
 from distributed.scheduler import KilledWorker
 
-from workflow.cluster.calls import Call, Clock, Fetches
-from workflow.cluster.crew import SILENT_SECONDS, RollCalls
-from workflow.cluster.flight import Flight, Retry, Work, raise_error, unknown
-from workflow.cluster.watch import BEAT_SECONDS, NO_ANSWER, NO_SIGN, QUIET_SECONDS, Watch, say
-from workflow.cluster.worker import placed
-from workflow.errors import UserError
+from elastomer_friction.workflow.cluster.calls import Call, Clock, Fetches
+from elastomer_friction.workflow.cluster.crew import SILENT_SECONDS, RollCalls
+from elastomer_friction.workflow.cluster.flight import Flight, Retry, Work, raise_error, unknown
+from elastomer_friction.workflow.cluster.watch import (
+    BEAT_SECONDS,
+    NO_ANSWER,
+    NO_SIGN,
+    QUIET_SECONDS,
+    Watch,
+    say,
+)
+from elastomer_friction.workflow.cluster.worker import placed
+from elastomer_friction.workflow.errors import UserError
 
 PER_THREAD, LEAST = 4, 8  # items in flight
 

@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from workflow.cluster.security import ENCRYPTED, own_security, scheduler_kind
-from workflow.errors import UserError
-from workflow.study import BATCH_SYSTEMS, Cluster, walltime_seconds
-from workflow.system import ROOT, THREADS, refused
+from elastomer_friction.workflow.cluster.security import ENCRYPTED, own_security, scheduler_kind
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study import BATCH_SYSTEMS, Cluster, walltime_seconds
+from elastomer_friction.workflow.system import ROOT, THREADS, refused
 
 # What a worker keeps on a disk is put in the path of imports: it must be nobody else's. Nor is
 # anything imported from the folder where the job was submitted.
@@ -80,8 +80,8 @@ def _settings(cluster: Cluster, dashboard: bool, keys: str) -> dict[str, Any]:
         "worker_extra_args": [
             *("--lifetime", f"{lifetime:.0f}s"),
             *("--lifetime-stagger", f"{STAGGER * lifetime:.0f}s"),
-            *("--preload", "workflow.cluster.worker"),
-            *("--worker-class", "workflow.cluster.security.PagelessWorker"),
+            *("--preload", "elastomer_friction.workflow.cluster.worker"),
+            *("--worker-class", "elastomer_friction.workflow.cluster.security.PagelessWorker"),
         ],
         "scheduler_cls": kind,
         "scheduler_options": options,

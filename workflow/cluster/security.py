@@ -12,8 +12,8 @@ import dask
 from distributed import Scheduler, Worker
 from distributed.security import Security
 
-from workflow.errors import UserError
-from workflow.study import Cluster
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study import Cluster
 
 ENCRYPTED = "tls://"
 

@@ -8,11 +8,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from workflow.errors import UserError
-from workflow.system import duration
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system import duration
 
 if TYPE_CHECKING:
-    from workflow.cluster.crew import Crew
+    from elastomer_friction.workflow.cluster.crew import Crew
 
 BEAT_SECONDS = 1.0  # between looks
 LONGEST_BEAT = 5.0  # that counts: a process that was stopped itself has not been waiting

@@ -14,10 +14,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.laboratory.errors import DEVIATIONS, Estimate, correlation_factor, mean
-from workflow.laboratory.relaxation import Relaxation, fit_relaxation_curve
-from workflow.laboratory.steps import Step
-from workflow.reduce import step_law
+from elastomer_friction.workflow.laboratory.errors import (
+    DEVIATIONS,
+    Estimate,
+    correlation_factor,
+    mean,
+)
+from elastomer_friction.workflow.laboratory.relaxation import Relaxation, fit_relaxation_curve
+from elastomer_friction.workflow.laboratory.steps import Step
+from elastomer_friction.workflow.reduce import step_law
 
 LARGEST_SHARE = 1.0 / DEVIATIONS  # of a number that its standard error may be
 

@@ -16,10 +16,15 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from kernels import KELVIN
-from kernels.patches.refined import LEAST_STEPS
-from workflow.plan.problems import Numbers, expected_rate, speed_ratio, viscous_pressure
-from workflow.simulate import Problem
+from elastomer_friction.kernels import KELVIN
+from elastomer_friction.kernels.patches.refined import LEAST_STEPS
+from elastomer_friction.workflow.plan.problems import (
+    Numbers,
+    expected_rate,
+    speed_ratio,
+    viscous_pressure,
+)
+from elastomer_friction.workflow.simulate import Problem
 
 FEW = 2.0  # patches of contact that carry the load
 

@@ -6,15 +6,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import START, Origin, Quantities
-from kernels.garbage import nothing_collected
-from workflow.errors import UserError
-from workflow.plan.cost import PARTS, TYPICAL, Pace, Prediction, prediction
-from workflow.plan.goal import FIRST_SHARE, whole_blocks
-from workflow.plan.motion import asked_of
-from workflow.plan.variant import Variant, problems_of, variant_of
-from workflow.simulate import Batch, Task, row_layout, row_width
-from workflow.study import Study
+from elastomer_friction.kernels import START, Origin, Quantities
+from elastomer_friction.kernels.garbage import nothing_collected
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.cost import PARTS, TYPICAL, Pace, Prediction, prediction
+from elastomer_friction.workflow.plan.goal import FIRST_SHARE, whole_blocks
+from elastomer_friction.workflow.plan.motion import asked_of
+from elastomer_friction.workflow.plan.variant import Variant, problems_of, variant_of
+from elastomer_friction.workflow.simulate import Batch, Task, row_layout, row_width
+from elastomer_friction.workflow.study import Study
 
 DRIVER_BYTES = 400e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code

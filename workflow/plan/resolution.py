@@ -2,15 +2,20 @@
 
 import numpy as np
 
-from kernels import KELVIN
-from kernels.limits import SPEEDS
-from kernels.patches.refined import LEAST_STEPS
-from kernels.rheology.spectrum import shortest_step
-from workflow.errors import UserError
-from workflow.plan.error_laws import allowed_share, contact_width, rate_error, window_rate
-from workflow.plan.problems import Numbers, expected_rate
-from workflow.simulate import Problem
-from workflow.study import Numerics, Scene
+from elastomer_friction.kernels import KELVIN
+from elastomer_friction.kernels.limits import SPEEDS
+from elastomer_friction.kernels.patches.refined import LEAST_STEPS
+from elastomer_friction.kernels.rheology.spectrum import shortest_step
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.error_laws import (
+    allowed_share,
+    contact_width,
+    rate_error,
+    window_rate,
+)
+from elastomer_friction.workflow.plan.problems import Numbers, expected_rate
+from elastomer_friction.workflow.simulate import Problem
+from elastomer_friction.workflow.study import Numerics, Scene
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8  # of a march

@@ -4,10 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import ENERGIES, TRACES, Programme, trace_stamps
-from workflow.plan import Plan, Variant, line_slope
-from workflow.reduce.statistics import standard_error
-from workflow.simulate import (
+from elastomer_friction.kernels import ENERGIES, TRACES, Programme, trace_stamps
+from elastomer_friction.workflow.plan import Plan, Variant, line_slope
+from elastomer_friction.workflow.reduce.statistics import standard_error
+from elastomer_friction.workflow.simulate import (
     Layout,
     Task,
     record_steps,

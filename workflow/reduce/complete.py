@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from workflow.plan import Plan, Variant, line_slope, speed_ratio
-from workflow.reduce.blocks import Estimates
-from workflow.reduce.exponents import fit_exponents
-from workflow.reduce.resolution import resolution
-from workflow.study import judged
+from elastomer_friction.workflow.plan import Plan, Variant, line_slope, speed_ratio
+from elastomer_friction.workflow.reduce.blocks import Estimates
+from elastomer_friction.workflow.reduce.exponents import fit_exponents
+from elastomer_friction.workflow.reduce.resolution import resolution
+from elastomer_friction.workflow.study import judged
 
 
 def completed(

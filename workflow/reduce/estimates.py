@@ -2,14 +2,19 @@
 
 import numpy as np
 
-from workflow.plan import JACKKNIFE_GROUPS
-from workflow.reduce.blocks import Blocks, Estimates, enter
-from workflow.reduce.fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
-from workflow.reduce.models import COEFFICIENTS, GAINS, Comparison, compare_models
-from workflow.reduce.scenes import reduce_programmes, reduce_steps
-from workflow.reduce.statistics import errors_needed, padded, replicates
-from workflow.simulate import SCALARS
-from workflow.study import QUANTITIES
+from elastomer_friction.workflow.plan import JACKKNIFE_GROUPS
+from elastomer_friction.workflow.reduce.blocks import Blocks, Estimates, enter
+from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
+from elastomer_friction.workflow.reduce.models import (
+    COEFFICIENTS,
+    GAINS,
+    Comparison,
+    compare_models,
+)
+from elastomer_friction.workflow.reduce.scenes import reduce_programmes, reduce_steps
+from elastomer_friction.workflow.reduce.statistics import errors_needed, padded, replicates
+from elastomer_friction.workflow.simulate import SCALARS
+from elastomer_friction.workflow.study import QUANTITIES
 
 
 def reduce_blocks(blocks: Blocks) -> Estimates:

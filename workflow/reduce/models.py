@@ -11,7 +11,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from workflow.reduce.statistics import Model, errors_needed, fit_curves, significant
+from elastomer_friction.workflow.reduce.statistics import (
+    Model,
+    errors_needed,
+    fit_curves,
+    significant,
+)
 
 EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
 MODEL_MEANINGS = "undecided exponential stretched two_exponentials"

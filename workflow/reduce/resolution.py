@@ -2,9 +2,15 @@
 
 import numpy as np
 
-from workflow.plan import FIRST_ORDER, LAWS, first_order_rate_error, known, rate_error
-from workflow.simulate import Task
-from workflow.study import Numerics
+from elastomer_friction.workflow.plan import (
+    FIRST_ORDER,
+    LAWS,
+    first_order_rate_error,
+    known,
+    rate_error,
+)
+from elastomer_friction.workflow.simulate import Task
+from elastomer_friction.workflow.study import Numerics
 
 UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
 RESOLUTION_MEANINGS = "unresolved coarse resolved"

@@ -1,9 +1,9 @@
-"""``python -m workflow.reference [FOLDER]``: write the pages of reference."""
+"""``python -m elastomer_friction.workflow.reference [FOLDER]``: write the pages of reference."""
 
 import sys
 from pathlib import Path
 
-from workflow.reference import write_pages
+from elastomer_friction.workflow.reference import write_pages
 
 if __name__ == "__main__":
     print(*write_pages(Path((sys.argv[1:] or ["docs/reference"])[0])), sep="\n")

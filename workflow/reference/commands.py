@@ -2,7 +2,7 @@
 
 import argparse
 
-from workflow.cli import command_parser
+from elastomer_friction.workflow.cli import command_parser
 
 HEAD = """# Every command
 

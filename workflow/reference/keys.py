@@ -1,6 +1,6 @@
 """The page of every key of study.toml."""
 
-from workflow.study import (
+from elastomer_friction.workflow.study import (
     COMPARE,
     QUANTITIES,
     DescribedKey,

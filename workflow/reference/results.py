@@ -1,7 +1,11 @@
 """The page of every variable of a result."""
 
-from workflow.result import AXIS_ATTRIBUTES, DescribedVariable, described_variables
-from workflow.study import AXES
+from elastomer_friction.workflow.result import (
+    AXIS_ATTRIBUTES,
+    DescribedVariable,
+    described_variables,
+)
+from elastomer_friction.workflow.study import AXES
 
 HEAD = """# Every variable of a result
 

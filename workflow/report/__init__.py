@@ -5,11 +5,11 @@ Reads result files alone; knows no run.
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.report.animation import animate, check_animation
-    from workflow.report.claims import (
+    from elastomer_friction.workflow.report.animation import animate, check_animation
+    from elastomer_friction.workflow.report.claims import (
         FACTOR,
         HOLDS,
         NOT_FOUND,
@@ -27,7 +27,7 @@ if TYPE_CHECKING:
         spread,
         typical_factor,
     )
-    from workflow.report.drawing import (
+    from elastomer_friction.workflow.report.drawing import (
         COLOURS,
         error_band,
         error_bars,
@@ -35,9 +35,9 @@ if TYPE_CHECKING:
         log_bars,
         write_below,
     )
-    from workflow.report.figure import draw_figure, write_figure
-    from workflow.report.page import write_report
-    from workflow.report.resolution import not_resolved, without_unresolved
-    from workflow.report.table import write_grid_table, write_measured_table
+    from elastomer_friction.workflow.report.figure import draw_figure, write_figure
+    from elastomer_friction.workflow.report.page import write_report
+    from elastomer_friction.workflow.report.resolution import not_resolved, without_unresolved
+    from elastomer_friction.workflow.report.table import write_grid_table, write_measured_table
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -11,9 +11,9 @@ from matplotlib import pyplot as plt
 from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 
-from workflow.errors import UserError
-from workflow.report.drawing import COLOURS, STYLE
-from workflow.system import write_durably
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.report.drawing import COLOURS, STYLE
+from elastomer_friction.workflow.system import write_durably
 
 NEEDED = ("snapshot_height", "snapshot_displacement", "trace_mu", "trace_time")
 WRITERS: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from workflow.report.resolution import Resolved
-from workflow.study import known_studies, load_script
+from elastomer_friction.workflow.report.resolution import Resolved
+from elastomer_friction.workflow.study import known_studies, load_script
 
 Results = Mapping[str, xr.Dataset]  # "fig7", and "fig7/paper_step" for its comparison
 

@@ -5,11 +5,11 @@ The first room that knows xarray.
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.result.dataset import Groups, build_dataset
-    from workflow.result.netcdf import (
+    from elastomer_friction.workflow.result.dataset import Groups, build_dataset
+    from elastomer_friction.workflow.result.netcdf import (
         BROKEN,
         ROOT,
         broken,
@@ -17,12 +17,13 @@ if TYPE_CHECKING:
         differing_settings,
         listed,
         open_result,
+        open_tree,
         peek,
         result_file,
         write_datasets,
     )
-    from workflow.result.provenance import made_by, origin
-    from workflow.result.reference import DescribedVariable, described_variables
-    from workflow.result.variables import AXIS_ATTRIBUTES, VARIABLES
+    from elastomer_friction.workflow.result.provenance import made_by, origin
+    from elastomer_friction.workflow.result.reference import DescribedVariable, described_variables
+    from elastomer_friction.workflow.result.variables import AXIS_ATTRIBUTES, VARIABLES
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

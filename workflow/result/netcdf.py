@@ -5,6 +5,7 @@ The one place that knows that a result is netCDF.
 
 import contextlib
 import json
+import os
 import sys
 from collections.abc import Mapping
 from pathlib import Path
@@ -12,10 +13,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from workflow.errors import UserError
-from workflow.simulate import CODE
-from workflow.study import AnyStudy
-from workflow.system import program, replacing
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.simulate import CODE
+from elastomer_friction.workflow.study import AnyStudy
+from elastomer_friction.workflow.system import program, replacing
 
 if TYPE_CHECKING:  # slow to import: plan and status do without
     import xarray as xr
@@ -96,22 +97,39 @@ def open_result(
 
     Raises UserError where the file is missing, damaged, or no result of such a study.
     """
-    import xarray as xr
-
     if not path.is_file():
         of = f" --scale {study.scale}" if study.scale else ""
         raise UserError(f"{path}: not found; first run: {program()} run {study.name}{of}")
-    try:
-        opened = xr.open_groups(path, engine="netcdf4")
-    except (AttributeError, OSError, RuntimeError, ValueError) as error:
-        raise UserError(f"{path}: cannot be read as netCDF: {error}") from error
-    groups = {name.strip("/"): stack.enter_context(data) for name, data in opened.items()}
-    root = groups[ROOT]
-    if not root.attrs.keys() >= MARKS or _flat(root.attrs["study"]) is None:
-        raise UserError(f"{path}: is not a result of this program")
-    lacking = [axis for axis in study.axes if axis not in root.coords]
+    groups = {name.strip("/"): stack.enter_context(data) for name, data in _groups(path).items()}
+    lacking = [axis for axis in study.axes if axis not in groups[ROOT].coords]
     if lacking:
         raise UserError(f"{path}: is no result of a grid: it has no axis {', '.join(lacking)}")
+    return groups
+
+
+def open_tree(path: str | os.PathLike[str]) -> "xr.DataTree":
+    """Return a result file as a tree: the study at its root, each comparison a group.
+
+    Raises UserError where the file is missing, damaged, or no result of this program.
+    """
+    import xarray as xr
+
+    if not Path(path).is_file():
+        raise UserError(f"{path}: not found")
+    return xr.DataTree.from_dict(_groups(Path(path)))
+
+
+def _groups(path: Path) -> dict[str, "xr.Dataset"]:
+    """Return group -> dataset of a result file. Raises UserError where it is none."""
+    import xarray as xr
+
+    try:
+        groups: dict[str, xr.Dataset] = xr.open_groups(path, engine="netcdf4")
+    except (AttributeError, OSError, RuntimeError, ValueError) as error:
+        raise UserError(f"{path}: cannot be read as netCDF: {error}") from error
+    root = groups["/"].attrs
+    if not root.keys() >= MARKS or _flat(root["study"]) is None:
+        raise UserError(f"{path}: is not a result of this program")
     return groups
 
 

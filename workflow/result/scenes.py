@@ -1,7 +1,15 @@
 """The variables of scenes: what a programme of motion, or another elastomer, adds to a result."""
 
-from workflow.reduce import STATUS_COMMENT
-from workflow.result.declaration import COUNT, FLAG, GRID, HEIGHT, SIGN_OF_D, SLOPE, Variable
+from elastomer_friction.workflow.reduce import STATUS_COMMENT
+from elastomer_friction.workflow.result.declaration import (
+    COUNT,
+    FLAG,
+    GRID,
+    HEIGHT,
+    SIGN_OF_D,
+    SLOPE,
+    Variable,
+)
 
 EVENT = (*GRID, "event")
 LAW = (*GRID, "law")

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workflow.reduce import (
+from elastomer_friction.workflow.reduce import (
     ACCURACY_MEANINGS,
     MODEL_MEANINGS,
     RESOLUTION_COMMENT,
@@ -10,7 +10,7 @@ from workflow.reduce import (
     STATUS_COMMENT,
     STATUS_MEANINGS,
 )
-from workflow.result.declaration import (
+from elastomer_friction.workflow.result.declaration import (
     BIAS,
     COUNT,
     CURVE,
@@ -22,7 +22,7 @@ from workflow.result.declaration import (
     SLOPE,
     Variable,
 )
-from workflow.result.scenes import SCENES
+from elastomer_friction.workflow.result.scenes import SCENES
 
 AXIS_ATTRIBUTES = {
     "hurst": ("1", "Hurst exponent H"),

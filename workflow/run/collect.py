@@ -6,19 +6,20 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from workflow import reduce, result  # slow to import: what is needed of them is, when it is used
-from workflow.cluster import Watch
-from workflow.errors import UserError
-from workflow.plan import JACKKNIFE_GROUPS, Plan, Variant
-from workflow.run.summary import Summary
-from workflow.run.workers import Workers, fit_seconds
-from workflow.simulate import Task
-from workflow.store import Store
-from workflow.system import Reporter
+# Slow to import: what is needed of them is, when it is used.
+from elastomer_friction.workflow import reduce, result
+from elastomer_friction.workflow.cluster import Watch
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan import JACKKNIFE_GROUPS, Plan, Variant
+from elastomer_friction.workflow.run.summary import Summary
+from elastomer_friction.workflow.run.workers import Workers, fit_seconds
+from elastomer_friction.workflow.simulate import Task
+from elastomer_friction.workflow.store import Store
+from elastomer_friction.workflow.system import Reporter
 
 if TYPE_CHECKING:
-    from workflow.reduce import Attained, Blocks, Estimates
-    from workflow.result import Groups
+    from elastomer_friction.workflow.reduce import Attained, Blocks, Estimates
+    from elastomer_friction.workflow.result import Groups
 
 TASKS_PER_REDUCTION = 32
 

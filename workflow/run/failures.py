@@ -4,10 +4,10 @@ import dataclasses
 import sys
 from typing import Any
 
-from workflow.errors import UserError
-from workflow.plan import Plan
-from workflow.simulate import Batch, Task
-from workflow.store import Store
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan import Plan
+from elastomer_friction.workflow.simulate import Batch, Task
+from elastomer_friction.workflow.store import Store
 
 
 class Failures:

@@ -6,10 +6,16 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from workflow.plan import WHOLE, Pace, prediction
-from workflow.result import origin, write_datasets
-from workflow.study import HERE, Measured
-from workflow.system import Patience, Reporter, check_place, duration, make_folder
+from elastomer_friction.workflow.plan import WHOLE, Pace, prediction
+from elastomer_friction.workflow.result import origin, write_datasets
+from elastomer_friction.workflow.study import HERE, Measured
+from elastomer_friction.workflow.system import (
+    Patience,
+    Reporter,
+    check_place,
+    duration,
+    make_folder,
+)
 
 Took = dict[tuple[str, str], float]  # (study, WHOLE) -> CPU seconds
 

@@ -6,11 +6,11 @@ from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from kernels import cache
-from workflow import result as results
-from workflow.cluster import Watch
-from workflow.errors import UserError
-from workflow.plan import (
+from elastomer_friction.kernels import cache
+from elastomer_friction.workflow import result as results
+from elastomer_friction.workflow.cluster import Watch
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan import (
     JACKKNIFE_GROUPS,
     Missing,
     Plan,
@@ -21,18 +21,18 @@ from workflow.plan import (
     total_records,
     total_seconds,
 )
-from workflow.run.collect import Collector
-from workflow.run.failures import Failures
-from workflow.run.key import KEY, is_unchanged, result_key
-from workflow.run.makers import require_one
-from workflow.run.rounds import Rounds
-from workflow.run.status import Status, StatusWriter, identity, status_file
-from workflow.run.summary import Summary
-from workflow.run.workers import How, Workers, fit_seconds, open_workers
-from workflow.simulate import load_kernels
-from workflow.store import DamagedShard, Shelf, Store, store_folder
-from workflow.study import LOCAL
-from workflow.system import (
+from elastomer_friction.workflow.run.collect import Collector
+from elastomer_friction.workflow.run.failures import Failures
+from elastomer_friction.workflow.run.key import KEY, is_unchanged, result_key
+from elastomer_friction.workflow.run.makers import require_one
+from elastomer_friction.workflow.run.rounds import Rounds
+from elastomer_friction.workflow.run.status import Status, StatusWriter, identity, status_file
+from elastomer_friction.workflow.run.summary import Summary
+from elastomer_friction.workflow.run.workers import How, Workers, fit_seconds, open_workers
+from elastomer_friction.workflow.simulate import load_kernels
+from elastomer_friction.workflow.store import DamagedShard, Shelf, Store, store_folder
+from elastomer_friction.workflow.study import LOCAL
+from elastomer_friction.workflow.system import (
     Interrupt,
     Patience,
     Reporter,
@@ -45,7 +45,7 @@ from workflow.system import (
 )
 
 if TYPE_CHECKING:  # slow to import; computing needs nothing of it
-    from workflow.result import Groups
+    from elastomer_friction.workflow.result import Groups
 
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 

@@ -15,12 +15,18 @@ from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
 
-from workflow.errors import UserError
-from workflow.plan import make_plan, missing_work, this_machine, total_records, total_seconds
-from workflow.simulate import CODE
-from workflow.store import Store, journal
-from workflow.study import Study
-from workflow.system import holder, write_durably
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan import (
+    make_plan,
+    missing_work,
+    this_machine,
+    total_records,
+    total_seconds,
+)
+from elastomer_friction.workflow.simulate import CODE
+from elastomer_friction.workflow.store import Store, journal
+from elastomer_friction.workflow.study import Study
+from elastomer_friction.workflow.system import holder, write_durably
 
 WRITE_SECONDS = 5.0
 

@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from workflow import reduce
-from workflow import result as results
-from workflow.plan import Plan
-from workflow.simulate import PHASES, Batch, BatchResult
-from workflow.study import AXES
-from workflow.system import counted, duration, peak_bytes, this_maker
+from elastomer_friction.workflow import reduce
+from elastomer_friction.workflow import result as results
+from elastomer_friction.workflow.plan import Plan
+from elastomer_friction.workflow.simulate import PHASES, Batch, BatchResult
+from elastomer_friction.workflow.study import AXES
+from elastomer_friction.workflow.system import counted, duration, peak_bytes, this_maker
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -7,8 +7,14 @@ from typing import Any
 
 import numpy as np
 
-from workflow.errors import UserError
-from workflow.study import Profile, Study, given_profile, positive, read_grid_study
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study import (
+    Profile,
+    Study,
+    given_profile,
+    positive,
+    read_grid_study,
+)
 
 NAME = "scene"
 OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study has in [grid]

@@ -5,9 +5,9 @@ from typing import Any
 
 import xarray as xr
 
-from workflow.scene.alone import computed
-from workflow.scene.arguments import USUAL, identity, study_of
-from workflow.scene.resume import marked, saved_state
+from elastomer_friction.workflow.scene.alone import computed
+from elastomer_friction.workflow.scene.arguments import USUAL, identity, study_of
+from elastomer_friction.workflow.scene.resume import marked, saved_state
 
 
 def run(

@@ -3,10 +3,10 @@
 import numpy as np
 import xarray as xr
 
-from kernels import Saved, form_of, memories
-from workflow.errors import UserError
-from workflow.scene.arguments import identity
-from workflow.study import Study
+from elastomer_friction.kernels import Saved, form_of, memories
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.scene.arguments import identity
+from elastomer_friction.workflow.study import Study
 
 FIELDS = {name: f"state_{name}" for name in Saved._fields}
 MARK = "scene"  # attribute that tells of which line and material a state is

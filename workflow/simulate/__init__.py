@@ -5,22 +5,31 @@ Imports numpy and the kernels alone; its code is part of the key of every record
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.simulate.code import CODE
-    from workflow.simulate.drawing import line_generator
-    from workflow.simulate.kept import kept_steps, programme_steps, record_steps, record_times
-    from workflow.simulate.layout import (
+    from elastomer_friction.workflow.simulate.code import CODE
+    from elastomer_friction.workflow.simulate.drawing import line_generator
+    from elastomer_friction.workflow.simulate.kept import (
+        kept_steps,
+        programme_steps,
+        record_steps,
+        record_times,
+    )
+    from elastomer_friction.workflow.simulate.layout import (
         EDGES,
         Layout,
         row_layout,
         row_width,
         unpack,
     )
-    from workflow.simulate.programmes import scene_of
-    from workflow.simulate.realizations import block_means, lines_at_once, load_kernels
-    from workflow.simulate.tasks import (
+    from elastomer_friction.workflow.simulate.programmes import scene_of
+    from elastomer_friction.workflow.simulate.realizations import (
+        block_means,
+        lines_at_once,
+        load_kernels,
+    )
+    from elastomer_friction.workflow.simulate.tasks import (
         PHASES,
         SCALARS,
         Batch,
@@ -33,4 +42,4 @@ if TYPE_CHECKING:
         Task,
     )
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

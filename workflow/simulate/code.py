@@ -13,8 +13,8 @@ import os
 import string
 from pathlib import Path
 
-import kernels
-from kernels import cache
+from elastomer_friction import kernels
+from elastomer_friction.kernels import cache
 
 DIGITS = 16
 FOLDERS = (Path(kernels.__file__).parent, Path(__file__).parent)

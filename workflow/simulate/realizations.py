@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from kernels import (
+from elastomer_friction.kernels import (
     Case,
     Line,
     Outcome,
@@ -17,14 +17,14 @@ from kernels import (
     prepare,
     run_prepared,
 )
-from kernels.clock import working_time
-from kernels.loading import load
-from workflow.simulate.drawing import Draw, lines_of
-from workflow.simulate.kept import record_steps
-from workflow.simulate.layout import Layout, row_layout, row_width
-from workflow.simulate.programmes import add_programme, steady_ends
-from workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
-from workflow.system import keep_memory, peak_bytes, this_maker
+from elastomer_friction.kernels.clock import working_time
+from elastomer_friction.kernels.loading import load
+from elastomer_friction.workflow.simulate.drawing import Draw, lines_of
+from elastomer_friction.workflow.simulate.kept import record_steps
+from elastomer_friction.workflow.simulate.layout import Layout, row_layout, row_width
+from elastomer_friction.workflow.simulate.programmes import add_programme, steady_ends
+from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
+from elastomer_friction.workflow.system import keep_memory, peak_bytes, this_maker
 
 scalars_of = attrgetter(*SCALARS)
 SHORT = 8192  # samples of a line on which a call from Python takes longer than what is computed

@@ -5,13 +5,13 @@ One process writes, any number read; a record is found by (key of its task, bloc
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.store.journal import size
-    from workflow.store.merge import merge_into
-    from workflow.store.shelf import Shelf
-    from workflow.store.store import DamagedShard, Store, store_folder
-    from workflow.store.verify import Verified, holds_a_store
+    from elastomer_friction.workflow.store.journal import size
+    from elastomer_friction.workflow.store.merge import merge_into
+    from elastomer_friction.workflow.store.shelf import Shelf
+    from elastomer_friction.workflow.store.store import DamagedShard, Store, store_folder
+    from elastomer_friction.workflow.store.verify import Verified, holds_a_store
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

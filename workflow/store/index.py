@@ -9,10 +9,10 @@ but the line itself, so that lines told twice, as by two joined journals, change
 from collections.abc import Mapping
 from pathlib import Path
 
-from workflow.simulate import Record
-from workflow.store.journal import Entry, entries
-from workflow.store.shard import KEY_BYTES, StoredBatch, digest
-from workflow.system import Maker
+from elastomer_friction.workflow.simulate import Record
+from elastomer_friction.workflow.store.journal import Entry, entries
+from elastomer_friction.workflow.store.shard import KEY_BYTES, StoredBatch, digest
+from elastomer_friction.workflow.system import Maker
 
 KEY_LENGTH = 2 * KEY_BYTES
 

@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from workflow.errors import UserError
-from workflow.system import append_durably, refused
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system import append_durably, refused
 
 NAME = "journal"
 FORMAT = "elastomer-friction journal 2"

@@ -16,12 +16,12 @@ from typing import Any
 
 import numpy as np
 
-from workflow.errors import UserError
-from workflow.simulate import SCALARS, Record
-from workflow.store import journal
-from workflow.store.index import indexed
-from workflow.store.journal import Entry
-from workflow.store.shard import (
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.simulate import SCALARS, Record
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.index import indexed
+from elastomer_friction.workflow.store.journal import Entry
+from elastomer_friction.workflow.store.shard import (
     Contents,
     Finished,
     NoShard,
@@ -32,7 +32,7 @@ from workflow.store.shard import (
     shard_sizes,
     stored_batch,
 )
-from workflow.system import (
+from elastomer_friction.workflow.system import (
     Maker,
     Patience,
     clear_leftovers,

@@ -3,11 +3,11 @@
 from collections import defaultdict
 from pathlib import Path
 
-from workflow.errors import UserError
-from workflow.store import journal
-from workflow.store.index import Index
-from workflow.store.shard import Contents, NoShard, decode, shard_sizes
-from workflow.system import LOCK, read_whole, refused, sizes_in
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.index import Index
+from elastomer_friction.workflow.store.shard import Contents, NoShard, decode, shard_sizes
+from elastomer_friction.workflow.system import LOCK, read_whole, refused, sizes_in
 
 
 def holds_a_store(folder: Path) -> bool:

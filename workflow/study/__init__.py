@@ -5,11 +5,17 @@ Knows the kernels' names of schemes and spectra, and no later stage.
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.study.cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
-    from workflow.study.effects import (
+    from elastomer_friction.workflow.study.cluster import (
+        BATCH_SYSTEMS,
+        HERE,
+        LOCAL,
+        Cluster,
+        walltime_seconds,
+    )
+    from elastomer_friction.workflow.study.effects import (
         QUANTITIES,
         FromFile,
         Hold,
@@ -26,22 +32,44 @@ if TYPE_CHECKING:
         why_not,
         with_hold,
     )
-    from workflow.study.grid import AXES
-    from workflow.study.measured import Measured
-    from workflow.study.moduli import FREQUENCIES, MODULI, Moduli, read_moduli
-    from workflow.study.numerics import Numerics
-    from workflow.study.read import find_study, known_scales, known_studies, read_scene, read_study
-    from workflow.study.reference import (
+    from elastomer_friction.workflow.study.grid import AXES
+    from elastomer_friction.workflow.study.measured import Measured
+    from elastomer_friction.workflow.study.moduli import FREQUENCIES, MODULI, Moduli, read_moduli
+    from elastomer_friction.workflow.study.numerics import Numerics
+    from elastomer_friction.workflow.study.read import (
+        find_study,
+        known_scales,
+        known_studies,
+        read_scene,
+        read_study,
+    )
+    from elastomer_friction.workflow.study.reference import (
         DescribedKey,
         Text,
         described_measures,
         described_tables,
         study_schema,
     )
-    from workflow.study.scripts import load_script
-    from workflow.study.settings import Rows, integer, named_unit, positive, rows_of_file
-    from workflow.study.study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
-    from workflow.study.surfaces import Profile, Surface, check_load, given_profile
-    from workflow.study.variants import COMPARE
+    from elastomer_friction.workflow.study.scripts import load_script
+    from elastomer_friction.workflow.study.settings import (
+        Rows,
+        integer,
+        named_unit,
+        positive,
+        rows_of_file,
+    )
+    from elastomer_friction.workflow.study.study import (
+        MOST_BLOCKS,
+        AnyStudy,
+        Study,
+        read_grid_study,
+    )
+    from elastomer_friction.workflow.study.surfaces import (
+        Profile,
+        Surface,
+        check_load,
+        given_profile,
+    )
+    from elastomer_friction.workflow.study.variants import COMPARE
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -5,9 +5,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from workflow.errors import UserError
-from workflow.study.effects import Scene
-from workflow.study.settings import (
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.effects import Scene
+from elastomer_friction.workflow.study.settings import (
     Key,
     as_table,
     checked_values,
@@ -16,7 +16,7 @@ from workflow.study.settings import (
     read_table,
     within,
 )
-from workflow.study.surfaces import Surface, check_cutoff
+from elastomer_friction.workflow.study.surfaces import Surface, check_cutoff
 
 Grid = dict[str, tuple[float, ...]]
 

@@ -9,12 +9,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from workflow.errors import UserError, did_you_mean
-from workflow.study.document import check_every_key, placed
-from workflow.study.grid import AXES
-from workflow.study.measured import read_measured
-from workflow.study.settings import as_table
-from workflow.study.study import AnyStudy, Study, read_grid_study
+from elastomer_friction.workflow.errors import UserError, did_you_mean
+from elastomer_friction.workflow.study.document import check_every_key, placed
+from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.measured import read_measured
+from elastomer_friction.workflow.study.settings import as_table
+from elastomer_friction.workflow.study.study import AnyStudy, Study, read_grid_study
 
 BARE_LIST = re.compile(r"=\s*[-+.\d][-+.\deE_]*\s*,")  # numbers without brackets
 

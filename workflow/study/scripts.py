@@ -1,15 +1,18 @@
 """Load the scripts of a study's folder: figure.py, and measure.py of a measured study."""
 
+import ast
 import importlib
+import importlib.util
 import pwd
 import re
 import sys
 from pathlib import Path
 from types import ModuleType
 
-from workflow.errors import UserError
+from elastomer_friction.workflow.errors import UserError
 
 OWN = Path(__file__).resolve().parents[2] / "studies"
+MOVED = ("kernels", "workflow", "studies")  # once packages of their own
 named: set[Path] = set()  # scripts that the user was told of
 
 
@@ -23,6 +26,7 @@ def load_script(script: Path) -> ModuleType:
     if not script.is_file():
         raise UserError(f"{script}: not found")
     script = script.resolve()
+    _check_names(script)
     folder = script.parent
     if OWN not in script.parents and script not in named:
         named.add(script)
@@ -35,6 +39,33 @@ def load_script(script: Path) -> ModuleType:
     sys.modules[package] = parent
     importlib.invalidate_caches()
     return importlib.import_module(f"{package}.{script.stem}")
+
+
+def _check_names(script: Path) -> None:
+    """Refuse a script that imports from where the program was before it had one name."""
+    tree = ast.parse(script.read_bytes(), script.name)
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Import):
+            names = [alias.name for alias in node.names]
+        elif isinstance(node, ast.ImportFrom) and not node.level:
+            names = [str(node.module)]
+        else:
+            continue
+        for name in names:
+            top = name.partition(".")[0]
+            if top in MOVED and not _of_others(top):
+                raise UserError(
+                    f"{script}, line {node.lineno}: imports {name}, which is now "
+                    f"elastomer_friction.{name}"
+                )
+
+
+def _of_others(name: str) -> bool:
+    """Return whether a package of that name is there that is not of this program."""
+    found = importlib.util.find_spec(name)
+    if found is None or found.origin is None:
+        return False
+    return OWN.parent not in Path(found.origin).resolve().parents
 
 
 def _owner(file: Path) -> str:

@@ -5,11 +5,11 @@ Imports nothing of ours but errors.
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.system.compiling import saying_what_compiles
-    from workflow.system.files import (
+    from elastomer_friction.workflow.system.compiling import saying_what_compiles
+    from elastomer_friction.workflow.system.files import (
         append_durably,
         check_place,
         clear_leftovers,
@@ -20,9 +20,10 @@ if TYPE_CHECKING:
         sizes_in,
         write_durably,
     )
-    from workflow.system.lock import LOCK, hold, holder
-    from workflow.system.packages import (
+    from elastomer_friction.workflow.system.lock import LOCK, hold, holder
+    from elastomer_friction.workflow.system.packages import (
         ROOT,
+        VERSION,
         Maker,
         our_sources,
         package_versions,
@@ -30,9 +31,14 @@ if TYPE_CHECKING:
         this_maker,
         version_of,
     )
-    from workflow.system.patience import Patience
-    from workflow.system.process import THREADS, Interrupt, keep_memory, peak_bytes
-    from workflow.system.progress import Reporter, core_time, counted, duration
-    from workflow.system.terminal import forgive_streams, program
+    from elastomer_friction.workflow.system.patience import Patience
+    from elastomer_friction.workflow.system.process import (
+        THREADS,
+        Interrupt,
+        keep_memory,
+        peak_bytes,
+    )
+    from elastomer_friction.workflow.system.progress import Reporter, core_time, counted, duration
+    from elastomer_friction.workflow.system.terminal import forgive_streams, program
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -29,6 +29,9 @@ def version_of(package: str) -> str:
         return "not installed"
 
 
+VERSION = version_of("elastomer-friction")
+
+
 def package_versions() -> str:
     """Return the versions of the packages that take part, in words."""
     return ", ".join(f"{name} {version_of(name)}" for name in PACKAGES)

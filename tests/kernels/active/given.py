@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import (
+from elastomer_friction.kernels import (
     SCHEMES,
     ConstantForce,
     lagged_slope,
@@ -13,12 +13,12 @@ from kernels import (
     steady_sliding,
     step_average,
 )
-from kernels.active.setting import Passing, Setting
-from kernels.rheology.law import State
-from kernels.steady.carry import decay_of
-from kernels.steady.plain import sweep
-from kernels.steady.spans import SPAN, add_rises, spans_of
-from kernels.steady.thresholds import thresholds_of
+from elastomer_friction.kernels.active.setting import Passing, Setting
+from elastomer_friction.kernels.rheology.law import State
+from elastomer_friction.kernels.steady.carry import decay_of
+from elastomer_friction.kernels.steady.plain import sweep
+from elastomer_friction.kernels.steady.spans import SPAN, add_rises, spans_of
+from elastomer_friction.kernels.steady.thresholds import thresholds_of
 from tests.lines import random_line
 
 

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from kernels import ConstantForce, PrintedForce, lagged_slope, march
-from kernels.active.balance import STRIP, in_order, overlap_of
-from kernels.active.march import active_march
+from elastomer_friction.kernels import ConstantForce, PrintedForce, lagged_slope, march
+from elastomer_friction.kernels.active.balance import STRIP, in_order, overlap_of
+from elastomer_friction.kernels.active.march import active_march
 from tests.kernels.active.given import Jump, setting_of, states_of
 from tests.sizes import COMPILES_ALONE
 

@@ -3,10 +3,16 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce
-from kernels.active.balance import foresee
-from kernels.active.bounds import bounds_of, closer_bounds, first_bounds, holds, widened
-from kernels.active.setting import advance
+from elastomer_friction.kernels import SCHEMES, ConstantForce
+from elastomer_friction.kernels.active.balance import foresee
+from elastomer_friction.kernels.active.bounds import (
+    bounds_of,
+    closer_bounds,
+    first_bounds,
+    holds,
+    widened,
+)
+from elastomer_friction.kernels.active.setting import advance
 from tests.kernels.active.given import Jump, dense, setting_of
 
 LAW = SCHEMES["exponential"](0.3)

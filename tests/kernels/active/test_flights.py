@@ -3,12 +3,18 @@
 import numpy as np
 import pytest
 
-from kernels import ConstantForce
-from kernels.active.balance import foresee
-from kernels.active.bounds import first_bounds
-from kernels.active.flights import FORGOTTEN, Steady, arrivals_of, launch, powers_of
-from kernels.active.lists import lists_of
-from kernels.active.runs import classes_of
+from elastomer_friction.kernels import ConstantForce
+from elastomer_friction.kernels.active.balance import foresee
+from elastomer_friction.kernels.active.bounds import first_bounds
+from elastomer_friction.kernels.active.flights import (
+    FORGOTTEN,
+    Steady,
+    arrivals_of,
+    launch,
+    powers_of,
+)
+from elastomer_friction.kernels.active.lists import lists_of
+from elastomer_friction.kernels.active.runs import classes_of
 from tests.kernels.active.given import Jump, setting_of, states_of
 
 STEPS = 30

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES
-from kernels.active.landings import land, landed, landing, no_landings
+from elastomer_friction.kernels import SCHEMES
+from elastomer_friction.kernels.active.landings import land, landed, landing, no_landings
 
 LAW = SCHEMES["exponential"](0.3)
 PAST = np.array([2.0, 1.9, 1.85, 1.83, 1.82, 1.815])

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from kernels import ConstantForce, lagged_slope
-from kernels.active.balance import foresee
-from kernels.active.bounds import first_bounds
-from kernels.active.lists import add_sample, add_span, lists_of, weighed
-from kernels.active.runs import classes_of
-from kernels.active.setting import rise
-from kernels.steady.spans import SPAN, add_rises, spans_of
+from elastomer_friction.kernels import ConstantForce, lagged_slope
+from elastomer_friction.kernels.active.balance import foresee
+from elastomer_friction.kernels.active.bounds import first_bounds
+from elastomer_friction.kernels.active.lists import add_sample, add_span, lists_of, weighed
+from elastomer_friction.kernels.active.runs import classes_of
+from elastomer_friction.kernels.active.setting import rise
+from elastomer_friction.kernels.steady.spans import SPAN, add_rises, spans_of
 from tests.kernels.active.given import Jump, setting_of
 
 

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernels import SCHEMES, ConstantForce, Line, PrintedForce
-from kernels.active.march import MARGINS, active_march
-from kernels.motion.stretches import touchable
+from elastomer_friction.kernels import SCHEMES, ConstantForce, Line, PrintedForce
+from elastomer_friction.kernels.active.march import MARGINS, active_march
+from elastomer_friction.kernels.motion.stretches import touchable
 from tests.kernels.active.given import (
     Jump,
     dense,

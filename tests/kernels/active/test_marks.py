@@ -3,11 +3,18 @@
 import numpy as np
 import pytest
 
-from kernels import ConstantForce, lagged_slope, march
-from kernels.active.balance import foresee
-from kernels.active.bounds import first_bounds
-from kernels.active.marks import ALWAYS, FREE, always, levels_of, mark_of_first, never
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels import ConstantForce, lagged_slope, march
+from elastomer_friction.kernels.active.balance import foresee
+from elastomer_friction.kernels.active.bounds import first_bounds
+from elastomer_friction.kernels.active.marks import (
+    ALWAYS,
+    FREE,
+    always,
+    levels_of,
+    mark_of_first,
+    never,
+)
+from elastomer_friction.kernels.steady.spans import SPAN
 from tests.kernels.active.given import Jump, setting_of, states_of
 from tests.sizes import size
 

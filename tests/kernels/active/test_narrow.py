@@ -7,13 +7,13 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernels import SCHEMES, ConstantForce, PrintedForce
-from kernels.active.balance import foresee
-from kernels.active.bounds import first_bounds
-from kernels.active.flights import Steady, arrivals_of
-from kernels.active.lists import lists_of
-from kernels.active.march import MARGINS, active_march, follow
-from kernels.active.runs import classes_of
+from elastomer_friction.kernels import SCHEMES, ConstantForce, PrintedForce
+from elastomer_friction.kernels.active.balance import foresee
+from elastomer_friction.kernels.active.bounds import first_bounds
+from elastomer_friction.kernels.active.flights import Steady, arrivals_of
+from elastomer_friction.kernels.active.lists import lists_of
+from elastomer_friction.kernels.active.march import MARGINS, active_march, follow
+from elastomer_friction.kernels.active.runs import classes_of
 from tests.kernels.active.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
 from tests.sizes import COMPILES_ALONE, size
 

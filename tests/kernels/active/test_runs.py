@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce, solve_indentation
-from kernels.active.balance import foresee
-from kernels.active.bounds import first_bounds, holds
-from kernels.active.runs import classes_of
-from kernels.active.setting import advance
+from elastomer_friction.kernels import SCHEMES, ConstantForce, solve_indentation
+from elastomer_friction.kernels.active.balance import foresee
+from elastomer_friction.kernels.active.bounds import first_bounds, holds
+from elastomer_friction.kernels.active.runs import classes_of
+from elastomer_friction.kernels.active.setting import advance
 from tests.kernels.active.given import Jump, setting_of, states_of
 from tests.sizes import size
 

@@ -2,8 +2,8 @@
 
 import pytest
 
-from kernels import SCHEMES
-from kernels.active.setting import advance, rise
+from elastomer_friction.kernels import SCHEMES
+from elastomer_friction.kernels.active.setting import advance, rise
 
 LAW = SCHEMES["exponential"](0.3)
 

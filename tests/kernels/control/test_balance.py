@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce, PrintedForce, march, steady_sliding
+from elastomer_friction.kernels import SCHEMES, ConstantForce, PrintedForce, march, steady_sliding
 from tests.lines import random_line
 from tests.sizes import PLAIN_PYTHON
 

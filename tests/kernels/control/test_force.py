@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce
-from kernels.control.balance import balance, note
+from elastomer_friction.kernels import SCHEMES, ConstantForce
+from elastomer_friction.kernels.control.balance import balance, note
 from tests.references import sorted_root
 
 FIRST = np.array([0, 50])

@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from kernels import SCHEMES
-from kernels.control.balance import balance, note
-from kernels.control.indentation import PrescribedIndentation
+from elastomer_friction.kernels import SCHEMES
+from elastomer_friction.kernels.control.balance import balance, note
+from elastomer_friction.kernels.control.indentation import PrescribedIndentation
 
 
 def test_the_indentation_of_every_step_is_the_one_given():

@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from kernels import SCHEMES, PrintedForce
-from kernels.control.balance import balance, note
-from kernels.motion.slide import Rings
+from elastomer_friction.kernels import SCHEMES, PrintedForce
+from elastomer_friction.kernels.control.balance import balance, note
+from elastomer_friction.kernels.motion.slide import Rings
 
 FIRST = np.array([0, 20, 50])  # two stretches
 NONE = np.empty(0)

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
-from kernels.memory.dissipation import steady_friction
-from kernels.memory.steady import steady_at, steady_memory
-from kernels.rheology.forms import FORMS
-from kernels.rheology.kelvin import SCHEMES
-from kernels.rheology.retardation import retardation
-from kernels.rheology.spectrum import KELVIN, complex_modulus
+from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
+from elastomer_friction.kernels.memory.dissipation import steady_friction
+from elastomer_friction.kernels.memory.steady import steady_at, steady_memory
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES
+from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, complex_modulus
 from tests.convergence import observed_order
 from tests.sizes import PLAIN_PYTHON, size
 from tests.viscoelastic import MATERIALS, PRONY3, SBR

@@ -3,15 +3,15 @@
 import numpy as np
 import pytest
 
-from kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
-from kernels.friction import lagged_slope
-from kernels.memory.jump import friction_jump, initial_rate
-from kernels.memory.steady import steady_memory
-from kernels.rheology.forms import FORMS
-from kernels.rheology.kelvin import SCHEMES
-from kernels.rheology.law import law_of
-from kernels.rheology.retardation import retardation
-from kernels.rheology.spectrum import KELVIN
+from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
+from elastomer_friction.kernels.friction import lagged_slope
+from elastomer_friction.kernels.memory.jump import friction_jump, initial_rate
+from elastomer_friction.kernels.memory.steady import steady_memory
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES
+from elastomer_friction.kernels.rheology.law import law_of
+from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN
 from tests.viscoelastic import MATERIALS, STANDARD, Foundation, of_unit_tau
 
 ELEMENTS = 16

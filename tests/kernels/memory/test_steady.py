@@ -5,13 +5,13 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from kernels import SCHEMES, steady_sliding
-from kernels.memory import steady
-from kernels.memory.steady import steady_at, steady_memory
-from kernels.rheology.forms import FORMS
-from kernels.rheology.law import Elements, memories, rest
-from kernels.rheology.retardation import retardation
-from kernels.rheology.spectrum import KELVIN, Spectrum
+from elastomer_friction.kernels import SCHEMES, steady_sliding
+from elastomer_friction.kernels.memory import steady
+from elastomer_friction.kernels.memory.steady import steady_at, steady_memory
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.law import Elements, memories, rest
+from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from tests.convergence import observed_order
 from tests.lines import random_line
 from tests.references import sorted_root

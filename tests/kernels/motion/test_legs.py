@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from kernels.motion.programme import (
+from elastomer_friction.kernels.motion.programme import (
     Hold,
     Oscillation,
     Ramp,
@@ -14,7 +14,7 @@ from kernels.motion.programme import (
     last_speed,
     steps_of,
 )
-from kernels.rheology.spectrum import SHORTEST
+from elastomer_friction.kernels.rheology.spectrum import SHORTEST
 
 M = 4
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels.motion.path import (
+from elastomer_friction.kernels.motion.path import (
     Path,
     along,
     crossed,

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from kernels import Kelvin, State
-from kernels.motion.slide import shift, start_rings
-from kernels.motion.stretches import bounds, gather, touchable
+from elastomer_friction.kernels import Kelvin, State
+from elastomer_friction.kernels.motion.slide import shift, start_rings
+from elastomer_friction.kernels.motion.stretches import bounds, gather, touchable
 from tests.lines import random_line
 
 LAW = Kelvin(0.97, 1.0 / 0.03, 0.5)

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels.motion.stretches import SHORT_GAP, bounds, gather, touchable
+from elastomer_friction.kernels.motion.stretches import SHORT_GAP, bounds, gather, touchable
 from tests.lines import random_line
 
 

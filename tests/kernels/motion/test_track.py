@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from kernels.motion import track as module
-from kernels.motion.fourier import Shifted
-from kernels.motion.programme import Hold, Oscillation, Slide, steps_of
-from kernels.motion.track import tracks
+from elastomer_friction.kernels.motion import track as module
+from elastomer_friction.kernels.motion.fourier import Shifted
+from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Slide, steps_of
+from elastomer_friction.kernels.motion.track import tracks
 from tests.lines import random_line
 
 PROGRAMME = (Slide(1.0, 3.3), Hold(1.0), Oscillation(0.0, 0.2, 0.3, 1), Slide(-2.0, 5.0))

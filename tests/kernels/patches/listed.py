@@ -2,12 +2,12 @@
 
 import pytest
 
-from kernels import steady_sliding
-from kernels.patches.pressed import MovingLine, pressed, room_for_pressed
-from kernels.patches.touching import list_touching, room_for_all
-from kernels.steady.carry import NO_GAPS, carry, decay_of
-from kernels.steady.contacts import first, room_for
-from kernels.steady.thresholds import thresholds_of
+from elastomer_friction.kernels import steady_sliding
+from elastomer_friction.kernels.patches.pressed import MovingLine, pressed, room_for_pressed
+from elastomer_friction.kernels.patches.touching import list_touching, room_for_all
+from elastomer_friction.kernels.steady.carry import NO_GAPS, carry, decay_of
+from elastomer_friction.kernels.steady.contacts import first, room_for
+from elastomer_friction.kernels.steady.thresholds import thresholds_of
 from tests.kernels.steady.given import LINES, LOADS, known, line_of
 
 everywhere = pytest.mark.parametrize(

@@ -4,7 +4,12 @@ from types import SimpleNamespace
 
 import numpy as np
 
-from kernels.patches.steady_friction import Grounds, Pace, refine, steady_friction
+from elastomer_friction.kernels.patches.steady_friction import (
+    Grounds,
+    Pace,
+    refine,
+    steady_friction,
+)
 
 
 def one_load(line, speed, scheme, load, others=()):

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, Line, amplitudes, draw_phases, steady_sliding
-from kernels.patches.fine_line import (
+from elastomer_friction.kernels import SCHEMES, Line, amplitudes, draw_phases, steady_sliding
+from elastomer_friction.kernels.patches.fine_line import (
     curvatures,
     gaps_of,
     interpolate,
@@ -13,9 +13,9 @@ from kernels.patches.fine_line import (
     mark_touchable,
     marked,
 )
-from kernels.steady.carry import carry, decay_of
-from kernels.steady.spans import spans_of
-from kernels.steady.thresholds import thresholds_of
+from elastomer_friction.kernels.steady.carry import carry, decay_of
+from elastomer_friction.kernels.steady.spans import spans_of
+from elastomer_friction.kernels.steady.thresholds import thresholds_of
 
 STEPS, ELEMENTS = 4, 100
 

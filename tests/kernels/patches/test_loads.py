@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels import steady_sliding
-from kernels.patches.loads import (
+from elastomer_friction.kernels import steady_sliding
+from elastomer_friction.kernels.patches.loads import (
     CONTACT,
     FULL,
     INDENTATION,
@@ -16,8 +16,8 @@ from kernels.patches.loads import (
     Speeds,
     slide,
 )
-from kernels.steady.carry import NO_GAPS, decay_of
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.steady.carry import NO_GAPS, decay_of
+from elastomer_friction.kernels.steady.spans import SPAN
 from tests.kernels.steady.given import LINES, known, line_of, touching
 
 SEVERAL = np.geomspace(1e-4, 60.0, 12)

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kernels.patches.loads import FULL, INDENTATION, How
-from kernels.patches.part import NONE, Part, slide_on
-from kernels.patches.refined import curvatures_of
-from kernels.steady.stack import stack_of
+from elastomer_friction.kernels.patches.loads import FULL, INDENTATION, How
+from elastomer_friction.kernels.patches.part import NONE, Part, slide_on
+from elastomer_friction.kernels.patches.refined import curvatures_of
+from elastomer_friction.kernels.steady.stack import stack_of
 from tests.kernels.steady.given import known, line_of
 
 SPEED, LOADS = 5.0, (1e-3, 0.3)

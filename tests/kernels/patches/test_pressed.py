@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from kernels.patches.pressed import moments, span_under
-from kernels.patches.pressure import balance, friction
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.patches.pressed import moments, span_under
+from elastomer_friction.kernels.patches.pressure import balance, friction
+from elastomer_friction.kernels.steady.spans import SPAN
 from tests.kernels.patches.listed import Listed, everywhere
 
 

@@ -3,9 +3,14 @@
 import numpy as np
 import pytest
 
-from kernels import quadrature
-from kernels.friction import elastic_correction
-from kernels.patches.pressure import balance, elastic_part, friction, friction_everywhere
+from elastomer_friction.kernels import quadrature
+from elastomer_friction.kernels.friction import elastic_correction
+from elastomer_friction.kernels.patches.pressure import (
+    balance,
+    elastic_part,
+    friction,
+    friction_everywhere,
+)
 from tests.kernels.patches.listed import Listed, everywhere
 
 

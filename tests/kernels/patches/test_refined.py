@@ -5,12 +5,20 @@ import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from kernels import SCHEMES, Line, amplitudes, draw_phases, quadrature, rms_slope, steady_sliding
-from kernels.patches.fine_line import curvatures, interpolate
-from kernels.patches.refined import FINE, NARROW, curvatures_of, finer, refined
-from kernels.patches.samples import samples_per_contact
-from kernels.steady.stack import stack_of
-from kernels.surfaces.self_affine import mode_numbers
+from elastomer_friction.kernels import (
+    SCHEMES,
+    Line,
+    amplitudes,
+    draw_phases,
+    quadrature,
+    rms_slope,
+    steady_sliding,
+)
+from elastomer_friction.kernels.patches.fine_line import curvatures, interpolate
+from elastomer_friction.kernels.patches.refined import FINE, NARROW, curvatures_of, finer, refined
+from elastomer_friction.kernels.patches.samples import samples_per_contact
+from elastomer_friction.kernels.steady.stack import stack_of
+from elastomer_friction.kernels.surfaces.self_affine import mode_numbers
 from tests.kernels.patches.one_load import one_load
 from tests.sizes import size
 

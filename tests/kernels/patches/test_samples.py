@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as hnp
 
-from kernels.patches.samples import samples_per_contact
+from elastomer_friction.kernels.patches.samples import samples_per_contact
 
 FORCES = hnp.arrays(float, st.integers(1, 40), elements=st.floats(-1.0, 1.0))
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels import Line, amplitudes, draw_phases
-from kernels.patches.refined import NARROW
+from elastomer_friction.kernels import Line, amplitudes, draw_phases
+from elastomer_friction.kernels.patches.refined import NARROW
 from tests.kernels.patches.one_load import one_load
 
 ELEMENTS = 200

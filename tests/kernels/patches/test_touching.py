@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from kernels.friction import _covered
-from kernels.patches.samples import samples_per_contact
-from kernels.patches.touching import median_width, steepest
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.friction import _covered
+from elastomer_friction.kernels.patches.samples import samples_per_contact
+from elastomer_friction.kernels.patches.touching import median_width, steepest
+from elastomer_friction.kernels.steady.spans import SPAN
 from tests.kernels.patches.listed import Listed, everywhere
 from tests.kernels.steady.given import touching
 

@@ -3,10 +3,17 @@
 import numpy as np
 import pytest
 
-from kernels.rheology.forms import FORMS
-from kernels.rheology.law import Elements, displacement, lasting, law_of, memories, rest
-from kernels.rheology.retardation import retardation
-from kernels.rheology.spectrum import KELVIN, relaxation_modulus
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.law import (
+    Elements,
+    displacement,
+    lasting,
+    law_of,
+    memories,
+    rest,
+)
+from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, relaxation_modulus
 from tests.convergence import observed_order
 from tests.viscoelastic import MATERIALS, Foundation
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, Kelvin
+from elastomer_friction.kernels import SCHEMES, Kelvin
 from tests.reference_march import constants
 
 

@@ -11,10 +11,17 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from kernels import ConstantForce, Kelvin, PrintedForce, State, march, steady_sliding
-from kernels.cache import FOLDER
-from kernels.rheology.law import reach
-from kernels.steady import plain
+from elastomer_friction.kernels import (
+    ConstantForce,
+    Kelvin,
+    PrintedForce,
+    State,
+    march,
+    steady_sliding,
+)
+from elastomer_friction.kernels.cache import FOLDER
+from elastomer_friction.kernels.rheology.law import reach
+from elastomer_friction.kernels.steady import plain
 from tests.sizes import PLAIN_PYTHON
 from tests.support.sweeps import sweep
 

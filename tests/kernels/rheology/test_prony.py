@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from kernels import SCHEMES
-from kernels.rheology.law import law_of, predict, settle
-from kernels.rheology.prony import moments
-from kernels.rheology.retardation import Retardation, retardation
-from kernels.rheology.spectrum import KELVIN
+from elastomer_friction.kernels import SCHEMES
+from elastomer_friction.kernels.rheology.law import law_of, predict, settle
+from elastomer_friction.kernels.rheology.prony import moments
+from elastomer_friction.kernels.rheology.retardation import Retardation, retardation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN
 
 
 @pytest.mark.parametrize("dt", np.geomspace(1e-9, 1e9, 19))

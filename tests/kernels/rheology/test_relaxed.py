@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES
-from kernels.rheology.law import law_of, predict, settle
-from kernels.rheology.relaxed import relaxation
-from kernels.rheology.spectrum import KELVIN
+from elastomer_friction.kernels import SCHEMES
+from elastomer_friction.kernels.rheology.law import law_of, predict, settle
+from elastomer_friction.kernels.rheology.relaxed import relaxation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN
 from tests.viscoelastic import PRONY3
 
 

@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernels.rheology.retardation import merged, retardation
-from kernels.rheology.spectrum import Spectrum, complex_modulus
+from elastomer_friction.kernels.rheology.retardation import merged, retardation
+from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 from tests.viscoelastic import MATERIALS, PRONY3
 
 OMEGA = np.geomspace(1e-9, 1e9, 181)

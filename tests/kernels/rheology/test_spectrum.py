@@ -4,7 +4,12 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus, relaxation_modulus
+from elastomer_friction.kernels.rheology.spectrum import (
+    KELVIN,
+    Spectrum,
+    complex_modulus,
+    relaxation_modulus,
+)
 from tests.viscoelastic import MATERIALS, PRONY3
 
 

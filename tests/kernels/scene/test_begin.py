@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from kernels.rheology.forms import FORMS
-from kernels.rheology.law import law_of, predict
-from kernels.scene.begin import fresh, relaxed, steady
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.law import law_of, predict
+from elastomer_friction.kernels.scene.begin import fresh, relaxed, steady
 from tests.kernels.scene.given import DAMPED, MATERIALS, PRONY, SOLID, a_line
 
 LINE = a_line()

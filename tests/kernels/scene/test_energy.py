@@ -5,11 +5,11 @@ import itertools
 import numpy as np
 import pytest
 
-from kernels.motion.programme import Hold, Oscillation, Ramp, Slide
-from kernels.rheology.forms import FORMS
-from kernels.rheology.law import law_of
-from kernels.rheology.spectrum import KELVIN
-from kernels.scene.energy import book, stored_energy
+from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Ramp, Slide
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.law import law_of
+from elastomer_friction.kernels.rheology.spectrum import KELVIN
+from elastomer_friction.kernels.scene.energy import book, stored_energy
 from tests.convergence import observed_order
 from tests.kernels.scene.given import EVERY, MATERIALS, SOLID, a_line, trace
 from tests.sizes import size

@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
-from kernels.motion.programme import Hold, Ramp, Slide
-from kernels.rheology.forms import FORMS
-from kernels.rheology.spectrum import KELVIN
-from kernels.scene import trace_stamps
-from kernels.surfaces.line import Line
+from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
+from elastomer_friction.kernels.motion.programme import Hold, Ramp, Slide
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.spectrum import KELVIN
+from elastomer_friction.kernels.scene import trace_stamps
+from elastomer_friction.kernels.surfaces.line import Line
 from tests.convergence import observed_order
 from tests.kernels.scene.given import MATERIALS, a_line, a_scene, trace
 from tests.sizes import size

@@ -5,7 +5,14 @@ import itertools
 import numpy as np
 import pytest
 
-from kernels.scene.records import Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
+from elastomer_friction.kernels.scene.records import (
+    Film,
+    Lengths,
+    Trace,
+    count_lengths,
+    keep_frame,
+    keep_trace,
+)
 
 RNG = np.random.default_rng(4)
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels.motion.programme import Slide
-from kernels.scene import ASKED, Saved, run_scene, scene_steps
+from elastomer_friction.kernels.motion.programme import Slide
+from elastomer_friction.kernels.scene import ASKED, Saved, run_scene, scene_steps
 from tests.kernels.scene.given import EVERY, MATERIALS, PRONY, a_line, a_scene
 
 LINE = a_line()

@@ -2,12 +2,12 @@
 
 import numpy as np
 
-from kernels import SCHEMES, Line, steady_sliding
-from kernels.steady.carry import NO_GAPS, carry, decay_of
-from kernels.steady.contacts import room_for
-from kernels.steady.plain import sweep
-from kernels.steady.spans import spans_of
-from kernels.steady.thresholds import thresholds_of
+from elastomer_friction.kernels import SCHEMES, Line, steady_sliding
+from elastomer_friction.kernels.steady.carry import NO_GAPS, carry, decay_of
+from elastomer_friction.kernels.steady.contacts import room_for
+from elastomer_friction.kernels.steady.plain import sweep
+from elastomer_friction.kernels.steady.spans import spans_of
+from elastomer_friction.kernels.steady.thresholds import thresholds_of
 from tests.lines import random_line
 
 # (Hurst exponent, elements, samples per spacing, vbar): patches narrower and wider than a span,

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from kernels import steady_sliding
-from kernels.steady.ahead import indentation_ahead
-from kernels.steady.carry import NO_GAPS, carry, decay_of
-from kernels.steady.contacts import first, room_for
+from elastomer_friction.kernels import steady_sliding
+from elastomer_friction.kernels.steady.ahead import indentation_ahead
+from elastomer_friction.kernels.steady.carry import NO_GAPS, carry, decay_of
+from elastomer_friction.kernels.steady.contacts import first, room_for
 from tests.kernels.steady.given import LINES, LOADS, known, line_of
 
 everywhere = pytest.mark.parametrize(

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels.steady.spans import SPAN
 from tests.kernels.steady.given import LINES, LOADS, both, line_of
 
 EVERYWHERE = pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)

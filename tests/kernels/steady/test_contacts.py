@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels import Line
-from kernels.friction import _reach
+from elastomer_friction.kernels import Line
+from elastomer_friction.kernels.friction import _reach
 from tests.kernels.steady.given import LINES, LOADS, both, line_of, touching
 
 

@@ -6,7 +6,13 @@ Parabola: contact is 4.8 spacings wide and v tau = 1.5; the period of 48 forgets
 import numpy as np
 import pytest
 
-from kernels import SCHEMES, lagged_slope, quadrature, steady_sliding, step_average
+from elastomer_friction.kernels import (
+    SCHEMES,
+    lagged_slope,
+    quadrature,
+    steady_sliding,
+    step_average,
+)
 from tests.convergence import observed_order
 from tests.lines import parabola
 from tests.references import parabola_forces, slow_sliding

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels.steady.carry import NO_GAPS, carry, decay_of
-from kernels.steady.lanes import LANES, carry_lanes
+from elastomer_friction.kernels.steady.carry import NO_GAPS, carry, decay_of
+from elastomer_friction.kernels.steady.lanes import LANES, carry_lanes
 from tests.kernels.steady.given import LINES, known, line_of
 
 SEVERAL = np.geomspace(1e-3, 20.0, LANES)  # indentations, of a sample to full contact

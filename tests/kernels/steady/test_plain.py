@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import (
+from elastomer_friction.kernels import (
     SCHEMES,
     Kelvin,
     amplitudes,
@@ -13,7 +13,7 @@ from kernels import (
     steady_sliding,
     step_average,
 )
-from kernels.steady.plain import sweep
+from elastomer_friction.kernels.steady.plain import sweep
 from tests.convergence import observed_order
 from tests.lines import random_line
 from tests.reference_march import constants, steady

@@ -5,10 +5,17 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernels import steady_sliding
-from kernels.steady.carry import NO_GAPS, decay_of
-from kernels.steady.contacts import room_for
-from kernels.steady.sliding import POWER_STEPS, STEPS, WORTH, approach, elastic_guess, indentation
+from elastomer_friction.kernels import steady_sliding
+from elastomer_friction.kernels.steady.carry import NO_GAPS, decay_of
+from elastomer_friction.kernels.steady.contacts import room_for
+from elastomer_friction.kernels.steady.sliding import (
+    POWER_STEPS,
+    STEPS,
+    WORTH,
+    approach,
+    elastic_guess,
+    indentation,
+)
 from tests.kernels.steady.given import LINES, LOADS, known, line_of
 from tests.sizes import size
 

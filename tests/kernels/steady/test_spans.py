@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels.steady.spans import (
+from elastomer_friction.kernels.steady.spans import (
     FIRST,
     HEIGHT,
     RISE,

@@ -3,8 +3,14 @@
 import numpy as np
 import pytest
 
-from kernels.steady.spans import RISE, Spans, spans_of
-from kernels.steady.stack import alone, spans_in, spans_of_line, stack_of, stacked
+from elastomer_friction.kernels.steady.spans import RISE, Spans, spans_of
+from elastomer_friction.kernels.steady.stack import (
+    alone,
+    spans_in,
+    spans_of_line,
+    stack_of,
+    stacked,
+)
 from tests.kernels.steady.given import line_of
 
 LINES = [line_of(hurst, 77, 2, seed) for seed, hurst in enumerate((0.0, 0.7, 1.0))]

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from kernels import steady_sliding
-from kernels.steady.spans import SPAN
+from elastomer_friction.kernels import steady_sliding
+from elastomer_friction.kernels.steady.spans import SPAN
 from tests.kernels.steady.given import LINES, LOADS, known, line_of, touching
 
 

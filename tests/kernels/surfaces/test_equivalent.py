@@ -3,8 +3,14 @@
 import numpy as np
 import pytest
 
-from kernels import amplitudes, equivalent_amplitudes, equivalent_spectrum, rms_height, rms_slope
-from kernels.surfaces.self_affine import mode_numbers
+from elastomer_friction.kernels import (
+    amplitudes,
+    equivalent_amplitudes,
+    equivalent_spectrum,
+    rms_height,
+    rms_slope,
+)
+from elastomer_friction.kernels.surfaces.self_affine import mode_numbers
 
 N = 4096  # elements, on a length of N: the spacing is 1
 STEP = 2.0 * np.pi / N

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import QUARTET, Line, amplitudes, draw_phases
+from elastomer_friction.kernels import QUARTET, Line, amplitudes, draw_phases
 from tests.cases import M, line_of
 
 

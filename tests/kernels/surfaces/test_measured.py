@@ -6,8 +6,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import arrays
 
-from kernels import Line, draw_phases, measured_amplitudes, rms_height, rms_slope, sample_line
-from kernels.surfaces.measured import measured_modes
+from elastomer_friction.kernels import (
+    Line,
+    draw_phases,
+    measured_amplitudes,
+    rms_height,
+    rms_slope,
+    sample_line,
+)
+from elastomer_friction.kernels.surfaces.measured import measured_modes
 
 HEIGHTS = st.integers(4, 40).flatmap(lambda n: arrays(float, n, elements=st.floats(-1.0, 1.0)))
 SIZES = (4, 5, 64, 65)

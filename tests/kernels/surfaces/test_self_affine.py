@@ -5,7 +5,13 @@ import itertools
 import numpy as np
 import pytest
 
-from kernels import amplitudes, draw_phases, matching_rolloff, rms_slope, sample_line
+from elastomer_friction.kernels import (
+    amplitudes,
+    draw_phases,
+    matching_rolloff,
+    rms_slope,
+    sample_line,
+)
 
 HURST = (0.0, 0.3, 0.7, 1.0)
 SIZES = (2, 3, 50, 51)  # even sizes have a Nyquist mode

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from kernels import amplitudes, power_spectrum, rms_height, rms_slope
+from elastomer_friction.kernels import amplitudes, power_spectrum, rms_height, rms_slope
 
 
 @pytest.mark.parametrize("length", [1.0, 64.0, 1e-5])

@@ -8,9 +8,9 @@ from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import Any
 
+from elastomer_friction.workflow.plan.plan import Plan
 from tests.tools.rivals.checkout import checkout
 from tests.tools.sample import Draw
-from workflow.plan.plan import Plan
 
 SCRIPT = Path(__file__).with_name("batches_then.py")
 Then = Callable[[Draw], float]  # the seconds that a draw takes there

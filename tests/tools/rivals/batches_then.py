@@ -9,11 +9,11 @@ import json
 import sys
 from types import SimpleNamespace
 
-from workflow.batch import Batch, Task, block_means
-from workflow.resolution import horizon_steps
-from workflow.similarity import Problem
+from elastomer_friction.workflow.batch import Batch, Task, block_means
+from elastomer_friction.workflow.resolution import horizon_steps
+from elastomer_friction.workflow.similarity import Problem
 
-from kernels import Quantities
+from elastomer_friction.kernels import Quantities
 
 
 def batch_of(given):

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from kernels import (
+from elastomer_friction.kernels import (
     ConstantForce,
     Line,
     amplitudes,
@@ -13,9 +13,9 @@ from kernels import (
     quadrature,
     steady_sliding,
 )
-from kernels.active.setting import Setting
-from kernels.patches.steady_friction import Grounds
-from kernels.rheology.kelvin import SCHEMES
+from elastomer_friction.kernels.active.setting import Setting
+from elastomer_friction.kernels.patches.steady_friction import Grounds
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from tests.kernels.active.given import passing_of
 from tests.tools.rivals.rows import RATIO, Row
 

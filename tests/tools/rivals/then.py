@@ -11,12 +11,12 @@ import time
 from pathlib import Path
 
 import numpy as np
-from kernels.schemes import SCHEMES
+from elastomer_friction.kernels.schemes import SCHEMES
 
-from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
-from kernels.friction import lagged_slope
-from kernels.relaxation import march
-from kernels.steady import steady_sliding
+from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
+from elastomer_friction.kernels.friction import lagged_slope
+from elastomer_friction.kernels.relaxation import march
+from elastomer_friction.kernels.steady import steady_sliding
 
 
 def fastest(function, repeats):

@@ -5,9 +5,9 @@ from pathlib import Path
 import pytest
 from PIL import Image
 
+from elastomer_friction.workflow.cli.commands import main
+from elastomer_friction.workflow.study import read_scene
 from tests.support.commands import output
-from workflow.cli.commands import main
-from workflow.study import read_scene
 
 CREEP = str(Path(__file__).parents[3] / "docs" / "creep.toml")
 SMALL = ["--set", "numerics.samples=8", "--set", "surface.rolloff=5e-4", "--set"]

@@ -7,11 +7,11 @@ import sys
 
 import pytest
 
+from elastomer_friction.workflow.cli import commands as cli
+from elastomer_friction.workflow.cli import main
 from tests.support.commands import output, refusal
 from tests.support.runs import PATIENCE, ROOT, start
 from tests.support.sweeps import mostly_exhaustive
-from workflow.cli import commands as cli
-from workflow.cli import main
 
 
 @pytest.mark.exhaustive  # in this process every refusal is asked for

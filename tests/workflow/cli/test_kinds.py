@@ -2,10 +2,10 @@
 
 import re
 
+from elastomer_friction.workflow.cli import main
+from elastomer_friction.workflow.cli.kinds import KINDS
+from elastomer_friction.workflow.study.study import AnyStudy
 from tests.support.commands import facts, output, refusal
-from workflow.cli import main
-from workflow.cli.kinds import KINDS
-from workflow.study.study import AnyStudy
 
 
 def test_status_before_a_run(capsys, study, tmp_path):

@@ -5,10 +5,10 @@ import re
 
 import pytest
 
+from elastomer_friction.workflow.cli.new import TEMPLATE
+from elastomer_friction.workflow.study.read import known_studies, read_study
+from elastomer_friction.workflow.study.study import TABLES
 from tests.support.commands import output, refusal
-from workflow.cli.new import TEMPLATE
-from workflow.study.read import known_studies, read_study
-from workflow.study.study import TABLES
 
 
 def test_studies_are_listed_with_their_titles(capsys, tmp_path, monkeypatch):

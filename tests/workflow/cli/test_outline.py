@@ -2,11 +2,11 @@
 
 import re
 
+from elastomer_friction.workflow.cli import outline
+from elastomer_friction.workflow.cli.outline import march_lines
 from tests.support.commands import facts, output
 from tests.support.documents import without
 from tests.support.small import small_plan
-from workflow.cli import outline
-from workflow.cli.outline import march_lines
 
 
 def test_plan_prints_axes_points_problems_and_realizations(capsys, study):

@@ -5,10 +5,10 @@ import tomllib
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.cli.commands import main
+from elastomer_friction.workflow.study.effects.material import read_material
 from tests.support.commands import output
 from tests.support.small import small_study
-from workflow.cli.commands import main
-from workflow.study.effects.material import read_material
 
 OMEGA = np.geomspace(1e-2, 1e4, 40)
 

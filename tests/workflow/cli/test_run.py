@@ -2,14 +2,14 @@
 
 import pytest
 
+from elastomer_friction.workflow.cli import main
+from elastomer_friction.workflow.cli import run as command
+from elastomer_friction.workflow.cli.run import paced_plan, resume_line
+from elastomer_friction.workflow.plan import TYPICAL, Pace
+from elastomer_friction.workflow.plan.cost.machine import Machine
+from elastomer_friction.workflow.plan.cost.work import PARTS
 from tests.support.commands import refusal
 from tests.support.small import small_study
-from workflow.cli import main
-from workflow.cli import run as command
-from workflow.cli.run import paced_plan, resume_line
-from workflow.plan import TYPICAL, Pace
-from workflow.plan.cost.machine import Machine
-from workflow.plan.cost.work import PARTS
 
 
 def test_run_reports_what_it_did(capsys, study, tmp_path):

@@ -2,10 +2,10 @@
 
 import pytest
 
+from elastomer_friction.workflow.cli import main
+from elastomer_friction.workflow.store.store import Store
 from tests.support.commands import facts, output, refusal
 from tests.support.shards import WORK, filled, shard_of
-from workflow.cli import main
-from workflow.store.store import Store
 
 
 @pytest.fixture

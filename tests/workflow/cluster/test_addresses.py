@@ -8,11 +8,11 @@ import threading
 import pytest
 from distributed import default_client
 
-from workflow.cluster import client as module
-from workflow.cluster.calls import SafeClient
-from workflow.cluster.client import open_client
-from workflow.errors import UserError
-from workflow.study.cluster import Cluster
+from elastomer_friction.workflow.cluster import client as module
+from elastomer_friction.workflow.cluster.calls import SafeClient
+from elastomer_friction.workflow.cluster.client import open_client
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.cluster import Cluster
 
 
 @pytest.fixture

@@ -7,10 +7,10 @@ import pytest
 from distributed import wait
 from distributed.comm import CommClosedError
 
-from workflow.cluster import calls
-from workflow.cluster.calls import Call, Fetches, fetch, patiently
-from workflow.cluster.watch import NO_ANSWER, Watch
-from workflow.errors import UserError
+from elastomer_friction.workflow.cluster import calls
+from elastomer_friction.workflow.cluster.calls import Call, Fetches, fetch, patiently
+from elastomer_friction.workflow.cluster.watch import NO_ANSWER, Watch
+from elastomer_friction.workflow.errors import UserError
 
 
 @pytest.fixture
@@ -66,7 +66,7 @@ def test_results_and_errors_are_fetched_with_the_workers_they_come_from(client):
 
 def placed(value):
     """Return an address and a result, as workers do."""
-    from workflow.cluster.worker import placed
+    from elastomer_friction.workflow.cluster.worker import placed
 
     return placed(value, float)
 

@@ -12,15 +12,15 @@ import dask
 import pytest
 from distributed import Client, SpecCluster
 
+from elastomer_friction.workflow.cluster import client as module
+from elastomer_friction.workflow.cluster.client import open_client
+from elastomer_friction.workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
+from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.study.cluster import Cluster
+from elastomer_friction.workflow.system import Interrupt
 from tests.support.own_workers import facts, processes, started_again, starting
 from tests.support.small import small_plan
-from workflow.cluster import client as module
-from workflow.cluster.client import open_client
-from workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
-from workflow.run.run import run_plan
-from workflow.run.workers import How
-from workflow.study.cluster import Cluster
-from workflow.system import Interrupt
 
 
 def written(security, folder):

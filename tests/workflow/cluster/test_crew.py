@@ -6,10 +6,10 @@ from types import SimpleNamespace
 import pytest
 from distributed.comm import CommClosedError
 
-from workflow.cluster.calls import ROLL, Call, Roll, answer_rolls, call_roll
-from workflow.cluster.crew import Crew, RollCalls
-from workflow.cluster.watch import Watch
-from workflow.errors import UserError
+from elastomer_friction.workflow.cluster.calls import ROLL, Call, Roll, answer_rolls, call_roll
+from elastomer_friction.workflow.cluster.crew import Crew, RollCalls
+from elastomer_friction.workflow.cluster.watch import Watch
+from elastomer_friction.workflow.errors import UserError
 
 A, B, C = (f"tls://127.0.0.1:{port}" for port in (1, 2, 3))
 FAR = {name: f"tls://10.0.0.{name[0]}:{name[1]}" for name in ("11", "12", "21", "31")}

@@ -3,9 +3,9 @@
 import pytest
 from distributed.scheduler import KilledWorker
 
-from workflow.cluster.calls import Roll
-from workflow.cluster.crew import Crew
-from workflow.cluster.flight import Flight, Work, raise_error, unknown
+from elastomer_friction.workflow.cluster.calls import Roll
+from elastomer_friction.workflow.cluster.crew import Crew
+from elastomer_friction.workflow.cluster.flight import Flight, Work, raise_error, unknown
 
 A, B, C = (f"tls://127.0.0.1:{port}" for port in (1, 2, 3))
 

@@ -9,11 +9,11 @@ from collections import Counter
 import pytest
 from distributed import Client, get_worker
 
+from elastomer_friction.workflow.cluster import flight
+from elastomer_friction.workflow.cluster.flow import stream
+from elastomer_friction.workflow.cluster.watch import Watch
+from elastomer_friction.workflow.errors import UserError
 from tests.support.runs import PATIENCE, standing
-from workflow.cluster import flight
-from workflow.cluster.flow import stream
-from workflow.cluster.watch import Watch
-from workflow.errors import UserError
 
 
 @pytest.mark.parametrize("items", [range(100), [4, 4, 4], []], ids=["many", "equal", "none"])

@@ -5,10 +5,10 @@ import subprocess
 import pytest
 from distributed.security import Security
 
+from elastomer_friction.workflow.cluster import jobs as slurm
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.cluster import read_cluster
 from tests.support.documents import CLUSTER
-from workflow.cluster import jobs as slurm
-from workflow.errors import UserError
-from workflow.study.cluster import read_cluster
 
 LINES = (
     "#SBATCH -p normal",
@@ -27,8 +27,8 @@ OPTIONS = (
     "--nworkers 4",
     "--interface ib0",
     "--lifetime 6480s --lifetime-stagger 648s",
-    "--preload workflow.cluster.worker",
-    "--worker-class workflow.cluster.security.PagelessWorker",
+    "--preload elastomer_friction.workflow.cluster.worker",
+    "--worker-class elastomer_friction.workflow.cluster.security.PagelessWorker",
     "--protocol tls://",
     "--tls-ca-file a --tls-cert c --tls-key k",
 )

@@ -6,10 +6,10 @@ import weakref
 
 import numpy as np
 
+from elastomer_friction.workflow.cluster.client import open_client
+from elastomer_friction.workflow.cluster.flow import stream
+from elastomer_friction.workflow.study.cluster import Cluster
 from tests.support.runs import PATIENCE
-from workflow.cluster.client import open_client
-from workflow.cluster.flow import stream
-from workflow.study.cluster import Cluster
 
 
 def alive(sent):

@@ -4,14 +4,14 @@ import dask
 import pytest
 from distributed import Scheduler
 
-from workflow.cluster.security import (
+from elastomer_friction.workflow.cluster.security import (
     PagelessScheduler,
     own_security,
     scheduler_kind,
     security_of,
 )
-from workflow.errors import UserError
-from workflow.study.cluster import Cluster
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.cluster import Cluster
 
 THERE = "tls://127.0.0.1:8786"
 

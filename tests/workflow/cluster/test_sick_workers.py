@@ -2,9 +2,9 @@
 
 from distributed.scheduler import KilledWorker
 
+from elastomer_friction.workflow.cluster.watch import Watch
 from tests.support.simulated import ERROR, Cluster, first, sick, sound, streamed, tries
 from tests.support.simulated_workers import DIE
-from workflow.cluster.watch import Watch
 
 
 class Given(list):

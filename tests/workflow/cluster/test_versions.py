@@ -2,11 +2,11 @@
 
 import pytest
 
-from workflow.cluster import versions as module
-from workflow.cluster.versions import check_versions, own_versions, require
-from workflow.cluster.watch import Watch
-from workflow.errors import UserError
-from workflow.system import packages
+from elastomer_friction.workflow.cluster import versions as module
+from elastomer_friction.workflow.cluster.versions import check_versions, own_versions, require
+from elastomer_friction.workflow.cluster.watch import Watch
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system import packages
 
 
 def other(name, value):

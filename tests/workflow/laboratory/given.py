@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from workflow.kinetic_law import KineticLaw
-from workflow.laboratory.record import Record
+from elastomer_friction.workflow.kinetic_law import KineticLaw
+from elastomer_friction.workflow.laboratory.record import Record
 
 SPEEDS = np.geomspace(1e-6, 10.0, 100)
 TAU, HURST, Q_MAX, SLOPE = 0.1, 0.6, 1e3, 0.2  # x = 1 at 10 mm/s

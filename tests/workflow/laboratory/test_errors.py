@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.laboratory.errors import Estimate, correlation_factor, mean
 from tests.workflow.laboratory.given import noise
-from workflow.laboratory.errors import Estimate, correlation_factor, mean
 
 
 @pytest.mark.parametrize("correlation", [0.0, 0.5, 0.9])

@@ -5,11 +5,11 @@ import numpy as np
 import pytest
 from matplotlib import pyplot as plt
 
+from elastomer_friction.workflow.laboratory.figure import MOST_STEPS, draw_fit, figure_of
+from elastomer_friction.workflow.laboratory.fit import fit_records
+from elastomer_friction.workflow.laboratory.speeds import Known
+from elastomer_friction.workflow.report.drawing import STYLE
 from tests.workflow.laboratory.given import record, records
-from workflow.laboratory.figure import MOST_STEPS, draw_fit, figure_of
-from workflow.laboratory.fit import fit_records
-from workflow.laboratory.speeds import Known
-from workflow.report.drawing import STYLE
 
 
 @pytest.fixture(autouse=True)

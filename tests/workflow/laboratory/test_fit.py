@@ -2,9 +2,9 @@
 
 import pytest
 
+from elastomer_friction.workflow.laboratory.fit import fit_records
+from elastomer_friction.workflow.laboratory.speeds import Known
 from tests.workflow.laboratory.given import HURST, Q_MAX, SLOPE, TAU, record, records
-from workflow.laboratory.fit import fit_records
-from workflow.laboratory.speeds import Known
 
 
 def test_the_law_that_made_the_records_is_found_again():

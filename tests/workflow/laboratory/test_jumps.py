@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.laboratory.errors import Estimate
+from elastomer_friction.workflow.laboratory.jumps import fit_slope, predicted_jump
+from elastomer_friction.workflow.laboratory.step_fit import fit_step
+from elastomer_friction.workflow.laboratory.steps import steps_of
 from tests.workflow.laboratory.given import SLOPE, law, record
-from workflow.laboratory.errors import Estimate
-from workflow.laboratory.jumps import fit_slope, predicted_jump
-from workflow.laboratory.step_fit import fit_step
-from workflow.laboratory.steps import steps_of
 
 STEP = fit_step(*steps_of(record()))
 

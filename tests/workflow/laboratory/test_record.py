@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from workflow.errors import UserError
-from workflow.laboratory.record import read_record
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.laboratory.record import read_record
 
 
 def read(tmp_path, text, *arguments, **options):

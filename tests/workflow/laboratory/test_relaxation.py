@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.laboratory.relaxation import fit_relaxation_curve
+from elastomer_friction.workflow.reduce import LAWS, step_law
 from tests.workflow.laboratory.given import noise
-from workflow.laboratory.relaxation import fit_relaxation_curve
-from workflow.reduce import LAWS, step_law
 
 T = np.linspace(0.01, 3.0, 300)
 

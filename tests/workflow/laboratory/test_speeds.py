@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.laboratory.errors import Estimate
+from elastomer_friction.workflow.laboratory.speeds import Known, fit_rates
+from elastomer_friction.workflow.laboratory.step_fit import fit_step
+from elastomer_friction.workflow.laboratory.steps import steps_of
 from tests.workflow.laboratory.given import HURST, Q_MAX, TAU, law, record
-from workflow.laboratory.errors import Estimate
-from workflow.laboratory.speeds import Known, fit_rates
-from workflow.laboratory.step_fit import fit_step
-from workflow.laboratory.steps import steps_of
 
 STEP = fit_step(*steps_of(record()))
 BOTH, RIGHT, LEFT = [2e-3, 5e-3, 8e-3, 2e-2, 5e-2, 0.1, 0.3], [0.02, 0.05, 0.1, 0.3], [1e-3, 3e-3]

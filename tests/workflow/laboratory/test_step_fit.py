@@ -5,10 +5,16 @@ import math
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.laboratory.step_fit import (
+    NOTHING,
+    TOO_COARSE,
+    TOO_NOISY,
+    TOO_SHORT,
+    fit_step,
+)
+from elastomer_friction.workflow.laboratory.steps import steps_of
+from elastomer_friction.workflow.reduce import LAWS, step_law
 from tests.workflow.laboratory.given import record
-from workflow.laboratory.step_fit import NOTHING, TOO_COARSE, TOO_NOISY, TOO_SHORT, fit_step
-from workflow.laboratory.steps import steps_of
-from workflow.reduce import LAWS, step_law
 
 TRUE = {"mu_1": 0.3, "mu_2": 0.32, "jump": 0.05, "amplitude": 0.03, "rate": 8.0}
 

@@ -5,9 +5,9 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.laboratory.steps import constant_stretches, steps_of
 from tests.workflow.laboratory.given import noise, record
-from workflow.errors import UserError
-from workflow.laboratory.steps import constant_stretches, steps_of
 
 
 def test_one_step_is_taken_apart():

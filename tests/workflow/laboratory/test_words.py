@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.kinetic_law import KineticLaw
+from elastomer_friction.workflow.laboratory.errors import Estimate
+from elastomer_friction.workflow.laboratory.fit import fit_records
+from elastomer_friction.workflow.laboratory.speeds import Known
+from elastomer_friction.workflow.laboratory.words import describe, shown
 from tests.workflow.laboratory.given import record, records
-from workflow.kinetic_law import KineticLaw
-from workflow.laboratory.errors import Estimate
-from workflow.laboratory.fit import fit_records
-from workflow.laboratory.speeds import Known
-from workflow.laboratory.words import describe, shown
 
 
 @pytest.mark.parametrize(

@@ -8,10 +8,16 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from elastomer_friction.workflow.plan.batches import (
+    TOGETHER,
+    batch_target,
+    cut,
+    missing_work,
+    total_seconds,
+)
+from elastomer_friction.workflow.plan.variant import sharing
 from tests.support.small import all_records, cut_batches, small_plan
 from tests.support.sweeps import examples
-from workflow.plan.batches import TOGETHER, batch_target, cut, missing_work, total_seconds
-from workflow.plan.variant import sharing
 
 GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 

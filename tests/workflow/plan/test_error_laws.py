@@ -5,11 +5,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import Quantities
-from workflow.plan.error_laws import LAWS, contact_width, rate_error
-from workflow.plan.problems import expected_rate
-from workflow.simulate.realizations import block_means
-from workflow.simulate.tasks import SCALARS, Batch, Problem, Recording, Task
+from elastomer_friction.kernels import Quantities
+from elastomer_friction.workflow.plan.error_laws import LAWS, contact_width, rate_error
+from elastomer_friction.workflow.plan.problems import expected_rate
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.tasks import SCALARS, Batch, Problem, Recording, Task
 
 POINTS = [
     Problem(0.3, 600, 0.05, 5.0, 1.2),

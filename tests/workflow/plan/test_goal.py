@@ -4,15 +4,21 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.error_laws import LAWS, relaxing_share
+from elastomer_friction.workflow.plan.goal import (
+    LEAST_BLOCKS,
+    LEAST_FOR_RATE,
+    allowed,
+    goal_of,
+    whole_blocks,
+)
+from elastomer_friction.workflow.plan.problems import together
+from elastomer_friction.workflow.plan.resolution import MAX_SAMPLES_PER_LINE
+from elastomer_friction.workflow.simulate.tasks import Problem
+from elastomer_friction.workflow.study.numerics import Numerics
+from elastomer_friction.workflow.study.study import Scene
 from tests.support.small import small_plan, small_study
-from workflow.errors import UserError
-from workflow.plan.error_laws import LAWS, relaxing_share
-from workflow.plan.goal import LEAST_BLOCKS, LEAST_FOR_RATE, allowed, goal_of, whole_blocks
-from workflow.plan.problems import together
-from workflow.plan.resolution import MAX_SAMPLES_PER_LINE
-from workflow.simulate.tasks import Problem
-from workflow.study.numerics import Numerics
-from workflow.study.study import Scene
 
 PROBLEMS = st.builds(
     lambda *numbers: Problem(*numbers),  # a builder of Problem would draw the fields of scenes too

@@ -2,10 +2,10 @@
 
 import pytest
 
-from kernels import Hold, Slide
+from elastomer_friction.kernels import Hold, Slide
+from elastomer_friction.workflow.plan.motion import rounded
+from elastomer_friction.workflow.plan.problems import distinct_problems
 from tests.support.small import keys, small_plan, small_study
-from workflow.plan.motion import rounded
-from workflow.plan.problems import distinct_problems
 
 PROGRAMME = (
     "scene.programme=[{slide={ratio=1.0, distance=1e-3}}, {hold={duration=[1e-3, 1e-2]}}, "

@@ -8,17 +8,17 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.small import complaint, keys, small_plan, small_study
-from workflow.plan.motion import canonical
-from workflow.plan.problems import (
+from elastomer_friction.workflow.plan.motion import canonical
+from elastomer_friction.workflow.plan.problems import (
     distinct_problems,
     sharers,
     speed_ratio,
     together,
     viscous_pressure,
 )
-from workflow.simulate.tasks import Problem
-from workflow.study.grid import AXES
+from elastomer_friction.workflow.simulate.tasks import Problem
+from elastomer_friction.workflow.study.grid import AXES
+from tests.support.small import complaint, keys, small_plan, small_study
 
 ONE_POINT = "grid.hurst=0.5", "grid.normal_force=0.04", "grid.velocity=0.03"
 NORMAL = st.floats(1e-100, 1e100)

@@ -6,11 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.small import small_plan
-from workflow.errors import UserError
-from workflow.plan.error_laws import LAWS, window_rate
-from workflow.plan.problems import together
-from workflow.plan.resolution import (
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.error_laws import LAWS, window_rate
+from elastomer_friction.workflow.plan.problems import together
+from elastomer_friction.workflow.plan.resolution import (
     BIAS,
     MAX_SAMPLES_PER_LINE,
     MOST_FOR_CONTACTS,
@@ -19,9 +18,10 @@ from workflow.plan.resolution import (
     rung,
     steps_per_spacing,
 )
-from workflow.simulate.tasks import Problem
-from workflow.study.numerics import Numerics
-from workflow.study.study import Scene
+from elastomer_friction.workflow.simulate.tasks import Problem
+from elastomer_friction.workflow.study.numerics import Numerics
+from elastomer_friction.workflow.study.study import Scene
+from tests.support.small import small_plan
 
 HURST = st.floats(0.0, 1.0)
 SPEED = st.floats(1e-3, 1e3)

@@ -2,9 +2,9 @@
 
 import pytest
 
+from elastomer_friction.workflow.plan import variant as module
+from elastomer_friction.workflow.plan.variant import samples_of
 from tests.support.small import keys, small_plan
-from workflow.plan import variant as module
-from workflow.plan.variant import samples_of
 
 PLAN = small_plan("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 

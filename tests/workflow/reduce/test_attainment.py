@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from workflow.plan.goal import Goal
-from workflow.reduce.attainment import MET, MET_WHERE_DEFINED, MISSED, attained
-from workflow.reduce.fits import (
+from elastomer_friction.workflow.plan.goal import Goal
+from elastomer_friction.workflow.reduce.attainment import MET, MET_WHERE_DEFINED, MISSED, attained
+from elastomer_friction.workflow.reduce.fits import (
     FITTED,
     NEGLIGIBLE,
     NO_RELAXATION,

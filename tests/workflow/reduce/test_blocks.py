@@ -2,10 +2,10 @@
 
 import numpy as np
 
+from elastomer_friction.workflow.reduce.blocks import blocks_of, enter
+from elastomer_friction.workflow.simulate.tasks import SCALARS
 from tests.support.small import small_plan
 from tests.workflow.plan.test_motion import PROGRAMME, TEXT
-from workflow.reduce.blocks import blocks_of, enter
-from workflow.simulate.tasks import SCALARS
 
 PLAN = small_plan(PROGRAMME, "material.temperature=20.0", "grid.velocity=0.03", text=TEXT)
 VARIANT = PLAN.variants[0]

@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from elastomer_friction.workflow.reduce.complete import completed
 from tests.support.small import small_plan
-from workflow.reduce.complete import completed
 
 PLAN = small_plan('scene.quantities=["steady"]')
 VARIANT = PLAN.variants[0]

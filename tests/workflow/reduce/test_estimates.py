@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
+from elastomer_friction.workflow.reduce.estimates import reduce_blocks
+from elastomer_friction.workflow.reduce.fits import FITTED
+from elastomer_friction.workflow.simulate.tasks import SCALARS
 from tests.support.curves import RATE, exponential_blocks
-from workflow.plan.goal import JACKKNIFE_GROUPS
-from workflow.reduce.estimates import reduce_blocks
-from workflow.reduce.fits import FITTED
-from workflow.simulate.tasks import SCALARS
 
 BLOCKS = exponential_blocks()
 FOUND = reduce_blocks(BLOCKS)

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workflow.reduce.fits import (
+from elastomer_friction.workflow.reduce.fits import (
     FITTED,
     NO_RELAXATION,
     NOT_EXPONENTIAL,
@@ -14,7 +14,7 @@ from workflow.reduce.fits import (
     fit_relaxation,
     fit_window,
 )
-from workflow.reduce.statistics.jackknife import replicates
+from elastomer_friction.workflow.reduce.statistics.jackknife import replicates
 
 SHARE = np.linspace(0.0, 4.0, 63)
 

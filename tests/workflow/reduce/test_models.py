@@ -5,9 +5,8 @@ from concurrent.futures import ThreadPoolExecutor
 import numpy as np
 import pytest
 
-from tests.support.sweeps import mostly_exhaustive
-from workflow.reduce import models
-from workflow.reduce.models import (
+from elastomer_friction.workflow.reduce import models
+from elastomer_friction.workflow.reduce.models import (
     EXPONENTIAL,
     STRETCHED,
     TWO_EXPONENTIALS,
@@ -16,7 +15,8 @@ from workflow.reduce.models import (
     compare_models,
     determined,
 )
-from workflow.reduce.statistics.jackknife import replicates, standard_error
+from elastomer_friction.workflow.reduce.statistics.jackknife import replicates, standard_error
+from tests.support.sweeps import mostly_exhaustive
 
 TIME = np.linspace(0.02, 4.0, 63)
 CURVES = {

@@ -3,10 +3,16 @@
 import numpy as np
 import pytest
 
-from workflow.plan import LAWS
-from workflow.reduce.resolution import COARSE, RESOLVED, UNRESOLVED, resolution, resolution_status
-from workflow.simulate import Problem, Task
-from workflow.study import Numerics
+from elastomer_friction.workflow.plan import LAWS
+from elastomer_friction.workflow.reduce.resolution import (
+    COARSE,
+    RESOLVED,
+    UNRESOLVED,
+    resolution,
+    resolution_status,
+)
+from elastomer_friction.workflow.simulate import Problem, Task
+from elastomer_friction.workflow.study import Numerics
 
 NAMES = ("mu_1", "jump", "relaxation_rate")
 PROBLEM = Problem(0.7, 1000, 0.1, 1.0, 1.2)

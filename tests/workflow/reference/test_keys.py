@@ -1,7 +1,7 @@
 """The page of keys: values, units, defaults, and the names of quantities."""
 
-from workflow.reference.keys import keys_page
-from workflow.study import QUANTITIES
+from elastomer_friction.workflow.reference.keys import keys_page
+from elastomer_friction.workflow.study import QUANTITIES
 
 PAGE = keys_page()
 

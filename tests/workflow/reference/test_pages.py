@@ -4,9 +4,9 @@ from pathlib import Path
 
 import pytest
 
-from workflow.reference import PAGES, write_pages
-from workflow.result import VARIABLES
-from workflow.study import described_measures, described_tables
+from elastomer_friction.workflow.reference import PAGES, write_pages
+from elastomer_friction.workflow.result import VARIABLES
+from elastomer_friction.workflow.study import described_measures, described_tables
 
 FOLDER = Path(__file__).resolve().parents[3] / "docs" / "reference"
 
@@ -19,7 +19,7 @@ def written(tmp_path_factory):
 
 @pytest.mark.parametrize("name", PAGES)
 def test_the_pages_in_the_repository_are_up_to_date(written, name):
-    """If this fails: python -m workflow.reference, and commit docs/reference."""
+    """If this fails: python -m elastomer_friction.workflow.reference, and commit docs/reference."""
     assert (FOLDER / name).read_text(encoding="utf-8") == written[name]
 
 

@@ -1,6 +1,6 @@
 """The page of variables: dimensions, units, signs, flags, coordinates."""
 
-from workflow.reference.results import results_page
+from elastomer_friction.workflow.reference.results import results_page
 
 PAGE = results_page()
 

@@ -7,8 +7,8 @@ import pytest
 import xarray as xr
 from PIL import Image, ImageChops, ImageSequence
 
-from workflow.errors import UserError
-from workflow.report import animate
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.report import animate
 
 STEPS, ELEMENTS = 4, 40
 

@@ -2,9 +2,15 @@
 
 import numpy as np
 
+from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
+from elastomer_friction.workflow.report.claims import (
+    evaluate,
+    judge,
+    judge_factor,
+    known_claims,
+    mean_error,
+)
 from tests.support.synthetic import result, with_alpha, with_rates
-from workflow.reduce import RESOLVED, UNRESOLVED
-from workflow.report.claims import evaluate, judge, judge_factor, known_claims, mean_error
 
 CLAIMS = known_claims()
 

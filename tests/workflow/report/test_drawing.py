@@ -5,9 +5,9 @@ import pytest
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
+from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
+from elastomer_friction.workflow.report.drawing import error_bars, foot_line, log_bars
 from tests.support.synthetic import result
-from workflow.reduce import RESOLVED, UNRESOLVED
-from workflow.report.drawing import error_bars, foot_line, log_bars
 
 
 def test_bars_are_symmetric_in_the_logarithm_and_at_most_a_decade():

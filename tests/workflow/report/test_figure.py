@@ -4,8 +4,8 @@ import pytest
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
+from elastomer_friction.workflow.report.figure import write_figure
 from tests.support.results import assert_refused, call
-from workflow.report.figure import write_figure
 
 OLD_FORM = "def draw(result):\n    raise AssertionError('is not called')\n"
 BROKEN = """

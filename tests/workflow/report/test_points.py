@@ -4,9 +4,9 @@ import numpy as np
 import pytest
 from matplotlib import pyplot as plt
 
+from elastomer_friction.workflow.report.drawing import error_band, error_bars
+from elastomer_friction.workflow.report.points import remembered
 from tests.support.synthetic import result
-from workflow.report.drawing import error_band, error_bars
-from workflow.report.points import remembered
 
 
 @pytest.fixture

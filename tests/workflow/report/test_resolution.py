@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from workflow.reduce import RESOLVED, UNRESOLVED
-from workflow.report.resolution import Resolved, not_resolved, without_unresolved
+from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
+from elastomer_friction.workflow.report.resolution import Resolved, not_resolved, without_unresolved
 
 COARSE = 1
 

@@ -3,10 +3,10 @@
 import pandas as pd
 import pytest
 
-from workflow.errors import UserError
-from workflow.report.table import write_grid_table, write_measured_table
-from workflow.study.grid import AXES
-from workflow.study.read import read_study
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.report.table import write_grid_table, write_measured_table
+from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.read import read_study
 
 
 def test_every_point_is_a_row_of_the_estimates_of_the_result(shown, finished):

@@ -2,8 +2,8 @@
 
 import pytest
 
+from elastomer_friction.workflow.result.netcdf import write_datasets
 from tests.support import conventions
-from workflow.result.netcdf import write_datasets
 
 
 def test_a_result_keeps_the_cf_conventions(tmp_path, with_models):

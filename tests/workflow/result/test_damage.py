@@ -7,11 +7,11 @@ import netCDF4
 import pytest
 import xarray as xr
 
+from elastomer_friction.workflow.result.netcdf import write_datasets
 from tests.support.commands import refusal
 from tests.support.faults import DAMAGE, flipped
 from tests.support.results import OLD, READERS, WRITTEN, assert_refused, call, contents, rewritten
 from tests.support.synthetic import result
-from workflow.result.netcdf import write_datasets
 
 
 @pytest.mark.parametrize("damage", DAMAGE.values(), ids=DAMAGE)

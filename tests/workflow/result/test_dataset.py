@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from elastomer_friction.workflow.plan import LAWS
+from elastomer_friction.workflow.reduce.fits import FITTED
+from elastomer_friction.workflow.result.dataset import build_dataset
+from elastomer_friction.workflow.result.provenance import provenance
+from elastomer_friction.workflow.result.variables import VARIABLES
+from elastomer_friction.workflow.study.grid import AXES
 from tests.support.curves import assembled
-from workflow.plan import LAWS
-from workflow.reduce.fits import FITTED
-from workflow.result.dataset import build_dataset
-from workflow.result.provenance import provenance
-from workflow.result.variables import VARIABLES
-from workflow.study.grid import AXES
 
 ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing", "degrees_of_freedom"}
 ALWAYS |= {"bias_bound", "resolution_status", "samples_per_contact", "samples_per_contact_error"}

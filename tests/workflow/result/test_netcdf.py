@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 import xarray as xr
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.result.netcdf import result_file, write_datasets
 from tests.support.disks import fill, mounted
 from tests.support.small import small_study
-from workflow.errors import UserError
-from workflow.result.netcdf import result_file, write_datasets
 
 
 def test_file_is_reopened_as_it_was_with_comparisons_as_groups(tmp_path, dataset):

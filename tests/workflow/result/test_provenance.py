@@ -6,11 +6,11 @@ import subprocess
 
 import pytest
 
+from elastomer_friction.workflow.result.provenance import commit, made_by, provenance
+from elastomer_friction.workflow.simulate.code import CODE
+from elastomer_friction.workflow.study.read import read_study
+from elastomer_friction.workflow.system.packages import Maker, package_versions, this_maker
 from tests.support.small import small_study, write_study
-from workflow.result.provenance import commit, made_by, provenance
-from workflow.simulate.code import CODE
-from workflow.study.read import read_study
-from workflow.system.packages import Maker, package_versions, this_maker
 
 STUDY = small_study("study.seed=7", "scene.indentation_rate=false", scale="wide")
 FOUND = provenance(STUDY, STUDY.variants[""])

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from workflow.result.netcdf import write_datasets
+from elastomer_friction.workflow.result.netcdf import write_datasets
 
 # Says on every line it gets: two numbers of the file it opened first, read only now, and the
 # largest mu_1 of the study and of its comparison in the file that is there now.

@@ -3,17 +3,17 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.cluster.watch import Watch
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
+from elastomer_friction.workflow.run import collect
+from elastomer_friction.workflow.run.collect import Collector, Fitted
+from elastomer_friction.workflow.run.summary import Summary
+from elastomer_friction.workflow.run.workers import Workers, stream_here
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.tasks import SCALARS
+from elastomer_friction.workflow.store.store import Store
 from tests.support.small import cut_batches, random_result, small_plan
-from workflow.cluster.watch import Watch
-from workflow.errors import UserError
-from workflow.plan.goal import JACKKNIFE_GROUPS
-from workflow.run import collect
-from workflow.run.collect import Collector, Fitted
-from workflow.run.summary import Summary
-from workflow.run.workers import Workers, stream_here
-from workflow.simulate.realizations import block_means
-from workflow.simulate.tasks import SCALARS
-from workflow.store.store import Store
 
 PLAN = small_plan()
 VARIANT = PLAN.variants[0]

@@ -6,13 +6,13 @@ import numpy as np
 import pytest
 from distributed.scheduler import KilledWorker, WorkerState
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.run.failures import Failures
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.store.store import Store, store_folder
 from tests.support.runs import run
 from tests.support.shards import BATCH, held
 from tests.support.small import all_records, small_plan
-from workflow.errors import UserError
-from workflow.run.failures import Failures
-from workflow.simulate.realizations import block_means
-from workflow.store.store import Store, store_folder
 
 PLAN = small_plan()
 KILLED = KilledWorker("key", WorkerState.__new__(WorkerState), 3)

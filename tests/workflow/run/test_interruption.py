@@ -5,11 +5,11 @@ import signal
 
 import pytest
 
+from elastomer_friction.workflow.cli import main
+from elastomer_friction.workflow.store.store import Store, store_folder
 from tests.support.runs import PATIENCE, run, shards, start, wait_for_shards
 from tests.support.shards import held, reopened
 from tests.support.small import write_study
-from workflow.cli import main
-from workflow.store.store import Store, store_folder
 
 LONG, RECORDS = "study.realizations=40", 160  # a batch each
 

@@ -5,14 +5,14 @@ import shutil
 import pytest
 import xarray as xr
 
+from elastomer_friction.workflow.run import key
+from elastomer_friction.workflow.run.failures import Failures
+from elastomer_friction.workflow.run.key import is_unchanged, result_key
+from elastomer_friction.workflow.store.store import Store, store_folder
 from tests.support.faults import flipped
 from tests.support.runs import run
 from tests.support.shards import reopened
 from tests.support.small import MAKER, cut_batches, random_result, small_plan
-from workflow.run import key
-from workflow.run.failures import Failures
-from workflow.run.key import is_unchanged, result_key
-from workflow.store.store import Store, store_folder
 
 PLAN = small_plan()
 BATCHES = list(cut_batches(PLAN, set(), 1e9))

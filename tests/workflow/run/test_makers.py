@@ -3,13 +3,13 @@
 import pytest
 import xarray as xr
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.run.makers import require_one
+from elastomer_friction.workflow.store.store import store_folder
+from elastomer_friction.workflow.system import Maker, this_maker
 from tests.support.runs import run
 from tests.support.shards import reopened
 from tests.support.small import MAKER, cut_batches, random_result, small_plan
-from workflow.errors import UserError
-from workflow.run.makers import require_one
-from workflow.store.store import store_folder
-from workflow.system import Maker, this_maker
 
 OTHER = Maker("python 3, numpy 3", "another processor")
 

@@ -7,11 +7,11 @@ import os
 import pytest
 import xarray as xr
 
-from workflow.errors import UserError
-from workflow.plan import TYPICAL, WHOLE, Pace
-from workflow.plan.cost.pace import Learned, label
-from workflow.run.measured import run_measured
-from workflow.study.read import read_study
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan import TYPICAL, WHOLE, Pace
+from elastomer_friction.workflow.plan.cost.pace import Learned, label
+from elastomer_friction.workflow.run.measured import run_measured
+from elastomer_friction.workflow.study.read import read_study
 
 
 def test_all_groups_are_written_with_their_origin(powers, tmp_path, capsys):

@@ -8,18 +8,18 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import QUARTET
+from elastomer_friction.kernels import QUARTET
+from elastomer_friction.workflow.plan.batches import missing_work
+from elastomer_friction.workflow.plan.cost import PARTS, Pace
+from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.reduce.attainment import MISSED
+from elastomer_friction.workflow.reduce.fits import FITTED, NEGLIGIBLE
+from elastomer_friction.workflow.run.failures import Failures
+from elastomer_friction.workflow.run.key import is_unchanged
+from elastomer_friction.workflow.run.rounds import next_blocks
+from elastomer_friction.workflow.store.store import Store, store_folder
 from tests.support.runs import run, shards
-from workflow.plan.batches import missing_work
-from workflow.plan.cost import PARTS, Pace
-from workflow.plan.goal import JACKKNIFE_GROUPS
-from workflow.plan.plan import make_plan
-from workflow.reduce.attainment import MISSED
-from workflow.reduce.fits import FITTED, NEGLIGIBLE
-from workflow.run.failures import Failures
-from workflow.run.key import is_unchanged
-from workflow.run.rounds import next_blocks
-from workflow.store.store import Store, store_folder
 
 WANTED = 0.03
 SETTINGS = (

@@ -5,15 +5,15 @@ import shutil
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.run import run as driver
+from elastomer_friction.workflow.run.status import status_file
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.store import Store, store_folder
+from elastomer_friction.workflow.system.lock import hold
 from tests.support.runs import run, shards
 from tests.support.shards import held
 from tests.support.small import all_records
-from workflow.errors import UserError
-from workflow.run import run as driver
-from workflow.run.status import status_file
-from workflow.store import journal
-from workflow.store.store import Store, store_folder
-from workflow.system.lock import hold
 
 
 @pytest.fixture(scope="module")
@@ -114,7 +114,7 @@ def test_records_of_a_damaged_shard_alone_are_computed_again(finished, cut, tmp_
 
 
 def test_a_folder_in_use_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr("workflow.system.lock.GLANCE_SECONDS", 0.1)
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", 0.1)
     with hold(tmp_path / "store"), pytest.raises(UserError, match="in use by process"):
         run(tmp_path)
     assert not (tmp_path / "small.nc").exists()

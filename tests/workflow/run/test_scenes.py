@@ -3,14 +3,14 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.simulate import block_means
+from elastomer_friction.workflow.store.store import Store, store_folder
+from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
 from tests.support.runs import Run, shards
 from tests.support.shards import held
 from tests.support.small import all_records, small_plan
-from workflow.run.run import run_plan
-from workflow.run.workers import How
-from workflow.simulate import block_means
-from workflow.store.store import Store, store_folder
-from workflow.study.cluster import LOCAL, Cluster
 
 TEXT = """
 [study]

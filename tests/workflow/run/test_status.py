@@ -7,9 +7,7 @@ import socket
 
 import pytest
 
-from tests.support.shards import BATCH
-from tests.support.small import cut_batches, random_result, small_plan, small_study
-from workflow.run.status import (
+from elastomer_friction.workflow.run.status import (
     Status,
     StatusWriter,
     identity,
@@ -17,8 +15,10 @@ from workflow.run.status import (
     status_file,
     status_lines,
 )
-from workflow.store.store import Store, store_folder
-from workflow.system.lock import hold
+from elastomer_friction.workflow.store.store import Store, store_folder
+from elastomer_friction.workflow.system.lock import hold
+from tests.support.shards import BATCH
+from tests.support.small import cut_batches, random_result, small_plan, small_study
 
 STUDY = small_study()
 PLAN = small_plan()
@@ -113,7 +113,7 @@ def test_a_status_that_cannot_be_written_is_said_once_and_ends_nothing(place, cl
 
 def test_the_status_of_another_version_of_the_program_is_another(monkeypatch):
     before = identity(STUDY)
-    monkeypatch.setattr("workflow.run.status.CODE", "0123456789abcdef")
+    monkeypatch.setattr("elastomer_friction.workflow.run.status.CODE", "0123456789abcdef")
     assert identity(STUDY) != before
 
 
@@ -182,7 +182,9 @@ def test_other_settings_are_another_status_and_another_cluster_is_not(place):
 
 def test_it_is_written_every_few_seconds_only(place, clock, monkeypatch):
     writer, written = place[2], []
-    monkeypatch.setattr("workflow.run.status.write_durably", lambda *_: written.append(clock[0]))
+    monkeypatch.setattr(
+        "elastomer_friction.workflow.run.status.write_durably", lambda *_: written.append(clock[0])
+    )
     for _ in range(20):
         writer.write(1, 1)
         clock[0] += 1.0

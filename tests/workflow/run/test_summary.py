@@ -5,11 +5,11 @@ import dataclasses
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.plan.cost.work import PLAIN
+from elastomer_friction.workflow.run.summary import Summary
+from elastomer_friction.workflow.simulate.tasks import PHASES
+from elastomer_friction.workflow.system import this_maker
 from tests.support.small import cut_batches, random_result, small_plan
-from workflow.plan.cost.work import PLAIN
-from workflow.run.summary import Summary
-from workflow.simulate.tasks import PHASES
-from workflow.system import this_maker
 
 PLAN = small_plan("grid.velocity=[0.03, 0.05, 0.1]")
 BATCH = next(cut_batches(PLAN, set(), 1e9))

@@ -2,13 +2,13 @@
 
 import pytest
 
+from elastomer_friction.workflow.cluster.watch import Watch
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.run import collect, workers
+from elastomer_friction.workflow.run import run as driver
+from elastomer_friction.workflow.run.workers import SECONDS_HERE, How, stream_here
+from elastomer_friction.workflow.study.cluster import Cluster
 from tests.support.runs import run, shards
-from workflow.cluster.watch import Watch
-from workflow.errors import UserError
-from workflow.run import collect, workers
-from workflow.run import run as driver
-from workflow.run.workers import SECONDS_HERE, How, stream_here
-from workflow.study.cluster import Cluster
 
 ASKED = [{"workers": 1}, {"dashboard": True}, {"cluster": Cluster("tcp://there:1")}]
 

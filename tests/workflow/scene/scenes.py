@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workflow import scene
+from elastomer_friction.workflow import scene
 
 N, LENGTH = 128, 1e-4
 MATERIAL = {"shear_modulus": 1e6, "branches": [[5e6, 1e-3], [1e7, 1e-4]]}

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from workflow.scene.arguments import plain
+from elastomer_friction.workflow.scene.arguments import plain
 
 
 def test_arrays_tuples_and_numbers_of_numpy_become_plain():

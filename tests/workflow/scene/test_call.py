@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, N, heights, run, slide
-from workflow.errors import UserError
 
 EVERYTHING = ["steady", "trace", "peak", "relaxation", "rate_state", "energy", "contact_lengths"]
 

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
 from tests.workflow.scene.scenes import heights, run, slide
-from workflow.errors import UserError
 
 STEPS = {"trace": 1}
 ASKED = {"quantities": ["trace", "state"], "numerics": STEPS}

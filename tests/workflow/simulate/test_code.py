@@ -7,14 +7,19 @@ from types import FunctionType, ModuleType
 
 import pytest
 
-from kernels.rheology.law import reach
-from workflow.simulate import realizations as work
-from workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
+from elastomer_friction.kernels.rheology.law import reach
+from elastomer_friction.workflow.simulate import realizations as work
+from elastomer_friction.workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
 
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
+WORKFLOW = "elastomer_friction.workflow"
+BEYOND = (WORKFLOW, "elastomer_friction.studies", "tests")
 # What the hashed files use of ours that no number depends on.
 FROM_SYSTEM = ("Maker", "keep_memory", "peak_bytes", "this_maker")
-NO_NUMBERS = {"workflow.lazy.public_names", *(f"workflow.system.{name}" for name in FROM_SYSTEM)}
+NO_NUMBERS = {
+    f"{WORKFLOW}.lazy.public_names",
+    *(f"{WORKFLOW}.system.{name}" for name in FROM_SYSTEM),
+}
 
 
 def imported(path):
@@ -31,8 +36,8 @@ def imported(path):
 
 @pytest.mark.parametrize("path", HASHED, ids=lambda path: f"{path.parent.name}/{path.name}")
 def test_hashed_files_import_of_ours_only_what_is_hashed(path):
-    ours = {name for name in imported(path) if name.startswith(("workflow", "studies", "tests"))}
-    assert {n for n in ours if not n.startswith("workflow.simulate.")} <= NO_NUMBERS
+    ours = {name for name in imported(path) if name.startswith(BEYOND)}
+    assert {n for n in ours if not n.startswith(f"{WORKFLOW}.simulate.")} <= NO_NUMBERS
 
 
 def reachable(function, found):
@@ -45,7 +50,7 @@ def reachable(function, found):
         for name in names:
             value = function.__globals__.get(name)
             members = vars(value).values() if isinstance(value, type) else [value]
-            if isinstance(value, ModuleType) and value.__name__.startswith(("workflow", "kernels")):
+            if isinstance(value, ModuleType) and value.__name__.startswith("elastomer_friction"):
                 members = vars(value).values()
             for member in members:
                 plain = getattr(member, "__func__", member)
@@ -156,7 +161,7 @@ def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged
     folder, kept = tmp_path / "room", tmp_path / "kept"
     for path in (folder, kept):
         path.mkdir()
-    monkeypatch.setattr("kernels.cache.FOLDER", str(kept))
+    monkeypatch.setattr("elastomer_friction.kernels.cache.FOLDER", str(kept))
     source = folder / "a.py"
     for text in ("x = 1\n", "x = 1  # one\n", "x = 2\n"):
         source.write_text(text)
@@ -167,5 +172,5 @@ def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged
         for file in files:
             file.write_bytes(spoilt)
         assert known_hash((folder,)) == code_hash((folder,))
-    monkeypatch.setattr("kernels.cache.FOLDER", str(tmp_path / "nowhere"))
+    monkeypatch.setattr("elastomer_friction.kernels.cache.FOLDER", str(tmp_path / "nowhere"))
     assert known_hash((folder,)) == code_hash((folder,))

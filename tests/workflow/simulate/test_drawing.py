@@ -5,12 +5,12 @@ import dataclasses
 import numpy as np
 import pytest
 
-from kernels import QUARTET, Line
+from elastomer_friction.kernels import QUARTET, Line
+from elastomer_friction.workflow.simulate import drawing as module
+from elastomer_friction.workflow.simulate import realizations
+from elastomer_friction.workflow.simulate.drawing import line_generator
+from elastomer_friction.workflow.simulate.realizations import block_means
 from tests.workflow.simulate.test_realizations import one_batch
-from workflow.simulate import drawing as module
-from workflow.simulate import realizations
-from workflow.simulate.drawing import line_generator
-from workflow.simulate.realizations import block_means
 
 
 def numbers(seed=1, hurst=0.3, elements=100, index=0):

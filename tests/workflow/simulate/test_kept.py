@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import (
+from elastomer_friction.kernels import (
     SCHEMES,
     Case,
     Hold,
@@ -18,8 +18,13 @@ from kernels import (
     draw_phases,
     run_case,
 )
-from workflow.simulate.kept import kept_steps, programme_steps, record_steps, record_times
-from workflow.simulate.tasks import Problem, Recording
+from elastomer_friction.workflow.simulate.kept import (
+    kept_steps,
+    programme_steps,
+    record_steps,
+    record_times,
+)
+from elastomer_friction.workflow.simulate.tasks import Problem, Recording
 
 
 @given(st.integers(8, 10**6), st.integers(8, 600))

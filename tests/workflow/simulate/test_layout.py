@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from kernels import Hold, Quantities, Slide, Spectrum
-from workflow.simulate.layout import BINS, EDGES, row_layout, row_width, unpack
-from workflow.simulate.tasks import Problem, Recording, Task
+from elastomer_friction.kernels import Hold, Quantities, Slide, Spectrum
+from elastomer_friction.workflow.simulate.layout import BINS, EDGES, row_layout, row_width, unpack
+from elastomer_friction.workflow.simulate.tasks import Problem, Recording, Task
 
 SPECTRUM = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)
 PROGRAMME = (Slide(1.0, 4.0), Hold(2.0), Slide(1.0, 4.0))

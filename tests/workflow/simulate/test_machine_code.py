@@ -10,12 +10,12 @@ NOTHING_NEW = """
 import sys, types
 from numba.core.dispatcher import Dispatcher
 from tests.support.small import cut_batches, small_plan
-from workflow.simulate.realizations import block_means, load_kernels
+from elastomer_friction.workflow.simulate.realizations import block_means, load_kernels
 
 def compiled():
     found = {}
     for name, module in list(sys.modules.items()):
-        if name.startswith("kernels"):
+        if name.startswith("elastomer_friction.kernels"):
             for own in vars(module).values():
                 if isinstance(own, Dispatcher):
                     found[own.py_func.__qualname__] = len(own.signatures)

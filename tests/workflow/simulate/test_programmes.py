@@ -3,16 +3,16 @@
 import numpy as np
 import pytest
 
-from kernels import QUARTET, Line, amplitudes, draw_phases, run_scene
+from elastomer_friction.kernels import QUARTET, Line, amplitudes, draw_phases, run_scene
+from elastomer_friction.workflow.simulate import realizations
+from elastomer_friction.workflow.simulate.drawing import line_generator
+from elastomer_friction.workflow.simulate.kept import kept_steps
+from elastomer_friction.workflow.simulate.layout import row_layout, unpack
+from elastomer_friction.workflow.simulate.programmes import scene_of
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS
 from tests.support.small import cut_batches, small_plan
 from tests.workflow.plan.test_motion import PROGRAMME, TEXT
-from workflow.simulate import realizations
-from workflow.simulate.drawing import line_generator
-from workflow.simulate.kept import kept_steps
-from workflow.simulate.layout import row_layout, unpack
-from workflow.simulate.programmes import scene_of
-from workflow.simulate.realizations import block_means
-from workflow.simulate.tasks import PHASES, SCALARS
 
 SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
 PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=TEXT)

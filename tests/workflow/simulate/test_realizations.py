@@ -7,11 +7,11 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from kernels import QUARTET, run_prepared
+from elastomer_friction.kernels import QUARTET, run_prepared
+from elastomer_friction.workflow.simulate import realizations as module
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS
 from tests.support.small import cut_batches, small_plan
-from workflow.simulate import realizations as module
-from workflow.simulate.realizations import block_means
-from workflow.simulate.tasks import PHASES, SCALARS
 
 PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")
 

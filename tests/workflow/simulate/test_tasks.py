@@ -3,12 +3,12 @@
 import numpy as np
 import pytest
 
-from kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
+from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
+from elastomer_friction.workflow.simulate.drawing import line_generator
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.tasks import SCALARS
+from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from tests.support.small import cut_batches, small_plan
-from workflow.simulate.drawing import line_generator
-from workflow.simulate.realizations import block_means
-from workflow.simulate.tasks import SCALARS
-from workflow.study.effects.quantities import QUANTITIES
 
 BATCH = next(cut_batches(small_plan("study.realizations=2"), set(), 1e9))
 

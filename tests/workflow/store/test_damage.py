@@ -4,6 +4,10 @@ import contextlib
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.store import journal, shard
+from elastomer_friction.workflow.store.store import DamagedShard, Store
+from elastomer_friction.workflow.store.verify import Verified
 from tests.support.faults import DAMAGE, flipped
 from tests.support.shards import (
     SAMPLES,
@@ -16,10 +20,6 @@ from tests.support.shards import (
     shard_of,
 )
 from tests.support.small import random_result
-from workflow.errors import UserError
-from workflow.store import journal, shard
-from workflow.store.store import DamagedShard, Store
-from workflow.store.verify import Verified
 
 
 def one_bit(content):

@@ -4,12 +4,12 @@ import dataclasses
 
 import pytest
 
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.index import Index
+from elastomer_friction.workflow.store.store import DamagedShard, Store
+from elastomer_friction.workflow.system import Maker
 from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import MAKER, random_result
-from workflow.store import journal
-from workflow.store.index import Index
-from workflow.store.store import DamagedShard, Store
-from workflow.system import Maker
 
 
 @pytest.mark.parametrize("lost", [None, 0, 1, 2, 3, 4])

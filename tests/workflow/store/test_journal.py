@@ -4,9 +4,9 @@ import dataclasses
 
 import pytest
 
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.store import Store
 from tests.support.shards import BATCH, filled
-from workflow.store import journal
-from workflow.store.store import Store
 
 ENTRIES = [{"part": "ab", "keys": "00" * 16}, {"shard": "x\n", "bytes": 17}, {"dropped": "ü"}]
 

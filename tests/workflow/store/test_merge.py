@@ -2,6 +2,12 @@
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.merge import merge_into
+from elastomer_friction.workflow.store.store import Store
+from elastomer_friction.workflow.store.verify import Verified
+from elastomer_friction.workflow.system.lock import hold
 from tests.support.shards import (
     BATCH,
     SAMPLES,
@@ -14,12 +20,6 @@ from tests.support.shards import (
     shard_of,
 )
 from tests.support.small import random_result
-from workflow.errors import UserError
-from workflow.store import journal
-from workflow.store.merge import merge_into
-from workflow.store.store import Store
-from workflow.store.verify import Verified
-from workflow.system.lock import hold
 
 
 @pytest.fixture
@@ -85,7 +85,7 @@ def test_the_makers_of_both_are_known_after(folders):
 
 
 def test_a_store_in_use_another_version_and_itself_are_refused(folders, monkeypatch):
-    monkeypatch.setattr("workflow.system.lock.GLANCE_SECONDS", 0.1)
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", 0.1)
     source, target = folders
     with hold(target), pytest.raises(UserError, match="in use by"):
         merge_into(source, target)

@@ -5,9 +5,9 @@ import dataclasses
 import netCDF4
 import numpy as np
 
+from elastomer_friction.workflow.store.store import Store
 from tests.support.shards import WORK, assert_holds, records
 from tests.support.small import random_result
-from workflow.store.store import Store
 
 
 def test_one_shard_holds_many_batches(tmp_path):

@@ -2,12 +2,12 @@
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.store import shelf as module
+from elastomer_friction.workflow.store.shelf import Shelf
+from elastomer_friction.workflow.store.store import Store
 from tests.support.shards import WORK, held
 from tests.support.small import random_result
-from workflow.errors import UserError
-from workflow.store import shelf as module
-from workflow.store.shelf import Shelf
-from workflow.store.store import Store
 
 
 def shelf_of(store, clock):

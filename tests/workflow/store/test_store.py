@@ -5,11 +5,11 @@ import dataclasses
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.simulate.tasks import SCALARS
+from elastomer_friction.workflow.store.store import Store
 from tests.support.shards import BATCH, SAMPLES, WORK, filled, held, records, reopened
 from tests.support.small import random_result
-from workflow.errors import UserError
-from workflow.simulate.tasks import SCALARS
-from workflow.store.store import Store
 
 
 def test_results_come_back_bit_for_bit_in_any_order_and_company(tmp_path):

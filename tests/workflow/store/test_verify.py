@@ -2,12 +2,12 @@
 
 import pytest
 
+from elastomer_friction.workflow.store import journal
+from elastomer_friction.workflow.store.shard import digest
+from elastomer_friction.workflow.store.verify import Verified
 from tests.support.faults import DAMAGE
 from tests.support.shards import BATCH, WORK, filled, records, reopened, shard_of
 from tests.support.small import MAKER, random_result
-from workflow.store import journal
-from workflow.store.shard import digest
-from workflow.store.verify import Verified
 
 
 @pytest.fixture

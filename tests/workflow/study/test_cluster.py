@@ -2,8 +2,8 @@
 
 import pytest
 
+from elastomer_friction.workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
 from tests.support.documents import CLUSTER
-from workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
 
 
 def test_walltimes_are_those_of_slurm():

@@ -13,14 +13,14 @@ from pathlib import Path
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.plan import make_plan
+from elastomer_friction.workflow.study.measured import Measured
+from elastomer_friction.workflow.study.read import known_studies, read_study
+from elastomer_friction.workflow.study.study import TABLES, Study
 from tests.support.documents import document
 from tests.support.small import TEXT, small_study, write_study
 from tests.support.sweeps import examples
-from workflow.errors import UserError
-from workflow.plan.plan import make_plan
-from workflow.study.measured import Measured
-from workflow.study.read import known_studies, read_study
-from workflow.study.study import TABLES, Study
 
 EXAMPLES = int(os.environ.get("FUZZ_EXAMPLES", examples(50)))  # of each kind
 FUZZ = settings(max_examples=EXAMPLES, deadline=None)

@@ -6,11 +6,11 @@ import tomllib
 from hypothesis import given
 from hypothesis import strategies as st
 
+from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from tests.support.documents import document
 from tests.support.small import FILES, TEXT
 from tests.workflow.study import test_fuzz as fuzz
 from tests.workflow.study.test_fuzz import FUZZ, NUMBERS, SPACED, VALUES
-from workflow.study.effects.quantities import QUANTITIES
 
 SLIDE = {"slide": {"velocity": 0.1, "distance": 1e-3}}
 FASTER = {"slide": {"ratio": 1.2, "duration": 1e-3}}

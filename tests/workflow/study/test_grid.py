@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workflow.study.grid import snapped_spacing
+from elastomer_friction.workflow.study.grid import snapped_spacing
 
 EVEN_SMOOTH = [2**a * 3**b * 5**c for a in range(1, 23) for b in range(15) for c in range(10)]
 

@@ -2,9 +2,9 @@
 
 import pytest
 
+from elastomer_friction.workflow.study.measured import Measured
+from elastomer_friction.workflow.study.read import read_study
 from tests.support.commands import refusal
-from workflow.study.measured import Measured
-from workflow.study.read import read_study
 
 
 def test_scale_and_set_apply(powers):

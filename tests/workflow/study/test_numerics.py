@@ -1,7 +1,7 @@
 """The tables [numerics] and [compare.NAME]: what is left out, inherited, refused."""
 
+from elastomer_friction.workflow.study.numerics import Numerics
 from tests.support.small import small_study
-from workflow.study.numerics import Numerics
 
 
 def test_below_one_percent_the_march_is_longer_unless_a_horizon_is_given():

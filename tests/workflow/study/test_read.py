@@ -2,8 +2,8 @@
 
 import pytest
 
+from elastomer_friction.workflow.study.read import find_study, read_study
 from tests.support.small import TEXT, small_study, write_study
-from workflow.study.read import find_study, read_study
 
 
 def test_scale_overrides_what_it_names_only():

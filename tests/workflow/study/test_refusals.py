@@ -2,10 +2,10 @@
 
 import pytest
 
+from elastomer_friction.workflow.cli import main
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.read import find_study, read_study
 from tests.support.small import TEXT, complaint, small_study, write_study
-from workflow.cli import main
-from workflow.errors import UserError
-from workflow.study.read import find_study, read_study
 
 # Beside those of docs/refusals.md (test_limits.py), and a wrong type for each key (test_checks.py).
 BAD_VALUES = [

@@ -5,8 +5,8 @@ import pwd
 
 import pytest
 
-from workflow.errors import UserError
-from workflow.study.scripts import OWN, load_script
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.scripts import OWN, load_script
 
 
 def write(folder, value):
@@ -51,3 +51,12 @@ def test_another_script_is_named_with_its_owner_before_it_runs(tmp_path, capsys,
     name = pwd.getpwuid(owner).pw_name if owner == os.getuid() else f"user {owner}"
     said = capsys.readouterr().err.splitlines()
     assert said == [f"note: runs {script}, a file of {name}", "it runs", "it runs"]
+
+
+@pytest.mark.parametrize("line", ["from workflow.scene import run", "import workflow.scene"])
+def test_a_script_that_imports_an_old_name_is_told_the_new_one(tmp_path, line):
+    script = tmp_path / "figure.py"
+    script.write_text(f"import json\n\n{line}\n")
+    new = r"figure.py, line 3: imports workflow.scene, which is now elastomer_friction\.workflow"
+    with pytest.raises(UserError, match=new):
+        load_script(script)

@@ -9,10 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.numerics import Numerics
+from elastomer_friction.workflow.study.study import read_grid_study
 from tests.support.small import TEXT, small_study
-from workflow.errors import UserError
-from workflow.study.numerics import Numerics
-from workflow.study.study import read_grid_study
 
 
 def test_values_of_the_file_reach_the_study():

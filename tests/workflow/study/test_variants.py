@@ -1,8 +1,8 @@
 """Comparisons: each has numerics and a material of its own."""
 
+from elastomer_friction.workflow.study.effects.material import Material
 from tests.support.documents import without
 from tests.support.small import complaint, small_study
-from workflow.study.effects.material import Material
 
 BRANCHED = "compare.glassy={branches=[[5e6, 1e-2]], relaxation_time=0}"
 

@@ -4,7 +4,7 @@ import numba
 import pytest
 from numba.core import event
 
-from workflow.system.compiling import FILE, WAITING, saying_what_compiles
+from elastomer_friction.workflow.system.compiling import FILE, WAITING, saying_what_compiles
 
 pytestmark = pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
 

@@ -5,8 +5,8 @@ import os
 
 import pytest
 
-from workflow.errors import UserError
-from workflow.system.files import append_durably, clear_leftovers, write_durably
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system.files import append_durably, clear_leftovers, write_durably
 
 
 def full_disk(*_):

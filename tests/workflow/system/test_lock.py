@@ -9,14 +9,14 @@ import threading
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system.lock import LOCK, hold, holder
 from tests.support.runs import PATIENCE, standing
-from workflow.errors import UserError
-from workflow.system.lock import LOCK, hold, holder
 
 HOLDER = """
 import sys, time
 from pathlib import Path
-from workflow.system.lock import hold
+from elastomer_friction.workflow.system.lock import hold
 with hold(Path(sys.argv[1])):
     print("held", flush=True)
     time.sleep(600)
@@ -32,7 +32,7 @@ def other(tmp_path):
 
 
 def test_a_second_holder_is_refused_and_told_who_has_it(tmp_path, other, monkeypatch):
-    monkeypatch.setattr("workflow.system.lock.GLANCE_SECONDS", 0.1)
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", 0.1)
     who = rf"process {other.pid} on \S+ since \d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d\S+"
     line = rf"{re.escape(str(tmp_path))}: in use by {who}; one run at a time"
     with pytest.raises(UserError) as error, hold(tmp_path):

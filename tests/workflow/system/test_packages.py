@@ -4,7 +4,13 @@ import platform
 from importlib.metadata import version
 from pathlib import Path
 
-from workflow.system.packages import PACKAGES, package_versions, processor, this_maker, version_of
+from elastomer_friction.workflow.system.packages import (
+    PACKAGES,
+    package_versions,
+    processor,
+    this_maker,
+    version_of,
+)
 
 
 def test_versions_of_all_packages_are_told():

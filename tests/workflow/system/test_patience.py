@@ -5,9 +5,9 @@ import os
 
 import pytest
 
-from workflow.errors import UserError
-from workflow.system.files import refused
-from workflow.system.patience import GRACE_SECONDS, Patience
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system.files import refused
+from elastomer_friction.workflow.system.patience import GRACE_SECONDS, Patience
 
 PASSING = ["EIO", "ESTALE", "EMFILE", "ENFILE", "ENOSPC", "EDQUOT", "ETIMEDOUT"]
 

@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from workflow.system.process import Interrupt
+from elastomer_friction.workflow.system.process import Interrupt
 
 
 def test_first_signal_asks_even_if_it_comes_twice_at_once_and_a_later_one_aborts(clock, capsys):
@@ -44,7 +44,7 @@ def test_a_terminal_that_hangs_up_asks_too_unless_nohup_ignores_it(capsys):
 FAULTS = """
 import resource
 import numpy as np
-from workflow.system.process import keep_memory
+from elastomer_friction.workflow.system.process import keep_memory
 if {kept}:
     assert keep_memory()
 for _ in range(50):

@@ -4,7 +4,7 @@ import io
 import re
 import sys
 
-from workflow.system.progress import Reporter, core_time, counted, duration
+from elastomer_friction.workflow.system.progress import Reporter, core_time, counted, duration
 
 SECONDS = (0.0, 0.4, 12.3, 119.0, 120.0, 204.0, 7199.0, 20160.0, 674000.0)
 WORDS = "0 s, 0 s, 12 s, 119 s, 2.0 min, 3.4 min, 120.0 min, 5.6 h, 7.8 d"

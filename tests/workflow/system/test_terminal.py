@@ -7,12 +7,12 @@ import sys
 
 import pytest
 
+from elastomer_friction.workflow.system import program
 from tests.support.runs import PATIENCE, ROOT
-from workflow.system import program
 
 SAY = """
 import contextlib, os, sys
-from workflow.system import forgive_streams
+from elastomer_friction.workflow.system import forgive_streams
 forgive_streams()
 for _ in range(20000):
     print("said", file=sys.stderr)
@@ -59,7 +59,7 @@ def test_letters_that_the_terminal_lacks_are_shown_as_numbers(tmp_path):
 
 WAIT = """
 import sys
-from workflow.system import forgive_streams
+from elastomer_friction.workflow.system import forgive_streams
 forgive_streams()
 print("said", file=sys.stderr)
 sys.stdin.read()

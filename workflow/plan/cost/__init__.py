@@ -5,13 +5,24 @@ No number of a result depends on it.
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.plan.cost.amounts import touchable_share
-    from workflow.plan.cost.machine import Parted, known_machine, learn, this_machine
-    from workflow.plan.cost.pace import TYPICAL, WHOLE, Pace, Prediction, prediction
-    from workflow.plan.cost.sizes import DRAW
-    from workflow.plan.cost.work import PARTS, Work, kind_of, typical_seconds
+    from elastomer_friction.workflow.plan.cost.amounts import touchable_share
+    from elastomer_friction.workflow.plan.cost.machine import (
+        Parted,
+        known_machine,
+        learn,
+        this_machine,
+    )
+    from elastomer_friction.workflow.plan.cost.pace import (
+        TYPICAL,
+        WHOLE,
+        Pace,
+        Prediction,
+        prediction,
+    )
+    from elastomer_friction.workflow.plan.cost.sizes import DRAW
+    from elastomer_friction.workflow.plan.cost.work import PARTS, Work, kind_of, typical_seconds
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

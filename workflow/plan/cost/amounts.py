@@ -5,9 +5,9 @@ Laws take a problem, or many of them together (problems.py).
 
 import numpy as np
 
-from kernels.patches.refined import FINE, LEAST_STEPS, MOST_SAMPLES, NARROW
-from workflow.plan.problems import Numbers, speed_ratio
-from workflow.simulate import Problem
+from elastomer_friction.kernels.patches.refined import FINE, LEAST_STEPS, MOST_SAMPLES, NARROW
+from elastomer_friction.workflow.plan.problems import Numbers, speed_ratio
+from elastomer_friction.workflow.simulate import Problem
 
 
 def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:

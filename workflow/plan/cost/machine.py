@@ -18,14 +18,14 @@ from typing import Any, NamedTuple
 import numba
 import numpy as np
 
-from kernels import Quantities, cache
-from kernels.cache import source_hash
-from workflow.errors import UserError
-from workflow.plan.cost import amounts, sizes, timing, work
-from workflow.plan.cost.pace import TYPICAL, Learned, Pace, label
-from workflow.plan.cost.work import PARTS
-from workflow.simulate import load_kernels
-from workflow.system import (
+from elastomer_friction.kernels import Quantities, cache
+from elastomer_friction.kernels.cache import source_hash
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.cost import amounts, sizes, timing, work
+from elastomer_friction.workflow.plan.cost.pace import TYPICAL, Learned, Pace, label
+from elastomer_friction.workflow.plan.cost.work import PARTS
+from elastomer_friction.workflow.simulate import load_kernels
+from elastomer_friction.workflow.system import (
     ROOT,
     THREADS,
     make_folder,
@@ -140,6 +140,6 @@ def _parsed(text: str) -> dict[str, Any] | None:
 def _measured() -> str:
     """Return what a process with the settings of a worker measures, "" where it fails."""
     environment = {**os.environ, **THREADS}
-    command = [sys.executable, "-m", "workflow.plan.cost.timing"]
+    command = [sys.executable, "-m", "elastomer_friction.workflow.plan.cost.timing"]
     done = subprocess.run(command, env=environment, cwd=ROOT, capture_output=True, text=True)
     return done.stdout if done.returncode == 0 else ""

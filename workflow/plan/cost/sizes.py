@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.plan.problems import Numbers
+from elastomer_friction.workflow.plan.problems import Numbers
 
 
 class SecondsBySize(NamedTuple):

@@ -1,4 +1,4 @@
-"""`python -m workflow.plan.cost.timing`: how much longer than typical this machine takes, as JSON.
+"""How much longer than a typical machine this one takes, as JSON: a module to run.
 
 It runs in a process of its own, set up like a worker (how memory is kept matters as much as the
 processor), and computes what a worker computes: whole realizations of a few problems.
@@ -9,12 +9,12 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from kernels import Quantities
-from kernels.clock import working_time
-from workflow.plan.cost.sizes import DRAW
-from workflow.plan.cost.work import DRAWING, PARTS, Work, typical_seconds
-from workflow.simulate import Batch, Problem, Recording, Task, block_means
-from workflow.system import processor
+from elastomer_friction.kernels import Quantities
+from elastomer_friction.kernels.clock import working_time
+from elastomer_friction.workflow.plan.cost.sizes import DRAW
+from elastomer_friction.workflow.plan.cost.work import DRAWING, PARTS, Work, typical_seconds
+from elastomer_friction.workflow.simulate import Batch, Problem, Recording, Task, block_means
+from elastomer_friction.workflow.system import processor
 
 FOUR = (0.003, 0.03, 0.3, 3.0)
 ROUNDS = 5  # of all probes; the quickest of each part counts, the slowest tells how far it varies

@@ -9,17 +9,23 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import KELVIN, Quantities, Spectrum
-from workflow.plan.cost.amounts import (
+from elastomer_friction.kernels import KELVIN, Quantities, Spectrum
+from elastomer_friction.workflow.plan.cost.amounts import (
     begun_anew,
     fine_samples,
     partial_contact,
     touchable_share,
 )
-from workflow.plan.cost.sizes import STEP, SWEEP
-from workflow.plan.error_laws import contact_width
-from workflow.plan.problems import Numbers, speed_ratio, viscous_pressure
-from workflow.simulate import PHASES, Problem, Recording, lines_at_once, programme_steps
+from elastomer_friction.workflow.plan.cost.sizes import STEP, SWEEP
+from elastomer_friction.workflow.plan.error_laws import contact_width
+from elastomer_friction.workflow.plan.problems import Numbers, speed_ratio, viscous_pressure
+from elastomer_friction.workflow.simulate import (
+    PHASES,
+    Problem,
+    Recording,
+    lines_at_once,
+    programme_steps,
+)
 
 PARTS = (*PHASES, "calls")  # of the time of a realization; the first is the drawing of its line
 DRAWING, STEADY, JUMP, MARCHING, CALLS = PARTS

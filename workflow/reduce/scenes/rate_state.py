@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from workflow.reduce.fits import (
+from elastomer_friction.workflow.reduce.fits import (
     FITTED,
     NO_STATE,
     NOT_EXPONENTIAL,
@@ -26,7 +26,7 @@ from workflow.reduce.fits import (
     UNDETERMINED,
     fit_window,
 )
-from workflow.reduce.statistics import fit_curves, significant
+from elastomer_friction.workflow.reduce.statistics import fit_curves, significant
 
 LAWS = ("ruina", "dieterich")
 LEAST_SAMPLES = 4

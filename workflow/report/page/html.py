@@ -11,7 +11,7 @@ PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, wi
 
 def render(**context: object) -> str:
     """Return the page; every text in it is escaped."""
-    loader = PackageLoader("workflow.report", "page")
+    loader = PackageLoader("elastomer_friction.workflow.report", "page")
     environment = Environment(
         autoescape=True,
         undefined=StrictUndefined,

@@ -5,9 +5,12 @@ Texts alone: units, dimensions and flags are taken from the declarations.
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.result.reference.tables import DescribedVariable, described_variables
+    from elastomer_friction.workflow.result.reference.tables import (
+        DescribedVariable,
+        described_variables,
+    )
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from workflow.result.reference import programmes, steps
-from workflow.result.reference.meaning import Meaning
-from workflow.result.variables import FLAGS, VARIABLES
+from elastomer_friction.workflow.result.reference import programmes, steps
+from elastomer_friction.workflow.result.reference.meaning import Meaning
+from elastomer_friction.workflow.result.variables import FLAGS, VARIABLES
 
 SECTIONS: dict[str, Mapping[str, Meaning]] = {
     "Every result": steps.GENERAL,

@@ -5,12 +5,18 @@ Plain data in SI units with the checks of what goes together; knows no later sta
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.study.effects.material import MATERIAL, WLF, Material, Wlf, read_material
-    from workflow.study.effects.needs import check_quantities, why_not
-    from workflow.study.effects.programme import (
+    from elastomer_friction.workflow.study.effects.material import (
+        MATERIAL,
+        WLF,
+        Material,
+        Wlf,
+        read_material,
+    )
+    from elastomer_friction.workflow.study.effects.needs import check_quantities, why_not
+    from elastomer_friction.workflow.study.effects.programme import (
         FromFile,
         Hold,
         Oscillate,
@@ -22,8 +28,8 @@ if TYPE_CHECKING:
         velocity_steps,
         with_hold,
     )
-    from workflow.study.effects.quantities import QUANTITIES, judged
-    from workflow.study.effects.scene import SCENE, Scene, read_scene
-    from workflow.study.effects.segments import HOLD, OSCILLATE, RAMP, SLIDE
+    from elastomer_friction.workflow.study.effects.quantities import QUANTITIES, judged
+    from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene
+    from elastomer_friction.workflow.study.effects.segments import HOLD, OSCILLATE, RAMP, SLIDE
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

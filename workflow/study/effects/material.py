@@ -10,9 +10,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from kernels.rheology.spectrum import Spectrum
-from workflow.errors import UserError
-from workflow.study.settings import (
+from elastomer_friction.kernels.rheology.spectrum import Spectrum
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.settings import (
     Key,
     as_text,
     axis_values,

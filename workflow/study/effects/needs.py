@@ -2,10 +2,10 @@
 
 from collections.abc import Mapping
 
-from workflow.errors import UserError
-from workflow.study.effects.material import Material
-from workflow.study.effects.programme import Oscillate, holds, velocity_steps
-from workflow.study.effects.quantities import (
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.effects.material import Material
+from elastomer_friction.workflow.study.effects.programme import Oscillate, holds, velocity_steps
+from elastomer_friction.workflow.study.effects.quantities import (
     ALONE,
     DASHPOT,
     FORCE,
@@ -15,8 +15,8 @@ from workflow.study.effects.quantities import (
     STEP,
     SWUNG,
 )
-from workflow.study.effects.scene import FORCE as BY_FORCE
-from workflow.study.effects.scene import Scene
+from elastomer_friction.workflow.study.effects.scene import FORCE as BY_FORCE
+from elastomer_friction.workflow.study.effects.scene import Scene
 
 
 def why_not(name: str, scene: Scene, materials: Mapping[str, Material], alone: bool) -> str:

@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from workflow.errors import UserError
-from workflow.study.settings import choice
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.settings import choice
 
 PROGRAMME, STEP, HELD, SWUNG = "programme", "step", "held", "swung"
 FORCE, DASHPOT, ALONE = "force", "dashpot", "alone"

@@ -6,9 +6,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from workflow.errors import UserError
-from workflow.study.effects.material import Material
-from workflow.study.effects.programme import (
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.effects.material import Material
+from elastomer_friction.workflow.study.effects.programme import (
     Hold,
     Programme,
     Segment,
@@ -17,15 +17,27 @@ from workflow.study.effects.programme import (
     hold_durations,
     is_relative,
 )
-from workflow.study.effects.quantities import (
+from elastomer_friction.workflow.study.effects.quantities import (
     AT_AN_INDENTATION,
     OF_A_PROGRAMME,
     USUAL,
     WITHOUT_DASHPOT,
     asked_for,
 )
-from workflow.study.effects.segments import MOST_SEGMENTS, read_programme, sampled
-from workflow.study.settings import Key, as_table, as_text, choice, flag, integer, read_table
+from elastomer_friction.workflow.study.effects.segments import (
+    MOST_SEGMENTS,
+    read_programme,
+    sampled,
+)
+from elastomer_friction.workflow.study.settings import (
+    Key,
+    as_table,
+    as_text,
+    choice,
+    flag,
+    integer,
+    read_table,
+)
 
 FORCE, INDENTATION = "force", "indentation"  # controls
 STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts

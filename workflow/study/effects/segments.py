@@ -9,8 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from workflow.errors import UserError
-from workflow.study.effects.programme import (
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.effects.programme import (
     FromFile,
     Hold,
     Oscillate,
@@ -20,7 +20,7 @@ from workflow.study.effects.programme import (
     Slide,
     Velocity,
 )
-from workflow.study.settings import (
+from elastomer_friction.workflow.study.settings import (
     Key,
     as_table,
     as_text,

@@ -4,10 +4,10 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from workflow.study.reference.tables import Table, described
-from workflow.study.reference.values import as_toml
-from workflow.study.scripts import OWN, load_script
-from workflow.study.settings import Key
+from elastomer_friction.workflow.study.reference.tables import Table, described
+from elastomer_friction.workflow.study.reference.values import as_toml
+from elastomer_friction.workflow.study.scripts import OWN, load_script
+from elastomer_friction.workflow.study.settings import Key
 
 
 def described_measures(studies: Path = OWN) -> dict[str, Table]:

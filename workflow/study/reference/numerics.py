@@ -1,6 +1,6 @@
 """Texts of the table [numerics]."""
 
-from workflow.study.reference.text import Text
+from elastomer_friction.workflow.study.reference.text import Text
 
 NUMERICS = {
     "scheme": Text(

@@ -4,9 +4,9 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from workflow.study.effects import QUANTITIES
-from workflow.study.reference.tables import PAIRS
-from workflow.study.settings import (
+from elastomer_friction.workflow.study.effects import QUANTITIES
+from elastomer_friction.workflow.study.reference.tables import PAIRS
+from elastomer_friction.workflow.study.settings import (
     UNBOUNDED,
     as_text,
     checked_values,
@@ -17,7 +17,7 @@ from workflow.study.settings import (
     positive,
     within,
 )
-from workflow.study.variants import COMPARE
+from elastomer_friction.workflow.study.variants import COMPARE
 
 Schema = dict[str, Any]
 

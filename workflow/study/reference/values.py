@@ -5,7 +5,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from workflow.study.settings import (
+from elastomer_friction.workflow.study.settings import (
     REQUIRED,
     UNBOUNDED,
     Key,

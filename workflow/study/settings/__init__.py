@@ -5,10 +5,10 @@ Knows no table: which keys there are is said where they are used.
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.study.settings.checks import (
+    from elastomer_friction.workflow.study.settings.checks import (
         REQUIRED,
         UNBOUNDED,
         Key,
@@ -23,8 +23,12 @@ if TYPE_CHECKING:
         read_table,
         within,
     )
-    from workflow.study.settings.columns import named_unit, read_columns, rows_of_file
-    from workflow.study.settings.text import BrokenRowError, Rows, read_rows
-    from workflow.study.settings.values import axis_values, checked_values
+    from elastomer_friction.workflow.study.settings.columns import (
+        named_unit,
+        read_columns,
+        rows_of_file,
+    )
+    from elastomer_friction.workflow.study.settings.text import BrokenRowError, Rows, read_rows
+    from elastomer_friction.workflow.study.settings.values import axis_values, checked_values
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

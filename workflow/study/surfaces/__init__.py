@@ -5,12 +5,16 @@ Knows the kernels' spectra and the settings, and no later stage.
 
 from typing import TYPE_CHECKING
 
-from workflow.lazy import public_names
+from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from workflow.study.surfaces.profile import Profile, check_load, given_profile
-    from workflow.study.surfaces.surface import Surface
-    from workflow.study.surfaces.table import (
+    from elastomer_friction.workflow.study.surfaces.profile import (
+        Profile,
+        check_load,
+        given_profile,
+    )
+    from elastomer_friction.workflow.study.surfaces.surface import Surface
+    from elastomer_friction.workflow.study.surfaces.table import (
         LIKE,
         SURFACE,
         check_cutoff,
@@ -18,4 +22,4 @@ if TYPE_CHECKING:
         read_surface,
     )
 
-__all__, __getattr__ = public_names(__name__, __file__)
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -4,9 +4,16 @@ from collections.abc import Callable
 
 import numpy as np
 
-from workflow.errors import UserError
-from workflow.study.surfaces.lines import KEY, Asked, Lines, lines_of, plain, rounding
-from workflow.study.surfaces.text import precision, read_text
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.surfaces.lines import (
+    KEY,
+    Asked,
+    Lines,
+    lines_of,
+    plain,
+    rounding,
+)
+from elastomer_friction.workflow.study.surfaces.text import precision, read_text
 
 USUAL_COLUMNS = (0, 1)
 MOST_VALUES = 10**8  # heights in a netCDF file, of which a compressed one of 8 kB may hold more

@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kernels import measured_amplitudes, rms_slope
-from workflow.errors import UserError
-from workflow.study.surfaces.files import read_lines
-from workflow.study.surfaces.lines import KEY, LEAST_SAMPLES, Asked
-from workflow.study.surfaces.prepare import (
+from elastomer_friction.kernels import measured_amplitudes, rms_slope
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.surfaces.files import read_lines
+from elastomer_friction.workflow.study.surfaces.lines import KEY, LEAST_SAMPLES, Asked
+from elastomer_friction.workflow.study.surfaces.prepare import (
     PERIODICS,
     TAPERED,
     check_not_flat,

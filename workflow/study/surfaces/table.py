@@ -4,9 +4,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from kernels.surfaces.self_affine import NORMALISATIONS
-from workflow.errors import UserError
-from workflow.study.settings import (
+from elastomer_friction.kernels.surfaces.self_affine import NORMALISATIONS
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.settings import (
     Key,
     as_table,
     as_text,
@@ -17,11 +17,11 @@ from workflow.study.settings import (
     read_table,
     within,
 )
-from workflow.study.surfaces.lines import Asked
-from workflow.study.surfaces.prepare import DETRENDS, PERIODICS
-from workflow.study.surfaces.profile import read_profile
-from workflow.study.surfaces.surface import LINES, Surface
-from workflow.study.surfaces.units import METRES, metres
+from elastomer_friction.workflow.study.surfaces.lines import Asked
+from elastomer_friction.workflow.study.surfaces.prepare import DETRENDS, PERIODICS
+from elastomer_friction.workflow.study.surfaces.profile import read_profile
+from elastomer_friction.workflow.study.surfaces.surface import LINES, Surface
+from elastomer_friction.workflow.study.surfaces.units import METRES, metres
 
 
 def _columns(key: str, value: object) -> tuple:

@@ -2,7 +2,7 @@
 
 from hypothesis import strategies as st
 
-from workflow.simulate.tasks import Problem
+from elastomer_friction.workflow.simulate.tasks import Problem
 
 # H, N, Fbar, vbar, r = v2/v1
 PROBLEMS = st.builds(

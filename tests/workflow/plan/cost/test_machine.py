@@ -4,10 +4,15 @@ import json
 
 import pytest
 
-from workflow.plan.cost import machine
-from workflow.plan.cost.machine import known_machine, learn, pace_file, this_machine
-from workflow.plan.cost.pace import TYPICAL, Pace, label
-from workflow.plan.cost.work import PARTS, PLAIN
+from elastomer_friction.workflow.plan.cost import machine
+from elastomer_friction.workflow.plan.cost.machine import (
+    known_machine,
+    learn,
+    pace_file,
+    this_machine,
+)
+from elastomer_friction.workflow.plan.cost.pace import TYPICAL, Pace, label
+from elastomer_friction.workflow.plan.cost.work import PARTS, PLAIN
 
 MEASURED = dict.fromkeys(PARTS, (1.25, 1.1))
 TEXT = json.dumps({"machine": "M", "date": "2020-01-01", "measured": MEASURED, "learned": {}})
@@ -26,7 +31,7 @@ def measured(tmp_path, monkeypatch):
     monkeypatch.setattr(machine, "pace_file", pace_file)  # not that of all tests
     monkeypatch.setattr(machine, "_measured", measure)
     monkeypatch.setattr(machine, "load_kernels", lambda *_: None)
-    monkeypatch.setattr("kernels.cache.FOLDER", str(tmp_path / "cache"))
+    monkeypatch.setattr("elastomer_friction.kernels.cache.FOLDER", str(tmp_path / "cache"))
     return calls
 
 

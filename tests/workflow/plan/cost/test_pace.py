@@ -6,8 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tests.support.small import small_study
-from workflow.plan.cost.pace import (
+from elastomer_friction.workflow.plan.cost.pace import (
     LAWS,
     LEAST_SECONDS,
     MOST_SECONDS,
@@ -17,8 +16,9 @@ from workflow.plan.cost.pace import (
     label,
     prediction,
 )
-from workflow.plan.cost.work import BRANCHES, PARTS, PLAIN
-from workflow.plan.plan import make_plan
+from elastomer_friction.workflow.plan.cost.work import BRANCHES, PARTS, PLAIN
+from elastomer_friction.workflow.plan.plan import make_plan
+from tests.support.small import small_study
 
 MEASURED = Pace(dict.fromkeys(PARTS, (2.0, 1.1)))
 SECONDS = st.floats(LEAST_SECONDS, 1e5)

@@ -2,8 +2,8 @@
 
 import pytest
 
-from workflow.plan.cost.timing import PROBES, batch, factors, typical
-from workflow.plan.cost.work import PARTS
+from elastomer_friction.workflow.plan.cost.timing import PROBES, batch, factors, typical
+from elastomer_friction.workflow.plan.cost.work import PARTS
 
 
 @pytest.mark.exhaustive  # computes all probes

@@ -5,16 +5,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels import KELVIN, Quantities, Slide, Spectrum
-from tests.workflow.plan.cost.problems import PROBLEMS
-from workflow.plan.cost.work import (
+from elastomer_friction.kernels import KELVIN, Quantities, Slide, Spectrum
+from elastomer_friction.workflow.plan.cost.work import (
     DRAWING,
     PARTS,
     Work,
     kind_of,
     typical_seconds,
 )
-from workflow.simulate.tasks import Problem, Recording
+from elastomer_friction.workflow.simulate.tasks import Problem, Recording
+from tests.workflow.plan.cost.problems import PROBLEMS
 
 ALL = Quantities()
 BRANCH = Spectrum((1.0,), (1.0,), 1.0)

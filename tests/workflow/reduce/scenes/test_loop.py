@@ -5,8 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from kernels import Hold, Oscillation, Ramp, Sampled, Slide
-from workflow.reduce.scenes.loop import duration, loop
+from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide
+from elastomer_friction.workflow.reduce.scenes.loop import duration, loop
 
 PROGRAMME = (Slide(2.0, 3.0), Hold(0.7), Oscillation(0.0, 0.4, 0.5, 3))
 START, PERIOD = 2.2, 2.0

@@ -5,15 +5,15 @@ import math
 import numpy as np
 import pytest
 
-from workflow.reduce.fits import (
+from elastomer_friction.workflow.reduce.fits import (
     FITTED,
     NO_STATE,
     NOT_EXPONENTIAL,
     NOT_FINITE,
     UNDETERMINED,
 )
-from workflow.reduce.scenes.rate_state import LAWS, fit_rate_state
-from workflow.reduce.statistics import replicates, standard_error
+from elastomer_friction.workflow.reduce.scenes.rate_state import LAWS, fit_rate_state
+from elastomer_friction.workflow.reduce.statistics import replicates, standard_error
 
 A, B, DC = 0.03, 0.05, 2.0
 DISTANCE = np.geomspace(0.01, 20.0, 80)

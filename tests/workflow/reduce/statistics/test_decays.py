@@ -6,10 +6,10 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import curve_fit
 
+from elastomer_friction.workflow.reduce.models import exponential
+from elastomer_friction.workflow.reduce.statistics.decays import RANGE, fit_decays
+from elastomer_friction.workflow.reduce.statistics.least_squares import fit_curves
 from tests.support.sweeps import examples
-from workflow.reduce.models import exponential
-from workflow.reduce.statistics.decays import RANGE, fit_decays
-from workflow.reduce.statistics.least_squares import fit_curves
 
 TIME = np.linspace(0.02, 4.0, 63)
 EVEN = np.ones(TIME.size)

@@ -2,7 +2,7 @@
 
 import pytest
 
-from workflow.report.page.html import formula, verdict_class
+from elastomer_friction.workflow.report.page.html import formula, verdict_class
 
 
 @pytest.mark.parametrize(

@@ -6,14 +6,14 @@ import shutil
 
 import pytest
 
+from elastomer_friction.workflow.plan import TYPICAL
+from elastomer_friction.workflow.report.claims import known_claims
+from elastomer_friction.workflow.report.page.report import study_names, write_report
+from elastomer_friction.workflow.result.netcdf import write_datasets
+from elastomer_friction.workflow.run.measured import run_measured
+from elastomer_friction.workflow.study.read import read_study
 from tests.support.commands import output, refusal
 from tests.support.synthetic import add, result
-from workflow.plan import TYPICAL
-from workflow.report.claims import known_claims
-from workflow.report.page.report import study_names, write_report
-from workflow.result.netcdf import write_datasets
-from workflow.run.measured import run_measured
-from workflow.study.read import read_study
 
 REPORTED = ("fig5", "fig8")
 

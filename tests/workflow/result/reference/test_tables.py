@@ -2,10 +2,10 @@
 
 import pytest
 
-from workflow.reduce import MODEL_MEANINGS
-from workflow.result.reference import tables
-from workflow.result.reference.tables import described_variables
-from workflow.result.variables import FLAGS, VARIABLES
+from elastomer_friction.workflow.reduce import MODEL_MEANINGS
+from elastomer_friction.workflow.result.reference import tables
+from elastomer_friction.workflow.result.reference.tables import described_variables
+from elastomer_friction.workflow.result.variables import FLAGS, VARIABLES
 
 ALL = [variable for section in described_variables().values() for variable in section]
 

@@ -2,8 +2,8 @@
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserErrors
 from tests.support.small import TEXT, small_study
-from workflow.errors import UserErrors
 
 SEVERAL = """
 [study]

@@ -2,10 +2,10 @@
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.document.places import key_of, line_of
+from elastomer_friction.workflow.study.read import known_studies
 from tests.support.small import TEXT, small_study
-from workflow.errors import UserError
-from workflow.study.document.places import key_of, line_of
-from workflow.study.read import known_studies
 
 FIG7 = known_studies()["fig7"].read_text()
 STEPS = known_studies()["velocity_steps"].read_text()

@@ -7,9 +7,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kernels.rheology.spectrum import complex_modulus
+from elastomer_friction.kernels.rheology.spectrum import complex_modulus
+from elastomer_friction.workflow.study.effects.material import Material, Wlf, read_material
 from tests.support.small import FILES, small_study
-from workflow.study.effects.material import Material, Wlf, read_material
 
 BRANCHES = [[5e6, 1e-2], [1e7, 1e-3]]
 WLF = {"c1": 8.86, "c2": 101.6, "reference": 20.0}

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from workflow.study.effects.programme import (
+from elastomer_friction.workflow.study.effects.programme import (
     FromFile,
     Hold,
     Oscillate,

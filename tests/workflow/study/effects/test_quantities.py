@@ -1,7 +1,7 @@
 """What a scene can be asked for: one table, one order."""
 
+from elastomer_friction.workflow.study.effects.quantities import judged
 from tests.support.small import small_study
-from workflow.study.effects.quantities import judged
 
 
 def test_quantities_come_in_their_own_order():

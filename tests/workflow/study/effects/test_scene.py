@@ -4,9 +4,9 @@ import math
 
 import pytest
 
+from elastomer_friction.workflow.study.effects.material import Material
+from elastomer_friction.workflow.study.effects.scene import Scene, read_scene
 from tests.support.small import small_study
-from workflow.study.effects.material import Material
-from workflow.study.effects.scene import Scene, read_scene
 
 KELVIN = Material(1e6, 1e-3)
 GLASSY = Material(1e6, 0.0, ((5e6, 1e-2),))

@@ -4,10 +4,17 @@ import math
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.effects.programme import (
+    FromFile,
+    Hold,
+    Oscillate,
+    Ramp,
+    Slide,
+    Velocity,
+)
+from elastomer_friction.workflow.study.effects.segments import read_programme
 from tests.support.small import FILES
-from workflow.errors import UserError
-from workflow.study.effects.programme import FromFile, Hold, Oscillate, Ramp, Slide, Velocity
-from workflow.study.effects.segments import read_programme
 
 
 def read(tmp_path, *entries):

@@ -5,8 +5,8 @@ import tomllib
 
 import pytest
 
-from workflow.study.reference.measures import described_measures
-from workflow.study.scripts import OWN
+from elastomer_friction.workflow.study.reference.measures import described_measures
+from elastomer_friction.workflow.study.scripts import OWN
 
 MEASURES = described_measures()
 KEYS = [(study, key) for study, keys in MEASURES.items() for key in keys]

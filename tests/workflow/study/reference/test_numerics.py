@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from elastomer_friction.workflow.plan.error_laws import LAWS
 from tests.support.small import small_plan
-from workflow.plan.error_laws import LAWS
 
 
 def test_steps_doubled_at_least_halve_the_error_of_steady_friction():

@@ -1,8 +1,8 @@
 """What is said of doubled keys of [scene] is so."""
 
+from elastomer_friction.workflow.simulate import programme_steps
 from tests.support.documents import without
 from tests.support.small import small_plan
-from workflow.simulate import programme_steps
 
 TEXT = without("grid.velocity_step", "grid.velocity")
 SLIDE = "scene.programme=[{slide={velocity=0.1, distance=%g}}]"

@@ -6,12 +6,12 @@ import tomllib
 import jsonschema
 import pytest
 
+from elastomer_friction.workflow.study.cluster import CLUSTER
+from elastomer_friction.workflow.study.read import known_studies
+from elastomer_friction.workflow.study.reference.schema import study_schema
+from elastomer_friction.workflow.study.study import TABLES
+from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.small import TEXT
-from workflow.study.cluster import CLUSTER
-from workflow.study.read import known_studies
-from workflow.study.reference.schema import study_schema
-from workflow.study.study import TABLES
-from workflow.study.variants import COMPARE
 
 CHECK = jsonschema.Draft7Validator(study_schema())
 KEYS = [(table, key) for table, keys in {**TABLES, "cluster": CLUSTER}.items() for key in keys]

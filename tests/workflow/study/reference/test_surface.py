@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.plan.problems import line_slope, speed_ratio
 from tests.support.small import keys, small_plan
-from workflow.plan.problems import line_slope, speed_ratio
 
 
 def problems(*settings):

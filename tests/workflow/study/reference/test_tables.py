@@ -2,11 +2,11 @@
 
 import pytest
 
-from workflow.study.measured import HEAD  # of every kind of study
-from workflow.study.reference import tables
-from workflow.study.reference.tables import PAIRS, described_tables
-from workflow.study.study import TABLES
-from workflow.study.variants import COMPARE
+from elastomer_friction.workflow.study.measured import HEAD  # of every kind of study
+from elastomer_friction.workflow.study.reference import tables
+from elastomer_friction.workflow.study.reference.tables import PAIRS, described_tables
+from elastomer_friction.workflow.study.study import TABLES
+from elastomer_friction.workflow.study.variants import COMPARE
 
 KEYS = [(table, key) for table, keys in described_tables().items() for key in keys]
 

@@ -5,8 +5,8 @@ from functools import partial
 
 import pytest
 
-from workflow.study.reference.values import as_toml, default_of, values_of
-from workflow.study.settings import (
+from elastomer_friction.workflow.study.reference.values import as_toml, default_of, values_of
+from elastomer_friction.workflow.study.settings import (
     Key,
     as_text,
     checked_values,

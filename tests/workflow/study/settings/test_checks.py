@@ -2,12 +2,12 @@
 
 import pytest
 
+from elastomer_friction.workflow.study.cluster import CLUSTER
+from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.study import TABLES
+from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.documents import without
 from tests.support.small import complaint
-from workflow.study.cluster import CLUSTER
-from workflow.study.grid import AXES
-from workflow.study.study import TABLES
-from workflow.study.variants import COMPARE
 
 KNOWN = {**TABLES, "compare.coarse": COMPARE, "cluster": CLUSTER}
 

@@ -6,8 +6,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workflow.errors import UserError
-from workflow.study.settings.values import axis_values
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.settings.values import axis_values
 
 
 @pytest.mark.parametrize(

@@ -5,8 +5,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from workflow.errors import UserError
-from workflow.study.surfaces.lines import Asked, lines_of, rounding
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.surfaces.lines import Asked, lines_of, rounding
 
 X = np.arange(10.0)
 Z = np.random.default_rng(2).normal(size=(2, 10))

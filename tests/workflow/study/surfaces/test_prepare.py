@@ -5,8 +5,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from workflow.errors import UserError
-from workflow.study.surfaces.prepare import (
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.surfaces.prepare import (
     DETRENDS,
     PERIODICS,
     check_not_flat,

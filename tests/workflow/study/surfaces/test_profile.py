@@ -5,10 +5,14 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from workflow.errors import UserError
-from workflow.study.surfaces.lines import Asked
-from workflow.study.surfaces.prepare import DETRENDS, PERIODICS
-from workflow.study.surfaces.profile import check_load, given_profile, read_profile
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.surfaces.lines import Asked
+from elastomer_friction.workflow.study.surfaces.prepare import DETRENDS, PERIODICS
+from elastomer_friction.workflow.study.surfaces.profile import (
+    check_load,
+    given_profile,
+    read_profile,
+)
 
 ROOT = Path(__file__).resolve().parents[4]
 AFM = ROOT / "studies" / "measured_line" / "afm-lines.nc"

@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from kernels import amplitudes, rms_height, rms_slope
-from workflow.study.surfaces.profile import given_profile
-from workflow.study.surfaces.surface import Surface
+from elastomer_friction.kernels import amplitudes, rms_height, rms_slope
+from elastomer_friction.workflow.study.surfaces.profile import given_profile
+from elastomer_friction.workflow.study.surfaces.surface import Surface
 
 Z = 1e-8 * np.random.default_rng(3).normal(size=(3, 64)).cumsum(axis=1)
 PROFILE = given_profile(np.hstack([Z, Z[:, ::-1]]), 1e-5)

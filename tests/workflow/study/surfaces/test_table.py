@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
-from workflow.errors import UserError
-from workflow.study.surfaces.surface import Surface
-from workflow.study.surfaces.table import check_cutoff, read_surface
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.surfaces.surface import Surface
+from elastomer_friction.workflow.study.surfaces.table import check_cutoff, read_surface
 
 HERE = {"file": "line.txt"}
 

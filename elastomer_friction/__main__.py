@@ -1,0 +1,33 @@
+"""``elastomer-friction``, ``python -m elastomer_friction``: see workflow/cli/commands.py.
+
+Python looks for modules in the working folder first. It is left out, here and in the processes
+that this one starts, unless the program itself lies there: what lies in a folder that one works
+in, perhaps another user's, is data.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+
+def main() -> int:
+    """Run one command; return the exit status."""
+    if not sys.flags.safe_path and Path.cwd() != Path(__file__).parents[1]:
+        here = ("", str(Path.cwd()))
+        sys.path[:] = [place for place in sys.path if place not in here]
+        os.environ["PYTHONSAFEPATH"] = "1"
+    try:
+        from elastomer_friction.workflow.system import THREADS, forgive_streams
+
+        forgive_streams()
+        os.environ.update(THREADS)  # before numpy: what is computed here is what a worker computes
+
+        from elastomer_friction.workflow.cli import main as run  # the streams come first
+    except KeyboardInterrupt:  # importing takes seconds
+        print("aborted before anything was begun", file=sys.stderr)
+        return 130
+    return run()
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,120 @@
+"""The package as it is installed and imported: one name, its public names, its command."""
+
+import os
+import subprocess
+import sys
+import tomllib
+import zipfile
+from pathlib import Path
+
+import pytest
+import xarray as xr
+
+import elastomer_friction as ef
+from elastomer_friction.workflow.kinetic_law import KineticLaw
+from elastomer_friction.workflow.system import version_of
+from tests.support.runs import PATIENCE, ROOT, run
+from tests.support.small import small_study, write_study
+
+CALL = "import sys; from elastomer_friction.__main__ import main; sys.exit(main())"
+
+
+def called(*arguments: str, path: str = str(ROOT), folder: Path = ROOT) -> tuple[int, str, str]:
+    """Return exit status, stdout and stderr of the command."""
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", CALL, *arguments],
+        cwd=folder,
+        env={**os.environ, "PYTHONPATH": path},
+        capture_output=True,
+        text=True,
+        timeout=PATIENCE,
+        check=False,
+    )
+    return done.returncode, done.stdout, done.stderr
+
+
+def test_it_says_its_version(tmp_path):
+    said = f"elastomer-friction {version_of('elastomer-friction')}\n"
+    assert called("--version", folder=tmp_path) == (0, said, "")
+
+
+def test_what_is_asked_from_python_is_listed_and_nothing_else():
+    assert dir(ef) == ["KineticLaw", "UserError", "__version__", "open", "scene"]
+    assert ef.__version__ == version_of("elastomer-friction")
+    assert ef.scene.run.__doc__
+    with pytest.raises(ef.UserError, match="nowhere: not found"):
+        ef.open("nowhere")
+    assert ef.KineticLaw is KineticLaw
+
+
+def test_a_result_opens_as_a_tree_with_its_comparisons(tmp_path):
+    path = run(tmp_path).path
+    with ef.open(path) as tree:
+        assert set(tree.mu_1.dims) == set(small_study().axes)
+    broken, other = tmp_path / "broken.nc", tmp_path / "other.nc"
+    broken.write_bytes(b"CDF")
+    with pytest.raises(ef.UserError, match="cannot be read as netCDF"):
+        ef.open(broken)
+    xr.Dataset({"a": 1}).to_netcdf(other)
+    with pytest.raises(ef.UserError, match="is not a result of this program"):
+        ef.open(other)
+
+
+NOTE = """
+import atexit, os, pathlib, sys
+def note():
+    ours = ("kernels", "workflow", "studies")
+    tops = {name for name in sys.modules if name.partition(".")[0] in ours}
+    if "distributed" in sys.modules:
+        pathlib.Path(os.environ["NOTES"], str(os.getpid())).write_text(" ".join(sorted(tops)))
+atexit.register(note)
+"""
+
+
+def test_no_module_is_loaded_by_a_second_name(tmp_path):
+    """Or a class would be two: in the driver, in workers, here."""
+    (tmp_path / "sitecustomize.py").write_text(NOTE)
+    (tmp_path / "notes").mkdir()
+    path = f"{tmp_path}{os.pathsep}{ROOT}"
+    words = ["run", write_study(tmp_path), "--workers", "1", "--out", str(tmp_path)]
+    subprocess.run(
+        [sys.executable, "-m", "workflow", *words],
+        cwd=ROOT,
+        env={**os.environ, "PYTHONPATH": path, "NOTES": str(tmp_path / "notes")},
+        check=True,
+        capture_output=True,
+        timeout=PATIENCE,
+    )
+    found = [note.read_text() for note in (tmp_path / "notes").iterdir()]
+    assert sorted(found) == ["", "workflow"]  # of a worker; of the driver, a docstring
+    assert not {name.partition(".")[0] for name in sys.modules} & {"kernels", "workflow", "studies"}
+
+
+def test_the_citation_is_of_this_version():
+    """And what is cited is what is installed under the name of the program."""
+    project = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))["project"]
+    assert f"\nversion: {project['version']}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
+    assert f"\n## {project['version']} (" in (ROOT / "CHANGELOG.md").read_text("utf-8")
+
+
+@pytest.mark.exhaustive
+def test_a_wheel_holds_all_that_the_command_needs(tmp_path, monkeypatch):
+    """Built from the sources, installed without its dependencies, and used from elsewhere."""
+    monkeypatch.delenv("GIT_DIR", raising=False)  # other tests hide the repository
+    pip = [sys.executable, "-m", "pip", "-q", "--disable-pip-version-check"]
+    subprocess.run([*pip, "wheel", "--no-deps", "-w", tmp_path, ROOT], check=True)
+    (wheel,) = tmp_path.glob("*.whl")
+    names = set(zipfile.ZipFile(wheel).namelist())
+    shipped = subprocess.check_output(["git", "-C", ROOT, "ls-files", "studies"], text=True)
+    needed = {"workflow/cli/study.toml", "workflow/report/page/report.html.j2", "py.typed"}
+    needed |= set(shipped.splitlines())
+    assert {f"elastomer_friction/{name}" for name in needed} <= names
+    assert {name.partition("/")[0].partition("-")[0] for name in names} == {"elastomer_friction"}
+    site, away = tmp_path / "site", tmp_path / "away"
+    subprocess.run([*pip, "install", "--no-deps", "--target", site, wheel], check=True)
+    away.mkdir()
+    status, out, err = called("studies", path=str(site), folder=away)
+    assert (status, err) == (0, "")
+    assert "fig7" in out
+    assert called("new", "mine", path=str(site), folder=away)[0] == 0
+    assert (away / "studies" / "mine" / "study.toml").is_file()
