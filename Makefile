@@ -14,7 +14,7 @@ PYTEST := $(BIN)/python -m pytest -n $(PROCESSES)
 USUAL  := not cluster and not exhaustive
 # Tests of numbers, which other processors may round otherwise. Which machine code is made, kept and
 # found is the same on all.
-NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/test_,cache.py loading.py machine_code.py) \
+NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/,compile/test_cache.py test_loading.py test_machine_code.py) \
   tests/independent tests/workflow/reduce \
   $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))

@@ -14,12 +14,26 @@ on line after line. An effect is a file of surfaces,
 rheology, control or motion; what a scene does not ask for is not in its machine code.
 """
 
-from elastomer_friction.kernels.case import Case, Outcome, Quantities, Seconds
-from elastomer_friction.kernels.contact import solve_indentation
-from elastomer_friction.kernels.control.force import ConstantForce
 from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
-from elastomer_friction.kernels.friction import lagged_slope, quadrature, step_average
-from elastomer_friction.kernels.march import march
+from elastomer_friction.kernels.lines.equivalent import (
+    equivalent_amplitudes,
+    equivalent_spectrum,
+)
+from elastomer_friction.kernels.lines.line import QUARTET, Line
+from elastomer_friction.kernels.lines.measured import measured_amplitudes
+from elastomer_friction.kernels.lines.self_affine import (
+    amplitudes,
+    draw_phases,
+    matching_rolloff,
+    rms_slope,
+    sample_line,
+)
+from elastomer_friction.kernels.lines.spectrum import power_spectrum, rms_height
+from elastomer_friction.kernels.model.contact import solve_indentation
+from elastomer_friction.kernels.model.force import ConstantForce
+from elastomer_friction.kernels.model.friction import lagged_slope, quadrature, step_average
+from elastomer_friction.kernels.model.march import march
+from elastomer_friction.kernels.model.steady import steady_sliding
 from elastomer_friction.kernels.motion.programme import (
     Hold,
     Leg,
@@ -30,8 +44,9 @@ from elastomer_friction.kernels.motion.programme import (
     Slide,
     steps_of,
 )
-from elastomer_friction.kernels.prepare import Prepared, prepare
-from elastomer_friction.kernels.realization import run_case, run_cases, run_prepared
+from elastomer_friction.kernels.quick.case import Case, Outcome, Quantities, Seconds
+from elastomer_friction.kernels.quick.prepare import Prepared, prepare
+from elastomer_friction.kernels.quick.realization import run_case, run_cases, run_prepared
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES, Kelvin
 from elastomer_friction.kernels.rheology.law import State, law_of, memories
@@ -47,18 +62,3 @@ from elastomer_friction.kernels.scene import (
     scene_steps,
     trace_stamps,
 )
-from elastomer_friction.kernels.steady.plain import steady_sliding
-from elastomer_friction.kernels.surfaces.equivalent import (
-    equivalent_amplitudes,
-    equivalent_spectrum,
-)
-from elastomer_friction.kernels.surfaces.line import QUARTET, Line
-from elastomer_friction.kernels.surfaces.measured import measured_amplitudes
-from elastomer_friction.kernels.surfaces.self_affine import (
-    amplitudes,
-    draw_phases,
-    matching_rolloff,
-    rms_slope,
-    sample_line,
-)
-from elastomer_friction.kernels.surfaces.spectrum import power_spectrum, rms_height

@@ -3,7 +3,7 @@
 import numpy as np
 
 from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_phases
-from elastomer_friction.kernels.surfaces.self_affine import mode_numbers
+from elastomer_friction.kernels.lines.self_affine import mode_numbers
 from tests.sizes import size
 
 ELEMENTS, M = size(120, 60), 2

@@ -9,7 +9,7 @@ import os
 import numpy as np
 
 from elastomer_friction import kernels
-from elastomer_friction.kernels.surfaces import line, self_affine
+from elastomer_friction.kernels.lines import line, self_affine
 
 WANTED = os.environ.get("LAST_BIT")
 exact_line = self_affine.sample_line

@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.contact import solve_indentation
-from elastomer_friction.kernels.control.balance import balance, note
+from elastomer_friction.kernels.model.balance import balance, note
+from elastomer_friction.kernels.model.contact import solve_indentation
 
 
 class PrintedForce(NamedTuple):

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.compile.jit import kernel
 from elastomer_friction.kernels.motion.stretches import bounds
 from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, reach
 

@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.jit import kernel
+from elastomer_friction.kernels.compile.jit import kernel
 from elastomer_friction.kernels.rheology.law import (
     NEGLIGIBLE,
     displacement,

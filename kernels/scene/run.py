@@ -2,8 +2,9 @@
 
 import numpy as np
 
-from elastomer_friction.kernels.control.force import ConstantForce
 from elastomer_friction.kernels.control.indentation import PrescribedIndentation
+from elastomer_friction.kernels.lines.line import Line
+from elastomer_friction.kernels.model.force import ConstantForce
 from elastomer_friction.kernels.motion.programme import first_speed, last_speed
 from elastomer_friction.kernels.motion.track import Track, tracks
 from elastomer_friction.kernels.rheology.forms import form_of
@@ -28,7 +29,6 @@ from elastomer_friction.kernels.scene.scene import (
     indentation_at,
     scene_steps,
 )
-from elastomer_friction.kernels.surfaces.line import Line
 
 
 class Recorders:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.limits import LOADS, SPEEDS, check_between
+from elastomer_friction.kernels.model.limits import LOADS, SPEEDS, check_between
 from elastomer_friction.kernels.motion.programme import Programme, Steps, first_speed, steps_of
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import law_of

@@ -19,7 +19,7 @@ from elastomer_friction.kernels import (
     solve_indentation,
     steady_sliding,
 )
-from elastomer_friction.kernels.steady.plain import sweep
+from elastomer_friction.kernels.model.steady import sweep
 
 TINY = np.finfo(float).tiny  # the smallest normal number
 EPS = np.finfo(float).eps

@@ -119,7 +119,7 @@ def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
     cluster, edited, log = Standing(tmp_path / "standing"), tmp_path / "edited", tmp_path / "log"
     for name in ("kernels", "workflow", "studies"):
         shutil.copytree(ROOT / name, edited / name)
-    with (edited / "kernels" / "steady" / "plain.py").open("a") as file:
+    with (edited / "kernels" / "model" / "steady.py").open("a") as file:
         file.write("# edited\n")
     options = ("--out", str(tmp_path), "--scheduler", cluster.address, "--batch-seconds", "0.2")
     options += ("--set", "study.realizations=800")

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 from elastomer_friction.kernels.scene import ASKED
-from elastomer_friction.kernels.surfaces.line import Line
 from tests.kernels.scene.given import MATERIALS, SOLID, a_line, trace
 from tests.kernels.scene.test_known_answers import Q, response
 from tests.sizes import size

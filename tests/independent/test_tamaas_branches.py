@@ -10,12 +10,12 @@ contact, the memory and the balance are then solved twice, by programs that shar
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.programme import Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from elastomer_friction.kernels.scene import Saved, Scene, run_scene
-from elastomer_friction.kernels.surfaces.line import Line
 from tests.lines import random_line
 
 tamaas = pytest.importorskip("tamaas", reason="needs the extra 'verify': pip install '.[verify]'")

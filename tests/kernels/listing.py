@@ -18,7 +18,7 @@ import numpy as np
 
 def instructions(function: Callable, *arguments: object) -> list[str]:
     """Return the machine instructions of a kernel, compiled anew for arguments of these types."""
-    from elastomer_friction.kernels.jit import FLAGS
+    from elastomer_friction.kernels.compile.jit import FLAGS
 
     compiled = numba.njit(**FLAGS)(getattr(function, "py_func", function))
     compiled(*arguments)
@@ -29,8 +29,9 @@ def instructions(function: Callable, *arguments: object) -> list[str]:
 
 def listings() -> dict[str, list[str]]:
     """Return the instructions of kernels of which every effect is off."""
-    from elastomer_friction.kernels.control.force import ConstantForce
-    from elastomer_friction.kernels.march import march
+    from elastomer_friction.kernels.model.force import ConstantForce
+    from elastomer_friction.kernels.model.march import march
+    from elastomer_friction.kernels.model.steady import steady_sliding
     from elastomer_friction.kernels.motion.track import Track
     from elastomer_friction.kernels.rheology.kelvin import SCHEMES
     from elastomer_friction.kernels.rheology.law import Elements, State
@@ -38,7 +39,6 @@ def listings() -> dict[str, list[str]]:
     from elastomer_friction.kernels.rheology.retardation import retardation
     from elastomer_friction.kernels.rheology.spectrum import KELVIN
     from elastomer_friction.kernels.scene.follow import follow
-    from elastomer_friction.kernels.steady.plain import steady_sliding
 
     z, kelvin, control = np.array([3.0, 1.0, 0.0, 2.0]), SCHEMES[SCHEME](0.3), ConstantForce(4.0)
     state = State(np.zeros(4), 2.0)

@@ -11,7 +11,7 @@ import pytest
 from numba.core import event
 
 from elastomer_friction.kernels import Quantities, loading
-from elastomer_friction.kernels.cache import WAITING
+from elastomer_friction.kernels.compile.cache import WAITING
 from tests.sizes import PLAIN_PYTHON
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -20,10 +20,10 @@ compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: no
 HALF = """
 import sys
 from elastomer_friction.kernels import Quantities, loading
-from elastomer_friction.kernels.active.march import active_march
-from elastomer_friction.kernels.relaxation import plain_relaxations
-from elastomer_friction.kernels.steady.spans import add_rises
-from elastomer_friction.kernels.steady.stack import stack_of
+from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.relaxation import plain_relaxations
+from elastomer_friction.kernels.quick.steady.spans import add_rises
+from elastomer_friction.kernels.quick.steady.stack import stack_of
 
 own = active_march, plain_relaxations, add_rises, stack_of
 rate = sys.argv[1] == "1"

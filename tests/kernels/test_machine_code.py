@@ -28,10 +28,10 @@ RECORDERS = ("trace", "ledger", "lengths", "film")
 EFFECTS = (
     "elastomer_friction.kernels.control.indentation",
     "elastomer_friction.kernels.control.printed_eq3",
-    "elastomer_friction.kernels.memory.steady",
+    "elastomer_friction.kernels.branches.steady",
     "elastomer_friction.kernels.rheology.relaxed",
     "elastomer_friction.kernels.scene.run",
-    "elastomer_friction.kernels.surfaces.measured",
+    "elastomer_friction.kernels.lines.measured",
 )
 pytestmark = [
     pytest.mark.exhaustive,

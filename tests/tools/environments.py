@@ -22,13 +22,13 @@ from pathlib import Path
 ROOT = Path(__file__).resolve().parents[2]
 TESTERS = ["pytest", "pytest-xdist", "hypothesis"]
 TESTS = [
-    "tests/kernels/steady",
+    "tests/kernels/quick/steady",
     "tests/workflow/reduce",
     "tests/workflow/result",
     "--ignore=tests/workflow/result/test_conventions.py",  # its checker is no package of ours
     # These compile kernels that neither the study nor the other tests need.
-    "--ignore=tests/kernels/steady/test_carry.py",
-    "--ignore=tests/kernels/steady/test_lanes.py",
+    "--ignore=tests/kernels/quick/steady/test_carry.py",
+    "--ignore=tests/kernels/quick/steady/test_lanes.py",
     "--ignore=tests/workflow/result/reference/test_programmes.py",
 ]
 LEAST = (3, 11)  # as in pyproject.toml

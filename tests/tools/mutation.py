@@ -1,7 +1,7 @@
 """Change code at random places, one at a time, and see whether its tests notice.
 
     python -m tests.tools.mutation workflow/store --count 100 --seed 12
-    NUMBA_DISABLE_JIT=1 python -m tests.tools.mutation kernels/contact.py
+    NUMBA_DISABLE_JIT=1 python -m tests.tools.mutation kernels/model/contact.py
 
 Each mutant (mutants.py) is tried in a process of its own, by the tests beside that reach the
 changed line: those of a folder are in the folder of the same name under tests, those of a file

@@ -10,13 +10,13 @@ from collections.abc import Callable
 import numpy as np
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
-from elastomer_friction.kernels.memory.steady import steady_memory
+from elastomer_friction.kernels.branches.steady import steady_memory
+from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.programme import Slide
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
-from elastomer_friction.kernels.surfaces.line import Line
 from tests.convergence import observed_order
-from tests.kernels.memory.test_dissipation import friction
+from tests.kernels.branches.test_dissipation import friction
 from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, trace
 from tests.kernels.scene.test_energy import missing_work
 from tests.kernels.scene.test_follow import errors_over_time, gaps_of_schemes

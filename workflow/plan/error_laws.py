@@ -17,7 +17,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from elastomer_friction.kernels import KELVIN
-from elastomer_friction.kernels.patches.refined import LEAST_STEPS
+from elastomer_friction.kernels.quick.contacts.refined import LEAST_STEPS
 from elastomer_friction.workflow.plan.problems import (
     Numbers,
     expected_rate,

@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 
 from elastomer_friction.kernels import START, Origin, Quantities
-from elastomer_friction.kernels.garbage import nothing_collected
+from elastomer_friction.kernels.compile.garbage import nothing_collected
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan.cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from elastomer_friction.workflow.plan.goal import FIRST_SHARE, whole_blocks

@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 
 from elastomer_friction.kernels import Spectrum, amplitudes, rms_slope
-from elastomer_friction.kernels.limits import LOADS, SPEEDS
-from elastomer_friction.kernels.prepare import LEAST_STEP
+from elastomer_friction.kernels.model.limits import LOADS, SPEEDS
+from elastomer_friction.kernels.quick.prepare import LEAST_STEP
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.kinetic_law import relaxation_rate
 from elastomer_friction.workflow.plan.motion import (
@@ -37,7 +37,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     """Return the distinct problems of a variant and, per grid point, the index of its problem.
 
     The index array has the shape of the grid (study.axes). Raises UserError for loads and speeds
-    that the kernels refuse (kernels/realization.py).
+    that the kernels refuse (kernels/quick/realization.py).
     """
     material = study.materials[label]
     axes = [np.array(values) for values in study.grid.values()]

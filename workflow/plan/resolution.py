@@ -3,8 +3,8 @@
 import numpy as np
 
 from elastomer_friction.kernels import KELVIN
-from elastomer_friction.kernels.limits import SPEEDS
-from elastomer_friction.kernels.patches.refined import LEAST_STEPS
+from elastomer_friction.kernels.model.limits import SPEEDS
+from elastomer_friction.kernels.quick.contacts.refined import LEAST_STEPS
 from elastomer_friction.kernels.rheology.spectrum import shortest_step
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan.error_laws import (
@@ -44,7 +44,7 @@ def least_steps(problem: Problem, scene: Scene) -> Numbers:
 def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers:
     """Return m: the given number, or for "auto" the least that keeps BIAS of all that is asked.
 
-    Steady friction and jumps do so with 4 (kernels/patches/refined.py), a relaxation where steps
+    Steady friction and jumps do so with 4 (quick/contacts/refined.py), a relaxation where steps
     and contacts are resolved (error_laws.py). For contacts alone m goes up to MOST_FOR_CONTACTS and
     as far as a line fits into a worker; what is coarse then is marked in the result. First order
     schemes take FIRST_ORDER times as many.
@@ -79,7 +79,7 @@ def _for_contacts(problem: Problem, steps: Numbers) -> Numbers:
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
     """Raise UserError where a line does not fit into a worker, or rounding would show.
 
-    The kernels refuse the same speeds (kernels/realization.py).
+    The kernels refuse the same speeds (kernels/quick/realization.py).
     """
     elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
     long = elements * steps > MAX_SAMPLES_PER_LINE

@@ -176,7 +176,7 @@ def variant_of(
 def sharing(task: Task) -> tuple[int, float]:
     """Return what tasks on a line have in common whose steady states are found together.
 
-    Those of all loads are: thresholds are the same, and sweeps lie side by side (kernels/steady).
+    Those of all loads are: thresholds are the same, and sweeps lie side by side (quick/steady).
     """
     return task.steps_per_spacing, task.problem.speed
 

@@ -6,7 +6,7 @@ from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from elastomer_friction.kernels import cache
+from elastomer_friction.kernels.compile import cache
 from elastomer_friction.workflow import result as results
 from elastomer_friction.workflow.cluster import Watch
 from elastomer_friction.workflow.errors import UserError

@@ -14,7 +14,7 @@ import string
 from pathlib import Path
 
 from elastomer_friction import kernels
-from elastomer_friction.kernels import cache
+from elastomer_friction.kernels.compile import cache
 
 DIGITS = 16
 FOLDERS = (Path(kernels.__file__).parent, Path(__file__).parent)

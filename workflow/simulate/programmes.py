@@ -5,7 +5,7 @@ import math
 import numpy as np
 
 from elastomer_friction.kernels import Case, Line, Quantities, Scene, run_case, run_scene
-from elastomer_friction.kernels.clock import working_time
+from elastomer_friction.kernels.compile.clock import working_time
 from elastomer_friction.workflow.simulate.kept import kept_steps
 from elastomer_friction.workflow.simulate.layout import EDGES, Layout
 from elastomer_friction.workflow.simulate.tasks import SCALARS, Batch, Recording, Task

@@ -17,7 +17,7 @@ from elastomer_friction.kernels import (
     prepare,
     run_prepared,
 )
-from elastomer_friction.kernels.clock import working_time
+from elastomer_friction.kernels.compile.clock import working_time
 from elastomer_friction.kernels.loading import load
 from elastomer_friction.workflow.simulate.drawing import Draw, lines_of
 from elastomer_friction.workflow.simulate.kept import record_steps

@@ -95,7 +95,7 @@ class Batch:
     blocks: int
     realizations_per_block: int
     seconds: float  # predicted
-    refine: bool = True  # read narrow contacts from finer samples (kernels/patches)
+    refine: bool = True  # read narrow contacts from finer samples (kernels/quick/contacts)
     # Measured lines, a row for each realization of the batch, or the amplitudes of the modes of
     # random ones like them, both in h. None: random lines of H alone.
     heights: np.ndarray | None = field(default=None, compare=False)

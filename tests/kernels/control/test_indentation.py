@@ -3,8 +3,8 @@
 import numpy as np
 
 from elastomer_friction.kernels import SCHEMES
-from elastomer_friction.kernels.control.balance import balance, note
 from elastomer_friction.kernels.control.indentation import PrescribedIndentation
+from elastomer_friction.kernels.model.balance import balance, note
 
 
 def test_the_indentation_of_every_step_is_the_one_given():

@@ -5,7 +5,7 @@ import pytest
 from scipy.optimize import brentq
 
 from elastomer_friction.kernels import SCHEMES, PrintedForce
-from elastomer_friction.kernels.control.balance import balance, note
+from elastomer_friction.kernels.model.balance import balance, note
 from elastomer_friction.kernels.motion.slide import Rings
 
 FIRST = np.array([0, 20, 50])  # two stretches

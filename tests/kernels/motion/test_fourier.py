@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import amplitudes, draw_phases, sample_line
+from elastomer_friction.kernels.lines.self_affine import mode_numbers
 from elastomer_friction.kernels.motion.fourier import Shifted
-from elastomer_friction.kernels.surfaces.self_affine import mode_numbers
 
 
 @pytest.mark.parametrize("fraction", [0.3, 0.5, 1.0])

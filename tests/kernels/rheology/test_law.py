@@ -19,9 +19,9 @@ from elastomer_friction.kernels import (
     march,
     steady_sliding,
 )
-from elastomer_friction.kernels.cache import FOLDER
+from elastomer_friction.kernels.compile.cache import FOLDER
+from elastomer_friction.kernels.model import steady
 from elastomer_friction.kernels.rheology.law import reach
-from elastomer_friction.kernels.steady import plain
 from tests.sizes import PLAIN_PYTHON
 from tests.support.sweeps import sweep
 
@@ -96,6 +96,6 @@ def test_decay_never_leaves_subnormal_numbers():
     z = np.full(3000, 5.0)
     z[2998] = 0.0  # one element touches, all others decay for almost the whole period
     law, w = Kelvin(Watched(0.7), 1.0, 0.0), np.empty_like(z)
-    assert getattr(plain.sweep, "py_func", plain.sweep)(law, z, 1.0, 2998, w) == (1.0, 1.0, 1)
+    assert getattr(steady.sweep, "py_func", steady.sweep)(law, z, 1.0, 2998, w) == (1.0, 1.0, 1)
     assert len(products) > 2000
     assert min(p for p in products if p > 0.0) > 1e-300

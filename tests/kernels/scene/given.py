@@ -4,10 +4,10 @@ import math
 
 import numpy as np
 
+from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Ramp, Sampled, Slide
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from elastomer_friction.kernels.scene import Scene, run_scene, scene_steps
-from elastomer_friction.kernels.surfaces.line import Line
 from tests.lines import random_line
 from tests.sizes import size
 

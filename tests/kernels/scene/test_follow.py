@@ -4,11 +4,11 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
+from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.programme import Hold, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
 from elastomer_friction.kernels.scene import trace_stamps
-from elastomer_friction.kernels.surfaces.line import Line
 from tests.convergence import observed_order
 from tests.kernels.scene.given import MATERIALS, a_line, a_scene, trace
 from tests.sizes import size

@@ -5,11 +5,11 @@ import math
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.programme import Hold, Oscillation
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus, relaxation_modulus
 from elastomer_friction.kernels.scene import run_scene, trace_stamps
-from elastomer_friction.kernels.surfaces.line import Line
 from tests.convergence import observed_order
 from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, a_scene
 from tests.sizes import size

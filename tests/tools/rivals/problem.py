@@ -13,10 +13,10 @@ from elastomer_friction.kernels import (
     quadrature,
     steady_sliding,
 )
-from elastomer_friction.kernels.active.setting import Setting
-from elastomer_friction.kernels.patches.steady_friction import Grounds
+from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds
+from elastomer_friction.kernels.quick.march.setting import Setting
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
-from tests.kernels.active.given import passing_of
+from tests.kernels.quick.march.given import passing_of
 from tests.tools.rivals.rows import RATIO, Row
 
 

@@ -14,9 +14,9 @@ import numpy as np
 from elastomer_friction.kernels.schemes import SCHEMES
 
 from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, draw_phases, run_case
-from elastomer_friction.kernels.friction import lagged_slope
-from elastomer_friction.kernels.relaxation import march
-from elastomer_friction.kernels.steady import steady_sliding
+from elastomer_friction.kernels.model.friction import lagged_slope
+from elastomer_friction.kernels.quick.relaxation import march
+from elastomer_friction.kernels.quick.steady import steady_sliding
 
 
 def fastest(function, repeats):

@@ -11,6 +11,7 @@ from elastomer_friction.kernels.rheology.law import reach
 from elastomer_friction.workflow.simulate import realizations as work
 from elastomer_friction.workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
 
+FOLDER = "elastomer_friction.kernels.compile.cache.FOLDER"
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
 WORKFLOW = "elastomer_friction.workflow"
 BEYOND = (WORKFLOW, "elastomer_friction.studies", "tests")
@@ -75,14 +76,14 @@ def test_every_function_that_block_means_reaches_is_hashed():
 EDITS = {
     "the steps that a record keeps": ("kept.py", "np.linspace", "np.geomspace"),
     "a number": ("rheology/spectrum.py", "1e-10", "1e-11"),
-    "an operator": ("kernels/steady/plain.py", "w[j] = free", "w[j] = -free"),
+    "an operator": ("kernels/model/steady.py", "w[j] = free", "w[j] = -free"),
     "a body chosen by type": ("kelvin.py", "@reach.of(Kelvin)", "@reach.of(State)"),
     "a default": ("self_affine.py", '= "modal"', '= "integral"'),
     "a flag of the compiler": ("jit.py", '"numpy"', '"python"'),
 }
 NO_EDITS = {
     "a docstring": (
-        "kernels/steady/plain.py",
+        "kernels/model/steady.py",
         '"""Steady sliding under',
         '"""Sliding steadily under',
     ),
@@ -161,7 +162,7 @@ def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged
     folder, kept = tmp_path / "room", tmp_path / "kept"
     for path in (folder, kept):
         path.mkdir()
-    monkeypatch.setattr("elastomer_friction.kernels.cache.FOLDER", str(kept))
+    monkeypatch.setattr(FOLDER, str(kept))
     source = folder / "a.py"
     for text in ("x = 1\n", "x = 1  # one\n", "x = 2\n"):
         source.write_text(text)
@@ -172,5 +173,7 @@ def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged
         for file in files:
             file.write_bytes(spoilt)
         assert known_hash((folder,)) == code_hash((folder,))
-    monkeypatch.setattr("elastomer_friction.kernels.cache.FOLDER", str(tmp_path / "nowhere"))
+    monkeypatch.setattr(
+        "elastomer_friction.kernels.compile.cache.FOLDER", str(tmp_path / "nowhere")
+    )
     assert known_hash((folder,)) == code_hash((folder,))

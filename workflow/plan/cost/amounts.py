@@ -5,7 +5,12 @@ Laws take a problem, or many of them together (problems.py).
 
 import numpy as np
 
-from elastomer_friction.kernels.patches.refined import FINE, LEAST_STEPS, MOST_SAMPLES, NARROW
+from elastomer_friction.kernels.quick.contacts.refined import (
+    FINE,
+    LEAST_STEPS,
+    MOST_SAMPLES,
+    NARROW,
+)
 from elastomer_friction.workflow.plan.problems import Numbers, speed_ratio
 from elastomer_friction.workflow.simulate import Problem
 
@@ -28,7 +33,7 @@ def partial_contact(load: Numbers, viscous_pressure: Numbers, limit: float) -> N
 
 
 def begun_anew(problem: Problem) -> Numbers:
-    """Return how much longer marches take that begin anew, with wider bounds (kernels/active).
+    """Return how much longer marches take that begin anew, with wider bounds (kernels/quick/march).
 
     Near H = 1 and above x = 1e4 most do. Of 60 batches of grid6d at paper scale, together as long
     as predicted with it, half are within a factor of two, and nine of ten within ten.
@@ -38,7 +43,7 @@ def begun_anew(problem: Problem) -> Numbers:
 
 
 def fine_samples(problem: Problem, samples: Numbers, share: Numbers, width: Numbers) -> Numbers:
-    """Return the fine samples of a steady state, where contacts are narrow (kernels/patches).
+    """Return the fine samples of a steady state, where contacts are narrow (quick/contacts).
 
     share : of the line that can touch. width : of the contacts, in samples.
     """

@@ -18,8 +18,9 @@ from typing import Any, NamedTuple
 import numba
 import numpy as np
 
-from elastomer_friction.kernels import Quantities, cache
-from elastomer_friction.kernels.cache import source_hash
+from elastomer_friction.kernels import Quantities
+from elastomer_friction.kernels.compile import cache
+from elastomer_friction.kernels.compile.cache import source_hash
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan.cost import amounts, sizes, timing, work
 from elastomer_friction.workflow.plan.cost.pace import TYPICAL, Learned, Pace, label

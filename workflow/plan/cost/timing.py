@@ -10,7 +10,7 @@ from datetime import UTC, datetime
 import numpy as np
 
 from elastomer_friction.kernels import Quantities
-from elastomer_friction.kernels.clock import working_time
+from elastomer_friction.kernels.compile.clock import working_time
 from elastomer_friction.workflow.plan.cost.sizes import DRAW
 from elastomer_friction.workflow.plan.cost.work import DRAWING, PARTS, Work, typical_seconds
 from elastomer_friction.workflow.simulate import Batch, Problem, Recording, Task, block_means

@@ -4,7 +4,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from elastomer_friction.kernels.surfaces.self_affine import NORMALISATIONS
+from elastomer_friction.kernels.lines.self_affine import NORMALISATIONS
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.settings import (
     Key,

@@ -1,0 +1,25 @@
+"""What a control must provide. A file beside this one holds one control.
+
+A control is a NamedTuple of what it prescribes. The functions declared here are reached by its
+type.
+"""
+
+from elastomer_friction.kernels.compile.jit import by_type
+
+
+@by_type
+def note(control, c, d, first, rings):
+    """Return what ``balance`` needs to know of the step before, or None.
+
+    c, d, first, rings : as the march leaves them at its end (motion/slide.py). They change next.
+    """
+
+
+@by_type
+def balance(control, law, z, c, noted, d, step):
+    """Return (d, passes): the new indentation, and the number of passes over c it took.
+
+    law : of the elastomer (rheology/law.py). z : line, c : contact thresholds before the new d
+    is known, both at the samples that are marched; c may be changed. d : the old indentation.
+    step : number, from 1 on; what is prescribed may change with it.
+    """

@@ -1,0 +1,22 @@
+"""Constant normal force, eq. 4 of Li et al. (2014), doi:10.1038/srep05795."""
+
+from typing import NamedTuple
+
+from elastomer_friction.kernels.model.balance import balance, note
+from elastomer_friction.kernels.model.contact import solve_indentation
+
+
+class ConstantForce(NamedTuple):
+    """The elements carry the load together."""
+
+    load: float  # sum of the forces of all elements, n Fbar
+
+
+@note.of(ConstantForce)
+def _note(control, c, d, first, rings):
+    return None
+
+
+@balance.of(ConstantForce)
+def _balance(control, law, z, c, noted, d, step):
+    return solve_indentation(c, control.load / law.stiffness, d)

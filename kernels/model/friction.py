@@ -1,0 +1,142 @@
+"""Friction of a contact state: eq. 5 by quadrature at an instant, or as mean over a step.
+
+Source: Li et al. (2014), eqs. 3 to 5, doi:10.1038/srep05795.
+"""
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.model.contact import solve_indentation
+
+LEAST_COVERED = 0.01  # of a sample: keeps every touching sample in the load balance
+LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
+
+
+@kernel
+def quadrature(z, slope, w, d, formed, speed, load):
+    """Return (mu, rate, contact): friction and indentation rate at one instant.
+
+    In contact the pressure is p = (d - z) + vbar z' + d' (eq. 3 with the indentation rate
+    kept). The load balance sum p = load over p > 0 (eq. 4) gives the rate d' exactly, eq. 5
+    the friction. ``speed`` may differ from ``formed``, the one that led to the steady state
+    (w, d): then this is the moment t0+ after a velocity jump, and mu - mu_1 is the exact jump.
+
+    z, slope, w : shape (n,). d : indentation. formed, speed : vbar. load : n Fbar.
+    mu in h/dx, rate in h/tau, contact : share of the line in contact.
+    """
+    at = _touching(z, w, d)
+    weight = np.empty(at.size)
+    for i in range(at.size):
+        weight[i] = _covered(z, slope, w, d, formed, at[i])
+    threshold = (z[at] - d) - speed * slope[at]  # minus the pressure where d' = 0
+    # As a first guess every element is pressed, but perhaps one.
+    rate, _ = solve_indentation(threshold, load, threshold.max(), weight)
+    normal = tangential = contact = 0.0
+    for i in range(at.size):
+        p = rate - threshold[i]
+        if p > 0.0:
+            normal += weight[i] * p
+            tangential += weight[i] * p * slope[at[i]]
+            contact += weight[i]
+    return tangential / normal, rate, min(contact / z.size, 1.0)  # edges of two can overlap
+
+
+@kernel
+def _touching(z, w, d):
+    """Return the samples at which the line touches."""
+    at = np.empty(z.size, np.int64)
+    count = 0
+    for j in range(z.size):
+        if z[j] - w[j] < d:
+            at[count] = j
+            count += 1
+    return at[:count]
+
+
+@kernel
+def elastic_correction(z, slope, w, d, speed, rate, steps):
+    """Return what sum p z' of quadrature misses of the friction of steady sliding.
+
+    int (D - z) z' dx = [-(D - z)^2 / 2] with D = d + d', here cell by cell around the samples.
+    Summed by samples its error does not fall with the speed, as steady friction does; below one
+    sample per tau it drowns it. A sample at an edge that is not resolved is left as it is.
+
+    ``rate`` : as found by quadrature for ``speed``; ``steps`` : samples per spacing.
+    """
+    missing = 0.0
+    for j in _touching(z, w, d):
+        ahead, behind = (j + 1) % z.size, (j - 1) % z.size
+        after, before = 0.5 * (z[j] + z[ahead]), 0.5 * (z[j] + z[behind])
+        if not z[ahead] - w[ahead] < d:
+            after = z[j] + _reach(z, slope, w, d, speed, j, ahead) * (z[ahead] - z[j])
+        if not z[behind] - w[behind] < d:
+            reach = _reach(z, slope, w, d, speed, j, behind)
+            if not LEAST_REACH < reach < MOST_REACH:
+                continue
+            before = z[j] + reach * (z[behind] - z[j])
+        deep = d + rate
+        covered = _covered(z, slope, w, d, speed, j)
+        missing += 0.5 * steps * (after - before) * ((deep - before) + (deep - after))
+        missing += covered * speed * slope[j] ** 2
+        p = (deep - z[j]) + speed * slope[j]
+        if p > 0.0:  # what the sum has
+            missing -= covered * p * slope[j]
+    return missing
+
+
+@kernel
+def _reach(z, slope, w, d, formed, j, k):
+    """Return how far from touching sample j the contact reaches towards free neighbour k.
+
+    In samples; the leading edge lies where z - w crosses d, the trailing edge where the
+    pressure (d - z) + vbar z' of the steady state vanishes; both by linear interpolation.
+    """
+    if k == (j + 1) % z.size:
+        c = z[j] - w[j]
+        return (d - c) / ((z[k] - w[k]) - c)
+    here = (d - z[j]) + formed * slope[j]
+    fall = here - ((d - z[k]) + formed * slope[k])
+    return min(max(here / fall, LEAST_REACH), MOST_REACH) if fall > 0.0 else 0.5
+
+
+@kernel
+def _covered(z, slope, w, d, formed, j):
+    """Return how much of touching sample j the contact covers: 1 but at its edges.
+
+    Pressure may be finite at an edge, so a whole or no sample there is an error of first order.
+    """
+    covered = 1.0
+    for k in ((j + 1) % z.size, (j - 1) % z.size):
+        if not z[k] - w[k] < d:
+            covered += _reach(z, slope, w, d, formed, j, k) - 0.5
+    return max(covered, LEAST_COVERED)
+
+
+@kernel
+def lagged_slope(slope, lag):
+    """Return the slope where the force of a step acts, shape (n,), periodic, linear in between.
+
+    slope : at the samples, shape (n,), in h/dx. lag : of the law (rheology/law.py), in steps.
+    """
+    n = slope.size
+    weight = np.empty(n)
+    for j in range(n):
+        weight[j] = slope[j] + lag * (slope[j + 1 if j + 1 < n else 0] - slope[j])
+    return weight
+
+
+@kernel
+def step_average(weight, c, d):
+    """Return mu averaged over a step, in h/dx: eq. 5 with its forces, and the slope they act at.
+
+    weight : lagged slope, in h/dx, c : contact thresholds, in h, both of shape (n,).
+    d : indentation, in h.
+    """
+    total = 0.0
+    friction = 0.0
+    for j in range(c.size):
+        depth = d - c[j]
+        if depth > 0.0:
+            total += depth
+            friction += depth * weight[j]
+    return friction / total

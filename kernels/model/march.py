@@ -1,0 +1,58 @@
+"""Marching: the line moves step by step, the elements follow, the control holds the balance.
+
+Which samples are carried along and where elements are next is told by motion, what an element
+does in a step by rheology, which indentation follows by control. Laws and controls are reached
+by their types: numba compiles a version for each pair, in which no other has left a trace.
+"""
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.model.balance import balance, note
+from elastomer_friction.kernels.model.friction import step_average
+from elastomer_friction.kernels.motion.slide import shift, start_rings
+from elastomer_friction.kernels.motion.stretches import bounds, gather, touchable
+
+
+@kernel
+def march(law, control, z, weight, state, kept_steps, cap):
+    """March from a state of the elements; return (mu, indentation, passes, inside).
+
+    law : of the elastomer, for steps of one sample (rheology), e.g. Kelvin.
+    control : what the indentation follows from (control), e.g. ConstantForce.
+    z, weight : line (in h) and lagged slope (in h/dx), shape (n,), z[0] the highest point.
+    state : the elements before the first step (rheology/law.py), e.g. of steady sliding.
+    kept_steps : increasing step numbers (first step = 1) at which mu and d are kept.
+    cap : elements above it are taken never to touch; inside tells whether d stayed below.
+    mu : friction averaged over the step (friction.py), in h/dx, shape of kept_steps.
+    indentation : d at the end of the step, in h. passes : over the thresholds, in all steps.
+    """
+    start, stop = touchable(z, cap)
+    lengths = np.empty(start.size, np.int64)
+    for s in range(start.size):
+        lengths[s] = stop[s] - start[s]
+    first = bounds(lengths)
+    rings = start_rings(law, z, state, start, stop)
+    # What lies above cap in short gaps cannot touch at any height: low, it costs w no digits.
+    z, weight, w = gather(z, start, stop), gather(weight, start, stop), gather(state.w, start, stop)
+    c, d = np.empty(z.size), state.d
+    for i in range(z.size):
+        z[i] = min(z[i], cap)
+        c[i] = z[i] - w[i]
+
+    mu = np.empty(kept_steps.size)
+    indentation = np.empty(kept_steps.size)
+    kept = 0
+    passes = 0
+    for step in range(1, kept_steps[-1] + 1):
+        noted = note(control, c, d, first, rings)
+        shift(law, z, c, d, first, rings, step)
+        d, used = balance(control, law, z, c, noted, d, step)
+        passes += used
+        if d > cap:
+            return mu, indentation, passes, False
+        if step == kept_steps[kept]:
+            mu[kept] = step_average(weight, c, d)
+            indentation[kept] = d
+            kept += 1
+    return mu, indentation, passes, True

@@ -1,0 +1,1 @@
+"""What the model says, computed quicker. Nothing here states a law."""

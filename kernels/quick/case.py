@@ -1,0 +1,110 @@
+"""What a realization is asked for and what it gives: cases and outcomes. Plain data."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.clock import working_time
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
+
+
+class Quantities(NamedTuple):
+    """What a scene asks for."""
+
+    steady: bool = True
+    jump: bool = True
+    relaxation: bool = True
+    indentation_rate: bool = True  # effect: d' in the force (eq. 3 as printed drops it)
+    initial_rate: bool = False  # d mu/dt just after the velocity step
+
+    @property
+    def anything(self) -> bool:
+        """Return whether any steady state is needed for what is asked."""
+        return self.steady or self.jump or self.relaxation or self.initial_rate
+
+
+class Case(NamedTuple):
+    """One load, one speed v1 and the jumps from it, on a line that is given."""
+
+    load: float  # Fbar = F_N / (4 G L h)
+    speed: float  # vbar = v1 tau / dx, signed
+    ratios: tuple[float, ...]  # v2 / v1
+    kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
+    scheme: str
+    spectrum: Spectrum = KELVIN
+    refine: bool = True  # read the friction of narrow contacts from finer samples than the line's
+
+    @property
+    def plain(self) -> bool:
+        """Return whether this is a Kelvin element that slides one way."""
+        forwards = self.speed > 0.0 and all(ratio > 0.0 for ratio in self.ratios)
+        return self.spectrum == KELVIN and forwards
+
+
+class Seconds(NamedTuple):
+    """CPU time of this thread in the phases of a case (clock.py). No result depends on it."""
+
+    steady: float
+    jump: float
+    marching: float
+
+
+STEADY, JUMP = (Seconds._fields.index(name) for name in ("steady", "jump"))
+
+
+class Outcome(NamedTuple):
+    """Results of a case; mu in h/dx, indentation in h over the mean line."""
+
+    mu_1: float
+    indentation: float
+    contact_fraction: float
+    samples_per_contact: float  # of the march; where nothing is marched, of what friction rests on
+    mu_2: np.ndarray  # shape (ratios,)
+    jump: np.ndarray  # shape (ratios,)
+    curves: list[np.ndarray]  # per ratio: mu at the recorded steps, ending towards mu_2
+    work: int  # element updates, the measure of cost
+    seconds: Seconds
+    initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN where not asked for
+
+
+class Clock:
+    """Books the time since its last reading to a phase."""
+
+    def __init__(self) -> None:
+        self.spent = dict.fromkeys(Seconds._fields, 0.0)
+        self.last = working_time()
+
+    def lap(self, phase: str) -> None:
+        """Book the time to a phase."""
+        now = working_time()
+        self.spent[phase] += now - self.last
+        self.last = now
+
+
+class Clocks:
+    """Books the time since its last reading to phases of several cases, in proportion to work."""
+
+    def __init__(self, cases: int) -> None:
+        self.spent = [[0.0] * cases for _ in Seconds._fields]
+        self.last = working_time()
+
+    def lap(self, steady: list[float], jump: float = 0.0) -> None:
+        """Book the time: work of the steady state of every case, of the jumps the same in all."""
+        now = working_time()
+        each = (now - self.last) / (sum(steady) + len(steady) * jump)
+        for case, work in enumerate(steady):
+            self.spent[STEADY][case] += each * work
+            self.spent[JUMP][case] += each * jump
+        self.last = now
+
+    def lap_alone(self, case: int, **work: float) -> None:
+        """Book the time to one case: work by the name of a phase."""
+        now = working_time()
+        each = (now - self.last) / sum(work.values())
+        for phase, done in work.items():
+            self.spent[Seconds._fields.index(phase)][case] += each * done
+        self.last = now
+
+    def seconds(self, case: int) -> Seconds:
+        """Return what a case has taken."""
+        return Seconds(*[phase[case] for phase in self.spent])

@@ -1,0 +1,187 @@
+"""Steady sliding of one line at one speed under many loads: indentations, friction, jumps.
+
+In full contact nothing is searched for. Where no element is free, -u = d - z everywhere, so that
+the load n Fbar = sum (d - z) gives d, whatever the speed; and so it is where this d lies above all
+thresholds t_j of spans.py, F_N > max (z - v z') in the limit of fine samples. The sums of eqs. 4
+and 5 are then those of the whole line.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.quick.contacts.pressed import MovingLine, pressed, room_for_pressed
+from elastomer_friction.kernels.quick.contacts.pressure import (
+    balance,
+    elastic_part,
+    friction,
+    friction_everywhere,
+)
+from elastomer_friction.kernels.quick.contacts.touching import (
+    list_touching,
+    mean_rise,
+    median_width,
+    room_for_all,
+    steepest,
+)
+from elastomer_friction.kernels.quick.steady.ahead import indentation_ahead
+from elastomer_friction.kernels.quick.steady.contacts import first, room_for
+from elastomer_friction.kernels.quick.steady.sliding import (
+    POWER_STEPS,
+    STEPS,
+    approach,
+    elastic_guess,
+    indentation,
+)
+from elastomer_friction.kernels.quick.steady.spans import SPAN
+from elastomer_friction.kernels.quick.steady.thresholds import Thresholds
+
+# What is found of every load: d over the deepest sample, mu, the share in contact, samples per
+# contact, sweeps, and whether the whole line touches.
+INDENTATION, MU, CONTACT, SAMPLES, SWEEPS, FULL = range(6)
+
+
+class Speeds(NamedTuple):
+    """The speed of steady sliding, those jumped to, and those of which it is asked next."""
+
+    own: float  # vbar
+    thresholds: Thresholds  # at it
+    others: np.ndarray  # vbar, shape (others,)
+    press: np.ndarray  # shape (others, spans + 1): thresholds of the pressure, of all samples last
+    ahead: np.ndarray  # what is left of a displacement after one sample at the next, shape (next,)
+
+
+class Found(NamedTuple):
+    """What is found, of as many rows as there are loads; of several lines one above the other."""
+
+    table: np.ndarray  # shape (..., loads, 6): INDENTATION to FULL
+    jumps: np.ndarray  # shape (..., loads, others): change of mu at the jumps to other speeds
+    rates: np.ndarray  # of the same shape: d' after them
+    entered: np.ndarray  # shape (..., loads, spans + 1), as of Contacts
+    ahead: np.ndarray  # shape (..., loads, next): about d at the next speeds
+
+
+class How(NamedTuple):
+    """How friction is found."""
+
+    steps: float  # samples per spacing
+    share: float  # of the elastic part that is corrected
+    smooth: bool  # whether the line is a function without modes above q = pi/dx
+
+
+def corrected_share(steps: float, speed: float) -> float:
+    """Return which share of the elastic part of mu is corrected.
+
+    As far as a sample lasts longer than tau: by measurement the better estimate there, and the
+    worse one beyond.
+    """
+    share = math.exp(-((steps * speed) ** 2))
+    return share if share >= 1e-3 else 0.0
+
+
+@kernel
+def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps, into):
+    """Fill ``into``, which is Found, for steady sliding of one line under all loads.
+
+    decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, all NaN where there
+    are none. gaps : as of carry.
+    """
+    n, own = z.size, speeds.thresholds
+    contacts, rooms = room_for(slope, speeds.own), (room_for_all(n), room_for_pressed(n))
+    table, jumps, rates, entered, ahead = into
+    d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses, gaps)
+    for i in range(loads.size):
+        load, pieces, held = loads[i], 1, n
+        if full[i]:
+            _list_whole_line(z, d[i], contacts)
+        else:
+            d[i], used, held, pieces = indentation(
+                decay, z, spans, own.stay, load, d[i], contacts, gaps
+            )
+            sweeps[i] += used
+        listed = first(contacts, pieces)
+        for k in range(speeds.ahead.size):
+            ahead[i, k] = d[i]
+            if not full[i]:
+                ahead[i, k] = indentation_ahead(speeds.ahead[k], z, d[i], load, held, listed)
+        for b in range(contacts.entered.size):
+            entered[i, b] = contacts.entered[b]
+        at = MovingLine(z, slope, spans, speeds.own, own.press)
+        mu, contact = _weigh(
+            at, speeds, listed, load, d[i], full[i], how, rooms, jumps[i], rates[i]
+        )
+        if how.smooth and mu <= 0.0:
+            # That it takes work is sure: what the forces do while the line rises.
+            mu = how.steps * mean_rise(z, d[i], decay, listed)
+        table[i, INDENTATION], table[i, MU] = d[i], mu
+        table[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
+        table[i, SAMPLES] = median_width(z, d[i], decay, listed)
+        table[i, SWEEPS], table[i, FULL] = sweeps[i], full[i]
+
+
+@kernel
+def _weigh(at, speeds, contacts, load, d, full, how, rooms, jumps, rates):
+    """Return (mu, samples under pressure) of steady sliding at d; fill in jumps and rates."""
+    touching = list_touching(at.z, at.slope, contacts, rooms[0])
+    part = pressed(at, touching, d, rooms[1])
+    mu, contact, own = _friction(part, full, speeds.thresholds.press_all, load, d)
+    missing = elastic_part(part, contacts, own, how.steps) if how.share > 0.0 else 0.0
+    for k in range(speeds.others.size):
+        line = MovingLine(at.z, at.slope, at.spans, speeds.others[k], speeds.press[k])
+        there = pressed(line, touching, own, rooms[1])
+        after, _, deep = _friction(there, full, speeds.press[k, -1], load, own)
+        jumps[k], rates[k] = after - mu, deep - own  # errors of the elastic part cancel
+    if how.share > 0.0:
+        # Where a contact is narrower than a sample this alone is sure: mu is a mean of slopes.
+        limit = steepest(at.spans, touching)
+        mu = min(max(mu + how.share / load * missing, -limit), limit)
+    return mu, contact
+
+
+@kernel
+def _indentations(decay, z, spans, own, loads, guesses, gaps):
+    """Return (d, sweeps, full): where the whole line touches, d itself, elsewhere near it."""
+    size = loads.size
+    d, full, sweeps = np.empty(size), np.empty(size, np.bool_), np.zeros(size, np.int64)
+    some, partly, near = np.empty(size, np.int64), np.empty(size), np.empty(size)
+    count, guessed = 0, False
+    for i in range(size):
+        d[i] = loads[i] / z.size + (z[0] + spans.whole[0] / z.size)
+        full[i] = d[i] > own.stay_all
+        if not full[i]:
+            some[count], partly[count], near[count] = i, loads[i], guesses[i]
+            guessed = guessed or not np.isnan(guesses[i])
+            count += 1
+    if not guessed:
+        for k in range(count):
+            near[k] = elastic_guess(z, spans.deepest, partly[k])
+    steps = POWER_STEPS if guessed else STEPS
+    near = approach(decay, z, spans, own.stay, partly[:count], near[:count], steps, gaps)
+    for k in range(count):
+        d[some[k]], sweeps[some[k]] = near[k], steps
+    return d, sweeps, full
+
+
+@kernel
+def _list_whole_line(z, d, contacts):
+    """Make one piece of the whole line."""
+    contacts.ends[0, 0], contacts.ends[0, 1], contacts.ends[0, 2] = z.size - 1, 0, 1
+    contacts.edges[0, 0] = contacts.edges[0, 1] = 0.5
+    for b in range(contacts.entered.size):
+        above = (b + 1) * SPAN
+        contacts.entered[b] = z[above if above < z.size else 0] - d
+
+
+@kernel
+def _friction(contact, full, highest, load, guess):
+    """Return (mu, samples under pressure, d + d'). highest : threshold of all samples."""
+    if full:
+        z, slope, spans, speed, _ = contact.line
+        mu, deep = friction_everywhere(z, slope, spans, speed, load)
+        if deep > highest:
+            return mu, float(z.size), deep
+    deep = balance(contact, load, guess)
+    mu, count = friction(contact, deep)
+    return mu, count, deep

@@ -1,0 +1,141 @@
+"""Pressures in the contacts of a steady state: eqs. 3 to 5 by quadrature.
+
+The quadrature of friction.py, which any state has, for a state whose touching samples are listed
+(touching.py): a span that is all pressed is known by its sums.
+Source: Li et al. (2014), doi:10.1038/srep05795.
+"""
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.model.contact import overlap
+from elastomer_friction.kernels.quick.contacts.pressed import moments, span_under
+from elastomer_friction.kernels.quick.contacts.touching import covered
+from elastomer_friction.kernels.quick.steady.contacts import AHEAD, BEHIND, LEAST_REACH, MOST_REACH
+from elastomer_friction.kernels.quick.steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
+
+
+@kernel
+def balance(contact, load, guess):
+    """Return d + d' so that the pressures (d + d') - z + vbar z' > 0 carry the load (eq. 4).
+
+    As solve_indentation (contact.py), by Newton's method from the right, from any guess.
+    """
+    deep, before = guess, -1.0
+    passes, fallen = 0, False
+    while True:
+        force, weight = _carried(contact, deep)
+        passes += 1
+        if weight == 0.0:  # the guess was too low: one sample that carries all is an upper bound
+            least = np.inf
+            for i in range(contact.threshold.size):
+                least = min(least, contact.threshold[i] + load / contact.touching.weight[i])
+            if fallen or not least > deep:
+                return deep
+            deep, fallen = least, True
+            continue
+        new = deep - (force - load) / weight
+        if passes > 1 and (weight == before or not new < deep):
+            return new
+        before, deep = weight, new
+
+
+@kernel
+def _carried(contact, deep):
+    """Return (force, samples) under pressure."""
+    force, _, count = moments(contact.threshold, contact.touching.weight, None, deep)
+    more, others = overlap(contact.loose, deep)
+    force, count = force + more, count + others
+    line = contact.line
+    for i in range(contact.spans.size):
+        b = contact.spans[i]
+        if deep > line.press[b]:
+            force += SPAN * (deep - contact.first[i]) - contact.sums[i]
+            count += SPAN
+        else:
+            more, _, others = span_under(line, b, deep)
+            force, count = force + more, count + others
+    return force, count
+
+
+@kernel
+def friction(contact, deep):
+    """Return (mu, samples under pressure): eq. 5, in h/dx, with pressures as of balance."""
+    touching, line = contact.touching, contact.line
+    normal, tangential, count = moments(contact.threshold, touching.weight, touching.slope, deep)
+    more, along, others = moments(contact.loose, None, contact.slope, deep)
+    normal, tangential, count = normal + more, tangential + along, count + others
+    rows, speed = line.spans.rows, line.speed
+    for i in range(contact.spans.size):
+        b = contact.spans[i]
+        if deep > line.press[b]:
+            p = deep - contact.first[i]
+            more, others = SPAN * p - contact.sums[i], float(SPAN)
+            uneven = p * rows[b, SLOPE] - (rows[b, WORK] - speed * rows[b, SQUARE])
+            along = more * rows[b, STEEP] + uneven
+        else:
+            more, along, others = span_under(line, b, deep)
+        normal, tangential, count = normal + more, tangential + along, count + others
+    return tangential / normal, count
+
+
+@kernel
+def friction_everywhere(z, slope, spans, speed, load):
+    """Return (mu, d + d') where the whole line touches and is pressed: its sums are known.
+
+    The mean of the pressures p = (d + d') - z + vbar z' is load / n.
+    """
+    height, rise, work, square = spans.whole
+    excess = (height - speed * rise) / z.size
+    p = load / z.size + excess  # at the first sample, which the sums are taken from
+    uneven = p * rise - (work - speed * square)
+    return slope[0] + uneven / load, p + (z[0] - speed * slope[0])
+
+
+@kernel
+def elastic_part(contact, contacts, deep, steps):
+    """Return what sum p z' misses of the friction of steady sliding (friction.py).
+
+    Cell by cell the exact part is a telescoping sum: its ends are the edges of the contact. A
+    sample at a trailing edge that is not resolved is left as it is. steps : samples per spacing.
+    """
+    z, slope, speed = contact.line.z, contact.line.slope, contact.line.speed
+    missing = _elastic_sum(contact, deep)
+    for i in range(contacts.ends.shape[0]):
+        top, bottom = contacts.ends[i, 0], contacts.ends[i, 1]
+        ahead, behind = contacts.edges[i, AHEAD], contacts.edges[i, BEHIND]
+        left = z[bottom] + behind * (z[bottom - 1] - z[bottom])  # z[-1] is the last sample
+        if not LEAST_REACH < behind < MOST_REACH:
+            at_top, at_bottom = covered(contacts, i)
+            whole = at_top if top == bottom else at_bottom
+            s = slope[bottom]
+            on = deep > z[bottom] - speed * s
+            missing -= whole * s * ((z[bottom] - deep) if on else speed * s)
+            if top == bottom:
+                continue
+            left = 0.5 * (z[bottom] + z[bottom + 1])
+        right = z[top] + ahead * (z[top + 1 if top + 1 < z.size else 0] - z[top])
+        missing += 0.5 * steps * (right - left) * ((deep - left) + (deep - right))
+    return missing
+
+
+@kernel
+def _elastic_sum(contact, deep):
+    """Return the sum of (z - d - d') z' under pressure and of vbar z'^2 over what else touches."""
+    (z, slope, spans, speed, press), touching = contact.line, contact.touching
+    total = 0.0
+    for i in range(touching.slope.size):
+        s = touching.slope[i]
+        on = contact.threshold[i] < deep
+        total += touching.weight[i] * s * ((touching.height[i] - deep) if on else speed * s)
+    for b in touching.spans:
+        j = b * SPAN
+        if deep > press[b]:
+            lift = deep - z[j]
+            total -= (SPAN * lift - spans.rows[b, HEIGHT]) * slope[j]
+            total -= lift * spans.rows[b, SLOPE] - spans.rows[b, WORK]
+            continue
+        for k in range(j, j + SPAN):
+            on = z[k] - speed * slope[k] < deep
+            total += slope[k] * ((z[k] - deep) if on else speed * slope[k])
+    return total

@@ -1,0 +1,38 @@
+"""How well contacts are resolved: the number of samples per contact patch."""
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+
+
+@kernel
+def samples_per_contact(force):
+    """Return the median over the load of how many samples a patch of contact is wide.
+
+    force : of every sample, positive where it touches, shape (n,), periodic; its unit is free.
+    A patch is a run of touching samples; patches up to this width carry half of the load. n in
+    full contact, 0 where nothing touches.
+    """
+    n = force.size
+    start = 0
+    while start < n and force[start] > 0.0:
+        start += 1
+    if start == n:
+        return float(n)
+    width = np.zeros(n, np.int64)
+    carried = np.zeros(n)
+    patches = 0
+    for k in range(1, n + 1):
+        f = force[(start + k) % n]  # the last one is free again
+        if f > 0.0:
+            width[patches] += 1
+            carried[patches] += f
+        elif width[patches] > 0:
+            patches += 1
+    half = 0.5 * carried[:patches].sum()
+    total = 0.0
+    for i in np.argsort(width[:patches], kind="mergesort"):
+        total += carried[i]
+        if total >= half:
+            return float(width[i])
+    return 0.0

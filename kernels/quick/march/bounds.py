@@ -1,0 +1,79 @@
+"""The bounds of d and D that a march takes for granted: guessed, and checked at every step."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.quick.march.setting import advance
+
+LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
+CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread
+
+
+class Bounds(NamedTuple):
+    """Between which values d and D(t) = d(t) - E d(t - 1) are taken to stay, both in h."""
+
+    low: float  # of d
+    high: float
+    least: float  # of D
+    most: float
+
+
+NOTHING = Bounds(np.inf, -np.inf, np.inf, -np.inf)  # seen so far
+
+
+@kernel
+def holds(bounds, d, push):
+    """Return whether d and D, here ``push``, lie within the bounds; NaN does not."""
+    return bounds.low < d < bounds.high and bounds.least < push < bounds.most
+
+
+@kernel
+def bounds_of(law, lowest, highest, least, most, margin):
+    """Return the Bounds around values of d and of D, farther out by ``margin`` of their spread.
+
+    D of any d that stays where it is, d / K, lies within them.
+    """
+    wide = margin * max(highest - lowest, LEAST_SPREAD * highest)
+    low, high = max(lowest - wide, 0.0), highest + wide
+    least, most = min(least, low / law.stiffness), max(most, high / law.stiffness)
+    wide = margin * max(most - least, LEAST_SPREAD * highest)
+    return Bounds(low, high, least - wide, most + wide)
+
+
+@kernel
+def first_bounds(setting, d, margin):
+    """Return the Bounds of a whole march, of which the first step takes d to ``d`` or nearby."""
+    one, two = setting.start.d, setting.end.d
+    push = advance(setting.law, d, one)
+    return bounds_of(setting.law, min(one, two, d), max(one, two, d), push, push, margin)
+
+
+@kernel
+def widened(law, bounds, d, push, margin):
+    """Return Bounds that hold also d and D, here ``push``, as a march left them."""
+    lowest, highest = min(bounds.low, d), max(bounds.high, d)
+    least, most = min(bounds.least, push), max(bounds.most, push)
+    return bounds_of(law, lowest, highest, least, most, margin)
+
+
+@kernel
+def including(seen, d, push):
+    """Return Bounds that hold values seen so far, and d and D, here ``push``."""
+    low, high = min(seen.low, d), max(seen.high, d)
+    return Bounds(low, high, min(seen.least, push), max(seen.most, push))
+
+
+@kernel
+def closer_bounds(law, bounds, seen, end, room):
+    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``.
+
+    room : that they leave at least to d and to D, on both sides of what was seen of them.
+    """
+    lowest, highest = min(seen.low, end), max(seen.high, end)
+    new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
+    low = max(min(new.low, lowest - room[0]), bounds.low)
+    high = min(max(new.high, highest + room[0]), bounds.high)
+    least = max(min(new.least, seen.least - room[1]), bounds.least)
+    return Bounds(low, high, least, min(max(new.most, seen.most + room[1]), bounds.most))

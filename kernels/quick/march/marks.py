@@ -1,0 +1,70 @@
+"""What a sample or a span of them is, for all that two steady states and the bounds tell of it.
+
+Displacements are bounded by those of the two steady states: where no force acts they decay with
+E at one of the speeds or the other, and in contact they are z - d.
+"""
+
+from typing import NamedTuple
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.quick.march.setting import Passing, rise
+from elastomer_friction.kernels.quick.steady.spans import SPAN
+from elastomer_friction.kernels.rheology.law import NEGLIGIBLE
+
+FREE, OPEN, ALWAYS = 0, 1, 3  # never touches; may touch; always does if the one upstream does
+FORCED = 4  # a mark: listed whatever the bounds tell
+
+
+class Levels(NamedTuple):
+    """Bounds of displacements by steady states: far - far_slack <= w <= near + near_slack."""
+
+    near: Passing  # the state in which elements forget faster
+    early: bool  # whether it is that at v1
+    near_slack: float
+    far_slack: float
+
+
+@kernel
+def levels_of(setting, bounds):
+    """Return the Levels: a displacement changes by no more than d does, less a step's decay."""
+    near, far, early = setting.start, setting.end, True
+    if setting.before.decay > setting.law.decay:
+        near, far, early = far, near, False
+    decay = setting.law.decay
+    near_slack = decay * max(near.d - bounds.low, 0.0)
+    return Levels(near, early, near_slack, decay * max(bounds.high - far.d, 0.0))
+
+
+@kernel
+def reached(decay, u):
+    """Return the displacement of an element one sample after u, if no force acts on it."""
+    return decay.once * u if u < -NEGLIGIBLE else 0.0
+
+
+@kernel
+def never(setting, bounds, levels, b):
+    """Return whether the lowest sample of a whole span lies too high for any of it to touch."""
+    near = levels.near
+    w = near.decay.span * near.entered[b]  # nowhere in the span do elements lie higher
+    return setting.spans.lowest[b] - w >= bounds.high + levels.near_slack
+
+
+@kernel
+def always(setting, bounds, b):
+    """Return whether a whole span always touches, as the sample upstream of it does."""
+    steep = setting.end.stay[b] / setting.law.stiffness  # the largest a_j
+    return setting.start.d > setting.start.stay[b] and steep < bounds.least
+
+
+@kernel
+def mark_of_first(setting, bounds, levels):
+    """Return the mark of the first sample of the line, at which a walk ends."""
+    z, (start, end) = setting.z, (setting.start, setting.end)
+    u, v, w, after = start.entered[0], end.entered[0], 0.0, 0.0
+    for j in range(min(SPAN, z.size) - 1, -1, -1):
+        w, after = reached(start.decay, u), reached(end.decay, v)
+        u, v = min(w, z[j] - start.d), min(after, z[j] - end.d)
+    if z[0] - (w if levels.early else after) >= bounds.high + levels.near_slack:
+        return FREE
+    steep = rise(setting.law, z[0], z[1])
+    return ALWAYS if z[0] - w < start.d and steep < bounds.least else FORCED

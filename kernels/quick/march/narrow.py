@@ -1,0 +1,173 @@
+"""Shorter lists in a long march: what is still open within narrower bounds, of what was listed.
+
+What always touches goes on to, and so does what never does: nothing but the runs is looked at.
+Where elements always land that have left contact, they are summed (landings.py).
+The recursion of gaps g is that of runs.py; as the elements on their way are known, displacements
+u are bounded beside it.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.quick.march.flights import arriving, powers_of
+from elastomer_friction.kernels.quick.march.landings import land, landed
+from elastomer_friction.kernels.quick.march.lists import Lists, Sums, add_sample
+from elastomer_friction.kernels.quick.march.marks import ALWAYS, FREE
+from elastomer_friction.kernels.quick.march.runs import LISTED, SHORT, UNKNOWN, Runs, class_of
+from elastomer_friction.kernels.quick.march.setting import rise
+
+SUMMED = 5  # a class: it always touches, and elements always land there
+
+
+class Reach(NamedTuple):
+    """Bounds at a sample, now and in all steps to come."""
+
+    low: float  # of max(g, 0)
+    high: float
+    least: float  # of the displacement u
+    most: float
+
+
+@kernel
+def narrowed(law, line, bounds, where, past, aloft, steps, lands):
+    """Return (runs, lists, sums, landings) within narrower bounds, at the end of a step.
+
+    line : heights of all samples. where : runs, lists, sums, arrivals and landings up to now. past
+    : d from the start to the end of this step. aloft : displacements, as elements_aloft leaves
+    them. steps : still to come. lands : whether elements that always land may be summed.
+    """
+    runs, lists, sums, (_, flights), landings = where
+    n, size, d = line.size, lists.c.size, past[-1]
+    top, bottom, distance, first, last = (
+        np.empty(size, np.int64),
+        np.empty(size, np.int64),
+        np.empty(size, np.int64),
+        np.empty(size, np.int64),
+        np.empty(size, np.int64),
+    )
+    sure, parts = np.empty(size, np.bool_), np.zeros(4)
+    count = flight = 0
+    # Where elements come from to the first run is known at the end, if it was listed.
+    source, from_sure, wraps = n, False, False
+    reach = Reach(0.0, UNKNOWN, -bounds.high, 0.0)
+    for r in range(runs.top.size):
+        j, kind = runs.top[r], FREE
+        if runs.sure[r]:
+            source, from_sure = j + runs.distance[r], True
+        w, reach = _entering(law, line, bounds, runs, r, (flights, flight, steps), reach)
+        flight += not (runs.sure[r] and runs.distance[r] == 1)
+        for i in range(lists.first[r + 1] - 1, lists.first[r] - 1, -1):
+            was, held = kind, reach.high == 0.0
+            steep = rise(law, line[j], _at(line, j + 1))
+            c = lists.c[i] + (line[j] - lists.z[i])
+            least, most, reach = _reach(law, bounds, line[j], c, d, steep, reach, w)
+            kind = class_of(False, held and reach.high == 0.0, least, most)
+            gap, behind = (_at(line, source), source, source - j), (line[j], lists.weight[i])
+            always = kind == LISTED and was == FREE and from_sure and reach.high == 0.0
+            if lands and always and land(law, landings, gap, behind, past, aloft, steps):
+                kind = SUMMED
+            if kind == ALWAYS:
+                add_sample(sums.level - steep, lists.weight[i], parts)
+            elif kind == LISTED:
+                near = was == FREE and source - j <= SHORT and source <= runs.top[r]
+                if was != LISTED and not (near and count > 0 and bottom[count - 1] == source):
+                    wraps = wraps or (count == 0 and source == n and not from_sure)
+                    ahead = source - 1 - j if near and from_sure else 0
+                    top[count], last[count] = j + ahead, i + ahead
+                    distance[count], sure[count] = source - top[count], from_sure
+                    count += 1
+                bottom[count - 1], first[count - 1] = j, i
+            if kind != FREE:
+                source, from_sure = j, reach.high == 0.0
+            w = law.decay * reach.least, law.decay * reach.most
+            j -= 1
+    if wraps:
+        distance[0], sure[0] = source + n - top[0], from_sure
+    runs = Runs(top[:count], bottom[:count], distance[:count], sure[:count])
+    more = Sums(
+        sums.level,
+        sums.samples + parts[0],
+        sums.depth + parts[1],
+        sums.weight + parts[2],
+        sums.moment + parts[3],
+    )
+    return runs, _part(lists, first[:count], last[:count]), more, landed(landings)
+
+
+@kernel
+def _entering(law, line, bounds, runs, r, over, above):
+    """Return bounds of the displacements with which elements come to run r, and the Reach ahead.
+
+    over : flights, the next of them, and the steps to come. above : the Reach of the run before.
+    """
+    if runs.sure[r]:
+        height = _at(line, runs.top[r] + runs.distance[r])
+        above = Reach(0.0, 0.0, height - bounds.high, height - bounds.low)
+        if runs.distance[r] == 1:
+            return (law.decay * above.least, law.decay * above.most), above
+    flights, flight, steps = over
+    w = arriving(flights, flight, above.least, above.most, steps)
+    return w, Reach(0.0, UNKNOWN, above.least, above.most)
+
+
+@kernel
+def _at(line, j):
+    """Return the height of sample j, counted on round the period."""
+    return line[j - line.size if j >= line.size else j]
+
+
+@kernel
+def _reach(law, bounds, z, c, d, steep, above, w):
+    """Return (least, most, reach): bounds of g of a sample, and its Reach.
+
+    c, d : threshold and indentation now. steep : a_j. above : the Reach of the sample upstream.
+    w : bounds of the displacement with which elements arrive.
+    """
+    least = max(steep - bounds.most + law.decay * above.low, z - w[1] - bounds.high)
+    most = min(steep - bounds.least + law.decay * above.high, z - w[0] - bounds.low)
+    least, most = min(least, c - d), max(most, c - d)
+    now = z - max(c, d)
+    deepest, highest = min(w[0], z - bounds.high), min(w[1], z - bounds.low)
+    reach = Reach(max(least, 0.0), max(most, 0.0), min(now, deepest), max(now, highest))
+    return least, most, reach
+
+
+@kernel
+def _part(lists, first, last):
+    """Return the Lists of slots first[r] ... last[r]."""
+    begin = np.zeros(first.size + 1, np.int64)
+    for r in range(first.size):
+        begin[r + 1] = begin[r] + last[r] - first[r] + 1
+    size = begin[-1]
+    z, weight, c = np.empty(size), np.empty(size), np.empty(size)
+    for r in range(first.size):
+        for i in range(first[r], last[r] + 1):
+            k = begin[r] + i - first[r]
+            z[k], weight[k], c[k] = lists.z[i], lists.weight[i], lists.c[i]
+    return Lists(begin, z, weight, c)
+
+
+@kernel
+def elements_aloft(law, lists, runs, flights, d, w, steps):
+    """Fill in w, shape (n,), the displacements of all elements in runs and on their way to them.
+
+    d : indentation now. steps : still to come; who would arrive later is left out.
+    """
+    powers = powers_of(law.decay, steps)
+    f = 0
+    for r in range(runs.top.size):
+        if not (runs.sure[r] and runs.distance[r] == 1):
+            begin, end, place = flights.begin[f], flights.begin[f + 1], flights.place[f]
+            for k in range(1, min(runs.distance[r], powers.size - 1) + 1):
+                j = runs.top[r] + k
+                arrival = flights.values[place]
+                w[j - w.size if j >= w.size else j] = arrival / powers[k] if arrival else 0.0
+                place += 1
+                if place == end:
+                    place = begin if flights.round[f] else end - 1
+            f += 1
+    for r in range(runs.top.size):
+        for i in range(lists.first[r], lists.first[r + 1]):
+            w[runs.bottom[r] + i - lists.first[r]] = lists.z[i] - max(lists.c[i], d)

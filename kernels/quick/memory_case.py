@@ -1,0 +1,109 @@
+"""One case of elements with internal variables, sliding either way: the general path.
+
+A Kelvin element that slides one way under a load takes a quicker one (realization.py).
+"""
+
+import numpy as np
+
+from elastomer_friction.kernels.branches.dissipation import steady_friction
+from elastomer_friction.kernels.branches.jump import friction_jump, initial_rate
+from elastomer_friction.kernels.branches.steady import steady_memory
+from elastomer_friction.kernels.lines.line import Line
+from elastomer_friction.kernels.model.friction import lagged_slope
+from elastomer_friction.kernels.motion.programme import Slide
+from elastomer_friction.kernels.quick.case import Case, Clock, Outcome, Quantities, Seconds
+from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
+from elastomer_friction.kernels.rheology.forms import form_of
+from elastomer_friction.kernels.rheology.law import Elements, law_of
+from elastomer_friction.kernels.rheology.retardation import Retardation
+from elastomer_friction.kernels.scene import Saved, Scene, run_scene
+
+
+def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
+    """Compute one case on one line; a case that is checked (realization.py).
+
+    The relaxation curve is mu_2 plus the deviation of the march from its own steady value, as for
+    a Kelvin element. Without a dashpot the jump is zero, and the rate of mu is what jumps.
+    """
+    clock = Clock()
+    one, mu_1, contact, work = _steady(line, case, case.speed)
+    clock.lap("steady")
+    count = len(case.ratios)
+    mu_2, jump, rate = np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan)
+    curves = []
+    for k, ratio in enumerate(case.ratios):
+        speed = ratio * case.speed
+        if asked.jump:
+            jump[k] = _jump(line, case, one, ratio)
+        if asked.initial_rate:
+            units = _units(case)
+            rate[k] = initial_rate(units, line, one, case.speed, ratio) if units.glass else np.nan
+        clock.lap("jump")
+        if not (asked.steady or asked.relaxation):
+            continue
+        two, mu_2[k], _, swept = _steady(line, case, speed)
+        work += swept
+        clock.lap("steady")
+        if asked.relaxation:
+            curve = _relaxation(line, case, one, speed, case.kept_steps[k])
+            curves.append(mu_2[k] + (curve - _step_average(line, case, two, speed)))
+            work += line.z.size * int(case.kept_steps[k][-1])
+            clock.lap("marching")
+    seconds = Seconds(**clock.spent)
+    depth = one.d + line.datum
+    samples = samples_per_contact(one.p)
+    return Outcome(mu_1, depth, contact, samples, mu_2, jump, curves, work, seconds, rate)
+
+
+def _steady(line: Line, case: Case, speed: float) -> tuple[Elements, float, float, int]:
+    """Return the steady state at a speed, its mu, the share in contact and the updates it took."""
+    form = form_of(case.spectrum, case.scheme)
+    load = case.load * line.z.size
+    found = steady_memory(form, line.z, line.steps_per_spacing * speed, load)
+    mu, contact = steady_friction(_units(case), form, line, found.elements, speed)
+    return found.elements, mu, contact, found.work
+
+
+def _units(case: Case) -> Retardation:
+    """Return the material of a case in retardation form."""
+    units = form_of(case.spectrum, "exponential")
+    assert isinstance(units, Retardation)
+    return units
+
+
+def _jump(line: Line, case: Case, one: Elements, ratio: float) -> float:
+    """Return the jump of mu; zero without a dashpot."""
+    if case.spectrum.viscosity == 0.0:
+        return 0.0
+    form = form_of(case.spectrum, case.scheme)
+    return friction_jump(form, line, one, case.speed, ratio)
+
+
+def _step_average(line: Line, case: Case, elements: Elements, speed: float) -> float:
+    """Return mu of a steady state as a step of the march gives it, in h/dx."""
+    form = form_of(case.spectrum, case.scheme)
+    way = 1 if speed > 0.0 else -1
+    lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag
+    weight = lagged_slope(np.ascontiguousarray(line.slope[::way]), lag)[::way]
+    return float(np.sum(elements.p * weight) / elements.p.sum())
+
+
+def _relaxation(
+    line: Line, case: Case, one: Elements, speed: float, kept: np.ndarray
+) -> np.ndarray:
+    """Return mu at the kept steps after the speed has changed."""
+    distance = int(kept[-1]) / line.steps_per_spacing
+    scene = Scene(
+        spectrum=case.spectrum,
+        scheme=case.scheme,
+        programme=(Slide(speed, distance),),
+        load=case.load,
+        indentation=None,
+        start="steady",
+        asked=("trace",),
+        kept=kept,
+        edges=np.empty(0),
+        frames=np.empty(0, np.int64),
+    )
+    state = Saved(one.memory, one.p, one.d, 0.0, 0.0, case.speed)
+    return run_scene(line, scene, state)["trace_mu"]

@@ -1,0 +1,182 @@
+"""One realization: a line, its steady states, the jumps from them and the relaxations.
+
+Only what is asked for is computed. Points share what they can: one line serves all loads and
+speeds, its thresholds at one speed serve all loads, one steady state at v1 all velocity jumps.
+"""
+
+from collections.abc import Sequence
+
+import numpy as np
+
+from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
+from elastomer_friction.kernels.lines.line import Line
+from elastomer_friction.kernels.model.force import ConstantForce
+from elastomer_friction.kernels.quick.case import Case, Clocks, Outcome, Quantities, Seconds
+from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    Grounds,
+    Sliding,
+    refine,
+    steady_friction,
+)
+from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.march.setting import Passing, Setting
+from elastomer_friction.kernels.quick.memory_case import run_memory_case
+from elastomer_friction.kernels.quick.prepare import Prepared, Together, prepare
+from elastomer_friction.kernels.quick.relaxation import Ends, plain_relaxations
+from elastomer_friction.kernels.quick.steady.stack import alone
+
+FEW = 4000  # steps of elements: so few are stepped sooner than lists are made
+
+
+def run_case(line: Line, case: Case, asked: Quantities) -> Outcome:
+    """Compute one case on one line, as run_cases does."""
+    return run_cases(line, [case], asked)[0]
+
+
+def run_cases(line: Line, cases: Sequence[Case], asked: Quantities) -> list[Outcome]:
+    """Compute cases on one line. What one gives does not depend on the others, to the bit.
+
+    Raises ValueError for a case that is not supported.
+    """
+    return run_prepared([line], prepare(cases, line.steps_per_spacing, asked))[0]
+
+
+def run_prepared(lines: Sequence[Line], prepared: Prepared) -> list[list[Outcome]]:
+    """Compute cases that are prepared for many lines on some of as many samples; one list each.
+
+    Kelvin elements that slide one way share what they can: those of one speed are found together,
+    on all the lines. What a line gives does not depend on the others, to the bit.
+    The relaxation curve is mu_2 plus the deviation of the marched step average from its own
+    steady value, so that it ends at mu_2 exactly whatever the step. Raises ValueError for
+    lines that differ in their samples, or of other steps than the cases are prepared for.
+    """
+    kinds = {(line.z.size, line.steps_per_spacing, line.band_limited) for line in lines}
+    if len(kinds) != 1 or lines[0].steps_per_spacing != prepared.steps_per_spacing:
+        raise ValueError(f"lines must be alike, of {prepared.steps_per_spacing} steps per spacing")
+    asked, cases = prepared.asked, prepared.cases
+    found: list[dict[int, Outcome]] = [
+        {i: run_memory_case(line, cases[i], asked) for i in prepared.alone} for line in lines
+    ]
+    if prepared.together:
+        grounds = Grounds.of(lines, marched=asked.relaxation)
+        for some in prepared.together:
+            for row, outcomes in zip(some.rows, _run_loads(grounds, some, asked), strict=True):
+                for own, outcome in zip(found, outcomes, strict=True):
+                    own[row] = outcome
+    return [[own[i] for i in range(len(cases))] for own in found]
+
+
+def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list[Outcome]]:
+    """Compute cases of Kelvin elements that differ in their loads, and in what is kept.
+
+    Return the outcomes of each case, on all the lines.
+    """
+    lines, n = grounds.stack.z.shape
+    loads, clocks = some.loads * n, Clocks(len(some.cases))
+    one = steady_friction(grounds, some.pace, loads)
+    clocks.lap(_work(one), jump=len(some.pace.others) * n * lines)
+    twos = []
+    for k, later in enumerate(some.following):
+        two = one
+        if later.speed != some.pace.speed:
+            guesses = np.ascontiguousarray(one.found.ahead[..., k])
+            two = steady_friction(grounds, later, loads, guesses)
+            clocks.lap(_work(two))
+        twos.append(two)
+    return [_under_load(one, twos, i, some, asked, clocks) for i in range(len(some.cases))]
+
+
+def _work(found: Sliding) -> list[float]:
+    """Return the work under every load on all the lines, in samples."""
+    return (found.updates + found.grounds.stack.z.shape[1]).sum(axis=0).tolist()
+
+
+def _under_load(
+    one: Sliding,
+    twos: list[Sliding],
+    i: int,
+    some: Together,
+    asked: Quantities,
+    clocks: Clocks,
+) -> list[Outcome]:
+    """Return what is found under load i on all the lines: at v1, at each v2 and between.
+
+    twos : steady sliding at each v2, or nothing.
+    """
+    case, (lines, n) = some.cases[i], one.grounds.stack.z.shape
+    for j in range(lines):
+        if case.refine and refine(one, j, i):
+            jumping = float(len(one.pace.others) * n)
+            clocks.lap_alone(i, steady=one.updates[j, i] + n, jump=jumping)
+    work = one.updates[:, i].copy()
+    mu_2 = np.full((lines, len(case.ratios)), np.nan)
+    curves: list[list[np.ndarray]] = [[] for _ in range(lines)]
+    for k, two in enumerate(twos):
+        if two is not one:
+            for j in range(lines):
+                if case.refine and refine(two, j, i):
+                    clocks.lap_alone(i, steady=1.0)
+            work += two.updates[:, i]
+        mu_2[:, k] = two.mu[:, i]
+        if asked.relaxation:
+            found, updates = _curves(one, two, i, k, case.kept_steps[k], asked)
+            found += two.mu[:, i : i + 1]
+            for own, curve in zip(curves, found, strict=True):
+                own.append(curve)
+            work += updates
+            clocks.lap_alone(i, marching=1.0)
+    jumps = one.found.jumps[:, i] if asked.jump else np.full(mu_2.shape, np.nan)
+    seconds = Seconds(*(spent / lines for spent in clocks.seconds(i)))
+    nothing = some.nothing
+    return [
+        Outcome(
+            float(one.mu[j, i]),
+            float(one.indentation[j, i]),
+            float(one.contact[j, i]),
+            float(one.samples[j, i]) if asked.relaxation else one.samples_seen(j, i),
+            mu_2[j],
+            jumps[j].copy(),
+            curves[j],
+            int(work[j]),
+            seconds,
+            nothing,
+        )
+        for j in range(lines)
+    ]
+
+
+def _curves(
+    one: Sliding, two: Sliding, i: int, k: int, kept_steps: np.ndarray, asked: Quantities
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return the deviation of mu from mu_2 under load i after step k, and element updates.
+
+    On all the lines: shapes (lines, kept) and (lines,). Where the whole line touches at both
+    speeds, d is the same at both, every step begins with u = z - d and ends with it, and mu is
+    mu_2 at once.
+    """
+    stack, law = one.grounds.stack, two.pace.law
+    lines, n = stack.z.shape
+    control = (ConstantForce if asked.indentation_rate else PrintedForce)(float(one.loads[i]))
+    curves, updates = np.zeros((lines, kept_steps.size)), np.zeros(lines)
+    marched = ~(one.full[:, i] & two.full[:, i])
+    ends = [Ends(at.decay, at.stay, at.d[:, i].copy()) for at in (one, two)]
+    if kept_steps[-1] * n <= FEW:
+        if marched.any():
+            found, work = plain_relaxations(stack, law, *ends, control, kept_steps)
+            curves[marched], updates[marched] = found[marched], work[marched]
+        return curves, updates
+    for j in np.flatnonzero(marched).tolist():
+        ground = one.grounds.each[j]
+        start, end = (
+            Passing(at.decay, at.stay[j], at.found.entered[j, i], float(at.d[j, i]))
+            for at in (one, two)
+        )
+        rate, line = float(one.found.rates[j, i, k]), ground.line
+        setting = Setting(line.z, line.slope, ground.spans, one.pace.law, law, start, end, rate)
+        mu, _, settled, updates[j], inside = active_march(setting, control, kept_steps)
+        curves[j] = mu - settled
+        if not inside:
+            own = (at._replace(stay=at.stay[j : j + 1], d=at.d[j : j + 1]) for at in ends)
+            found, work = plain_relaxations(alone(stack, j), law, *own, control, kept_steps)
+            curves[j], updates[j] = found[0], updates[j] + work[0]
+    return curves, updates

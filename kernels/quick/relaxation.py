@@ -1,0 +1,54 @@
+"""Relaxations after velocity steps that are marched plainly, on many lines in one call."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.model.friction import lagged_slope, step_average
+from elastomer_friction.kernels.model.march import march
+from elastomer_friction.kernels.quick.steady.carry import Decay, Gaps, carry
+from elastomer_friction.kernels.quick.steady.stack import spans_in
+from elastomer_friction.kernels.rheology.law import State
+
+
+class Ends(NamedTuple):
+    """Steady sliding on lines, as a march begins or ends with it."""
+
+    decay: Decay
+    stay: np.ndarray  # shape (lines, spans): thresholds above which contact lasts (Thresholds)
+    d: np.ndarray  # indentation over the deepest sample, in h, shape (lines,)
+
+
+@kernel
+def plain_relaxations(stack, law, one, two, control, kept_steps):
+    """Return (curves, updates): deviation from the steady friction at v2, and element updates.
+
+    stack : the lines (steady/stack.py). law : at v2. one, two : Ends at v1 and at v2.
+    control, kept_steps : as of march. curves : shape (lines, kept), in h/dx, updates : (lines,).
+    """
+    lines, n = stack.z.shape
+    curves = np.empty((lines, kept_steps.size))
+    updates = np.zeros(lines, np.int64)
+    no_gaps = Gaps(np.empty(0), np.empty(0), np.empty(0))
+    for k in range(lines):
+        z, spans = stack.z[k], spans_in(stack, k)
+        before, after = np.empty(n), np.empty(n)
+        carry(one.decay, z, spans, one.stay[k], one.d[k], None, before, no_gaps)
+        carry(two.decay, z, spans, two.stay[k], two.d[k], None, after, no_gaps)
+        weight = lagged_slope(stack.slope[k], law.lag)
+        state = State(before, one.d[k])
+        # d stays between its steady values but for a transient. It never exceeds what one element
+        # needs: the deepest sample gives d_new <= E d_old + load / K, and K (1 - E) = 1.
+        cap, last = 1.02 * max(one.d[k], two.d[k]), 1.001 * max(one.d[k], control.load)
+        mu, _, passes, inside = march(law, control, z, weight, state, kept_steps, cap)
+        updates[k] = passes * n
+        if not inside:
+            mu, _, passes, _ = march(law, control, z, weight, state, kept_steps, last)
+            updates[k] += passes * n
+        for j in range(n):  # loops: numba compiles the parts of array expressions for seconds
+            after[j] = z[j] - after[j]  # the threshold of contact
+        steady = step_average(weight, after, two.d[k])
+        for i in range(mu.size):
+            curves[k, i] = mu[i] - steady
+    return curves, updates

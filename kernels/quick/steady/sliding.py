@@ -1,0 +1,129 @@
+"""The indentation of steady sliding under a load, found with spans, and many of them side by side.
+
+The force F(d) is increasing and convex (plain.py), so Newton's method from the right keeps right
+of the root and from the left jumps there. Two steps go before that are exact where F is a power of
+d: they need no good guess, and where there is one they are all. Sweeps that end the search list the
+contacts.
+"""
+
+import numpy as np
+
+from elastomer_friction.kernels.compile.jit import kernel
+from elastomer_friction.kernels.model.contact import solve_indentation
+from elastomer_friction.kernels.quick.steady.carry import carry
+from elastomer_friction.kernels.quick.steady.lanes import LANES, carry_lanes
+
+POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed; the first with a guess
+CLOSE = 1e-13  # of the load: what may be left of an excess, beyond the rounding of long sums
+FEW = 512  # samples of a line that are asked where an elastic foundation would be
+BROKEN = 0.5  # of all spans: where more may be neither held nor free, lanes are quicker
+WORTH = 4  # loads in lanes of 16 cost as much as some one by one
+
+
+@kernel
+def elastic_guess(z, deepest, load):
+    """Return about the indentation of elastic contact, from few samples. load : n Fbar."""
+    step = max(1, z.size // FEW)
+    first = deepest % step
+    some = np.empty((z.size - first + step - 1) // step)
+    for i in range(some.size):
+        some[i] = z[first + i * step]
+    share = load / z.size * some.size
+    d, _ = solve_indentation(some, share, z[deepest] + share / some.size)
+    return d
+
+
+@kernel
+def approach(decay, z, spans, stay, loads, guesses, steps, gaps):
+    """Return d near the roots under all loads n Fbar.
+
+    decay, z, spans, stay, gaps : as of carry. guesses : of d. steps : sweeps for each load. Each d
+    follows from its own load and guess; lanes only find it faster.
+    """
+    d = guesses.copy()
+    broken = np.empty(loads.size, np.int64)
+    count = 0
+    for i in range(loads.size):
+        if _broken(spans, stay, d[i]) > BROKEN:
+            broken[count] = i
+            count += 1
+    by_lanes = np.zeros(loads.size, np.bool_)
+    if gaps.left.size == 0:
+        for begin in range(0, count - WORTH + 1, LANES):
+            some = broken[begin : min(begin + LANES, count)]
+            for i in some:
+                by_lanes[i] = True
+            _approach_lanes(decay, z, spans, stay, loads, some, steps, d)
+    for i in range(loads.size):
+        if not by_lanes[i]:
+            for step in range(steps):
+                total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None, gaps)
+                d[i] = _next(step, d[i], total, slope, loads[i], z[spans.deepest])
+    return d
+
+
+@kernel
+def _approach_lanes(decay, z, spans, stay, loads, some, steps, d):
+    """Take d under at most LANES of the loads through all steps; lanes to spare repeat one."""
+    lanes = np.empty(LANES)
+    for k in range(LANES):
+        lanes[k] = d[some[k if k < some.size else 0]]
+    for step in range(steps):
+        total, slope = carry_lanes(decay, z, spans, stay, lanes)
+        for k in range(some.size):
+            load = loads[some[k]]
+            lanes[k] = _next(step, lanes[k], total[k], slope[k], load, z[spans.deepest])
+    for k in range(some.size):
+        d[some[k]] = lanes[k]
+
+
+@kernel
+def _broken(spans, stay, d):
+    """Return the share of spans that may be neither all in contact nor all free at d."""
+    count = 0
+    for b in range(stay.size):
+        count += (spans.lowest[b] < d) & (d <= stay[b])
+    return count / max(stay.size, 1)
+
+
+@kernel
+def _next(step, d, total, slope, load, deepest):
+    """Return d after a step of the approach. total, slope : force and its derivative at d.
+
+    The first steps are Halley's for total = load, were total a power of the depth over the deepest
+    sample: never far off.
+    """
+    excess = total - load
+    if abs(excess) <= CLOSE * load:
+        return d
+    if step < POWER_STEPS:
+        depth = d - deepest
+        power = depth * slope / total
+        up, down = power + 1.0, power - 1.0
+        return deepest + depth * (down * total + up * load) / (up * total + down * load)
+    return d - excess / slope
+
+
+@kernel
+def indentation(decay, z, spans, stay, load, near, contacts, gaps):
+    """Return (d, sweeps, touching, pieces) of steady sliding under the load n Fbar.
+
+    touching : samples; contacts are filled with so many pieces.
+    decay, z, spans, stay, contacts, gaps : as of carry. near : d as approach leaves it.
+    """
+    d = near
+    least, fewest = np.inf, z.size + 1
+    sweeps = 0
+    while True:
+        total, slope, touching, pieces = carry(decay, z, spans, stay, d, contacts, None, gaps)
+        sweeps += 1
+        excess = total - load
+        new = d - excess / slope
+        # Right of the root the excess falls and fewer elements touch, up to rounding.
+        progress = touching < fewest or excess < 0.5 * least
+        right = excess > 0.0 and new < d and progress
+        if abs(excess) <= CLOSE * load or (sweeps > 1 and not right):
+            return d, sweeps, touching, pieces
+        if excess > 0.0:
+            fewest, least = min(fewest, touching), min(least, excess)
+        d = new

@@ -1,0 +1,103 @@
+"""Friction of steady sliding as loss: against moduli, against fine lines, at both ends."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
+from elastomer_friction.kernels.branches.dissipation import steady_friction
+from elastomer_friction.kernels.branches.steady import steady_at, steady_memory
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES
+from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, complex_modulus
+from tests.convergence import observed_order
+from tests.sizes import PLAIN_PYTHON, size
+from tests.viscoelastic import MATERIALS, PRONY3, SBR
+
+ELEMENTS = size(120, 30)
+
+
+def line_of(m, seed=1, elements=ELEMENTS):
+    """Return a random line of H = 0.7 at m samples per spacing: the same one for every m."""
+    phases = draw_phases(np.random.default_rng(seed), elements)
+    return Line.self_affine(amplitudes(0.7, elements), phases, elements, m)
+
+
+def friction(material, line, speed, load=0.1, scheme="exponential"):
+    """Return (mu, contact) of steady sliding."""
+    form = FORMS[scheme](material)
+    m = line.steps_per_spacing
+    found = steady_memory(form, line.z, speed * m, load * line.z.size)
+    return steady_friction(retardation(material), form, line, found.elements, speed)
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("rate", [0.3, 5.0, -100.0])
+def test_a_sinusoid_in_full_contact_shows_the_loss_modulus(name, scheme, rate):
+    """mu = a^2 q G''(q v) / (2 Fbar): every element is forced harmonically."""
+    q, a, material = 2.0 * np.pi / 32.0, 0.3, MATERIALS[name]
+    modulus = complex_modulus(material, abs(rate))
+    load = 1.5 * a * abs(modulus)
+    exact = np.sign(rate) * a**2 * q * modulus.imag / (2.0 * load)
+    refinements, errors = np.array([1, 2, 4]), []
+    for m in refinements:
+        x = np.arange(32 * m) / m
+        line = Line.from_samples(a * np.cos(q * x), -a * q * np.sin(q * x), int(m))
+        mu, contact = friction(material, line, rate / q, load, scheme)
+        assert contact == 1.0
+        errors.append([mu / exact - 1.0])
+    assert np.abs(errors[-1]).max() < (2e-3 if scheme == "exponential" else 2e-2)
+    if name in ("Kelvin", "standard", "Prony3") and scheme == "exponential":
+        assert observed_order(refinements, errors) > 1.7
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: long, fine lines")
+@pytest.mark.parametrize(("name", "speed"), [
+    ("standard", 1e-4), ("standard", 0.1), ("standard", 10.0), ("standard", 1e4),
+    ("Prony3", 1e-4), ("Prony3", 3.0), ("SBR", 1e-4), ("SBR", 1e3), ("dashpot", 1e-4),
+])  # fmt: skip
+def test_four_samples_per_spacing_are_near_sixty_four(name, speed):
+    """At the lowest speeds too, where the sum over samples is off by more than itself."""
+    errors = []
+    for seed in range(3):
+        coarse = friction(MATERIALS[name], line_of(4, seed), speed)[0]
+        errors.append(coarse / friction(MATERIALS[name], line_of(64, seed), speed)[0] - 1.0)
+    assert np.sqrt(np.mean(np.square(errors))) < 0.03
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+def test_friction_at_low_speeds_is_that_of_any_material_of_the_same_tau(name):
+    line = line_of(4)
+    mu = [friction(MATERIALS[name], line, speed)[0] / speed for speed in (1e-7, 1e-8)]
+    assert mu[0] == pytest.approx(mu[1], rel=1e-4)
+    assert mu[1] == pytest.approx(friction(KELVIN, line, 1e-8)[0] / 1e-8, rel=1e-3)
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: a long line")
+@pytest.mark.parametrize("speed", [0.01, 0.3, 3.0])
+def test_kelvin_element_by_quadrature(speed):
+    line = line_of(16)
+    load = 0.1 * line.z.size
+    state, _ = steady_sliding(SCHEMES["exponential"](1.0 / (16 * speed)), line.z, load)
+    mu, _, contact = quadrature(line.z, line.slope, *state, speed, speed, load)
+    found = friction(KELVIN, line, speed)
+    assert found[0] == pytest.approx(mu, rel=0.02)
+    assert found[1] == pytest.approx(contact, abs=0.01)
+
+
+@pytest.mark.parametrize("material", [PRONY3, SBR, KELVIN])
+def test_reversed_motion_of_the_mirrored_line(material):
+    line = line_of(4)
+    z, slope = np.roll(line.z[::-1], 1), -np.roll(line.slope[::-1], 1)
+    mirror = Line(z, slope, line.datum, line.steps_per_spacing)
+    one, two = friction(material, line, 2.0), friction(material, mirror, -2.0)
+    assert two == pytest.approx((-one[0], one[1]), rel=1e-9)
+
+
+def test_nothing_touches():
+    line, form = line_of(4), retardation(PRONY3)
+    elements = steady_at(form, line.z, 1.0, -1.0).elements
+    mu, contact = steady_friction(form, form, line, elements, 0.25)
+    assert np.isnan(mu)
+    assert contact == 0.0

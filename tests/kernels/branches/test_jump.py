@@ -1,0 +1,123 @@
+"""Velocity jumps: exact with a dashpot, a rate without one."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
+from elastomer_friction.kernels.branches.jump import friction_jump, initial_rate
+from elastomer_friction.kernels.branches.steady import steady_memory
+from elastomer_friction.kernels.model.friction import lagged_slope
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES
+from elastomer_friction.kernels.rheology.law import law_of
+from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.spectrum import KELVIN
+from tests.viscoelastic import MATERIALS, STANDARD, Foundation, of_unit_tau
+
+ELEMENTS = 16
+
+
+def line_of(m):
+    """Return a smooth random line at m samples per spacing."""
+    phases = draw_phases(np.random.default_rng(2), ELEMENTS)
+    return Line.self_affine(amplitudes(1.0, ELEMENTS), phases, ELEMENTS, m)
+
+
+def steady(material, line, speed, scheme="exponential", load=0.3):
+    form = FORMS[scheme](material)
+    m = line.steps_per_spacing
+    return form, steady_memory(form, line.z, speed * m, load * line.z.size).elements
+
+
+def at_once(material, line, speed, scheme="exponential"):
+    """Return what friction_jump takes before the speed."""
+    form, elements = steady(material, line, speed, scheme)
+    return form, line, elements
+
+
+@pytest.mark.parametrize("ratio", [0.5, 1.0, 1.2, 5.0])
+def test_kelvin_element_jumps_as_its_own_quadrature_says(ratio):
+    line, speed = line_of(4), 2.0
+    load = 0.3 * line.z.size
+    state, _ = steady_sliding(SCHEMES["exponential"](1.0 / (4.0 * speed)), line.z, load)
+    mu = [quadrature(line.z, line.slope, *state, speed, s * speed, load)[0] for s in (1.0, ratio)]
+    found = friction_jump(*at_once(KELVIN, line, speed), speed, ratio)
+    assert found == pytest.approx(mu[1] - mu[0], rel=1e-4, abs=1e-12)
+
+
+@pytest.mark.parametrize("way", [1.0, -1.0])
+def test_full_contact_jumps_by_what_the_dashpot_bears(way):
+    """mu_0 - mu_1 = eta (v2 - v1) mean(z'^2) / Fbar, whatever the branches."""
+    q, a, m = 2.0 * np.pi / 32.0, 0.3, 4
+    x = np.arange(32 * m) / m
+    line = Line.from_samples(a * np.cos(q * x), -a * q * np.sin(q * x), m)
+    material, load = MATERIALS["dashpot"], 40.0
+    for scheme in FORMS:
+        form, elements = steady(material, line, way * 3.0, scheme, load)
+        expected = way * material.viscosity * 3.0 * 0.4 * (a * q) ** 2 / (2.0 * load)
+        found = friction_jump(form, line, elements, way * 3.0, 1.4)
+        assert found == pytest.approx(expected, rel=1e-9)
+
+
+def test_both_forms_jump_alike():
+    line = line_of(32)
+    found = [
+        friction_jump(*at_once(MATERIALS["dashpot"], line, 3.0, scheme), 3.0, 2.0)
+        for scheme in FORMS
+    ]
+    assert found[0] == pytest.approx(found[1], rel=0.02)
+
+
+def test_a_march_jumps_as_far():
+    """The first step after the jump, finer and finer, against the formula."""
+    material, speed, ratio = MATERIALS["dashpot"], 3.0, 2.0
+    errors = []
+    for m in (32, 256):
+        line = line_of(m)
+        form, elements = steady(material, line, speed)
+        law = law_of(form, 1.0 / (speed * m))
+        before = np.dot(elements.p, lagged_slope(line.slope, law.lag)) / elements.p.sum()
+        after = first_step(form, line, elements, ratio * speed)
+        errors.append((after - before) / friction_jump(form, line, elements, speed, ratio) - 1.0)
+    assert abs(errors[1]) < 0.15
+    assert abs(errors[1]) < 0.3 * abs(errors[0])
+
+
+def first_step(form, line, elements, speed):
+    """Return mu of the first step at another speed."""
+    m = line.steps_per_spacing
+    march = Foundation(form, line.z, elements)
+    march.step(1, 1.0 / (speed * m), load=float(elements.p.sum()))
+    weight = lagged_slope(line.slope, law_of(form, 1.0 / (speed * m)).lag)
+    return float(np.dot(np.roll(march.p, -1), weight) / march.p.sum())
+
+
+@pytest.mark.parametrize("ratio", [0.5, 1.5])
+def test_without_a_dashpot_the_rate_jumps(ratio):
+    """What the change of speed adds to the first steps, over their time, against the formula."""
+    material, speed = of_unit_tau((10.0, 3.0), (0.05, 0.5)), 1.0
+    line = line_of(512)
+    units, elements = steady(material, line, speed)
+    dt = 1.0 / (ratio * speed * 512)
+    start = np.dot(elements.p, line.slope) / elements.p.sum()
+    found = (first_step(units, line, elements, ratio * speed) - start) / dt
+    constant = (first_step(units, line, elements, speed) - start) * speed * 512
+    expected = initial_rate(units, line, elements, speed, ratio)
+    assert found - constant == pytest.approx(expected, rel=0.1)
+
+
+def test_a_jump_to_the_same_speed_is_none():
+    line = line_of(4)
+    units, elements = steady(STANDARD, line, 1.0)
+    assert initial_rate(units, line, elements, 1.0, 1.0) == 0.0
+
+
+def test_each_material_has_one_of_them():
+    line = line_of(4)
+    for scheme in FORMS:
+        form, elements = steady(STANDARD, line, 1.0, scheme)
+        with pytest.raises(ValueError, match="finite instantaneous modulus: mu does not jump"):
+            friction_jump(form, line, elements, 1.0, 2.0)
+    form, elements = steady(KELVIN, line, 1.0)
+    with pytest.raises(ValueError, match="material has a dashpot: mu jumps; ask for jump"):
+        initial_rate(retardation(KELVIN), line, elements, 1.0, 2.0)

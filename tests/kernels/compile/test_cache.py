@@ -1,0 +1,194 @@
+"""Where machine code is cached: a folder per state of all sources, of our own."""
+
+import os
+import shutil
+from pathlib import Path
+
+import numba
+import pytest
+
+from elastomer_friction.kernels import march
+from elastomer_friction.kernels.compile import cache
+from elastomer_friction.kernels.compile.jit import kernel
+from tests.sizes import PLAIN_PYTHON
+
+HASH = cache.source_hash()
+
+
+@pytest.fixture
+def sources(tmp_path, monkeypatch):
+    """Let cache.py believe that the package lives in a copy."""
+    copy = tmp_path / "kernels"
+    shutil.copytree(
+        Path(cache.__file__).parents[1], copy, ignore=shutil.ignore_patterns("__pycache__")
+    )
+    monkeypatch.setattr(cache, "__file__", str(copy / "compile" / "cache.py"))
+    return copy
+
+
+@pytest.fixture
+def home(tmp_path, monkeypatch):
+    """Return the home of caches."""
+    folder = tmp_path / "home"
+    monkeypatch.delenv("NUMBA_CACHE_DIR", raising=False)
+    monkeypatch.setenv("XDG_CACHE_HOME", str(folder))
+    return folder
+
+
+def test_hash_does_not_depend_on_the_place(sources):
+    assert cache.source_hash() == HASH
+    assert len(HASH) == 16
+    int(HASH, 16)
+
+
+def edited(path):
+    """Add a line to a file."""
+    path.write_text(path.read_text() + "\n# edited\n")
+
+
+EDITS = {
+    "a file": lambda top: edited(top / "loading.py"),
+    "a file of a room": lambda top: edited(top / "rheology" / "kelvin.py"),
+    "the list of a room": lambda top: edited(top / "motion" / "__init__.py"),
+    "a name": lambda top: (top / "loading.py").rename(top / "load.py"),
+    "the name of a room": lambda top: (top / "motion").rename(top / "motions"),
+    "a new file": lambda top: (top / "rheology" / "maxwell.py").write_text("a = 1\n"),
+}
+
+
+@pytest.mark.parametrize("edit", EDITS)
+def test_any_edit_opens_a_new_folder(sources, edit, home):
+    folder = cache._cache_folder()
+    EDITS[edit](sources)
+    assert cache.source_hash() != HASH
+    assert cache._cache_folder() != folder
+
+
+def test_cache_folder_is_made_under_the_cache_home_for_us_alone(home):
+    folder = Path(cache._cache_folder())
+    assert folder == home / "elastomer-friction" / HASH
+    assert {path.stat().st_mode & 0o777 for path in (folder, folder.parent, home)} == {0o700}
+
+
+def test_a_folder_of_numba_s_own_variable_is_preferred(home, monkeypatch, tmp_path):
+    monkeypatch.setenv("NUMBA_CACHE_DIR", str(tmp_path / "numba"))
+    assert Path(cache._cache_folder()) == tmp_path / "numba" / "elastomer-friction" / HASH
+
+
+def test_without_a_cache_home_it_is_a_folder_of_our_own_on_this_machine(
+    home, monkeypatch, tmp_path
+):
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setattr(cache.tempfile, "gettempdir", lambda: str(tmp_path))
+    base = tmp_path / f"elastomer-friction-{os.getuid()}"
+    assert Path(cache._cache_folder()) == base / "elastomer-friction" / HASH
+    assert base.stat().st_mode & 0o777 == 0o700
+
+
+def open_to_the_group(home):
+    """Leave a home and a cache as umask 002 and an earlier version made them."""
+    folder = home / "elastomer-friction"
+    folder.mkdir(parents=True)
+    (folder / "planted").write_text("who knows what")
+    for path in (home, folder):
+        path.chmod(0o775)
+    return folder
+
+
+def linked(home):
+    """Let the home be a link, as where homes lie on another disk."""
+    real = home.with_name("real")
+    real.mkdir(mode=0o755)
+    home.symlink_to(real)
+    return real / "elastomer-friction"
+
+
+def linked_within(home):
+    """Let our folder in the home be a link."""
+    real = home.with_name("real")
+    real.mkdir(mode=0o755)
+    home.mkdir()
+    (home / "elastomer-friction").symlink_to(real)
+    return real
+
+
+@pytest.mark.parametrize("made", [open_to_the_group, linked, linked_within])
+def test_usual_homes_work_and_the_folder_is_ours_alone_from_then_on(home, made):
+    own = made(home)
+    previous = os.umask(0o002)
+    try:
+        assert Path(cache._cache_folder()) == own / HASH
+    finally:
+        os.umask(previous)
+    assert own.stat().st_mode & 0o777 == 0o700
+    assert [path.name for path in own.iterdir()] == [HASH]
+
+
+def by_a_file(home):
+    """Let there be a file."""
+    home.write_text("not a folder")
+
+
+def open_to_all(home):
+    """Let anyone exchange what lies in the home."""
+    home.mkdir()
+    home.chmod(0o777)
+
+
+def above(home):
+    """Let anyone exchange the home itself."""
+    home.mkdir()
+    home.parent.chmod(0o777)
+
+
+def of_another_user(home):
+    """Let the home, as one among the temporary files, be made by someone else before us."""
+    home.mkdir(mode=0o755)
+    os.chown(home, 54321, -1)
+
+
+def ours_of_another_user(home):
+    """Let our own folder be made by someone else, where anyone may make one."""
+    home.mkdir()
+    home.chmod(0o1777)
+    (home / "elastomer-friction").mkdir()
+    os.chown(home / "elastomer-friction", 54321, -1)
+
+
+def linked_elsewhere(home):
+    """Let the home be a link to where anyone may exchange things."""
+    real = home.with_name("real")
+    real.mkdir()
+    real.chmod(0o777)
+    home.symlink_to(real)
+
+
+UNSAFE = [by_a_file, open_to_all, above, of_another_user, ours_of_another_user, linked_elsewhere]
+
+
+@pytest.mark.parametrize("spoil", UNSAFE)
+def test_machine_code_of_others_is_not_run(home, monkeypatch, capsys, spoil):
+    """It is kept in a private folder then, with one line, and processes we start find it there."""
+    if "user" in spoil.__name__ and os.getuid() != 0:
+        pytest.skip("only root can give a folder away")
+    spoil(home)
+    monkeypatch.setattr(cache.atexit, "register", lambda *_, **__: None)
+    folder = Path(cache._cache_folder())
+    private = folder.parents[1]
+    assert home.parent not in folder.parents
+    assert private.stat().st_mode & 0o777 == 0o700
+    (line,) = capsys.readouterr().err.splitlines()
+    assert line.startswith(f"machine code is kept for this run alone: {home.parent}")
+    assert Path(cache._cache_folder()) == folder  # as a process that this one starts
+    assert capsys.readouterr().err == ""
+    os.environ.pop("NUMBA_CACHE_DIR")
+    shutil.rmtree(private)
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
+def test_numba_caches_in_that_folder_whatever_it_forgets(monkeypatch):
+    assert cache._cache_folder() == cache.FOLDER
+    monkeypatch.setenv("NUMBA_ANYTHING", "1")
+    numba.config.reload_config()
+    late = kernel(test_hash_does_not_depend_on_the_place)
+    assert {Path(k._cache.cache_path).parent for k in (march, late)} == {Path(cache.FOLDER)}

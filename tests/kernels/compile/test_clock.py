@@ -1,0 +1,42 @@
+"""The clock of the work stands still while machine code is compiled, and runs otherwise."""
+
+import time
+from threading import Thread
+
+import numba
+import pytest
+
+from elastomer_friction.kernels.compile.clock import own, working_time
+from tests.sizes import PLAIN_PYTHON
+
+
+def compile_two():
+    """Compile a kernel within another one."""
+    inner = numba.njit(lambda x: x + 1.0)
+    numba.njit(lambda x: inner(x))(1.0)
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
+def test_it_stands_still_while_kernels_are_compiled():
+    lost = own.lost
+    began, working = time.thread_time(), working_time()
+    compile_two()
+    used, whole = working_time() - working, time.thread_time() - began
+    assert own.depth == 0
+    assert own.lost > lost
+    assert 0.0 <= used < 0.5 * whole
+
+
+def test_it_runs_while_python_works():
+    began, working = time.thread_time(), working_time()
+    sum(range(200_000))
+    end, last = working_time(), time.thread_time()
+    assert 0.0 < end - working <= last - began
+
+
+def test_threads_have_clocks_of_their_own():
+    lost = own.lost
+    thread = Thread(target=compile_two)
+    thread.start()
+    thread.join()
+    assert own.lost == lost

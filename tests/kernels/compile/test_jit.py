@@ -1,0 +1,159 @@
+"""Compilation: it computes what Python computes, lets other threads run, and goes by types."""
+
+import os
+import subprocess
+import sys
+from pathlib import Path
+from typing import NamedTuple
+
+import numba
+import pytest
+from numba.core.dispatcher import Dispatcher
+
+from elastomer_friction.kernels import SCHEMES, Quantities, run_case
+from elastomer_friction.kernels.compile.jit import by_type, kernel
+from tests.cases import CASE, line_of
+from tests.sizes import PLAIN_PYTHON
+
+ROOT = Path(__file__).resolve().parents[2]
+compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
+
+
+@compiled_only
+def test_kernels_release_the_interpreter():
+    """A scheduler must be able to talk to a worker while a kernel runs."""
+    ours = "elastomer_friction.kernels"
+    modules = [module for name, module in sys.modules.items() if name.startswith(ours)]
+    found = [v for module in modules for v in vars(module).values() if isinstance(v, Dispatcher)]
+    assert len(found) > 20
+    assert all(one.targetoptions["nogil"] is True for one in found)
+
+
+def numbers():
+    """Return all numbers of four cases on a small line, exactly."""
+    lines = []
+    for scheme in SCHEMES:
+        for rate in (True, False):
+            asked, case = Quantities(indentation_rate=rate), CASE._replace(scheme=scheme)
+            found = run_case(line_of(elements=60), case, asked)
+            one = [found.mu_1, found.indentation, found.contact_fraction]
+            for values in (one, found.mu_2, found.jump, *found.curves):
+                lines.append(" ".join(float(value).hex() for value in values))
+    return lines
+
+
+@compiled_only
+def test_machine_code_computes_what_python_computes_to_the_bit():
+    """Sums have a fixed order, and products and sums are rounded one by one."""
+    code = """
+from tests.last_bit import perturb
+perturb()
+from tests.kernels.compile.test_jit import numbers
+print(*numbers(), sep="\\n")
+"""
+    plain = subprocess.run(
+        [sys.executable, "-c", code],
+        cwd=ROOT,
+        env={**os.environ, "NUMBA_DISABLE_JIT": "1"},
+        capture_output=True,
+        text=True,
+        check=True,
+    )
+    assert len(numbers()) == 2 * 2 * 6
+    assert plain.stdout.splitlines() == numbers()
+
+
+class Scaled(NamedTuple):
+    """A toy law."""
+
+    factor: float
+
+
+class Shifted(NamedTuple):
+    """Another toy law, of other numbers."""
+
+    first: float
+    second: float
+
+
+class Unknown(NamedTuple):
+    """A law without a body."""
+
+    number: float
+
+
+@by_type
+def change(law, u):
+    """Return u changed."""
+
+
+@change.of(Scaled)
+def _scale(law, u):
+    return law.factor / u
+
+
+@change.of(Shifted)
+def _shift(law, u):
+    return u + law.first - law.second
+
+
+@kernel
+def changed_twice(law, u):
+    """Return u changed twice."""
+    return change(law, change(law, u))
+
+
+@pytest.mark.parametrize("call", [changed_twice, lambda law, u: change(law, change(law, u))])
+def test_every_type_has_a_body_of_its_own(call):
+    assert call(Scaled(2.0), 5.0) == 5.0
+    assert call(Shifted(3.0, 1.0), 5.0) == 9.0
+
+
+def test_a_type_without_a_body_is_refused():
+    with pytest.raises(TypeError, match="change is not defined for Unknown"):
+        change(Unknown(1.0), 5.0)
+    refused = TypeError if PLAIN_PYTHON else numba.errors.TypingError
+    with pytest.raises(refused, match="change"):
+        changed_twice(Unknown(1.0), 5.0)
+
+
+@by_type
+def note(law, number, flag):
+    """Return a number."""
+
+
+@note.of(Scaled)
+def _note(law, number, flag):
+    return number if flag else 0
+
+
+@kernel
+def chosen(law, number, flag):
+    """Return a number, of one type whatever is known of it."""
+    return note(law, number, flag)
+
+
+def begun_with_constants(law, count):
+    """Return what a variable that begins with a constant, and constants, come to."""
+    number, flag = 0, True
+    for _ in range(count):
+        number = chosen(law, number + 1, flag) + chosen(law, 2, True) + chosen(law, 0, False)
+        flag = number < 100
+    return number
+
+
+@compiled_only
+def test_a_constant_is_no_type_of_its_own():
+    assert numba.njit(begun_with_constants)(Scaled(1.0), 3) == 9  # not from the cache on the disk
+    (signature,) = chosen.get_overload.__self__.nopython_signatures  # of what is linked in
+    assert signature.args[1:] == (numba.int64, numba.boolean)
+
+
+@compiled_only
+@pytest.mark.parametrize("compiled", [kernel, numba.njit])
+def test_bodies_are_compiled_with_the_flags_of_kernels_whoever_calls(compiled):
+    @compiled
+    def caller(law, u):
+        return change(law, u)
+
+    assert caller(Scaled(2.0), 0.0) == float("inf")

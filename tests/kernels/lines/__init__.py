@@ -1,0 +1,1 @@
+"""Tests of kernels/lines, one module per module."""

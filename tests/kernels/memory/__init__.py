@@ -1,1 +1,0 @@
-"""Tests of kernels/memory, one module per module."""

@@ -1,0 +1,27 @@
+"""Steady sliding under one load, as plain numbers."""
+
+from types import SimpleNamespace
+
+import numpy as np
+
+from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    Grounds,
+    Pace,
+    refine,
+    steady_friction,
+)
+
+
+def one_load(line, speed, scheme, load, others=()):
+    """Return what is found under a load; ``seen`` is None where the samples of the line will do."""
+    pace = Pace.of(scheme, line.steps_per_spacing, speed, others)
+    found = steady_friction(Grounds.of([line]), pace, np.array([load]))
+    refine(found, 0, 0)
+    names = ("d", "mu", "contact", "indentation", "updates", "full", "samples")
+    return SimpleNamespace(
+        **{name: getattr(found, name)[0, 0] for name in names},
+        jumps=found.found.jumps[0, 0],
+        state=found.state(0, 0),
+        seen=found.seen.get((0, 0)),
+        samples_seen=found.samples_seen(0, 0),
+    )

@@ -1,0 +1,116 @@
+"""Lists that are shortened as often as can be: the march stays the same, and they do get short."""
+
+from functools import partial
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+from elastomer_friction.kernels import SCHEMES, ConstantForce, PrintedForce
+from elastomer_friction.kernels.quick.march.balance import foresee
+from elastomer_friction.kernels.quick.march.bounds import first_bounds
+from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of
+from elastomer_friction.kernels.quick.march.lists import lists_of
+from elastomer_friction.kernels.quick.march.march import MARGINS, active_march, follow
+from elastomer_friction.kernels.quick.march.runs import classes_of
+from tests.kernels.quick.march.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
+from tests.sizes import COMPILES_ALONE, size
+
+NEVER, ALWAYS = (0.0, 0.0, 0.0), (1e9, 0.0, 0.0)
+
+
+def followed(setting, control, steps, narrowing, margin=0.1):
+    """Return (mu, indentation, inside, work) of a march whose lists are shortened."""
+    guess = foresee(control, setting)
+    bounds = first_bounds(setting, guess, margin)
+    runs, met, sums = classes_of(setting, bounds)
+    lists, steady = lists_of(runs, met), Steady(setting.start.decay.once, setting.start.d)
+    arrivals = arrivals_of(setting.law, lists, runs, steady, setting.z, steps)
+    kept = np.arange(1, steps + 1)
+    mu, d = np.full(steps, np.nan), np.full(steps, np.nan)
+    where = runs, lists, sums, arrivals
+    inside, _, _, work = follow(setting, control, where, bounds, guess, kept, mu, d, narrowing)
+    return mu, d, inside, work
+
+
+def assert_same(setting, load, jump, steps, margin=0.1):
+    """Compare as far as the bounds hold; return whether they held to the end."""
+    mu, d, inside, _ = followed(setting, ConstantForce(load), steps, ALWAYS, margin)
+    deviation, expected = dense(setting, load, np.arange(1, steps + 1))
+    held = np.isfinite(d)
+    np.testing.assert_allclose(d[held], expected[held], rtol=1e-11, atol=1e-15)
+    allowed = 1e-9 * size_of_jump(setting, jump, load) + rounding_of_mu(setting, load)
+    apart = (mu - deviation)[held]  # the steady average, whatever it is
+    np.testing.assert_allclose(apart - apart[:1], 0.0, atol=2.0 * allowed)
+    return inside
+
+
+@settings(max_examples=size(200, 15))
+@given(
+    elements=st.integers(4, 60),
+    seed=st.integers(0, 2**31),
+    hurst=st.floats(0.0, 1.0),
+    m=st.sampled_from([1, 2, 5]),
+    load=st.floats(-5.0, 1.6),
+    x=st.floats(-2.0, 3.0),
+    ratio=st.floats(0.2, 4.0),
+    scheme=st.sampled_from(list(SCHEMES)),
+    margin=st.sampled_from([0.05, 0.5]),
+)
+def test_small_lines(elements, seed, hurst, m, load, x, ratio, scheme, margin):
+    jump = Jump(hurst, m, 10.0**load, 10.0**x, ratio, scheme)
+    setting, load = setting_of(jump, elements, seed)
+    assert_same(setting, load, jump, size(60, 15), margin)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize(
+    ("hurst", "m", "load", "x", "ratio"),
+    [
+        (0.7, 4, 1.0, 60.0, 1.2),
+        (0.3, 4, 0.1, 30.0, 1.2),
+        (0.9, 2, 3.0, 30.0, 0.8),
+        (0.0, 4, 5.0, 30.0, 1.1),
+    ],
+)
+def test_longer_lines(hurst, m, load, x, ratio, scheme):
+    jump = Jump(hurst, m, load, x, ratio, scheme)
+    setting, force = setting_of(jump, size(1000, 40))
+    assert_same(setting, force, jump, size(300, 20))
+
+
+@pytest.mark.parametrize("scheme", [pytest.param(s, marks=COMPILES_ALONE) for s in SCHEMES])
+def test_eq_3_as_printed_is_marched_the_same_with_lists_that_are_left_alone(scheme):
+    for load, x in ((0.1, 10.0), (1.0, 30.0), (5.0, 30.0)):
+        setting, force = setting_of(Jump(0.7, 2, load, x, 1.2, scheme), size(300, 40))
+        control, steps = PrintedForce(force), size(100, 15)
+        mu, d, *_ = followed(setting, control, steps, ALWAYS, 0.3)
+        expected_mu, expected, *_ = followed(setting, control, steps, NEVER, 0.3)
+        held = np.isfinite(d)
+        assert held.sum() >= size(30, 0)  # lists have been shortened by then
+        np.testing.assert_allclose(d[held], expected[held], rtol=1e-11)
+        np.testing.assert_allclose(mu[held], expected_mu[held], rtol=1e-9)
+
+
+def test_lists_become_short():
+    setting, load = setting_of(Jump(0.7, 4, 1.0, 60.0, 1.2), size(1000, 60))
+    short, long = (
+        followed(setting, ConstantForce(load), size(300, 40), narrowing)
+        for narrowing in (ALWAYS, NEVER)
+    )
+    assert short[2]
+    assert long[2]
+    assert short[3] < size(0.6, 0.95) * long[3]
+
+
+def test_a_march_that_began_anew_shortens_its_lists_too():
+    """At H = 1 and large x, d comes to rest and moves on where a higher asperity is met."""
+    setting, load = setting_of(Jump(1.0, 4, 0.025, size(3e3, 150.0), 0.8), size(2000, 100))
+    marched = partial(active_march, setting, ConstantForce(load), np.array([size(10_000, 500)]))
+    first, found, long = (marched(m) for m in (MARGINS[:1], MARGINS, (-0.4, -0.4, -0.4, 1e3)))
+    assert not first[-1]
+    assert found[-1]
+    assert long[-1]
+    np.testing.assert_allclose(found[1], long[1], rtol=1e-11)
+    assert found[3] < size(0.2, 0.9) * long[3]

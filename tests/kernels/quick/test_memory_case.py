@@ -1,0 +1,76 @@
+"""The general path of a case: against the quick one, its limits and its symmetry."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.kernels import (
+    Case,
+    Line,
+    Quantities,
+    Spectrum,
+    amplitudes,
+    draw_phases,
+    run_case,
+)
+from elastomer_friction.kernels.quick.memory_case import run_memory_case
+
+LINE = Line.self_affine(amplitudes(0.7, 64), draw_phases(np.random.default_rng(2), 64), 64, 8)
+MIRROR = Line.from_samples(LINE.z[::-1].copy(), -LINE.slope[::-1], 8)
+KEPT = np.array([1, 2, 5, 20, 100, 400])
+CASE = Case(0.3, 2.0, (1.5,), (KEPT,), "exponential")
+SOLID = CASE._replace(spectrum=Spectrum((8.0,), (0.125,), 0.0))
+ASKED = Quantities(initial_rate=True)
+
+
+def test_a_kelvin_element_has_the_march_of_the_quick_path():
+    quick, general = run_case(LINE, CASE, ASKED), run_memory_case(LINE, CASE, ASKED)
+    relaxed = [found.curves[0] - found.mu_2[0] for found in (quick, general)]
+    assert relaxed[1] == pytest.approx(relaxed[0], abs=1e-11)
+    assert general.indentation == pytest.approx(quick.indentation, rel=1e-12)
+    assert general.mu_1 == pytest.approx(quick.mu_1, rel=0.05)  # other quadratures
+    assert general.jump[0] == pytest.approx(quick.jump[0], rel=0.05)
+
+
+def test_without_a_dashpot_friction_rises_from_where_it_was_to_its_new_value():
+    found = run_case(LINE, SOLID, ASKED)
+    assert found.jump[0] == 0.0
+    assert found.initial_rate[0] > 0.0
+    step = 1.0 / (8 * 3.0)
+    assert found.mu_1 < found.curves[0][0] < found.mu_1 + 1.1 * step * found.initial_rate[0]
+    assert found.curves[0].max() > max(found.curves[0][0], found.mu_2[0])
+    assert found.curves[0][-1] == pytest.approx(found.mu_2[0], rel=0.02)
+
+
+def test_the_mirror_image_slides_back():
+    there, back = run_case(LINE, SOLID, ASKED), run_case(MIRROR, SOLID._replace(speed=-2.0), ASKED)
+    assert back.mu_1 == pytest.approx(-there.mu_1, rel=1e-9)
+    assert back.mu_2 == pytest.approx(-there.mu_2, rel=1e-9)
+    assert back.curves[0] == pytest.approx(-there.curves[0], abs=1e-9)
+    assert back.contact_fraction == there.contact_fraction
+
+
+def test_a_slow_weak_branch_changes_nothing_however_fast_it_makes_the_speed():
+    """In its time, 1e7 of the others, a step is 1e-11: what it adds up is small, not lost."""
+    slow = 1e7
+    with_it = SOLID._replace(
+        speed=2.0 * slow, spectrum=Spectrum((8.0, 1e-6), (0.125 / slow, 1.0), 0.0)
+    )
+    for found, expected in zip(
+        run_case(LINE, with_it, ASKED)[:4], run_case(LINE, SOLID, ASKED)[:4], strict=True
+    ):
+        assert found == pytest.approx(expected, rel=1e-5)
+
+
+def test_steps_that_the_fastest_branch_loses_in_rounding_are_refused():
+    solid = Spectrum((8.0, 1.0), (1e-2, 1.0), 0.0)
+    run_case(LINE, SOLID._replace(speed=1e10, spectrum=solid), Quantities(False, False, False))
+    for spectrum, speed in ((solid._replace(viscosity=1.0), 1e10), (solid, 1e11)):
+        with pytest.raises(ValueError, match="lost in rounding"):
+            run_case(LINE, SOLID._replace(speed=speed, spectrum=spectrum), ASKED)
+
+
+def test_only_what_is_asked_for_is_there():
+    found = run_case(LINE, SOLID, Quantities(jump=False, relaxation=False))
+    assert np.isfinite(found.mu_2).all()
+    assert np.isnan(found.jump).all()
+    assert not found.curves

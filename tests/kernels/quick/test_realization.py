@@ -1,0 +1,179 @@
+"""One realization: only what is asked for, shared work, agreement of the parts, symmetries."""
+
+from functools import partial
+
+import numpy as np
+import pytest
+
+from elastomer_friction.kernels import (
+    SCHEMES,
+    ConstantForce,
+    Quantities,
+    lagged_slope,
+    quadrature,
+    run_case,
+    run_cases,
+    steady_sliding,
+    step_average,
+)
+from elastomer_friction.kernels.model.friction import elastic_correction
+from elastomer_friction.kernels.model.march import march
+from elastomer_friction.kernels.quick import realization
+from elastomer_friction.kernels.quick.contacts.refined import NARROW
+from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds, Pace, steady_friction
+from elastomer_friction.kernels.quick.march.march import active_march
+from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
+from tests.reference_march import Elements, constants, relaxation, steady
+
+
+def test_only_what_is_asked_for_is_computed():
+    line = line_of()
+    everything = run_case(line, CASE, ALL)
+    steady_only = run_case(line, CASE, Quantities(jump=False, relaxation=False))
+    jump_only = run_case(line, CASE, Quantities(steady=False, relaxation=False))
+    assert np.all(np.isnan(steady_only.jump))
+    assert np.all(np.isnan(jump_only.mu_2))
+    assert steady_only.curves == jump_only.curves == []
+    assert np.all(np.isfinite(everything.jump))
+    assert [curve.shape for curve in everything.curves] == [KEPT.shape] * 3
+    # What is asked does not depend on what else is asked.
+    np.testing.assert_array_equal(jump_only.jump, everything.jump)
+    np.testing.assert_array_equal(steady_only.mu_2, everything.mu_2)
+    assert jump_only.work < steady_only.work < everything.work
+
+
+def test_samples_are_refined_only_where_that_is_wanted():
+    line, asked = line_of(steps=4), Quantities(relaxation=False)
+    given = CASE._replace(load=1e-3, speed=100.0, refine=False)
+    finer = given._replace(refine=True)
+    as_sampled, refined = run_case(line, given, asked), run_case(line, finer, asked)
+    pace = Pace.of(given.scheme, line.steps_per_spacing, 100.0)
+    alone = steady_friction(Grounds.of([line]), pace, np.array([1e-3 * line.z.size]))
+    assert as_sampled.mu_1 == alone.mu[0, 0] > 0.0
+    assert as_sampled.samples_per_contact == alone.samples[0, 0] < 0.5 * NARROW
+    assert refined.samples_per_contact >= NARROW
+    together = run_cases(line, [given, finer], asked)
+    assert [one.mu_1 for one in together] == [as_sampled.mu_1, refined.mu_1]
+
+
+def test_no_ratio_is_the_steady_state_alone():
+    outcome = run_case(line_of(), CASE._replace(ratios=(), kept_steps=()), ALL)
+    assert np.isfinite([outcome.mu_1, outcome.indentation, outcome.contact_fraction]).all()
+    assert outcome.mu_2.size == outcome.jump.size == len(outcome.curves) == 0
+
+
+def test_several_ratios_are_separate_runs_bit_for_bit_but_cheaper():
+    line = line_of()
+    together = run_case(line, CASE, ALL)
+    alone = [run_case(line, CASE._replace(ratios=(r,), kept_steps=(KEPT,)), ALL) for r in RATIOS]
+    assert {one.mu_1 for one in alone} == {together.mu_1}
+    np.testing.assert_array_equal(together.mu_2, [one.mu_2[0] for one in alone])
+    np.testing.assert_array_equal(together.jump, [one.jump[0] for one in alone])
+    np.testing.assert_array_equal(together.curves, [one.curves[0] for one in alone])
+    shared = run_case(line, CASE._replace(ratios=(), kept_steps=()), ALL).work
+    assert together.work == sum(one.work for one in alone) - 2 * shared
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_outcome_is_made_of_the_kernels(scheme):
+    line, v = line_of(), CASE.speed
+    outcome = run_case(line, CASE._replace(scheme=scheme), ALL)
+    load = CASE.load * line.z.size
+    (w, d), _ = steady_sliding(SCHEMES[scheme](1.0 / (M * v)), line.z, load)
+    mu, rate, contact = quadrature(line.z, line.slope, w, d, v, v, load)
+    missing = elastic_correction(line.z, line.slope, w, d, v, rate, M) / load
+    same = partial(pytest.approx, rel=1e-12)
+    assert outcome.mu_1 == same(mu + np.exp(-((M * v) ** 2)) * missing)
+    assert outcome.contact_fraction == same(contact)
+    assert outcome.indentation - line.datum == same(d)
+    after, _, _ = quadrature(line.z, line.slope, w, d, v, 1.2 * v, load)
+    assert outcome.jump[1] == same(after - mu, abs=1e-14)
+    swapped = run_case(line, CASE._replace(speed=1.2 * v, scheme=scheme), ALL)
+    assert outcome.mu_2[1] == same(swapped.mu_1)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_curve_is_mu_2_plus_the_deviation_of_the_marched_step_average(scheme):
+    line, first = line_of(), np.array([1])
+    case = CASE._replace(speed=3.0, kept_steps=(first,) * 3, scheme=scheme)
+    outcome, load = run_case(line, case, ALL), case.load * line.z.size
+    one, two = (SCHEMES[scheme](1.0 / (M * r * case.speed)) for r in (1.0, RATIOS[0]))
+    state, _ = steady_sliding(one, line.z, load)
+    weight = lagged_slope(line.slope, two.lag)
+    mu, *_ = march(two, ConstantForce(load), line.z, weight, state, first, np.inf)
+    (w, d), _ = steady_sliding(two, line.z, load)
+    deviation = mu - step_average(weight, line.z - w, d)
+    assert abs(deviation[0]) > 1e-4
+    # One march leaves the highest tops out, as they never touch: only rounding differs.
+    np.testing.assert_allclose(outcome.curves[0] - outcome.mu_2[0], deviation, rtol=1e-9)
+
+
+def test_curve_is_marched_plainly_where_bounds_are_exceeded(monkeypatch):
+    def left(*args):
+        mu, d, settled, work, _ = active_march(*args)
+        return mu + 2.0, d, settled, work, False
+
+    line, case = line_of(), CASE._replace(load=1.0)
+    usual = run_case(line, case, ALL)
+    monkeypatch.setattr(realization, "active_march", left)
+    outcome = run_case(line, case, ALL)
+    assert outcome.work > usual.work
+    # Not the wrong first try; more of the line is marched, and rounded otherwise.
+    np.testing.assert_allclose(outcome.curves, usual.curves, rtol=1e-12)
+
+
+@pytest.mark.parametrize("shift", [1, 17])
+def test_cyclic_shifts_change_nothing(shift):
+    """Phases turned by q times the shift: the same line, samples rounded differently."""
+    one, other = (run_case(line_of(shift=by), CASE, ALL) for by in (0, shift))
+    for name in ("mu_1", "indentation", "contact_fraction", "mu_2", "jump", "curves"):
+        found, expected = getattr(other, name), getattr(one, name)
+        np.testing.assert_allclose(found, expected, rtol=1e-10, atol=1e-10)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("load", [0.02, 0.5])
+def test_mirror_image_moving_the_other_way_is_the_same(scheme, load):
+    line = line_of()
+    outcome = run_case(line, CASE._replace(load=load, scheme=scheme), ALL)
+    mirrored, falling = line.z[::-1].copy(), -line.slope[::-1]
+    dt = 1.0 / (M * CASE.speed)
+    u, _, d = steady(mirrored, load, constants(scheme, dt)[0], direction=-1)
+    assert outcome.indentation == pytest.approx(d + line.datum, rel=1e-10, abs=1e-10)
+    step = constants(scheme, dt / RATIOS[1])
+    mu, _ = relaxation(Elements(mirrored, falling, u, d, load, step, direction=-1), KEPT[-1])
+    # The curve carries the constant mu_2 - (steady step average): compare its course.
+    course = outcome.curves[1] - outcome.curves[1][-1]
+    np.testing.assert_allclose(course, -(mu[KEPT - 1] - mu[-1]), atol=1e-10)
+
+
+def test_the_indentation_rate_is_an_effect_of_the_relaxation_alone():
+    line = line_of()
+    full = run_case(line, CASE, ALL)
+    without = run_case(line, CASE, Quantities(indentation_rate=False))
+    np.testing.assert_array_equal(without.mu_2, full.mu_2)
+    np.testing.assert_array_equal(without.jump, full.jump)
+    assert not np.allclose(without.curves, full.curves, rtol=1e-3, atol=0.0)
+
+
+BAD_CASES = [
+    *[({"load": value}, "load") for value in (0.0, -1.0, np.nan, np.inf)],
+    *[({"speed": value}, "speed") for value in (0.0, 1e-13, np.nan)],
+    *[({"ratios": ratios}, "speed") for ratios in ((0.0, 1.2, 1.5), (1.2, np.inf, 1.5))],
+    ({"speed": 5e9}, "rounding"),  # with the ratio 1.5 and M = 2 samples per spacing
+    ({"ratios": (1.0, 1.0 + 1e-11, 1.2)}, "rounding"),
+    *[({"kept_steps": (KEPT, np.array(bad, int), KEPT)}, "steps") for bad in ([0, 1], [5, 5], [])],
+]
+
+
+def test_the_jump_of_the_smallest_step_is_that_of_a_larger_one_in_proportion():
+    asked = Quantities(relaxation=False)
+    steps = np.array([1e-9, 1e-6, 1e-4])
+    jump = run_case(line_of(), CASE._replace(ratios=(*(1.0 + steps),)), asked).jump
+    np.testing.assert_allclose(jump / steps, jump[-1] / steps[-1], rtol=1e-4)
+
+
+@pytest.mark.parametrize(("change", "named"), BAD_CASES, ids=str)
+def test_cases_without_meaning_are_refused(change, named):
+    with pytest.raises(ValueError, match=named):
+        run_case(line_of(), CASE._replace(**change), ALL)

@@ -1,1 +1,0 @@
-"""Tests of kernels/surfaces, one module per module."""
