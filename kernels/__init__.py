@@ -14,44 +14,26 @@ on line after line. An effect is a file of surfaces,
 rheology, control or motion; what a scene does not ask for is not in its machine code.
 """
 
-from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
-from elastomer_friction.kernels.lines.equivalent import (
-    equivalent_amplitudes,
-    equivalent_spectrum,
-)
-from elastomer_friction.kernels.lines.line import QUARTET, Line
-from elastomer_friction.kernels.lines.measured import measured_amplitudes
-from elastomer_friction.kernels.lines.self_affine import (
-    amplitudes,
-    draw_phases,
-    matching_rolloff,
-    rms_slope,
-    sample_line,
-)
-from elastomer_friction.kernels.lines.spectrum import power_spectrum, rms_height
-from elastomer_friction.kernels.model.contact import solve_indentation
-from elastomer_friction.kernels.model.force import ConstantForce
-from elastomer_friction.kernels.model.friction import lagged_slope, quadrature, step_average
-from elastomer_friction.kernels.model.march import march
-from elastomer_friction.kernels.model.steady import steady_sliding
-from elastomer_friction.kernels.motion.programme import (
-    Hold,
-    Leg,
-    Oscillation,
-    Programme,
-    Ramp,
-    Sampled,
-    Slide,
-    steps_of,
-)
-from elastomer_friction.kernels.quick.case import Case, Outcome, Quantities, Seconds
-from elastomer_friction.kernels.quick.prepare import Prepared, prepare
-from elastomer_friction.kernels.quick.realization import run_case, run_cases, run_prepared
-from elastomer_friction.kernels.rheology.forms import form_of
-from elastomer_friction.kernels.rheology.kelvin import SCHEMES, Kelvin
-from elastomer_friction.kernels.rheology.law import State, law_of, memories
-from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
-from elastomer_friction.kernels.scene import (
+from .control.printed_eq3 import PrintedForce
+from .lines.equivalent import equivalent_amplitudes, equivalent_spectrum
+from .lines.line import QUARTET, Line
+from .lines.measured import measured_amplitudes
+from .lines.self_affine import amplitudes, draw_phases, matching_rolloff, rms_slope, sample_line
+from .lines.spectrum import power_spectrum, rms_height
+from .model.contact import solve_indentation
+from .model.force import ConstantForce
+from .model.friction import lagged_slope, quadrature, step_average
+from .model.march import march
+from .model.steady import steady_sliding
+from .motion.programme import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide, steps_of
+from .quick.case import Case, Outcome, Quantities, Seconds
+from .quick.prepare import Prepared, prepare
+from .quick.realization import run_case, run_cases, run_prepared
+from .rheology.forms import form_of
+from .rheology.kelvin import SCHEMES, Kelvin
+from .rheology.law import State, law_of, memories
+from .rheology.spectrum import KELVIN, Spectrum
+from .scene import (
     ENERGIES,
     START,
     TRACES,

@@ -17,29 +17,29 @@ from typing import Any
 import numpy as np
 from numba.core import event
 
-from elastomer_friction.kernels.compile.cache import WAITING, compiling
-from elastomer_friction.kernels.compile.garbage import nothing_collected
-from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
-from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.lines.self_affine import amplitudes
-from elastomer_friction.kernels.model.force import ConstantForce
-from elastomer_friction.kernels.quick.case import Case, Quantities
-from elastomer_friction.kernels.quick.contacts.fine_line import mark_touchable, marked
-from elastomer_friction.kernels.quick.contacts.loads import How
-from elastomer_friction.kernels.quick.contacts.part import Part, slide_on
-from elastomer_friction.kernels.quick.contacts.refined import MARGIN, curvatures_of
-from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds, Pace
-from elastomer_friction.kernels.quick.march.march import active_march
-from elastomer_friction.kernels.quick.march.setting import Passing, Setting
-from elastomer_friction.kernels.quick.realization import run_cases
-from elastomer_friction.kernels.quick.relaxation import Ends, plain_relaxations
-from elastomer_friction.kernels.quick.steady.carry import NO_GAPS, Decay, carry
-from elastomer_friction.kernels.quick.steady.spans import SPAN, TURN
-from elastomer_friction.kernels.quick.steady.stack import Stack, spans_of_line
-from elastomer_friction.kernels.rheology.forms import form_of
-from elastomer_friction.kernels.rheology.kelvin import SCHEMES, Kelvin
-from elastomer_friction.kernels.rheology.law import State, law_of
-from elastomer_friction.kernels.rheology.spectrum import KELVIN
+from .compile.cache import WAITING, compiling
+from .compile.garbage import nothing_collected
+from .control.printed_eq3 import PrintedForce
+from .lines.line import Line
+from .lines.self_affine import amplitudes
+from .model.force import ConstantForce
+from .quick.case import Case, Quantities
+from .quick.contacts.fine_line import mark_touchable, marked
+from .quick.contacts.loads import How
+from .quick.contacts.part import Part, slide_on
+from .quick.contacts.refined import MARGIN, curvatures_of
+from .quick.contacts.steady_friction import Grounds, Pace
+from .quick.march.march import active_march
+from .quick.march.setting import Passing, Setting
+from .quick.realization import run_cases
+from .quick.relaxation import Ends, plain_relaxations
+from .quick.steady.carry import NO_GAPS, Decay, carry
+from .quick.steady.spans import SPAN, TURN
+from .quick.steady.stack import Stack, spans_of_line
+from .rheology.forms import form_of
+from .rheology.kelvin import SCHEMES, Kelvin
+from .rheology.law import State, law_of
+from .rheology.spectrum import KELVIN
 
 ROOT = Path(__file__).resolve().parents[1]
 STEPS = 4  # per spacing

@@ -8,6 +8,7 @@ and `status` stay quick, and kernels never meet xarray on a worker.
 import ast
 from collections.abc import Callable
 from importlib import import_module
+from importlib.util import resolve_name
 from pathlib import Path
 from typing import Any
 
@@ -18,7 +19,7 @@ def public_names(package: str, file: str) -> tuple[list[str], Lookup, Callable[[
     """Return ``__all__``, ``__getattr__`` and ``__dir__`` of the package of an ``__init__``."""
     tree = ast.parse(Path(file).read_text(encoding="utf-8"))
     homes = {
-        alias.asname or alias.name: (str(statement.module), alias.name)
+        alias.asname or alias.name: ("." * statement.level + str(statement.module), alias.name)
         for block in tree.body
         if isinstance(block, ast.If)
         for statement in block.body
@@ -29,7 +30,7 @@ def public_names(package: str, file: str) -> tuple[list[str], Lookup, Callable[[
     def find(name: str) -> Any:
         if name not in homes:
             raise AttributeError(f"module {package!r} has no attribute {name!r}")
-        home, name_there = homes[name]
+        home, name_there = resolve_name(homes[name][0], package), homes[name][1]
         module = import_module(home)
         if not hasattr(module, name_there):  # a room of a package, not imported yet
             return import_module(f"{home}.{name_there}")

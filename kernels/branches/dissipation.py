@@ -17,13 +17,13 @@ import math
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.model.friction import lagged_slope
-from elastomer_friction.kernels.rheology.law import Elements, law_of
-from elastomer_friction.kernels.rheology.prony import moments
-from elastomer_friction.kernels.rheology.relaxed import Moduli
-from elastomer_friction.kernels.rheology.retardation import Retardation
+from ..compile.jit import kernel
+from ..lines.line import Line
+from ..model.friction import lagged_slope
+from ..rheology.law import Elements, law_of
+from ..rheology.prony import moments
+from ..rheology.relaxed import Moduli
+from ..rheology.retardation import Retardation
 
 
 def steady_friction(

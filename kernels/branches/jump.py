@@ -6,11 +6,11 @@ elastomer is glassy for a moment: forces and friction are continuous, their rate
 
 import numpy as np
 
-from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.model.friction import quadrature
-from elastomer_friction.kernels.rheology.law import Elements, displacement, lasting, law_of
-from elastomer_friction.kernels.rheology.relaxed import Moduli
-from elastomer_friction.kernels.rheology.retardation import Retardation
+from ..lines.line import Line
+from ..model.friction import quadrature
+from ..rheology.law import Elements, displacement, lasting, law_of
+from ..rheology.relaxed import Moduli
+from ..rheology.retardation import Retardation
 
 
 def friction_jump(

@@ -14,18 +14,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.contact import solve_indentation
-from elastomer_friction.kernels.rheology.law import (
-    Elements,
-    law_of,
-    memories,
-    predict,
-    rest,
-    settle,
-)
-from elastomer_friction.kernels.rheology.relaxed import Moduli
-from elastomer_friction.kernels.rheology.retardation import Retardation
+from ..compile.jit import kernel
+from ..model.contact import solve_indentation
+from ..rheology.law import Elements, law_of, memories, predict, rest, settle
+from ..rheology.relaxed import Moduli
+from ..rheology.retardation import Retardation
 
 TURNS = 60  # at most; a few are enough
 EXACT = 1e-13  # residual that is as good as none

@@ -9,8 +9,8 @@ import numba
 from numba import types
 from numba.extending import overload
 
-from elastomer_friction.kernels.compile.cache import CheckedCache
-from elastomer_friction.kernels.compile.linking import PartCompiler
+from .cache import CheckedCache
+from .linking import PartCompiler
 
 FLAGS = {
     "nogil": True,  # a scheduler must be able to talk to a worker while a kernel runs

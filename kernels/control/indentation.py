@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.model.balance import balance, note
+from ..model.balance import balance, note
 
 
 class PrescribedIndentation(NamedTuple):

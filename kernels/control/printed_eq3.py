@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.model.balance import balance, note
-from elastomer_friction.kernels.model.contact import solve_indentation
+from ..model.balance import balance, note
+from ..model.contact import solve_indentation
 
 
 class PrintedForce(NamedTuple):

@@ -10,7 +10,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from elastomer_friction.kernels.lines.self_affine import mode_numbers
+from .self_affine import mode_numbers
 
 
 def equivalent_spectrum(q: np.ndarray, isotropic: np.ndarray) -> np.ndarray:

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.lines.measured import measured_modes
-from elastomer_friction.kernels.lines.self_affine import sample_line, sample_modes
+from .measured import measured_modes
+from .self_affine import sample_line, sample_modes
 
 QUARTET = 4  # lines that one drawing of phases gives
 TALLEST = 1e50  # and its inverse: heights far above numbers that count as zero

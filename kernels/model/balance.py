@@ -4,7 +4,7 @@ A control is a NamedTuple of what it prescribes. The functions declared here are
 type.
 """
 
-from elastomer_friction.kernels.compile.jit import by_type
+from ..compile.jit import by_type
 
 
 @by_type

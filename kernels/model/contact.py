@@ -16,7 +16,7 @@ can carry d below every threshold; that restarts it once, from the bound of one 
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
+from ..compile.jit import kernel
 
 
 @kernel

@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from elastomer_friction.kernels.model.balance import balance, note
-from elastomer_friction.kernels.model.contact import solve_indentation
+from .balance import balance, note
+from .contact import solve_indentation
 
 
 class ConstantForce(NamedTuple):

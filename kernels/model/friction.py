@@ -5,8 +5,8 @@ Source: Li et al. (2014), eqs. 3 to 5, doi:10.1038/srep05795.
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.contact import solve_indentation
+from ..compile.jit import kernel
+from .contact import solve_indentation
 
 LEAST_COVERED = 0.01  # of a sample: keeps every touching sample in the load balance
 LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved

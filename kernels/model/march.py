@@ -7,11 +7,11 @@ by their types: numba compiles a version for each pair, in which no other has le
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.balance import balance, note
-from elastomer_friction.kernels.model.friction import step_average
-from elastomer_friction.kernels.motion.slide import shift, start_rings
-from elastomer_friction.kernels.motion.stretches import bounds, gather, touchable
+from ..compile.jit import kernel
+from ..motion.slide import shift, start_rings
+from ..motion.stretches import bounds, gather, touchable
+from .balance import balance, note
+from .friction import step_average
 
 
 @kernel

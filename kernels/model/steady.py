@@ -13,9 +13,9 @@ excess force: never more than n + log2(first excess / (4e-16 load)) in all.
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.contact import solve_indentation
-from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, State, reach
+from ..compile.jit import kernel
+from ..rheology.law import NEGLIGIBLE, State, reach
+from .contact import solve_indentation
 
 
 @kernel

@@ -11,16 +11,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.motion.path import (
-    along,
-    crossed,
-    fewest_steps,
-    geometric,
-    growth,
-    oscillating,
-    piecewise,
-)
-from elastomer_friction.kernels.rheology.spectrum import SHORTEST
+from ..rheology.spectrum import SHORTEST
+from .path import along, crossed, fewest_steps, geometric, growth, oscillating, piecewise
 
 FIRST_OF_HOLD = 1e-6  # of a hold, where no speed before it tells how soon something happens
 

@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.motion.stretches import bounds
-from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, reach
+from ..compile.jit import kernel
+from ..rheology.law import NEGLIGIBLE, reach
+from .stretches import bounds
 
 
 class Rings(NamedTuple):

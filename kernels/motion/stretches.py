@@ -6,7 +6,7 @@ between two stretches elements merely decay (slide.py).
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
+from ..compile.jit import kernel
 
 SHORT_GAP = 16  # gaps up to this many samples are cheaper to carry along than to skip
 

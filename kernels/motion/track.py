@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.motion.fourier import Shifted
-from elastomer_friction.kernels.motion.programme import Steps
+from .fourier import Shifted
+from .programme import Steps
 
 SHIFTED = 1 << 21  # samples of shifted lines in a stage, at most, but for one line
 LINES = 512  # shifted lines in a stage, at most

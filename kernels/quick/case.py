@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.clock import working_time
-from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
+from ..compile.clock import working_time
+from ..rheology.spectrum import KELVIN, Spectrum
 
 
 class Quantities(NamedTuple):

@@ -5,18 +5,18 @@ A Kelvin element that slides one way under a load takes a quicker one (realizati
 
 import numpy as np
 
-from elastomer_friction.kernels.branches.dissipation import steady_friction
-from elastomer_friction.kernels.branches.jump import friction_jump, initial_rate
-from elastomer_friction.kernels.branches.steady import steady_memory
-from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.model.friction import lagged_slope
-from elastomer_friction.kernels.motion.programme import Slide
-from elastomer_friction.kernels.quick.case import Case, Clock, Outcome, Quantities, Seconds
-from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
-from elastomer_friction.kernels.rheology.forms import form_of
-from elastomer_friction.kernels.rheology.law import Elements, law_of
-from elastomer_friction.kernels.rheology.retardation import Retardation
-from elastomer_friction.kernels.scene import Saved, Scene, run_scene
+from ..branches.dissipation import steady_friction
+from ..branches.jump import friction_jump, initial_rate
+from ..branches.steady import steady_memory
+from ..lines.line import Line
+from ..model.friction import lagged_slope
+from ..motion.programme import Slide
+from ..rheology.forms import form_of
+from ..rheology.law import Elements, law_of
+from ..rheology.retardation import Retardation
+from ..scene import Saved, Scene, run_scene
+from .case import Case, Clock, Outcome, Quantities, Seconds
+from .contacts.samples import samples_per_contact
 
 
 def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:

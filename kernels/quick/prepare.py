@@ -5,10 +5,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.model.limits import LOADS, SPEEDS, check_between
-from elastomer_friction.kernels.quick.case import Case, Quantities
-from elastomer_friction.kernels.quick.contacts.steady_friction import Pace
-from elastomer_friction.kernels.rheology.spectrum import shortest_step
+from ..model.limits import LOADS, SPEEDS, check_between
+from ..rheology.spectrum import shortest_step
+from .case import Case, Quantities
+from .contacts.steady_friction import Pace
 
 LEAST_STEP = 1e-9  # |r - 1|, or zero; r is then known to 1e-7 of it, the jump to 1e-5
 

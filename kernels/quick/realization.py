@@ -8,22 +8,17 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
-from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.model.force import ConstantForce
-from elastomer_friction.kernels.quick.case import Case, Clocks, Outcome, Quantities, Seconds
-from elastomer_friction.kernels.quick.contacts.steady_friction import (
-    Grounds,
-    Sliding,
-    refine,
-    steady_friction,
-)
-from elastomer_friction.kernels.quick.march.march import active_march
-from elastomer_friction.kernels.quick.march.setting import Passing, Setting
-from elastomer_friction.kernels.quick.memory_case import run_memory_case
-from elastomer_friction.kernels.quick.prepare import Prepared, Together, prepare
-from elastomer_friction.kernels.quick.relaxation import Ends, plain_relaxations
-from elastomer_friction.kernels.quick.steady.stack import alone
+from ..control.printed_eq3 import PrintedForce
+from ..lines.line import Line
+from ..model.force import ConstantForce
+from .case import Case, Clocks, Outcome, Quantities, Seconds
+from .contacts.steady_friction import Grounds, Sliding, refine, steady_friction
+from .march.march import active_march
+from .march.setting import Passing, Setting
+from .memory_case import run_memory_case
+from .prepare import Prepared, Together, prepare
+from .relaxation import Ends, plain_relaxations
+from .steady.stack import alone
 
 FEW = 4000  # steps of elements: so few are stepped sooner than lists are made
 

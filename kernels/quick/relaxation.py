@@ -4,12 +4,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.friction import lagged_slope, step_average
-from elastomer_friction.kernels.model.march import march
-from elastomer_friction.kernels.quick.steady.carry import Decay, Gaps, carry
-from elastomer_friction.kernels.quick.steady.stack import spans_in
-from elastomer_friction.kernels.rheology.law import State
+from ..compile.jit import kernel
+from ..model.friction import lagged_slope, step_average
+from ..model.march import march
+from ..rheology.law import State
+from .steady.carry import Decay, Gaps, carry
+from .steady.stack import spans_in
 
 
 class Ends(NamedTuple):

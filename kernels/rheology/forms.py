@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from functools import lru_cache
 
-from elastomer_friction.kernels.rheology import prony, relaxed
-from elastomer_friction.kernels.rheology.relaxed import Moduli, relaxation
-from elastomer_friction.kernels.rheology.retardation import Retardation, retardation
-from elastomer_friction.kernels.rheology.spectrum import Spectrum
+from . import prony, relaxed
+from .relaxed import Moduli, relaxation
+from .retardation import Retardation, retardation
+from .spectrum import Spectrum
 
 FORMS: dict[str, Callable[[Spectrum], Retardation | Moduli]] = {
     prony.SCHEME: retardation,

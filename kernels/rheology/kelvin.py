@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, reach
+from .law import NEGLIGIBLE, reach
 
 
 class Kelvin(NamedTuple):

@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import by_type
+from ..compile.jit import by_type
 
 # What decays below this is zero: subnormal numbers would slow a sweep tenfold. Below its root
 # so is the decay of one step, whose product with what is left then stays a normal number.

@@ -19,18 +19,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.rheology.law import (
-    NEGLIGIBLE,
-    displacement,
-    lasting,
-    law_of,
-    memories,
-    predict,
-    rest,
-    settle,
-)
-from elastomer_friction.kernels.rheology.retardation import Retardation
+from ..compile.jit import kernel
+from .law import NEGLIGIBLE, displacement, lasting, law_of, memories, predict, rest, settle
+from .retardation import Retardation
 
 SCHEME = "exponential"
 

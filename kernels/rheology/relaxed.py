@@ -11,18 +11,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.rheology.law import (
-    NEGLIGIBLE,
-    displacement,
-    lasting,
-    law_of,
-    memories,
-    predict,
-    rest,
-    settle,
-)
-from elastomer_friction.kernels.rheology.retardation import merged
-from elastomer_friction.kernels.rheology.spectrum import Spectrum
+from .law import NEGLIGIBLE, displacement, lasting, law_of, memories, predict, rest, settle
+from .retardation import merged
+from .spectrum import Spectrum
 
 SCHEME = "implicit-euler"
 

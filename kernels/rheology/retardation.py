@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.rheology.spectrum import Spectrum
+from .spectrum import Spectrum
 
 
 class Retardation(NamedTuple):

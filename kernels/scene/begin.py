@@ -2,15 +2,15 @@
 
 import numpy as np
 
-from elastomer_friction.kernels.branches.steady import steady_at, steady_memory
-from elastomer_friction.kernels.model.contact import solve_indentation
-from elastomer_friction.kernels.model.steady import steady_sliding, sweep
-from elastomer_friction.kernels.rheology.forms import form_of
-from elastomer_friction.kernels.rheology.kelvin import SCHEMES
-from elastomer_friction.kernels.rheology.law import Elements, rest
-from elastomer_friction.kernels.rheology.relaxed import Moduli
-from elastomer_friction.kernels.rheology.retardation import Retardation
-from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
+from ..branches.steady import steady_at, steady_memory
+from ..model.contact import solve_indentation
+from ..model.steady import steady_sliding, sweep
+from ..rheology.forms import form_of
+from ..rheology.kelvin import SCHEMES
+from ..rheology.law import Elements, rest
+from ..rheology.relaxed import Moduli
+from ..rheology.retardation import Retardation
+from ..rheology.spectrum import KELVIN, Spectrum
 
 Form = Retardation | Moduli
 

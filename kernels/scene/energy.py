@@ -18,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
+from ..compile.jit import kernel
 
 ENERGIES = ("stored_energy", "dissipated_energy", "work", "closing_work")
 

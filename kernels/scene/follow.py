@@ -7,11 +7,11 @@ and what is kept are chosen by type: what is not asked for has left no trace in 
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.balance import balance
-from elastomer_friction.kernels.rheology.law import Elements, displacement, law_of, predict, settle
-from elastomer_friction.kernels.scene.energy import book, stored_energy
-from elastomer_friction.kernels.scene.records import count_lengths, keep_frame, keep_trace
+from ..compile.jit import kernel
+from ..model.balance import balance
+from ..rheology.law import Elements, displacement, law_of, predict, settle
+from .energy import book, stored_energy
+from .records import count_lengths, keep_frame, keep_trace
 
 
 @kernel

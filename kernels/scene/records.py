@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
+from ..compile.jit import kernel
 
 
 class Trace(NamedTuple):

@@ -2,33 +2,18 @@
 
 import numpy as np
 
-from elastomer_friction.kernels.control.indentation import PrescribedIndentation
-from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.model.force import ConstantForce
-from elastomer_friction.kernels.motion.programme import first_speed, last_speed
-from elastomer_friction.kernels.motion.track import Track, tracks
-from elastomer_friction.kernels.rheology.forms import form_of
-from elastomer_friction.kernels.rheology.law import Elements, displacement, law_of
-from elastomer_friction.kernels.scene.begin import Form, fresh, relaxed, steady
-from elastomer_friction.kernels.scene.energy import ENERGIES, Ledger, stored_energy
-from elastomer_friction.kernels.scene.follow import follow
-from elastomer_friction.kernels.scene.records import (
-    TRACES,
-    Film,
-    Lengths,
-    Trace,
-    count_lengths,
-    keep_frame,
-    keep_trace,
-)
-from elastomer_friction.kernels.scene.scene import (
-    START,
-    Saved,
-    Scene,
-    check_scene,
-    indentation_at,
-    scene_steps,
-)
+from ..control.indentation import PrescribedIndentation
+from ..lines.line import Line
+from ..model.force import ConstantForce
+from ..motion.programme import first_speed, last_speed
+from ..motion.track import Track, tracks
+from ..rheology.forms import form_of
+from ..rheology.law import Elements, displacement, law_of
+from .begin import Form, fresh, relaxed, steady
+from .energy import ENERGIES, Ledger, stored_energy
+from .follow import follow
+from .records import TRACES, Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
+from .scene import START, Saved, Scene, check_scene, indentation_at, scene_steps
 
 
 class Recorders:

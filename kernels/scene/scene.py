@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.model.limits import LOADS, SPEEDS, check_between
-from elastomer_friction.kernels.motion.programme import Programme, Steps, first_speed, steps_of
-from elastomer_friction.kernels.rheology.forms import form_of
-from elastomer_friction.kernels.rheology.law import law_of
-from elastomer_friction.kernels.rheology.spectrum import Spectrum, shortest_step
+from ..model.limits import LOADS, SPEEDS, check_between
+from ..motion.programme import Programme, Steps, first_speed, steps_of
+from ..rheology.forms import form_of
+from ..rheology.law import law_of
+from ..rheology.spectrum import Spectrum, shortest_step
 
 ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
 STARTS = ("steady", "relaxed", "fresh")

@@ -8,6 +8,7 @@ from pathlib import Path
 import pytest
 
 from elastomer_friction import workflow
+from tests.support.imports import module_of
 
 FOLDER = Path(workflow.__file__).resolve().parent
 ROOMS = sorted(  # "study", and "study.surfaces" within it
@@ -25,7 +26,7 @@ def folder_of(room):
 def imports(path):
     """Return the modules that a file imports names from."""
     nodes = ast.walk(ast.parse(path.read_text(encoding="utf-8")))
-    return {str(node.module) for node in nodes if isinstance(node, ast.ImportFrom)}
+    return {module_of(node, path) for node in nodes if isinstance(node, ast.ImportFrom)}
 
 
 def test_rooms_are_entered_by_their_public_names_alone():

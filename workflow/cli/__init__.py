@@ -5,9 +5,9 @@ Knows all rooms; no room knows it.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.cli.commands import command_parser, main
+    from .commands import command_parser, main
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

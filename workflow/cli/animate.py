@@ -3,9 +3,9 @@
 import argparse
 from pathlib import Path
 
-from elastomer_friction.workflow import report, scene
-from elastomer_friction.workflow.study import read_scene
-from elastomer_friction.workflow.system import make_folder
+from .. import report, scene
+from ..study import read_scene
+from ..system import make_folder
 
 DONE = 0
 SHOWN = ["trace", "snapshots"]  # what an animation is drawn from

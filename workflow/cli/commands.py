@@ -7,23 +7,18 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from elastomer_friction.workflow import report
-from elastomer_friction.workflow.cli.animate import add_animate_options, run_animate
-from elastomer_friction.workflow.cli.fit import add_fit_options, run_fit
-from elastomer_friction.workflow.cli.kinds import KINDS
-from elastomer_friction.workflow.cli.new import add_new_options, run_new, run_schema, run_studies
-from elastomer_friction.workflow.cli.prony import add_prony_options, run_prony
-from elastomer_friction.workflow.cli.run import DONE, RESUMABLE, add_run_options, resume_line
-from elastomer_friction.workflow.cli.stores import (
-    add_merge_options,
-    add_verify_options,
-    run_merge,
-    run_verify,
-)
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.result import check_result, result_file
-from elastomer_friction.workflow.study import AnyStudy, find_study, known_studies, read_study
-from elastomer_friction.workflow.system import program, version_of
+from .. import report
+from ..errors import UserError
+from ..result import check_result, result_file
+from ..study import AnyStudy, find_study, known_studies, read_study
+from ..system import program, version_of
+from .animate import add_animate_options, run_animate
+from .fit import add_fit_options, run_fit
+from .kinds import KINDS
+from .new import add_new_options, run_new, run_schema, run_studies
+from .prony import add_prony_options, run_prony
+from .run import DONE, RESUMABLE, add_run_options, resume_line
+from .stores import add_merge_options, add_verify_options, run_merge, run_verify
 
 
 def main(arguments: list[str] | None = None) -> int:

@@ -2,17 +2,7 @@
 
 from collections.abc import Iterator
 
-from elastomer_friction.workflow.study import (
-    QUANTITIES,
-    FromFile,
-    Hold,
-    Material,
-    Oscillate,
-    Ramp,
-    Slide,
-    Study,
-    why_not,
-)
+from ..study import QUANTITIES, FromFile, Hold, Material, Oscillate, Ramp, Slide, Study, why_not
 
 NAMES = {Slide: "slide", Hold: "hold", Ramp: "ramp", Oscillate: "oscillate", FromFile: "file"}
 

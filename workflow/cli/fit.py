@@ -4,15 +4,15 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow import (
+from .. import (
     laboratory,  # slow to import, all but the units: other commands do without
 )
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.laboratory import TIMES, VELOCITIES
-from elastomer_friction.workflow.system import make_folder
+from ..errors import UserError
+from ..laboratory import TIMES, VELOCITIES
+from ..system import make_folder
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.laboratory import Known
+    from ..laboratory import Known
 
 DONE = 0
 

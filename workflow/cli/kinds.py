@@ -6,11 +6,11 @@ What is slow to import (workflow.report) is loaded by the command that needs it 
 from collections.abc import Callable
 from typing import Any
 
-from elastomer_friction.workflow import report
-from elastomer_friction.workflow.cli.outline import outline_grid, outline_measured
-from elastomer_friction.workflow.cli.run import run_grid, run_measured_study
-from elastomer_friction.workflow.run import result_line, status_lines
-from elastomer_friction.workflow.store import store_folder
+from .. import report
+from ..run import result_line, status_lines
+from ..store import store_folder
+from .outline import outline_grid, outline_measured
+from .run import run_grid, run_measured_study
 
 # Of each kind what `plan` and `status` print, as lines and as data for --json, what `run` does and
 # returns as exit status, and what writes its `table`; each takes the study and its result file.

@@ -6,9 +6,9 @@ import re
 import tomllib
 from pathlib import Path
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study import known_studies, study_schema
-from elastomer_friction.workflow.system import make_folder, program, write_durably
+from ..errors import UserError
+from ..study import known_studies, study_schema
+from ..system import make_folder, program, write_durably
 
 DONE = 0
 TEMPLATE = Path(__file__).with_name("study.toml")

@@ -7,20 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from elastomer_friction.workflow.cli.effects import effect_lines
-from elastomer_friction.workflow.plan import (
-    WHOLE,
-    Pace,
-    Plan,
-    Prediction,
-    Variant,
-    make_plan,
-    prediction,
-    this_machine,
-)
-from elastomer_friction.workflow.simulate import programme_steps
-from elastomer_friction.workflow.study import Measured, Study, judged
-from elastomer_friction.workflow.system import core_time
+from ..plan import WHOLE, Pace, Plan, Prediction, Variant, make_plan, prediction, this_machine
+from ..simulate import programme_steps
+from ..study import Measured, Study, judged
+from ..system import core_time
+from .effects import effect_lines
 
 SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes

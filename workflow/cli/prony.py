@@ -4,12 +4,12 @@ import argparse
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study import FREQUENCIES, MODULI, Moduli, read_moduli
-from elastomer_friction.workflow.system import write_durably
+from ..errors import UserError
+from ..study import FREQUENCIES, MODULI, Moduli, read_moduli
+from ..system import write_durably
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.reduce import PronyFit
+    from ..reduce import PronyFit
 
 DONE = 0
 LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
@@ -30,7 +30,7 @@ def run_prony(options: argparse.Namespace) -> int:
     if options.branches is not None and options.branches < 1:
         raise UserError(f"--branches {options.branches}: must be at least 1")
     measured = read_moduli(Path(options.file), options.frequency, options.modulus)
-    from elastomer_friction.workflow.reduce import fit_prony
+    from ..reduce import fit_prony
 
     fit = fit_prony(measured.omega, measured.values, options.branches)
     stiffest = max((modulus for modulus, _ in fit.branches), default=0.0)

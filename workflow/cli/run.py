@@ -7,11 +7,11 @@ import shlex
 import sys
 from pathlib import Path
 
-from elastomer_friction.workflow.cli.outline import planned
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
-from elastomer_friction.workflow.study import BATCH_SYSTEMS, Measured, Study
-from elastomer_friction.workflow.system import program
+from ..errors import UserError
+from ..plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
+from ..study import BATCH_SYSTEMS, Measured, Study
+from ..system import program
+from .outline import planned
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
 UNTIMED = 3.0  # s; a study that takes less at the most ends before this machine is measured
@@ -43,7 +43,7 @@ def run_measured_study(options: argparse.Namespace, study: Measured, result: Pat
         if getattr(options, option) is not None:
             name = option.replace("_", "-")
             raise UserError(f"--{name}: {study.name} is measured in one process; leave it out")
-    from elastomer_friction.workflow.run import run_measured
+    from ..run import run_measured
 
     try:
         done = run_measured(study, result, _pace(study.script.outline(study.settings)[1]))
@@ -60,7 +60,7 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     _check(options)
     # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
-    from elastomer_friction.workflow.run import How, run_plan
+    from ..run import How, run_plan
 
     plan = paced_plan(study)
     where = options.scheduler or options.batch_system or study.cluster.where

@@ -3,11 +3,11 @@
 import argparse
 from pathlib import Path
 
-from elastomer_friction.workflow.cli.run import DONE, FAILED
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.result import result_file
-from elastomer_friction.workflow.store import Verified, holds_a_store, merge_into, store_folder
-from elastomer_friction.workflow.study import read_study
+from ..errors import UserError
+from ..result import result_file
+from ..store import Verified, holds_a_store, merge_into, store_folder
+from ..study import read_study
+from .run import DONE, FAILED
 
 
 def add_verify_options(command: argparse.ArgumentParser) -> None:

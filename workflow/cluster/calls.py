@@ -9,8 +9,8 @@ from distributed import Client, Future, Scheduler
 from distributed.client import FutureCancelledError
 from distributed.scheduler import KilledWorker
 
-from elastomer_friction.workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS, Watch
-from elastomer_friction.workflow.errors import UserError
+from ..errors import UserError
+from .watch import BEAT_SECONDS, QUIET_SECONDS, Watch
 
 LOST = "the scheduler was lost; run again to resume"
 POLL_SECONDS = 0.02

@@ -19,19 +19,13 @@ from distributed.system import MEMORY_LIMIT
 from distributed.utils import LoopRunner
 from tornado.ioloop import IOLoop, PeriodicCallback
 
-from elastomer_friction.workflow.cluster.calls import CLOSE_SECONDS, SafeClient, patiently
-from elastomer_friction.workflow.cluster.jobs import job_cluster
-from elastomer_friction.workflow.cluster.security import (
-    ENCRYPTED,
-    PagelessWorker,
-    own_security,
-    scheduler_kind,
-    security_of,
-)
-from elastomer_friction.workflow.cluster.watch import NO_ANSWER, Watch, say
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study import BATCH_SYSTEMS, LOCAL, Cluster
-from elastomer_friction.workflow.system import THREADS
+from ..errors import UserError
+from ..study import BATCH_SYSTEMS, LOCAL, Cluster
+from ..system import THREADS
+from .calls import CLOSE_SECONDS, SafeClient, patiently
+from .jobs import job_cluster
+from .security import ENCRYPTED, PagelessWorker, own_security, scheduler_kind, security_of
+from .watch import NO_ANSWER, Watch, say
 
 CONNECT_SECONDS = 10
 TRIES = 3  # to begin a thread of dask, which gives it ten seconds each: few on a busy machine

@@ -10,16 +10,10 @@ from dataclasses import dataclass, field
 
 from distributed import Client
 
-from elastomer_friction.workflow.cluster.calls import LOST, Call, Clock, Roll, call_roll
-from elastomer_friction.workflow.cluster.watch import (
-    BEAT_SECONDS,
-    LONGEST_BEAT,
-    QUIET_SECONDS,
-    Watch,
-    say,
-)
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system import duration
+from ..errors import UserError
+from ..system import duration
+from .calls import LOST, Call, Clock, Roll, call_roll
+from .watch import BEAT_SECONDS, LONGEST_BEAT, QUIET_SECONDS, Watch, say
 
 SILENT_SECONDS = 30.0  # without a heartbeat, before that is said and its work done elsewhere
 QUIET_PER_WORKER = 0.01  # s; the more workers, the rarer dask's heartbeats

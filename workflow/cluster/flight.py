@@ -7,9 +7,9 @@ from typing import Any, cast
 from distributed import Future
 from distributed.scheduler import KilledWorker
 
-from elastomer_friction.workflow.cluster.crew import Crew
-from elastomer_friction.workflow.cluster.watch import say
-from elastomer_friction.workflow.system import duration
+from ..system import duration
+from .crew import Crew
+from .watch import say
 
 LATE_FACTOR, LATE_SECONDS = 10.0, 60.0  # an item is late that takes more than both
 FIRST_SECONDS = 300.0  # instead, until something is done: machine code may have to be made

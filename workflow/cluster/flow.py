@@ -15,19 +15,12 @@ from dask.utils import funcname
 from distributed import Client, Future, as_completed
 from distributed.scheduler import KilledWorker
 
-from elastomer_friction.workflow.cluster.calls import Call, Clock, Fetches
-from elastomer_friction.workflow.cluster.crew import SILENT_SECONDS, RollCalls
-from elastomer_friction.workflow.cluster.flight import Flight, Retry, Work, raise_error, unknown
-from elastomer_friction.workflow.cluster.watch import (
-    BEAT_SECONDS,
-    NO_ANSWER,
-    NO_SIGN,
-    QUIET_SECONDS,
-    Watch,
-    say,
-)
-from elastomer_friction.workflow.cluster.worker import placed
-from elastomer_friction.workflow.errors import UserError
+from ..errors import UserError
+from .calls import Call, Clock, Fetches
+from .crew import SILENT_SECONDS, RollCalls
+from .flight import Flight, Retry, Work, raise_error, unknown
+from .watch import BEAT_SECONDS, NO_ANSWER, NO_SIGN, QUIET_SECONDS, Watch, say
+from .worker import placed
 
 PER_THREAD, LEAST = 4, 8  # items in flight
 

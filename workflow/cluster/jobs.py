@@ -9,10 +9,10 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from elastomer_friction.workflow.cluster.security import ENCRYPTED, own_security, scheduler_kind
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study import BATCH_SYSTEMS, Cluster, walltime_seconds
-from elastomer_friction.workflow.system import ROOT, THREADS, refused
+from ..errors import UserError
+from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
+from ..system import ROOT, THREADS, refused
+from .security import ENCRYPTED, own_security, scheduler_kind
 
 # What a worker keeps on a disk is put in the path of imports: it must be nobody else's. Nor is
 # anything imported from the folder where the job was submitted.

@@ -12,8 +12,8 @@ import dask
 from distributed import Scheduler, Worker
 from distributed.security import Security
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study import Cluster
+from ..errors import UserError
+from ..study import Cluster
 
 ENCRYPTED = "tls://"
 

@@ -6,10 +6,10 @@ from functools import cache
 
 from distributed import Client
 
-from elastomer_friction.workflow.cluster.calls import Call, patiently
-from elastomer_friction.workflow.cluster.watch import NO_ANSWER, Watch
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system import our_sources, version_of
+from ..errors import UserError
+from ..system import our_sources, version_of
+from .calls import Call, patiently
+from .watch import NO_ANSWER, Watch
 
 PACKAGES = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")
 ANSWER_SECONDS = 10.0  # to wait for the answers of all workers

@@ -8,11 +8,11 @@ from contextlib import contextmanager
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system import duration
+from ..errors import UserError
+from ..system import duration
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.cluster.crew import Crew
+    from .crew import Crew
 
 BEAT_SECONDS = 1.0  # between looks
 LONGEST_BEAT = 5.0  # that counts: a process that was stopped itself has not been waiting

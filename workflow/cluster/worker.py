@@ -10,8 +10,8 @@ from typing import Any
 
 from distributed import Status, Worker, get_worker
 
-from elastomer_friction.workflow.cluster.versions import Versions, require
-from elastomer_friction.workflow.simulate import Batch, BatchResult, block_means
+from ..simulate import Batch, BatchResult, block_means
+from .versions import Versions, require
 
 CLOSING = (Status.closing, Status.closed)
 

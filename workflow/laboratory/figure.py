@@ -8,12 +8,12 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.workflow.kinetic_law import relaxation_rate
-from elastomer_friction.workflow.laboratory.fit import Fit
-from elastomer_friction.workflow.laboratory.jumps import predicted_jump
-from elastomer_friction.workflow.laboratory.speeds import Rates
-from elastomer_friction.workflow.laboratory.step_fit import StepFit
-from elastomer_friction.workflow.report import COLOURS, write_below, write_figure
+from ..kinetic_law import relaxation_rate
+from ..report import COLOURS, write_below, write_figure
+from .fit import Fit
+from .jumps import predicted_jump
+from .speeds import Rates
+from .step_fit import StepFit
 
 ACROSS = 3  # steps beside each other
 MOST_STEPS = 12  # that are drawn

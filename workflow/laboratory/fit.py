@@ -2,12 +2,12 @@
 
 from typing import NamedTuple
 
-from elastomer_friction.workflow.laboratory.errors import Estimate
-from elastomer_friction.workflow.laboratory.jumps import fit_slope
-from elastomer_friction.workflow.laboratory.record import Record
-from elastomer_friction.workflow.laboratory.speeds import Known, Rates, fit_rates
-from elastomer_friction.workflow.laboratory.step_fit import StepFit, fit_step
-from elastomer_friction.workflow.laboratory.steps import steps_of
+from .errors import Estimate
+from .jumps import fit_slope
+from .record import Record
+from .speeds import Known, Rates, fit_rates
+from .step_fit import StepFit, fit_step
+from .steps import steps_of
 
 
 class Fit(NamedTuple):

@@ -5,9 +5,9 @@ Source: Li et al. (2014), doi:10.1038/srep05795, eq. 12.
 
 import numpy as np
 
-from elastomer_friction.workflow.kinetic_law import normalised_jump
-from elastomer_friction.workflow.laboratory.errors import DEVIATIONS, Estimate
-from elastomer_friction.workflow.laboratory.step_fit import LARGEST_SHARE, StepFit
+from ..kinetic_law import normalised_jump
+from .errors import DEVIATIONS, Estimate
+from .step_fit import LARGEST_SHARE, StepFit
 
 LEAST_ERROR = 1e-3  # share of a jump: none is measured better
 SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # tried, in units of the largest friction

@@ -6,8 +6,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study import Rows, named_unit, rows_of_file
+from ..errors import UserError
+from ..study import Rows, named_unit, rows_of_file
 
 TIMES = {"s": 1.0, "ms": 1e-3, "min": 60.0}  # in s
 VELOCITIES = {"m/s": 1.0, "mm/s": 1e-3, "um/s": 1e-6}  # in m/s

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import least_squares
 
-from elastomer_friction.workflow.laboratory.errors import DEVIATIONS, correlation_factor
+from .errors import DEVIATIONS, correlation_factor
 
 RATES = 80  # tried
 SLOWEST = 0.1  # rate times the whole time: slower is a straight line

@@ -17,8 +17,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.laboratory.errors import DEVIATIONS, Estimate
-from elastomer_friction.workflow.laboratory.step_fit import LARGEST_SHARE, StepFit
+from .errors import DEVIATIONS, Estimate
+from .step_fit import LARGEST_SHARE, StepFit
 
 LEAST_ERROR = 1e-3  # of the logarithm of a rate or jump: nothing is measured better
 KINK = 2e-3  # distance of the kinks that are tried, between the speeds

@@ -14,15 +14,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.laboratory.errors import (
-    DEVIATIONS,
-    Estimate,
-    correlation_factor,
-    mean,
-)
-from elastomer_friction.workflow.laboratory.relaxation import Relaxation, fit_relaxation_curve
-from elastomer_friction.workflow.laboratory.steps import Step
-from elastomer_friction.workflow.reduce import step_law
+from ..reduce import step_law
+from .errors import DEVIATIONS, Estimate, correlation_factor, mean
+from .relaxation import Relaxation, fit_relaxation_curve
+from .steps import Step
 
 LARGEST_SHARE = 1.0 / DEVIATIONS  # of a number that its standard error may be
 

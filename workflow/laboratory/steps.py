@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.laboratory.record import Record
+from ..errors import UserError
+from .record import Record
 
 LEAST_CHANGE = 0.02  # of log velocity: the smallest step that is looked for
 LEAST_SAMPLES = 12  # of a stretch

@@ -2,10 +2,10 @@
 
 import math
 
-from elastomer_friction.workflow.laboratory.errors import DEVIATIONS, Estimate
-from elastomer_friction.workflow.laboratory.fit import Fit
-from elastomer_friction.workflow.laboratory.speeds import Rates
-from elastomer_friction.workflow.laboratory.step_fit import StepFit
+from .errors import DEVIATIONS, Estimate
+from .fit import Fit
+from .speeds import Rates
+from .step_fit import StepFit
 
 OPTIONS = {"tau": "--relaxation-time", "H": "--hurst", "q_max": "--q-max"}
 NAMES = {"mu_2": "friction after, mu_2", "amplitude": "amplitude", "jump": "jump", "rate": "rate"}

@@ -5,10 +5,10 @@ Plain data: it computes no realization and opens no store.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.plan.batches import (
+    from .batches import (
         Missing,
         batch_target,
         cut,
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
         total_records,
         total_seconds,
     )
-    from elastomer_friction.workflow.plan.cost import (
+    from .cost import (
         TYPICAL,
         WHOLE,
         Pace,
@@ -27,20 +27,11 @@ if TYPE_CHECKING:
         prediction,
         this_machine,
     )
-    from elastomer_friction.workflow.plan.error_laws import (
-        LAWS,
-        first_order_rate_error,
-        known,
-        rate_error,
-    )
-    from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
-    from elastomer_friction.workflow.plan.plan import Plan, make_plan
-    from elastomer_friction.workflow.plan.problems import line_slope, speed_ratio
-    from elastomer_friction.workflow.plan.resolution import (
-        FIRST_ORDER,
-        horizon_steps,
-        steps_per_spacing,
-    )
-    from elastomer_friction.workflow.plan.variant import Variant
+    from .error_laws import LAWS, first_order_rate_error, known, rate_error
+    from .goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
+    from .plan import Plan, make_plan
+    from .problems import line_slope, speed_ratio
+    from .resolution import FIRST_ORDER, horizon_steps, steps_per_spacing
+    from .variant import Variant
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -10,10 +10,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.plan.plan import Plan
-from elastomer_friction.workflow.plan.variant import Variant, samples_of, sharing
-from elastomer_friction.workflow.simulate import Batch, Record, Task
-from elastomer_friction.workflow.study import Study, Surface
+from ..simulate import Batch, Record, Task
+from ..study import Study, Surface
+from .plan import Plan
+from .variant import Variant, samples_of, sharing
 
 BATCH_SECONDS = (1.0, 10.0)  # shortest and longest
 MANY_BATCHES = 200  # from here on batches grow: each costs the scheduler milliseconds

@@ -16,15 +16,10 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from elastomer_friction.kernels import KELVIN
-from elastomer_friction.kernels.quick.contacts.refined import LEAST_STEPS
-from elastomer_friction.workflow.plan.problems import (
-    Numbers,
-    expected_rate,
-    speed_ratio,
-    viscous_pressure,
-)
-from elastomer_friction.workflow.simulate import Problem
+from ...kernels import KELVIN
+from ...kernels.quick.contacts.refined import LEAST_STEPS
+from ..simulate import Problem
+from .problems import Numbers, expected_rate, speed_ratio, viscous_pressure
 
 FEW = 2.0  # patches of contact that carry the load
 

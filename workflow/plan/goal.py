@@ -8,19 +8,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import QUARTET
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan.cost import touchable_share
-from elastomer_friction.workflow.plan.error_laws import LAWS, relaxing_share
-from elastomer_friction.workflow.plan.problems import Numbers, viscous_pressure
-from elastomer_friction.workflow.plan.resolution import (
-    MAX_SAMPLES_PER_LINE,
-    check_resolution,
-    horizon_steps,
-    least_steps,
-)
-from elastomer_friction.workflow.simulate import Problem
-from elastomer_friction.workflow.study import MOST_BLOCKS, Numerics, Scene, Study, judged
+from ...kernels import QUARTET
+from ..errors import UserError
+from ..simulate import Problem
+from ..study import MOST_BLOCKS, Numerics, Scene, Study, judged
+from .cost import touchable_share
+from .error_laws import LAWS, relaxing_share
+from .problems import Numbers, viscous_pressure
+from .resolution import MAX_SAMPLES_PER_LINE, check_resolution, horizon_steps, least_steps
 
 JACKKNIFE_GROUPS = 32  # of the jackknife at most; fewer blocks are groups of their own
 LEAST_BLOCKS, LEAST_FOR_RATE = 2, 8  # of a point; with fewer, b is hardly ever significant

@@ -7,11 +7,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction import kernels
-from elastomer_friction.kernels import Programme, Quantities, Spectrum, rms_slope
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.simulate import Problem, Recording, ScaledHistory, Surface
-from elastomer_friction.workflow.study import (
+from ... import kernels
+from ...kernels import Programme, Quantities, Spectrum, rms_slope
+from ..errors import UserError
+from ..simulate import Problem, Recording, ScaledHistory, Surface
+from ..study import (
     FromFile,
     Hold,
     Numerics,
@@ -24,7 +24,7 @@ from elastomer_friction.workflow.study import (
     velocity_steps,
     with_hold,
 )
-from elastomer_friction.workflow.study import Surface as LinesOfStudy
+from ..study import Surface as LinesOfStudy
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
 

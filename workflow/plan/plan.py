@@ -6,15 +6,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import START, Origin, Quantities
-from elastomer_friction.kernels.compile.garbage import nothing_collected
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan.cost import PARTS, TYPICAL, Pace, Prediction, prediction
-from elastomer_friction.workflow.plan.goal import FIRST_SHARE, whole_blocks
-from elastomer_friction.workflow.plan.motion import asked_of
-from elastomer_friction.workflow.plan.variant import Variant, problems_of, variant_of
-from elastomer_friction.workflow.simulate import Batch, Task, row_layout, row_width
-from elastomer_friction.workflow.study import Study
+from ...kernels import START, Origin, Quantities
+from ...kernels.compile.garbage import nothing_collected
+from ..errors import UserError
+from ..simulate import Batch, Task, row_layout, row_width
+from ..study import Study
+from .cost import PARTS, TYPICAL, Pace, Prediction, prediction
+from .goal import FIRST_SHARE, whole_blocks
+from .motion import asked_of
+from .variant import Variant, problems_of, variant_of
 
 DRIVER_BYTES = 400e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code

@@ -11,21 +11,14 @@ from typing import Any
 
 import numpy as np
 
-from elastomer_friction.kernels import Spectrum, amplitudes, rms_slope
-from elastomer_friction.kernels.model.limits import LOADS, SPEEDS
-from elastomer_friction.kernels.quick.prepare import LEAST_STEP
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.kinetic_law import relaxation_rate
-from elastomer_friction.workflow.plan.motion import (
-    Scale,
-    Setting,
-    canonical,
-    line_modes,
-    rounded,
-    setting,
-)
-from elastomer_friction.workflow.simulate import Problem
-from elastomer_friction.workflow.study import Material, Study, check_load
+from ...kernels import Spectrum, amplitudes, rms_slope
+from ...kernels.model.limits import LOADS, SPEEDS
+from ...kernels.quick.prepare import LEAST_STEP
+from ..errors import UserError
+from ..kinetic_law import relaxation_rate
+from ..simulate import Problem
+from ..study import Material, Study, check_load
+from .motion import Scale, Setting, canonical, line_modes, rounded, setting
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
 TYPICAL_HURST = 0.8  # of measured lines, for predictions of cost alone

@@ -2,20 +2,15 @@
 
 import numpy as np
 
-from elastomer_friction.kernels import KELVIN
-from elastomer_friction.kernels.model.limits import SPEEDS
-from elastomer_friction.kernels.quick.contacts.refined import LEAST_STEPS
-from elastomer_friction.kernels.rheology.spectrum import shortest_step
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan.error_laws import (
-    allowed_share,
-    contact_width,
-    rate_error,
-    window_rate,
-)
-from elastomer_friction.workflow.plan.problems import Numbers, expected_rate
-from elastomer_friction.workflow.simulate import Problem
-from elastomer_friction.workflow.study import Numerics, Scene
+from ...kernels import KELVIN
+from ...kernels.model.limits import SPEEDS
+from ...kernels.quick.contacts.refined import LEAST_STEPS
+from ...kernels.rheology.spectrum import shortest_step
+from ..errors import UserError
+from ..simulate import Problem
+from ..study import Numerics, Scene
+from .error_laws import allowed_share, contact_width, rate_error, window_rate
+from .problems import Numbers, expected_rate
 
 MAX_SAMPLES_PER_LINE = 6_000_000  # keeps a worker below 1 GiB
 MIN_STEPS = 8  # of a march

@@ -8,15 +8,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import Origin, Quantities
-from elastomer_friction.workflow.plan.cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
-from elastomer_friction.workflow.plan.goal import Goal, goal_of
-from elastomer_friction.workflow.plan.motion import recording_of
-from elastomer_friction.workflow.plan.problems import distinct_problems, sharers, together
-from elastomer_friction.workflow.plan.resolution import horizon_steps, steps_per_spacing
-from elastomer_friction.workflow.simulate import CODE, Problem, Recording, Surface, Task, kept_steps
-from elastomer_friction.workflow.study import Material, Numerics, Study
-from elastomer_friction.workflow.study import Surface as LinesOfStudy
+from ...kernels import Origin, Quantities
+from ..simulate import CODE, Problem, Recording, Surface, Task, kept_steps
+from ..study import Material, Numerics, Study
+from ..study import Surface as LinesOfStudy
+from .cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
+from .goal import Goal, goal_of
+from .motion import recording_of
+from .problems import distinct_problems, sharers, together
+from .resolution import horizon_steps, steps_per_spacing
 
 NUMBERS = struct.Struct("<dqddd")  # of a problem, as they stand in its key: to the bit
 STEPS = struct.Struct("<qq")

@@ -4,13 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.plan import Goal, allowed
-from elastomer_friction.workflow.reduce.fits import (
-    NEGLIGIBLE,
-    NO_RELAXATION,
-    NOT_EXPONENTIAL,
-    NOT_FINITE,
-)
+from ..plan import Goal, allowed
+from .fits import NEGLIGIBLE, NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE
 
 MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2
 FEW_GROUPS = 8  # of the jackknife, below which a law has a say in what is met

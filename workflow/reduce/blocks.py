@@ -4,18 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import ENERGIES, TRACES, Programme, trace_stamps
-from elastomer_friction.workflow.plan import Plan, Variant, line_slope
-from elastomer_friction.workflow.reduce.statistics import standard_error
-from elastomer_friction.workflow.simulate import (
-    Layout,
-    Task,
-    record_steps,
-    record_times,
-    row_layout,
-    scene_of,
-    unpack,
-)
+from ...kernels import ENERGIES, TRACES, Programme, trace_stamps
+from ..plan import Plan, Variant, line_slope
+from ..simulate import Layout, Task, record_steps, record_times, row_layout, scene_of, unpack
+from .statistics import standard_error
 
 Estimates = dict[str, np.ndarray]
 

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from elastomer_friction.workflow.plan import Plan, Variant, line_slope, speed_ratio
-from elastomer_friction.workflow.reduce.blocks import Estimates
-from elastomer_friction.workflow.reduce.exponents import fit_exponents
-from elastomer_friction.workflow.reduce.resolution import resolution
-from elastomer_friction.workflow.study import judged
+from ..plan import Plan, Variant, line_slope, speed_ratio
+from ..study import judged
+from .blocks import Estimates
+from .exponents import fit_exponents
+from .resolution import resolution
 
 
 def completed(

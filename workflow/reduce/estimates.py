@@ -2,19 +2,14 @@
 
 import numpy as np
 
-from elastomer_friction.workflow.plan import JACKKNIFE_GROUPS
-from elastomer_friction.workflow.reduce.blocks import Blocks, Estimates, enter
-from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
-from elastomer_friction.workflow.reduce.models import (
-    COEFFICIENTS,
-    GAINS,
-    Comparison,
-    compare_models,
-)
-from elastomer_friction.workflow.reduce.scenes import reduce_programmes, reduce_steps
-from elastomer_friction.workflow.reduce.statistics import errors_needed, padded, replicates
-from elastomer_friction.workflow.simulate import SCALARS
-from elastomer_friction.workflow.study import QUANTITIES
+from ..plan import JACKKNIFE_GROUPS
+from ..simulate import SCALARS
+from ..study import QUANTITIES
+from .blocks import Blocks, Estimates, enter
+from .fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
+from .models import COEFFICIENTS, GAINS, Comparison, compare_models
+from .scenes import reduce_programmes, reduce_steps
+from .statistics import errors_needed, padded, replicates
 
 
 def reduce_blocks(blocks: Blocks) -> Estimates:

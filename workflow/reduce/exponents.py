@@ -4,9 +4,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.reduce.blocks import Estimates, enter
-from elastomer_friction.workflow.reduce.fits import FITTED
-from elastomer_friction.workflow.reduce.resolution import UNRESOLVED
+from .blocks import Estimates, enter
+from .fits import FITTED
+from .resolution import UNRESOLVED
 
 
 class PowerLaw(NamedTuple):

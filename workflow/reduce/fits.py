@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.reduce.statistics import fit_decays, significant, standard_error
+from .statistics import fit_decays, significant, standard_error
 
 FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE, NO_STATE, NEGLIGIBLE = range(7)
 

@@ -11,12 +11,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.reduce.statistics import (
-    Model,
-    errors_needed,
-    fit_curves,
-    significant,
-)
+from .statistics import Model, errors_needed, fit_curves, significant
 
 EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
 MODEL_MEANINGS = "undecided exponential stretched two_exponentials"

@@ -2,15 +2,9 @@
 
 import numpy as np
 
-from elastomer_friction.workflow.plan import (
-    FIRST_ORDER,
-    LAWS,
-    first_order_rate_error,
-    known,
-    rate_error,
-)
-from elastomer_friction.workflow.simulate import Task
-from elastomer_friction.workflow.study import Numerics
+from ..plan import FIRST_ORDER, LAWS, first_order_rate_error, known, rate_error
+from ..simulate import Task
+from ..study import Numerics
 
 UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
 RESOLUTION_MEANINGS = "unresolved coarse resolved"

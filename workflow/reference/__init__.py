@@ -5,9 +5,9 @@ Knows all rooms; `make docs` writes the pages to docs/reference.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.reference.pages import PAGES, write_pages
+    from .pages import PAGES, write_pages
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

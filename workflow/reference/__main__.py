@@ -3,7 +3,7 @@
 import sys
 from pathlib import Path
 
-from elastomer_friction.workflow.reference import write_pages
+from . import write_pages
 
 if __name__ == "__main__":
     print(*write_pages(Path((sys.argv[1:] or ["docs/reference"])[0])), sep="\n")

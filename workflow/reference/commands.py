@@ -2,7 +2,7 @@
 
 import argparse
 
-from elastomer_friction.workflow.cli import command_parser
+from ..cli import command_parser
 
 HEAD = """# Every command
 

@@ -2,8 +2,8 @@
 
 import re
 
-from elastomer_friction.workflow.result import described_variables
-from elastomer_friction.workflow.study import QUANTITIES, described_measures, described_tables
+from ..result import described_variables
+from ..study import QUANTITIES, described_measures, described_tables
 
 HEAD = """# Index
 

@@ -1,12 +1,6 @@
 """The page of every key of study.toml."""
 
-from elastomer_friction.workflow.study import (
-    COMPARE,
-    QUANTITIES,
-    DescribedKey,
-    described_measures,
-    described_tables,
-)
+from ..study import COMPARE, QUANTITIES, DescribedKey, described_measures, described_tables
 
 HEAD = """# Every key of study.toml
 

@@ -3,10 +3,10 @@
 from collections.abc import Callable
 from pathlib import Path
 
-from elastomer_friction.workflow.reference.commands import commands_page
-from elastomer_friction.workflow.reference.index import index_page
-from elastomer_friction.workflow.reference.keys import keys_page
-from elastomer_friction.workflow.reference.results import results_page
+from .commands import commands_page
+from .index import index_page
+from .keys import keys_page
+from .results import results_page
 
 PAGES: dict[str, Callable[[], str]] = {
     "README.md": index_page,

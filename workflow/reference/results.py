@@ -1,11 +1,7 @@
 """The page of every variable of a result."""
 
-from elastomer_friction.workflow.result import (
-    AXIS_ATTRIBUTES,
-    DescribedVariable,
-    described_variables,
-)
-from elastomer_friction.workflow.study import AXES
+from ..result import AXIS_ATTRIBUTES, DescribedVariable, described_variables
+from ..study import AXES
 
 HEAD = """# Every variable of a result
 

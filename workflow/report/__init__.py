@@ -5,11 +5,11 @@ Reads result files alone; knows no run.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.report.animation import animate, check_animation
-    from elastomer_friction.workflow.report.claims import (
+    from .animation import animate, check_animation
+    from .claims import (
         FACTOR,
         HOLDS,
         NOT_FOUND,
@@ -27,17 +27,10 @@ if TYPE_CHECKING:
         spread,
         typical_factor,
     )
-    from elastomer_friction.workflow.report.drawing import (
-        COLOURS,
-        error_band,
-        error_bars,
-        foot_line,
-        log_bars,
-        write_below,
-    )
-    from elastomer_friction.workflow.report.figure import draw_figure, write_figure
-    from elastomer_friction.workflow.report.page import write_report
-    from elastomer_friction.workflow.report.resolution import not_resolved, without_unresolved
-    from elastomer_friction.workflow.report.table import write_grid_table, write_measured_table
+    from .drawing import COLOURS, error_band, error_bars, foot_line, log_bars, write_below
+    from .figure import draw_figure, write_figure
+    from .page import write_report
+    from .resolution import not_resolved, without_unresolved
+    from .table import write_grid_table, write_measured_table
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -11,9 +11,9 @@ from matplotlib import pyplot as plt
 from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
 from matplotlib.axes import Axes
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.report.drawing import COLOURS, STYLE
-from elastomer_friction.workflow.system import write_durably
+from ..errors import UserError
+from ..system import write_durably
+from .drawing import COLOURS, STYLE
 
 NEEDED = ("snapshot_height", "snapshot_displacement", "trace_mu", "trace_time")
 WRITERS: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}

@@ -14,8 +14,8 @@ from typing import NamedTuple
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.workflow.report.resolution import Resolved
-from elastomer_friction.workflow.study import known_studies, load_script
+from ..study import known_studies, load_script
+from .resolution import Resolved
 
 Results = Mapping[str, xr.Dataset]  # "fig7", and "fig7/paper_step" for its comparison
 

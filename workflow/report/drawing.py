@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from elastomer_friction.workflow.report.points import remember
-from elastomer_friction.workflow.report.resolution import HOLLOW, not_resolved
+from .points import remember
+from .resolution import HOLLOW, not_resolved
 
 STYLE: dict[str, Any] = {
     "figure.dpi": 150,

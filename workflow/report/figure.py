@@ -16,13 +16,13 @@ import matplotlib as mpl
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.report import usual_figure
-from elastomer_friction.workflow.report.drawing import STYLE
-from elastomer_friction.workflow.report.points import Point, remembered
-from elastomer_friction.workflow.result import BROKEN, Groups, broken, open_result
-from elastomer_friction.workflow.study import AnyStudy, load_script
-from elastomer_friction.workflow.system import write_durably
+from ..errors import UserError
+from ..result import BROKEN, Groups, broken, open_result
+from ..study import AnyStudy, load_script
+from ..system import write_durably
+from . import usual_figure
+from .drawing import STYLE
+from .points import Point, remembered
 
 # It takes the dates of some fonts for wrong, which a reader of a figure need not know.
 logging.getLogger("fontTools").setLevel(logging.ERROR)

@@ -8,7 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.workflow.study import AXES
+from ..study import AXES
 
 SYMBOLS = {
     "hurst": "H",

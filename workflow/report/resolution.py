@@ -5,7 +5,7 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
+from ..reduce import RESOLVED, UNRESOLVED
 
 STATUS = "resolution_status"
 HOLLOW = "hollow: contacts of fewer than 4 samples"

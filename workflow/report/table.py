@@ -5,10 +5,10 @@ from pathlib import Path
 
 import pandas as pd
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.result import BROKEN, ROOT, Groups, broken, open_result
-from elastomer_friction.workflow.study import AnyStudy, Measured, Study
-from elastomer_friction.workflow.system import write_durably
+from ..errors import UserError
+from ..result import BROKEN, ROOT, Groups, broken, open_result
+from ..study import AnyStudy, Measured, Study
+from ..system import write_durably
 
 VARIANT = "variant"  # column: a comparison, or
 OWN = "study"  # the study itself

@@ -12,9 +12,9 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.workflow.report.drawing import COLOURS, error_bars, foot_line
-from elastomer_friction.workflow.result import AXIS_ATTRIBUTES, Groups
-from elastomer_friction.workflow.study import AXES
+from ..result import AXIS_ATTRIBUTES, Groups
+from ..study import AXES
+from .drawing import COLOURS, error_bars, foot_line
 
 CAPTION = (
     "The first panel shows the coefficient of friction over time after the velocity step at points "

@@ -5,11 +5,11 @@ The first room that knows xarray.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.result.dataset import Groups, build_dataset
-    from elastomer_friction.workflow.result.netcdf import (
+    from .dataset import Groups, build_dataset
+    from .netcdf import (
         BROKEN,
         ROOT,
         broken,
@@ -22,8 +22,8 @@ if TYPE_CHECKING:
         result_file,
         write_datasets,
     )
-    from elastomer_friction.workflow.result.provenance import made_by, origin
-    from elastomer_friction.workflow.result.reference import DescribedVariable, described_variables
-    from elastomer_friction.workflow.result.variables import AXIS_ATTRIBUTES, VARIABLES
+    from .provenance import made_by, origin
+    from .reference import DescribedVariable, described_variables
+    from .variables import AXIS_ATTRIBUTES, VARIABLES
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

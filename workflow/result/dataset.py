@@ -5,19 +5,14 @@ from collections.abc import Mapping
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.kernels import power_spectrum
-from elastomer_friction.workflow.plan import Plan, Variant
-from elastomer_friction.workflow.reduce import LAWS, Estimates
-from elastomer_friction.workflow.result.declaration import Powers
-from elastomer_friction.workflow.result.provenance import provenance
-from elastomer_friction.workflow.result.variables import (
-    AUXILIARY,
-    AXIS_ATTRIBUTES,
-    attributes,
-    declared,
-)
-from elastomer_friction.workflow.simulate import EDGES
-from elastomer_friction.workflow.study import AXES
+from ...kernels import power_spectrum
+from ..plan import Plan, Variant
+from ..reduce import LAWS, Estimates
+from ..simulate import EDGES
+from ..study import AXES
+from .declaration import Powers
+from .provenance import provenance
+from .variables import AUXILIARY, AXIS_ATTRIBUTES, attributes, declared
 
 Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are its comparisons
 Units = dict[str, xr.DataArray]  # unit of the plan -> its value in SI, over the axes it depends on

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from elastomer_friction.workflow.study import AXES
+from ..study import AXES
 
 GRID = AXES
 CURVE = (*AXES, "sample")

@@ -13,10 +13,10 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.simulate import CODE
-from elastomer_friction.workflow.study import AnyStudy
-from elastomer_friction.workflow.system import program, replacing
+from ..errors import UserError
+from ..simulate import CODE
+from ..study import AnyStudy
+from ..system import program, replacing
 
 if TYPE_CHECKING:  # slow to import: plan and status do without
     import xarray as xr

@@ -4,9 +4,9 @@ import subprocess
 from collections.abc import Set
 from pathlib import Path
 
-from elastomer_friction.workflow.simulate import CODE
-from elastomer_friction.workflow.study import AnyStudy, Numerics, Study
-from elastomer_friction.workflow.system import ROOT, Maker, package_versions, this_maker, version_of
+from ..simulate import CODE
+from ..study import AnyStudy, Numerics, Study
+from ..system import ROOT, Maker, package_versions, this_maker, version_of
 
 REFERENCE = "Li, Dimaki, Popov, Psakhie, Popov (2014), Sci. Rep. 4, 5795, doi:10.1038/srep05795"
 LICENCE = (

@@ -1,15 +1,7 @@
 """The variables of scenes: what a programme of motion, or another elastomer, adds to a result."""
 
-from elastomer_friction.workflow.reduce import STATUS_COMMENT
-from elastomer_friction.workflow.result.declaration import (
-    COUNT,
-    FLAG,
-    GRID,
-    HEIGHT,
-    SIGN_OF_D,
-    SLOPE,
-    Variable,
-)
+from ..reduce import STATUS_COMMENT
+from .declaration import COUNT, FLAG, GRID, HEIGHT, SIGN_OF_D, SLOPE, Variable
 
 EVENT = (*GRID, "event")
 LAW = (*GRID, "law")

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from elastomer_friction.workflow.reduce import (
+from ..reduce import (
     ACCURACY_MEANINGS,
     MODEL_MEANINGS,
     RESOLUTION_COMMENT,
@@ -10,7 +10,7 @@ from elastomer_friction.workflow.reduce import (
     STATUS_COMMENT,
     STATUS_MEANINGS,
 )
-from elastomer_friction.workflow.result.declaration import (
+from .declaration import (
     BIAS,
     COUNT,
     CURVE,
@@ -22,7 +22,7 @@ from elastomer_friction.workflow.result.declaration import (
     SLOPE,
     Variable,
 )
-from elastomer_friction.workflow.result.scenes import SCENES
+from .scenes import SCENES
 
 AXIS_ATTRIBUTES = {
     "hurst": ("1", "Hurst exponent H"),

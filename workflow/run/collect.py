@@ -7,19 +7,19 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 # Slow to import: what is needed of them is, when it is used.
-from elastomer_friction.workflow import reduce, result
-from elastomer_friction.workflow.cluster import Watch
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan import JACKKNIFE_GROUPS, Plan, Variant
-from elastomer_friction.workflow.run.summary import Summary
-from elastomer_friction.workflow.run.workers import Workers, fit_seconds
-from elastomer_friction.workflow.simulate import Task
-from elastomer_friction.workflow.store import Store
-from elastomer_friction.workflow.system import Reporter
+from .. import reduce, result
+from ..cluster import Watch
+from ..errors import UserError
+from ..plan import JACKKNIFE_GROUPS, Plan, Variant
+from ..simulate import Task
+from ..store import Store
+from ..system import Reporter
+from .summary import Summary
+from .workers import Workers, fit_seconds
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.reduce import Attained, Blocks, Estimates
-    from elastomer_friction.workflow.result import Groups
+    from ..reduce import Attained, Blocks, Estimates
+    from ..result import Groups
 
 TASKS_PER_REDUCTION = 32
 

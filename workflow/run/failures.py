@@ -4,10 +4,10 @@ import dataclasses
 import sys
 from typing import Any
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan import Plan
-from elastomer_friction.workflow.simulate import Batch, Task
-from elastomer_friction.workflow.store import Store
+from ..errors import UserError
+from ..plan import Plan
+from ..simulate import Batch, Task
+from ..store import Store
 
 
 class Failures:

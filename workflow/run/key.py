@@ -6,12 +6,12 @@ from pathlib import Path
 
 import numpy as np
 
-from elastomer_friction.workflow.plan import Missing, Plan, missing_work
-from elastomer_friction.workflow.result import peek
-from elastomer_friction.workflow.run.status import identity
-from elastomer_friction.workflow.simulate import Record
-from elastomer_friction.workflow.store import Store
-from elastomer_friction.workflow.system import our_sources, package_versions
+from ..plan import Missing, Plan, missing_work
+from ..result import peek
+from ..simulate import Record
+from ..store import Store
+from ..system import our_sources, package_versions
+from .status import identity
 
 KEY = "key"  # attribute of the result file
 

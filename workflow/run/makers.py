@@ -1,7 +1,7 @@
 """One kind of records, where a user wants no other: the same packages on the same processor."""
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system import Maker
+from ..errors import UserError
+from ..system import Maker
 
 
 def require_one(makers: set[Maker], asked: bool) -> None:

@@ -6,16 +6,10 @@ from functools import partial
 from pathlib import Path
 from typing import NamedTuple
 
-from elastomer_friction.workflow.plan import WHOLE, Pace, prediction
-from elastomer_friction.workflow.result import origin, write_datasets
-from elastomer_friction.workflow.study import HERE, Measured
-from elastomer_friction.workflow.system import (
-    Patience,
-    Reporter,
-    check_place,
-    duration,
-    make_folder,
-)
+from ..plan import WHOLE, Pace, prediction
+from ..result import origin, write_datasets
+from ..study import HERE, Measured
+from ..system import Patience, Reporter, check_place, duration, make_folder
 
 Took = dict[tuple[str, str], float]  # (study, WHOLE) -> CPU seconds
 

@@ -6,8 +6,8 @@ same study takes the same rounds, with the same bits, whatever the workers, and 
 
 import math
 
-from elastomer_friction.workflow.plan import Plan, Variant, most_blocks
-from elastomer_friction.workflow.run.collect import Collector
+from ..plan import Plan, Variant, most_blocks
+from .collect import Collector
 
 MARGIN = 1.1  # over the extrapolated need, or every other point would miss it by a hair
 GROWTH = (1.25, 4.0)  # of the realizations from one round to the next

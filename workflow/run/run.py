@@ -6,11 +6,11 @@ from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from elastomer_friction.kernels.compile import cache
-from elastomer_friction.workflow import result as results
-from elastomer_friction.workflow.cluster import Watch
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan import (
+from ...kernels.compile import cache
+from .. import result as results
+from ..cluster import Watch
+from ..errors import UserError
+from ..plan import (
     JACKKNIFE_GROUPS,
     Missing,
     Plan,
@@ -21,18 +21,10 @@ from elastomer_friction.workflow.plan import (
     total_records,
     total_seconds,
 )
-from elastomer_friction.workflow.run.collect import Collector
-from elastomer_friction.workflow.run.failures import Failures
-from elastomer_friction.workflow.run.key import KEY, is_unchanged, result_key
-from elastomer_friction.workflow.run.makers import require_one
-from elastomer_friction.workflow.run.rounds import Rounds
-from elastomer_friction.workflow.run.status import Status, StatusWriter, identity, status_file
-from elastomer_friction.workflow.run.summary import Summary
-from elastomer_friction.workflow.run.workers import How, Workers, fit_seconds, open_workers
-from elastomer_friction.workflow.simulate import load_kernels
-from elastomer_friction.workflow.store import DamagedShard, Shelf, Store, store_folder
-from elastomer_friction.workflow.study import LOCAL
-from elastomer_friction.workflow.system import (
+from ..simulate import load_kernels
+from ..store import DamagedShard, Shelf, Store, store_folder
+from ..study import LOCAL
+from ..system import (
     Interrupt,
     Patience,
     Reporter,
@@ -43,9 +35,17 @@ from elastomer_friction.workflow.system import (
     processor,
     saying_what_compiles,
 )
+from .collect import Collector
+from .failures import Failures
+from .key import KEY, is_unchanged, result_key
+from .makers import require_one
+from .rounds import Rounds
+from .status import Status, StatusWriter, identity, status_file
+from .summary import Summary
+from .workers import How, Workers, fit_seconds, open_workers
 
 if TYPE_CHECKING:  # slow to import; computing needs nothing of it
-    from elastomer_friction.workflow.result import Groups
+    from ..result import Groups
 
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 

@@ -15,18 +15,12 @@ from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan import (
-    make_plan,
-    missing_work,
-    this_machine,
-    total_records,
-    total_seconds,
-)
-from elastomer_friction.workflow.simulate import CODE
-from elastomer_friction.workflow.store import Store, journal
-from elastomer_friction.workflow.study import Study
-from elastomer_friction.workflow.system import holder, write_durably
+from ..errors import UserError
+from ..plan import make_plan, missing_work, this_machine, total_records, total_seconds
+from ..simulate import CODE
+from ..store import Store, journal
+from ..study import Study
+from ..system import holder, write_durably
 
 WRITE_SECONDS = 5.0
 

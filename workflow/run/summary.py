@@ -10,12 +10,12 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from elastomer_friction.workflow import reduce
-from elastomer_friction.workflow import result as results
-from elastomer_friction.workflow.plan import Plan
-from elastomer_friction.workflow.simulate import PHASES, Batch, BatchResult
-from elastomer_friction.workflow.study import AXES
-from elastomer_friction.workflow.system import counted, duration, peak_bytes, this_maker
+from .. import reduce
+from .. import result as results
+from ..plan import Plan
+from ..simulate import PHASES, Batch, BatchResult
+from ..study import AXES
+from ..system import counted, duration, peak_bytes, this_maker
 
 if TYPE_CHECKING:
     import xarray as xr

@@ -6,12 +6,12 @@ from contextlib import contextmanager
 from functools import partial
 from typing import Any, NamedTuple
 
-from elastomer_friction.workflow import cluster
-from elastomer_friction.workflow.cluster import Watch
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan import Plan
-from elastomer_friction.workflow.simulate import Batch, BatchResult, block_means
-from elastomer_friction.workflow.study import HERE, LOCAL, Cluster
+from .. import cluster
+from ..cluster import Watch
+from ..errors import UserError
+from ..plan import Plan
+from ..simulate import Batch, BatchResult, block_means
+from ..study import HERE, LOCAL, Cluster
 
 SECONDS_HERE = 10.0  # of predicted work that this process does by itself
 SECONDS_PER_FIT = 3e-5  # and replicate

@@ -5,11 +5,11 @@
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.report import animate
-    from elastomer_friction.workflow.scene.alone import computed
-    from elastomer_friction.workflow.scene.call import run
+    from ..report import animate
+    from .alone import computed
+    from .call import run
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -5,19 +5,12 @@ from dataclasses import replace
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.kernels import START, Saved
-from elastomer_friction.workflow.plan import (
-    Plan,
-    Variant,
-    cut,
-    make_batches,
-    make_plan,
-    missing_work,
-)
-from elastomer_friction.workflow.reduce import Estimates, blocks_of, completed, reduce_blocks
-from elastomer_friction.workflow.result import build_dataset
-from elastomer_friction.workflow.simulate import block_means
-from elastomer_friction.workflow.study import Study
+from ...kernels import START, Saved
+from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
+from ..reduce import Estimates, blocks_of, completed, reduce_blocks
+from ..result import build_dataset
+from ..simulate import block_means
+from ..study import Study
 
 PER_TAU = ("relaxation_rate", "relaxation_rate_free", "stretched_rate", "fast_rate", "slow_rate")
 IN_TAU = ("time", "fit_window")

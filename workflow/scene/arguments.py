@@ -7,14 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study import (
-    Profile,
-    Study,
-    given_profile,
-    positive,
-    read_grid_study,
-)
+from ..errors import UserError
+from ..study import Profile, Study, given_profile, positive, read_grid_study
 
 NAME = "scene"
 OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study has in [grid]

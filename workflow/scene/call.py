@@ -5,9 +5,9 @@ from typing import Any
 
 import xarray as xr
 
-from elastomer_friction.workflow.scene.alone import computed
-from elastomer_friction.workflow.scene.arguments import USUAL, identity, study_of
-from elastomer_friction.workflow.scene.resume import marked, saved_state
+from .alone import computed
+from .arguments import USUAL, identity, study_of
+from .resume import marked, saved_state
 
 
 def run(

@@ -3,10 +3,10 @@
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.kernels import Saved, form_of, memories
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.scene.arguments import identity
-from elastomer_friction.workflow.study import Study
+from ...kernels import Saved, form_of, memories
+from ..errors import UserError
+from ..study import Study
+from .arguments import identity
 
 FIELDS = {name: f"state_{name}" for name in Saved._fields}
 MARK = "scene"  # attribute that tells of which line and material a state is

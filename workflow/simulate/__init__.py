@@ -5,31 +5,16 @@ Imports numpy and the kernels alone; its code is part of the key of every record
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.simulate.code import CODE
-    from elastomer_friction.workflow.simulate.drawing import line_generator
-    from elastomer_friction.workflow.simulate.kept import (
-        kept_steps,
-        programme_steps,
-        record_steps,
-        record_times,
-    )
-    from elastomer_friction.workflow.simulate.layout import (
-        EDGES,
-        Layout,
-        row_layout,
-        row_width,
-        unpack,
-    )
-    from elastomer_friction.workflow.simulate.programmes import scene_of
-    from elastomer_friction.workflow.simulate.realizations import (
-        block_means,
-        lines_at_once,
-        load_kernels,
-    )
-    from elastomer_friction.workflow.simulate.tasks import (
+    from .code import CODE
+    from .drawing import line_generator
+    from .kept import kept_steps, programme_steps, record_steps, record_times
+    from .layout import EDGES, Layout, row_layout, row_width, unpack
+    from .programmes import scene_of
+    from .realizations import block_means, lines_at_once, load_kernels
+    from .tasks import (
         PHASES,
         SCALARS,
         Batch,

@@ -13,8 +13,8 @@ import os
 import string
 from pathlib import Path
 
-from elastomer_friction import kernels
-from elastomer_friction.kernels.compile import cache
+from ... import kernels
+from ...kernels.compile import cache
 
 DIGITS = 16
 FOLDERS = (Path(kernels.__file__).parent, Path(__file__).parent)

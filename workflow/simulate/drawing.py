@@ -5,8 +5,8 @@ from itertools import islice
 
 import numpy as np
 
-from elastomer_friction.kernels import QUARTET, Line, amplitudes, draw_phases
-from elastomer_friction.workflow.simulate.tasks import Batch
+from ...kernels import QUARTET, Line, amplitudes, draw_phases
+from .tasks import Batch
 
 # Steps per spacing -> the lines of realizations in a row that one drawing gives.
 Draw = Callable[[int], Iterable[Line]]

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import (
+from ...kernels import (
     KELVIN,
     START,
     Hold,
@@ -18,7 +18,7 @@ from elastomer_friction.kernels import (
     law_of,
     scene_steps,
 )
-from elastomer_friction.workflow.simulate.tasks import Problem, Recording, ScaledHistory
+from .tasks import Problem, Recording, ScaledHistory
 
 RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
 LOOP = 256  # samples of the last cycle of an oscillation

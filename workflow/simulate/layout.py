@@ -8,9 +8,9 @@ import math
 
 import numpy as np
 
-from elastomer_friction.kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memories
-from elastomer_friction.workflow.simulate.kept import kept_steps
-from elastomer_friction.workflow.simulate.tasks import Recording, Task
+from ...kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memories
+from .kept import kept_steps
+from .tasks import Recording, Task
 
 STATE = tuple(f"state_{name}" for name in Saved._fields if name not in ("memory", "p"))
 BINS = 40

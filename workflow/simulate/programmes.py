@@ -4,11 +4,11 @@ import math
 
 import numpy as np
 
-from elastomer_friction.kernels import Case, Line, Quantities, Scene, run_case, run_scene
-from elastomer_friction.kernels.compile.clock import working_time
-from elastomer_friction.workflow.simulate.kept import kept_steps
-from elastomer_friction.workflow.simulate.layout import EDGES, Layout
-from elastomer_friction.workflow.simulate.tasks import SCALARS, Batch, Recording, Task
+from ...kernels import Case, Line, Quantities, Scene, run_case, run_scene
+from ...kernels.compile.clock import working_time
+from .kept import kept_steps
+from .layout import EDGES, Layout
+from .tasks import SCALARS, Batch, Recording, Task
 
 STEADY = Quantities(steady=True, jump=False, relaxation=False)
 

@@ -8,23 +8,15 @@ from typing import Any
 
 import numpy as np
 
-from elastomer_friction.kernels import (
-    Case,
-    Line,
-    Outcome,
-    Prepared,
-    Quantities,
-    prepare,
-    run_prepared,
-)
-from elastomer_friction.kernels.compile.clock import working_time
-from elastomer_friction.kernels.loading import load
-from elastomer_friction.workflow.simulate.drawing import Draw, lines_of
-from elastomer_friction.workflow.simulate.kept import record_steps
-from elastomer_friction.workflow.simulate.layout import Layout, row_layout, row_width
-from elastomer_friction.workflow.simulate.programmes import add_programme, steady_ends
-from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, Batch, BatchResult
-from elastomer_friction.workflow.system import keep_memory, peak_bytes, this_maker
+from ...kernels import Case, Line, Outcome, Prepared, Quantities, prepare, run_prepared
+from ...kernels.compile.clock import working_time
+from ...kernels.loading import load
+from ..system import keep_memory, peak_bytes, this_maker
+from .drawing import Draw, lines_of
+from .kept import record_steps
+from .layout import Layout, row_layout, row_width
+from .programmes import add_programme, steady_ends
+from .tasks import PHASES, SCALARS, Batch, BatchResult
 
 scalars_of = attrgetter(*SCALARS)
 SHORT = 8192  # samples of a line on which a call from Python takes longer than what is computed

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import (
+from ...kernels import (
     KELVIN,
     START,
     Origin,
@@ -17,7 +17,7 @@ from elastomer_friction.kernels import (
     Slide,
     Spectrum,
 )
-from elastomer_friction.workflow.system import Maker
+from ..system import Maker
 
 ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, indentations in h
 

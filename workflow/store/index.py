@@ -9,10 +9,10 @@ but the line itself, so that lines told twice, as by two joined journals, change
 from collections.abc import Mapping
 from pathlib import Path
 
-from elastomer_friction.workflow.simulate import Record
-from elastomer_friction.workflow.store.journal import Entry, entries
-from elastomer_friction.workflow.store.shard import KEY_BYTES, StoredBatch, digest
-from elastomer_friction.workflow.system import Maker
+from ..simulate import Record
+from ..system import Maker
+from .journal import Entry, entries
+from .shard import KEY_BYTES, StoredBatch, digest
 
 KEY_LENGTH = 2 * KEY_BYTES
 

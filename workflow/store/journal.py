@@ -11,8 +11,8 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system import append_durably, refused
+from ..errors import UserError
+from ..system import append_durably, refused
 
 NAME = "journal"
 FORMAT = "elastomer-friction journal 2"

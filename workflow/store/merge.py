@@ -3,11 +3,11 @@
 from functools import partial
 from pathlib import Path
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.store import journal
-from elastomer_friction.workflow.store.shard import Contents, NoShard, decode, shard_sizes
-from elastomer_friction.workflow.store.store import DamagedShard, Store
-from elastomer_friction.workflow.system import hold, read_whole, sizes_in, write_durably
+from ..errors import UserError
+from ..system import hold, read_whole, sizes_in, write_durably
+from . import journal
+from .shard import Contents, NoShard, decode, shard_sizes
+from .store import DamagedShard, Store
 
 
 def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str]:

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import netCDF4
 import numpy as np
 
-from elastomer_friction.workflow.simulate import SCALARS, Batch, BatchResult, Record
-from elastomer_friction.workflow.system import Maker
+from ..simulate import SCALARS, Batch, BatchResult, Record
+from ..system import Maker
 
 KIND = "elastomer-friction shard "
 FORMAT = KIND + "3"

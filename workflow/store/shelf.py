@@ -3,10 +3,10 @@
 import time
 from collections.abc import Callable
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.simulate import Batch, BatchResult
-from elastomer_friction.workflow.store.shard import Finished
-from elastomer_friction.workflow.store.store import Store
+from ..errors import UserError
+from ..simulate import Batch, BatchResult
+from .shard import Finished
+from .store import Store
 
 SHARE_OF_RUN = 1e-3  # of a run's time that a crash of the driver may cost
 LONGEST_SECONDS = 120.0

@@ -16,12 +16,13 @@ from typing import Any
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.simulate import SCALARS, Record
-from elastomer_friction.workflow.store import journal
-from elastomer_friction.workflow.store.index import indexed
-from elastomer_friction.workflow.store.journal import Entry
-from elastomer_friction.workflow.store.shard import (
+from ..errors import UserError
+from ..simulate import SCALARS, Record
+from ..system import Maker, Patience, clear_leftovers, read_whole, sizes_in, write_durably
+from . import journal
+from .index import indexed
+from .journal import Entry
+from .shard import (
     Contents,
     Finished,
     NoShard,
@@ -31,14 +32,6 @@ from elastomer_friction.workflow.store.shard import (
     encode,
     shard_sizes,
     stored_batch,
-)
-from elastomer_friction.workflow.system import (
-    Maker,
-    Patience,
-    clear_leftovers,
-    read_whole,
-    sizes_in,
-    write_durably,
 )
 
 CACHED_SHARDS = 4

@@ -3,11 +3,11 @@
 from collections import defaultdict
 from pathlib import Path
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.store import journal
-from elastomer_friction.workflow.store.index import Index
-from elastomer_friction.workflow.store.shard import Contents, NoShard, decode, shard_sizes
-from elastomer_friction.workflow.system import LOCK, read_whole, refused, sizes_in
+from ..errors import UserError
+from ..system import LOCK, read_whole, refused, sizes_in
+from . import journal
+from .index import Index
+from .shard import Contents, NoShard, decode, shard_sizes
 
 
 def holds_a_store(folder: Path) -> bool:

@@ -5,17 +5,11 @@ Knows the kernels' names of schemes and spectra, and no later stage.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.study.cluster import (
-        BATCH_SYSTEMS,
-        HERE,
-        LOCAL,
-        Cluster,
-        walltime_seconds,
-    )
-    from elastomer_friction.workflow.study.effects import (
+    from .cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
+    from .effects import (
         QUANTITIES,
         FromFile,
         Hold,
@@ -32,44 +26,16 @@ if TYPE_CHECKING:
         why_not,
         with_hold,
     )
-    from elastomer_friction.workflow.study.grid import AXES
-    from elastomer_friction.workflow.study.measured import Measured
-    from elastomer_friction.workflow.study.moduli import FREQUENCIES, MODULI, Moduli, read_moduli
-    from elastomer_friction.workflow.study.numerics import Numerics
-    from elastomer_friction.workflow.study.read import (
-        find_study,
-        known_scales,
-        known_studies,
-        read_scene,
-        read_study,
-    )
-    from elastomer_friction.workflow.study.reference import (
-        DescribedKey,
-        Text,
-        described_measures,
-        described_tables,
-        study_schema,
-    )
-    from elastomer_friction.workflow.study.scripts import load_script
-    from elastomer_friction.workflow.study.settings import (
-        Rows,
-        integer,
-        named_unit,
-        positive,
-        rows_of_file,
-    )
-    from elastomer_friction.workflow.study.study import (
-        MOST_BLOCKS,
-        AnyStudy,
-        Study,
-        read_grid_study,
-    )
-    from elastomer_friction.workflow.study.surfaces import (
-        Profile,
-        Surface,
-        check_load,
-        given_profile,
-    )
-    from elastomer_friction.workflow.study.variants import COMPARE
+    from .grid import AXES
+    from .measured import Measured
+    from .moduli import FREQUENCIES, MODULI, Moduli, read_moduli
+    from .numerics import Numerics
+    from .read import find_study, known_scales, known_studies, read_scene, read_study
+    from .reference import DescribedKey, Text, described_measures, described_tables, study_schema
+    from .scripts import load_script
+    from .settings import Rows, integer, named_unit, positive, rows_of_file
+    from .study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
+    from .surfaces import Profile, Surface, check_load, given_profile
+    from .variants import COMPARE
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -5,8 +5,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings import Key, as_text, integer, positive, read_table
+from ..errors import UserError
+from .settings import Key, as_text, integer, positive, read_table
 
 LOCAL = "local"
 MARGIN = 0.1  # of the walltime, at whose start a worker of a job retires

@@ -5,18 +5,10 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.effects import Scene
-from elastomer_friction.workflow.study.settings import (
-    Key,
-    as_table,
-    checked_values,
-    number,
-    positive,
-    read_table,
-    within,
-)
-from elastomer_friction.workflow.study.surfaces import Surface, check_cutoff
+from ..errors import UserError
+from .effects import Scene
+from .settings import Key, as_table, checked_values, number, positive, read_table, within
+from .surfaces import Surface, check_cutoff
 
 Grid = dict[str, tuple[float, ...]]
 

@@ -19,9 +19,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
 
-from elastomer_friction.workflow.study.scripts import load_script
-from elastomer_friction.workflow.study.settings import Key, check_keys, read_table
-from elastomer_friction.workflow.study.study import HEAD, AnyStudy, study_head
+from .scripts import load_script
+from .settings import Key, check_keys, read_table
+from .study import HEAD, AnyStudy, study_head
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings import named_unit, read_columns
+from ..errors import UserError
+from .settings import named_unit, read_columns
 
 FREQUENCIES = {"rad/s": 1.0, "Hz": 2.0 * math.pi}  # in rad/s
 MODULI = {"Pa": 1.0, "kPa": 1e3, "MPa": 1e6, "GPa": 1e9}  # in Pa

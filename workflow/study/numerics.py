@@ -3,9 +3,9 @@
 from functools import partial
 from typing import Any, NamedTuple
 
-from elastomer_friction.kernels import SCHEMES
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings import Key, choice, integer, read_table, within
+from ...kernels import SCHEMES
+from ..errors import UserError
+from .settings import Key, choice, integer, read_table, within
 
 LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
 LONG_BELOW = 0.01

@@ -9,12 +9,12 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from elastomer_friction.workflow.errors import UserError, did_you_mean
-from elastomer_friction.workflow.study.document import check_every_key, placed
-from elastomer_friction.workflow.study.grid import AXES
-from elastomer_friction.workflow.study.measured import read_measured
-from elastomer_friction.workflow.study.settings import as_table
-from elastomer_friction.workflow.study.study import AnyStudy, Study, read_grid_study
+from ..errors import UserError, did_you_mean
+from .document import check_every_key, placed
+from .grid import AXES
+from .measured import read_measured
+from .settings import as_table
+from .study import AnyStudy, Study, read_grid_study
 
 BARE_LIST = re.compile(r"=\s*[-+.\d][-+.\deE_]*\s*,")  # numbers without brackets
 

@@ -7,22 +7,15 @@ from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
 
-from elastomer_friction.kernels import QUARTET
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.cluster import HERE, Cluster, read_cluster
-from elastomer_friction.workflow.study.effects import (
-    MATERIAL,
-    SCENE,
-    Material,
-    Scene,
-    check_quantities,
-    read_scene,
-)
-from elastomer_friction.workflow.study.grid import GRID, Grid, read_grid
-from elastomer_friction.workflow.study.numerics import NUMERICS, Numerics
-from elastomer_friction.workflow.study.settings import Key, as_text, check_keys, integer, read_table
-from elastomer_friction.workflow.study.surfaces import SURFACE, Profile, Surface, read_surface
-from elastomer_friction.workflow.study.variants import check_accuracy, read_variants
+from ...kernels import QUARTET
+from ..errors import UserError
+from .cluster import HERE, Cluster, read_cluster
+from .effects import MATERIAL, SCENE, Material, Scene, check_quantities, read_scene
+from .grid import GRID, Grid, read_grid
+from .numerics import NUMERICS, Numerics
+from .settings import Key, as_text, check_keys, integer, read_table
+from .surfaces import SURFACE, Profile, Surface, read_surface
+from .variants import check_accuracy, read_variants
 
 MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
 HEAD = {"title": Key(as_text, ""), "seed": Key(partial(integer, least=0), 0)}

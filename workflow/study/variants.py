@@ -4,11 +4,11 @@ import re
 from pathlib import Path
 from typing import Any
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.effects import MATERIAL, Material, Scene, read_material
-from elastomer_friction.workflow.study.numerics import NUMERICS, Numerics, read_numerics
-from elastomer_friction.workflow.study.settings import as_table, check_keys
-from elastomer_friction.workflow.study.surfaces import LIKE, Surface, lines_like
+from ..errors import UserError
+from .effects import MATERIAL, Material, Scene, read_material
+from .numerics import NUMERICS, Numerics, read_numerics
+from .settings import as_table, check_keys
+from .surfaces import LIKE, Surface, lines_like
 
 # All of a comparison are points of one grid, to which temperatures belong.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}

@@ -5,11 +5,11 @@ Imports nothing of ours but errors.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.system.compiling import saying_what_compiles
-    from elastomer_friction.workflow.system.files import (
+    from .compiling import saying_what_compiles
+    from .files import (
         append_durably,
         check_place,
         clear_leftovers,
@@ -20,8 +20,8 @@ if TYPE_CHECKING:
         sizes_in,
         write_durably,
     )
-    from elastomer_friction.workflow.system.lock import LOCK, hold, holder
-    from elastomer_friction.workflow.system.packages import (
+    from .lock import LOCK, hold, holder
+    from .packages import (
         ROOT,
         VERSION,
         Maker,
@@ -31,14 +31,9 @@ if TYPE_CHECKING:
         this_maker,
         version_of,
     )
-    from elastomer_friction.workflow.system.patience import Patience
-    from elastomer_friction.workflow.system.process import (
-        THREADS,
-        Interrupt,
-        keep_memory,
-        peak_bytes,
-    )
-    from elastomer_friction.workflow.system.progress import Reporter, core_time, counted, duration
-    from elastomer_friction.workflow.system.terminal import forgive_streams, program
+    from .patience import Patience
+    from .process import THREADS, Interrupt, keep_memory, peak_bytes
+    from .progress import Reporter, core_time, counted, duration
+    from .terminal import forgive_streams, program
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from elastomer_friction.workflow.errors import UserError
+from ..errors import UserError
 
 # What fsync says of a folder where the file system does not offer it.
 _REFUSALS = "EINVAL ENOTSUP EOPNOTSUPP ENOSYS EBADF EACCES EPERM EISDIR ENOTTY"

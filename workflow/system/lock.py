@@ -12,8 +12,8 @@ from datetime import datetime
 from pathlib import Path
 from typing import IO
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system.files import flush_folder, refused
+from ..errors import UserError
+from .files import flush_folder, refused
 
 LOCK = "lock"
 GLANCE_SECONDS = 2.0

@@ -6,8 +6,8 @@ import time
 from collections.abc import Callable
 from typing import TypeVar
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system.progress import duration
+from ..errors import UserError
+from .progress import duration
 
 # A file server that comes back, a table of open files or a disk that somebody clears.
 _NAMES = "EIO ESTALE ETIMEDOUT EAGAIN EMFILE ENFILE ENOSPC EDQUOT"

@@ -2,10 +2,10 @@
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.carry import Gaps
-from elastomer_friction.kernels.quick.steady.spans import SPAN
-from elastomer_friction.kernels.rheology.law import NEGLIGIBLE
+from ...compile.jit import kernel
+from ...rheology.law import NEGLIGIBLE
+from ..steady.carry import Gaps
+from ..steady.spans import SPAN
 
 STRIP = 64  # intervals that are asked at once whether any is marked
 

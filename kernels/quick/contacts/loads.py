@@ -11,32 +11,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.contacts.pressed import MovingLine, pressed, room_for_pressed
-from elastomer_friction.kernels.quick.contacts.pressure import (
-    balance,
-    elastic_part,
-    friction,
-    friction_everywhere,
-)
-from elastomer_friction.kernels.quick.contacts.touching import (
-    list_touching,
-    mean_rise,
-    median_width,
-    room_for_all,
-    steepest,
-)
-from elastomer_friction.kernels.quick.steady.ahead import indentation_ahead
-from elastomer_friction.kernels.quick.steady.contacts import first, room_for
-from elastomer_friction.kernels.quick.steady.sliding import (
-    POWER_STEPS,
-    STEPS,
-    approach,
-    elastic_guess,
-    indentation,
-)
-from elastomer_friction.kernels.quick.steady.spans import SPAN
-from elastomer_friction.kernels.quick.steady.thresholds import Thresholds
+from ...compile.jit import kernel
+from ..steady.ahead import indentation_ahead
+from ..steady.contacts import first, room_for
+from ..steady.sliding import POWER_STEPS, STEPS, approach, elastic_guess, indentation
+from ..steady.spans import SPAN
+from ..steady.thresholds import Thresholds
+from .pressed import MovingLine, pressed, room_for_pressed
+from .pressure import balance, elastic_part, friction, friction_everywhere
+from .touching import list_touching, mean_rise, median_width, room_for_all, steepest
 
 # What is found of every load: d over the deepest sample, mu, the share in contact, samples per
 # contact, sweeps, and whether the whole line touches.

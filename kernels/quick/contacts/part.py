@@ -4,13 +4,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.contacts.fine_line import gaps_of, interpolate, mark_missed
-from elastomer_friction.kernels.quick.contacts.loads import INDENTATION, Found, Speeds, slide
-from elastomer_friction.kernels.quick.steady.carry import decay_of
-from elastomer_friction.kernels.quick.steady.spans import SPAN, spans_of
-from elastomer_friction.kernels.quick.steady.stack import Stack, spans_in
-from elastomer_friction.kernels.quick.steady.thresholds import Thresholds, presses_at, thresholds_of
+from ...compile.jit import kernel
+from ..steady.carry import decay_of
+from ..steady.spans import SPAN, spans_of
+from ..steady.stack import Stack, spans_in
+from ..steady.thresholds import Thresholds, presses_at, thresholds_of
+from .fine_line import gaps_of, interpolate, mark_missed
+from .loads import INDENTATION, Found, Speeds, slide
 
 NONE, NOT_ANY, NOWHERE = np.empty(0), np.empty(0, bool), np.empty(0, np.int64)
 

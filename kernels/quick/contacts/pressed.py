@@ -9,9 +9,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.contacts.touching import Touching
-from elastomer_friction.kernels.quick.steady.spans import FIRST, HEIGHT, SLOPE, SPAN, STEEP, Spans
+from ...compile.jit import kernel
+from ..steady.spans import FIRST, HEIGHT, SLOPE, SPAN, STEEP, Spans
+from .touching import Touching
 
 
 class MovingLine(NamedTuple):

@@ -7,12 +7,12 @@ Source: Li et al. (2014), doi:10.1038/srep05795.
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.contact import overlap
-from elastomer_friction.kernels.quick.contacts.pressed import moments, span_under
-from elastomer_friction.kernels.quick.contacts.touching import covered
-from elastomer_friction.kernels.quick.steady.contacts import AHEAD, BEHIND, LEAST_REACH, MOST_REACH
-from elastomer_friction.kernels.quick.steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
+from ...compile.jit import kernel
+from ...model.contact import overlap
+from ..steady.contacts import AHEAD, BEHIND, LEAST_REACH, MOST_REACH
+from ..steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
+from .pressed import moments, span_under
+from .touching import covered
 
 
 @kernel

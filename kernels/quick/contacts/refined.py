@@ -11,22 +11,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.quick.contacts.fine_line import curvatures, mark_touchable, marked
-from elastomer_friction.kernels.quick.contacts.loads import (
-    CONTACT,
-    INDENTATION,
-    MU,
-    SAMPLES,
-    SWEEPS,
-    How,
-    corrected_share,
-)
-from elastomer_friction.kernels.quick.contacts.part import NONE, Part, slide_on
-from elastomer_friction.kernels.quick.steady.spans import SPAN
-from elastomer_friction.kernels.quick.steady.stack import Stack, spans_of_line
-from elastomer_friction.kernels.rheology.kelvin import SCHEMES
-from elastomer_friction.kernels.rheology.law import State
+from ...lines.line import Line
+from ...rheology.kelvin import SCHEMES
+from ...rheology.law import State
+from ..steady.spans import SPAN
+from ..steady.stack import Stack, spans_of_line
+from .fine_line import curvatures, mark_touchable, marked
+from .loads import CONTACT, INDENTATION, MU, SAMPLES, SWEEPS, How, corrected_share
+from .part import NONE, Part, slide_on
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump

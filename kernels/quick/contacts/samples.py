@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
+from ...compile.jit import kernel
 
 
 @kernel

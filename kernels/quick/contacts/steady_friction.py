@@ -6,36 +6,15 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.quick.contacts.loads import (
-    CONTACT,
-    FULL,
-    INDENTATION,
-    MU,
-    SAMPLES,
-    SWEEPS,
-    Found,
-    How,
-    corrected_share,
-)
-from elastomer_friction.kernels.quick.contacts.part import Part, slide_on
-from elastomer_friction.kernels.quick.contacts.refined import (
-    NARROW,
-    Refined,
-    curvatures_of,
-    refined,
-)
-from elastomer_friction.kernels.quick.steady.carry import NO_GAPS, Decay, carry
-from elastomer_friction.kernels.quick.steady.spans import Spans, add_rises
-from elastomer_friction.kernels.quick.steady.stack import (
-    Stack,
-    alone,
-    spans_of_line,
-    stack_of,
-    stacked,
-)
-from elastomer_friction.kernels.rheology.kelvin import SCHEMES, Kelvin
-from elastomer_friction.kernels.rheology.law import State
+from ...lines.line import Line
+from ...rheology.kelvin import SCHEMES, Kelvin
+from ...rheology.law import State
+from ..steady.carry import NO_GAPS, Decay, carry
+from ..steady.spans import Spans, add_rises
+from ..steady.stack import Stack, alone, spans_of_line, stack_of, stacked
+from .loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, Found, How, corrected_share
+from .part import Part, slide_on
+from .refined import NARROW, Refined, curvatures_of, refined
 
 
 class Ground:

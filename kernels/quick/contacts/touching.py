@@ -4,10 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.friction import LEAST_COVERED
-from elastomer_friction.kernels.quick.steady.contacts import AHEAD, BEHIND, FREE, SUM
-from elastomer_friction.kernels.quick.steady.spans import SPAN
+from ...compile.jit import kernel
+from ...model.friction import LEAST_COVERED
+from ..steady.contacts import AHEAD, BEHIND, FREE, SUM
+from ..steady.spans import SPAN
 
 
 class Touching(NamedTuple):

@@ -2,11 +2,11 @@
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import by_type, kernel
-from elastomer_friction.kernels.control.printed_eq3 import PrintedForce
-from elastomer_friction.kernels.model.contact import overlap, weighted_overlap
-from elastomer_friction.kernels.model.force import ConstantForce
-from elastomer_friction.kernels.quick.march.setting import advance, rise
+from ...compile.jit import by_type, kernel
+from ...control.printed_eq3 import PrintedForce
+from ...model.contact import overlap, weighted_overlap
+from ...model.force import ConstantForce
+from .setting import advance, rise
 
 STRIP = 32  # samples, and partial sums
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step

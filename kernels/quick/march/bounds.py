@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.march.setting import advance
+from ...compile.jit import kernel
+from .setting import advance
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
 CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread

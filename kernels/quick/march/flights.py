@@ -10,9 +10,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import by_type, kernel
-from elastomer_friction.kernels.quick.march.setting import rise
-from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, State
+from ...compile.jit import by_type, kernel
+from ...rheology.law import NEGLIGIBLE, State
+from .setting import rise
 
 FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
 

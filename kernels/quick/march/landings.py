@@ -12,8 +12,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.march.flights import FORGOTTEN
+from ...compile.jit import kernel
+from .flights import FORGOTTEN
 
 SAME = 2e-15  # of d: displacements that differ by rounding
 

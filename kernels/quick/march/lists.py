@@ -13,17 +13,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.spans import (
-    FIRST,
-    HEIGHT,
-    RISE,
-    SLOPE,
-    SPAN,
-    STEEP,
-    TURN,
-    WORK,
-)
+from ...compile.jit import kernel
+from ..steady.spans import FIRST, HEIGHT, RISE, SLOPE, SPAN, STEEP, TURN, WORK
 
 
 class Lists(NamedTuple):

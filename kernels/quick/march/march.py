@@ -2,23 +2,16 @@
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.march.balance import amend, foresee, lands, note, settle
-from elastomer_friction.kernels.quick.march.bounds import (
-    NOTHING,
-    closer_bounds,
-    first_bounds,
-    holds,
-    including,
-    widened,
-)
-from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of, arrive, depart
-from elastomer_friction.kernels.quick.march.landings import landing, no_landings
-from elastomer_friction.kernels.quick.march.lists import lists_of, weighed
-from elastomer_friction.kernels.quick.march.narrow import elements_aloft, narrowed
-from elastomer_friction.kernels.quick.march.runs import classes_of
-from elastomer_friction.kernels.quick.march.setting import advance
-from elastomer_friction.kernels.rheology.law import State
+from ...compile.jit import kernel
+from ...rheology.law import State
+from .balance import amend, foresee, lands, note, settle
+from .bounds import NOTHING, closer_bounds, first_bounds, holds, including, widened
+from .flights import Steady, arrivals_of, arrive, depart
+from .landings import landing, no_landings
+from .lists import lists_of, weighed
+from .narrow import elements_aloft, narrowed
+from .runs import classes_of
+from .setting import advance
 
 MARGINS = (0.05, 0.3, 2.0, 2.0)  # of the spread of d and D, one after the other
 # What shorter lists leave to d and to D, of their spread at first; in the end none are made.

@@ -6,10 +6,10 @@ E at one of the speeds or the other, and in contact they are z - d.
 
 from typing import NamedTuple
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.march.setting import Passing, rise
-from elastomer_friction.kernels.quick.steady.spans import SPAN
-from elastomer_friction.kernels.rheology.law import NEGLIGIBLE
+from ...compile.jit import kernel
+from ...rheology.law import NEGLIGIBLE
+from ..steady.spans import SPAN
+from .setting import Passing, rise
 
 FREE, OPEN, ALWAYS = 0, 1, 3  # never touches; may touch; always does if the one upstream does
 FORCED = 4  # a mark: listed whatever the bounds tell

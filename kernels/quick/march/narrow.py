@@ -10,13 +10,13 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.march.flights import arriving, powers_of
-from elastomer_friction.kernels.quick.march.landings import land, landed
-from elastomer_friction.kernels.quick.march.lists import Lists, Sums, add_sample
-from elastomer_friction.kernels.quick.march.marks import ALWAYS, FREE
-from elastomer_friction.kernels.quick.march.runs import LISTED, SHORT, UNKNOWN, Runs, class_of
-from elastomer_friction.kernels.quick.march.setting import rise
+from ...compile.jit import kernel
+from .flights import arriving, powers_of
+from .landings import land, landed
+from .lists import Lists, Sums, add_sample
+from .marks import ALWAYS, FREE
+from .runs import LISTED, SHORT, UNKNOWN, Runs, class_of
+from .setting import rise
 
 SUMMED = 5  # a class: it always touches, and elements always land there
 

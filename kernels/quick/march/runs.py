@@ -14,20 +14,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.march.lists import Met, Sums, add_sample, add_span, lagged
-from elastomer_friction.kernels.quick.march.marks import (
-    ALWAYS,
-    FORCED,
-    FREE,
-    always,
-    levels_of,
-    mark_of_first,
-    never,
-    reached,
-)
-from elastomer_friction.kernels.quick.march.setting import rise
-from elastomer_friction.kernels.quick.steady.spans import SPAN
+from ...compile.jit import kernel
+from ..steady.spans import SPAN
+from .lists import Met, Sums, add_sample, add_span, lagged
+from .marks import ALWAYS, FORCED, FREE, always, levels_of, mark_of_first, never, reached
+from .setting import rise
 
 LISTED = 2  # at times it touches, at times it does not, for all that the bounds tell
 SHORT = 8  # samples: what is never touched but this near is cheaper to list than to fly over

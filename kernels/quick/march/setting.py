@@ -4,10 +4,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.carry import Decay
-from elastomer_friction.kernels.quick.steady.spans import Spans
-from elastomer_friction.kernels.rheology.kelvin import Kelvin
+from ...compile.jit import kernel
+from ...rheology.kelvin import Kelvin
+from ..steady.carry import Decay
+from ..steady.spans import Spans
 
 
 class Passing(NamedTuple):

@@ -8,8 +8,8 @@ the sum in second order only.
 
 import math
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.contacts import SUM
+from ...compile.jit import kernel
+from .contacts import SUM
 
 
 @kernel

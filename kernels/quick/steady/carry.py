@@ -9,17 +9,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.contacts import (
-    begin_sum,
-    end_sum,
-    enter_span,
-    join_pieces,
-    leave_piece,
-    open_piece,
-)
-from elastomer_friction.kernels.quick.steady.spans import SPAN
-from elastomer_friction.kernels.rheology.law import NEGLIGIBLE, reach
+from ...compile.jit import kernel
+from ...rheology.law import NEGLIGIBLE, reach
+from .contacts import begin_sum, end_sum, enter_span, join_pieces, leave_piece, open_piece
+from .spans import SPAN
 
 
 class Decay(NamedTuple):

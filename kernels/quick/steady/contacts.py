@@ -4,8 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.spans import SPAN
+from ...compile.jit import kernel
+from .spans import SPAN
 
 LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
 AHEAD, BEHIND, FREE, SUM = range(4)  # columns of edges

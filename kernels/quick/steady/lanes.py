@@ -8,9 +8,9 @@ those of carry.py to the bit, and which loads lie beside each other plays no par
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.spans import SPAN
-from elastomer_friction.kernels.rheology.law import NEGLIGIBLE
+from ...compile.jit import kernel
+from ...rheology.law import NEGLIGIBLE
+from .spans import SPAN
 
 LANES = 16
 # Rows of the memory of lanes: indentation, displacement u and -du/dd, -sum u and its derivative,

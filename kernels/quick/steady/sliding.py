@@ -8,10 +8,10 @@ contacts.
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.model.contact import solve_indentation
-from elastomer_friction.kernels.quick.steady.carry import carry
-from elastomer_friction.kernels.quick.steady.lanes import LANES, carry_lanes
+from ...compile.jit import kernel
+from ...model.contact import solve_indentation
+from .carry import carry
+from .lanes import LANES, carry_lanes
 
 POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed; the first with a guess
 CLOSE = 1e-13  # of the load: what may be left of an excess, beyond the rounding of long sums

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
+from ...compile.jit import kernel
 
 SPAN = 16
 # Columns of what is known of a span, as many as the processor fetches at once: height z0 and slope

@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.spans import SPAN, TURN, Spans, fill_spans
+from ...compile.jit import kernel
+from .spans import SPAN, TURN, Spans, fill_spans
 
 
 class Stack(NamedTuple):

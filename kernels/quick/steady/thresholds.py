@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels.compile.jit import kernel
-from elastomer_friction.kernels.quick.steady.spans import SPAN, larger
+from ...compile.jit import kernel
+from .spans import SPAN, larger
 
 EIGHT = 8  # samples that are compared at once, in the vector registers of the processor
 

@@ -15,7 +15,7 @@ from elastomer_friction.kernels.compile.jit import by_type, kernel
 from tests.cases import CASE, line_of
 from tests.sizes import PLAIN_PYTHON
 
-ROOT = Path(__file__).resolve().parents[2]
+ROOT = Path(__file__).resolve().parents[3]
 compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
 
 

@@ -10,6 +10,7 @@ import pytest
 from elastomer_friction.kernels.rheology.law import reach
 from elastomer_friction.workflow.simulate import realizations as work
 from elastomer_friction.workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
+from tests.support.imports import module_of
 
 FOLDER = "elastomer_friction.kernels.compile.cache.FOLDER"
 HASHED = [path for folder in FOLDERS for path in folder.rglob("*.py")]
@@ -30,8 +31,7 @@ def imported(path):
         if isinstance(node, ast.Import):
             found |= {alias.name for alias in node.names}
         elif isinstance(node, ast.ImportFrom):
-            assert node.level == 0, f"{path}: a relative import"
-            found |= {f"{node.module}.{alias.name}" for alias in node.names}
+            found |= {f"{module_of(node, path)}.{alias.name}" for alias in node.names}
     return found
 
 

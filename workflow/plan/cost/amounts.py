@@ -5,14 +5,9 @@ Laws take a problem, or many of them together (problems.py).
 
 import numpy as np
 
-from elastomer_friction.kernels.quick.contacts.refined import (
-    FINE,
-    LEAST_STEPS,
-    MOST_SAMPLES,
-    NARROW,
-)
-from elastomer_friction.workflow.plan.problems import Numbers, speed_ratio
-from elastomer_friction.workflow.simulate import Problem
+from ....kernels.quick.contacts.refined import FINE, LEAST_STEPS, MOST_SAMPLES, NARROW
+from ...simulate import Problem
+from ..problems import Numbers, speed_ratio
 
 
 def touchable_share(hurst: Numbers, load: Numbers, viscous_pressure: Numbers) -> Numbers:

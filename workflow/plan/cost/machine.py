@@ -18,22 +18,15 @@ from typing import Any, NamedTuple
 import numba
 import numpy as np
 
-from elastomer_friction.kernels import Quantities
-from elastomer_friction.kernels.compile import cache
-from elastomer_friction.kernels.compile.cache import source_hash
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plan.cost import amounts, sizes, timing, work
-from elastomer_friction.workflow.plan.cost.pace import TYPICAL, Learned, Pace, label
-from elastomer_friction.workflow.plan.cost.work import PARTS
-from elastomer_friction.workflow.simulate import load_kernels
-from elastomer_friction.workflow.system import (
-    ROOT,
-    THREADS,
-    make_folder,
-    processor,
-    saying_what_compiles,
-    write_durably,
-)
+from ....kernels import Quantities
+from ....kernels.compile import cache
+from ....kernels.compile.cache import source_hash
+from ...errors import UserError
+from ...simulate import load_kernels
+from ...system import ROOT, THREADS, make_folder, processor, saying_what_compiles, write_durably
+from . import amounts, sizes, timing, work
+from .pace import TYPICAL, Learned, Pace, label
+from .work import PARTS
 
 Parted = Mapping[tuple[str, str], float]  # (kind, part) of work -> CPU seconds
 

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from statistics import mean
 from typing import NamedTuple
 
-from elastomer_friction.workflow.plan.cost.work import PLAIN
+from .work import PLAIN
 
 MEASURED_SECONDS = 3.0  # of runs that a measurement is worth
 MOST_SECONDS = 3600.0  # of runs that are remembered: what is longer ago fades

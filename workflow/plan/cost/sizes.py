@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.plan.problems import Numbers
+from ..problems import Numbers
 
 
 class SecondsBySize(NamedTuple):

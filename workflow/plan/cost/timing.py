@@ -9,12 +9,12 @@ from datetime import UTC, datetime
 
 import numpy as np
 
-from elastomer_friction.kernels import Quantities
-from elastomer_friction.kernels.compile.clock import working_time
-from elastomer_friction.workflow.plan.cost.sizes import DRAW
-from elastomer_friction.workflow.plan.cost.work import DRAWING, PARTS, Work, typical_seconds
-from elastomer_friction.workflow.simulate import Batch, Problem, Recording, Task, block_means
-from elastomer_friction.workflow.system import processor
+from ....kernels import Quantities
+from ....kernels.compile.clock import working_time
+from ...simulate import Batch, Problem, Recording, Task, block_means
+from ...system import processor
+from .sizes import DRAW
+from .work import DRAWING, PARTS, Work, typical_seconds
 
 FOUR = (0.003, 0.03, 0.3, 3.0)
 ROUNDS = 5  # of all probes; the quickest of each part counts, the slowest tells how far it varies

@@ -9,23 +9,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import KELVIN, Quantities, Spectrum
-from elastomer_friction.workflow.plan.cost.amounts import (
-    begun_anew,
-    fine_samples,
-    partial_contact,
-    touchable_share,
-)
-from elastomer_friction.workflow.plan.cost.sizes import STEP, SWEEP
-from elastomer_friction.workflow.plan.error_laws import contact_width
-from elastomer_friction.workflow.plan.problems import Numbers, speed_ratio, viscous_pressure
-from elastomer_friction.workflow.simulate import (
-    PHASES,
-    Problem,
-    Recording,
-    lines_at_once,
-    programme_steps,
-)
+from ....kernels import KELVIN, Quantities, Spectrum
+from ...simulate import PHASES, Problem, Recording, lines_at_once, programme_steps
+from ..error_laws import contact_width
+from ..problems import Numbers, speed_ratio, viscous_pressure
+from .amounts import begun_anew, fine_samples, partial_contact, touchable_share
+from .sizes import STEP, SWEEP
 
 PARTS = (*PHASES, "calls")  # of the time of a realization; the first is the drawing of its line
 DRAWING, STEADY, JUMP, MARCHING, CALLS = PARTS

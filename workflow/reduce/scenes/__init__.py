@@ -5,10 +5,10 @@ Plain arrays in and out; knows of the fits beside it those of eq. 6.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.reduce.scenes.programmes import reduce_programmes, reduce_steps
-    from elastomer_friction.workflow.reduce.scenes.rate_state import LAWS, fit_rate_state, step_law
+    from .programmes import reduce_programmes, reduce_steps
+    from .rate_state import LAWS, fit_rate_state, step_law
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

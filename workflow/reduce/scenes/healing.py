@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import Hold, Programme, Slide
-from elastomer_friction.workflow.reduce.scenes.peak import extremum
+from ....kernels import Hold, Programme, Slide
+from .peak import extremum
 
 
 class Healing(NamedTuple):

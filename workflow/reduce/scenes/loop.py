@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import Leg, Oscillation, Programme, Sampled, Slide
+from ....kernels import Leg, Oscillation, Programme, Sampled, Slide
 
 
 class Loop(NamedTuple):

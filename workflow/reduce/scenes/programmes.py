@@ -5,13 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from elastomer_friction.kernels import ENERGIES, TRACES
-from elastomer_friction.workflow.reduce.blocks import Blocks, Estimates, enter
-from elastomer_friction.workflow.reduce.scenes.healing import healing
-from elastomer_friction.workflow.reduce.scenes.loop import loop
-from elastomer_friction.workflow.reduce.scenes.peak import extremum
-from elastomer_friction.workflow.reduce.scenes.rate_state import LAWS, RateState, fit_rate_state
-from elastomer_friction.workflow.reduce.statistics import replicates
+from ....kernels import ENERGIES, TRACES
+from ..blocks import Blocks, Estimates, enter
+from ..statistics import replicates
+from .healing import healing
+from .loop import loop
+from .peak import extremum
+from .rate_state import LAWS, RateState, fit_rate_state
 
 STAMPS = {"time": "trace_time", "distance": "trace_distance", "speed": "trace_velocity"}
 CHANGING = ("trace_mu", "trace_indentation")

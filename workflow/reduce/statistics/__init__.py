@@ -5,11 +5,11 @@ Plain arrays in and out; knows nothing of friction.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.reduce.statistics.decays import fit_decays
-    from elastomer_friction.workflow.reduce.statistics.jackknife import (
+    from .decays import fit_decays
+    from .jackknife import (
         errors_needed,
         grouped_means,
         padded,
@@ -17,6 +17,6 @@ if TYPE_CHECKING:
         significant,
         standard_error,
     )
-    from elastomer_friction.workflow.reduce.statistics.least_squares import Model, fit_curves
+    from .least_squares import Model, fit_curves
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

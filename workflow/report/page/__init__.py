@@ -5,9 +5,9 @@ What of a study is shown, how it is said in HTML, and where a pointer finds its 
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.report.page.report import study_names, write_report
+    from .report import study_names, write_report
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -3,13 +3,13 @@
 import contextlib
 from pathlib import Path
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.report.claims import evaluate, known_claims
-from elastomer_friction.workflow.report.page.html import render
-from elastomer_friction.workflow.report.page.section import section
-from elastomer_friction.workflow.result import ROOT, open_result, result_file
-from elastomer_friction.workflow.study import known_scales, known_studies, read_study
-from elastomer_friction.workflow.system import write_durably
+from ...errors import UserError
+from ...result import ROOT, open_result, result_file
+from ...study import known_scales, known_studies, read_study
+from ...system import write_durably
+from ..claims import evaluate, known_claims
+from .html import render
+from .section import section
 
 
 def study_names() -> list[str]:

@@ -8,14 +8,14 @@ from typing import NamedTuple
 
 import xarray as xr
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.reduce import STATUS_MEANINGS
-from elastomer_friction.workflow.report.drawing import STYLE
-from elastomer_friction.workflow.report.figure import Picture, caption, draw_groups
-from elastomer_friction.workflow.report.points import Point
-from elastomer_friction.workflow.report.table import write_tables
-from elastomer_friction.workflow.result import ROOT, Groups, differing_settings, listed, result_file
-from elastomer_friction.workflow.study import AnyStudy, known_scales, read_study
+from ...errors import UserError
+from ...reduce import STATUS_MEANINGS
+from ...result import ROOT, Groups, differing_settings, listed, result_file
+from ...study import AnyStudy, known_scales, read_study
+from ..drawing import STYLE
+from ..figure import Picture, caption, draw_groups
+from ..points import Point
+from ..table import write_tables
 
 SMOKE = "smoke"
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends

@@ -5,12 +5,9 @@ Texts alone: units, dimensions and flags are taken from the declarations.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.result.reference.tables import (
-        DescribedVariable,
-        described_variables,
-    )
+    from .tables import DescribedVariable, described_variables
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

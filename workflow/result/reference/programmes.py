@@ -1,6 +1,6 @@
 """Meanings of what programmes of motion give: traces, energies, peaks, holds, loops, states."""
 
-from elastomer_friction.workflow.result.reference.meaning import Meaning
+from .meaning import Meaning
 
 LAST_STEP = "after the last velocity step of the programme, or the velocity step of the grid"
 OF_MOTION = "Positive where the line slides forwards."

@@ -1,6 +1,6 @@
 """Meanings of what a velocity step gives: steady states, the jump, relaxation and its fits."""
 
-from elastomer_friction.workflow.result.reference.meaning import Meaning
+from .meaning import Meaning
 
 STEADY = {
     "mu_1": Meaning(

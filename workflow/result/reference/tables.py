@@ -3,9 +3,9 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from elastomer_friction.workflow.result.reference import programmes, steps
-from elastomer_friction.workflow.result.reference.meaning import Meaning
-from elastomer_friction.workflow.result.variables import FLAGS, VARIABLES
+from ..variables import FLAGS, VARIABLES
+from . import programmes, steps
+from .meaning import Meaning
 
 SECTIONS: dict[str, Mapping[str, Meaning]] = {
     "Every result": steps.GENERAL,

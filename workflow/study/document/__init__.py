@@ -5,10 +5,10 @@ Knows the tables of keys, and nothing of what they come to together.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.study.document.complaints import check_every_key
-    from elastomer_friction.workflow.study.document.places import placed
+    from .complaints import check_every_key
+    from .places import placed
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

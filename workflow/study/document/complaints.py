@@ -3,11 +3,11 @@
 from collections.abc import Mapping
 from typing import Any
 
-from elastomer_friction.workflow.errors import Complaints
-from elastomer_friction.workflow.study.cluster import CLUSTER
-from elastomer_friction.workflow.study.settings import Key, as_table, check_keys
-from elastomer_friction.workflow.study.study import BY_NAME, TABLES
-from elastomer_friction.workflow.study.variants import COMPARE
+from ...errors import Complaints
+from ..cluster import CLUSTER
+from ..settings import Key, as_table, check_keys
+from ..study import BY_NAME, TABLES
+from ..variants import COMPARE
 
 KEYS: Mapping[str, Mapping[str, Key]] = {**TABLES, "cluster": CLUSTER}
 

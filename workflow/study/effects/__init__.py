@@ -5,18 +5,12 @@ Plain data in SI units with the checks of what goes together; knows no later sta
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.study.effects.material import (
-        MATERIAL,
-        WLF,
-        Material,
-        Wlf,
-        read_material,
-    )
-    from elastomer_friction.workflow.study.effects.needs import check_quantities, why_not
-    from elastomer_friction.workflow.study.effects.programme import (
+    from .material import MATERIAL, WLF, Material, Wlf, read_material
+    from .needs import check_quantities, why_not
+    from .programme import (
         FromFile,
         Hold,
         Oscillate,
@@ -28,8 +22,8 @@ if TYPE_CHECKING:
         velocity_steps,
         with_hold,
     )
-    from elastomer_friction.workflow.study.effects.quantities import QUANTITIES, judged
-    from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene
-    from elastomer_friction.workflow.study.effects.segments import HOLD, OSCILLATE, RAMP, SLIDE
+    from .quantities import QUANTITIES, judged
+    from .scene import SCENE, Scene, read_scene
+    from .segments import HOLD, OSCILLATE, RAMP, SLIDE
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -10,18 +10,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from elastomer_friction.kernels.rheology.spectrum import Spectrum
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings import (
-    Key,
-    as_text,
-    axis_values,
-    number,
-    positive,
-    read_columns,
-    read_table,
-    within,
-)
+from ....kernels.rheology.spectrum import Spectrum
+from ...errors import UserError
+from ..settings import Key, as_text, axis_values, number, positive, read_columns, read_table, within
 
 MOST_BRANCHES = 200
 RATIOS = (1e-9, 1e9)  # of the modulus of a branch to the relaxed one

@@ -2,21 +2,12 @@
 
 from collections.abc import Mapping
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.effects.material import Material
-from elastomer_friction.workflow.study.effects.programme import Oscillate, holds, velocity_steps
-from elastomer_friction.workflow.study.effects.quantities import (
-    ALONE,
-    DASHPOT,
-    FORCE,
-    HELD,
-    PROGRAMME,
-    QUANTITIES,
-    STEP,
-    SWUNG,
-)
-from elastomer_friction.workflow.study.effects.scene import FORCE as BY_FORCE
-from elastomer_friction.workflow.study.effects.scene import Scene
+from ...errors import UserError
+from .material import Material
+from .programme import Oscillate, holds, velocity_steps
+from .quantities import ALONE, DASHPOT, FORCE, HELD, PROGRAMME, QUANTITIES, STEP, SWUNG
+from .scene import FORCE as BY_FORCE
+from .scene import Scene
 
 
 def why_not(name: str, scene: Scene, materials: Mapping[str, Material], alone: bool) -> str:

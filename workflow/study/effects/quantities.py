@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings import choice
+from ...errors import UserError
+from ..settings import choice
 
 PROGRAMME, STEP, HELD, SWUNG = "programme", "step", "held", "swung"
 FORCE, DASHPOT, ALONE = "force", "dashpot", "alone"

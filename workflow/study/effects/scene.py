@@ -6,9 +6,10 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.effects.material import Material
-from elastomer_friction.workflow.study.effects.programme import (
+from ...errors import UserError
+from ..settings import Key, as_table, as_text, choice, flag, integer, read_table
+from .material import Material
+from .programme import (
     Hold,
     Programme,
     Segment,
@@ -17,27 +18,8 @@ from elastomer_friction.workflow.study.effects.programme import (
     hold_durations,
     is_relative,
 )
-from elastomer_friction.workflow.study.effects.quantities import (
-    AT_AN_INDENTATION,
-    OF_A_PROGRAMME,
-    USUAL,
-    WITHOUT_DASHPOT,
-    asked_for,
-)
-from elastomer_friction.workflow.study.effects.segments import (
-    MOST_SEGMENTS,
-    read_programme,
-    sampled,
-)
-from elastomer_friction.workflow.study.settings import (
-    Key,
-    as_table,
-    as_text,
-    choice,
-    flag,
-    integer,
-    read_table,
-)
+from .quantities import AT_AN_INDENTATION, OF_A_PROGRAMME, USUAL, WITHOUT_DASHPOT, asked_for
+from .segments import MOST_SEGMENTS, read_programme, sampled
 
 FORCE, INDENTATION = "force", "indentation"  # controls
 STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts

@@ -9,18 +9,8 @@ from typing import Any
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.effects.programme import (
-    FromFile,
-    Hold,
-    Oscillate,
-    Programme,
-    Ramp,
-    Segment,
-    Slide,
-    Velocity,
-)
-from elastomer_friction.workflow.study.settings import (
+from ...errors import UserError
+from ..settings import (
     Key,
     as_table,
     as_text,
@@ -31,6 +21,7 @@ from elastomer_friction.workflow.study.settings import (
     read_columns,
     read_table,
 )
+from .programme import FromFile, Hold, Oscillate, Programme, Ramp, Segment, Slide, Velocity
 
 MOST_SEGMENTS = 1000
 MOST_SAMPLES = 100_000  # of a file

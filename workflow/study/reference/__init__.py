@@ -5,12 +5,12 @@ Texts alone: values, defaults and ranges are taken from the tables that check th
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.study.reference.measures import described_measures
-    from elastomer_friction.workflow.study.reference.schema import study_schema
-    from elastomer_friction.workflow.study.reference.tables import DescribedKey, described_tables
-    from elastomer_friction.workflow.study.reference.text import Text
+    from .measures import described_measures
+    from .schema import study_schema
+    from .tables import DescribedKey, described_tables
+    from .text import Text
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

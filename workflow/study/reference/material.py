@@ -1,6 +1,6 @@
 """Texts of the table [material]."""
 
-from elastomer_friction.workflow.study.reference.text import Text
+from .text import Text
 
 MATERIAL = {
     "shear_modulus": Text(

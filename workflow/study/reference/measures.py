@@ -4,10 +4,10 @@ import tomllib
 from pathlib import Path
 from typing import Any
 
-from elastomer_friction.workflow.study.reference.tables import Table, described
-from elastomer_friction.workflow.study.reference.values import as_toml
-from elastomer_friction.workflow.study.scripts import OWN, load_script
-from elastomer_friction.workflow.study.settings import Key
+from ..scripts import OWN, load_script
+from ..settings import Key
+from .tables import Table, described
+from .values import as_toml
 
 
 def described_measures(studies: Path = OWN) -> dict[str, Table]:

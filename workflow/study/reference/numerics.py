@@ -1,6 +1,6 @@
 """Texts of the table [numerics]."""
 
-from elastomer_friction.workflow.study.reference.text import Text
+from .text import Text
 
 NUMERICS = {
     "scheme": Text(

@@ -1,6 +1,6 @@
 """Texts of the table [scene] and of the segments of a programme."""
 
-from elastomer_friction.workflow.study.reference.text import Text
+from .text import Text
 
 ONE_OF_VELOCITY = "Give either `velocity` or `ratio`. "
 ONE_OF_LENGTH = "Give either `distance` or `duration`. "

@@ -4,9 +4,8 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from elastomer_friction.workflow.study.effects import QUANTITIES
-from elastomer_friction.workflow.study.reference.tables import PAIRS
-from elastomer_friction.workflow.study.settings import (
+from ..effects import QUANTITIES
+from ..settings import (
     UNBOUNDED,
     as_text,
     checked_values,
@@ -17,7 +16,8 @@ from elastomer_friction.workflow.study.settings import (
     positive,
     within,
 )
-from elastomer_friction.workflow.study.variants import COMPARE
+from ..variants import COMPARE
+from .tables import PAIRS
 
 Schema = dict[str, Any]
 

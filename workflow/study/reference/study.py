@@ -1,6 +1,6 @@
 """Texts of the tables [study] and [cluster]."""
 
-from elastomer_friction.workflow.study.reference.text import Text
+from .text import Text
 
 STUDY = {
     "title": Text(

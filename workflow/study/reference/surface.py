@@ -1,6 +1,6 @@
 """Texts of the tables [surface] and [grid]."""
 
-from elastomer_friction.workflow.study.reference.text import Text
+from .text import Text
 
 WITH_FILE = "With `surface.file` alone. "
 SURFACE = {

@@ -3,24 +3,16 @@
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from elastomer_friction.workflow.study.cluster import CLUSTER
-from elastomer_friction.workflow.study.effects import (
-    HOLD,
-    MATERIAL,
-    OSCILLATE,
-    RAMP,
-    SCENE,
-    SLIDE,
-    WLF,
-)
-from elastomer_friction.workflow.study.grid import GRID
-from elastomer_friction.workflow.study.numerics import NUMERICS
-from elastomer_friction.workflow.study.reference import material, numerics, scene, study, surface
-from elastomer_friction.workflow.study.reference.text import Text
-from elastomer_friction.workflow.study.reference.values import default_of, values_of
-from elastomer_friction.workflow.study.settings import Key, as_text
-from elastomer_friction.workflow.study.study import STUDY
-from elastomer_friction.workflow.study.surfaces import SURFACE
+from ..cluster import CLUSTER
+from ..effects import HOLD, MATERIAL, OSCILLATE, RAMP, SCENE, SLIDE, WLF
+from ..grid import GRID
+from ..numerics import NUMERICS
+from ..settings import Key, as_text
+from ..study import STUDY
+from ..surfaces import SURFACE
+from . import material, numerics, scene, study, surface
+from .text import Text
+from .values import default_of, values_of
 
 FILE = {"file": Key(as_text)}  # the one segment that is no table
 PAIRS: dict[str, tuple[Mapping[str, Key], Mapping[str, Text]]] = {

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from elastomer_friction.workflow.study.settings import (
+from ..settings import (
     REQUIRED,
     UNBOUNDED,
     Key,

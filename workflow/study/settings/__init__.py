@@ -5,10 +5,10 @@ Knows no table: which keys there are is said where they are used.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.study.settings.checks import (
+    from .checks import (
         REQUIRED,
         UNBOUNDED,
         Key,
@@ -23,12 +23,8 @@ if TYPE_CHECKING:
         read_table,
         within,
     )
-    from elastomer_friction.workflow.study.settings.columns import (
-        named_unit,
-        read_columns,
-        rows_of_file,
-    )
-    from elastomer_friction.workflow.study.settings.text import BrokenRowError, Rows, read_rows
-    from elastomer_friction.workflow.study.settings.values import axis_values, checked_values
+    from .columns import named_unit, read_columns, rows_of_file
+    from .text import BrokenRowError, Rows, read_rows
+    from .values import axis_values, checked_values
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -8,7 +8,7 @@ import math
 from collections.abc import Callable, Iterable, Mapping
 from typing import Any, NamedTuple
 
-from elastomer_friction.workflow.errors import Complaints, UserError, did_you_mean
+from ...errors import Complaints, UserError, did_you_mean
 
 REQUIRED = object()
 UNBOUNDED = 10**9  # whole numbers have no limit that a user would meet

@@ -3,8 +3,8 @@
 import re
 from pathlib import Path
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings.text import BrokenRowError, Rows, read_rows
+from ...errors import UserError
+from .text import BrokenRowError, Rows, read_rows
 
 
 def read_columns(key: str, path: Path, names: tuple[str, ...]) -> Rows:

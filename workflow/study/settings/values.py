@@ -5,8 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings.checks import integer, number
+from ...errors import UserError
+from .checks import integer, number
 
 MOST_VALUES = 10_000  # on one axis
 SPACES: dict[str, Callable[..., np.ndarray]] = {"linspace": np.linspace, "geomspace": np.geomspace}

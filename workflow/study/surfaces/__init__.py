@@ -5,21 +5,11 @@ Knows the kernels' spectra and the settings, and no later stage.
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow.study.surfaces.profile import (
-        Profile,
-        check_load,
-        given_profile,
-    )
-    from elastomer_friction.workflow.study.surfaces.surface import Surface
-    from elastomer_friction.workflow.study.surfaces.table import (
-        LIKE,
-        SURFACE,
-        check_cutoff,
-        lines_like,
-        read_surface,
-    )
+    from .profile import Profile, check_load, given_profile
+    from .surface import Surface
+    from .table import LIKE, SURFACE, check_cutoff, lines_like, read_surface
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -4,16 +4,9 @@ from collections.abc import Callable
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.lines import (
-    KEY,
-    Asked,
-    Lines,
-    lines_of,
-    plain,
-    rounding,
-)
-from elastomer_friction.workflow.study.surfaces.text import precision, read_text
+from ...errors import UserError
+from .lines import KEY, Asked, Lines, lines_of, plain, rounding
+from .text import precision, read_text
 
 USUAL_COLUMNS = (0, 1)
 MOST_VALUES = 10**8  # heights in a netCDF file, of which a compressed one of 8 kB may hold more

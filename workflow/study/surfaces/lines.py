@@ -5,9 +5,9 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.prepare import uniform_step
-from elastomer_friction.workflow.study.surfaces.units import metres
+from ...errors import UserError
+from .prepare import uniform_step
+from .units import metres
 
 KEY = "surface.file"
 LEAST_SAMPLES = 8

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
+from ...errors import UserError
 
 DETRENDS = {"none": None, "mean": 0, "line": 1, "parabola": 2}  # degree of what is removed
 PERIODICS = {"none": 1, "mirror": 2, "taper": 1}  # how often a line goes into the period

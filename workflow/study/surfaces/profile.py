@@ -5,18 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import measured_amplitudes, rms_slope
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.files import read_lines
-from elastomer_friction.workflow.study.surfaces.lines import KEY, LEAST_SAMPLES, Asked
-from elastomer_friction.workflow.study.surfaces.prepare import (
-    PERIODICS,
-    TAPERED,
-    check_not_flat,
-    level,
-    make_periodic,
-    spikes,
-)
+from ....kernels import measured_amplitudes, rms_slope
+from ...errors import UserError
+from .files import read_lines
+from .lines import KEY, LEAST_SAMPLES, Asked
+from .prepare import PERIODICS, TAPERED, check_not_flat, level, make_periodic, spikes
 
 SLOPES = 1e-5, 30.0  # of lines with heights and lengths in one unit
 LOADS = 1e-8, 1e6  # F_N/(4 G L h)

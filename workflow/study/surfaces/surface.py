@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import amplitudes, matching_rolloff
-from elastomer_friction.workflow.study.surfaces.profile import Profile
+from ....kernels import amplitudes, matching_rolloff
+from .profile import Profile
 
 LINES = ("measured", "random-phase", "self-affine")
 

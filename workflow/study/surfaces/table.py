@@ -4,9 +4,9 @@ from functools import partial
 from pathlib import Path
 from typing import Any
 
-from elastomer_friction.kernels.lines.self_affine import NORMALISATIONS
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings import (
+from ....kernels.lines.self_affine import NORMALISATIONS
+from ...errors import UserError
+from ..settings import (
     Key,
     as_table,
     as_text,
@@ -17,11 +17,11 @@ from elastomer_friction.workflow.study.settings import (
     read_table,
     within,
 )
-from elastomer_friction.workflow.study.surfaces.lines import Asked
-from elastomer_friction.workflow.study.surfaces.prepare import DETRENDS, PERIODICS
-from elastomer_friction.workflow.study.surfaces.profile import read_profile
-from elastomer_friction.workflow.study.surfaces.surface import LINES, Surface
-from elastomer_friction.workflow.study.surfaces.units import METRES, metres
+from .lines import Asked
+from .prepare import DETRENDS, PERIODICS
+from .profile import read_profile
+from .surface import LINES, Surface
+from .units import METRES, metres
 
 
 def _columns(key: str, value: object) -> tuple:

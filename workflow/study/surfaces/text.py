@@ -5,9 +5,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings import BrokenRowError, Rows, read_rows
-from elastomer_friction.workflow.study.surfaces.units import units_in
+from ...errors import UserError
+from ..settings import BrokenRowError, Rows, read_rows
+from .units import units_in
 
 HEADER = 3  # lines before the numbers in which units are looked for
 
