@@ -117,8 +117,8 @@ def assert_refused(run, log):
 
 def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
     cluster, edited, log = Standing(tmp_path / "standing"), tmp_path / "edited", tmp_path / "log"
-    for name in ("kernels", "workflow", "studies"):
-        shutil.copytree(ROOT / name, edited / name)
+    for name in ("elastomer_friction", "kernels", "workflow", "studies"):
+        shutil.copytree(ROOT / name, edited / name, symlinks=True)
     with (edited / "kernels" / "model" / "steady.py").open("a") as file:
         file.write("# edited\n")
     options = ("--out", str(tmp_path), "--scheduler", cluster.address, "--batch-seconds", "0.2")
