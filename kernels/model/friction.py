@@ -3,6 +3,8 @@
 Source: Li et al. (2014), eqs. 3 to 5, doi:10.1038/srep05795.
 """
 
+import math
+
 import numpy as np
 
 from ..compile.jit import kernel
@@ -51,6 +53,36 @@ def _touching(z, w, d):
             at[count] = j
             count += 1
     return at[:count]
+
+
+def sliding_friction(line, state, speed, load):
+    """Return mu of steady sliding (eq. 5), in h/dx, as far as the samples of a line tell it.
+
+    state : of steady sliding at the speed vbar under the load n Fbar (steady.py). Two things are
+    known beforehand: mu is a mean of slopes of the contact, and on a line without modes above
+    q = pi/dx sliding takes work.
+    """
+    z, slope, (w, d), steps = line.z, line.slope, state, line.steps_per_spacing
+    mu, rate, _ = quadrature(z, slope, w, d, speed, speed, load)
+    share = corrected_share(steps, speed)
+    if share > 0.0:
+        missing = elastic_correction(z, slope, w, d, speed, rate, steps)
+        steepest = np.abs(slope[_touching(z, w, d)]).max()
+        mu = min(max(mu + share / load * missing, -steepest), steepest)
+    if line.band_limited and mu <= 0.0:
+        rise = np.roll(z, -1) - z  # of the line above an element, in a step
+        mu = steps * step_average(rise, z - w, d)
+    return mu
+
+
+def corrected_share(steps: float, speed: float) -> float:
+    """Return which share of the elastic part of mu is corrected.
+
+    As far as a sample lasts longer than tau: by measurement the better estimate there, and the
+    worse one beyond.
+    """
+    share = math.exp(-((steps * speed) ** 2))
+    return share if share >= 1e-3 else 0.0
 
 
 @kernel

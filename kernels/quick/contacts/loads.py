@@ -6,7 +6,6 @@ thresholds t_j of spans.py, F_N > max (z - v z') in the limit of fine samples. T
 and 5 are then those of the whole line.
 """
 
-import math
 from typing import NamedTuple
 
 import numpy as np
@@ -52,16 +51,6 @@ class How(NamedTuple):
     steps: float  # samples per spacing
     share: float  # of the elastic part that is corrected
     smooth: bool  # whether the line is a function without modes above q = pi/dx
-
-
-def corrected_share(steps: float, speed: float) -> float:
-    """Return which share of the elastic part of mu is corrected.
-
-    As far as a sample lasts longer than tau: by measurement the better estimate there, and the
-    worse one beyond.
-    """
-    share = math.exp(-((steps * speed) ** 2))
-    return share if share >= 1e-3 else 0.0
 
 
 @kernel

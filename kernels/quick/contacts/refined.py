@@ -12,12 +12,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ...lines.line import Line
+from ...model.friction import corrected_share
 from ...rheology.kelvin import SCHEMES
 from ...rheology.law import State
 from ..steady.spans import SPAN
 from ..steady.stack import Stack, spans_of_line
 from .fine_line import curvatures, mark_touchable, marked
-from .loads import CONTACT, INDENTATION, MU, SAMPLES, SWEEPS, How, corrected_share
+from .loads import CONTACT, INDENTATION, MU, SAMPLES, SWEEPS, How
 from .part import NONE, Part, slide_on
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: heights in between to 1e-3

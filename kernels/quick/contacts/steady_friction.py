@@ -7,12 +7,13 @@ from typing import NamedTuple
 import numpy as np
 
 from ...lines.line import Line
+from ...model.friction import corrected_share
 from ...rheology.kelvin import SCHEMES, Kelvin
 from ...rheology.law import State
 from ..steady.carry import NO_GAPS, Decay, carry
 from ..steady.spans import Spans, add_rises
 from ..steady.stack import Stack, alone, spans_of_line, stack_of, stacked
-from .loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, Found, How, corrected_share
+from .loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, Found, How
 from .part import Part, slide_on
 from .refined import NARROW, Refined, curvatures_of, refined
 
