@@ -13,7 +13,7 @@ from ..model.contact import solve_indentation
 
 
 class PrintedForce(NamedTuple):
-    """The elements carry the load together, without the indentation rate in their forces."""
+    """The elements carry the load together, by eq. 3 as printed, without the indentation rate."""
 
     load: float  # sum of the forces of all elements, n Fbar
 

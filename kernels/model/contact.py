@@ -73,7 +73,7 @@ def weighted_overlap(c, stiffness, d):
 
 @kernel
 def solve_indentation(c, load, guess, stiffness=None):
-    """Return (d, passes) with sum_i s_i max(0, d - c_i) = load > 0, from any starting ``guess``.
+    """Return (d, passes) with sum_i s_i max(0, d - c_i) = load > 0 (eq. 4), from any ``guess``.
 
     c : contact thresholds z_i - w_i, shape (n,), n > 0, in h. stiffness : s_i > 0, shape (n,), or
     None where all are 1: numba compiles a version for each type of it. d is NaN where the load

@@ -25,12 +25,12 @@ def _reach(law, u):
 
 
 def implicit_euler(dt: float) -> Kelvin:
-    """Return the step of the implicit Euler scheme; ``dt`` in units of tau. First order."""
+    """Return the step of eqs. 1 and 2 by implicit Euler; ``dt`` in units of tau. First order."""
     return Kelvin(_decay(1.0 / (1.0 + dt)), 1.0 + 1.0 / dt, 0.0)
 
 
 def exponential(dt: float) -> Kelvin:
-    """Return the step of the exponential scheme; ``dt`` in units of tau. Second order.
+    """Return the step of eqs. 1 and 2, solved exactly; ``dt`` in units of tau. Second order.
 
     u_new = e^-dt u_old - int e^-(dt - s) f(s) ds: the step's force is the mean of f weighted
     with e^-(dt - s), so it acts at the centre of that weight, 1/dt - 1/(e^dt - 1) before the end.
