@@ -17,7 +17,7 @@ from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[1]
 STUDY = ("cluster", "grid", "numerics", "read", "study", "variants")
-SETTINGS = ("checks", "columns", "values")
+SETTINGS = ("checks", "columns", "key", "values")
 EFFECTS = ("material", "needs", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "docs" / "refusals.md"
 SURFACES = ("files", "lines", "prepare", "profile", "table", "text")

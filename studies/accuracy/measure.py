@@ -8,7 +8,7 @@ import pandas as pd
 import xarray as xr
 
 from elastomer_friction.workflow.result import Groups
-from elastomer_friction.workflow.study import Text, integer, positive
+from elastomer_friction.workflow.study import Key, integer, positive
 
 from . import ladders, rivals
 from .marches import MARCHES
@@ -16,47 +16,45 @@ from .points import COMPARED, POINTS
 from .recommendation import recommend, table_lines
 
 SETTINGS = {
-    "points": partial(integer, least=1, most=len(POINTS)),
-    "elements": partial(integer, least=64, most=100_000),
-    "lines": partial(integer, least=4, most=100_000),
-    "finest": partial(integer, least=8, most=256),
-    "realizations": partial(integer, least=20, most=100_000),
-    "march_lines": partial(integer, least=2, most=1000),
-    "march_updates": positive,
-}
-TEXTS = {
-    "points": Text(
+    "points": Key(
+        partial(integer, least=1, most=len(POINTS)),
         "The number of points of the parameter space at which everything is measured: the first "
         "ones of the list in `studies/accuracy/points.py`.",
         "Doubled, the study takes twice as long, and its medians rest on twice as many points.",
     ),
-    "elements": Text(
+    "elements": Key(
+        partial(integer, least=64, most=100_000),
         "The number N of elements of each line.",
         "Doubled, each line takes about twice the time. The errors are those of lines of that "
         "length, so they change too.",
     ),
-    "lines": Text(
+    "lines": Key(
+        partial(integer, least=4, most=100_000),
         "The number of random lines on which the errors of the discretisation are measured for "
         "m ≤ 8, where m is the number of time steps per spacing. A finer m takes fewer lines, in "
         "proportion to 1/m, and at least 20 of them where there are so many.",
         "Doubled, the standard errors of the measured errors fall by √2, and this part of the "
         "study takes twice the time.",
     ),
-    "finest": Text(
+    "finest": Key(
+        partial(integer, least=8, most=256),
         "The finest m that is measured. At points where steps of this m do not resolve the "
         "relaxation time, the ladder of m = 1, 2, 4, … goes on until they do.",
         "Doubled, the reference is known better, and this part of the study takes up to four "
         "times as long.",
     ),
-    "realizations": Text(
+    "realizations": Key(
+        partial(integer, least=20, most=100_000),
         "The number of random lines from which the sampling error is measured.",
         "Doubled, groups of twice as many lines can be compared, in twice the time.",
     ),
-    "march_lines": Text(
+    "march_lines": Key(
+        partial(integer, least=2, most=1000),
         "The number of random lines on which the common alternatives, numpy and tamaas, run.",
         "Doubled, their errors are known better by √2, in twice the time.",
     ),
-    "march_updates": Text(
+    "march_updates": Key(
+        positive,
         "The number of element updates that the march of an alternative along one line may take. "
         "It decides up to which m the alternative runs.",
         "Doubled, alternatives run up to an m that is √2 times as large, in twice the time.",

@@ -10,7 +10,7 @@ import xarray as xr
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.result import Groups
-from elastomer_friction.workflow.study import Text, integer, positive
+from elastomer_friction.workflow.study import Key, integer, positive
 
 from .paper import alone, planned
 from .virtual import Costs, durations, simulated
@@ -61,53 +61,51 @@ def text(key: str, value: object) -> str:
 
 counts = listed(partial(integer, least=1))
 SETTINGS = {
-    "studies": listed(text),
-    "scale": text,
-    "workers": counts,  # of the simulated studies
-    "uniform_workers": counts,  # of the simulated uniform batches
-    "uniform_seconds": listed(positive),
-    "scheduler_seconds": positive,  # what one task costs the scheduler
-    "driver_seconds": positive,  # and the driver
-    "latency": positive,  # s, of a message between two processes
-}
-TEXTS = {
-    "studies": Text(
+    "studies": Key(
+        listed(text),
         "The names of the studies whose runs are simulated.",
         "Each further study takes as long as its simulations do.",
         values="a list of names of studies",
     ),
-    "scale": Text(
+    "scale": Key(
+        text,
         "The scale of these studies.",
         "Another scale has other grids, so that the simulated times are other ones.",
         values="the name of a scale that the studies have",
     ),
-    "workers": Text(
+    "workers": Key(
+        counts,
         "The numbers of workers of the clusters on which the studies are simulated.",
         "Doubled, a cluster does a study in half the time as long as its scheduler keeps up.",
         values="a list of whole numbers, each at least 1",
     ),
-    "uniform_workers": Text(
+    "uniform_workers": Key(
+        counts,
         "The numbers of workers of clusters that are simulated with batches of one mean length.",
         "Doubled, the scheduler is kept twice as busy.",
         values="a list of whole numbers, each at least 1",
     ),
-    "uniform_seconds": Text(
+    "uniform_seconds": Key(
+        listed(positive),
         "The mean lengths of these batches.",
         "Doubled, twice as many workers are kept busy by one scheduler.",
         "s",
         values="a list of numbers above 0",
     ),
-    "scheduler_seconds": Text(
+    "scheduler_seconds": Key(
+        positive,
         "The CPU time that one task costs the scheduler, measured with empty tasks.",
         "Doubled, a cluster saturates at half as many workers.",
         "s",
     ),
-    "driver_seconds": Text(
+    "driver_seconds": Key(
+        positive,
         "The CPU time that one task costs the driver, which collects and stores its result.",
         "Doubled, the driver handles half as many tasks a second.",
         "s",
     ),
-    "latency": Text(
+    "latency": Key(
+        positive,
         "The time that a message takes from one process to another.",
         "Doubled, a worker waits for its next batch that much longer.",
         "s",

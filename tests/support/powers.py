@@ -16,10 +16,10 @@ MEASURE = """
 from functools import partial
 import pandas as pd
 import xarray as xr
-from elastomer_friction.workflow.study.settings.checks import integer, positive
+from elastomer_friction.workflow.study import Key, integer, positive
 from .helper import power
 
-SETTINGS = {"powers": partial(integer, least=1), "base": positive}
+SETTINGS = {"powers": Key(partial(integer, least=1)), "base": Key(positive)}
 
 def outline(settings):
     return [f"powers      {settings['powers']}"], 0.5 * settings["powers"]

@@ -3,7 +3,7 @@
 import re
 
 from ..result import described_variables
-from ..study import QUANTITIES, described_measures, described_tables
+from ..study import EVERY_TABLE, QUANTITIES, described_measures
 
 HEAD = """# Index
 
@@ -18,13 +18,13 @@ alphabet. Symbols and terms are in the [glossary](../glossary.md), commands on
 def index_page() -> str:
     """Return the page of the index as Markdown."""
     rows = {}
-    places = {table: (f"key of `[{table}]`", keys) for table, keys in described_tables().items()}
+    places = {table: (f"key of `[{table}]`", keys) for table, keys in EVERY_TABLE.items()}
     for study, keys in described_measures().items():
         places[f"{study}: measure"] = (f"key of `[measure]` of the study `{study}`", keys)
     for table, (where, keys) in places.items():
         for key in keys:
-            heading = f"{table}.{key.name}"
-            rows[key.name, where] = f"[`{key.name}`](keys.md#{anchor(heading)}) | {where}"
+            heading = f"{table}.{key}"
+            rows[key, where] = f"[`{key}`](keys.md#{anchor(heading)}) | {where}"
     for section in described_variables().values():
         for variable in section:
             said = f"variable: {variable.long_name}"

@@ -1,6 +1,14 @@
 """The page of every key of study.toml."""
 
-from ..study import COMPARE, QUANTITIES, DescribedKey, described_measures, described_tables
+from ..study import (
+    COMPARE,
+    EVERY_TABLE,
+    QUANTITIES,
+    Key,
+    default_of,
+    described_measures,
+    values_of,
+)
 
 HEAD = """# Every key of study.toml
 
@@ -55,25 +63,28 @@ SEGMENT = "The keys of a segment `{0}`, as `[[scene.programme]]` with `{0} = {{â
 def keys_page() -> str:
     """Return the page of keys as Markdown."""
     lines = [HEAD.replace("{compare}", ", ".join(f"`{key}`" for key in COMPARE))]
-    for table, keys in described_tables().items():
+    for table, keys in EVERY_TABLE.items():
         name = table.rpartition(".")[2]
         introduction = INTRODUCTIONS.get(table) or SEGMENT.format(name)
         lines += [f"## The table [{table}]\n", f"{introduction}\n"]
-        lines += [_entry(table, key) for key in keys]
+        lines += [_entry(f"{table}.{name}", key) for name, key in keys.items()]
         if table == "scene":
             lines += _quantities()
     for study, keys in described_measures().items():
         lines += [f"## The table [measure] of {study}\n", f"{MEASURES.format(study)}\n"]
-        lines += [_entry(f"{study}: measure", key) for key in keys]
+        lines += [_entry(f"{study}: measure.{name}", key) for name, key in keys.items()]
     return "\n".join(lines)
 
 
-def _entry(table: str, key: DescribedKey) -> str:
-    usual = key.default if key.default.startswith("required") else f"default: {key.default}"
-    said = [f"Value: {key.values}", usual]
+def _entry(heading: str, key: Key) -> str:
+    default = default_of(key)
+    said = [
+        f"Value: {values_of(key)}",
+        default if default.startswith("required") else f"default: {default}",
+    ]
     if key.unit:
         said.insert(1, f"unit: {key.unit}")
-    return f"### {table}.{key.name}\n\n*{'; '.join(said)}.*\n\n{key.means} {key.changes}\n"
+    return f"### {heading}\n\n*{'; '.join(said)}.*\n\n{key.means} {key.doubled}\n"
 
 
 def _quantities() -> list[str]:

@@ -9,6 +9,7 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
+    from .described import EVERY_TABLE, described_measures
     from .effects import (
         QUANTITIES,
         FromFile,
@@ -31,9 +32,18 @@ if TYPE_CHECKING:
     from .moduli import FREQUENCIES, MODULI, Moduli, read_moduli
     from .numerics import Numerics
     from .read import find_study, known_scales, known_studies, read_scene, read_study
-    from .reference import DescribedKey, Text, described_measures, described_tables, study_schema
+    from .schema import study_schema
     from .scripts import load_script
-    from .settings import Rows, integer, named_unit, positive, rows_of_file
+    from .settings import (
+        Key,
+        Rows,
+        default_of,
+        integer,
+        named_unit,
+        positive,
+        rows_of_file,
+        values_of,
+    )
     from .study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
     from .surfaces import Profile, Surface, check_load, given_profile
     from .variants import COMPARE

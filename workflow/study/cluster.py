@@ -1,17 +1,18 @@
 """Where a study is computed: the table [cluster]. No number depends on it."""
 
 import re
-from collections.abc import Callable
 from functools import partial
 from typing import NamedTuple
 
 from ..errors import UserError
-from .settings import Key, as_text, integer, positive, read_table
+from .settings import TEXT, Key, as_text, integer, positive, read_table
 
 LOCAL = "local"
 MARGIN = 0.1  # of the walltime, at whose start a worker of a job retires
 BATCHES_PER_LIFETIME = 20  # a worker that retires loses what it is computing
 LEAST_WALLTIME = 60.0  # s
+MEMORY = "[0-9.]+ ?[kMGT]i?B"
+WORD = r"[\w.,:@%+/=-]*"
 
 
 class BatchSystem(NamedTuple):
@@ -80,7 +81,7 @@ def _where(key: str, value: object) -> str:
 
 def _memory(key: str, value: object) -> str:
     text = as_text(key, value)
-    if not re.fullmatch(r"[0-9.]+ ?[kMGT]i?B", text):
+    if not re.fullmatch(MEMORY, text):
         raise UserError(f'{key} = {text!r}: must be a size, as "4GB"')
     return text
 
@@ -107,7 +108,7 @@ def _line(key: str, value: object) -> str:
 def _word(key: str, value: object) -> str:
     """Return a text that stays one word in a directive or a command of a job script."""
     text = as_text(key, value)
-    if not re.fullmatch(r"[\w.,:@%+/=-]*", text):
+    if not re.fullmatch(WORD, text):
         raise UserError(f"{key} = {text!r}: must be one word of letters, digits and .,:@%+/=-")
     return text
 
@@ -116,19 +117,127 @@ def _prologue(key: str, value: object) -> tuple[str, ...]:
     return tuple(_line(key, line) for line in (value if isinstance(value, list) else [value]))
 
 
-CHECKS: dict[str, Callable[[str, object], object]] = {  # other keys are texts of one line
-    "where": _where,
-    "patience": positive,
-    "jobs": partial(integer, least=1),
-    "cores": partial(integer, least=1),
-    "memory": _memory,
-    "walltime": _walltime,
-    "queue": _word,
-    "account": _word,
-    "interface": _word,
-    "prologue": _prologue,
+CLUSTER = {
+    "where": Key(
+        _where,
+        "Where batches are computed: on the cores of this machine, as jobs of SLURM, or by a Dask "
+        "scheduler that runs at the given address.",
+        "No number depends on it.",
+        default=HERE.where,
+        values='`"local"`, `"slurm"`, `"tls://host:port"` or `"tcp://host:port"`',
+        schema={"type": "string", "pattern": "^(local|slurm)$|://"},
+    ),
+    "patience": Key(
+        positive,
+        "How long a run waits while there is no worker, no answer from any worker, or no disk "
+        "that can be written.",
+        "Doubled, a run gives up after twice the time.",
+        "s",
+        default=HERE.patience,
+    ),
+    "jobs": Key(
+        partial(integer, least=1),
+        "The number of jobs that are asked of the batch system.",
+        "Doubled, twice as many workers compute, as far as the queue grants them.",
+        default=HERE.jobs,
+    ),
+    "cores": Key(
+        partial(integer, least=1),
+        "The number of cores of each job. Each runs one worker of one thread.",
+        "Doubled, each job has twice as many workers, which share `memory`.",
+        default=HERE.cores,
+    ),
+    "memory": Key(
+        _memory,
+        "The memory of each job. `plan` predicts what a worker needs.",
+        "Doubled, each worker may use twice as much before it is ended; nothing gets quicker.",
+        default=HERE.memory,
+        values='a size such as `"4GB"`',
+        schema={"type": "string", "pattern": f"^{MEMORY}$"},
+    ),
+    "walltime": Key(
+        _walltime,
+        "The time after which the batch system ends a job. Workers retire at nine tenths of it "
+        "and are replaced; no batch is predicted to take longer than a twentieth of that.",
+        "Doubled, workers are replaced half as often, and jobs may wait longer in the queue.",
+        default=HERE.walltime,
+        values='a time such as `"12:00:00"` or `"1-00:00:00"`, at least a minute',
+        schema={"type": "string", "pattern": "^([0-9]+-)?[0-9]+(:[0-9]+){0,2}$"},
+    ),
+    "queue": Key(
+        _word,
+        "The queue, or partition, of the batch system.",
+        "No number depends on it.",
+        default=HERE.queue,
+        values="one word",
+        usual="that of the batch system",
+        schema={"type": "string", "pattern": f"^{WORD}$"},
+    ),
+    "account": Key(
+        _word,
+        "The account to which the jobs are charged.",
+        "No number depends on it.",
+        default=HERE.account,
+        values="one word",
+        usual="that of the batch system",
+        schema={"type": "string", "pattern": f"^{WORD}$"},
+    ),
+    "interface": Key(
+        _word,
+        'The network interface by which nodes reach each other, such as `"ib0"`.',
+        "No number depends on it.",
+        default=HERE.interface,
+        values="one word",
+        usual="that which the system chooses",
+        schema={"type": "string", "pattern": f"^{WORD}$"},
+    ),
+    "log_folder": Key(
+        _line,
+        "The folder for what jobs print, from the working folder. While a run lasts, its "
+        "certificates lie beside it, so every node must see it.",
+        "No number depends on it.",
+        default=HERE.log_folder,
+        values="one line of text",
+        schema=TEXT,
+    ),
+    "prologue": Key(
+        _prologue,
+        "Lines of the job script before the workers start, such as "
+        '`["module load python"]`. They run with your rights.',
+        "No number depends on it.",
+        default=HERE.prologue,
+        values="one line of text, or a list of them",
+        usual="none",
+        schema={"type": ["string", "array"], "items": TEXT},
+    ),
+    "tls_ca_file": Key(
+        _line,
+        "A PEM file with the certificate of who has signed those of a scheduler `tls://…`.",
+        "No number depends on it.",
+        default=HERE.tls_ca_file,
+        values="the path of a file",
+        usual="none",
+        schema=TEXT,
+    ),
+    "tls_cert": Key(
+        _line,
+        "A PEM file with the certificate that shows that scheduler who you are.",
+        "No number depends on it.",
+        default=HERE.tls_cert,
+        values="the path of a file",
+        usual="none",
+        schema=TEXT,
+    ),
+    "tls_key": Key(
+        _line,
+        "A PEM file with the key of that certificate, unless the certificate's file holds it.",
+        "No number depends on it.",
+        default=HERE.tls_key,
+        values="the path of a file",
+        usual="none",
+        schema=TEXT,
+    ),
 }
-CLUSTER = {key: Key(CHECKS.get(key, _line), usual) for key, usual in HERE._asdict().items()}
 
 
 def read_cluster(table: object) -> Cluster:

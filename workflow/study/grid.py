@@ -1,13 +1,22 @@
 """The grid: the values of every axis, and what a scene leaves out of it."""
 
 import math
-from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from ..errors import UserError
 from .effects import Scene
-from .settings import Key, as_table, checked_values, number, positive, read_table, within
+from .settings import (
+    Key,
+    as_table,
+    checked_values,
+    number,
+    positive,
+    read_table,
+    values_of_axis,
+    within,
+)
 from .surfaces import Surface, check_cutoff
 
 Grid = dict[str, tuple[float, ...]]
@@ -42,16 +51,68 @@ def _step(key: str, value: object) -> float:
     return checked
 
 
-CHECKS: dict[str, Callable[[str, object], float]] = {
-    "hurst": partial(within, least=0.0, most=1.0),
-    "normal_force": positive,
-    "spacing": positive,
-    "roughness": positive,
-    "velocity": positive,
-    "velocity_step": _step,
-    "prescribed_indentation": number,
+GRID = {
+    "hurst": Key(
+        partial(checked_values, partial(within, least=0.0, most=1.0)),
+        "The Hurst exponent H of the line, whose power spectral density falls as q^(−2H−1).",
+        "Doubled (up to 1), the line is smoother: at the same roughness its rms slope is smaller, "
+        "and for x > 1 the relaxation rate grows more slowly with the velocity, b ≈ x^(1−H).",
+        usual="required for random lines, left out with `surface.file`",
+    ),
+    "normal_force": Key(
+        partial(checked_values, positive),
+        "The normal force F_N on the line of length L.",
+        "Doubled, F̄ = F_N/(4GLh) doubles and more of the line touches. In full contact µ halves; "
+        "in partial contact it changes less.",
+        "N",
+        usual="required, left out where the indentation is prescribed",
+    ),
+    "spacing": Key(
+        partial(checked_values, positive),
+        "The spacing Δx of the elements. It is a physical parameter: without a cut-off the "
+        "shortest wave of the line is 2Δx, and q_max = π/Δx. The accuracy of a computation is "
+        "set by `numerics.steps_per_spacing` instead.",
+        "Doubled, there are half as many elements, x = v₁ τ q_max halves, and the rms slope falls "
+        "by about 2^(1−H).",
+        "m",
+        usual="required for random lines, left out with `surface.file`",
+    ),
+    "roughness": Key(
+        partial(checked_values, positive),
+        "The rms roughness h of the line.",
+        "Doubled, slopes double and F̄ = F_N/(4GLh) halves: µ is twice what it was at half the "
+        "normal force.",
+        "m",
+        usual="required for random lines, left out with `surface.file`",
+    ),
+    "velocity": Key(
+        partial(checked_values, positive),
+        "The sliding velocity v₁ before the velocity step, or the velocity to which `ratio` in a "
+        "programme refers.",
+        "Doubled, x = v₁ τ q_max doubles. In region I (x < 1) steady friction doubles, on the "
+        "plateau it hardly changes.",
+        "m/s",
+        usual="required, left out where no segment of a programme depends on it",
+    ),
+    "velocity_step": Key(
+        partial(checked_values, _step),
+        "The relative velocity step Δv/v₁, so that v₂ = v₁ (1 + Δv/v₁).",
+        "Doubled, small steps make twice the jump Δµ₀ of friction; the relaxation rate b hardly "
+        "changes.",
+        values="a number above −1, zero or at least 1e-9 in size, or a list or range of such "
+        "numbers",
+        usual="required, left out with a programme and where steady sliding alone is asked for",
+        schema=values_of_axis({"type": "number", "exclusiveMinimum": -1}),
+    ),
+    "prescribed_indentation": Key(
+        partial(checked_values, number),
+        "The indentation d of the line over its mean height, positive where the mean line lies "
+        'below the undeformed surface; with `scene.control = "indentation"` alone.',
+        "Doubled in full contact, the normal force doubles and the coefficient of friction halves.",
+        "m",
+        usual="left out but with control by indentation",
+    ),
 }
-GRID = {axis: Key(partial(checked_values, check)) for axis, check in CHECKS.items()}
 AXES = tuple(GRID)[:6]  # that every result has
 
 
@@ -71,9 +132,12 @@ def read_grid(table: Any, surface: Surface, scene: Scene, temperatures: tuple[fl
             'scene.start = "steady": the programme begins with a hold; give grid.velocity, at '
             'which it slid before, or use "relaxed"'
         )
-    keys = {axis: Key(key.check, filled.get(axis, (key.default,))[0]) for axis, key in GRID.items()}
+    keys = {
+        axis: replace(key, default=filled.get(axis, (key.default,))[0])
+        for axis, key in GRID.items()
+    }
     if scene.quantities == ("steady",) and not scene.programme:
-        keys["velocity_step"] = Key(GRID["velocity_step"].check, (0.0,))
+        keys["velocity_step"] = replace(GRID["velocity_step"], default=(0.0,))
     grid: Grid = read_table("grid", given, keys)
     if surface.profile is None:
         grid["spacing"] = _spacings(grid["spacing"], surface)

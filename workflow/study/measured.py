@@ -3,9 +3,8 @@
 study.toml holds [study] with title and seed, [measure] with the settings that measure.py
 declares, and [scales.NAME]. measure.py holds
 
-    SETTINGS   name -> check(key, value), which returns the value or raises UserError
-    TEXTS      name -> Text, what is said of the setting on the page of keys; a study of this
-               program has it
+    SETTINGS   name -> Key: its check, check(key, value), returns the value or raises UserError;
+               what it means stands on the page of keys where the study is of this program
     outline(settings) -> (lines that say what would be measured, core-seconds that it takes on the
                typical machine, which workflow/plan/cost/work.py describes)
     measure(settings, seed, advance) -> group -> xarray.Dataset; "" is the root. It calls
@@ -20,7 +19,7 @@ from types import ModuleType
 from typing import Any, ClassVar
 
 from .scripts import load_script
-from .settings import Key, check_keys, read_table
+from .settings import check_keys, read_table
 from .study import HEAD, AnyStudy, study_head
 
 
@@ -38,6 +37,5 @@ def read_measured(name: str, folder: Path, tables: dict[str, Any]) -> Measured:
     check_keys("", tables, ("study", "measure"))
     head = study_head(name, folder, tables, HEAD)
     script = load_script(folder / "measure.py")
-    keys = {key: Key(check) for key, check in script.SETTINGS.items()}
-    settings = read_table("measure", tables["measure"], keys)
+    settings = read_table("measure", tables["measure"], script.SETTINGS)
     return Measured(**head, settings=settings, script=script)

@@ -2,7 +2,7 @@
 
 import json
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import partial
 from pathlib import Path
 from typing import Any, ClassVar
@@ -18,13 +18,47 @@ from .surfaces import SURFACE, Profile, Surface, read_surface
 from .variants import check_accuracy, read_variants
 
 MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
-HEAD = {"title": Key(as_text, ""), "seed": Key(partial(integer, least=0), 0)}
+HEAD = {
+    "title": Key(
+        as_text,
+        "A line of text that heads the output of `plan`, the figure and the result file.",
+        "No number depends on it.",
+        default="",
+        usual="the name of the study",
+    ),
+    "seed": Key(
+        partial(integer, least=0),
+        "The number from which every random line is drawn, together with the Hurst exponent, the "
+        "number of elements and the index of the realization.",
+        "Another seed, doubled or not, draws other lines: every estimate changes within its "
+        "standard error.",
+        default=0,
+    ),
+}
 STUDY = HEAD | {
-    "realizations": Key(partial(integer, least=2), None),
-    "realizations_per_block": Key(partial(integer, least=1), 1),
+    "realizations": Key(
+        partial(integer, least=2),
+        "The number of random lines over which every estimate is averaged. It is rounded up to "
+        "whole quartets, four lines from one set of random phases, and to at least two blocks.",
+        "Doubled, the standard errors fall by √2 and the computing time doubles. Lines that are "
+        "stored already are not computed again.",
+        default=None,
+        usual='as many as were measured with `surface.lines = "measured"`, else required',
+    ),
+    "realizations_per_block": Key(
+        partial(integer, least=1),
+        "The number of lines whose mean is stored as one record. Blocks are the unit of the store "
+        "and of the jackknife, which finds standard errors by leaving out one block, or with more "
+        "than 32 blocks one group of blocks, at a time. For random lines it is rounded up to a "
+        "multiple of four, and it must divide `realizations` into at least two blocks.",
+        "Doubled, the store holds half as many records, and the standard error is itself known "
+        "less well where there are fewer than 32 blocks. The estimates do not change.",
+        default=1,
+    ),
 }
 # A scene is a study of one point, for which one line may do.
-ONE_POINT = STUDY | {"realizations": Key(partial(integer, least=1), 1)}
+ONE_LINE = replace(STUDY["realizations"], check=partial(integer, least=1), default=1)
+ONE_POINT = STUDY | {"realizations": ONE_LINE}
 TABLES = {
     "study": STUDY,
     "material": MATERIAL,

@@ -24,6 +24,6 @@ if TYPE_CHECKING:
     )
     from .quantities import QUANTITIES, judged
     from .scene import SCENE, Scene, read_scene
-    from .segments import HOLD, OSCILLATE, RAMP, SLIDE
+    from .segments import FILE, HOLD, OSCILLATE, RAMP, SLIDE
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -12,14 +12,46 @@ from typing import Any, NamedTuple
 
 from ....kernels.rheology.spectrum import Spectrum
 from ...errors import UserError
-from ..settings import Key, as_text, axis_values, number, positive, read_columns, read_table, within
+from ..settings import (
+    NUMBER,
+    POSITIVE,
+    Key,
+    as_text,
+    axis_values,
+    number,
+    pair,
+    positive,
+    read_columns,
+    read_table,
+    values_of_axis,
+    within,
+)
 
 MOST_BRANCHES = 200
 RATIOS = (1e-9, 1e9)  # of the modulus of a branch to the relaxed one
 TIMES = (1e-30, 1e30)  # s, of a branch
 ALIKE = 1e-12  # relative; times closer than this are one
 MOST_SHIFT = 30.0  # decades
-WLF = {"c1": Key(positive), "c2": Key(positive), "reference": Key(number)}
+WLF = {
+    "c1": Key(
+        positive,
+        "The first constant of the shift, in decades.",
+        "Doubled, times shift by twice as many decades.",
+    ),
+    "c2": Key(
+        positive,
+        "The second constant of the shift.",
+        "Doubled, times depend half as strongly on the temperature near the reference.",
+        "K",
+    ),
+    "reference": Key(
+        number,
+        "The temperature at which the relaxation times are those that are given.",
+        "Raised by ten degrees, all curves are those that were found ten degrees lower. "
+        "Doubling degrees Celsius has no meaning of its own.",
+        "°C",
+    ),
+}
 
 Branch = tuple[float, float]  # modulus (Pa), time (s)
 
@@ -182,10 +214,73 @@ def _temperature(key: str, value: object) -> float | tuple[float, ...]:
 
 
 MATERIAL = {
-    "shear_modulus": Key(positive),
-    "relaxation_time": Key(partial(within, least=0.0, most=TIMES[1]), None),
-    "branches": Key(_branches, ()),
-    "branches_file": Key(as_text, ""),
-    "wlf": Key(_wlf, None),
-    "temperature": Key(_temperature, None),
+    "shear_modulus": Key(
+        positive,
+        "The relaxed (static, long-time) shear modulus G of the elastomer.",
+        "Doubled, the same force presses the line in half as far as long as the contact stays the "
+        "same. For a Kelvin element it is exactly as if all normal forces were halved, because "
+        "they enter as F̄ = F_N/(4GLh) alone.",
+        "Pa",
+    ),
+    "relaxation_time": Key(
+        partial(within, least=0.0, most=TIMES[1]),
+        "The relaxation time τ = η/G of the dashpot of viscosity η beside the springs. Without "
+        "branches the material is the Kelvin element of the paper, and τ is its only time. "
+        "0 means that there is no dashpot, and needs branches.",
+        "Doubled, a Kelvin element at the velocity v rubs exactly as it did at 2v, and relaxation "
+        "takes twice the time.",
+        "s",
+        default=None,
+        usual="0 where there are branches, else required",
+    ),
+    "branches": Key(
+        _branches,
+        "A Prony series: Maxwell elements of modulus g_b and relaxation time t_b beside the "
+        "spring G, so that the relaxation modulus is G(t) = G + Σ g_b exp(−t/t_b). The order does "
+        "not matter.",
+        "With all g_b doubled, what the branches dissipate in a given motion doubles, and so do "
+        "instantaneous forces. With all t_b doubled (and no dashpot), friction at v is what it "
+        "was at 2v.",
+        "Pa, s",
+        default=(),
+        values="a list of `[g_b, t_b]`, 200 at most, with g_b from 1e-9 to 1e9 times "
+        "`shear_modulus` and t_b from 1e-30 to 1e30 s",
+        usual="none",
+        schema={
+            "type": "array",
+            "maxItems": MOST_BRANCHES,
+            "items": pair(POSITIVE, {"type": "number", "minimum": TIMES[0], "maximum": TIMES[1]}),
+        },
+    ),
+    "branches_file": Key(
+        as_text,
+        "A text file beside `study.toml` with the two columns g_b and t_b, in place of `branches`. "
+        "The command `prony` writes such a file from measured moduli.",
+        "Another file is another material.",
+        "Pa, s",
+        default="",
+        values="the name of a file",
+        usual="none",
+    ),
+    "wlf": Key(
+        _wlf,
+        "The constants of the shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − "
+        "reference)/(c2 + T − reference). All relaxation times are multiplied by a_T. It goes "
+        "together with `temperature`.",
+        "With c1 doubled, the shift doubles in decades at every temperature.",
+        default=None,
+        values="`{c1 = …, c2 = …, reference = …}`",
+        usual="none: times are as they are given",
+    ),
+    "temperature": Key(
+        _temperature,
+        "The temperature of the elastomer, with `wlf`. A list makes it a dimension of the result.",
+        "A higher temperature shortens all times: friction at v is what it was at a_T v. "
+        "Doubling degrees Celsius has no meaning of its own.",
+        "°C",
+        default=None,
+        values="a number above `reference` − c2, or a list or range of them",
+        usual="none",
+        schema=values_of_axis(NUMBER),
+    ),
 }

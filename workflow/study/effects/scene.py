@@ -18,7 +18,14 @@ from .programme import (
     hold_durations,
     is_relative,
 )
-from .quantities import AT_AN_INDENTATION, OF_A_PROGRAMME, USUAL, WITHOUT_DASHPOT, asked_for
+from .quantities import (
+    AT_AN_INDENTATION,
+    OF_A_PROGRAMME,
+    QUANTITIES,
+    USUAL,
+    WITHOUT_DASHPOT,
+    asked_for,
+)
 from .segments import MOST_SEGMENTS, read_programme, sampled
 
 FORCE, INDENTATION = "force", "indentation"  # controls
@@ -137,12 +144,65 @@ def _check(table: dict[str, Any], scene: Scene, materials: tuple[Material, ...])
 
 
 SCENE = {
-    "quantities": Key(asked_for, None),
-    "indentation_rate": Key(flag, True),
-    "control": Key(partial(choice, known=(FORCE, INDENTATION)), FORCE),
-    "indentation_file": Key(as_text, ""),
-    "start": Key(partial(choice, known=(STEADY, RELAXED, FRESH)), STEADY),
-    "repeat": Key(partial(integer, least=1, most=MOST_SEGMENTS), 1),
-    "programme": Key(lambda _, value: value, None),
+    "quantities": Key(
+        asked_for,
+        "What is computed. What is not named is neither computed nor in the result file; the "
+        "list of names is in the table of quantities below.",
+        "Each further name costs what it takes; steady states and jumps need no time marching.",
+        default=None,
+        values="a list of names of quantities",
+        usual='`["steady", "jump", "relaxation"]`; without a dashpot `["steady", "relaxation", '
+        '"peak"]`; with a programme `["steady", "trace"]`; at a prescribed indentation '
+        '`["trace"]`',
+        schema={"type": "array", "minItems": 1, "items": {"enum": list(QUANTITIES)}},
+    ),
+    "indentation_rate": Key(
+        flag,
+        "Whether the rate ḋ of the indentation enters the force of an element. `false` is eq. 3 "
+        "of the paper as it is printed, for one velocity step of Kelvin elements alone.",
+        "Without it the velocity step has no physical relaxation; it is there for comparison.",
+        default=True,
+    ),
+    "control": Key(
+        partial(choice, known=(FORCE, INDENTATION)),
+        "What presses line and elastomer together: a constant normal force, or with "
+        '`"indentation"` a given indentation, from which the force follows.',
+        "A programme is needed for control by indentation.",
+        default=FORCE,
+    ),
+    "indentation_file": Key(
+        as_text,
+        "A text file beside `study.toml` with the columns time (s) and indentation (m). The "
+        "indentation is linear between the times and constant beyond them. It takes the place of "
+        "`grid.prescribed_indentation`.",
+        "Another file is another history of the indentation.",
+        default="",
+        values="the name of a file",
+        usual="none",
+    ),
+    "start": Key(
+        partial(choice, known=(STEADY, RELAXED, FRESH)),
+        "How a programme begins: in steady sliding at its first velocity, at rest with the "
+        "elastomer fully relaxed under the load, or just pressed on. The last needs a material "
+        "without a dashpot.",
+        "It changes the beginning of a trace; after a few relaxation times nothing is remembered "
+        "of it.",
+        default=STEADY,
+    ),
+    "repeat": Key(
+        partial(integer, least=1, most=MOST_SEGMENTS),
+        "How often the whole programme is followed.",
+        "Doubled, the march takes twice as long.",
+        default=1,
+    ),
+    "programme": Key(
+        lambda _, value: value,
+        "The motion of the line, as a list of segments `[[scene.programme]]` that follow one "
+        "another. Without it there is one velocity step from v₁ to v₂.",
+        "With a programme `grid.velocity_step` is left out.",
+        default=None,
+        values="a list of up to 1000 segments: `slide`, `hold`, `ramp`, `oscillate` or `file`",
+        usual="none",
+    ),
 }
 USUAL_SCENE = Scene()._asdict()

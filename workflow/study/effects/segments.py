@@ -11,12 +11,15 @@ import numpy as np
 
 from ...errors import UserError
 from ..settings import (
+    NOT_ZERO,
+    NUMBER,
     Key,
     as_table,
     as_text,
     checked_values,
     integer,
     number,
+    pair,
     positive,
     read_columns,
     read_table,
@@ -40,22 +43,138 @@ def _pair(key: str, value: object) -> tuple[float, float]:
     return number(f"{key}[0]", value[0]), number(f"{key}[1]", value[1])
 
 
+ONE_OF_VELOCITY = "Give either `velocity` or `ratio`. "
+ONE_OF_LENGTH = "Give either `distance` or `duration`. "
 SLIDE = {
-    "velocity": Key(_not_zero, None),
-    "ratio": Key(_not_zero, None),
-    "distance": Key(positive, None),
-    "duration": Key(positive, None),
+    "velocity": Key(
+        _not_zero,
+        ONE_OF_VELOCITY + "The velocity of sliding; a negative one slides back.",
+        "Doubled, x doubles, and the same distance takes half the time.",
+        "m/s",
+        default=None,
+        values="a number other than 0",
+        usual="none",
+        schema=NOT_ZERO,
+    ),
+    "ratio": Key(
+        _not_zero,
+        ONE_OF_VELOCITY + "The velocity of sliding as a multiple of `grid.velocity`.",
+        "Doubled, the segment slides twice as fast.",
+        default=None,
+        values="a number other than 0",
+        usual="none",
+        schema=NOT_ZERO,
+    ),
+    "distance": Key(
+        positive,
+        ONE_OF_LENGTH + "The distance of sliding.",
+        "Doubled, the march of this segment takes twice as long.",
+        "m",
+        default=None,
+        usual="none",
+    ),
+    "duration": Key(
+        positive,
+        ONE_OF_LENGTH + "The duration of sliding.",
+        "Doubled, the march of this segment takes twice as long.",
+        "s",
+        default=None,
+        usual="none",
+    ),
 }
-RAMP = {"velocity": Key(_pair, None), "ratio": Key(_pair, None), "duration": Key(positive)}
+RAMP = {
+    "velocity": Key(
+        _pair,
+        ONE_OF_VELOCITY + "The velocities at the beginning and at the end; between them the "
+        "velocity is linear in time.",
+        "Doubled, the line moves twice as far in the same time, in twice as many steps.",
+        "m/s",
+        default=None,
+        values="two numbers, `[first, last]`",
+        usual="none",
+        schema=pair(NUMBER, NUMBER),
+    ),
+    "ratio": Key(
+        _pair,
+        ONE_OF_VELOCITY + "Both velocities as multiples of `grid.velocity`.",
+        "Doubled, the line moves twice as far in the same time.",
+        default=None,
+        values="two numbers, `[first, last]`",
+        usual="none",
+        schema=pair(NUMBER, NUMBER),
+    ),
+    "duration": Key(
+        positive,
+        "How long the ramp takes.",
+        "Doubled, the velocity changes half as quickly.",
+        "s",
+    ),
+}
 OSCILLATE = {
-    "velocity": Key(number, None),
-    "ratio": Key(number, None),
-    "amplitude": Key(positive, None),
-    "velocity_amplitude": Key(positive, None),
-    "frequency": Key(positive),
-    "cycles": Key(partial(integer, least=1)),
+    "velocity": Key(
+        number,
+        ONE_OF_VELOCITY + "The mean velocity, on which the oscillation is superposed.",
+        "Doubled, the mean motion is twice as fast.",
+        "m/s",
+        default=None,
+        usual="0, where `ratio` is not given",
+    ),
+    "ratio": Key(
+        number,
+        ONE_OF_VELOCITY + "The mean velocity as a multiple of `grid.velocity`.",
+        "Doubled, the mean motion is twice as fast.",
+        default=None,
+        usual="none",
+    ),
+    "amplitude": Key(
+        positive,
+        "The amplitude of the displacement, a sine. Give either this or `velocity_amplitude`.",
+        "Doubled, a loop of small amplitude dissipates four times the work.",
+        "m",
+        default=None,
+        usual="none",
+    ),
+    "velocity_amplitude": Key(
+        positive,
+        "The amplitude of the velocity, 2π `frequency` times that of the displacement.",
+        "Doubled, a loop of small amplitude dissipates four times the work.",
+        "m/s",
+        default=None,
+        usual="none",
+    ),
+    "frequency": Key(
+        positive,
+        "The frequency of the oscillation.",
+        "Doubled, the response is that of the material at twice the frequency.",
+        "Hz",
+    ),
+    "cycles": Key(
+        partial(integer, least=1),
+        "The number of cycles. The loop is evaluated in the last one.",
+        "Doubled, the march takes twice as long and starts are forgotten better.",
+    ),
 }
-HOLD = {"duration": Key(partial(checked_values, positive))}
+HOLD = {
+    "duration": Key(
+        partial(checked_values, positive),
+        "How long the line stays where it is. A list or range makes one programme for each value, "
+        "and the dimension `hold` of the result; one hold of a programme may have it.",
+        "Doubled, the contact ages twice as long; steps of a hold grow with its age, so the cost "
+        "grows by a few steps only.",
+        "s",
+    ),
+}
+FILE = {  # the one segment that is no table
+    "file": Key(
+        as_text,
+        "The name of a text file with the columns time (s, increasing) and velocity (m/s), linear "
+        "between the rows. Times count from the first row.",
+        "Another file is another motion.",
+        "s, m/s",
+        values="the name of a file with 2 to 100000 rows",
+        usual="none",
+    ),
+}
 
 
 def _one_of(where: str, given: dict[str, Any], *names: str) -> str:

@@ -1,4 +1,4 @@
-"""How any table of the user is read: checks of single values, lists of values, columns of text.
+"""How any table of the user is read: checks, keys, lists of values, columns of text.
 
 Knows no table: which keys there are is said where they are used.
 """
@@ -9,22 +9,31 @@ from ...lazy import public_names
 
 if TYPE_CHECKING:
     from .checks import (
-        REQUIRED,
         UNBOUNDED,
-        Key,
         as_table,
         as_text,
-        check_keys,
         choice,
         flag,
         integer,
         number,
         positive,
-        read_table,
         within,
     )
     from .columns import named_unit, read_columns, rows_of_file
+    from .key import REQUIRED, Key, check_keys, read_table
+    from .pieces import (
+        NOT_ZERO,
+        NUMBER,
+        POSITIVE,
+        TEXT,
+        Schema,
+        pair,
+        schema_of,
+        table_of,
+        values_of_axis,
+    )
     from .text import BrokenRowError, Rows, read_rows
     from .values import axis_values, checked_values
+    from .words import as_toml, default_of, values_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

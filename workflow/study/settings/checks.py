@@ -1,53 +1,12 @@
-"""Checks of settings: each returns the value or raises one line that names key and value.
-
-A table of a study is declared as name -> Key: how its value is checked, and what it is where it
-is left out. There is one way to read any of them, ``read_table``.
-"""
+"""Checks of settings: each returns the value or raises one line that names key and value."""
 
 import math
-from collections.abc import Callable, Iterable, Mapping
-from typing import Any, NamedTuple
+from collections.abc import Iterable
+from typing import Any
 
-from ...errors import Complaints, UserError, did_you_mean
+from ...errors import UserError, did_you_mean
 
-REQUIRED = object()
 UNBOUNDED = 10**9  # whole numbers have no limit that a user would meet
-
-
-class Key(NamedTuple):
-    """One setting: check(key, value) returns what is meant by a value or raises UserError."""
-
-    check: Callable[[str, object], Any]
-    default: Any = REQUIRED
-
-
-def read_table(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, Any]:
-    """Return name -> checked value for all ``keys`` of a table; ``where`` is its name.
-
-    Raises UserError for what is no table, an unknown key, a missing one and a refused value.
-    """
-    given, complaints = as_table(where, table), Complaints()
-    for name in given:
-        with complaints:
-            check_keys(f"{where}.", [name], keys)
-    found = {}
-    for name, key in keys.items():
-        with complaints:
-            if name not in given and key.default is REQUIRED:
-                raise UserError(f"{where}.{name}: missing")
-            own = f"{where}.{name}"
-            found[name] = key.check(own, given[name]) if name in given else key.default
-    complaints.end()
-    return found
-
-
-def check_keys(where: str, table: Iterable[str], known: Iterable[str]) -> None:
-    """Raise UserError where a table holds a key that is not known; ``where`` goes before it."""
-    for key in table:
-        if key not in known:
-            raise UserError(
-                f"{where}{key}: unknown key; known are {', '.join(known)}{did_you_mean(key, known)}"
-            )
 
 
 def as_table(key: str, value: object) -> dict[str, Any]:

@@ -1,5 +1,6 @@
 """The table [surface]: random self-affine lines, or lines that were measured."""
 
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -7,12 +8,14 @@ from typing import Any
 from ....kernels.lines.self_affine import NORMALISATIONS
 from ...errors import UserError
 from ..settings import (
+    TEXT,
     Key,
     as_table,
     as_text,
     check_keys,
     choice,
     flag,
+    pair,
     positive,
     read_table,
     within,
@@ -49,23 +52,116 @@ def _units(key: str, value: object) -> tuple[str, ...]:
     return units
 
 
+WITH_THE_FILE = "With `surface.file` alone. "
 RANDOM = {
-    "length": Key(positive),
-    "normalisation": Key(partial(choice, known=NORMALISATIONS), "modal"),
-    "snap_spacing": Key(flag, False),
-    "rolloff": Key(positive, 0.0),
-    "cutoff": Key(positive, 0.0),
+    "length": Key(
+        positive,
+        "The length L of the periodic line.",
+        "Doubled at the same spacing, the line has twice as many elements and takes twice the "
+        "time, its longest wave doubles, F̄ = F_N/(4GLh) halves, and at the same roughness its "
+        "rms slope falls by about 2^H.",
+        "m",
+        usual="required for random lines, left out with `file`",
+    ),
+    "normalisation": Key(
+        partial(choice, known=NORMALISATIONS),
+        'What the roughness h of the grid is: with `"modal"` every line has exactly this rms '
+        'height; with `"integral"` it is the integral of the spectral density as the paper '
+        "defines it, which differs from that by a factor of 1.04 (H = 0) to 1.55 (H = 1) at 5000 "
+        "elements.",
+        "It scales heights, and with them slopes, friction and F̄.",
+        default="modal",
+    ),
+    "snap_spacing": Key(
+        flag,
+        "Whether each spacing is moved to the nearest one that divides the length into a number "
+        "of elements 2^a 3^b 5^c, which are quick for the Fourier transform. Otherwise a spacing "
+        "must divide the length.",
+        "The result holds the spacings that were used.",
+        default=False,
+    ),
+    "rolloff": Key(
+        positive,
+        "The wavelength above which the power spectrum is flat.",
+        "Doubled, more of the roughness lies in long waves: at the same h the rms slope falls by "
+        "about 2^H.",
+        "m",
+        default=0.0,
+        usual="none: the power law goes on to the length of the line, as in the paper",
+    ),
+    "cutoff": Key(
+        positive,
+        "The shortest wavelength of the line, at least two spacings. It makes the roughness "
+        "independent of the spacing of elements.",
+        "Doubled, q_max = 2π/cutoff and x = v₁ τ q_max halve, and the rms slope falls by about "
+        "2^(1−H).",
+        "m",
+        default=0.0,
+        usual="twice the spacing, as in the paper",
+    ),
 }
 MEASURED = {
-    "file": Key(as_text),
-    "columns": Key(_columns, ()),
-    "units": Key(_units, ()),
-    "detrend": Key(partial(choice, known=DETRENDS), "line"),
-    "periodic": Key(partial(choice, known=PERIODICS), "mirror"),
+    "file": Key(
+        as_text,
+        "A file of measured lines beside `study.toml`: text (`.txt`, `.csv`), `.npy`, `.nc`, or "
+        "what the optional reader of instruments' files knows.",
+        "Another file is another surface. H, spacing and roughness are then those of the file.",
+        values="the name of a file",
+        usual="none: lines are random and self-affine",
+    ),
+    "columns": Key(
+        _columns,
+        WITH_THE_FILE + "The columns of positions and of the heights of one line or more, counted "
+        "from 0, or in a netCDF file the names of the two variables.",
+        "Other columns are other lines.",
+        default=(),
+        values='whole numbers as `[0, 1]`, or two names as `["x", "height"]`',
+        usual="the first two columns, or the only variable of heights",
+        schema={"type": "array", "minItems": 2, "items": {"type": ["integer", "string"]}},
+    ),
+    "units": Key(
+        _units,
+        WITH_THE_FILE + "The units of positions and heights.",
+        "They scale the line; they are never guessed.",
+        default=(),
+        values='two units of length as `["mm", "um"]`',
+        usual="those that the file names; required where it names none",
+        schema=pair(TEXT, TEXT),
+    ),
+    "detrend": Key(
+        partial(choice, known=DETRENDS),
+        WITH_THE_FILE
+        + "What is subtracted from each line: nothing, its mean, a straight line (tilt) "
+        "or a parabola (tilt and bow).",
+        "A higher degree removes longer waves, and with them roughness.",
+        default="line",
+    ),
+    "periodic": Key(
+        partial(choice, known=PERIODICS),
+        WITH_THE_FILE
+        + "How a measured line becomes periodic: `mirror` appends it reversed, `taper` "
+        "brings both ends to the mean height over a tenth of the length, `none` takes it as one "
+        "period.",
+        "`mirror` doubles the period and loses the direction of a texture; `none` leaves a step "
+        "where the ends do not meet.",
+        default="mirror",
+    ),
 }
 LIKE = {  # which a comparison may set as well
-    "lines": Key(partial(choice, known=LINES), "measured"),
-    "hurst": Key(partial(within, least=0.0, most=1.0), 1.0),
+    "lines": Key(
+        partial(choice, known=LINES),
+        WITH_THE_FILE + "Whether the measured lines slide, random lines of the same mean power "
+        "spectrum, or self-affine lines of the same rms height and slope.",
+        "What the three differ in is what a spectrum, or height and slope, leave out.",
+        default="measured",
+    ),
+    "hurst": Key(
+        partial(within, least=0.0, most=1.0),
+        'With `lines = "self-affine"` alone: the Hurst exponent H of those lines.',
+        "A larger exponent puts more of the roughness into long waves. Doubling is possible up "
+        "to H = 1.",
+        default=1.0,
+    ),
 }
 WITH_FILE = MEASURED | LIKE
 SURFACE = RANDOM | WITH_FILE
@@ -115,7 +211,7 @@ def lines_like(where: str, surface: Surface, table: dict[str, Any]) -> Surface:
     """
     for key in table if surface.profile is None else ():
         raise UserError(f"{where}.{key} = {table[key]!r:.40}: goes with surface.file alone")
-    usual = {key: Key(each.check, getattr(surface, key)) for key, each in LIKE.items()}
+    usual = {key: replace(each, default=getattr(surface, key)) for key, each in LIKE.items()}
     found = surface._replace(**read_table(where, table, usual))
     try:
         _ = found.amplitudes

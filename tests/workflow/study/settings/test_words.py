@@ -5,16 +5,18 @@ from functools import partial
 
 import pytest
 
-from elastomer_friction.workflow.study.reference.values import as_toml, default_of, values_of
 from elastomer_friction.workflow.study.settings import (
     Key,
     as_text,
+    as_toml,
     checked_values,
     choice,
+    default_of,
     flag,
     integer,
     number,
     positive,
+    values_of,
     within,
 )
 
@@ -35,7 +37,7 @@ from elastomer_friction.workflow.study.settings import (
     ],
 )
 def test_a_check_in_words(check, said):
-    assert values_of(check) == said
+    assert values_of(Key(check)) == said
 
 
 @pytest.mark.parametrize(
@@ -51,7 +53,7 @@ def test_a_check_in_words(check, said):
     ],
 )
 def test_a_default_as_toml_has_it(default, said):
-    assert default_of(Key(number, default)) == said
+    assert default_of(Key(number, default=default)) == said
 
 
 def test_a_key_without_a_default_is_required():

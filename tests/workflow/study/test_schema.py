@@ -8,7 +8,7 @@ import pytest
 
 from elastomer_friction.workflow.study.cluster import CLUSTER
 from elastomer_friction.workflow.study.read import known_studies
-from elastomer_friction.workflow.study.reference.schema import study_schema
+from elastomer_friction.workflow.study.schema import study_schema
 from elastomer_friction.workflow.study.study import TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.small import TEXT

@@ -1,23 +1,13 @@
-"""What values a key may have, in words, as its check says."""
+"""What values a key may have, and its default, in words."""
 
 import json
 from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from ..settings import (
-    REQUIRED,
-    UNBOUNDED,
-    Key,
-    as_text,
-    checked_values,
-    choice,
-    flag,
-    integer,
-    number,
-    positive,
-    within,
-)
+from .checks import UNBOUNDED, as_text, choice, flag, integer, number, positive, within
+from .key import REQUIRED, Key
+from .values import checked_values
 
 PLAIN: dict[Callable[..., Any], str] = {
     positive: "a number above 0",
@@ -27,7 +17,12 @@ PLAIN: dict[Callable[..., Any], str] = {
 }
 
 
-def values_of(check: Callable[..., Any]) -> str:
+def values_of(key: Key) -> str:
+    """Return in words what a key takes."""
+    return key.values or _taken(key.check)
+
+
+def _taken(check: Callable[..., Any]) -> str:
     """Return in words what a check takes; "" where its key must say so itself."""
     if not isinstance(check, partial):
         return PLAIN.get(check, "")
@@ -43,12 +38,14 @@ def values_of(check: Callable[..., Any]) -> str:
         *others, last = (f'`"{known}"`' for known in given["known"])
         return f"{', '.join(others)} or {last}"
     if check.func is checked_values:
-        return f"{values_of(check.args[0])}, or a list or range of such numbers"
+        return f"{_taken(check.args[0])}, or a list or range of such numbers"
     return ""
 
 
 def default_of(key: Key) -> str:
-    """Return the default of a key as TOML has it; "" where its key must say it in words."""
+    """Return the default of a key in words or as TOML has it; "" where nobody says it."""
+    if key.usual:
+        return key.usual
     if key.default is REQUIRED:
         return "required"
     if isinstance(key.default, bool):
