@@ -1,0 +1,74 @@
+"""One word for one thing: no public name and no file name stands twice in the program."""
+
+import ast
+from collections import defaultdict
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+ROOMS = ("kernels", "workflow", "studies")
+
+# What stands more than once for a reason.
+CONTRACT_FILES = {
+    "__init__": "the name that Python gives to a package",
+    "__main__": "the name that Python gives to what a package runs",
+    "figure": "a study's figure.py is found by its name",
+    "claims": "a study's claims.py is found by its name",
+    "measure": "a study's measure.py is found by its name",
+}
+CONTRACT_NAMES = {
+    "draw": "what figure.py of every study defines",
+    "measure": "what measure.py of a study defines",
+    "outline": "what measure.py of a study may define",
+    "table": "what measure.py of a study may define",
+}
+
+# To be renamed: what stands here and is unique already may be taken out.
+FILES_TO_BE_RENAMED = {
+    *("balance", "commands", "drawing", "errors", "files", "fit", "index", "march", "material"),
+    *("measured", "numerics", "points", "prediction", "prepare", "programme", "programmes"),
+    *("prony", "relaxation", "resolution", "run", "scene", "spectrum", "steady", "steps"),
+    *("study", "surface", "table", "tables", "text", "values"),
+}
+NAMES_TO_BE_RENAMED = {
+    *("Clock", "Found", "Hold", "How", "Moduli", "Motion", "Pace", "Point", "Ramp", "Runs"),
+    *("Scene", "Setting", "Slide", "Steady", "Step", "Surface", "Work", "alone", "balance"),
+    *("counted", "duration", "exponent", "exponential", "first_speed", "follow", "holds"),
+    *("identity", "judge", "lines_of", "listed", "main", "marked", "moments", "note", "observe"),
+    *("placed", "plain", "planned", "read_scene", "run", "settle", "shift", "steady_friction"),
+    *("steps_of", "together", "told"),
+}
+
+
+def modules() -> list[Path]:
+    return [path for room in ROOMS for path in sorted((ROOT / room).rglob("*.py"))]
+
+
+def public(path: Path) -> set[str]:
+    """The classes and functions that a module defines for others."""
+    kinds = (ast.ClassDef, ast.FunctionDef)
+    return {
+        node.name
+        for node in ast.parse(path.read_text(encoding="utf-8")).body
+        if isinstance(node, kinds) and not node.name.startswith("_")
+    }
+
+
+def twice(words) -> set[str]:
+    """The words that stand in two places or more, of pairs of a place and its words."""
+    places = defaultdict(list)
+    for path, found in words:
+        for word in found:
+            places[word].append(path)
+    return {word for word, where in places.items() if len(where) > 1}
+
+
+def test_no_public_name_is_defined_in_two_modules() -> None:
+    found = twice((path, public(path)) for path in modules())
+    assert found - set(CONTRACT_NAMES) <= NAMES_TO_BE_RENAMED
+    assert set(CONTRACT_NAMES) <= found
+
+
+def test_no_file_name_stands_twice() -> None:
+    found = twice((path, [path.stem]) for path in modules())
+    assert found - set(CONTRACT_FILES) <= FILES_TO_BE_RENAMED
+    assert set(CONTRACT_FILES) <= found
