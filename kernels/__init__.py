@@ -27,8 +27,8 @@ from .model.march import march
 from .model.steady import steady_sliding
 from .motion.programme import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide, steps_of
 from .quick.case import Case, Outcome, Quantities, Seconds
+from .quick.cases import run_case, run_cases, run_prepared
 from .quick.prepare import Prepared, prepare
-from .quick.realization import run_case, run_cases, run_prepared
 from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES, Kelvin
 from .rheology.law import State, law_of, memories

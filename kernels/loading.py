@@ -24,6 +24,7 @@ from .lines.line import Line
 from .lines.self_affine import amplitudes
 from .model.force import ConstantForce
 from .quick.case import Case, Quantities
+from .quick.cases import run_cases
 from .quick.contacts.fine_line import mark_touchable, marked
 from .quick.contacts.loads import How
 from .quick.contacts.part import Part, slide_on
@@ -31,7 +32,6 @@ from .quick.contacts.refined import MARGIN, curvatures_of
 from .quick.contacts.steady_friction import Grounds, Pace
 from .quick.march.march import active_march
 from .quick.march.setting import Passing, Setting
-from .quick.realization import run_cases
 from .quick.relaxation import Ends, plain_relaxations
 from .quick.steady.carry import NO_GAPS, Decay, carry
 from .quick.steady.spans import SPAN, TURN

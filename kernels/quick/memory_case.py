@@ -1,6 +1,6 @@
 """One case of elements with internal variables, sliding either way: the general path.
 
-A Kelvin element that slides one way under a load takes a quicker one (realization.py).
+A Kelvin element that slides one way under a load takes a quicker one (cases.py).
 """
 
 import numpy as np
@@ -20,7 +20,7 @@ from .contacts.samples import samples_per_contact
 
 
 def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
-    """Compute one case on one line; a case that is checked (realization.py).
+    """Compute one case on one line; a case that is checked (cases.py).
 
     The relaxation curve is mu_2 plus the deviation of the march from its own steady value, as for
     a Kelvin element. Without a dashpot the jump is zero, and the rate of mu is what jumps.

@@ -22,7 +22,7 @@ def log_uniform(least: float, most: float):
 
 
 def ratios():
-    """Return v2/v1: no step, or one that rounding does not lose (kernels/quick/realization.py)."""
+    """Return v2/v1: no step, or one that rounding does not lose (kernels/quick/cases.py)."""
     down, up = log_uniform(1e-3, 1.0 - NEAREST), log_uniform(1.0 + NEAREST, 101.0)
     return st.one_of(st.just(1.0), down, up)
 

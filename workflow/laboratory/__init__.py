@@ -12,6 +12,6 @@ if TYPE_CHECKING:
     from .fit import Fit, fit_records
     from .record import TIMES, VELOCITIES, Record, read_record
     from .speeds import Known
-    from .words import describe
+    from .sentences import describe
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

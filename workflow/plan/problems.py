@@ -30,7 +30,7 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     """Return the distinct problems of a variant and, per grid point, the index of its problem.
 
     The index array has the shape of the grid (study.axes). Raises UserError for loads and speeds
-    that the kernels refuse (kernels/quick/realization.py).
+    that the kernels refuse (kernels/quick/cases.py).
     """
     material = study.materials[label]
     axes = [np.array(values) for values in study.grid.values()]

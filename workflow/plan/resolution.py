@@ -74,7 +74,7 @@ def _for_contacts(problem: Problem, steps: Numbers) -> Numbers:
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
     """Raise UserError where a line does not fit into a worker, or rounding would show.
 
-    The kernels refuse the same speeds (kernels/quick/realization.py).
+    The kernels refuse the same speeds (kernels/quick/cases.py).
     """
     elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
     long = elements * steps > MAX_SAMPLES_PER_LINE

@@ -37,7 +37,7 @@ from ..system import (
 )
 from .collect import Collector
 from .failures import Failures
-from .key import KEY, is_unchanged, result_key
+from .store_key import KEY, is_unchanged, result_key
 from .makers import require_one
 from .rounds import Rounds
 from .status import Status, StatusWriter, identity, status_file

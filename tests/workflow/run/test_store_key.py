@@ -7,7 +7,7 @@ import xarray as xr
 
 from elastomer_friction.workflow.run import key
 from elastomer_friction.workflow.run.failures import Failures
-from elastomer_friction.workflow.run.key import is_unchanged, result_key
+from elastomer_friction.workflow.run.store_key import is_unchanged, result_key
 from elastomer_friction.workflow.store.store import Store, store_folder
 from tests.support.faults import flipped
 from tests.support.runs import run

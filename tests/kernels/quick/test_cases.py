@@ -18,7 +18,7 @@ from elastomer_friction.kernels import (
 )
 from elastomer_friction.kernels.model.friction import elastic_correction
 from elastomer_friction.kernels.model.march import march
-from elastomer_friction.kernels.quick import realization
+from elastomer_friction.kernels.quick import cases
 from elastomer_friction.kernels.quick.contacts.refined import NARROW
 from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds, Pace, steady_friction
 from elastomer_friction.kernels.quick.march.march import active_march
@@ -115,7 +115,7 @@ def test_curve_is_marched_plainly_where_bounds_are_exceeded(monkeypatch):
 
     line, case = line_of(), CASE._replace(load=1.0)
     usual = run_case(line, case, ALL)
-    monkeypatch.setattr(realization, "active_march", left)
+    monkeypatch.setattr(cases, "active_march", left)
     outcome = run_case(line, case, ALL)
     assert outcome.work > usual.work
     # Not the wrong first try; more of the line is marched, and rounded otherwise.
