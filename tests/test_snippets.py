@@ -90,7 +90,7 @@ def test_a_page_runs_as_it_is_printed_however_long(page, tmp_path, monkeypatch):
 @pytest.mark.parametrize(
     ("language", "text"),
     [
-        ("bash", "python -m workflow plan nowhere\n"),
+        ("bash", "elastomer-friction plan nowhere\n"),
         ("bash", "make nothing-of-this-name\n"),
         ("bash", "cat nothing-of-this-name\n"),
         ("python", "result = nothing_of_this_name\n"),
@@ -103,5 +103,5 @@ def test_a_snippet_that_rots_fails(language, text):
 
 
 def test_commands_are_those_that_a_shell_would_run():
-    text = "# a comment\nmake docs   # the site\n\npython -m workflow plan \\\n    fig2\n"
-    assert commands(text) == ["make docs", "python -m workflow plan      fig2"]
+    text = "# a comment\nmake docs   # the site\n\nelastomer-friction plan \\\n    fig2\n"
+    assert commands(text) == ["make docs", "elastomer-friction plan      fig2"]

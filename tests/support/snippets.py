@@ -22,7 +22,7 @@ BLOCK = re.compile(
     r"^(?:<!-- (?P<mark>[^>]*) -->\n)?```(?P<language>\w*)\n(?P<text>.*?)^```$",
     re.MULTILINE | re.DOTALL,
 )
-PROGRAM = "python -m workflow "
+PROGRAM = "elastomer-friction "
 ROUGHLY = {"fig7": ("--scale", "smoke", "--set", "study.realizations=8")}  # of what is needed
 
 

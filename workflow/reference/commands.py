@@ -6,7 +6,7 @@ from ..cli import command_parser
 
 HEAD = """# Every command
 
-The command line is `python -m workflow COMMAND`. Every command answers `--help`. A command that is
+The command line is `elastomer-friction COMMAND`. Every command answers `--help`. A command that is
 given wrong input prints one line that names it, and changes nothing. The exit status is 0 when a
 command is done, 2 for wrong input or surroundings, 3 when it is done but for problems that failed
 or when `verify` finds a fault, and 130 when it was interrupted. A run that was interrupted goes on
@@ -34,7 +34,7 @@ def _command(name: str, command: argparse.ArgumentParser) -> list[str]:
     text = str(command.description)
     return [
         f"## {name}\n",
-        f"`python -m workflow {usage}`\n",
+        f"`elastomer-friction {usage}`\n",
         f"{text[0].upper()}{text[1:]}.\n",
         *(["| argument | meaning | default |", "|---|---|---|", *rows, ""] if rows else []),
     ]

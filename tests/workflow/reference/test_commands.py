@@ -10,7 +10,7 @@ def test_every_command_has_its_heading_and_its_usage():
     (commands,) = (action for action in command_parser()._actions if action.dest == "command")
     assert {"plan", "run", "figure", "prony"} <= set(commands.choices)
     for name in commands.choices:
-        assert f"\n## {name}\n\n`python -m workflow {name}" in PAGE
+        assert f"\n## {name}\n\n`elastomer-friction {name}" in PAGE
 
 
 def test_an_option_is_named_with_its_meaning_and_default():
@@ -20,5 +20,5 @@ def test_an_option_is_named_with_its_meaning_and_default():
 
 
 def test_a_place_for_one_or_more_files_and_one_for_this_or_that():
-    assert "\n`python -m workflow fit FILE … [OPTIONS]`\n" in PAGE
+    assert "\n`elastomer-friction fit FILE … [OPTIONS]`\n" in PAGE
     assert "| `[FOLDER or STUDY]` | a folder of results" in PAGE
