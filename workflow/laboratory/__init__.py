@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from .figure import draw_fit
     from .fit import Fit, fit_records
     from .record import TIMES, VELOCITIES, Record, read_record
-    from .speeds import Known
     from .sentences import describe
+    from .speeds import Known
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -37,10 +37,10 @@ from ..system import (
 )
 from .collect import Collector
 from .failures import Failures
-from .store_key import KEY, is_unchanged, result_key
 from .makers import require_one
 from .rounds import Rounds
 from .status import Status, StatusWriter, identity, status_file
+from .store_key import KEY, is_unchanged, result_key
 from .summary import Summary
 from .workers import How, Workers, fit_seconds, open_workers
 
