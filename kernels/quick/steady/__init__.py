@@ -1,7 +1,7 @@
 """Steady sliding of elements that remember u alone: without marching, over the samples of a line.
 
-``plain`` visits every sample and is the reference. The other files find the same for many loads
+model/steady.py visits every sample and is the reference. These files find the same for many loads
 of one line: ``spans`` says what is known of sixteen samples in a row, ``carry`` is a sweep that
-uses it and can list the contacts, ``lanes`` one for sixteen loads at once, ``sliding`` solves with
-them for the indentation. ``ahead`` guesses from the contacts what it will be at another speed.
+uses it and can list the contacts, ``sliding`` solves with it for the indentation. ``ahead`` guesses
+from the contacts what it will be at another speed.
 """

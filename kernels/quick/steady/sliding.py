@@ -1,9 +1,9 @@
 """The indentation of steady sliding under a load, found with spans, and many of them side by side.
 
-The force F(d) is increasing and convex (plain.py), so Newton's method from the right keeps right
-of the root and from the left jumps there. Two steps go before that are exact where F is a power of
-d: they need no good guess, and where there is one they are all. Sweeps that end the search list the
-contacts.
+The force F(d) is increasing and convex (model/steady.py), so Newton's method from the right keeps
+right of the root and from the left jumps there. Two steps go before that are exact where F is a
+power of d: they need no good guess, and where there is one they are all. Sweeps that end the search
+list the contacts.
 """
 
 import numpy as np
@@ -11,13 +11,10 @@ import numpy as np
 from ...compile.jit import kernel
 from ...model.contact import solve_indentation
 from .carry import carry
-from .lanes import LANES, carry_lanes
 
 POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed; the first with a guess
 CLOSE = 1e-13  # of the load: what may be left of an excess, beyond the rounding of long sums
 FEW = 512  # samples of a line that are asked where an elastic foundation would be
-BROKEN = 0.5  # of all spans: where more may be neither held nor free, lanes are quicker
-WORTH = 4  # loads in lanes of 16 cost as much as some one by one
 
 
 @kernel
@@ -35,55 +32,16 @@ def elastic_guess(z, deepest, load):
 
 @kernel
 def approach(decay, z, spans, stay, loads, guesses, steps, gaps):
-    """Return d near the roots under all loads n Fbar.
+    """Return d near the roots under all loads n Fbar. Each follows from its own load and guess.
 
-    decay, z, spans, stay, gaps : as of carry. guesses : of d. steps : sweeps for each load. Each d
-    follows from its own load and guess; lanes only find it faster.
+    decay, z, spans, stay, gaps : as of carry. guesses : of d. steps : sweeps for each load.
     """
     d = guesses.copy()
-    broken = np.empty(loads.size, np.int64)
-    count = 0
     for i in range(loads.size):
-        if _broken(spans, stay, d[i]) > BROKEN:
-            broken[count] = i
-            count += 1
-    by_lanes = np.zeros(loads.size, np.bool_)
-    if gaps.left.size == 0:
-        for begin in range(0, count - WORTH + 1, LANES):
-            some = broken[begin : min(begin + LANES, count)]
-            for i in some:
-                by_lanes[i] = True
-            _approach_lanes(decay, z, spans, stay, loads, some, steps, d)
-    for i in range(loads.size):
-        if not by_lanes[i]:
-            for step in range(steps):
-                total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None, gaps)
-                d[i] = _next(step, d[i], total, slope, loads[i], z[spans.deepest])
+        for step in range(steps):
+            total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None, gaps)
+            d[i] = _next(step, d[i], total, slope, loads[i], z[spans.deepest])
     return d
-
-
-@kernel
-def _approach_lanes(decay, z, spans, stay, loads, some, steps, d):
-    """Take d under at most LANES of the loads through all steps; lanes to spare repeat one."""
-    lanes = np.empty(LANES)
-    for k in range(LANES):
-        lanes[k] = d[some[k if k < some.size else 0]]
-    for step in range(steps):
-        total, slope = carry_lanes(decay, z, spans, stay, lanes)
-        for k in range(some.size):
-            load = loads[some[k]]
-            lanes[k] = _next(step, lanes[k], total[k], slope[k], load, z[spans.deepest])
-    for k in range(some.size):
-        d[some[k]] = lanes[k]
-
-
-@kernel
-def _broken(spans, stay, d):
-    """Return the share of spans that may be neither all in contact nor all free at d."""
-    count = 0
-    for b in range(stay.size):
-        count += (spans.lowest[b] < d) & (d <= stay[b])
-    return count / max(stay.size, 1)
 
 
 @kernel
