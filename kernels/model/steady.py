@@ -19,12 +19,10 @@ from .contact import solve_indentation
 
 
 @kernel
-def sweep(law, z, d, deepest, w, decay=None):
+def sweep(law, z, d, deepest, w):
     """Fill w with the free displacements of steady sliding at indentation d.
 
     law : of the elastomer, for steps of one sample. deepest : the sample to start from.
-    decay : what is left of a displacement at each sample, shape (n,), where they are not one step
-    apart; None: they are, and numba compiles a version for each.
     Return (sum of w - (z - d) over touching elements, its derivative with respect to d, number).
     """
     u = z[deepest] - d
@@ -35,12 +33,8 @@ def sweep(law, z, d, deepest, w, decay=None):
     # Two plain loops round the period: a test for the end of the line in one loop costs time.
     for first, last in ((deepest - 1, -1), (z.size - 1, deepest - 1)):
         for j in range(first, last, -1):
-            if decay is None:
-                free = reach(law, u) if u < -NEGLIGIBLE else 0.0
-                du = reach(law, du) if du > NEGLIGIBLE else 0.0
-            else:
-                free = decay[j] * u if u < -NEGLIGIBLE else 0.0
-                du = decay[j] * du if du > NEGLIGIBLE else 0.0
+            free = reach(law, u) if u < -NEGLIGIBLE else 0.0
+            du = reach(law, du) if du > NEGLIGIBLE else 0.0
             gap = z[j] - d
             w[j] = free
             if gap < free:
@@ -55,11 +49,11 @@ def sweep(law, z, d, deepest, w, decay=None):
 
 
 @kernel
-def steady_sliding(law, z, load, decay=None):
+def steady_sliding(law, z, load):
     """Return (state, sweeps) of the steady state under the load sum_i f_i = load (eq. 4).
 
     law : of the elastomer, for steps of one sample (rheology), e.g. Kelvin.
-    z : heights (in h), shape (n,). load : n Fbar. decay : as of ``sweep``.
+    z : heights (in h), shape (n,). load : n Fbar.
     state : free displacements w, shape (n,), and indentation d (rheology/law.py).
     """
     deepest = np.argmin(z)
@@ -70,7 +64,7 @@ def steady_sliding(law, z, load, decay=None):
     least = np.inf
     sweeps = 0
     while True:
-        total, slope, touching = sweep(law, z, d, deepest, w, decay)
+        total, slope, touching = sweep(law, z, d, deepest, w)
         sweeps += 1
         excess = law.stiffness * total - load
         new = d - excess / (law.stiffness * slope)
