@@ -80,9 +80,10 @@ def load_half(scheme: str, rate: bool) -> None:
     control = ConstantForce(load) if rate else PrintedForce(load)
     ends = Ends(Decay(*law), sums[None], np.array([state.d]))
     plain_relaxations(stack, law, ends, ends, control, FEW)
-    passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
-    setting = Setting(z, slope, spans, law, law, passing, passing, 0.0)
-    active_march(setting, control, MANY)
+    if rate:  # eq. 3 as printed is marched plainly
+        passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
+        setting = Setting(z, slope, spans, law, law, passing, passing, 0.0)
+        active_march(setting, control, MANY)
 
 
 def _load_fine(line: Line, law: Kelvin) -> None:

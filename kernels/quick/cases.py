@@ -155,7 +155,7 @@ def _curves(
     curves, updates = np.zeros((lines, kept_steps.size)), np.zeros(lines)
     marched = ~(one.full[:, i] & two.full[:, i])
     ends = [Ends(at.decay, at.stay, at.d[:, i].copy()) for at in (one, two)]
-    if kept_steps[-1] * n <= FEW:
+    if not asked.indentation_rate or kept_steps[-1] * n <= FEW:
         if marched.any():
             found, work = plain_relaxations(stack, law, *ends, control, kept_steps)
             curves[marched], updates[marched] = found[marched], work[marched]

@@ -25,8 +25,8 @@ from elastomer_friction.kernels.quick.relaxation import plain_relaxations
 from elastomer_friction.kernels.quick.steady.spans import add_rises
 from elastomer_friction.kernels.quick.steady.stack import stack_of
 
-own = active_march, plain_relaxations, add_rises, stack_of
 rate = sys.argv[1] == "1"
+own = plain_relaxations, add_rises, stack_of, *([active_march] if rate else [])
 loading.load_half("exponential", rate)
 before = [kernel.signatures[:] for kernel in own]
 assert [len(signatures) for signatures in before] == [1] * len(own), before

@@ -4,7 +4,7 @@ import numpy as np
 
 from ...compile.jit import kernel
 from ...rheology.law import State
-from .balance import amend, foresee, lands, note, settle
+from .balance import foresee, settle
 from .bounds import NOTHING, closer_bounds, first_bounds, holds, including, widened
 from .flights import Steady, arrivals_of, arrive, depart
 from .landings import landing, no_landings
@@ -25,7 +25,7 @@ FIRST_DUE = 6  # step after which lists may be shortened; then after half as man
 def active_march(setting, control, kept_steps, margins=MARGINS):
     """March from steady sliding at v1; return (mu, indentation, settled, work, inside).
 
-    setting : line and steady states (setting.py). control : ConstantForce or PrintedForce.
+    setting : line and steady states (setting.py). control : ConstantForce.
     kept_steps : increasing step numbers (first step = 1) at which mu and d are kept.
     mu, indentation : as of kernels/model/march.py. settled : mu averaged over a step of the steady
     state at v2. work : element updates. inside : whether bounds were found that d kept to.
@@ -79,17 +79,15 @@ def follow(setting, control, where, bounds, guess, kept_steps, mu, indentation, 
     due, seen = FIRST_DUE, NOTHING
     w = np.empty(setting.z.size)
     for step in range(1, last + 1):
-        noted = note(control, lists, arrivals, d)
         shift(law, lists, d)
         arrive(law, lists, arrivals, d)
         old = d
         others = landings.tally[0], landing(landings, past, step, old, 0)
-        d, push, passes = settle(control, law, lists, arrivals, noted, sums, others, old, guess)
+        d, push, passes = settle(control, law, lists, sums, others, old, guess)
         work += passes * lists.c.size + arrivals[1].at.size
         real = advance(law, d, old)
         if not holds(bounds, d, real):
             return False, d, real, work
-        amend(control, noted, arrivals[1], d)
         guess, past[step] = d + (d - old), d
         depart(lists, arrivals[1], d)
         if step == kept_steps[kept]:
@@ -105,7 +103,7 @@ def follow(setting, control, where, bounds, guess, kept_steps, mu, indentation, 
                 elements_aloft(law, lists, runs, arrivals[1], d, w, left)
                 everything = runs, lists, sums, arrivals, landings
                 runs, lists, sums, landings = narrowed(
-                    law, setting.z, closer, everything, past[: step + 1], w, left, lands(control)
+                    law, setting.z, closer, everything, past[: step + 1], w, left
                 )
                 arrivals = arrivals_of(law, lists, runs, State(w, d), setting.z, left)
                 bounds = closer

@@ -31,12 +31,12 @@ class Reach(NamedTuple):
 
 
 @kernel
-def narrowed(law, line, bounds, where, past, aloft, steps, lands):
+def narrowed(law, line, bounds, where, past, aloft, steps):
     """Return (runs, lists, sums, landings) within narrower bounds, at the end of a step.
 
     line : heights of all samples. where : runs, lists, sums, arrivals and landings up to now. past
     : d from the start to the end of this step. aloft : displacements, as elements_aloft leaves
-    them. steps : still to come. lands : whether elements that always land may be summed.
+    them. steps : still to come.
     """
     runs, lists, sums, (_, flights), landings = where
     n, size, d = line.size, lists.c.size, past[-1]
@@ -66,7 +66,7 @@ def narrowed(law, line, bounds, where, past, aloft, steps, lands):
             kind = class_of(False, held and reach.high == 0.0, least, most)
             gap, behind = (_at(line, source), source, source - j), (line[j], lists.weight[i])
             always = kind == LISTED and was == FREE and from_sure and reach.high == 0.0
-            if lands and always and land(law, landings, gap, behind, past, aloft, steps):
+            if always and land(law, landings, gap, behind, past, aloft, steps):
                 kind = SUMMED
             if kind == ALWAYS:
                 add_sample(sums.level - steep, lists.weight[i], parts)

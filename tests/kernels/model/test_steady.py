@@ -131,7 +131,7 @@ def test_force_increases_convexly_with_the_indentation(scheme):
     law = SCHEMES[scheme](0.2)
     depths = np.linspace(0.05, 6.0, 40)
     w = np.empty_like(z)
-    found = [sweep(law, z, d, np.argmin(z), w, None)[:2] for d in depths]
+    found = [sweep(law, z, d, np.argmin(z), w)[:2] for d in depths]
     force, slope = np.array(found).T
     assert np.all(np.diff(force) > 0.0)
     assert np.all(np.diff(slope) >= -1e-12)
@@ -146,7 +146,7 @@ def test_one_sweep_visits_every_sample_once_wherever_it_starts(deepest):
     z = 2.0 + np.cos(np.arange(80) * 0.31)
     z[deepest] = 0.0
     w = np.full_like(z, np.nan)
-    total, _, touching = sweep(Kelvin(0.8, 5.0, 0.0), z, 1.4, deepest, w, None)
+    total, _, touching = sweep(Kelvin(0.8, 5.0, 0.0), z, 1.4, deepest, w)
     u = z[deepest] - 1.4
     expected = 0.0
     for k in range(1, 81):  # upstream, so that the deepest sample comes last

@@ -5,7 +5,7 @@ import shutil
 import pytest
 import xarray as xr
 
-from elastomer_friction.workflow.run import key
+from elastomer_friction.workflow.run import store_key
 from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.run.store_key import is_unchanged, result_key
 from elastomer_friction.workflow.store.store import Store, store_folder
@@ -28,7 +28,7 @@ def unchanged(result, plan=PLAN):
     """Return whether a run of a plan would leave a result as it is."""
     store = Store(store_folder(result))
     failures = Failures(store, plan, 0)
-    return is_unchanged(plan, store, failures, result, key.missing_work(plan, failures))
+    return is_unchanged(plan, store, failures, result, store_key.missing_work(plan, failures))
 
 
 def test_the_same_study_leaves_its_result_as_it_is(copy):
@@ -71,7 +71,7 @@ def test_another_study_is_another_result(copy, setting):
 
 @pytest.mark.parametrize("name", ["our_sources", "package_versions"])
 def test_other_code_is_another_result(copy, monkeypatch, name):
-    monkeypatch.setattr(key, name, lambda: "another")
+    monkeypatch.setattr(store_key, name, lambda: "another")
     assert not unchanged(copy)
 
 

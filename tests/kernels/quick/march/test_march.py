@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import SCHEMES, ConstantForce, Line, PrintedForce
+from elastomer_friction.kernels import SCHEMES, ConstantForce, Line
 from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.march.march import MARGINS, active_march
 from tests.kernels.quick.march.given import (
@@ -18,8 +18,7 @@ from tests.kernels.quick.march.given import (
     size_of_jump,
     states_of,
 )
-from tests.reference_march import RigidElements, relaxation
-from tests.sizes import COMPILES_ALONE, size
+from tests.sizes import size
 
 EVERY = np.arange(1, size(60, 9) + 1)
 REGIMES = [
@@ -52,26 +51,6 @@ def test_it_is_the_plain_march_in_every_regime(hurst, scheme):
     for jump in regimes[:: size(7, 5)]:
         setting, load = setting_of(jump, size(100, 24))
         assert_same(setting, load, jump, EVERY)
-
-
-@pytest.mark.parametrize("scheme", [pytest.param(s, marks=COMPILES_ALONE) for s in SCHEMES])
-def test_it_is_the_reference_march_of_eq_3_as_printed(scheme):
-    regimes = [jump for jump in REGIMES if jump.scheme == scheme and jump.m < 16]
-    steps = size(30, 6)
-    inside = 0
-    for jump in regimes[:: size(7, 12)]:
-        setting, load = setting_of(jump, size(80, 24))
-        kept = np.arange(1, steps + 1)
-        mu, d, _, _, found = active_march(setting, PrintedForce(load), kept)
-        if found:
-            w, now = states_of(setting)[0]
-            u = np.minimum(w, setting.z - now)
-            elements = RigidElements(setting.z, setting.slope, u, now, jump.load, setting.law)
-            expected_mu, expected = relaxation(elements, steps)
-            np.testing.assert_allclose(d, expected, rtol=1e-11)
-            np.testing.assert_allclose(mu, expected_mu, rtol=1e-9, atol=1e-9)
-        inside += found
-    assert inside > 0.8 * len(regimes[:: size(7, 12)])
 
 
 LONG = [Jump(0.7, 4, 1.0, 78.0, 1.2), Jump(0.7, 4, 0.025, 78.0, 0.8), Jump(1.0, 4, 1.0, 31.0, 1.2)]

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import SCHEMES, ConstantForce, PrintedForce
+from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
 from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of
@@ -15,7 +15,7 @@ from elastomer_friction.kernels.quick.march.lists import lists_of
 from elastomer_friction.kernels.quick.march.march import MARGINS, active_march, follow
 from elastomer_friction.kernels.quick.march.runs import classes_of
 from tests.kernels.quick.march.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
-from tests.sizes import COMPILES_ALONE, size
+from tests.sizes import size
 
 NEVER, ALWAYS = (0.0, 0.0, 0.0), (1e9, 0.0, 0.0)
 
@@ -78,19 +78,6 @@ def test_longer_lines(hurst, m, load, x, ratio, scheme):
     jump = Jump(hurst, m, load, x, ratio, scheme)
     setting, force = setting_of(jump, size(1000, 40))
     assert_same(setting, force, jump, size(300, 20))
-
-
-@pytest.mark.parametrize("scheme", [pytest.param(s, marks=COMPILES_ALONE) for s in SCHEMES])
-def test_eq_3_as_printed_is_marched_the_same_with_lists_that_are_left_alone(scheme):
-    for load, x in ((0.1, 10.0), (1.0, 30.0), (5.0, 30.0)):
-        setting, force = setting_of(Jump(0.7, 2, load, x, 1.2, scheme), size(300, 40))
-        control, steps = PrintedForce(force), size(100, 15)
-        mu, d, *_ = followed(setting, control, steps, ALWAYS, 0.3)
-        expected_mu, expected, *_ = followed(setting, control, steps, NEVER, 0.3)
-        held = np.isfinite(d)
-        assert held.sum() >= size(30, 0)  # lists have been shortened by then
-        np.testing.assert_allclose(d[held], expected[held], rtol=1e-11)
-        np.testing.assert_allclose(mu[held], expected_mu[held], rtol=1e-9)
 
 
 def test_lists_become_short():
