@@ -16,7 +16,7 @@ from tests.support.documents import without
 from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[1]
-STUDY = ("cluster", "grid", "numerics", "read", "study", "variants")
+STUDY = ("cluster", "grid", "numerics", "read", "study", "tables", "variants")
 SETTINGS = ("checks", "columns", "key", "values")
 EFFECTS = ("material", "needs", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "docs" / "refusals.md"

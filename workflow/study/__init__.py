@@ -9,7 +9,7 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
-    from .described import EVERY_TABLE, described_measures
+    from .described import described_measures
     from .effects import (
         QUANTITIES,
         FromFile,
@@ -46,6 +46,7 @@ if TYPE_CHECKING:
     )
     from .study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
     from .surfaces import Profile, Surface, check_load, given_profile
+    from .tables import EVERY_TABLE
     from .variants import COMPARE
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -1,11 +1,12 @@
 """Where a study is computed: the table [cluster]. No number depends on it."""
 
 import re
+from collections.abc import Mapping
 from functools import partial
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from ..errors import UserError
-from .settings import TEXT, Key, as_text, integer, positive, read_table
+from .settings import TEXT, Key, as_text, filled, integer, positive
 
 LOCAL = "local"
 MARGIN = 0.1  # of the walltime, at whose start a worker of a job retires
@@ -240,6 +241,6 @@ CLUSTER = {
 }
 
 
-def read_cluster(table: object) -> Cluster:
-    """Return what a table [cluster] describes. Raises UserError naming key and value."""
-    return Cluster(**read_table("cluster", table, CLUSTER))
+def read_cluster(given: Mapping[str, Any]) -> Cluster:
+    """Return what the checked values of a table [cluster] describe."""
+    return Cluster(**filled("cluster", given, CLUSTER))

@@ -1,33 +1,13 @@
-"""Every table of study.toml, with those that stand in others: what pages are made of."""
+"""Tables [measure] of the measured studies of this program, with the values of their study.toml."""
 
 import tomllib
-from collections.abc import Mapping
 from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from .cluster import CLUSTER
-from .effects import FILE, HOLD, OSCILLATE, RAMP, SLIDE, WLF
 from .scripts import OWN, load_script
-from .settings import Key, as_toml
-from .study import TABLES
-
-Keys = Mapping[str, Key]
-WITHIN: dict[str, dict[str, Keys]] = {  # the tables that stand in one
-    "material": {"material.wlf": WLF},
-    "scene": {
-        "scene.programme.slide": SLIDE,
-        "scene.programme.hold": HOLD,
-        "scene.programme.ramp": RAMP,
-        "scene.programme.oscillate": OSCILLATE,
-        "scene.programme": FILE,
-    },
-}
-EVERY_TABLE: dict[str, Keys] = {  # of a study of a grid
-    where: keys
-    for name, table in {**TABLES, "cluster": CLUSTER}.items()
-    for where, keys in {name: table, **WITHIN.get(name, {})}.items()
-}
+from .settings import as_toml
+from .tables import Keys
 
 
 def described_measures(studies: Path = OWN) -> dict[str, Keys]:

@@ -1,19 +1,19 @@
 """The grid: the values of every axis, and what a scene leaves out of it."""
 
 import math
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
 from typing import Any
 
 from ..errors import UserError
-from .effects import Scene
+from .effects import Material, Scene
 from .settings import (
     Key,
-    as_table,
     checked_values,
+    filled,
     number,
     positive,
-    read_table,
     values_of_axis,
     within,
 )
@@ -116,33 +116,39 @@ GRID = {
 AXES = tuple(GRID)[:6]  # that every result has
 
 
-def read_grid(table: Any, surface: Surface, scene: Scene, temperatures: tuple[float, ...]) -> Grid:
+def read_grid(
+    given: Mapping[str, Any],
+    written: Mapping[str, Any],
+    surface: Surface,
+    scene: Scene,
+    material: Material,
+) -> Grid:
     """Return axis -> values of the table [grid], and those of temperatures and holds.
 
+    given : its checked values. written : the same as the user wrote them, for messages.
     What the scene has no use for is left out of the table; it has one value then, NaN where there
     is none. Raises UserError.
     """
-    given = as_table("grid", table)
-    filled = _filled(surface, scene)
-    for axis, (_, reason) in filled.items():
+    left_out = _left_out(surface, scene)
+    for axis, (_, reason) in left_out.items():
         if axis in given:
-            raise UserError(f"grid.{axis} = {given[axis]!r:.40}: {reason}; leave it out")
+            raise UserError(f"grid.{axis} = {written[axis]!r:.40}: {reason}; leave it out")
     if scene.slid_before and "velocity" not in given:
         raise UserError(
             'scene.start = "steady": the programme begins with a hold; give grid.velocity, at '
             'which it slid before, or use "relaxed"'
         )
     keys = {
-        axis: replace(key, default=filled.get(axis, (key.default,))[0])
+        axis: replace(key, default=left_out.get(axis, (key.default,))[0])
         for axis, key in GRID.items()
     }
     if scene.quantities == ("steady",) and not scene.programme:
         keys["velocity_step"] = replace(GRID["velocity_step"], default=(0.0,))
-    grid: Grid = read_table("grid", given, keys)
+    grid: Grid = filled("grid", given, keys)
     if surface.profile is None:
         grid["spacing"] = _spacings(grid["spacing"], surface)
         check_cutoff(surface, grid["spacing"])
-    more = {"temperature": temperatures, "hold": scene.holds}
+    more = {"temperature": material.temperatures, "hold": scene.holds}
     found = {axis: values for axis, values in (grid | more).items() if values}
     points = math.prod(map(len, found.values()))
     if points > MOST_POINTS:
@@ -152,7 +158,7 @@ def read_grid(table: Any, surface: Surface, scene: Scene, temperatures: tuple[fl
     return found
 
 
-def _filled(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ...], str]]:
+def _left_out(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ...], str]]:
     """Return axis -> (values, why) of what the table [grid] must not hold."""
     found: dict[str, tuple[tuple[float, ...], str]] = {}
     if surface.profile is not None:

@@ -20,7 +20,8 @@ from typing import Any, ClassVar
 
 from .scripts import load_script
 from .settings import check_keys, read_table
-from .study import HEAD, AnyStudy, study_head
+from .study import AnyStudy, study_head
+from .tables import HEAD
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -35,7 +36,7 @@ class Measured(AnyStudy):
 def read_measured(name: str, folder: Path, tables: dict[str, Any]) -> Measured:
     """Return the checked study. Raises UserError, one line, for what a user can get wrong."""
     check_keys("", tables, ("study", "measure"))
-    head = study_head(name, folder, tables, HEAD)
+    head = study_head(name, folder, tables, read_table("study", tables.get("study", {}), HEAD))
     script = load_script(folder / "measure.py")
     settings = read_table("measure", tables["measure"], script.SETTINGS)
     return Measured(**head, settings=settings, script=script)

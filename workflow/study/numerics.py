@@ -1,11 +1,12 @@
 """How problems are discretised: the table [numerics]."""
 
+from collections.abc import Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
 from ...kernels import SCHEMES
 from ..errors import UserError
-from .settings import Key, choice, integer, read_table, within
+from .settings import Key, choice, filled, integer, within
 
 LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %
 LONG_BELOW = 0.01
@@ -129,12 +130,12 @@ NUMERICS = {
 }
 
 
-def read_numerics(where: str, table: dict[str, Any]) -> Numerics:
-    """Return the numerics of a table of this name. Raises UserError."""
-    values = read_table(where, table, NUMERICS)
-    if "trace" in table and "record" in table:
+def read_numerics(where: str, given: Mapping[str, Any]) -> Numerics:
+    """Return the numerics of the checked values of a table of this name. Raises UserError."""
+    values = filled(where, given, NUMERICS)
+    if "trace" in given and "record" in given:
         raise UserError(
-            f"{where}.trace = {table['trace']}: keeps every so many steps; leave record out"
+            f"{where}.trace = {given['trace']}: keeps every so many steps; leave record out"
         )
     if values["horizon"] is None:
         fine = values["accuracy"] is not None and values["accuracy"] < LONG_BELOW

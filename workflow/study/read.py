@@ -10,9 +10,9 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError, did_you_mean
-from .document import check_every_key, placed
 from .grid import AXES
 from .measured import read_measured
+from .places import placed
 from .settings import as_table
 from .study import AnyStudy, Study, read_grid_study
 
@@ -103,8 +103,7 @@ def read_study(study: str, scale: str | None = None, settings: list[str] | None 
         if "measure" in tables:
             found: AnyStudy = read_measured(name, path.parent, tables)
         else:
-            check_every_key(tables, scales)
-            found = read_grid_study(name, path.parent, tables)
+            found = read_grid_study(name, path.parent, tables, scales=scales)
     return replace(found, scale=scale or "")
 
 

@@ -1,7 +1,7 @@
 """JSON schema of study.toml, for editors: made of the tables of keys."""
 
-from .described import EVERY_TABLE
 from .settings import TEXT, Schema, schema_of, table_of
+from .tables import EVERY_TABLE
 from .variants import COMPARE
 
 

@@ -2,72 +2,23 @@
 
 import json
 import math
-from dataclasses import dataclass, replace
-from functools import partial
+from collections.abc import Mapping
+from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
 from ...kernels import QUARTET
 from ..errors import UserError
 from .cluster import HERE, Cluster, read_cluster
-from .effects import MATERIAL, SCENE, Material, Scene, check_quantities, read_scene
-from .grid import GRID, Grid, read_grid
-from .numerics import NUMERICS, Numerics
-from .settings import Key, as_text, check_keys, integer, read_table
-from .surfaces import SURFACE, Profile, Surface, read_surface
+from .effects import Material, Scene, check_quantities, read_scene
+from .grid import Grid, read_grid
+from .numerics import Numerics
+from .settings import filled
+from .surfaces import Profile, Surface, read_surface
+from .tables import ONE_POINT, STUDY, checked_tables
 from .variants import check_accuracy, read_variants
 
 MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
-HEAD = {
-    "title": Key(
-        as_text,
-        "A line of text that heads the output of `plan`, the figure and the result file.",
-        "No number depends on it.",
-        default="",
-        usual="the name of the study",
-    ),
-    "seed": Key(
-        partial(integer, least=0),
-        "The number from which every random line is drawn, together with the Hurst exponent, the "
-        "number of elements and the index of the realization.",
-        "Another seed, doubled or not, draws other lines: every estimate changes within its "
-        "standard error.",
-        default=0,
-    ),
-}
-STUDY = HEAD | {
-    "realizations": Key(
-        partial(integer, least=2),
-        "The number of random lines over which every estimate is averaged. It is rounded up to "
-        "whole quartets, four lines from one set of random phases, and to at least two blocks.",
-        "Doubled, the standard errors fall by √2 and the computing time doubles. Lines that are "
-        "stored already are not computed again.",
-        default=None,
-        usual='as many as were measured with `surface.lines = "measured"`, else required',
-    ),
-    "realizations_per_block": Key(
-        partial(integer, least=1),
-        "The number of lines whose mean is stored as one record. Blocks are the unit of the store "
-        "and of the jackknife, which finds standard errors by leaving out one block, or with more "
-        "than 32 blocks one group of blocks, at a time. For random lines it is rounded up to a "
-        "multiple of four, and it must divide `realizations` into at least two blocks.",
-        "Doubled, the store holds half as many records, and the standard error is itself known "
-        "less well where there are fewer than 32 blocks. The estimates do not change.",
-        default=1,
-    ),
-}
-# A scene is a study of one point, for which one line may do.
-ONE_LINE = replace(STUDY["realizations"], check=partial(integer, least=1), default=1)
-ONE_POINT = STUDY | {"realizations": ONE_LINE}
-TABLES = {
-    "study": STUDY,
-    "material": MATERIAL,
-    "surface": SURFACE,
-    "grid": GRID,
-    "scene": SCENE,
-    "numerics": NUMERICS,
-}
-BY_NAME = ("compare", "scales")  # tables of tables, named by the user
 
 
 @dataclass(frozen=True, kw_only=True)
@@ -132,26 +83,33 @@ class Study(AnyStudy):
 def read_grid_study(
     name: str,
     folder: Path,
-    tables: dict[str, Any],
+    tables: Mapping[str, Any],
     one_point: bool = False,
     profile: Profile | None = None,
+    scales: Mapping[str, Any] | None = None,
 ) -> Study:
-    """Return the checked study. Raises UserError, one line, for what a user can get wrong.
+    """Return the checked study.
+
+    Raises UserError for anything a user can have got wrong: all keys, types and ranges at once,
+    then what does not go together.
 
     one_point : whether it is a scene, a study of one point that a single line may do for.
-    profile : lines in place of a table [surface].
+    profile : lines in place of a table [surface]. scales : those that are not asked for, of which
+    the keys are checked as well.
     """
-    check_keys("", tables, (*TABLES, *BY_NAME, "cluster"))
-    cluster = read_cluster(tables.pop("cluster", {}))
-    head = study_head(name, folder, tables, ONE_POINT if one_point else STUDY)
+    head_keys = ONE_POINT if one_point else STUDY
+    given = checked_tables(tables, scales or {}, head_keys)
+    cluster = read_cluster(given["cluster"])
+    written = {name: table for name, table in tables.items() if name != "cluster"}
+    head = study_head(name, folder, written, filled("study", given["study"], head_keys))
     surface = (
-        read_surface(tables.get("surface", {}), folder)
+        read_surface(given["surface"], folder)
         if profile is None
         else Surface(profile.measured_length, profile=profile)
     )
-    variants, materials, surfaces = read_variants(tables, folder, surface)
-    scene = read_scene(tables.get("scene", {}), folder, materials.values())
-    grid = read_grid(tables.get("grid", {}), surface, scene, materials[""].temperatures)
+    variants, materials, surfaces = read_variants(given, folder, surface)
+    scene = read_scene(given["scene"], folder, materials.values())
+    grid = read_grid(given["grid"], written.get("grid", {}), surface, scene, materials[""])
     head["realizations"] = _realizations(head["realizations"], surfaces)
     head["realizations_asked"] = head["realizations"]
     single = one_point and head["realizations"] == 1
@@ -216,9 +174,8 @@ def _one_point(study: Study) -> Study:
 
 
 def study_head(
-    name: str, folder: Path, tables: dict[str, Any], keys: dict[str, Key]
+    name: str, folder: Path, tables: Mapping[str, Any], head: dict[str, Any]
 ) -> dict[str, Any]:
-    """Return the fields of a study that its file and the table [study] give. Raises UserError."""
-    head = read_table("study", tables.get("study", {}), keys)
+    """Return the fields of a study that its file and the values of its table [study] give."""
     text = json.dumps(tables, indent=1, sort_keys=True, default=str)
     return {"name": name, "folder": folder, "text": text} | head | {"title": head["title"] or name}

@@ -1,13 +1,13 @@
 """The study itself and its comparisons: [numerics], [material], lines and [compare.NAME]."""
 
 import re
+from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
 from ..errors import UserError
 from .effects import MATERIAL, Material, Scene, read_material
 from .numerics import NUMERICS, Numerics, read_numerics
-from .settings import as_table, check_keys
 from .surfaces import LIKE, Surface, lines_like
 
 # All of a comparison are points of one grid, to which temperatures belong.
@@ -17,23 +17,21 @@ EITHER = {"branches": "branches_file", "branches_file": "branches"}  # one takes
 
 
 def read_variants(
-    tables: dict[str, Any], folder: Path, surface: Surface
+    tables: Mapping[str, dict[str, Any]], folder: Path, surface: Surface
 ) -> tuple[dict[str, Numerics], dict[str, Material], dict[str, Surface]]:
     """Return numerics, material and surface by label, of the study ("") and its comparisons.
 
-    Files are found from ``folder``; ``surface`` is that of the study. Raises UserError.
+    tables : their checked values. Files are found from ``folder``; ``surface`` is that of the
+    study. Raises UserError.
     """
-    numerics = as_table("numerics", tables.get("numerics", {}))
-    material = as_table("material", tables.get("material", {}))
+    numerics, material = tables["numerics"], tables["material"]
     variants = {"": read_numerics("numerics", numerics)}
     materials = {"": read_material("material", material, folder)}
     surfaces = {"": surface}
-    for label, extra in as_table("compare", tables.get("compare", {})).items():
+    for label, given in tables["compare"].items():
         where = f"compare.{label}"
         if not re.fullmatch(r"[A-Za-z]\w*", label):
             raise UserError(f'compare."{label}": name it by letters, digits and underscores')
-        given = as_table(where, extra)
-        check_keys(f"{where}.", given, COMPARE)
         changed = {key: given[key] for key in given if key in NUMERICS}
         variants[label] = read_numerics(where, {**numerics, **changed})
         others = {EITHER[key] for key in given if key in EITHER}

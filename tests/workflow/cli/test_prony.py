@@ -6,7 +6,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.cli.commands import main
-from elastomer_friction.workflow.study.effects.material import read_material
+from elastomer_friction.workflow.study.effects.material import MATERIAL, read_material
+from elastomer_friction.workflow.study.settings import checked
 from tests.support.commands import output
 from tests.support.small import small_study
 
@@ -26,7 +27,8 @@ BRANCHES = ((1e7, 1e-3), (5e6, 0.1))
 
 def test_the_printed_table_is_a_material(capsys, tmp_path):
     text = output(capsys, "prony", measured(tmp_path))
-    material = read_material("material", tomllib.loads(text)["material"], tmp_path)
+    table = checked("material", tomllib.loads(text)["material"], MATERIAL)
+    material = read_material("material", table, tmp_path)
     assert material.shear_modulus == pytest.approx(1e6)
     np.testing.assert_allclose(material.branches, BRANCHES, rtol=1e-5)
     assert "40 frequencies, 0.01 ... 1e+04 rad/s, read as rad/s and Pa" in text

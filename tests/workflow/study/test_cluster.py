@@ -2,7 +2,9 @@
 
 import pytest
 
+from elastomer_friction.workflow.study.cluster import CLUSTER as KEYS
 from elastomer_friction.workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
+from elastomer_friction.workflow.study.settings import checked
 from tests.support.documents import CLUSTER
 
 
@@ -18,7 +20,9 @@ def test_a_study_is_computed_here_unless_it_says_otherwise():
 
 
 def test_every_key_arrives():
-    assert read_cluster(CLUSTER) == Cluster(**CLUSTER | {"prologue": ("module load python",)})
+    assert read_cluster(checked("cluster", CLUSTER, KEYS)) == Cluster(
+        **CLUSTER | {"prologue": ("module load python",)}
+    )
 
 
 def test_batches_are_far_shorter_than_the_life_of_a_worker():

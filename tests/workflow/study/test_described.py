@@ -4,10 +4,10 @@ import tomllib
 
 import pytest
 
-from elastomer_friction.workflow.study.described import EVERY_TABLE, described_measures
-from elastomer_friction.workflow.study.measured import HEAD  # of every kind of study
+from elastomer_friction.workflow.study.described import described_measures
 from elastomer_friction.workflow.study.scripts import OWN
 from elastomer_friction.workflow.study.settings import default_of, values_of
+from elastomer_friction.workflow.study.tables import EVERY_TABLE, HEAD
 from elastomer_friction.workflow.study.variants import COMPARE
 
 MEASURES = described_measures()

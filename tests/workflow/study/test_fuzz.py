@@ -17,7 +17,8 @@ from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.study.measured import Measured
 from elastomer_friction.workflow.study.read import known_studies, read_study
-from elastomer_friction.workflow.study.study import TABLES, Study
+from elastomer_friction.workflow.study.study import Study
+from elastomer_friction.workflow.study.tables import TABLES
 from tests.support.documents import document
 from tests.support.small import TEXT, small_study, write_study
 from tests.support.sweeps import examples
@@ -27,7 +28,7 @@ FUZZ = settings(max_examples=EXAMPLES, deadline=None)
 MOST_POINTS = 100  # of a study to plan
 MOST_ELEMENTS = 10_000
 TEXTS = [TEXT, *(path.read_text() for path in sorted(known_studies().values()))]
-TABLE_NAMES = [*TABLES, "cluster", "compare", "scales", "measure", "other"]
+TABLE_NAMES = [*TABLES, "compare", "scales", "measure", "other"]
 NAMES = sorted(
     {key for keys in TABLES.values() for key in keys}
     | {"smoke", "x y", "linspace", "jobs", "cores", "memory", "walltime", "prologue", "where", ""}

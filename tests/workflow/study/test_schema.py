@@ -6,15 +6,14 @@ import tomllib
 import jsonschema
 import pytest
 
-from elastomer_friction.workflow.study.cluster import CLUSTER
 from elastomer_friction.workflow.study.read import known_studies
 from elastomer_friction.workflow.study.schema import study_schema
-from elastomer_friction.workflow.study.study import TABLES
+from elastomer_friction.workflow.study.tables import TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.small import TEXT
 
 CHECK = jsonschema.Draft7Validator(study_schema())
-KEYS = [(table, key) for table, keys in {**TABLES, "cluster": CLUSTER}.items() for key in keys]
+KEYS = [(table, key) for table, keys in TABLES.items() for key in keys]
 
 
 def with_value(table: str, key: str, value: object) -> dict:
@@ -37,7 +36,7 @@ def test_no_key_takes_a_date_at_any_scale(table, key):
     assert not CHECK.is_valid(tomllib.loads(TEXT) | {"scales": {"wide": {table: tables[table]}}})
 
 
-@pytest.mark.parametrize("table", [*TABLES, "cluster"])
+@pytest.mark.parametrize("table", TABLES)
 def test_a_typo_is_refused(table):
     assert CHECK.is_valid(with_value("study", "seed", 3))
     assert not CHECK.is_valid(with_value(table, "hurts", 1))

@@ -6,6 +6,7 @@ times shift with the temperature by one factor a_T (Williams, Landel and Ferry 1
 doi:10.1021/ja01619a008): log10 a_T = -c1 (T - T_ref)/(c2 + T - T_ref).
 """
 
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -18,6 +19,7 @@ from ..settings import (
     Key,
     as_text,
     axis_values,
+    filled,
     number,
     pair,
     positive,
@@ -118,12 +120,12 @@ class Material(NamedTuple):
         )
 
 
-def read_material(where: str, table: Any, folder: Path) -> Material:
-    """Return the material of a table; files are found from ``folder``. Raises UserError.
+def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Material:
+    """Return the material of the checked values of a table. Raises UserError.
 
-    where : the name of the table, for messages.
+    where : the name of the table, for messages. Files are found from ``folder``.
     """
-    given = read_table(where, table, MATERIAL)
+    given = filled(where, table, MATERIAL)
     branches = given["branches"]
     if given["branches_file"]:
         if "branches" in table:

@@ -1,13 +1,13 @@
 """The table [scene]: what is simulated and how the line is driven and pressed on."""
 
 import math
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...errors import UserError
-from ..settings import Key, as_table, as_text, choice, flag, integer, read_table
+from ..settings import Key, as_text, choice, filled, flag, integer
 from .material import Material
 from .programme import (
     Hold,
@@ -80,13 +80,13 @@ class Scene(NamedTuple):
         return found.at(reference) if found else reference
 
 
-def read_scene(table: Any, folder: Path, materials: Iterable[Material]) -> Scene:
-    """Return the scene of a table; files are found from ``folder``. Raises UserError.
+def read_scene(own: Mapping[str, Any], folder: Path, materials: Iterable[Material]) -> Scene:
+    """Return the scene of the checked values of a table. Raises UserError.
 
+    own : the programme in it as it is written. Files are found from ``folder``.
     materials : of the study and its comparisons; what is asked for by default depends on them.
     """
-    own = as_table("scene", table)
-    given = read_table("scene", own, SCENE)
+    given = filled("scene", own, SCENE)
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
     times = None
@@ -109,7 +109,7 @@ def _usual(programme: Programme, control: str, materials: Iterable[Material]) ->
     return USUAL if all(material.jumps for material in materials) else WITHOUT_DASHPOT
 
 
-def _check(table: dict[str, Any], scene: Scene, materials: tuple[Material, ...]) -> None:
+def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ...]) -> None:
     """Raise UserError where the keys of a scene do not go together."""
     for key in ("control", "start", "repeat"):
         if key in table and not scene.programme and getattr(scene, key) != USUAL_SCENE[key]:

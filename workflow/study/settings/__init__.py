@@ -20,7 +20,7 @@ if TYPE_CHECKING:
         within,
     )
     from .columns import named_unit, read_columns, rows_of_file
-    from .key import REQUIRED, Key, check_keys, read_table
+    from .key import REQUIRED, Key, check_keys, checked, filled, read_table
     from .pieces import (
         NOT_ZERO,
         NUMBER,

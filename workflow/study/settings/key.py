@@ -1,7 +1,7 @@
 """A key of a table, stated once: its check, what it means, its unit and its default.
 
-A table of a study is declared as name -> Key. The one reader of tables, ``read_table``, the JSON
-schema and the page of reference follow from it.
+A table of a study is declared as name -> Key, from which its reader, the JSON schema and the page
+of reference follow. A value is checked once, by ``checked``.
 """
 
 from collections.abc import Callable, Iterable, Mapping
@@ -35,21 +35,31 @@ class Key:
 def read_table(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, Any]:
     """Return name -> checked value for all ``keys`` of a table; ``where`` is its name.
 
-    Raises UserError for what is no table, an unknown key, a missing one and a refused value.
+    Raises UserError for what is no table, an unknown key, a refused value and a missing key.
     """
-    given, complaints = as_table(where, table), Complaints()
-    for name in given:
+    return filled(where, checked(where, table, keys), keys)
+
+
+def checked(where: str, table: object, keys: Mapping[str, Key]) -> dict[str, Any]:
+    """Return name -> checked value for what a table holds. Raises UserError likewise."""
+    given, complaints, found = as_table(where, table), Complaints(), {}
+    for name, value in given.items():
         with complaints:
             check_keys(f"{where}.", [name], keys)
-    found = {}
+            found[name] = keys[name].check(f"{where}.{name}", value)
+    complaints.end()
+    return found
+
+
+def filled(where: str, given: Mapping[str, Any], keys: Mapping[str, Key]) -> dict[str, Any]:
+    """Return checked values with the defaults of what was left out. Raises UserError for a gap."""
+    complaints = Complaints()
     for name, key in keys.items():
         with complaints:
             if name not in given and key.default is REQUIRED:
                 raise UserError(f"{where}.{name}: missing")
-            own = f"{where}.{name}"
-            found[name] = key.check(own, given[name]) if name in given else key.default
     complaints.end()
-    return found
+    return {name: given.get(name, key.default) for name, key in keys.items()}
 
 
 def check_keys(where: str, table: Iterable[str], known: Iterable[str]) -> None:

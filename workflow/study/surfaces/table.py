@@ -1,6 +1,6 @@
 """The table [surface]: random self-affine lines, or lines that were measured."""
 
-from dataclasses import replace
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -10,14 +10,12 @@ from ...errors import UserError
 from ..settings import (
     TEXT,
     Key,
-    as_table,
     as_text,
-    check_keys,
     choice,
+    filled,
     flag,
     pair,
     positive,
-    read_table,
     within,
 )
 from .lines import Asked
@@ -167,15 +165,17 @@ WITH_FILE = MEASURED | LIKE
 SURFACE = RANDOM | WITH_FILE
 
 
-def read_surface(table: Any, folder: Path) -> Surface:
-    """Return the surface of a study; files are found from its ``folder``. Raises UserError."""
-    given = as_table("surface", table)
-    check_keys("surface.", given, SURFACE)
+def read_surface(given: Mapping[str, Any], folder: Path) -> Surface:
+    """Return the surface of the checked values of a table. Raises UserError.
+
+    Files are found from ``folder``.
+    """
     if "file" in given:
         return _measured(given, folder)
     for key in filter(WITH_FILE.__contains__, given):
-        raise UserError(f"surface.{key} = {given[key]!r:.40}: goes with surface.file alone")
-    surface = Surface(**read_table("surface", given, RANDOM))
+        value = list(given[key]) if isinstance(given[key], tuple) else given[key]  # as in TOML
+        raise UserError(f"surface.{key} = {value!r:.40}: goes with surface.file alone")
+    surface = Surface(**filled("surface", given, RANDOM))
     for key in ("rolloff", "cutoff"):
         if given.get(key, 0.0) > surface.length:
             raise UserError(
@@ -190,9 +190,8 @@ def read_surface(table: Any, folder: Path) -> Surface:
     return surface
 
 
-def _measured(given: dict[str, Any], folder: Path) -> Surface:
-    own = {key: value for key, value in given.items() if key in MEASURED}
-    settings = read_table("surface", own, MEASURED)
+def _measured(given: Mapping[str, Any], folder: Path) -> Surface:
+    settings = filled("surface", given, MEASURED)
     like = {key: value for key, value in given.items() if key in LIKE}
     for key in filter(RANDOM.__contains__, given):
         raise UserError(
@@ -204,15 +203,14 @@ def _measured(given: dict[str, Any], folder: Path) -> Surface:
     return lines_like("surface", Surface(profile.measured_length, profile=profile), like)
 
 
-def lines_like(where: str, surface: Surface, table: dict[str, Any]) -> Surface:
-    """Return a surface whose lines are those that a table holds, measured or like them.
+def lines_like(where: str, surface: Surface, table: Mapping[str, Any]) -> Surface:
+    """Return a surface whose lines are those that checked values ask for, measured or like them.
 
     ``where`` is the name of the table. Raises UserError.
     """
     for key in table if surface.profile is None else ():
         raise UserError(f"{where}.{key} = {table[key]!r:.40}: goes with surface.file alone")
-    usual = {key: replace(each, default=getattr(surface, key)) for key, each in LIKE.items()}
-    found = surface._replace(**read_table(where, table, usual))
+    found = surface._replace(**table)
     try:
         _ = found.amplitudes
     except ValueError as error:

@@ -8,7 +8,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.workflow.study.effects.material import Material, Wlf, read_material
+from elastomer_friction.workflow.study.effects.material import (
+    MATERIAL,
+    Material,
+    Wlf,
+    read_material,
+)
+from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import FILES, small_study
 
 BRANCHES = [[5e6, 1e-2], [1e7, 1e-3]]
@@ -17,7 +23,8 @@ PAIRS = st.lists(st.tuples(st.floats(1e3, 1e9), st.floats(1e-9, 1e3)), min_size=
 
 
 def read(tmp_path, **given):
-    return read_material("material", {"shear_modulus": 1e6} | given, tmp_path)
+    table = checked("material", {"shear_modulus": 1e6} | given, MATERIAL)
+    return read_material("material", table, tmp_path)
 
 
 def test_a_kelvin_element_is_the_dashpot_alone(tmp_path):
@@ -37,10 +44,10 @@ def test_tau_is_the_viscosity_at_rest_over_the_modulus(tmp_path):
 
 @given(PAIRS, st.randoms())
 def test_neither_order_nor_a_split_of_a_branch_matters(pairs, random):
-    own = read_material("m", {"shear_modulus": 1e6, "branches": [list(p) for p in pairs]}, None)
+    own = read(None, branches=[list(p) for p in pairs])
     halves = [[g / 2.0, t] for g, t in pairs for _ in range(2)]
     random.shuffle(halves)
-    other = read_material("m", {"shear_modulus": 1e6, "branches": halves}, None)
+    other = read(None, branches=halves)
     np.testing.assert_allclose(own.branches, other.branches, rtol=1e-14)
     times = [time for _, time in own.branches]
     assert times == sorted(times)
@@ -50,8 +57,7 @@ def test_neither_order_nor_a_split_of_a_branch_matters(pairs, random):
 @given(PAIRS, st.floats(1e-3, 1e3), st.floats(0.0, 1.0))
 def test_the_spectrum_has_the_same_complex_modulus(pairs, frequency, dashpot):
     given_branches = [list(pair) for pair in pairs]
-    table = {"shear_modulus": 1e6, "branches": given_branches, "relaxation_time": dashpot}
-    material = read_material("m", table, None)
+    material = read(None, branches=given_branches, relaxation_time=dashpot)
     omega = 2.0 * math.pi * frequency
     found = complex_modulus(material.spectrum(), np.array([omega * material.tau]))[0]
     wanted = 1.0 + 1j * omega * dashpot

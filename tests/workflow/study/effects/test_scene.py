@@ -5,7 +5,8 @@ import math
 import pytest
 
 from elastomer_friction.workflow.study.effects.material import Material
-from elastomer_friction.workflow.study.effects.scene import Scene, read_scene
+from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene
+from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import small_study
 
 KELVIN = Material(1e6, 1e-3)
@@ -16,7 +17,7 @@ HOLD = {"hold": {"duration": 1.0}}
 
 
 def read(*materials, **table):
-    return read_scene(table, None, materials or (KELVIN,))
+    return read_scene(checked("scene", table, SCENE), None, materials or (KELVIN,))
 
 
 def test_without_keys_it_is_the_scene_of_the_paper():

@@ -2,14 +2,13 @@
 
 import pytest
 
-from elastomer_friction.workflow.study.cluster import CLUSTER
 from elastomer_friction.workflow.study.grid import AXES
-from elastomer_friction.workflow.study.study import TABLES
+from elastomer_friction.workflow.study.tables import TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.documents import without
 from tests.support.small import complaint
 
-KNOWN = {**TABLES, "compare.coarse": COMPARE, "cluster": CLUSTER}
+KNOWN = {**TABLES, "compare.coarse": COMPARE}
 
 
 @pytest.mark.parametrize("key", [f"{table}.{key}" for table in KNOWN for key in KNOWN[table]])

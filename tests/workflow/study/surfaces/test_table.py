@@ -4,10 +4,16 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.settings import checked
+from elastomer_friction.workflow.study.surfaces import table
 from elastomer_friction.workflow.study.surfaces.surface import Surface
-from elastomer_friction.workflow.study.surfaces.table import check_cutoff, read_surface
+from elastomer_friction.workflow.study.surfaces.table import SURFACE, check_cutoff
 
 HERE = {"file": "line.txt"}
+
+
+def read_surface(given, folder):
+    return table.read_surface(checked("surface", given, SURFACE), folder)
 
 
 @pytest.fixture
@@ -18,9 +24,9 @@ def folder(tmp_path):
     return tmp_path
 
 
-def refused(table, folder):
+def refused(given, folder):
     with pytest.raises(UserError) as error:
-        read_surface(table, folder)
+        read_surface(given, folder)
     assert "\n" not in str(error.value)
     return str(error.value)
 
@@ -53,16 +59,35 @@ def test_a_hurst_exponent_that_no_line_of_this_slope_has_is_refused(folder):
     assert "h/dx: lines of H = 0 have " in answer
 
 
-@pytest.mark.parametrize("key", ["length", "normalisation", "snap_spacing", "rolloff", "cutoff"])
-def test_keys_of_random_lines_are_refused_with_a_file(folder, key):
-    answer = refused(HERE | {key: 1.0}, folder)
-    assert answer == f"surface.{key} = 1.0: leave it out with surface.file, measured lines"
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("length", 1.0),
+        ("normalisation", "modal"),
+        ("snap_spacing", True),
+        ("rolloff", 1.0),
+        ("cutoff", 1.0),
+    ],
+)
+def test_keys_of_random_lines_are_refused_with_a_file(folder, key, value):
+    answer = refused(HERE | {key: value}, folder)
+    assert answer == f"surface.{key} = {value!r}: leave it out with surface.file, measured lines"
 
 
-@pytest.mark.parametrize("key", ["columns", "units", "detrend", "periodic", "lines", "hurst"])
-def test_keys_of_measured_lines_are_refused_without_one(folder, key):
-    answer = refused({"length": 1.0, key: "x"}, folder)
-    assert answer == f"surface.{key} = 'x': goes with surface.file alone"
+@pytest.mark.parametrize(
+    ("key", "value"),
+    [
+        ("columns", [0, 1]),
+        ("units", ["mm", "um"]),
+        ("detrend", "line"),
+        ("periodic", "taper"),
+        ("lines", "random-phase"),
+        ("hurst", 0.5),
+    ],
+)
+def test_keys_of_measured_lines_are_refused_without_one(folder, key, value):
+    answer = refused({"length": 1.0, key: value}, folder)
+    assert answer == f"surface.{key} = {value!r}: goes with surface.file alone"
 
 
 @pytest.mark.parametrize("columns", ["x", [0], [0, -1], [0, 1.0], [True, 1], ["x", "y", "z"]])

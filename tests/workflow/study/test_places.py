@@ -3,7 +3,7 @@
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.document.places import key_of, line_of
+from elastomer_friction.workflow.study.places import key_of, line_of
 from elastomer_friction.workflow.study.read import known_studies
 from tests.support.small import TEXT, small_study
 
