@@ -18,8 +18,9 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
 
+from ..errors import UserError
 from .scripts import load_script
-from .settings import check_keys, read_table
+from .settings import Key, check_keys, read_table
 from .study import AnyStudy, study_head
 from .tables import HEAD
 
@@ -38,5 +39,11 @@ def read_measured(name: str, folder: Path, tables: dict[str, Any]) -> Measured:
     check_keys("", tables, ("study", "measure"))
     head = study_head(name, folder, tables, read_table("study", tables.get("study", {}), HEAD))
     script = load_script(folder / "measure.py")
+    for key, stated in script.SETTINGS.items():
+        if not isinstance(stated, Key):
+            raise UserError(
+                f"{folder / 'measure.py'}: SETTINGS[{key!r}] is a check alone; it is now "
+                "Key(check), from elastomer_friction.workflow.study"
+            )
     settings = read_table("measure", tables["measure"], script.SETTINGS)
     return Measured(**head, settings=settings, script=script)
