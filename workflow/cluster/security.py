@@ -9,7 +9,6 @@ from pathlib import Path
 from typing import Any
 
 import dask
-from distributed import Scheduler, Worker
 from distributed.security import Security
 
 from ..errors import UserError
@@ -18,26 +17,15 @@ from ..study import Cluster
 ENCRYPTED = "tls://"
 
 
-class _Pageless:
-    """Of a server of dask: opens no port for web pages, which know nothing of certificates."""
-
-    def start_http_server(self, *_: Any, **__: Any) -> None:
-        """Open nothing."""
+def scheduler_options(dashboard: bool) -> dict[str, Any]:
+    """Return options of a scheduler whose port for pages this machine alone can reach."""
+    return {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}  # any free port
 
 
-class PagelessScheduler(_Pageless, Scheduler):
-    """A scheduler without web pages."""
-
-
-class PagelessWorker(_Pageless, Worker):
-    """A worker without web pages."""
-
-
-def scheduler_kind(dashboard: bool) -> tuple[type[Scheduler], dict[str, Any]]:
-    """Return class and options of a scheduler, with dask's dashboard for this machine or none."""
-    if dashboard:
-        return Scheduler, {"dashboard": True, "dashboard_address": "127.0.0.1:0"}  # any free port
-    return PagelessScheduler, {"dashboard": False}
+def routes(dashboard: bool) -> dict[str, list[str]]:
+    """Return dask's settings by which no port serves a page but those of the dashboard."""
+    workers: dict[str, list[str]] = {"distributed.worker.http.routes": []}
+    return workers if dashboard else workers | {"distributed.scheduler.http.routes": []}
 
 
 def own_security() -> Security:
