@@ -76,7 +76,7 @@ def open_client(
             client = SafeClient(stack.enter_context(_local_cluster(workers, dashboard)))
         elif cluster.where in BATCH_SYSTEMS:
             client = SafeClient(stack.enter_context(job_cluster(cluster, dashboard)))
-            watch.logs = cluster.log_folder
+            watch.follow(cluster.log_folder)
         else:
             client = _client_of(cluster, watch)
         stack.callback(client.end)

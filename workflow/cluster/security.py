@@ -5,6 +5,7 @@ Whoever reaches a port of dask without them runs code as its owner.
 
 import ssl
 import sys
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
@@ -15,6 +16,7 @@ from ..errors import UserError
 from ..study import Cluster
 
 ENCRYPTED = "tls://"
+VALID, MARGIN = timedelta(days=365), timedelta(days=2)  # before, for clocks that are set
 
 
 def scheduler_options(dashboard: bool) -> dict[str, Any]:
@@ -29,8 +31,33 @@ def routes(dashboard: bool) -> dict[str, list[str]]:
 
 
 def own_security() -> Security:
-    """Return a certificate made for this run: who does not have it is refused."""
-    return Security.temporary()
+    """Return a certificate made for this run: who does not have it is refused.
+
+    That of ``Security.temporary`` is valid from this second on: once the clock is set back, no
+    connection can be made with it any more.
+    """
+    from cryptography import x509
+    from cryptography.hazmat.primitives import hashes, serialization
+    from cryptography.hazmat.primitives.asymmetric import rsa
+
+    key = rsa.generate_private_key(public_exponent=65537, key_size=2048)
+    name = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, "elastomer-friction")])
+    now = datetime.now(UTC)
+    certificate = (
+        x509.CertificateBuilder(name, name, key.public_key(), x509.random_serial_number())
+        .not_valid_before(now - MARGIN)
+        .not_valid_after(now + VALID)
+        .sign(key, hashes.SHA256())
+    )
+    formats = serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
+    private = key.private_bytes(serialization.Encoding.PEM, *formats).decode()
+    public = certificate.public_bytes(serialization.Encoding.PEM).decode()
+    whose = {
+        f"tls_{who}_{part}": text
+        for who in ("client", "scheduler", "worker")
+        for part, text in (("key", private), ("cert", public))
+    }
+    return Security(require_encryption=True, tls_ca_file=public, **whose)
 
 
 def security_of(cluster: Cluster) -> Security | None:

@@ -1,7 +1,10 @@
 """Who may connect: certificates of ours or of the user, or a warning."""
 
+from datetime import UTC, datetime, timedelta
+
 import dask
 import pytest
+from cryptography import x509
 
 from elastomer_friction.workflow.cluster.security import (
     own_security,
@@ -36,6 +39,13 @@ def test_no_page_is_served_unless_it_is_asked_for():
     for dashboard in (False, True):
         options = scheduler_options(dashboard)
         assert options == {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}
+
+
+def test_a_clock_that_is_set_back_leaves_our_certificate_valid():
+    certificate = x509.load_pem_x509_certificate(own_security().tls_ca_file.encode())
+    day = timedelta(days=1)
+    assert certificate.not_valid_before_utc < datetime.now(UTC) - day
+    assert certificate.not_valid_after_utc > datetime.now(UTC) + 300 * day
 
 
 def test_certificates_of_the_user_are_used(files, capsys):
