@@ -10,7 +10,7 @@ determines is asked of all of them, not of the best one alone: where nothing rel
 than was recorded, any rate will do. The variance is that of the residual, times the factor by which
 correlated noise says less than independent noise.
 Source: Li et al. (2014), doi:10.1038/srep05795, eqs. 6 and 8; the laws stand in
-workflow/reduce/scenes/rate_state.py.
+workflow/reduce/rate_state.py.
 """
 
 import math
