@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 from scipy.stats import chi2, norm, t
 
-from elastomer_friction.workflow.reduce.exponents import fit_power_law
+from elastomer_friction.workflow.reduce.complete import fit_power_law
 from elastomer_friction.workflow.reduce.fits import (
     FITTED,
     NO_RELAXATION,

@@ -9,9 +9,8 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .figure import draw_fit
-    from .fit import Fit, fit_records
     from .record import TIMES, VELOCITIES, Record, read_record
     from .sentences import describe
-    from .speeds import Known
+    from .together import Fit, Known, fit_records
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

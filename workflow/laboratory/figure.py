@@ -10,10 +10,8 @@ from matplotlib.figure import Figure
 
 from ..kinetic_law import relaxation_rate
 from ..report import COLOURS, write_below, write_figure
-from .fit import Fit
-from .jumps import predicted_jump
-from .speeds import Rates
 from .step_fit import StepFit
+from .together import Fit, Rates, predicted_jump
 
 ACROSS = 3  # steps beside each other
 MOST_STEPS = 12  # that are drawn

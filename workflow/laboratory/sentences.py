@@ -2,10 +2,9 @@
 
 import math
 
-from .errors import DEVIATIONS, Estimate
-from .fit import Fit
-from .speeds import Rates
+from .estimate import DEVIATIONS, Estimate
 from .step_fit import StepFit
+from .together import Fit, Rates
 
 OPTIONS = {"tau": "--relaxation-time", "H": "--hurst", "q_max": "--q-max"}
 NAMES = {"mu_2": "friction after, mu_2", "amplitude": "amplitude", "jump": "jump", "rate": "rate"}

@@ -10,9 +10,17 @@ from ..lazy import public_names
 if TYPE_CHECKING:
     from .attainment import ACCURACY_MEANINGS, MET_WHERE_DEFINED, MISSED, Attained, attained
     from .blocks import Blocks, Estimates, blocks_of
-    from .complete import completed, exponents_of
+    from .complete import (
+        RESOLUTION_COMMENT,
+        RESOLUTION_MEANINGS,
+        RESOLVED,
+        UNRESOLVED,
+        completed,
+        exponents_of,
+        fit_exponents,
+        fit_power_law,
+    )
     from .estimates import reduce_blocks
-    from .exponents import fit_exponents, fit_power_law
     from .fits import (
         FITTED,
         NEGLIGIBLE,
@@ -27,8 +35,7 @@ if TYPE_CHECKING:
     )
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS, compare_models
     from .prony_fit import PronyFit, fit_prony
-    from .resolution import RESOLUTION_COMMENT, RESOLUTION_MEANINGS, RESOLVED, UNRESOLVED
-    from .scenes import LAWS, fit_rate_state, step_law
+    from .rate_state import LAWS, fit_rate_state, step_law
     from .statistics import grouped_means, replicates, significant, standard_error
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -1,12 +1,33 @@
-"""What the result says of every task beside its estimates, and of all tasks together."""
+"""What a result says beside its estimates: contacts resolved, bias, and exponents of all tasks."""
+
+from typing import NamedTuple
 
 import numpy as np
 
-from ..plan import Plan, Variant, line_slope, speed_ratio
-from ..study import judged
-from .blocks import Estimates
-from .exponents import fit_exponents
-from .resolution import resolution
+from ..plan import (
+    FIRST_ORDER,
+    LAWS,
+    Plan,
+    Variant,
+    first_order_rate_error,
+    known,
+    line_slope,
+    rate_error,
+    speed_ratio,
+)
+from ..simulate import Task
+from ..study import Numerics, judged
+from .blocks import Estimates, enter
+from .fits import FITTED
+
+UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
+RESOLUTION_MEANINGS = "unresolved coarse resolved"
+RESOLUTION_COMMENT = (
+    "resolved: samples_per_contact is 4 or more; coarse: above 1; unresolved: contacts are no "
+    "wider than a sample, so that points touch one by one"
+)
+ENOUGH, TOO_FEW = 4.0, 1.0  # samples per contact
+WHOLE = 1.0  # a bias beyond its own value says no more
 
 
 def completed(
@@ -48,3 +69,113 @@ def _spread(values: np.ndarray, sound: np.ndarray, count: int) -> np.ndarray:
     spread = np.full((count, *values.shape[1:]), nothing, values.dtype)
     spread[sound] = values
     return spread
+
+
+def resolution_status(samples: np.ndarray) -> np.ndarray:
+    """Return the status of each point from its samples per contact, int8; -1 where NaN."""
+    status = np.where(samples >= ENOUGH, RESOLVED, COARSE)
+    status = np.where(samples <= TOO_FEW, UNRESOLVED, status)
+    return np.where(np.isnan(samples), -1, status).astype(np.int8)
+
+
+def resolution(
+    tasks: list[Task], estimates: dict[str, np.ndarray], names: tuple[str, ...], numerics: Numerics
+) -> dict[str, np.ndarray]:
+    """Return the resolution_status of some tasks, and NAME_bias of some of their estimates.
+
+    A bias is a bound of the relative discretisation error; bias_bound is the largest. By the laws
+    of plan/error_laws.py, with the samples per contact and the rate b that were found in place of
+    those expected. Of a first order scheme FIRST_ORDER steps are worth one.
+    """
+    found: dict[str, np.ndarray] = {}
+    if not names:  # nothing steady: a programme alone
+        return found
+    samples = estimates["samples_per_contact"]
+    rates = np.nan_to_num(estimates.get("relaxation_rate", np.zeros(len(tasks))))
+    first_order = numerics.scheme == "implicit-euler"
+    for name in names:
+        bias = np.empty(len(tasks))
+        for row, task in enumerate(tasks):
+            problem, steps = task.problem, task.steps_per_spacing
+            if not known(problem):
+                bias[row] = np.nan
+                continue
+            if name != "relaxation_rate":
+                worth = steps / FIRST_ORDER if first_order else steps
+                bias[row] = LAWS[name].error(problem, worth, numerics.refines)
+                continue
+            bias[row] = rate_error(problem, steps, samples[row], rates[row])
+            if first_order:
+                bias[row] += first_order_rate_error(problem, steps, rates[row])
+        found[f"{name}_bias"] = np.minimum(bias, WHOLE)
+    found["bias_bound"] = np.max(list(found.values()), axis=0)
+    found["resolution_status"] = resolution_status(samples)
+    return found
+
+
+class PowerLaw(NamedTuple):
+    """Fit of eq. 13; arrays hold the estimate, then its jackknife replicates."""
+
+    alpha: np.ndarray  # b = x^alpha, shape (replicates,)
+    alpha_free: np.ndarray  # b = c x^alpha, shape (replicates,)
+    prefactor: np.ndarray  # c, shape (replicates,)
+    scatter: float  # rms of log10(b / x^alpha)
+    points: int
+
+
+def fit_power_law(x: np.ndarray, rate: np.ndarray) -> PowerLaw:
+    """Fit log b = alpha log x (eq. 13) over the given points, all with x > 1.
+
+    x : shape (points,). rate : b, shape (points, replicates). NaN where fewer than 3 points.
+    """
+    count, size = rate.shape
+    if count < 3 or np.ptp(x) == 0.0:
+        nothing = np.full(size, np.nan)
+        return PowerLaw(nothing, nothing, nothing, np.nan, count)
+    log_x, log_b = np.log(x), np.log(rate)
+    alpha = log_x @ log_b / (log_x @ log_x)
+    centred = log_x - log_x.mean()
+    free = centred @ log_b / (centred @ centred)
+    prefactor = np.exp(log_b.mean(axis=0) - free * log_x.mean())
+    residual = (log_b[:, 0] - alpha[0] * log_x) / np.log(10.0)
+    return PowerLaw(alpha, free, prefactor, float(np.sqrt(np.mean(residual**2))), count)
+
+
+def exponent_bias(x: np.ndarray, bias: np.ndarray) -> tuple[float, float]:
+    """Return how far a bias of b may move alpha of b = x^alpha, and of b = c x^alpha.
+
+    x, bias : relative bound, shape (points,). The one: all points off in the same direction; the
+    other: fast and slow ones in opposite directions. NaN where there is no fit.
+    """
+    if x.size < 3 or np.ptp(x) == 0.0:
+        return np.nan, np.nan
+    off, log_x = np.log1p(bias), np.log(x)
+    centred = log_x - log_x.mean()
+    return float(off @ log_x / (log_x @ log_x)), float(off @ np.abs(centred) / (centred @ centred))
+
+
+def fit_exponents(
+    axis: tuple[float, ...], hurst: np.ndarray, points: Estimates, rates: np.ndarray
+) -> Estimates:
+    """Return name -> array over ``axis``: the fits of eq. 13 over distinct problems with x > 1.
+
+    axis : the Hurst exponents to fit for. hurst and points : per task, shape (tasks,). rates : b
+    and its jackknife replicates, shape (tasks, blocks + 1). Points whose contacts are unresolved
+    are left out and counted.
+    """
+    x = points["speed_ratio"]
+    fitted = (points["fit_status"] == FITTED) & (x > 1.0)
+    resolved = points["resolution_status"] != UNRESOLVED
+    chosen = [fitted & resolved & (hurst == value) for value in axis]
+    bias = [exponent_bias(x[rows], points["relaxation_rate_bias"][rows]) for rows in chosen]
+    left = [np.sum(fitted & ~resolved & (hurst == value)) for value in axis]
+    laws = [fit_power_law(x[rows], rates[rows]) for rows in chosen]
+    found: Estimates = {}
+    enter(found, "alpha", np.array([law.alpha for law in laws]))
+    enter(found, "alpha_free", np.array([law.alpha_free for law in laws]))
+    enter(found, "alpha_prefactor", np.array([law.prefactor for law in laws]))
+    found["alpha_scatter"] = np.array([law.scatter for law in laws])
+    found["alpha_bias"], found["alpha_free_bias"] = np.array(bias).T
+    found["alpha_unresolved"] = np.array(left, dtype=np.int32)
+    found["alpha_points"] = np.array([law.points for law in laws], dtype=np.int32)
+    return found

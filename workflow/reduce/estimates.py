@@ -8,8 +8,8 @@ from ..study import QUANTITIES
 from .blocks import Blocks, Estimates, enter
 from .fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
 from .models import COEFFICIENTS, GAINS, Comparison, compare_models
-from .scenes import reduce_programmes, reduce_steps
 from .statistics import errors_needed, padded, replicates
+from .traces import reduce_programmes, reduce_steps
 
 
 def reduce_blocks(blocks: Blocks) -> Estimates:

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.laboratory.errors import Estimate, correlation_factor, mean
+from elastomer_friction.workflow.laboratory.estimate import Estimate, correlation_factor, mean
 from tests.workflow.laboratory.given import noise
 
 

@@ -6,8 +6,7 @@ import pytest
 from matplotlib import pyplot as plt
 
 from elastomer_friction.workflow.laboratory.figure import MOST_STEPS, draw_fit, figure_of
-from elastomer_friction.workflow.laboratory.fit import fit_records
-from elastomer_friction.workflow.laboratory.speeds import Known
+from elastomer_friction.workflow.laboratory.together import Known, fit_records
 from elastomer_friction.workflow.report.drawing import STYLE
 from tests.workflow.laboratory.given import record, records
 

@@ -2,8 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.laboratory.fit import fit_records
-from elastomer_friction.workflow.laboratory.speeds import Known
+from elastomer_friction.workflow.laboratory.together import Known, fit_records
 from tests.workflow.laboratory.given import HURST, Q_MAX, SLOPE, TAU, record, records
 
 

@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.laboratory.errors import Estimate
-from elastomer_friction.workflow.laboratory.jumps import fit_slope, predicted_jump
+from elastomer_friction.workflow.laboratory.estimate import Estimate
+from elastomer_friction.workflow.laboratory.record import steps_of
 from elastomer_friction.workflow.laboratory.step_fit import fit_step
-from elastomer_friction.workflow.laboratory.steps import steps_of
+from elastomer_friction.workflow.laboratory.together import fit_slope, predicted_jump
 from tests.workflow.laboratory.given import SLOPE, law, record
 
 STEP = fit_step(*steps_of(record()))

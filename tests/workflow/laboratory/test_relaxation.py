@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.laboratory.relaxation import fit_relaxation_curve
+from elastomer_friction.workflow.laboratory.step_fit import fit_relaxation_curve
 from elastomer_friction.workflow.reduce import LAWS, step_law
 from tests.workflow.laboratory.given import noise
 

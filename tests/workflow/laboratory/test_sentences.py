@@ -4,10 +4,9 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.kinetic_law import KineticLaw
-from elastomer_friction.workflow.laboratory.errors import Estimate
-from elastomer_friction.workflow.laboratory.fit import fit_records
+from elastomer_friction.workflow.laboratory.estimate import Estimate
 from elastomer_friction.workflow.laboratory.sentences import describe, shown
-from elastomer_friction.workflow.laboratory.speeds import Known
+from elastomer_friction.workflow.laboratory.together import Known, fit_records
 from tests.workflow.laboratory.given import record, records
 
 

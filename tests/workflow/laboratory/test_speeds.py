@@ -3,10 +3,10 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.laboratory.errors import Estimate
-from elastomer_friction.workflow.laboratory.speeds import Known, fit_rates
+from elastomer_friction.workflow.laboratory.estimate import Estimate
+from elastomer_friction.workflow.laboratory.record import steps_of
 from elastomer_friction.workflow.laboratory.step_fit import fit_step
-from elastomer_friction.workflow.laboratory.steps import steps_of
+from elastomer_friction.workflow.laboratory.together import Known, fit_rates
 from tests.workflow.laboratory.given import HURST, Q_MAX, TAU, law, record
 
 STEP = fit_step(*steps_of(record()))

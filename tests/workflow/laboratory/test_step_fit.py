@@ -5,6 +5,7 @@ import math
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.laboratory.record import steps_of
 from elastomer_friction.workflow.laboratory.step_fit import (
     NOTHING,
     TOO_COARSE,
@@ -12,7 +13,6 @@ from elastomer_friction.workflow.laboratory.step_fit import (
     TOO_SHORT,
     fit_step,
 )
-from elastomer_friction.workflow.laboratory.steps import steps_of
 from elastomer_friction.workflow.reduce import LAWS, step_law
 from tests.workflow.laboratory.given import record
 

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.laboratory.steps import constant_stretches, steps_of
+from elastomer_friction.workflow.laboratory.record import constant_stretches, steps_of
 from tests.workflow.laboratory.given import noise, record
 
 

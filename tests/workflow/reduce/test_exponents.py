@@ -5,9 +5,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.reduce.exponents import exponent_bias, fit_exponents, fit_power_law
+from elastomer_friction.workflow.reduce.complete import (
+    COARSE,
+    RESOLVED,
+    UNRESOLVED,
+    exponent_bias,
+    fit_exponents,
+    fit_power_law,
+)
 from elastomer_friction.workflow.reduce.fits import FITTED
-from elastomer_friction.workflow.reduce.resolution import COARSE, RESOLVED, UNRESOLVED
 
 X = np.geomspace(1.5, 300.0, 12)
 

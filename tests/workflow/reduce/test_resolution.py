@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.plan import LAWS
-from elastomer_friction.workflow.reduce.resolution import (
+from elastomer_friction.workflow.reduce.complete import (
     COARSE,
     RESOLVED,
     UNRESOLVED,

@@ -5,7 +5,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.reduce.scenes.peak import extremum
+from elastomer_friction.workflow.reduce.traces import extremum
 
 
 @given(st.floats(0.06, 0.94), st.floats(-3.0, 3.0), st.sampled_from([1.0, -1.0]))

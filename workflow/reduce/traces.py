@@ -1,17 +1,22 @@
-"""What a programme of motion tells: traces, energies, peaks, healing, loops, rate and state."""
+"""What a programme of motion tells: traces, energies, peaks, healing, loops, rate and state.
 
+Plain arrays in and out; knows of the fits beside it those of eq. 6. Without a dashpot friction does
+not jump with the velocity; what an experiment calls its direct effect is then the peak, and the
+time at which it is reached. Of a loop, mu(t) = ... + mu' sin(2 pi f t) + mu'' cos(2 pi f t), in
+phase with the superposed displacement A sin(2 pi f t) and with its velocity.
+"""
+
+import math
 from collections.abc import Callable
-from typing import Any
+from itertools import pairwise
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ....kernels import ENERGIES, TRACES
-from ..blocks import Blocks, Estimates, enter
-from ..statistics import replicates
-from .healing import healing
-from .loop import loop
-from .peak import extremum
+from ...kernels import ENERGIES, TRACES, Hold, Leg, Oscillation, Programme, Sampled, Slide
+from .blocks import Blocks, Estimates, enter
 from .rate_state import LAWS, RateState, fit_rate_state
+from .statistics import replicates
 
 STAMPS = {"time": "trace_time", "distance": "trace_distance", "speed": "trace_velocity"}
 CHANGING = ("trace_mu", "trace_indentation")
@@ -151,3 +156,131 @@ def _each(
         found.append(find(programme, stamps, *(trace[task][:, kept] for trace in traces)))
     for name in found[0]._fields:
         enter(estimates, name, np.array([getattr(each, name) for each in found]))
+
+
+class Healing(NamedTuple):
+    """Of the mean trace, then of its jackknife replicates; each of shape (replicates,)."""
+
+    static_peak: np.ndarray  # mu
+    healing: np.ndarray  # mu: the static peak over the friction before the hold
+    mu_end_of_hold: np.ndarray
+    peak_distance: np.ndarray  # slid since the end of the hold, in dx
+
+
+def last_hold(programme: Programme) -> tuple[int, float] | None:
+    """Return the number of the last hold that is followed by a slide, and the speed of that."""
+    found = [
+        (k, after.speed)
+        for k, (before, after) in enumerate(pairwise(programme))
+        if isinstance(before, Hold) and isinstance(after, Slide)
+    ]
+    return found[-1] if found else None
+
+
+def healing(programme: Programme, stamps: dict[str, np.ndarray], mu: np.ndarray) -> Healing:
+    """Return what the last hold of a programme did; NaN where there is none.
+
+    stamps : of the kept samples (kernels/scene.py), each of shape (samples,), distance in dx.
+    mu : shape (replicates, samples), the mean trace first.
+    """
+    found = last_hold(programme)
+    nothing = np.full(len(mu), np.nan)
+    if found is None:
+        return Healing(nothing, nothing, nothing, nothing)
+    k, speed = found
+    held, slid = stamps["leg"] == k, stamps["leg"] == k + 1
+    before = np.flatnonzero(stamps["leg"] < k)  # the last of them ends the slide before the hold
+    if not (held.any() and slid.any() and before.size):
+        return Healing(nothing, nothing, nothing, nothing)
+    end = np.flatnonzero(held)[-1]
+    distance = np.abs(stamps["distance"][slid] - stamps["distance"][end])
+    peak, where = extremum(distance, mu[:, slid], float(np.sign(speed)))
+    return Healing(peak, peak - mu[:, before[-1]], mu[:, end], where)
+
+
+class Loop(NamedTuple):
+    """Of the last cycle: of the mean trace, then of its replicates; each shape (replicates,)."""
+
+    loop_work: np.ndarray  # in 4 G L h^2
+    mu_in_phase: np.ndarray
+    mu_quadrature: np.ndarray
+
+
+def leg_duration(leg: Leg) -> float:
+    """Return how long a leg takes, in tau."""
+    match leg:
+        case Slide():
+            return leg.distance / abs(leg.speed)
+        case Oscillation():
+            return leg.cycles / leg.frequency
+        case Sampled():
+            return leg.times[-1]
+        case _:
+            return leg.duration
+
+
+def loop(
+    programme: Programme, stamps: dict[str, np.ndarray], mu: np.ndarray, force: np.ndarray
+) -> Loop:
+    """Return the loop of the last cycle of the last oscillation; NaN where there is none.
+
+    stamps : of the kept samples (kernels/scene), each of shape (samples,), time in tau. mu and
+    force (4 G L h^2/dx) : shape (replicates, samples). Integrals over the cycle are by trapezoids
+    over its own time stamps.
+    """
+    swung = [(k, leg) for k, leg in enumerate(programme) if isinstance(leg, Oscillation)]
+    nothing = np.full(len(mu), np.nan)
+    if not swung:
+        return Loop(nothing, nothing, nothing)
+    k, leg = swung[-1]
+    begin = sum(leg_duration(before) for before in programme[:k])
+    end, period = begin + leg_duration(leg), 1.0 / leg.frequency
+    time = stamps["time"]
+    cycle = (time > end - period * (1.0 + 1e-9)) & (time <= end * (1.0 + 1e-12))
+    at = time[cycle]
+    if at.size < 4:
+        return Loop(nothing, nothing, nothing)
+    omega = 2.0 * math.pi * leg.frequency
+    phase = omega * (at - begin)
+    weight = _trapezoids(at, period)
+    speed = leg.speed + leg.amplitude * omega * np.cos(phase)
+    share = 2.0 / period * weight
+    return Loop(
+        force[:, cycle] @ (weight * speed),
+        mu[:, cycle] @ (share * np.sin(phase)),
+        mu[:, cycle] @ (share * np.cos(phase)),
+    )
+
+
+def _trapezoids(time: np.ndarray, period: float) -> np.ndarray:
+    """Return the weights of samples of one period of a periodic function, shape (samples,)."""
+    gaps = np.diff(time, append=time[0] + period)
+    return 0.5 * (gaps + np.roll(gaps, 1))
+
+
+def extremum(place: np.ndarray, curves: np.ndarray, sign: float) -> tuple[np.ndarray, np.ndarray]:
+    """Return (value, place) of the largest ``sign`` times value of each curve, shape (replicates,).
+
+    place : times or distances, increasing, shape (samples,). curves : shape (replicates, samples).
+    Between samples by the parabola through the largest and its neighbours; at either end the
+    sample itself. NaN where a curve holds NaN.
+    """
+    found = np.full((2, len(curves)), np.nan)
+    for row, curve in enumerate(curves):
+        if np.isfinite(curve).all():
+            found[:, row] = _highest(place, sign * curve)
+    return sign * found[0], found[1]
+
+
+def _highest(x: np.ndarray, y: np.ndarray) -> tuple[float, float]:
+    k = int(np.argmax(y))
+    if not 0 < k < y.size - 1:
+        return float(y[k]), float(x[k])
+    before, after = x[k] - x[k - 1], x[k + 1] - x[k]
+    fall, rise = (y[k] - y[k - 1]) / before, (y[k + 1] - y[k]) / after
+    bend = (rise - fall) / (before + after)  # not positive, as y[k] is the largest
+    if bend == 0.0:
+        return float(y[k]), float(x[k])
+    slope = fall + bend * before  # of the parabola at x[k]
+    shift = -slope / (2.0 * bend)
+    return float(y[k] + 0.5 * slope * shift), float(x[k] + shift)

@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import Hold, Oscillation, Slide
 from elastomer_friction.workflow.reduce.blocks import Blocks
-from elastomer_friction.workflow.reduce.scenes.programmes import reduce_programmes, reduce_steps
+from elastomer_friction.workflow.reduce.traces import reduce_programmes, reduce_steps
 
 EVENTS = 5
 TIME = np.array([[0.0, 1.0, 2.0, 3.0, np.nan]])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import Hold, Slide
-from elastomer_friction.workflow.reduce.scenes.healing import healing, last_hold
+from elastomer_friction.workflow.reduce.traces import healing, last_hold
 
 PROGRAMME = (Slide(-2.0, 3.0), Hold(5.0), Slide(-2.0, 4.0))
 STAMPS = {

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide
-from elastomer_friction.workflow.reduce.scenes.loop import duration, loop
+from elastomer_friction.workflow.reduce.traces import leg_duration, loop
 
 PROGRAMME = (Slide(2.0, 3.0), Hold(0.7), Oscillation(0.0, 0.4, 0.5, 3))
 START, PERIOD = 2.2, 2.0
@@ -45,5 +45,5 @@ def test_without_an_oscillation_or_samples_there_is_nothing():
 
 def test_every_leg_takes_its_time():
     legs = (Slide(-2.0, 3.0), Hold(4.0), Ramp(0.0, 1.0, 5.0), Oscillation(0, 1, 0.5, 3))
-    assert [duration(leg) for leg in legs] == [1.5, 4.0, 5.0, 6.0]
-    assert duration(Sampled((0.0, 2.0, 7.0), (1.0, 1.0, 0.0))) == 7.0
+    assert [leg_duration(leg) for leg in legs] == [1.5, 4.0, 5.0, 6.0]
+    assert leg_duration(Sampled((0.0, 2.0, 7.0), (1.0, 1.0, 0.0))) == 7.0

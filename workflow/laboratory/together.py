@@ -1,7 +1,7 @@
-"""tau, H and q_max from the rates at several speeds (eq. 13).
+"""What all steps determine together: tau, H and q_max from their rates, grad z from their jumps.
 
-With s = log v1, y = log k, Q = log q_max, T = log tau the rate of eqs. 13 to 16 is a line with a
-kink at s_c = -Q - T, where x = v1 tau q_max = 1:
+The rates at several speeds (eq. 13): with s = log v1, y = log k, Q = log q_max, T = log tau they
+are a line with a kink at s_c = -Q - T, where x = v1 tau q_max = 1:
 
     y = s + Q - H max(0, s - s_c)                  as printed: b = x below x = 1
     y = max(s, s_c) + Q - H max(0, s - s_c)        b = 1 below x = 1, see KineticLaw
@@ -17,8 +17,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .errors import DEVIATIONS, Estimate
-from .step_fit import LARGEST_SHARE, StepFit
+from ..kinetic_law import normalised_jump
+from .estimate import DEVIATIONS, Estimate
+from .record import Record, steps_of
+from .step_fit import LARGEST_SHARE, StepFit, fit_step
 
 LEAST_ERROR = 1e-3  # of the logarithm of a rate or jump: nothing is measured better
 KINK = 2e-3  # distance of the kinks that are tried, between the speeds
@@ -27,6 +29,7 @@ ACROSS = np.linspace(0.0, 1.0, 9)  # places between the least and the largest H 
 FLAT = 1e-12  # share of the largest: no dependence
 LARGEST_ERROR_OF_H = 0.15
 APART = 0.02  # log of speeds that are two and not one
+SLOPES = np.geomspace(1e-2, 1e4, 20_001)  # tried, in units of the largest friction
 
 
 class Known(NamedTuple):
@@ -172,3 +175,59 @@ def _exp(logarithm: Estimate, given: float | None = None) -> Estimate:
         return Estimate(given, 0.0)
     value = float(np.exp(np.clip(logarithm.value, -700.0, 700.0)))
     return Estimate(value, value * logarithm.error).if_below(LARGEST_SHARE * value)
+
+
+def fit_slope(fits: list[StepFit]) -> Estimate:
+    """Return grad z from the jumps of steps; NaN where they do not determine it.
+
+    At low speed the jump is in proportion to friction alone, whatever the slope (eq. 10).
+    """
+    found = [fit for fit in fits if fit.jump.known]
+    if not found:
+        return Estimate()
+    step = np.array([fit.step.ratio - 1.0 for fit in found])
+    mu = np.array([fit.mu_1.value for fit in found])
+    jump = np.array([fit.jump.value for fit in found]) / step
+    error = np.array([fit.jump.error for fit in found]) / np.abs(step)
+    error = np.maximum(error, LEAST_ERROR * np.abs(jump))
+    slopes = SLOPES * np.max(np.abs(mu))
+    squares = np.sum(((predicted_jump(mu, slopes[:, None]) - jump) / error) ** 2, axis=1)
+    least = squares.min()
+    scatter = max(1.0, least / max(mu.size - 1, 1))
+    inside = np.log(slopes[squares <= least + DEVIATIONS**2 * scatter])
+    value = float(slopes[np.argmin(squares)])
+    share = float(np.ptp(inside)) / (2.0 * DEVIATIONS)
+    return Estimate(value, value * share).if_below(LARGEST_SHARE * value)
+
+
+def predicted_jump(mu_1: np.ndarray, slope: np.ndarray | float) -> np.ndarray:
+    """Return the jump over the relative step dv/v1, for friction before the step (eq. 12)."""
+    return slope * normalised_jump(mu_1 / slope)
+
+
+class Fit(NamedTuple):
+    """What some records determine of the kinetic law, and of state laws."""
+
+    steps: list[StepFit]  # by eq. 6, which is Ruina's law
+    ageing: list[StepFit]  # the same steps by Dieterich's law
+    rates: Rates | None  # None where no step determines its rate
+    slope: Estimate  # grad z
+    known: Known
+
+
+def fit_records(records: list[Record], known: Known, window: float | None = None) -> Fit:
+    """Return the fit of all velocity steps in some records.
+
+    known : what is known from elsewhere, ``Known()`` for nothing. window : seconds after each step
+    that are looked at, at most. Raises UserError for a record without a step, or with too few
+    samples after it.
+    """
+    steps = [step for record in records for step in steps_of(record, window)]
+    fits = [fit_step(step) for step in steps]
+    return Fit(
+        steps=fits,
+        ageing=[fit_step(step, "dieterich") for step in steps],
+        rates=fit_rates(fits, known),
+        slope=fit_slope(fits),
+        known=known,
+    )
