@@ -16,7 +16,8 @@ from ..errors import UserError
 from ..study import Cluster
 
 ENCRYPTED = "tls://"
-VALID, MARGIN = timedelta(days=365), timedelta(days=2)  # before, for clocks that are set
+# How long a certificate is valid from now on, and before now: clocks differ, or are set back.
+VALID, MARGIN = timedelta(days=365), timedelta(days=2)
 
 
 def scheduler_options(dashboard: bool) -> dict[str, Any]:

@@ -1,10 +1,10 @@
 """A look at a run every second: whether to stop, and whether there is anyone to wait for."""
 
+import contextlib
 import math
 import sys
 import time
 from collections.abc import Callable, Iterator
-from contextlib import contextmanager
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -55,7 +55,7 @@ class Watch:
         """Look from now on for what jobs say in a folder, where they say why they end."""
         self.logs, self.old_logs = folder, set(Path(folder).glob("*"))
 
-    @contextmanager
+    @contextlib.contextmanager
     def telling(self, listener: Listener) -> Iterator[None]:
         """Tell ``listener`` at every look, within this block, how many workers there are."""
         self.listeners.append(listener)
@@ -93,11 +93,15 @@ class Watch:
             self.next_line = 2.0 * max(self.waited, self.next_line)
 
     def _last_error(self) -> str:
-        """Return the error in whose traceback the newest log of this run ends, or nothing."""
-        logs = [path for path in Path(self.logs).glob("*") if path not in self.old_logs]
-        for path in sorted(logs, key=lambda path: path.stat().st_mtime, reverse=True):
-            if path.is_file() and (error := _error_in(path.read_text(errors="replace"))):
-                return f"; {path.name}: {error}"
+        """Return the error of the newest log of this run that holds a traceback, or nothing.
+
+        A log that cannot be read, or is taken away meanwhile, ends no run.
+        """
+        with contextlib.suppress(OSError):
+            logs = {path for path in Path(self.logs).glob("*") if path.is_file()} - self.old_logs
+            for path in sorted(logs, key=lambda path: path.stat().st_mtime, reverse=True):
+                if error := _error_in(path.read_text(errors="replace")):
+                    return f"; {path.name}: {error}"
         return ""
 
 

@@ -1,9 +1,9 @@
 """What a programme of motion tells: traces, energies, peaks, healing, loops, rate and state.
 
-Plain arrays in and out; knows of the fits beside it those of eq. 6. Without a dashpot friction does
-not jump with the velocity; what an experiment calls its direct effect is then the peak, and the
-time at which it is reached. Of a loop, mu(t) = ... + mu' sin(2 pi f t) + mu'' cos(2 pi f t), in
-phase with the superposed displacement A sin(2 pi f t) and with its velocity.
+Without a dashpot friction does not jump with the velocity. What an experiment calls its direct
+effect is then the peak, and the time at which it is reached. Of a loop, mu' and mu'' are the parts
+of mu(t) = ... + mu' sin(2 pi f t) + mu'' cos(2 pi f t) in phase with the superposed displacement
+A sin(2 pi f t) and with its velocity.
 """
 
 import math
