@@ -16,7 +16,7 @@ from scipy.optimize import brentq
 
 from elastomer_friction.kernels import Line
 
-from .discretisation import Reference, climb, compare, ladder_steps, observe, reference, together
+from .discretisation import Reference, climb, compare, ladder_steps, observe, over_points, reference
 from .points import RATIO, Point, RandomLine, surface
 from .sampling import LineRuns, Method, collected, kept_steps_of, seconds
 
@@ -162,7 +162,7 @@ def alternatives(
             ways.append(_marched(name, point, surfaces, [m for m in every if m <= most], limit))
         found.append(xr.concat(ways, "solver", join="outer"))
         advance()
-    data = together(found, points, TEXTS).assign_coords(solver=list(SOLVERS))
+    data = over_points(found, points, TEXTS).assign_coords(solver=list(SOLVERS))
     return data.rename(point="compared", steps="tried")
 
 

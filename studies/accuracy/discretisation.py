@@ -14,7 +14,7 @@ from elastomer_friction.kernels import amplitudes, rms_slope
 from elastomer_friction.workflow.reduce import fit_relaxation, replicates, standard_error
 
 from .points import Point, RandomLine, surface
-from .sampling import COUNTS, LineRuns, Method, run, sampling_errors, seconds
+from .sampling import COUNTS, LineRuns, Method, run_lines, sampling_errors, seconds
 
 SCHEMES = ("exponential", "implicit-euler")
 LEAST_LINES = 20  # a rate is claimed from 18 on
@@ -135,8 +135,8 @@ def reference(point: Point, surfaces: list[RandomLine], most: int) -> Reference:
     """Return the reference of a point, extrapolated from twice the finest m."""
     finest = ladder_steps(point, most)[-1]
     lines = lines_at(2 * finest, len(surfaces))
-    fine = run(point, surfaces[:lines], Method("exponential", 2 * finest))
-    coarse = run(point, surfaces[:lines], Method("exponential", finest))
+    fine = run_lines(point, surfaces[:lines], Method("exponential", 2 * finest))
+    coarse = run_lines(point, surfaces[:lines], Method("exponential", finest))
     end, elements = float(fine.moments[-1]), surfaces[0].elements
     limit = observe(point, elements, fine, lines, end)
     return extrapolate(limit, observe(point, elements, coarse, lines, end), end)
@@ -158,7 +158,7 @@ def climb(
     paired, elements = limit.limit.mu_1.size, surfaces[0].elements
     rows, apart = [], []
     for m in steps:
-        runs = run(point, surfaces[: lines_at(m, len(surfaces))], Method(scheme, m, refine))
+        runs = run_lines(point, surfaces[: lines_at(m, len(surfaces))], Method(scheme, m, refine))
         found = compare(observe(point, elements, runs, paired, limit.end), limit)
         rows.append((*found, seconds(runs)))
         apart.append(deviations(observe(point, elements, runs, runs.mu_1.size, limit.end)))
@@ -182,7 +182,7 @@ def warm_up() -> None:
     """Compile everything that is timed."""
     point = Point(0.5, 0.1, 3.0)
     for scheme in SCHEMES:
-        run(point, [surface(point, 64, 0, 0)], Method(scheme, 2))
+        run_lines(point, [surface(point, 64, 0, 0)], Method(scheme, 2))
 
 
 def discretisations(
@@ -205,16 +205,18 @@ def discretisations(
         found.append(both.assign(deviation=ladders[0].deviation))
         plain.append(climb(point, surfaces, SCHEMES[0], steps, limit, refine=False))
         advance()
-    data = together(found, points, TEXTS).assign_coords(scheme=list(SCHEMES), target=list(TARGETS))
+    data = over_points(found, points, TEXTS).assign_coords(
+        scheme=list(SCHEMES), target=list(TARGETS)
+    )
     own = {name: text for name, text in TEXTS.items() if name in plain[0]}
-    as_sampled = together(plain, points, own)
+    as_sampled = over_points(plain, points, own)
     for each in (data, as_sampled):
         each.steps.attrs["long_name"] = "m, steps and samples per spacing"
     data.target.attrs["long_name"] = "relative error aimed at"
     return data, as_sampled
 
 
-def together(
+def over_points(
     found: list[xr.Dataset], points: tuple[Point, ...], texts: dict[str, tuple[str, str]]
 ) -> xr.Dataset:
     """Return the datasets of points as one that says what the points and the variables are."""

@@ -44,7 +44,7 @@ def kept_steps_of(point: Point, elements: int, method: Method) -> tuple[np.ndarr
     return kept_steps, record_times(kept_steps, method.steps * point.speed * RATIO, method.scheme)
 
 
-def run(point: Point, surfaces: list[RandomLine], method: Method) -> LineRuns:
+def run_lines(point: Point, surfaces: list[RandomLine], method: Method) -> LineRuns:
     """Run a method on lines as the workflow would, and take the CPU time of each."""
     kept_steps, moments = kept_steps_of(point, surfaces[0].elements, method)
     asked = point.load, point.speed, (RATIO,), (kept_steps,)
@@ -80,7 +80,7 @@ def sampling_errors(point: Point, surfaces: list[RandomLine], steps: int) -> np.
     Against all lines; what the group has in common with them is corrected for. NaN with fewer
     than two groups, or where the rate can be fitted in fewer than half of them.
     """
-    runs = run(point, surfaces, Method("exponential", steps))
+    runs = run_lines(point, surfaces, Method("exponential", steps))
     lines = len(surfaces)
     whole = _estimate(runs, slice(0, lines))
     found = np.full((len(COUNTS), 3), np.nan)

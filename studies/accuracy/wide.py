@@ -89,7 +89,7 @@ def _work(problem: Problem, steps: int) -> float:
     return float(problem.elements * steps * horizon_steps(problem, Numerics(), steps))
 
 
-def main(count: int = 240, lines: int = 8, seed: int = 2014) -> None:
+def print_table(count: int = 240, lines: int = 8, seed: int = 2014) -> None:
     """Print the table."""
     x, found = errors(count, lines, seed)
     for low, high in RANGES:
@@ -116,4 +116,4 @@ def _summary(error: np.ndarray, bound: np.ndarray) -> str:
 
 
 if __name__ == "__main__":
-    main(*map(int, sys.argv[1:]))
+    print_table(*map(int, sys.argv[1:]))

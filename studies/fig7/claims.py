@@ -25,7 +25,7 @@ from elastomer_friction.workflow.report import (
 GOOD_FIT = 0.95  # 1 - residual / total sum of squares of an accurate fit
 
 
-def exponential(results: Results) -> Claim | None:
+def exponential_fits(results: Results) -> Claim | None:
     """Judge that an exponential fits the relaxation accurately (eq. 6)."""
     dataset = given(results, "fig7", "fit_quality", "fit_status")
     if dataset is None:
@@ -153,4 +153,4 @@ def _usable(
     return points.isel(point=usable.values) if np.unique(x.values[usable]).size > 1 else None
 
 
-CLAIMS = (exponential, slow_rate, relaxation_time, force_independence)
+CLAIMS = (exponential_fits, slow_rate, relaxation_time, force_independence)

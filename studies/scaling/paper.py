@@ -35,7 +35,7 @@ from .virtual import Costs, VirtualClient, virtual_stream
 MEBIBYTE = 2**20
 
 
-def alone(**arguments: Any) -> dict[str, float]:
+def in_own_process(**arguments: Any) -> dict[str, float]:
     """Return what ``measured(**arguments)`` returns in a process of its own."""
     command = [
         sys.executable,
@@ -47,7 +47,7 @@ def alone(**arguments: Any) -> dict[str, float]:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def planned(study: str, scale: str) -> tuple[Plan, list[Missing], float]:
+def planned_in_pieces(study: str, scale: str) -> tuple[Plan, list[Missing], float]:
     """Return the plan of a study, its work in pieces, and the target of a batch (s)."""
     plan = make_plan(cast(Study, read_study(study, scale)))
     missing = missing_work(plan, ())
@@ -58,7 +58,7 @@ def planned(study: str, scale: str) -> tuple[Plan, list[Missing], float]:
 def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[str, float]:
     """Return what the study takes on so many workers; sizes in MiB, times in s."""
     began = time.process_time()
-    plan, pieces, target = planned(study, scale)
+    plan, pieces, target = planned_in_pieces(study, scale)
     work = make_batches(plan, pieces, target)
     planning = time.process_time() - began
     client = VirtualClient(workers, Costs(*costs), attrgetter("seconds"))

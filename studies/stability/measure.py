@@ -20,8 +20,7 @@ from elastomer_friction.kernels import (
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Key, integer
 
-from .corners import corners, number_of_corners, random_line
-from .probe import COUNTS, RESIDUALS, Motion, probe
+from .probe import COUNTS, RESIDUALS, Motion, corners, number_of_corners, probe, random_line
 
 HURST, M, RATIO = 0.7, 4, 1.2  # of the map
 KINDS = RESIDUALS | COUNTS

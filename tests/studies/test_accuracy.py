@@ -17,7 +17,7 @@ from elastomer_friction.studies.accuracy.alternatives import MARCHES
 from elastomer_friction.studies.accuracy.measure import table
 from elastomer_friction.studies.accuracy.points import COMPARED, POINTS, Point, surface
 from elastomer_friction.studies.accuracy.recommendation import cheapest
-from elastomer_friction.studies.accuracy.sampling import Method, run
+from elastomer_friction.studies.accuracy.sampling import Method, run_lines
 from elastomer_friction.studies.accuracy.wide import mean_of_lines, stated
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.simulate import Problem
@@ -67,7 +67,8 @@ def test_a_narrow_contact_is_right_at_four_samples_if_it_is_refined_and_not_othe
     point = Point(0.7, 1e-3, 100.0)
     lines = [surface(point, 200, 1, index) for index in range(4)]
     limit, refined, plain = (
-        run(point, lines, Method("exponential", *how)).mu_1 for how in ((64,), (4,), (4, False))
+        run_lines(point, lines, Method("exponential", *how)).mu_1
+        for how in ((64,), (4,), (4, False))
     )
     assert (abs(refined / limit - 1.0) < 0.02).all()
     assert (abs(plain / limit - 1.0) > 0.05).any()

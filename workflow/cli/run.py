@@ -60,11 +60,11 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     _check(options)
     # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
-    from ..run import How, run_plan
+    from ..run import RunOptions, run_plan
 
     plan = paced_plan(study)
     where = options.scheduler or options.batch_system or study.cluster.where
-    how = How(
+    how = RunOptions(
         cluster=study.cluster._replace(where=where),
         workers=options.workers,
         dashboard=options.dashboard,

@@ -22,7 +22,7 @@ from scipy.optimize import least_squares
 
 from ..reduce import step_law
 from .estimate import DEVIATIONS, Estimate, correlation_factor, mean
-from .record import Step
+from .record import MeasuredStep
 
 RATES = 80  # tried
 SLOWEST = 0.1  # rate times the whole time: slower is a straight line
@@ -147,7 +147,7 @@ UNSURE = "its standard error is more than a third of all that happens"
 class StepFit(NamedTuple):
     """What one step determines by one law; an estimate that it does not determine is NaN."""
 
-    step: Step
+    step: MeasuredStep
     law: str
     mu_1: Estimate
     mu_2: Estimate
@@ -169,7 +169,7 @@ class StepFit(NamedTuple):
         return a, b, Estimate(length, length * share)
 
 
-def fit_step(step: Step, law: str = "ruina") -> StepFit:
+def fit_step(step: MeasuredStep, law: str = "ruina") -> StepFit:
     """Fit one step; law : "ruina", which is eq. 6, or "dieterich"."""
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
@@ -208,7 +208,7 @@ def _rate(fit: Relaxation) -> tuple[Estimate, str]:
 
 
 def _levels(
-    step: Step, fit: Relaxation, mu_1: Estimate, curve: np.ndarray, any_rate: bool
+    step: MeasuredStep, fit: Relaxation, mu_1: Estimate, curve: np.ndarray, any_rate: bool
 ) -> tuple[dict[str, Estimate], dict[str, str]]:
     """Return what is linear in mu_2 and b, and why some of it is not determined.
 

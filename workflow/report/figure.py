@@ -22,7 +22,7 @@ from ..study import AnyStudy, load_script
 from ..system import write_durably
 from . import usual_figure
 from .drawing import STYLE
-from .points import Point, remembered
+from .points import HoverPoint, remembered
 
 # It takes the dates of some fonts for wrong, which a reader of a figure need not know.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
@@ -35,7 +35,7 @@ class Picture(NamedTuple):
 
     png: Path
     pdf: Path
-    points: list[Point]
+    points: list[HoverPoint]
 
 
 def draw_figure(study: AnyStudy, result: Path, script: Path | None = None) -> list[Path]:

@@ -39,10 +39,10 @@ from .collect import Collector
 from .failures import Failures
 from .makers import require_one
 from .rounds import Rounds
-from .status import Status, StatusWriter, identity, status_file
+from .status import Status, StatusWriter, status_file, study_digest
 from .store_key import KEY, is_unchanged, result_key
 from .summary import Summary
-from .workers import How, Workers, fit_seconds, open_workers
+from .workers import RunOptions, Workers, fit_seconds, open_workers
 
 if TYPE_CHECKING:  # slow to import; computing needs nothing of it
     from ..result import Groups
@@ -50,7 +50,7 @@ if TYPE_CHECKING:  # slow to import; computing needs nothing of it
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 
 
-def run_plan(plan: Plan, result: Path, how: How) -> Summary:
+def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
     """Compute whatever of the plan is not stored yet and write the result file.
 
     An interrupted run keeps all finished batches and writes no result file; so does one with
@@ -70,7 +70,7 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
 
 
 class _Run:
-    def __init__(self, plan: Plan, result: Path, how: How) -> None:
+    def __init__(self, plan: Plan, result: Path, how: RunOptions) -> None:
         self.plan, self.result, self.how = plan, result, how
         self.interrupt = Interrupt()
         self.patience = Patience(how.cluster.patience, self.interrupt)
@@ -85,7 +85,7 @@ class _Run:
         if how.retry_failed:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
         self.watch = Watch(self._stops, how.cluster.patience)
-        name = identity(plan.study)
+        name = study_digest(plan.study)
         store.begin(name, package_versions(), processor())
         self.missing = missing_work(plan, self.failures)
         done, left = self._extent(self.missing)

@@ -21,7 +21,7 @@ TRIES = 2  # of an item that raises here; on a cluster two workers try it
 Stream = Callable[..., Iterator[tuple[Any, Any]]]
 
 
-class How(NamedTuple):
+class RunOptions(NamedTuple):
     """How to run a plan; no number of the result depends on it.
 
     batch_seconds : predicted length of a batch; by default it grows with the study.
@@ -57,7 +57,7 @@ class Workers(NamedTuple):
 
 
 @contextmanager
-def open_workers(how: How, seconds: float, watch: Watch) -> Iterator[Workers]:
+def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Workers]:
     """Yield who does work of so many predicted seconds.
 
     Raises UserError where workers cannot be had, or run another program.

@@ -14,7 +14,7 @@ from ...result import ROOT, Groups, differing_settings, listed, result_file
 from ...study import AnyStudy, known_scales, read_study
 from ..drawing import STYLE
 from ..figure import Picture, caption, draw_groups
-from ..points import Point
+from ..points import HoverPoint
 from ..table import write_tables
 
 SMOKE = "smoke"
@@ -30,7 +30,7 @@ class Image(NamedTuple):
     uri: str
     width: float
     height: float
-    points: list[Point]
+    points: list[HoverPoint]
 
 
 def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
