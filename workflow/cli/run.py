@@ -11,7 +11,7 @@ from ..errors import UserError
 from ..plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
 from ..study import BATCH_SYSTEMS, Measured, Study
 from ..system import program
-from .outline import planned
+from .outline import announced_plan
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
 UNTIMED = 3.0  # s; a study that takes less at the most ends before this machine is measured
@@ -92,10 +92,10 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
 def paced_plan(study: Study) -> Plan:
     """Return the plan at the pace of this machine, or a typical one where that hardly matters."""
     if known := known_machine():
-        return planned(study, known.pace)
-    plan = planned(study, TYPICAL)
+        return announced_plan(study, known.pace)
+    plan = announced_plan(study, TYPICAL)
     pace = _pace(plan.prediction().high)
-    return plan if pace is TYPICAL else planned(study, pace)
+    return plan if pace is TYPICAL else announced_plan(study, pace)
 
 
 def _pace(seconds: float) -> Pace:

@@ -23,12 +23,12 @@ FIELDS = {name: f"state_{name}" for name in Saved._fields}
 MARK = "scene"  # attribute that tells of which line and material a state is
 
 
-def as_toml(value: Any) -> Any:
+def toml_value(value: Any) -> Any:
     """Return a value as TOML gives it: arrays and tuples as lists, numbers of numpy as numbers."""
     if isinstance(value, Mapping):
-        return {str(key): as_toml(each) for key, each in value.items()}
+        return {str(key): toml_value(each) for key, each in value.items()}
     if isinstance(value, np.ndarray | list | tuple):
-        return [as_toml(each) for each in value]
+        return [toml_value(each) for each in value]
     return value.item() if isinstance(value, np.generic) else value
 
 
@@ -36,7 +36,7 @@ def table(name: str, value: Any) -> dict[str, Any]:
     """Return an argument that is a table, a copy. Raises UserError for anything else."""
     if not isinstance(value, Mapping):
         raise UserError(f"{name} = {value!r:.60}: must be a dictionary, with the keys of [{name}]")
-    return as_toml(value)
+    return toml_value(value)
 
 
 def study_of(arguments: Mapping[str, Any]) -> Study:
@@ -58,8 +58,8 @@ def study_of(arguments: Mapping[str, Any]) -> Study:
     tables["scene"] = _scene(arguments, grid)
     tables["study"] = {
         "title": NAME,
-        "seed": as_toml(arguments["seed"]),
-        "realizations": as_toml(arguments["realizations"]),
+        "seed": toml_value(arguments["seed"]),
+        "realizations": toml_value(arguments["realizations"]),
     }
     return read_grid_study(NAME, Path(), tables, one_point=True, profile=profile)
 
@@ -75,16 +75,19 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
         return None
     if length is None:
         raise UserError("length: missing; it is that of the profile, one period, in m")
-    return given_profile(profile, positive("length", as_toml(length)))
+    return given_profile(profile, positive("length", toml_value(length)))
 
 
 def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]:
     """Return the table [scene]; what presses line and elastomer together goes into the grid."""
-    force, depth = as_toml(arguments["normal_force"]), as_toml(arguments["prescribed_indentation"])
+    force, depth = (
+        toml_value(arguments["normal_force"]),
+        toml_value(arguments["prescribed_indentation"]),
+    )
     if (force is None) == (depth is None):
         raise UserError("normal_force: give either normal_force or prescribed_indentation")
     names = ("quantities", "start", "repeat", "programme")
-    found = {name: as_toml(arguments[name]) for name in names}
+    found = {name: toml_value(arguments[name]) for name in names}
     if depth is not None and tuple(found["quantities"]) == USUAL:
         found["quantities"] = ["trace"]  # there is no steady sliding under a given force
     if force is not None:
