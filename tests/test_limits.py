@@ -1,4 +1,4 @@
-"""docs/refusals.md: every refusal it lists is refused with these words, and none is missing.
+"""tests/refusals.md: every refusal it lists is refused with these words, and none is missing.
 
 The examples are changes of the small study (small.py), apart by "; ": settings as for --set and
 `without TABLE.KEY`; or `--scale NAME`, or `file TEXT` for the whole file.
@@ -19,7 +19,7 @@ ROOT = Path(__file__).resolve().parents[1]
 STUDY = ("cluster", "grid", "numerics", "read", "study", "tables", "variants")
 SETTINGS = ("checks", "columns", "key", "values")
 EFFECTS = ("material", "needs", "quantities", "scene", "segments")
-DOCUMENT = ROOT / "docs" / "refusals.md"
+DOCUMENT = ROOT / "tests" / "refusals.md"
 SURFACES = ("files", "lines", "prepare", "profile", "table", "text")
 ROOMS = {
     "study": STUDY,

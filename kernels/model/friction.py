@@ -127,7 +127,17 @@ def _reach(z, slope, w, d, formed, j, k):
         c = z[j] - w[j]
         return (d - c) / ((z[k] - w[k]) - c)
     here = (d - z[j]) + formed * slope[j]
-    fall = here - ((d - z[k]) + formed * slope[k])
+    return trailing_reach(here, (d - z[k]) + formed * slope[k])
+
+
+@kernel
+def trailing_reach(here, there):
+    """Return how far behind a touching sample the pressure, linear in between, vanishes.
+
+    In samples, cut off where that is not resolved. here, there : pressure at that sample and at
+    its free neighbour.
+    """
+    fall = here - there
     return min(max(here / fall, LEAST_REACH), MOST_REACH) if fall > 0.0 else 0.5
 
 

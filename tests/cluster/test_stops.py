@@ -160,7 +160,7 @@ def test_ctrl_c_does_not_wait_for_a_scheduler_that_is_stopped(folder, cluster):
         end(trial.driver)
         os.killpg(scheduler, signal.SIGCONT)
     assert status == 130
-    assert said(r"left behind: \d+ batches of workers that do not answer", lines) == 1
+    assert said(r"left behind: \d+ batches that were not done in time", lines) == 1
     assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
 
 
@@ -177,7 +177,7 @@ def test_ctrl_c_does_not_wait_for_a_worker_of_our_own_that_is_stopped(folder):
         finally:
             end(trial.driver)
         assert status == 130
-        left = r"left behind: \d+ batches of workers that do not answer"
+        left = r"left behind: \d+ batches that were not done in time"
         assert stopped or said(left, lines) == 0
         assert said(r"interrupted; what is finished is kept, to resume run again: .*", lines) == 1
     assert taken[1] < 8.0 + 3.0 * taken[0]  # 7.6 s are waited

@@ -52,6 +52,6 @@ def effects() -> None:
 
 
 if __name__ == "__main__":
-    march_costs(with_then=True)
+    march_costs()
     effects()
     scene_costs()

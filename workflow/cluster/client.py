@@ -13,7 +13,7 @@ from typing import Any
 
 import dask
 from dask.system import CPU_COUNT
-from distributed import Client, Nanny, SpecCluster
+from distributed import Client, Nanny, Scheduler, SpecCluster
 from distributed.comm import get_address_host_port
 from distributed.system import MEMORY_LIMIT
 from distributed.utils import LoopRunner
@@ -24,7 +24,7 @@ from ..study import BATCH_SYSTEMS, LOCAL, Cluster
 from ..system import THREADS
 from .calls import CLOSE_SECONDS, SafeClient, patiently
 from .jobs import job_cluster
-from .security import ENCRYPTED, PagelessWorker, own_security, scheduler_kind, security_of
+from .security import ENCRYPTED, own_security, routes, scheduler_options, security_of
 from .watch import NO_ANSWER, Watch, say
 
 CONNECT_SECONDS = 10
@@ -57,6 +57,7 @@ def open_client(
         raise UserError("--dashboard: needs bokeh (the extra 'dashboard' of this package)")
     settings = {
         "distributed.worker.preload": ["elastomer_friction.workflow.cluster.worker"],
+        **routes(dashboard),
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
         "distributed.admin.low-level-log-length": 0,  # or the last 1000 messages stay in memory
         # Every loop asks 50 times a second whether it is late, and every worker looks 100 times at
@@ -75,7 +76,7 @@ def open_client(
             client = SafeClient(stack.enter_context(_local_cluster(workers, dashboard)))
         elif cluster.where in BATCH_SYSTEMS:
             client = SafeClient(stack.enter_context(job_cluster(cluster, dashboard)))
-            watch.logs = cluster.log_folder
+            watch.follow(cluster.log_folder)
         else:
             client = _client_of(cluster, watch)
         stack.callback(client.end)
@@ -89,14 +90,14 @@ def _local_cluster(workers: int | None, dashboard: bool) -> Iterator[SpecCluster
     """Yield processes of this machine, which listen to whoever has the certificate of this run."""
     count = workers or CPU_COUNT
     security = own_security()
-    kind, options = scheduler_kind(dashboard)
+    options = scheduler_options(dashboard)
     ends = {"host": HERE, "protocol": ENCRYPTED, "security": security}
     # What lies here is put in the path of imports: it must be nobody else's.
     with tempfile.TemporaryDirectory(prefix="elastomer-friction-") as folder:
         one = {"nthreads": 1, "memory_limit": MEMORY_LIMIT // count, "local_directory": folder}
-        how = ends | one | {"worker_class": PagelessWorker, "silence_logs": logging.ERROR}
+        how = ends | one | {"silence_logs": logging.ERROR}
         parts: dict[str, Any] = {
-            "scheduler": {"cls": kind, "options": ends | options},
+            "scheduler": {"cls": Scheduler, "options": ends | options},
             "workers": {number: {"cls": PromptNanny, "options": how} for number in range(count)},
         }
         lost = dask.config.set({"distributed.deploy.lost-worker-timeout": LOST_SECONDS})

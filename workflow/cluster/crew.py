@@ -100,10 +100,6 @@ class Crew:
         places = self.left_out | {self.place(address) for address in but}
         return [address for address in addresses if self.place(address) not in places]
 
-    def idle(self, but: Iterable[str] = ()) -> list[str]:
-        """Return those of ``fit`` that compute nothing."""
-        return [address for address in self.fit(but) if not self.roll.busy.get(address)]
-
     def place(self, address: str) -> str:
         """Return where a worker is: its host, or on a single host its address."""
         return host_of(address) if self.by_host else address

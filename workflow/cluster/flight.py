@@ -1,4 +1,4 @@
-"""What is in flight: each item computed once, or where that takes too long, a second time."""
+"""What is in flight: each item computed once, or a second time where its worker fell silent."""
 
 from collections.abc import Callable, Collection, Iterable
 from dataclasses import dataclass, field
@@ -7,12 +7,8 @@ from typing import Any, cast
 from distributed import Future
 from distributed.scheduler import KilledWorker
 
-from ..system import duration
 from .crew import Crew
-from .watch import say
 
-LATE_FACTOR, LATE_SECONDS = 10.0, 60.0  # an item is late that takes more than both
-FIRST_SECONDS = 300.0  # instead, until something is done: machine code may have to be made
 DEATHS = 3  # of workers that an item survives, as dask's
 
 # What to do instead of an item that failed with an error, alone in the cluster or not.
@@ -26,12 +22,6 @@ def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
     raise error
 
 
-def unknown(item: Any) -> float:
-    """Predict nothing of an item: it is never late."""
-    del item
-    return float("inf")
-
-
 @dataclass
 class Copy:
     """One future of an item."""
@@ -39,7 +29,6 @@ class Copy:
     future: Future
     workers: Collection[str] = ()  # who alone may have it; none: anybody
     address: str = ""  # of the worker that has it
-    since: float = 0.0  # when it was seen there first
     stuck: bool = False  # its result does not come
 
 
@@ -48,17 +37,9 @@ class Work:
     """An item on its way."""
 
     item: Any
-    predicted: float  # s
     copies: dict[str, Copy] = field(default_factory=dict)  # by key
     failed: list[str] = field(default_factory=list)  # where it raised: addresses, or ""
     deaths: int = 0  # of workers that had it
-    told: bool = False  # that it is late
-
-    def late(self, now: float, least: float) -> float:
-        """Return for how long its first copy has been computed, if over ``least``; else 0."""
-        copy = next(iter(self.copies.values()))
-        taken = now - copy.since if copy.address else 0.0
-        return taken if taken > max(least, LATE_FACTOR * self.predicted) else 0.0
 
     def fail(self, address: str, error: Exception) -> None:
         """Note that a copy raised at an address, or that its workers died."""
@@ -96,7 +77,6 @@ class Flight:
 
     def __init__(self) -> None:
         self.works: dict[str, Work] = {}
-        self.least = FIRST_SECONDS
 
     def __len__(self) -> int:
         """Return the number of copies."""
@@ -121,17 +101,11 @@ class Flight:
         open_ones = [c for c in work.copies.values() if c.stuck or c.future.status == "pending"]
         return [copy.future for copy in open_ones]
 
-    def done(self, work: Work) -> list[Future]:
-        """Take out an item that is done; as ``drop``."""
-        self.least = LATE_SECONDS
-        return self.drop(work)
-
-    def note(self, crew: Crew, now: float) -> None:
+    def note(self, crew: Crew) -> None:
         """Note from a roll call which worker has what."""
         for address, keys in crew.roll.busy.items():
             for copy in self._known(keys):
-                if copy.address != address:
-                    copy.address, copy.since = address, now
+                copy.address = address
 
     def stick(self, keys: list[str]) -> None:
         """Note that the results of copies do not come."""
@@ -161,40 +135,10 @@ class Flight:
         """Return items that only workers have of whom nothing is heard."""
         return [work for work in dict.fromkeys(self.works.values()) if work.lost(crew.quiet)]
 
-    def second_copies(self, crew: Crew, now: float) -> list[tuple[Work, list[str]]]:
-        """Return items to be computed a second time, and by which workers; say what is late.
-
-        What silent workers alone have goes to any other, what is late to an idle one.
-        """
-        idle = crew.idle()
-        copies, late = [], []
-        for work in dict.fromkeys(self.works.values()):
-            workers = []
-            if work.lost(crew.silent):
-                workers = work.workers(crew)
-            elif len(work.copies) == 1 and work.late(now, self.least):
-                late.append(work)
-                others = {*crew.fit(work.failed)} - {*work.having()}
-                workers = [address for address in idle if address in others][:1]
-                idle = [address for address in idle if address not in workers]
-            if workers:
-                copies.append((work, workers))
-        self._say({w: w.late(now, self.least) for w in late if not w.told}, len(copies))
-        return copies
+    def second_copies(self, crew: Crew) -> list[tuple[Work, list[str]]]:
+        """Return items that silent workers alone have, and who is to compute them as well."""
+        lost = [w for w in dict.fromkeys(self.works.values()) if w.lost(crew.silent)]
+        return [(work, workers) for work in lost if (workers := work.workers(crew))]
 
     def _known(self, keys: Iterable[str]) -> list[Copy]:
         return [self.works[key].copies[key] for key in keys if key in self.works]
-
-    def _say(self, late: dict[Work, float], copies: int) -> None:
-        """Say once of every item that it is late; values are the seconds it has taken."""
-        if not late:
-            return
-        worst = max(late, key=lambda work: late[work])
-        (copy,) = worst.copies.values()
-        then = "computed on another worker too" if copies else "no other worker is idle"
-        say(
-            f"{len(late)} batches take over {LATE_FACTOR:.0f} times their prediction, the longest "
-            f"{duration(late[worst])} instead of {worst.predicted:.2g} s on {copy.address}; {then}"
-        )
-        for work in late:
-            work.told = True

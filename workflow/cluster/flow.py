@@ -4,6 +4,7 @@ Nothing here waits for a process that may have been stopped: whatever asks one i
 thread, and what a worker keeps is computed elsewhere.
 """
 
+import math
 import time
 from collections.abc import Callable, Iterable, Iterator
 from dataclasses import dataclass, field
@@ -18,11 +19,12 @@ from distributed.scheduler import KilledWorker
 from ..errors import UserError
 from .calls import Call, Clock, Fetches
 from .crew import SILENT_SECONDS, RollCalls
-from .flight import Flight, Retry, Work, raise_error, unknown
+from .flight import Flight, Retry, Work, raise_error
 from .watch import BEAT_SECONDS, NO_ANSWER, NO_SIGN, QUIET_SECONDS, Watch, say
 from .worker import placed
 
 PER_THREAD, LEAST = 4, 8  # items in flight
+STOP_SECONDS = 10.0  # that running items are awaited after a stop
 
 
 def stream(
@@ -31,7 +33,6 @@ def stream(
     items: Iterable[Any],
     watch: Watch | None = None,
     retry: Retry = raise_error,
-    predicted: Callable[[Any], float] = unknown,
     *,
     clock: Clock = time,
     completed: Callable[..., Any] = as_completed,
@@ -43,15 +44,15 @@ def stream(
     study. An item that raises is tried on another worker, for which it waits where one was lost a
     moment ago; ``retry`` returns what to do instead of one that failed on two, or twice on the
     only one. What follows a killed worker is done last, one item at a time, so that the item to
-    blame is certain. An item that takes far longer than ``predicted`` (s), or whose worker falls
-    silent, is computed a second time on another; the first result counts. Raises UserError when
-    the scheduler is lost, or patience ends. ``clock``, ``completed`` (distributed.as_completed)
-    and ``call`` are others in a simulation.
+    blame is certain. An item whose worker falls silent is computed a second time on another; the
+    first result counts. What runs when a stop is asked for is awaited for STOP_SECONDS at most.
+    Raises UserError when the scheduler is lost, or patience ends. ``clock``, ``completed``
+    (distributed.as_completed) and ``call`` are others in a simulation.
     """
     running, placing = completed([], loop=client.loop), partial(placed, function=function)
     watch = watch or Watch()
     asking = RollCalls(client, watch, clock, call), Fetches(client, clock, call)
-    how = (placing, funcname(function), iter(items), watch, retry, predicted)
+    how = (placing, funcname(function), iter(items), watch, retry)
     return iter(_Stream(client, *how, clock, running, *asking))
 
 
@@ -63,7 +64,6 @@ class _Stream:
     source: Iterator[Any]
     watch: Watch
     retry: Retry
-    predicted: Callable[[Any], float]
     clock: Clock
     running: Any  # of distributed.as_completed
     rolls: RollCalls
@@ -73,6 +73,7 @@ class _Stream:
     alone: list[Work] = field(default_factory=list)  # after it
     left: list[Future] = field(default_factory=list)  # copies that nobody waits for any more
     looked: float = float("-inf")
+    stop_seen: float = math.inf  # when it was asked for
     isolated: bool = False  # what is in flight is alone there
     window: int = LEAST
 
@@ -104,7 +105,7 @@ class _Stream:
             return  # refilled in bulk
         fresh = self.again[:free]
         del self.again[:free]
-        fresh += map(self._work, islice(self.source, free - len(fresh)))
+        fresh += map(Work, islice(self.source, free - len(fresh)))
         self.isolated = self.isolated and len(fresh) < 2
         if not fresh and not self.flight and self.alone:
             fresh, self.isolated = [self.alone.pop()], True
@@ -115,9 +116,6 @@ class _Stream:
                 self.again.append(work)
             elif work.failed:
                 self._send([work], work.workers(crew))
-
-    def _work(self, item: Any) -> Work:
-        return Work(item, self.predicted(item))
 
     def _send(self, works: list[Work], workers: list[str]) -> None:
         """Submit works, for some workers alone if there are any.
@@ -138,7 +136,7 @@ class _Stream:
         for found in self.fetches.done():
             for key, (address, result) in found.results.items():
                 if work := self.flight.works.get(key):  # else a copy of it was faster
-                    self.left += self.flight.done(work)
+                    self.left += self.flight.drop(work)
                     self.rolls.crew.succeeded(address, work.failed)
                     done.append((work.item, result))
             for key, (address, error) in found.errors.items():
@@ -155,7 +153,7 @@ class _Stream:
             return  # another copy may go well
         if isinstance(error, UserError) or not work.to_be_tried_again(self.rolls.crew):
             self.left += self.flight.drop(work)
-            instead = map(self._work, self.retry(work.item, error, self.isolated))
+            instead = map(Work, self.retry(work.item, error, self.isolated))
             (self.alone if isinstance(error, KilledWorker) else self.again).extend(instead)
         elif not work.copies:  # or else at the next look
             self.again.append(work)
@@ -164,21 +162,22 @@ class _Stream:
         """Now and then look at the workers, and at what they do."""
         now, stopping = self.clock.monotonic(), self.watch()
         if self.rolls.tick(stopping):
-            self._look_after(now)
+            self._look_after()
         if now - self.looked >= BEAT_SECONDS:
             self.looked = now
             unanswered, crew = self.rolls.unanswered(), self.rolls.crew
             if stopping:
-                left = [*self.flight.works.values()] if unanswered else self.flight.lost(crew)
-                self._leave(left)
+                self.stop_seen = min(self.stop_seen, now)
+                all_of_it = unanswered or now - self.stop_seen >= STOP_SECONDS
+                self._leave([*self.flight.works.values()] if all_of_it else self.flight.lost(crew))
             lack = NO_ANSWER if unanswered else NO_SIGN if crew.all_quiet() else ""
             self.watch.look(crew.threads(), len(self.flight), lack)
 
-    def _look_after(self, now: float) -> None:
+    def _look_after(self) -> None:
         """Compute elsewhere what does not come; after a stop, shed what no worker has begun."""
         crew, stopping = self.rolls.crew, self.rolls.stopping
         self.window = max((2 if crew.left_out else PER_THREAD) * crew.threads(), LEAST)
-        self.flight.note(crew, now)
+        self.flight.note(crew)
         self.flight.stick(self.fetches.overdue(QUIET_SECONDS if stopping else SILENT_SECONDS))
         for future, error in self.flight.stranded(crew):
             self.left.append(future)
@@ -187,13 +186,13 @@ class _Stream:
             for work in self.flight.unbegun(crew):
                 self.left += self.flight.drop(work)
         else:
-            for work, workers in self.flight.second_copies(crew, now):
+            for work, workers in self.flight.second_copies(crew):
                 self._send([work], workers)
 
     def _leave(self, works: list[Work]) -> None:
-        """After a stop, do not wait for what workers have that do not answer."""
+        """After a stop, do not wait for what does not come."""
         left = dict.fromkeys(works)
         if left:
-            say(f"left behind: {len(left)} batches of workers that do not answer")
+            say(f"left behind: {len(left)} batches that were not done in time")
         for work in left:
             self.left += self.flight.drop(work)

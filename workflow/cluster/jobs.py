@@ -12,11 +12,12 @@ from typing import Any
 from ..errors import UserError
 from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
 from ..system import ROOT, THREADS, refused
-from .security import ENCRYPTED, own_security, scheduler_kind
+from .security import ENCRYPTED, own_security, scheduler_options
 
 # What a worker keeps on a disk is put in the path of imports: it must be nobody else's. Nor is
 # anything imported from the folder where the job was submitted.
 PRIVATE = (
+    "export DASK_DISTRIBUTED__WORKER__HTTP__ROUTES='[]'",  # no pages, whoever asks
     "export PYTHONSAFEPATH=1",
     f"export PYTHONPATH={shlex.quote(str(ROOT))}${{PYTHONPATH:+:$PYTHONPATH}}",
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
@@ -64,7 +65,6 @@ def _settings(cluster: Cluster, dashboard: bool, keys: str) -> dict[str, Any]:
     """Return what dask-jobqueue is told; ``keys`` is the folder of the certificates."""
     lifetime = cluster.lifetime
     exported = [f"export {name}={value}" for name, value in THREADS.items()]
-    kind, options = scheduler_kind(dashboard)
     return {
         "queue": cluster.queue or None,
         "account": cluster.account or None,
@@ -81,10 +81,9 @@ def _settings(cluster: Cluster, dashboard: bool, keys: str) -> dict[str, Any]:
             *("--lifetime", f"{lifetime:.0f}s"),
             *("--lifetime-stagger", f"{STAGGER * lifetime:.0f}s"),
             *("--preload", "elastomer_friction.workflow.cluster.worker"),
-            *("--worker-class", "elastomer_friction.workflow.cluster.security.PagelessWorker"),
+            "--no-dashboard",
         ],
-        "scheduler_cls": kind,
-        "scheduler_options": options,
+        "scheduler_options": scheduler_options(dashboard),
         "security": own_security(),
         "protocol": ENCRYPTED,
         "shared_temp_directory": keys,

@@ -5,44 +5,59 @@ Whoever reaches a port of dask without them runs code as its owner.
 
 import ssl
 import sys
+from datetime import UTC, datetime, timedelta
 from pathlib import Path
 from typing import Any
 
 import dask
-from distributed import Scheduler, Worker
 from distributed.security import Security
 
 from ..errors import UserError
 from ..study import Cluster
 
 ENCRYPTED = "tls://"
+VALID, MARGIN = timedelta(days=365), timedelta(days=2)  # before, for clocks that are set
 
 
-class _Pageless:
-    """Of a server of dask: opens no port for web pages, which know nothing of certificates."""
-
-    def start_http_server(self, *_: Any, **__: Any) -> None:
-        """Open nothing."""
+def scheduler_options(dashboard: bool) -> dict[str, Any]:
+    """Return options of a scheduler whose port for pages this machine alone can reach."""
+    return {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}  # any free port
 
 
-class PagelessScheduler(_Pageless, Scheduler):
-    """A scheduler without web pages."""
-
-
-class PagelessWorker(_Pageless, Worker):
-    """A worker without web pages."""
-
-
-def scheduler_kind(dashboard: bool) -> tuple[type[Scheduler], dict[str, Any]]:
-    """Return class and options of a scheduler, with dask's dashboard for this machine or none."""
-    if dashboard:
-        return Scheduler, {"dashboard": True, "dashboard_address": "127.0.0.1:0"}  # any free port
-    return PagelessScheduler, {"dashboard": False}
+def routes(dashboard: bool) -> dict[str, list[str]]:
+    """Return dask's settings by which no port serves a page but those of the dashboard."""
+    workers: dict[str, list[str]] = {"distributed.worker.http.routes": []}
+    return workers if dashboard else workers | {"distributed.scheduler.http.routes": []}
 
 
 def own_security() -> Security:
-    """Return a certificate made for this run: who does not have it is refused."""
-    return Security.temporary()
+    """Return a certificate made for this run: who does not have it is refused.
+
+    That of ``Security.temporary`` is valid from this second on: once the clock is set back, no
+    connection can be made with it any more.
+    """
+    from cryptography import x509
+    from cryptography.hazmat.primitives import hashes, serialization
+    from cryptography.hazmat.primitives.asymmetric import rsa
+
+    key = rsa.generate_private_key(public_exponent=65537, key_size=2048)
+    name = x509.Name([x509.NameAttribute(x509.NameOID.COMMON_NAME, "elastomer-friction")])
+    now = datetime.now(UTC)
+    certificate = (
+        x509.CertificateBuilder(name, name, key.public_key(), x509.random_serial_number())
+        .not_valid_before(now - MARGIN)
+        .not_valid_after(now + VALID)
+        .sign(key, hashes.SHA256())
+    )
+    formats = serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
+    private = key.private_bytes(serialization.Encoding.PEM, *formats).decode()
+    public = certificate.public_bytes(serialization.Encoding.PEM).decode()
+    whose = {
+        f"tls_{who}_{part}": text
+        for who in ("client", "scheduler", "worker")
+        for part, text in (("key", private), ("cert", public))
+    }
+    return Security(require_encryption=True, tls_ca_file=public, **whose)
 
 
 def security_of(cluster: Cluster) -> Security | None:

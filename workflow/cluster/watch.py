@@ -6,6 +6,7 @@ import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass, field
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from ..errors import UserError
@@ -19,6 +20,7 @@ LONGEST_BEAT = 5.0  # that counts: a process that was stopped itself has not bee
 QUIET_SECONDS = 4.0  # after a stop, whom nobody has heard of for so long is not waited for
 NO_WORKER, NO_ANSWER = "worker", "answer of the scheduler"  # what may be lacking
 NO_SIGN = "sign of life of any worker"
+TRACEBACK = "Traceback (most recent call last):"
 # Without workers, or answers, before that is said; then twice as long each time.
 SILENCE_SECONDS = {NO_WORKER: 10.0, NO_ANSWER: 30.0, NO_SIGN: 30.0}
 
@@ -39,6 +41,7 @@ class Watch:
     listeners: list[Listener] = field(default_factory=list)
     crew: "Crew | None" = None  # what earlier streams know of the workers
     logs: str = ""  # folder of the logs of the jobs, where workers are jobs
+    old_logs: set[Path] = field(default_factory=set)  # of runs before this one
     lacking: str = ""
     waited: float = 0.0  # s that something has been lacking
     next_line: float = 0.0
@@ -47,6 +50,10 @@ class Watch:
     def __call__(self) -> bool:
         """Return whether no more work is to be taken up."""
         return self.stop()
+
+    def follow(self, folder: str) -> None:
+        """Look from now on for what jobs say in a folder, where they say why they end."""
+        self.logs, self.old_logs = folder, set(Path(folder).glob("*"))
 
     @contextmanager
     def telling(self, listener: Listener) -> Iterator[None]:
@@ -81,6 +88,21 @@ class Watch:
             raise UserError(said)
         if self.waited >= self.next_line:
             until = f", at most {duration(self.patience)}" if self.patience < math.inf else ""
-            why = f" (logs of the jobs: {self.logs})" if self.logs else ""
+            why = f" (logs of the jobs: {self.logs}{self._last_error()})" if self.logs else ""
             say(f"no {self.lacking} for {duration(self.waited)}{why}: waiting{until}")
             self.next_line = 2.0 * max(self.waited, self.next_line)
+
+    def _last_error(self) -> str:
+        """Return the error in whose traceback the newest log of this run ends, or nothing."""
+        logs = [path for path in Path(self.logs).glob("*") if path not in self.old_logs]
+        for path in sorted(logs, key=lambda path: path.stat().st_mtime, reverse=True):
+            if path.is_file() and (error := _error_in(path.read_text(errors="replace"))):
+                return f"; {path.name}: {error}"
+        return ""
+
+
+def _error_in(log: str) -> str:
+    """Return the line that follows the frames of the last traceback of a log, or nothing."""
+    _, found, rest = log.rpartition(TRACEBACK)
+    after = (line for line in rest.splitlines()[1:] if found and not line.startswith(" "))
+    return next(after, "").strip()

@@ -15,8 +15,7 @@ HEAD = """# Every key of study.toml
 A study is described by one TOML file. This page lists every table of it and every key, with the
 values that a key takes, its unit, and its default. Each entry ends with what changes when the
 value is doubled, or, where a key is no number, when it is another one.
-[A tutorial](../tutorial.md) builds a study step by step, and every input that is refused is listed
-on [a page of its own](../refusals.md).
+[A tutorial](../tutorial.md) builds a study step by step.
 
 All quantities are in SI units, and a number without a unit is dimensionless. Unknown keys, keys of
 the wrong type and values out of range, at any scale, end a command with one line for each and exit

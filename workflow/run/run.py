@@ -2,7 +2,6 @@
 
 import time
 from functools import partial
-from operator import attrgetter
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -177,8 +176,7 @@ class _Run:
                 shelf.flush_when_due()
 
             with self.watch.telling(look):
-                how = (self.watch, self.failures, attrgetter("seconds"))
-                for batch, done in workers.stream(workers.work, work, *how):
+                for batch, done in workers.stream(workers.work, work, self.watch, self.failures):
                     self.makers.add(done.maker)
                     require_one(self.makers, self.how.one_kind)
                     with self.summary.filing():

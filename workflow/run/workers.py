@@ -17,7 +17,7 @@ SECONDS_HERE = 10.0  # of predicted work that this process does by itself
 SECONDS_PER_FIT = 3e-5  # and replicate
 TRIES = 2  # of an item that raises here; on a cluster two workers try it
 
-# What yields (item, function(item)): stream(function, items, watch, retry, predicted).
+# What yields (item, function(item)): stream(function, items, watch, retry).
 Stream = Callable[..., Iterator[tuple[Any, Any]]]
 
 
@@ -78,14 +78,12 @@ def stream_here(
     items: Iterable[Any],
     watch: Watch,
     retry: Callable[[Any, Exception, bool], list[Any]] | None = None,
-    predicted: object = None,
 ) -> Iterator[tuple[Any, Any]]:
     """Yield (item, function(item)), one after the other; none any more once watch() is true.
 
     As cluster.stream does with workers: an item that raises twice is handed to ``retry``, which
     returns what to do instead; without it the error ends the stream.
     """
-    del predicted  # nobody can be late
     source, again = iter(items), list[Any]()
     watch.look(1, 0)
     while not watch():

@@ -9,7 +9,8 @@ import numpy as np
 
 from ...compile.jit import kernel
 from ...model.contact import overlap
-from ..steady.contacts import AHEAD, BEHIND, LEAST_REACH, MOST_REACH
+from ...model.friction import LEAST_REACH, MOST_REACH
+from ..steady.contacts import AHEAD, BEHIND
 from ..steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
 from .pressed import moments, span_under
 from .touching import covered

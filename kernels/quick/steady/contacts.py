@@ -5,9 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
+from ...model.friction import trailing_reach
 from .spans import SPAN
 
-LEAST_REACH, MOST_REACH = -0.5, 1.5  # samples; a trailing edge farther off is not resolved
 AHEAD, BEHIND, FREE, SUM = range(4)  # columns of edges
 
 
@@ -64,8 +64,7 @@ def leave_piece(contacts, piece, z, d, j):
     if contacts is not None:
         bottom = j + 1 if j + 1 < z.size else 0
         here = (d - z[bottom]) + contacts.speed * contacts.slope[bottom]
-        fall = here - ((d - z[j]) + contacts.speed * contacts.slope[j])
-        behind = min(max(here / fall, LEAST_REACH), MOST_REACH) if fall > 0.0 else 0.5
+        behind = trailing_reach(here, (d - z[j]) + contacts.speed * contacts.slope[j])
         contacts.ends[piece, 1], contacts.edges[piece, BEHIND] = bottom, behind
 
 

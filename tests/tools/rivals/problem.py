@@ -45,8 +45,3 @@ class Problem:
             for speed in (self.speed, RATIO * self.speed)
         ]
         self.setting = Setting(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])
-
-    @property
-    def updates(self) -> int:
-        """Return the number of nominal element steps of the march."""
-        return self.line.z.size * self.row.steps

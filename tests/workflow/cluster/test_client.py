@@ -5,6 +5,8 @@ import contextlib
 import os
 import signal
 import socket
+import urllib.error
+import urllib.request
 from pathlib import Path
 from typing import NamedTuple
 
@@ -84,7 +86,15 @@ def test_workers_of_our_own_are_processes_of_one_thread_that_do_not_hear_ctrl_c(
     assert_set_up(*how)
 
 
-def test_every_port_of_our_own_processes_is_one_of_dask_with_a_certificate(own):
+def status_of(port, path):
+    """Return the status with which a port answers who asks for a page."""
+    with pytest.raises(urllib.error.HTTPError) as refused:
+        urllib.request.urlopen(f"http://127.0.0.1:{port}{path}", timeout=10.0)
+    refused.value.close()
+    return refused.value.code
+
+
+def test_every_port_of_our_own_processes_asks_for_a_certificate_or_has_no_page(own):
     workers = own.client.run(os.getpid)
     family = [os.getpid(), *workers.values()]
     nannies = [nanny.address for nanny in own.client.cluster.workers.values()]
@@ -92,7 +102,10 @@ def test_every_port_of_our_own_processes_is_one_of_dask_with_a_certificate(own):
     assert len(set(known)) == 3
     assert all(address.startswith("tls://127.0.0.1:") for address in known)
     ports = {int(address.rpartition(":")[2]) for address in known}
-    assert listening(family) - own.ports - {8787} == ports
+    pages = listening(family) - own.ports - {8787} - ports
+    assert len(pages) == 2  # of the scheduler and the worker
+    paths = ("/", "/status", "/info/main/workers.html", "/json/counts.json", "/health", "/metrics")
+    assert {status_of(port, path) for port in pages for path in paths} == {404}
 
 
 def test_workers_of_our_own_give_the_same_bytes_to_who_has_a_certificate(own, finished, tmp_path):

@@ -62,18 +62,11 @@ def test_who_is_gone_is_waited_for_no_more():
     assert not crew.silent(C)  # the scheduler has given its work to others already
 
 
-def test_idle_are_those_that_have_nothing_and_may_have_it():
-    crew = Crew()
-    called(crew, 0, busy=[A])
-    assert crew.fit([B]) == [A, C]
-    assert crew.idle([B]) == [C]
-
-
 def test_who_is_paused_is_there_but_not_fit():
     crew = Crew()
     called(crew, 0)
     crew.note(crew.roll._replace(paused=[B]), 1.0)
-    assert (crew.threads(), crew.able([A]), crew.fit(), crew.idle([C])) == (3, [C], [A, C], [A])
+    assert (crew.threads(), crew.able([A]), crew.fit()) == (3, [C], [A, C])
 
 
 def test_of_a_failure_that_was_nobody_knows_where_nobody_is_blamed(capsys):

@@ -1,11 +1,11 @@
-"""What is in flight: late or silent work gets a second copy, the first result counts."""
+"""What is in flight: silent work gets a second copy, the first result counts."""
 
 import pytest
 from distributed.scheduler import KilledWorker
 
 from elastomer_friction.workflow.cluster.calls import Roll
 from elastomer_friction.workflow.cluster.crew import Crew
-from elastomer_friction.workflow.cluster.flight import Flight, Work, raise_error, unknown
+from elastomer_friction.workflow.cluster.flight import Flight, Work, raise_error
 
 A, B, C = (f"tls://127.0.0.1:{port}" for port in (1, 2, 3))
 
@@ -27,79 +27,40 @@ def crew_of(busy, beat=0.0, crew=None, silent=()):
 
 @pytest.fixture
 def flight():
-    """Return two items in flight, of 1 s and 100 s, some other being done."""
+    """Return two items in flight."""
     flight = Flight()
-    for key, seconds in (("done", 1.0), ("short", 1.0), ("long", 100.0)):
-        flight.add(Work(key, seconds), Future(key))
-    flight.done(flight.works["done"])
+    for key in ("short", "long"):
+        flight.add(Work(key), Future(key))
     crew = crew_of({A: ["short"], B: ["long"]})
-    flight.note(crew, 1000.0)
+    flight.note(crew)
     return flight
 
 
-def copies(flight, crew, now):
+def copies(flight, crew):
     """Return the items that are to be computed a second time, and where."""
-    return [(work.item, workers) for work, workers in flight.second_copies(crew, now)]
-
-
-def test_what_takes_over_ten_times_its_prediction_and_a_minute_is_said_once(flight, capsys):
-    crew = crew_of({A: ["short"], B: ["long"], C: ["other"]})
-    assert copies(flight, crew, 1060.0) == []
-    assert capsys.readouterr().err == ""
-    assert copies(flight, crew, 1061.0) == []
-    said = "1 batches take over 10 times their prediction, the longest 61 s instead of 1 s on "
-    assert capsys.readouterr().err == f"{said}{A}; no other worker is idle\n"
-    assert copies(flight, crew_of({A: ["short"], B: ["long"]}), 1062.0) == [("short", [C])]
-    assert copies(flight, crew, 1999.0) == []
-    assert capsys.readouterr().err == ""
-    assert copies(flight, crew, 2001.0) == []
-    assert "1001 s" not in capsys.readouterr().err  # in minutes
-
-
-def test_before_anything_is_done_machine_code_may_have_to_be_made():
-    flight = Flight()
-    flight.add(Work("first", 1.0), Future("first"))
-    crew = crew_of({A: ["first"]})
-    flight.note(crew, 0.0)
-    assert copies(flight, crew, 290.0) == []
-    assert copies(flight, crew, 301.0) == [("first", [B])]
-
-
-def test_what_was_given_to_another_worker_begins_anew(flight):
-    crew = crew_of({B: ["long"], C: ["short"]})
-    flight.note(crew, 1050.0)
-    assert copies(flight, crew, 1100.0) == []
-    assert copies(flight, crew, 1111.0) == [("short", [A])]
-
-
-def test_nothing_is_known_of_what_is_not_predicted():
-    flight = Flight()
-    flight.add(Work("item", unknown("item")), Future("item"))
-    crew = crew_of({A: ["item"]})
-    flight.note(crew, 0.0)
-    assert copies(flight, crew, 1e9) == []
+    return [(work.item, workers) for work, workers in flight.second_copies(crew)]
 
 
 def test_what_a_silent_worker_has_is_computed_by_others_busy_or_not(flight):
     crew, busy = None, {A: ["short"], B: ["long"], C: ["other"]}
     for beat in range(1, 33):
         crew = crew_of(busy, beat, crew, silent=[A])
-    assert copies(flight, crew, 1031.0) == [("short", [B, C])]
+    assert copies(flight, crew) == [("short", [B, C])]
 
 
 def test_a_result_that_does_not_come_is_computed_again(flight):
     flight.stick(["short", "unknown"])
-    assert copies(flight, crew_of({A: ["short"], B: ["long"]}), 1001.0) == [("short", [B, C])]
+    assert copies(flight, crew_of({A: ["short"], B: ["long"]})) == [("short", [B, C])]
 
 
 def test_an_item_with_two_copies_gets_no_third_and_the_first_result_counts(flight):
     work = flight.works["short"]
     flight.add(work, Future("again"))
-    flight.note(crew_of({A: ["short"], C: ["again"]}), 1001.0)
-    assert copies(flight, crew_of({}), 1900.0) == []
+    flight.note(crew_of({A: ["short"], C: ["again"]}))
+    assert copies(flight, crew_of({})) == []
     assert len(flight) == 3
     work.copies["again"].future.status = "finished"
-    assert [future.key for future in flight.done(work)] == ["short"]
+    assert [future.key for future in flight.drop(work)] == ["short"]
     assert list(flight.works) == ["long"]
 
 
@@ -112,8 +73,8 @@ def test_a_copy_that_fails_leaves_the_other(flight):
 
 
 def test_after_a_stop_what_no_worker_has_is_shed_and_what_silent_ones_have_left(flight):
-    flight.add(Work("waiting", 1.0), Future("waiting"))
-    flight.add(Work("fetched", 1.0), Future("fetched", "finished"))
+    flight.add(Work("waiting"), Future("waiting"))
+    flight.add(Work("fetched"), Future("fetched", "finished"))
     crew, busy = None, {A: ["short"], B: ["long"]}
     for beat in range(1, 8):
         crew = crew_of(busy, beat, crew, silent=[A])
@@ -122,7 +83,7 @@ def test_after_a_stop_what_no_worker_has_is_shed_and_what_silent_ones_have_left(
 
 
 def test_copies_for_workers_that_are_gone_are_stranded_and_others_wait(flight):
-    flight.add(Work("bound", 1.0), Future("bound"), [A])
+    flight.add(Work("bound"), Future("bound"), [A])
     crew = crew_of({})
     crew.note(crew.roll._replace(stranded=["short", "bound", "unknown"]), 1.0)
     ((future, error),) = flight.stranded(crew)
@@ -140,7 +101,7 @@ FAILED += [(BOTH, [""], True), (BOTH, ["", ""], False), (BOTH, [A, ""], False)] 
 
 @pytest.mark.parametrize(("there", "failed", "again"), FAILED)
 def test_an_item_is_given_up_after_two_places_or_twice_at_the_only_one(there, failed, again):
-    crew, work = Crew(), Work("item", 1.0)
+    crew, work = Crew(), Work("item")
     crew.note(Roll(dict.fromkeys(there, 1), dict.fromkeys(there, 0.0), {}), 1.0)
     for address in failed:
         work.fail(address, OSError())
@@ -149,20 +110,20 @@ def test_an_item_is_given_up_after_two_places_or_twice_at_the_only_one(there, fa
 
 
 def test_an_item_survives_three_deaths_of_its_workers():
-    crew, work = crew_of({}), Work("item", 1.0)
+    crew, work = crew_of({}), Work("item")
     for deaths in range(3):
         work.fail("", KilledWorker("key", None, deaths))
         assert work.to_be_tried_again(crew)
     work.fail("", KilledWorker("key", None, 0))
     assert (work.deaths, work.failed) == (4, [])
     assert not work.to_be_tried_again(crew)
-    killed = Work("item", 1.0)
+    killed = Work("item")
     killed.fail("", KilledWorker("key", None, 3))  # as dask counts
     assert not killed.to_be_tried_again(crew)
 
 
 def test_an_item_goes_where_it_did_not_fail_or_else_to_whoever_does_not_have_it():
-    crew, work = crew_of({}), Work("item", 1.0)
+    crew, work = crew_of({}), Work("item")
     flight = Flight()
     flight.add(work, Future("first"))
     work.copies["first"].address = A

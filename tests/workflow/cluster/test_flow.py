@@ -2,14 +2,12 @@
 
 import errno
 import math
-import threading
 import time
 from collections import Counter
 
 import pytest
 from distributed import Client, get_worker
 
-from elastomer_friction.workflow.cluster import flight
 from elastomer_friction.workflow.cluster.flow import stream
 from elastomer_friction.workflow.cluster.watch import Watch
 from elastomer_friction.workflow.errors import UserError
@@ -126,37 +124,6 @@ def nowhere(_):
     """Fail."""
     PLACES.append(get_worker().address)
     raise ArithmeticError("no root")
-
-
-def test_an_item_that_a_second_worker_does_first_is_not_waited_for(client, monkeypatch, capsys):
-    """Time flies, so that a batch is late soon; its first copy ends with the test.
-
-    What waits in the queue of its worker is predicted to be as short, and is late with it.
-    """
-    monkeypatch.setattr(flight, "LATE_SECONDS", 0.5)
-    over.clear()
-    try:
-        assert sorted(stream(client, first_hangs, range(6), predicted=instantly)) == [
-            (i, i) for i in range(6)
-        ]
-    finally:
-        over.set()
-    assert "take over 10 times their prediction" in capsys.readouterr().err
-
-
-over, begun = threading.Event(), threading.Lock()
-
-
-def instantly(_):
-    """Predict a millisecond."""
-    return 1e-3
-
-
-def first_hangs(item):
-    """Return the item; hang where zero is computed first."""
-    if item == 0 and begun.acquire(blocking=False):
-        over.wait(600.0)
-    return item
 
 
 SCHEDULER = """

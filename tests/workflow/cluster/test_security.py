@@ -1,13 +1,15 @@
 """Who may connect: certificates of ours or of the user, or a warning."""
 
+from datetime import UTC, datetime, timedelta
+
 import dask
 import pytest
-from distributed import Scheduler
+from cryptography import x509
 
 from elastomer_friction.workflow.cluster.security import (
-    PagelessScheduler,
     own_security,
-    scheduler_kind,
+    routes,
+    scheduler_options,
     security_of,
 )
 from elastomer_friction.workflow.errors import UserError
@@ -31,10 +33,19 @@ def files(tmp_path):
 
 
 def test_no_page_is_served_unless_it_is_asked_for():
-    assert scheduler_kind(False) == (PagelessScheduler, {"dashboard": False})
-    kind, options = scheduler_kind(True)
-    assert kind is Scheduler
-    assert options["dashboard_address"].startswith("127.0.0.1:")
+    pages = {"distributed.worker.http.routes", "distributed.scheduler.http.routes"}
+    assert routes(False) == {name: [] for name in pages}
+    assert routes(True) == {"distributed.worker.http.routes": []}
+    for dashboard in (False, True):
+        options = scheduler_options(dashboard)
+        assert options == {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}
+
+
+def test_a_clock_that_is_set_back_leaves_our_certificate_valid():
+    certificate = x509.load_pem_x509_certificate(own_security().tls_ca_file.encode())
+    day = timedelta(days=1)
+    assert certificate.not_valid_before_utc < datetime.now(UTC) - day
+    assert certificate.not_valid_after_utc > datetime.now(UTC) + 300 * day
 
 
 def test_certificates_of_the_user_are_used(files, capsys):

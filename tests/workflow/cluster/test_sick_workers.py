@@ -65,6 +65,14 @@ def test_a_stop_does_not_wait_for_who_may_come_again():
     assert cluster.now < 1015.0
 
 
+def test_a_stop_waits_ten_seconds_for_what_runs_and_leaves_the_rest(capsys):
+    cluster = Cluster(a=first(8.0), b=first(1e3))
+    stopping = Watch(lambda: cluster.now > 1001.0)
+    assert streamed(cluster, range(2), watch=stopping) == [(0, 0)]
+    assert 1010.0 < cluster.now < 1013.0
+    assert capsys.readouterr().err == "left behind: 1 batches that were not done in time\n"
+
+
 def test_where_the_sound_worker_falls_silent_another_does_what_it_has():
     cluster = Cluster(a=sick, b=sound, c=sound)
     cluster.after(2.5, cluster.hush, "b")

@@ -66,3 +66,28 @@ def test_a_watch_tells_what_it_sees_and_when_to_stop():
     assert watch()
     watch.look(3, 1)  # to nobody
     assert seen == [(2, 7), (1, 5)]
+
+
+TRIED = """\
+Traceback (most recent call last):
+  File "worker.py", line 2, in start
+    self.http_application
+AttributeError: no attribute
+slurmstepd: error
+"""
+
+
+def test_who_waits_for_jobs_reads_the_error_in_which_the_newest_of_them_ended(
+    clock, capsys, tmp_path
+):
+    (tmp_path / "before.out").write_text(TRIED.replace("no attribute", "long ago"))
+    watch = Watch()
+    watch.follow(str(tmp_path))
+    waited(watch, clock, 15)
+    (tmp_path / "slurm-2.out").write_text(TRIED)
+    (tmp_path / "slurm-3.out").write_text("all is well\n")
+    waited(watch, clock, 10)
+    first, second = capsys.readouterr().err.splitlines()
+    assert first == f"no worker for 10 s (logs of the jobs: {tmp_path}): waiting"
+    error = "slurm-2.out: AttributeError: no attribute"
+    assert second == f"no worker for 20 s (logs of the jobs: {tmp_path}; {error}): waiting"

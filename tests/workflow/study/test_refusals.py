@@ -7,7 +7,8 @@ from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.read import find_study, read_study
 from tests.support.small import TEXT, complaint, small_study, write_study
 
-# Beside those of docs/refusals.md (test_limits.py), and a wrong type for each key (test_checks.py).
+# Beside those of tests/refusals.md (test_limits.py), and a wrong type for each key
+# (test_checks.py).
 BAD_VALUES = [
     ("grid.normal_force=[1.0, 0.0]", "0.0", "greater than zero"),
     ("grid.hurst=-0.1", "-0.1", "between 0 and 1"),

@@ -1,4 +1,4 @@
-"""What a quantity asks of a scene, and why it is not there. Refusals: docs/refusals.md."""
+"""What a quantity asks of a scene, and why it is not there. Refusals: tests/refusals.md."""
 
 import pytest
 

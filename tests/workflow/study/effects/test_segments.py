@@ -1,4 +1,4 @@
-"""[[scene.programme]]: every kind of segment as it is written. Refusals: docs/refusals.md."""
+"""[[scene.programme]]: every kind of segment as it is written. Refusals: tests/refusals.md."""
 
 import math
 

@@ -1,4 +1,4 @@
-"""Columns of numbers in text: separators, comments, headers. Refusals: docs/refusals.md."""
+"""Columns of numbers in text: separators, comments, headers. Refusals: tests/refusals.md."""
 
 import pytest
 

@@ -36,7 +36,7 @@ def test_geomspace_keeps_its_ends(first, last, count):
     assert (values[0], values[-1]) == pytest.approx((first, last), rel=1e-11)
 
 
-# Beside those of docs/refusals.md, which test_limits.py tries.
+# Beside those of tests/refusals.md, which test_limits.py tries.
 BAD = [
     (True, " = True: must be a finite number"),
     ("0.3", " = '0.3': must be a finite number"),
