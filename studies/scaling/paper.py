@@ -1,4 +1,4 @@
-"""A whole study on a virtual cluster: real plan, flow, shelf, store and journal, no kernels.
+"""A whole study on a virtual cluster: real plan, flow, buffer, store and journal, no kernels.
 
 `python -m elastomer_friction.studies.scaling.paper ARGUMENTS` runs it in a process of its own, so
 that its memory is that of a driver.
@@ -26,7 +26,7 @@ from elastomer_friction.workflow.plan import (
     total_seconds,
 )
 from elastomer_friction.workflow.simulate import PHASES, SCALARS, Batch, BatchResult
-from elastomer_friction.workflow.store import Shelf, Store, size
+from elastomer_friction.workflow.store import Store, WriteBuffer, size
 from elastomer_friction.workflow.study import Study, read_study
 from elastomer_friction.workflow.system import peak_bytes, this_maker
 
@@ -66,9 +66,9 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
     began = time.process_time()
     with tempfile.TemporaryDirectory() as folder:
         store = Store(Path(folder))
-        with Shelf(store, target, client.monotonic) as shelf:
+        with WriteBuffer(store, target, client.monotonic) as buffer:
             for batch, done in virtual_stream(client, pretend, work):
-                shelf.add(batch, done)
+                buffer.add(batch, done)
                 longest = max(longest, batch.seconds)
         spent = time.process_time() - began
         memory = peak_bytes() / MEBIBYTE

@@ -9,7 +9,7 @@ from pathlib import Path
 import psutil
 import pytest
 
-from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster

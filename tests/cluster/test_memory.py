@@ -4,7 +4,7 @@ import pytest
 
 from elastomer_friction.studies.scaling.paper import pretend
 from elastomer_friction.workflow.plan.plan import make_plan
-from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.study.read import read_study

@@ -12,7 +12,7 @@ from typing import NamedTuple
 import xarray as xr
 
 from elastomer_friction.workflow.plan.plan import Plan
-from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.summary import Summary
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.store.store import store_folder

@@ -18,7 +18,7 @@ from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.report.page.report import section
 from elastomer_friction.workflow.report.panels import STYLE
 from elastomer_friction.workflow.run import workers
-from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from elastomer_friction.workflow.study.scripts import load_script

@@ -28,6 +28,20 @@ RATES = 80  # tried
 SLOWEST = 0.1  # rate times the whole time: slower is a straight line
 FASTEST = 1.0  # rate times the first interval of samples: faster is part of the jump
 SMALL = 1e-12  # of a coefficient of friction: less is rounding
+LARGEST_SHARE = 1.0 / DEVIATIONS  # of a number that its standard error may be
+
+NOTHING = "nothing relaxes that stands out from the noise"
+TOO_SHORT = "friction still relaxes where the record ends; a longer one is needed"
+TOO_COARSE = "friction relaxes within a few samples; it must be sampled faster"
+TOO_NOISY = "its standard error is more than a third of it"
+# What else is open where the rate is: a relaxation may go on for ever, or be over at once.
+OPEN_WITH = {
+    NOTHING: ("mu_2", "amplitude", "rate"),
+    TOO_SHORT: ("mu_2", "amplitude", "rate"),
+    TOO_COARSE: ("jump", "amplitude", "rate"),
+    TOO_NOISY: ("rate",),
+}
+UNSURE = "its standard error is more than a third of all that happens"
 
 Shape = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -126,22 +140,6 @@ def _refined(
         gtol=None,
     )
     return found.x, found.jac
-
-
-LARGEST_SHARE = 1.0 / DEVIATIONS  # of a number that its standard error may be
-
-NOTHING = "nothing relaxes that stands out from the noise"
-TOO_SHORT = "friction still relaxes where the record ends; a longer one is needed"
-TOO_COARSE = "friction relaxes within a few samples; it must be sampled faster"
-TOO_NOISY = "its standard error is more than a third of it"
-# What else is open where the rate is: a relaxation may go on for ever, or be over at once.
-OPEN_WITH = {
-    NOTHING: ("mu_2", "amplitude", "rate"),
-    TOO_SHORT: ("mu_2", "amplitude", "rate"),
-    TOO_COARSE: ("jump", "amplitude", "rate"),
-    TOO_NOISY: ("rate",),
-}
-UNSURE = "its standard error is more than a third of all that happens"
 
 
 class StepFit(NamedTuple):

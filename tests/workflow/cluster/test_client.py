@@ -17,7 +17,7 @@ from distributed import Client, SpecCluster
 from elastomer_friction.workflow.cluster import client as module
 from elastomer_friction.workflow.cluster.client import open_client
 from elastomer_friction.workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
-from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system import Interrupt
