@@ -100,17 +100,11 @@ def _curves(ax: Axes, found: Collapsed, way: str, colours: ScalarMappable) -> No
     for k, (place, curve, shift) in enumerate(rows):
         mu = 10.0 ** (curve.y + shift.along_friction)
         bars = log_bars(mu, mu * curve.error * np.log(10.0))
-        style: dict[str, Any] = {
-            "fmt": MARKERS[sizes.index(place.size)],
-            "ms": 1.6,
-            "lw": 0.4,
-            "mew": 0.3,
-        }
-        colour = "k" if k == reference else colours.to_rgba(np.array(place.pressed))
+        style: dict[str, Any] = {"fmt": MARKERS[sizes.index(place.size)], "ms": 1.6, "lw": 0.4}
+        style["color"] = "k" if k == reference else colours.to_rgba(np.array(place.pressed))
         front = 3.0 if k == reference else 2.0
-        ax.errorbar(
-            10.0 ** (curve.x + shift.along_speed), mu, bars, color=colour, zorder=front, **style
-        )
+        moved = 10.0 ** (curve.x + shift.along_speed)
+        ax.errorbar(moved, mu, bars, mew=0.3, zorder=front, **style)
     ax.set(xscale="log", yscale="log")
 
 
@@ -144,13 +138,7 @@ def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
         temperature, fitted, error = thermal(found)
         known = np.log10([material.shift(t) for t in temperature])
         spread = aside * (1.0 + 4.0 * np.arange(known.size) / max(known.size, 1))
-        style: dict[str, Any] = {
-            "fmt": marker,
-            "color": colour,
-            "ms": 2.0,
-            "lw": 0.5,
-            "capsize": 0.0,
-        }
+        style: dict[str, Any] = {"fmt": marker, "color": colour, "ms": 2.0, "lw": 0.5, "capsize": 0}
         ax.errorbar(temperature + spread, fitted - known, error, label=label, **style)
     ax.axhline(0.0, color="k", lw=0.7, ls="--")
     ax.set_xticks(np.unique(temperature))
