@@ -13,14 +13,18 @@ import numpy as np
 
 from elastomer_friction.kernels import (
     SCHEMES,
+    Case,
     ConstantForce,
     Kelvin,
     Line,
+    Quantities,
     State,
     amplitudes,
     draw_phases,
     lagged_slope,
     march,
+    rms_slope,
+    run_case,
     solve_indentation,
     steady_sliding,
 )
@@ -93,6 +97,15 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
         _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
     _follow(motion, starts[0], dt, law, 1.02 * max(d for _, d in starts), steps, worst)
     return worst
+
+
+def refinement(motion: Motion, fine: Line, hurst: float) -> float:
+    """Return by how much mu_1 moves when the samples are halved, in units of the rms slope."""
+    case = Case(motion.load, motion.speed, (), (), motion.scheme)
+    steady = Quantities(jump=False, relaxation=False)
+    one, two = (run_case(line, case, steady).mu_1 for line in (motion.line, fine))
+    elements = fine.z.size // fine.steps_per_spacing
+    return abs(two - one) / rms_slope(amplitudes(hurst, elements), elements)
 
 
 def _march(motion, state, law, cap, steps, worst):
@@ -234,7 +247,7 @@ def _every_motion(name, elements, line, ratios, steps):
         yield Corner(name, elements, Motion(line, load, x / np.pi, ratio, scheme), steps)
 
 
-def number_of_corners(lines: int, most_elements: int) -> int:
+def count_corners(lines: int, most_elements: int) -> int:
     """Return how many cases ``corners`` yields."""
     motions = len(LOADS) * len(X) * len(SCHEMES)
     random = len(HURST) * len(ELEMENTS) * lines * motions * len(RATIOS)

@@ -18,7 +18,7 @@ def groups():
     study = read_study("stability", "smoke")
     groups = measure(study.settings, study.seed, lambda _: None)
     settings = (study.settings["corner_lines"], study.settings["most_elements"])
-    assert groups["corners"].sizes["case"] == probe.number_of_corners(*settings)
+    assert groups["corners"].sizes["case"] == probe.count_corners(*settings)
     return {name: data.assign_attrs(data.attrs, seed=study.seed) for name, data in groups.items()}
 
 

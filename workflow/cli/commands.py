@@ -19,7 +19,15 @@ from ..study import AnyStudy, find_study, known_studies, read_scene, read_study,
 from ..system import make_folder, program, version_of, write_durably
 from .experiments import add_fit_options, add_prony_options, run_fit, run_prony
 from .outline import outline_grid, outline_measured
-from .run import DONE, FAILED, RESUMABLE, add_run_options, resume_line, run_grid, run_measured_study
+from .run_options import (
+    DONE,
+    FAILED,
+    RESUMABLE,
+    add_run_options,
+    resume_line,
+    run_grid,
+    run_measured_study,
+)
 
 SHOWN = ["trace", "snapshots"]  # what an animation is drawn from
 TEMPLATE = Path(__file__).with_name("study.toml")

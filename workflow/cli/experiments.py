@@ -9,7 +9,7 @@ from ..errors import UserError
 from ..laboratory import TIMES, VELOCITIES
 from ..study import FREQUENCIES, MODULI, Moduli, read_moduli
 from ..system import make_folder, write_durably
-from .run import DONE
+from .run_options import DONE
 
 if TYPE_CHECKING:
     from ..laboratory import Known

@@ -15,7 +15,6 @@ from ..study import HERE, LOCAL, Cluster
 
 SECONDS_HERE = 10.0  # of predicted work that this process does by itself
 SECONDS_PER_FIT = 3e-5  # and replicate
-TRIES = 2  # of an item that raises here; on a cluster two workers try it
 
 # What yields (item, function(item)): stream(function, items, watch, retry).
 Stream = Callable[..., Iterator[tuple[Any, Any]]]
@@ -104,11 +103,9 @@ def stream_here(
 
 def _tried(function: Callable[[Any], Any], item: Any) -> Any:
     """Return function(item), tried again where it raises what is no fault of the user."""
-    for _ in range(TRIES - 1):
-        try:
-            return function(item)
-        except UserError:
-            raise
-        except Exception:
-            continue
-    return function(item)
+    try:
+        return function(item)
+    except UserError:
+        raise
+    except Exception:  # on a cluster two workers try it
+        return function(item)

@@ -22,10 +22,10 @@ from ...result import ROOT, Groups, differing_settings, listed, open_result, res
 from ...study import AnyStudy, known_scales, known_studies, read_study
 from ...system import write_durably
 from ..claims import evaluate, known_claims
+from ..csv_tables import write_tables
 from ..figure import Picture, caption, draw_groups
 from ..hover import HoverPoint
 from ..panels import STYLE
-from ..table import write_tables
 
 NO_BREAK = "\u00a0"
 PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
