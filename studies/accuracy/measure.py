@@ -10,8 +10,8 @@ import xarray as xr
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Key, integer, positive
 
-from . import ladders, rivals
-from .marches import MARCHES
+from . import alternatives, discretisation
+from .alternatives import MARCHES
 from .points import COMPARED, POINTS
 from .recommendation import recommend, table_lines
 
@@ -101,18 +101,20 @@ def outline(settings: dict) -> tuple[list[str], float]:
 
 
 def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
-    """Return the datasets of the study: see ladders.py, rivals.py and recommendation.py."""
+    """Return the datasets of the study: see the modules of these names."""
     chosen = POINTS[: settings["points"]]
     cost = parts(settings)
-    ladders.warm_up()
+    discretisation.warm_up()
     advance(cost["compiling"])
     each = cost["discretisations"] / len(chosen)
-    root, as_sampled = ladders.discretisations(chosen, settings, seed, partial(advance, each))
+    root, as_sampled = discretisation.discretisations(
+        chosen, settings, seed, partial(advance, each)
+    )
     each = cost["realizations"] / len(chosen)
-    sampling = ladders.sampling(chosen, settings, seed, partial(advance, each))
+    sampling = discretisation.sampling(chosen, settings, seed, partial(advance, each))
     compared = chosen[:COMPARED]
     each = cost["alternatives"] / len(compared)
-    found = rivals.alternatives(compared, settings, seed, partial(advance, each))
+    found = alternatives.alternatives(compared, settings, seed, partial(advance, each))
     return {
         "": root,
         "as_sampled": as_sampled,

@@ -55,7 +55,7 @@ POINTS = (
 )
 
 
-class Surface(NamedTuple):
+class RandomLine(NamedTuple):
     """Spectrum and phases of one random line, before it is sampled."""
 
     amplitude: np.ndarray
@@ -63,7 +63,7 @@ class Surface(NamedTuple):
     elements: int
 
 
-def surface(point: Point, elements: int, seed: int, index: int) -> Surface:
+def surface(point: Point, elements: int, seed: int, index: int) -> RandomLine:
     """Return random line ``index`` of a point: the same for every method and every m."""
     generator = line_generator(seed, point.hurst, elements, index)
-    return Surface(amplitudes(point.hurst, elements), draw_phases(generator, elements), elements)
+    return RandomLine(amplitudes(point.hurst, elements), draw_phases(generator, elements), elements)

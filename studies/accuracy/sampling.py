@@ -1,4 +1,4 @@
-"""Runs of one discretisation on some lines: results per line, and CPU time per line."""
+"""Runs of one discretisation on some lines, their CPU times, and what a finite sample errs."""
 
 import time
 from typing import NamedTuple
@@ -7,12 +7,15 @@ import numpy as np
 
 from elastomer_friction.kernels import Case, Line, Quantities, run_case
 from elastomer_friction.workflow.plan import horizon_steps
+from elastomer_friction.workflow.reduce import fit_exponential
 from elastomer_friction.workflow.simulate import record_steps, record_times
 from elastomer_friction.workflow.study import Numerics
 
-from .points import RATIO, Point, Surface
+from .points import RATIO, Point, RandomLine
 
 NUMERICS = Numerics()
+COUNTS = (10, 20, 50, 100, 200, 500, 1000)
+MOST_GROUPS = 40
 
 
 class Method(NamedTuple):
@@ -23,7 +26,7 @@ class Method(NamedTuple):
     refine: bool = True  # narrow contacts; "auto" does, a study whose m is a number does not
 
 
-class Runs(NamedTuple):
+class LineRuns(NamedTuple):
     """Results of one method at one point; first axis: lines. mu in h/dx, times in tau."""
 
     mu_1: np.ndarray
@@ -41,7 +44,7 @@ def kept_steps_of(point: Point, elements: int, method: Method) -> tuple[np.ndarr
     return kept_steps, record_times(kept_steps, method.steps * point.speed * RATIO, method.scheme)
 
 
-def run(point: Point, surfaces: list[Surface], method: Method) -> Runs:
+def run_lines(point: Point, surfaces: list[RandomLine], method: Method) -> LineRuns:
     """Run a method on lines as the workflow would, and take the CPU time of each."""
     kept_steps, moments = kept_steps_of(point, surfaces[0].elements, method)
     asked = point.load, point.speed, (RATIO,), (kept_steps,)
@@ -59,13 +62,43 @@ def run(point: Point, surfaces: list[Surface], method: Method) -> Runs:
     return collected(rows, moments)
 
 
-def collected(rows: list[tuple], moments: np.ndarray) -> Runs:
+def collected(rows: list[tuple], moments: np.ndarray) -> LineRuns:
     """Return as arrays what lines gave: (mu_1, mu_2, jump, curve, CPU times) each."""
     mu_1, mu_2, jump, curves, cpu = (np.array(column) for column in zip(*rows, strict=True))
-    return Runs(mu_1, mu_2, jump, curves, moments, cpu)
+    return LineRuns(mu_1, mu_2, jump, curves, moments, cpu)
 
 
-def seconds(runs: Runs) -> np.ndarray:
+def seconds(runs: LineRuns) -> np.ndarray:
     """Return the median CPU seconds per realization: of mu_1 and jump, and of everything."""
     drawn, steady, everything = np.median(runs.cpu, axis=0)
     return np.array([drawn + steady, drawn + everything])
+
+
+def sampling_errors(point: Point, surfaces: list[RandomLine], steps: int) -> np.ndarray:
+    """Return the rms relative error of groups of R lines, shape (COUNTS, 3): mu_1, jump, rate.
+
+    Against all lines; what the group has in common with them is corrected for. NaN with fewer
+    than two groups, or where the rate can be fitted in fewer than half of them.
+    """
+    runs = run_lines(point, surfaces, Method("exponential", steps))
+    lines = len(surfaces)
+    whole = _estimate(runs, slice(0, lines))
+    found = np.full((len(COUNTS), 3), np.nan)
+    for row, count in enumerate(COUNTS):
+        number = min(MOST_GROUPS, lines // count)
+        if number < 2:
+            break
+        parts = [_estimate(runs, slice(k * count, (k + 1) * count)) for k in range(number)]
+        apart = np.array(parts) / whole - 1.0
+        for q in range(3):
+            there = apart[np.isfinite(apart[:, q]), q]
+            if there.size >= max(2, number // 2):
+                found[row, q] = np.sqrt(np.mean(there**2) / (1.0 - count / lines))
+    return found
+
+
+def _estimate(runs: LineRuns, rows: slice) -> np.ndarray:
+    """Return (mu_1, jump, b) of the mean over some lines."""
+    deviation = (runs.curves[rows] - runs.mu_2[rows, None]).mean(axis=0)
+    rate = fit_exponential(runs.moments, deviation)[1]  # here every b counts, significant or not
+    return np.array([runs.mu_1[rows].mean(), runs.jump[rows].mean(), rate])

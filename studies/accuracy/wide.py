@@ -37,7 +37,7 @@ def problems(count: int, seed: int) -> Iterator[Problem]:
         yield Problem(round(hurst, 1), 20 * round(elements / 20), load, x / np.pi, RATIO)
 
 
-def observe(problem: Problem, steps: int, lines: int, seed: int) -> np.ndarray:
+def mean_of_lines(problem: Problem, steps: int, lines: int, seed: int) -> np.ndarray:
     """Return (mu_1, jump, b, samples per contact) of some lines at so many steps per spacing.
 
     b is NaN without a fit.
@@ -76,9 +76,9 @@ def errors(count: int, lines: int, seed: int) -> tuple[np.ndarray, np.ndarray]:
         fine = FINER * auto
         while fine > 2 * auto and _work(problem, fine) > LARGEST:
             fine //= 2
-        limit = observe(problem, fine, lines, seed)
+        limit = mean_of_lines(problem, fine, lines, seed)
         both = auto, max(auto // 2, 1)
-        each = [observe(problem, m, lines, seed) for m in both]
+        each = [mean_of_lines(problem, m, lines, seed) for m in both]
         bounds = [stated(problem, m, seen) for m, seen in zip(both, each, strict=True)]
         found.append((np.abs(np.array(each) / limit - 1.0)[:, :3], bounds))
         x.append(np.pi * problem.speed)
@@ -89,7 +89,7 @@ def _work(problem: Problem, steps: int) -> float:
     return float(problem.elements * steps * horizon_steps(problem, Numerics(), steps))
 
 
-def main(count: int = 240, lines: int = 8, seed: int = 2014) -> None:
+def print_table(count: int = 240, lines: int = 8, seed: int = 2014) -> None:
     """Print the table."""
     x, found = errors(count, lines, seed)
     for low, high in RANGES:
@@ -116,4 +116,4 @@ def _summary(error: np.ndarray, bound: np.ndarray) -> str:
 
 
 if __name__ == "__main__":
-    main(*map(int, sys.argv[1:]))
+    print_table(*map(int, sys.argv[1:]))

@@ -3,25 +3,17 @@
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.workflow.report import (
-    HOLDS,
-    NOT_FOUND,
-    ONLY_COARSE,
-    Claim,
-    Results,
-    given,
-    per_point,
-)
+from elastomer_friction.workflow import report
 
 RATE = 2.4  # of figure 4
 USUAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typical
 
 
-def example_rate(results: Results) -> Claim | None:
+def example_rate(results: report.Results) -> report.Claim | None:
     """Judge b = 2.4 of figure 4, by the spacing at which it is found."""
     found, spacings = [], {}
     for group, label in (("", "converged"), ("/paper_step", "implicit Euler")):
-        line = _over_spacing(given(results, f"fig4{group}", "relaxation_rate"))
+        line = _over_spacing(report.given(results, f"fig4{group}", "relaxation_rate"))
         if line is None:
             continue
         spacing, rate, error = line
@@ -37,12 +29,12 @@ def example_rate(results: Results) -> Claim | None:
             spacings[group] = f"Δx = {micrometres:.2g} ± {micrometres * at[1]:.1g} µm"
     if not found:
         return None
-    verdict = f"{HOLDS} if {spacings['']}" if "" in spacings else NOT_FOUND
-    if verdict == NOT_FOUND and spacings:
-        verdict = f"{ONLY_COARSE}, {spacings['/paper_step']}"
+    verdict = f"{report.HOLDS} if {spacings['']}" if "" in spacings else report.NOT_FOUND
+    if verdict == report.NOT_FOUND and spacings:
+        verdict = f"{report.ONLY_COARSE}, {spacings['/paper_step']}"
     text = "Figure 4: b = 2.4 (its spacing is not printed; N is typically 5000, Δx = 2 µm)"
-    each = per_point(results["fig4"]) if "fig4" in results else "not known"
-    return Claim(text, f"{RATE:g}", "; ".join(found), each, verdict)
+    each = report.per_point(results["fig4"]) if "fig4" in results else "not known"
+    return report.Claim(text, f"{RATE:g}", "; ".join(found), each, verdict)
 
 
 def _over_spacing(

@@ -3,24 +3,16 @@
 import numpy as np
 
 from elastomer_friction.studies.style import normalised
+from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import PLATEAU, normalised_jump
-from elastomer_friction.workflow.report import (
-    TOLERANCE,
-    Claim,
-    Results,
-    given,
-    judge,
-    mean_error,
-    percent,
-)
 
 FLAT = 0.9  # share of its largest value from which mu_1 counts as on the plateau
 MIDDLE = (0.3, 0.7)  # Hurst exponents of the plateau claim
 
 
-def plateau(results: Results) -> Claim | None:
+def plateau(results: report.Results) -> report.Claim | None:
     """Judge the plateau of the jump (eq. 11), by the mean of each Hurst exponent."""
-    dataset = given(results, "fig6", "mu_1", "jump")
+    dataset = report.given(results, "fig6", "mu_1", "jump")
     if dataset is None:
         return None
     inside = (dataset.hurst > MIDDLE[0] - 1e-9) & (dataset.hurst < MIDDLE[1] + 1e-9)
@@ -30,24 +22,24 @@ def plateau(results: Results) -> Claim | None:
     line = ("normal_force", "spacing", "roughness", "velocity", "velocity_step")
     flat = normalised(chosen.where(chosen.mu_1 >= FLAT * chosen.mu_1.max("velocity")))
     each = flat.jump_bar.mean(line)
-    errors = [mean_error(flat.jump_bar_error.isel(hurst=[k])) for k in range(each.size)]
+    errors = [report.mean_error(flat.jump_bar_error.isel(hurst=[k])) for k in range(each.size)]
     parts = [
         f"{value:.3f} ± {e:.3f} at H = {hurst:g}"
         for hurst, value, e in zip(chosen.hurst.values, each.values, errors, strict=True)
     ]
-    return Claim(
+    return report.Claim(
         "Plateau (Δµ₀/∇z)/(Δv/v₁) = 0.4 at high speed (eq. 11)",
         f"{PLATEAU:g}",
         f"mean {float(each.mean()):.3f}: {', '.join(parts)}; {int(flat.jump_bar.count())} points "
-        f"with µ₁ within {percent(1 - FLAT)} of its largest value",
+        f"with µ₁ within {report.percent(1 - FLAT)} of its largest value",
         f"± {np.sqrt(np.sum(np.square(errors))) / each.size:.3f}",
-        judge(float(np.abs(each / PLATEAU - 1.0).max()), max(errors) / PLATEAU),
+        report.judge(float(np.abs(each / PLATEAU - 1.0).max()), max(errors) / PLATEAU),
     )
 
 
-def interpolation(results: Results) -> Claim | None:
+def interpolation(results: report.Results) -> report.Claim | None:
     """Judge the interpolation between both limits (eq. 12)."""
-    dataset = given(results, "fig6", "mu_1", "jump")
+    dataset = report.given(results, "fig6", "mu_1", "jump")
     if dataset is None:
         return None
     mu = dataset.mu_1 / dataset.rms_slope
@@ -57,16 +49,16 @@ def interpolation(results: Results) -> Claim | None:
     rms = float(np.sqrt((deviation**2).mean()))
     largest = abs(float(worst))
     error = float((dataset.jump_error / np.abs(law)).median())
-    verdict = judge(rms, 0.0, TOLERANCE)
-    if verdict != judge(largest, 0.0, TOLERANCE):
-        verdict += f" (rms), {percent(largest)} at worst"
-    return Claim(
+    verdict = report.judge(rms, 0.0, report.TOLERANCE)
+    if verdict != report.judge(largest, 0.0, report.TOLERANCE):
+        verdict += f" (rms), {report.percent(largest)} at worst"
+    return report.Claim(
         "The jump follows eq. 12 from slow to fast sliding, for all H",
         "eq. 12",
-        f"rms deviation {percent(rms, 1)}, largest {percent(largest)} at "
+        f"rms deviation {report.percent(rms, 1)}, largest {report.percent(largest)} at "
         f"H = {float(worst.hurst):g}, v₁ = {float(worst.velocity):.2g} m/s; {deviation.size} "
         "points",
-        f"{percent(error, 1)} a point",
+        f"{report.percent(error, 1)} a point",
         verdict,
     )
 

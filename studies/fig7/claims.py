@@ -3,31 +3,16 @@
 import numpy as np
 import xarray as xr
 
+from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import relaxation_rate
 from elastomer_friction.workflow.reduce import FITTED, NOT_EXPONENTIAL
-from elastomer_friction.workflow.report import (
-    FACTOR,
-    HOLDS,
-    NOT_FOUND,
-    ONLY_COARSE,
-    Claim,
-    Results,
-    given,
-    judge,
-    judge_factor,
-    per_point,
-    percent,
-    reworded,
-    spread,
-    typical_factor,
-)
 
 GOOD_FIT = 0.95  # 1 - residual / total sum of squares of an accurate fit
 
 
-def exponential(results: Results) -> Claim | None:
+def exponential_fits(results: report.Results) -> report.Claim | None:
     """Judge that an exponential fits the relaxation accurately (eq. 6)."""
-    dataset = given(results, "fig7", "fit_quality", "fit_status")
+    dataset = report.given(results, "fig7", "fit_quality", "fit_status")
     if dataset is None:
         return None
     quality = dataset.fit_quality.values[(dataset.fit_status == FITTED).values]
@@ -36,14 +21,14 @@ def exponential(results: Results) -> Claim | None:
         return None
     share = float((quality >= GOOD_FIT).sum() / relaxing)
     low, middle = np.percentile(quality, [5, 50])
-    verdict = judge(1.0 - share, tolerance=0.5)
-    return Claim(
+    verdict = report.judge(1.0 - share, tolerance=0.5)
+    return report.Claim(
         "The relaxation is accurately fitted by an exponential (eq. 6)",
         "accurate",
-        f"R² ≥ {GOOD_FIT:g} for {percent(share)} of {relaxing} relaxing points; of the fits, "
-        f"median R² {middle:.4f}, one in 20 below {low:.3f}",
-        per_point(dataset),
-        reworded(verdict, f"{HOLDS} for {percent(share)} of the points"),
+        f"R² ≥ {GOOD_FIT:g} for {report.percent(share)} of {relaxing} relaxing points; of the "
+        f"fits, median R² {middle:.4f}, one in 20 below {low:.3f}",
+        report.per_point(dataset),
+        report.reworded(verdict, f"{report.HOLDS} for {report.percent(share)} of the points"),
     )
 
 
@@ -63,7 +48,7 @@ NEARLY_FULL = 0.8  # contact fraction from which a contact counts as full
 FORCE_TOLERANCE = 0.5
 
 
-def slow_rate(results: Results) -> Claim | None:
+def slow_rate(results: report.Results) -> report.Claim | None:
     """Judge b = x below x = 1, the length D_c = 1/q_max: as studied and with the paper's step."""
     ratios, found = {}, []
     for key, label in VARIANTS.items():
@@ -74,42 +59,42 @@ def slow_rate(results: Results) -> Claim | None:
         ratios[key] = rate / x
         slope = np.polyfit(np.log(x), np.log(rate), 1)[0]
         found.append(
-            f"{label}: b/x = {spread(ratios[key])}, b ∝ x^{slope:.2f}, median b = "
+            f"{label}: b/x = {report.spread(ratios[key])}, b ∝ x^{slope:.2f}, median b = "
             f"{np.median(rate):.2f}, D_c q_max = {np.median(x / rate):.2f}, {x.size} points"
         )
     if CONVERGED not in ratios:
         return None
-    verdict = judge_factor(ratios[CONVERGED])
-    factor = typical_factor(ratios.get(PAPER_STEP, np.array([np.inf])))
-    if verdict == NOT_FOUND and factor <= FACTOR:
-        verdict = f"{ONLY_COARSE}, within a factor {factor:.2g}"
-    return Claim(
+    verdict = report.judge_factor(ratios[CONVERGED])
+    factor = report.typical_factor(ratios.get(PAPER_STEP, np.array([np.inf])))
+    if verdict == report.NOT_FOUND and factor <= report.FACTOR:
+        verdict = f"{report.ONLY_COARSE}, within a factor {factor:.2g}"
+    return report.Claim(
         "b = v₁τq_max for v₁τq_max < 1: relaxation over the length D_c = 1/q_max (eqs. 13, 14)",
         "b/x = 1",
         "; ".join(found),
-        per_point(results[CONVERGED]),
+        report.per_point(results[CONVERGED]),
         verdict,
     )
 
 
-def relaxation_time(results: Results) -> Claim | None:
+def relaxation_time(results: report.Results) -> report.Claim | None:
     """Judge the relaxation time above x = 1 (eq. 16)."""
     points = _usable(results, CONVERGED, above=1.0)
     if points is None:
         return None
     law = relaxation_rate(points.speed_ratio.values, points.hurst.values)
     ratio = points.relaxation_rate.values / law
-    return Claim(
+    return report.Claim(
         "Relaxation time τ^H (v q_max)^(H−1) for v₁τq_max > 1 (eq. 16), short of full contact",
         "b/x^(1−H) = 1",
-        f"b/x^(1−H) = {spread(ratio)}, extremes {ratio.min():.2f} and {ratio.max():.2f}; "
+        f"b/x^(1−H) = {report.spread(ratio)}, extremes {ratio.min():.2f} and {ratio.max():.2f}; "
         f"{ratio.size} points",
-        per_point(results[CONVERGED]),
-        judge_factor(ratio),
+        report.per_point(results[CONVERGED]),
+        report.judge_factor(ratio),
     )
 
 
-def force_independence(results: Results) -> Claim | None:
+def force_independence(results: report.Results) -> report.Claim | None:
     """Judge that b does not depend on the normal force: its spread over F_N at one (H, dx, v1)."""
     points = _usable(results, CONVERGED)
     if points is None:
@@ -120,29 +105,29 @@ def force_independence(results: Results) -> Claim | None:
     if int(several.sum()) == 0:
         return None
     rms = float(np.sqrt((deviation**2).mean()))
-    verdict = judge(float(np.expm1(rms)), tolerance=FORCE_TOLERANCE)
+    verdict = report.judge(float(np.expm1(rms)), tolerance=FORCE_TOLERANCE)
     extreme = float(np.exp((log_rate.max("normal_force") - log_rate.min("normal_force")).max()))
     force = points.normal_force.values
-    return Claim(
+    return report.Claim(
         "b depends on v₁τq_max and H alone, not on the normal force (eq. 13)",
         "no spread",
-        f"rms spread {percent(np.expm1(rms))} over F_N = {force.min():g} … {force.max():g} N, "
-        f"largest ratio {extreme:.2f}; {int(several.sum())} combinations of H, Δx, v₁",
-        per_point(results[CONVERGED]),
+        f"rms spread {report.percent(np.expm1(rms))} over F_N = {force.min():g} … {force.max():g} "
+        f"N, largest ratio {extreme:.2f}; {int(several.sum())} combinations of H, Δx, v₁",
+        report.per_point(results[CONVERGED]),
         verdict
-        if verdict in (HOLDS, NOT_FOUND)
+        if verdict in (report.HOLDS, report.NOT_FOUND)
         else f"{verdict} (rms), ratio {extreme:.1f} at worst",
     )
 
 
 def _usable(
-    results: Results, key: str, above: float = 0.0, below: float = np.inf
+    results: report.Results, key: str, above: float = 0.0, below: float = np.inf
 ) -> xr.Dataset | None:
     """Return the points of above < x < below with a fit of small error, short of full contact.
 
     They lie along "point". None where there are fewer than two values of x.
     """
-    dataset = given(results, key, *NEEDED)
+    dataset = report.given(results, key, *NEEDED)
     if dataset is None:
         return None
     points = dataset[list(NEEDED)].stack(point=dataset.relaxation_rate.dims)
@@ -153,4 +138,4 @@ def _usable(
     return points.isel(point=usable.values) if np.unique(x.values[usable]).size > 1 else None
 
 
-CLAIMS = (exponential, slow_rate, relaxation_time, force_independence)
+CLAIMS = (exponential_fits, slow_rate, relaxation_time, force_independence)

@@ -9,7 +9,7 @@ from elastomer_friction.workflow.report import HOLDS, Claim, Results, given, jud
 ALPHA_TOLERANCE = 0.2
 
 
-def exponent(results: Results) -> Claim | None:
+def exponent_converged(results: Results) -> Claim | None:
     """Judge alpha = 1 - H above x = 1 (eq. 13), converged in time."""
     return _exponent(results, "", "converged in time")
 
@@ -44,4 +44,4 @@ def _exponent(results: Results, group: str, label: str) -> Claim | None:
     )
 
 
-CLAIMS = (exponent, exponent_paper_step)
+CLAIMS = (exponent_converged, exponent_paper_step)

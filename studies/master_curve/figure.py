@@ -13,9 +13,17 @@ from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Study, read_study
 
-from .collapse import ALONG_BOTH, OVERLAP, UNSHIFTED
-from .curves import LARGEST_ERROR
-from .judge import WAYS, Found, remaining, resolved, thermal
+from .collapse import (
+    ALONG_BOTH,
+    LARGEST_ERROR,
+    OVERLAP,
+    UNSHIFTED,
+    WAYS,
+    Collapsed,
+    remaining,
+    resolved,
+    thermal,
+)
 
 CAPTION = (
     "Panels (a) to (d) show steady friction over the sliding speed at several normal forces or "
@@ -57,7 +65,7 @@ def draw(groups: Groups) -> Figure:
     return figure
 
 
-def _rule(found: dict[tuple[str, str], Found], coarse: int) -> str:
+def _rule(found: dict[tuple[str, str], Collapsed], coarse: int) -> str:
     """Say how curves were shifted and which points were left out."""
     without = ", ".join(str(each.family.left_out) for each in found.values())
     beyond = ", ".join(str(each.ways[ALONG_BOTH].left_out) for each in found.values())
@@ -71,7 +79,7 @@ def _rule(found: dict[tuple[str, str], Found], coarse: int) -> str:
     )
 
 
-def _pair(figure: Figure, axes: tuple[Axes, Axes], found: Found, log: bool, label: str) -> None:
+def _pair(figure: Figure, axes: tuple[Axes, Axes], found: Collapsed, log: bool, label: str) -> None:
     """Draw curves as they are, and shifted along both axes."""
     pressed = [place.pressed for place in found.family.places]
     colours = shades(min(pressed), max(pressed), log=log)
@@ -85,28 +93,22 @@ def _pair(figure: Figure, axes: tuple[Axes, Axes], found: Found, log: bool, labe
     figure.colorbar(colours, ax=axes[1], label=label)
 
 
-def _curves(ax: Axes, found: Found, way: str, colours: ScalarMappable) -> None:
+def _curves(ax: Axes, found: Collapsed, way: str, colours: ScalarMappable) -> None:
     family, sizes = found.family, sorted({place.size for place in found.family.places})
     reference = family.reference()
     rows = zip(family.places, family.curves, found.ways[way].shifts, strict=True)
     for k, (place, curve, shift) in enumerate(rows):
         mu = 10.0 ** (curve.y + shift.along_friction)
         bars = log_bars(mu, mu * curve.error * np.log(10.0))
-        style: dict[str, Any] = {
-            "fmt": MARKERS[sizes.index(place.size)],
-            "ms": 1.6,
-            "lw": 0.4,
-            "mew": 0.3,
-        }
-        colour = "k" if k == reference else colours.to_rgba(np.array(place.pressed))
+        style: dict[str, Any] = {"fmt": MARKERS[sizes.index(place.size)], "ms": 1.6, "lw": 0.4}
+        style["color"] = "k" if k == reference else colours.to_rgba(np.array(place.pressed))
         front = 3.0 if k == reference else 2.0
-        ax.errorbar(
-            10.0 ** (curve.x + shift.along_speed), mu, bars, color=colour, zorder=front, **style
-        )
+        moved = 10.0 ** (curve.x + shift.along_speed)
+        ax.errorbar(moved, mu, bars, mew=0.3, zorder=front, **style)
     ax.set(xscale="log", yscale="log")
 
 
-def _shifts(ax: Axes, found: dict[tuple[str, str], Found]) -> None:
+def _shifts(ax: Axes, found: dict[tuple[str, str], Collapsed]) -> None:
     """Draw the shifts of the smallest system at the highest temperature over the normal force."""
     for name, colour in zip(NAMES, (COLOURS[0], COLOURS[1]), strict=True):
         if (name, "force") not in found:
@@ -124,7 +126,7 @@ def _shifts(ax: Axes, found: dict[tuple[str, str], Found]) -> None:
     ax.legend(loc="best", fontsize=5.5)
 
 
-def _thermal(ax: Axes, force: Found, depth: Found) -> None:
+def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
     """Draw the shift along speed that is fitted, less that of WLF, for every pair of curves."""
     study = read_study("master_curve")
     assert isinstance(study, Study)
@@ -136,13 +138,7 @@ def _thermal(ax: Axes, force: Found, depth: Found) -> None:
         temperature, fitted, error = thermal(found)
         known = np.log10([material.shift(t) for t in temperature])
         spread = aside * (1.0 + 4.0 * np.arange(known.size) / max(known.size, 1))
-        style: dict[str, Any] = {
-            "fmt": marker,
-            "color": colour,
-            "ms": 2.0,
-            "lw": 0.5,
-            "capsize": 0.0,
-        }
+        style: dict[str, Any] = {"fmt": marker, "color": colour, "ms": 2.0, "lw": 0.5, "capsize": 0}
         ax.errorbar(temperature + spread, fitted - known, error, label=label, **style)
     ax.axhline(0.0, color="k", lw=0.7, ls="--")
     ax.set_xticks(np.unique(temperature))
@@ -151,7 +147,7 @@ def _thermal(ax: Axes, force: Found, depth: Found) -> None:
     ax.legend(loc="best", fontsize=5.5)
 
 
-def _residuals(ax: Axes, found: dict[tuple[str, str], Found]) -> None:
+def _residuals(ax: Axes, found: dict[tuple[str, str], Collapsed]) -> None:
     """Draw what remains of the differences from the reference, in all ways."""
     shades = ("0.75", COLOURS[5], COLOURS[0])
     for k, each in enumerate(found.values()):

@@ -26,6 +26,7 @@ LABELS = {
     STANDARD: ("standard linear solid", COLOURS[2], "^"),
     RUBBER: ("SBR, 13 branches", COLOURS[0], "o"),
 }
+POINTS: dict[str, Any] = {"ms": 2.4, "lw": 0.7}
 HEAT = (COLOURS[5], COLOURS[0], COLOURS[4])
 NOTE = (
     "read beside: Grosch 1963 (doi:10.1098/rspa.1963.0112), whose friction of rubber over speed at "
@@ -63,12 +64,7 @@ def master(data: xr.Dataset, material: Material) -> tuple[Collapse, list[Curve]]
 
     The shift is that of the material, nothing is fitted; the reference is the highest temperature.
     """
-    curves = []
-    for temperature in data.temperature.values:
-        one = data.sel(temperature=temperature)
-        speed = material.shift(float(temperature)) * one.velocity.values
-        error = (one.mu_1_error / one.mu_1).values / np.log(10.0)
-        curves.append(Curve(np.log10(speed), np.log10(one.mu_1.values), error))
+    curves = [_curve(data, t, material.shift(float(t))) for t in data.temperature.values]
     reference = curves[int(np.argmax(data.temperature.values))]
     return collapse(curves, reference, UNSHIFTED), curves
 
@@ -90,15 +86,8 @@ def _moduli(ax: Axes, materials: dict[str, Material]) -> None:
 def _friction(ax: Axes, known: dict[str, xr.Dataset]) -> None:
     for name, data in known.items():
         label, colour, marker = LABELS[name]
-        one = warmest(data)
-        style: dict[str, Any] = {
-            "fmt": f"{marker}-",
-            "color": colour,
-            "ms": 2.4,
-            "lw": 0.7,
-            "label": label,
-        }
-        error_bars(ax, one, "mu_1", "velocity", log=True, **style)
+        style = POINTS | {"fmt": f"{marker}-", "color": colour, "label": label}
+        error_bars(ax, warmest(data), "mu_1", "velocity", log=True, **style)
     slope = float(known[RUBBER].rms_slope.max())
     ax.axhline(slope, color="0.4", lw=0.7, ls=":")
     ax.text(1e-8, 1.1 * slope, "rms slope", fontsize=6.5)
@@ -109,8 +98,7 @@ def _friction(ax: Axes, known: dict[str, xr.Dataset]) -> None:
 def _contact(ax: Axes, known: dict[str, xr.Dataset]) -> None:
     for name, data in known.items():
         label, colour, marker = LABELS[name]
-        style: dict[str, Any] = {"fmt": f"{marker}-", "color": colour, "ms": 2.4, "lw": 0.7}
-        style |= {"label": label}
+        style = POINTS | {"fmt": f"{marker}-", "color": colour, "label": label}
         error_bars(ax, warmest(data), "contact_fraction", "velocity", log=True, **style)
     ax.set(xscale="log", yscale="log", ylim=(1e-4, 1.5), title="(c) share in contact at 20 °C")
     ax.set(xlabel="speed $v$ (m/s)", ylabel="share of the line in contact")
@@ -120,13 +108,7 @@ def _contact(ax: Axes, known: dict[str, xr.Dataset]) -> None:
 def _temperatures(ax: Axes, data: xr.Dataset) -> None:
     for temperature, colour in zip(data.temperature.values, HEAT, strict=False):
         one = data.sel(temperature=temperature)
-        style: dict[str, Any] = {
-            "fmt": "o-",
-            "color": colour,
-            "ms": 2.4,
-            "lw": 0.7,
-            "label": f"{temperature:.3g} °C",
-        }
+        style = POINTS | {"fmt": "o-", "color": colour, "label": f"{temperature:.3g} °C"}
         error_bars(ax, one, "mu_1", "velocity", **style)
     ax.set(xscale="log", xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
     ax.set(title="(d) SBR at several temperatures", ylim=(0.0, None))
@@ -138,8 +120,8 @@ def _master(ax: Axes, data: xr.Dataset, material: Material) -> None:
     for curve, colour in zip(curves, HEAT, strict=False):
         mu = 10.0**curve.y
         bars = mu * curve.error * np.log(10.0)
-        ax.errorbar(10.0**curve.x, mu, bars, fmt="o", color=colour, ms=2.4, lw=0.7)
-    before = collapse([_unmoved(data, t) for t in data.temperature.values], curves[-1], UNSHIFTED)
+        ax.errorbar(10.0**curve.x, mu, bars, fmt="o", color=colour, **POINTS)
+    before = collapse([_curve(data, t) for t in data.temperature.values], curves[-1], UNSHIFTED)
     ax.text(
         0.03,
         0.97,
@@ -154,10 +136,11 @@ def _master(ax: Axes, data: xr.Dataset, material: Material) -> None:
     ax.set(ylabel="coefficient of friction $\\mu$", title="(e) SBR, times shifted by $a_T$ (WLF)")
 
 
-def _unmoved(data: xr.Dataset, temperature: float) -> Curve:
+def _curve(data: xr.Dataset, temperature: float, shift: float = 1.0) -> Curve:
+    """Return friction at a temperature over the speed times a factor."""
     one = data.sel(temperature=temperature)
     error = (one.mu_1_error / one.mu_1).values / np.log(10.0)
-    return Curve(np.log10(one.velocity.values), np.log10(one.mu_1.values), error)
+    return Curve(np.log10(shift * one.velocity.values), np.log10(one.mu_1.values), error)
 
 
 def _percent(decades: float) -> str:

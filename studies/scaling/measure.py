@@ -12,7 +12,7 @@ from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Key, integer, positive
 
-from .paper import alone, planned
+from .paper import in_own_process, planned_in_pieces
 from .virtual import Costs, durations, simulated
 
 TASKS_PER_WORKER = 30  # of the uniform batches
@@ -42,7 +42,7 @@ ATTRIBUTES = {  # of the variables of a result: what they mean, and their units
 }
 
 
-def listed(check: Callable[[str, object], Any]) -> Callable[[str, object], tuple]:
+def list_of(check: Callable[[str, object], Any]) -> Callable[[str, object], tuple]:
     """Return the check of a list whose every part passes ``check``."""
 
     def parts(key: str, value: object) -> tuple:
@@ -59,10 +59,10 @@ def text(key: str, value: object) -> str:
     return str(value)
 
 
-counts = listed(partial(integer, least=1))
+counts = list_of(partial(integer, least=1))
 SETTINGS = {
     "studies": Key(
-        listed(text),
+        list_of(text),
         "The names of the studies whose runs are simulated.",
         "Each further study takes as long as its simulations do.",
         values="a list of names of studies",
@@ -86,7 +86,7 @@ SETTINGS = {
         values="a list of whole numbers, each at least 1",
     ),
     "uniform_seconds": Key(
-        listed(positive),
+        list_of(positive),
         "The mean lengths of these batches.",
         "Doubled, twice as many workers are kept busy by one scheduler.",
         "s",
@@ -130,7 +130,7 @@ def _uniform_seconds(settings: dict) -> float:
 
 @cache  # a plan of the paper's scale takes seconds, and the outline has asked before
 def _study_seconds(name: str, scale: str, clusters: int) -> float:
-    plan, pieces, target = planned(name, scale)
+    plan, pieces, target = planned_in_pieces(name, scale)
     number = sum(piece.blocks / max(1.0, target / piece.seconds) for piece in pieces)
     tasks = sum(len(variant.tasks) for variant in plan.variants)
     return clusters * (SECONDS_TO_PLAN * tasks + SECONDS_PER_BATCH * number)
@@ -173,7 +173,7 @@ def _studies(settings: dict, costs: Costs, advance: Callable[[float], None]) -> 
     for name in settings["studies"]:
         for workers in settings["workers"]:
             where = {"study": name, "scale": settings["scale"], "workers": workers}
-            frames.append({**where, **alone(**where, costs=list(costs))})
+            frames.append({**where, **in_own_process(**where, costs=list(costs))})
         advance(_study_seconds(name, settings["scale"], len(settings["workers"])))
     frame = pd.DataFrame(frames).drop(columns="scale").set_index(["study", "workers"])
     return _described(frame.to_xarray())

@@ -1,4 +1,4 @@
-"""A whole study on a virtual cluster: real plan, flow, shelf, store and journal, no kernels.
+"""A whole study on a virtual cluster: real plan, flow, buffer, store and journal, no kernels.
 
 `python -m elastomer_friction.studies.scaling.paper ARGUMENTS` runs it in a process of its own, so
 that its memory is that of a driver.
@@ -26,7 +26,7 @@ from elastomer_friction.workflow.plan import (
     total_seconds,
 )
 from elastomer_friction.workflow.simulate import PHASES, SCALARS, Batch, BatchResult
-from elastomer_friction.workflow.store import Shelf, Store, size
+from elastomer_friction.workflow.store import Store, WriteBuffer, size
 from elastomer_friction.workflow.study import Study, read_study
 from elastomer_friction.workflow.system import peak_bytes, this_maker
 
@@ -35,7 +35,7 @@ from .virtual import Costs, VirtualClient, virtual_stream
 MEBIBYTE = 2**20
 
 
-def alone(**arguments: Any) -> dict[str, float]:
+def in_own_process(**arguments: Any) -> dict[str, float]:
     """Return what ``measured(**arguments)`` returns in a process of its own."""
     command = [
         sys.executable,
@@ -47,7 +47,7 @@ def alone(**arguments: Any) -> dict[str, float]:
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def planned(study: str, scale: str) -> tuple[Plan, list[Missing], float]:
+def planned_in_pieces(study: str, scale: str) -> tuple[Plan, list[Missing], float]:
     """Return the plan of a study, its work in pieces, and the target of a batch (s)."""
     plan = make_plan(cast(Study, read_study(study, scale)))
     missing = missing_work(plan, ())
@@ -58,7 +58,7 @@ def planned(study: str, scale: str) -> tuple[Plan, list[Missing], float]:
 def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[str, float]:
     """Return what the study takes on so many workers; sizes in MiB, times in s."""
     began = time.process_time()
-    plan, pieces, target = planned(study, scale)
+    plan, pieces, target = planned_in_pieces(study, scale)
     work = make_batches(plan, pieces, target)
     planning = time.process_time() - began
     client = VirtualClient(workers, Costs(*costs), attrgetter("seconds"))
@@ -66,9 +66,9 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
     began = time.process_time()
     with tempfile.TemporaryDirectory() as folder:
         store = Store(Path(folder))
-        with Shelf(store, target, client.monotonic) as shelf:
+        with WriteBuffer(store, target, client.monotonic) as buffer:
             for batch, done in virtual_stream(client, pretend, work):
-                shelf.add(batch, done)
+                buffer.add(batch, done)
                 longest = max(longest, batch.seconds)
         spent = time.process_time() - began
         memory = peak_bytes() / MEBIBYTE

@@ -8,20 +8,11 @@ import numpy as np
 import pandas as pd
 import xarray as xr
 
-from elastomer_friction.kernels import (
-    SCHEMES,
-    Case,
-    Line,
-    Quantities,
-    amplitudes,
-    rms_slope,
-    run_case,
-)
+from elastomer_friction.kernels import SCHEMES
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Key, integer
 
-from .corners import corners, number_of_corners, random_line
-from .probe import COUNTS, RESIDUALS, Motion, probe
+from .probe import COUNTS, RESIDUALS, Motion, corners, count_corners, probe, random_line, refinement
 
 HURST, M, RATIO = 0.7, 4, 1.2  # of the map
 KINDS = RESIDUALS | COUNTS
@@ -71,7 +62,7 @@ SETTINGS = {
 def outline(settings: dict) -> tuple[list[str], float]:
     """Return what would be measured, and the predicted seconds of one core."""
     points = settings["map_loads"] * settings["map_speeds"] * len(SCHEMES)
-    cases = number_of_corners(settings["corner_lines"], settings["most_elements"])
+    cases = count_corners(settings["corner_lines"], settings["most_elements"])
     lines = [
         f"map         {points} points, {settings['map_lines']} lines each",
         f"corners     {cases} cases of {settings['steps']} steps",
@@ -109,7 +100,7 @@ def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Data
         for line, fine in both:
             motion = Motion(line, load, x / np.pi, RATIO, scheme)
             worst = probe(motion, settings["steps"])
-            each.append(worst | {"refinement": _refinement(motion, fine)})
+            each.append(worst | {"refinement": refinement(motion, fine, HURST)})
         rows.append({kind: max(worst[kind] for worst in each) for kind in each[0]})
         advance(_map_seconds(settings))
     shape = (len(SCHEMES), loads.size, speeds.size)
@@ -118,15 +109,6 @@ def _map(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Data
         for kind in rows[0]
     }
     return xr.Dataset(data, axes, {"hurst": HURST, "elements": n, "steps_per_spacing": M})
-
-
-def _refinement(motion: Motion, fine: Line) -> float:
-    """Return by how much mu_1 moves when the samples are halved, in units of the rms slope."""
-    case = Case(motion.load, motion.speed, (), (), motion.scheme)
-    steady = Quantities(jump=False, relaxation=False)
-    one, two = (run_case(line, case, steady).mu_1 for line in (motion.line, fine))
-    elements = fine.z.size // fine.steps_per_spacing
-    return abs(two - one) / rms_slope(amplitudes(HURST, elements), elements)
 
 
 def _corners(settings: dict, seed: int, advance: Callable[[float], None]) -> xr.Dataset:

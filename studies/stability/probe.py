@@ -1,21 +1,30 @@
 """Residuals of one velocity step, measured on the state of every element at every step.
 
 The kernels give the indentation; the displacements under it are worked out here, element by
-element, and held against the equations of the model. Residuals are relative to their terms.
+element, and held against the equations of the model. Residuals are relative to their terms. The
+cases are all corners on random lines, lines that no spectrum makes, and very long lines.
 """
 
+import itertools
+from collections.abc import Iterator
 from typing import NamedTuple
 
 import numpy as np
 
 from elastomer_friction.kernels import (
     SCHEMES,
+    Case,
     ConstantForce,
     Kelvin,
     Line,
+    Quantities,
     State,
+    amplitudes,
+    draw_phases,
     lagged_slope,
     march,
+    rms_slope,
+    run_case,
     solve_indentation,
     steady_sliding,
 )
@@ -39,6 +48,13 @@ COUNTS = {
     "passes": "Newton passes of one step, at most",
     "sweeps": "sweeps of one steady state, at most",
 }
+HURST = (0.0, 0.5, 1.0)
+ELEMENTS = ((8, 1), (8, 4), (64, 2), (1000, 1))  # N and samples per spacing
+LOADS = (1e-6, 1e-3, 1.0, 1e4)
+X = (1e-4, 1.0, 1e3, 1e6)
+RATIOS = (1e-3, 0.8, 1.2, 101.0)  # dv/v1 = -0.999 to +100
+LONG = (10**5, 10**6)
+LONG_STEPS = 2
 
 
 class Motion(NamedTuple):
@@ -81,6 +97,15 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
         _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
     _follow(motion, starts[0], dt, law, 1.02 * max(d for _, d in starts), steps, worst)
     return worst
+
+
+def refinement(motion: Motion, fine: Line, hurst: float) -> float:
+    """Return by how much mu_1 moves when the samples are halved, in units of the rms slope."""
+    case = Case(motion.load, motion.speed, (), (), motion.scheme)
+    steady = Quantities(jump=False, relaxation=False)
+    one, two = (run_case(line, case, steady).mu_1 for line in (motion.line, fine))
+    elements = fine.z.size // fine.steps_per_spacing
+    return abs(two - one) / rms_slope(amplitudes(hurst, elements), elements)
 
 
 def _march(motion, state, law, cap, steps, worst):
@@ -156,3 +181,75 @@ def _raise(worst: dict[str, float], **found: float) -> None:
     """Keep the larger value of each kind; what is no number counts as infinite."""
     for kind, value in found.items():
         worst[kind] = max(worst[kind], float(value) if np.isfinite(value) else np.inf)
+
+
+def line_through(z, steps_per_spacing: int = 2) -> Line:
+    """Return the periodic line through these heights."""
+    z = np.asarray(z, dtype=float)
+    slope = 0.5 * steps_per_spacing * (np.roll(z, -1) - np.roll(z, 1))
+    return Line.from_samples(z, slope, steps_per_spacing)
+
+
+def shapes(n: int = 48) -> dict[str, Line]:
+    """Return name -> line of n samples (n a multiple of 8)."""
+    x = np.arange(n)
+    quantised = np.round(4.0 * np.random.default_rng(3).normal(size=n)) / 4.0
+    heights = {
+        "flat": np.zeros(n),
+        "spike down": np.where(x == n // 2, -1.0, 1.0),
+        "spike up": np.where(x == n // 2, 1.0, -1.0),
+        "needle of 1000": np.where(x == n // 2, -1000.0, 0.0),
+        "step": np.where(x < n // 2, -1.0, 1.0),
+        "comb": np.where(x % 2 == 0, -1.0, 1.0),
+        "sawtooth": x % 8 - 3.5,
+        "falling sawtooth": 3.5 - x % 8,
+        "ties at the bottom": np.where(x % 8 < 3, -2.0, np.sin(x)),
+        "quantised": quantised,
+        "far from zero": 1e6 + quantised,
+        "nearly flat": 1e-12 * np.sin(x),
+        "two samples apart by one ulp": np.where(x == 5, 1.0, np.where(x == 9, 1.0 + 2e-16, 2.0)),
+    }
+    return {name: line_through(z) for name, z in heights.items()}
+
+
+class Corner(NamedTuple):
+    """One case: what it is called, what moves, for how many steps."""
+
+    line: str
+    elements: int
+    motion: Motion
+    steps: int
+
+
+def random_line(hurst: float, elements: int, m: int, seed: int, index: int) -> Line:
+    """Return a random line, a function of these numbers alone."""
+    rng = np.random.default_rng([seed, round(1e6 * hurst), elements, index])
+    return Line.self_affine(amplitudes(hurst, elements), draw_phases(rng, elements), elements, m)
+
+
+def corners(seed: int, lines: int, most_elements: int, steps: int) -> Iterator[Corner]:
+    """Return all cases, the lines made as they are needed."""
+    for hurst, (n, m), index in itertools.product(HURST, ELEMENTS, range(lines)):
+        line = random_line(hurst, n, m, seed, index)
+        yield from _every_motion(f"H = {hurst:g}", n, line, RATIOS, steps)
+    for name, line in shapes().items():
+        n = line.z.size // line.steps_per_spacing
+        yield from _every_motion(name, n, line, (RATIOS[0], RATIOS[-1]), steps)
+    for n in LONG:
+        if n <= most_elements:
+            line = random_line(1.0, n, 1, seed, 0)
+            for load, scheme in itertools.product((LOADS[0], LOADS[-1]), SCHEMES):
+                yield Corner("H = 1", n, Motion(line, load, 10.0, 2.0, scheme), LONG_STEPS)
+
+
+def _every_motion(name, elements, line, ratios, steps):
+    for load, x, ratio, scheme in itertools.product(LOADS, X, ratios, SCHEMES):
+        yield Corner(name, elements, Motion(line, load, x / np.pi, ratio, scheme), steps)
+
+
+def count_corners(lines: int, most_elements: int) -> int:
+    """Return how many cases ``corners`` yields."""
+    motions = len(LOADS) * len(X) * len(SCHEMES)
+    random = len(HURST) * len(ELEMENTS) * lines * motions * len(RATIOS)
+    long = sum(n <= most_elements for n in LONG)
+    return random + len(shapes()) * motions * 2 + long * 2 * len(SCHEMES)

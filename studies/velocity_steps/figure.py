@@ -30,7 +30,7 @@ LABELS = {"": "Kelvin element", "rubber": "nine branches"}
 MICRO = 1e6
 
 
-class Step(NamedTuple):
+class StepWithSlide(NamedTuple):
     """A velocity step from v1, and the slide after it."""
 
     ratio: float  # of the velocity after it to v1
@@ -39,7 +39,7 @@ class Step(NamedTuple):
     rest: tuple[float, float]  # change of mu at the end of the slide, error
 
 
-def steps_of(data: xr.Dataset) -> list[Step]:
+def simulated_steps(data: xr.Dataset) -> list[StepWithSlide]:
     """Return the steps from v1 of a result without axes of length 1, in order of their ratio."""
     found = []
     number = data.trace_segment.values
@@ -49,7 +49,9 @@ def steps_of(data: xr.Dataset) -> list[Step]:
         change, error = after.trace_mu_change.values, after.trace_mu_change_error.values
         top = int(np.argmax(np.sign(ratio - 1.0) * change))
         slide = after.assign(slid=after.trace_distance - float(before.trace_distance[-1]))
-        found.append(Step(ratio, slide, (change[top], error[top]), (change[-1], error[-1])))
+        found.append(
+            StepWithSlide(ratio, slide, (change[top], error[top]), (change[-1], error[-1]))
+        )
     return sorted(found, key=lambda step: step.ratio)
 
 
@@ -58,7 +60,7 @@ def draw(groups: Groups) -> Figure:
     figure, axes = plt.subplots(2, 3, figsize=(7.4, 4.7), width_ratios=(1.0, 1.0, 0.85))
     for column, (name, label) in enumerate(LABELS.items()):
         data = groups[name].squeeze()
-        steps = steps_of(data)
+        steps = simulated_steps(data)
         _histories(axes[0, column], steps, "trace_mu_change", 1.0)
         _histories(axes[1, column], steps, "trace_indentation_change", MICRO)
         axes[0, column].set_title(f"({'ab'[column]}) {label}, $\\mu_1 = {float(data.mu_1):.2g}$")
@@ -83,7 +85,7 @@ def draw(groups: Groups) -> Figure:
     return figure
 
 
-def _histories(ax: Axes, steps: list[Step], name: str, scale: float) -> None:
+def _histories(ax: Axes, steps: list[StepWithSlide], name: str, scale: float) -> None:
     """Draw the change of a trace after every step, over the distance slid since."""
     sizes = sorted({round(max(step.ratio, 1.0 / step.ratio), 6) for step in steps})
     for step in steps:
@@ -100,7 +102,7 @@ def _histories(ax: Axes, steps: list[Step], name: str, scale: float) -> None:
     ax.set(xscale="log")
 
 
-def _per_decade(ax: Axes, steps: list[Step], kind: str, **style: Any) -> None:
+def _per_decade(ax: Axes, steps: list[StepWithSlide], kind: str, **style: Any) -> None:
     """Draw a change of friction over ln r, for every step."""
     ratio = np.array([step.ratio for step in steps])
     value, error = np.array([getattr(step, kind) for step in steps]).T / np.log(ratio)

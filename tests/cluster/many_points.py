@@ -14,7 +14,7 @@ import psutil
 
 from elastomer_friction.studies.scaling.paper import pretend
 from elastomer_friction.workflow.plan import make_plan
-from elastomer_friction.workflow.run import How, run_plan
+from elastomer_friction.workflow.run import RunOptions, run_plan
 from elastomer_friction.workflow.study import read_study
 from elastomer_friction.workflow.system import peak_bytes
 
@@ -66,7 +66,9 @@ def main() -> None:
     thread = threading.Thread(target=highest, args=(workers, done))
     thread.start()
     try:
-        run_plan(plan, folder / "many.nc", How(workers=1, work=pretended, batch_seconds=100.0))
+        run_plan(
+            plan, folder / "many.nc", RunOptions(workers=1, work=pretended, batch_seconds=100.0)
+        )
     finally:
         done.set()
         thread.join()

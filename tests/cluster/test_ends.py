@@ -9,8 +9,8 @@ from pathlib import Path
 import psutil
 import pytest
 
-from elastomer_friction.workflow.run.run import run_plan
-from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.run.grid_run import run_plan
+from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
 from tests.cluster.processes import PATIENCE, Standing
@@ -115,7 +115,7 @@ def test_a_batch_outlives_its_job(slurm, tmp_path, monkeypatch, expected, end):
     striking.start()
     cluster = Cluster(**slurm.table, where="slurm", patience=PATIENCE)
     path = tmp_path / "small.nc"
-    summary = run_plan(small_plan(), path, How(cluster, batch_seconds=1e-3, work=outliving))
+    summary = run_plan(small_plan(), path, RunOptions(cluster, batch_seconds=1e-3, work=outliving))
     striking.join()
     slurm.heal()
     assert summary.failures == []

@@ -6,9 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, Case, Line, Quantities, run_case
-from elastomer_friction.studies.stability.corners import random_line
-from elastomer_friction.studies.stability.probe import Motion, probe
-from elastomer_friction.studies.stability.shapes import shapes
+from elastomer_friction.studies.stability.probe import Motion, probe, random_line, shapes
 from tests.hard.bounds import assert_stable
 from tests.sizes import PLAIN_PYTHON, size
 from tests.support.sweeps import sweep

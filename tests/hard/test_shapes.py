@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, Case, Line, Quantities, run_case
-from elastomer_friction.studies.stability.shapes import line_through, shapes
+from elastomer_friction.studies.stability.probe import line_through, shapes
 from tests.sizes import size
 
 SHAPES = shapes(size(48, 24))

@@ -13,12 +13,12 @@ from elastomer_friction.kernels import (
     steady_sliding,
     step_average,
 )
-from elastomer_friction.studies.accuracy.marches import MARCHES
+from elastomer_friction.studies.accuracy.alternatives import MARCHES
 from elastomer_friction.studies.accuracy.measure import table
 from elastomer_friction.studies.accuracy.points import COMPARED, POINTS, Point, surface
 from elastomer_friction.studies.accuracy.recommendation import cheapest
-from elastomer_friction.studies.accuracy.sampling import Method, run
-from elastomer_friction.studies.accuracy.wide import observe, stated
+from elastomer_friction.studies.accuracy.sampling import Method, run_lines
+from elastomer_friction.studies.accuracy.wide import mean_of_lines, stated
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.simulate import Problem
 from tests.support.studies import check_drawing, load
@@ -56,7 +56,7 @@ def test_alternatives_agree_with_the_kernels_at_equal_m(name, m):
 
 def test_straight_lines_between_samples_relax_too_slowly_and_the_stated_bias_says_so():
     problem = Problem(0.6, 1000, 0.2, 6.0, 1.2)  # wide contacts, short steps
-    coarse, finer, limit = (observe(problem, m, 64, 1) for m in (4, 8, 32))
+    coarse, finer, limit = (mean_of_lines(problem, m, 64, 1) for m in (4, 8, 32))
     error, less = coarse[2] / limit[2] - 1.0, finer[2] / limit[2] - 1.0
     bound = stated(problem, 4, coarse)[2]
     assert -bound < error < -0.4 * bound
@@ -67,7 +67,8 @@ def test_a_narrow_contact_is_right_at_four_samples_if_it_is_refined_and_not_othe
     point = Point(0.7, 1e-3, 100.0)
     lines = [surface(point, 200, 1, index) for index in range(4)]
     limit, refined, plain = (
-        run(point, lines, Method("exponential", *how)).mu_1 for how in ((64,), (4,), (4, False))
+        run_lines(point, lines, Method("exponential", *how)).mu_1
+        for how in ((64,), (4,), (4, False))
     )
     assert (abs(refined / limit - 1.0) < 0.02).all()
     assert (abs(plain / limit - 1.0) > 0.05).any()

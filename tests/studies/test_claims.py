@@ -108,7 +108,7 @@ def test_exponential(quality, verdict):
         dataset.fit_quality[..., 0, :] = 0.9
     else:
         dataset.fit_quality[...] = quality
-    assert fig7.exponential({"fig7": dataset}).verdict.startswith(verdict)
+    assert fig7.exponential_fits({"fig7": dataset}).verdict.startswith(verdict)
 
 
 LEFT = {
@@ -152,8 +152,8 @@ def test_points_with_large_errors_or_near_full_contact_are_left_out():
 def test_exponent(offset, verdict):
     dataset = result()
     dataset = with_alpha(dataset, 1.0 - dataset.hurst + offset)
-    assert fig8.exponent({"fig7": dataset}).verdict == verdict
-    assert "points of fig8" in fig8.exponent({"fig7": dataset, "fig8": dataset}).found
+    assert fig8.exponent_converged({"fig7": dataset}).verdict == verdict
+    assert "points of fig8" in fig8.exponent_converged({"fig7": dataset, "fig8": dataset}).found
     assert fig8.exponent_paper_step({"fig7": dataset}) is None
     assert fig8.exponent_paper_step({"fig7/paper_step": dataset}).verdict == verdict
 

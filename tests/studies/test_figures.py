@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.studies.grid6d.prediction import law_error
+from elastomer_friction.studies.grid6d.figure import law_error
 from elastomer_friction.workflow.kinetic_law import normalised_jump
 from elastomer_friction.workflow.reduce.fits import FITTED
 from tests.support.studies import check_drawing, run

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from elastomer_friction.studies.grid6d.prediction import law_curve, law_error, shares_within
+from elastomer_friction.studies.grid6d.figure import law_curve, law_error, shares_within
 from elastomer_friction.workflow.kinetic_law import normalised_jump
 
 

@@ -10,8 +10,10 @@ from elastomer_friction.studies.master_curve.collapse import (
     UNSHIFTED,
     Curve,
     collapse,
+    remaining,
+    resolved,
+    thermal,
 )
-from elastomer_friction.studies.master_curve.judge import remaining, resolved, thermal
 from elastomer_friction.workflow.study.read import read_study
 from tests.support.studies import check_drawing, run
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.studies.oscillation.prediction import modulus, motions, shift, unit
+from elastomer_friction.studies.oscillation.figure import modulus, motions, shift_factors, unit
 from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
@@ -23,7 +23,7 @@ def found(groups):
     named = {}
     for name, group in groups.items():
         data = group.squeeze()
-        omega = 2.0 * np.pi * motions(data)[-1].frequency * shift(data)
+        omega = 2.0 * np.pi * motions(data)[-1].frequency * shift_factors(data)
         response = data.mu_in_phase.values + 1j * data.mu_quadrature.values
         named[name] = data, modulus(data, name, omega), response / unit(data)
     return named

@@ -3,13 +3,13 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.studies.stability import corners
+from elastomer_friction.studies.stability import probe
 from elastomer_friction.studies.stability.measure import measure, table
 from elastomer_friction.studies.stability.probe import COUNTS, RESIDUALS
 from elastomer_friction.workflow.study.read import read_study
 from tests.support.studies import check_drawing
 
-pytestmark = pytest.mark.exhaustive  # the corners in make test: tests/hard/test_corners.py
+pytestmark = pytest.mark.exhaustive  # the corners in make test: tests/hard/test_probe.py
 
 
 @pytest.fixture(scope="module")
@@ -18,7 +18,7 @@ def groups():
     study = read_study("stability", "smoke")
     groups = measure(study.settings, study.seed, lambda _: None)
     settings = (study.settings["corner_lines"], study.settings["most_elements"])
-    assert groups["corners"].sizes["case"] == corners.number_of_corners(*settings)
+    assert groups["corners"].sizes["case"] == probe.count_corners(*settings)
     return {name: data.assign_attrs(data.attrs, seed=study.seed) for name, data in groups.items()}
 
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.studies.velocity_steps.figure import steps_of
+from elastomer_friction.studies.velocity_steps.figure import simulated_steps
 from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
@@ -20,7 +20,7 @@ def groups(tmp_path_factory):
 @pytest.fixture(scope="module")
 def steps(groups):
     """Return the six steps of both materials."""
-    return {name: steps_of(data.squeeze()) for name, data in groups.items()}
+    return {name: simulated_steps(data.squeeze()) for name, data in groups.items()}
 
 
 @pytest.mark.parametrize("name", ["", "rubber"])

@@ -12,9 +12,9 @@ from typing import NamedTuple
 import xarray as xr
 
 from elastomer_friction.workflow.plan.plan import Plan
-from elastomer_friction.workflow.run.run import run_plan
+from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.summary import Summary
-from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.store.store import store_folder
 from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
 from tests.support.small import small_plan
@@ -46,7 +46,7 @@ def run(
 ) -> Run:
     """Run the small study with --set ``settings``, in this process unless a scheduler is given."""
     plan, path = small_plan(*settings, scale=scale), folder / "small.nc"
-    how = How(Cluster(scheduler), batch_seconds=batch_seconds, **how)
+    how = RunOptions(Cluster(scheduler), batch_seconds=batch_seconds, **how)
     return Run(plan, run_plan(plan, path, how), path)
 
 

@@ -15,11 +15,11 @@ from matplotlib.axes import Axes
 
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.reduce.fits import FITTED
-from elastomer_friction.workflow.report.drawing import STYLE
-from elastomer_friction.workflow.report.page.section import section
+from elastomer_friction.workflow.report.page.report import section
+from elastomer_friction.workflow.report.panels import STYLE
 from elastomer_friction.workflow.run import workers
-from elastomer_friction.workflow.run.run import run_plan
-from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.run.grid_run import run_plan
+from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from elastomer_friction.workflow.study.scripts import load_script
 from elastomer_friction.workflow.study.study import AnyStudy
@@ -39,7 +39,7 @@ def run(folder: Path, name: str, *settings: str, variants: Sequence[str] = ()) -
     path = folder / f"{name}.nc"
     with pytest.MonkeyPatch.context() as patch:
         patch.setattr(workers, "SECONDS_HERE", math.inf)
-        run_plan(make_plan(replace(study, variants=chosen)), path, How())
+        run_plan(make_plan(replace(study, variants=chosen)), path, RunOptions())
     groups = load(path)
     check_section(study, groups, folder)
     return groups
@@ -60,7 +60,7 @@ def load(path: Path) -> Groups:
 def check_section(study: AnyStudy, groups: Groups, folder: Path) -> None:
     """Show a result in the report, but for its figure: what it was computed with, and its table."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("elastomer_friction.workflow.report.page.section.draw_groups", lambda *_: [])
+        patch.setattr("elastomer_friction.workflow.report.page.report.draw_groups", lambda *_: [])
         shown = section(study, groups, folder)
     assert shown["troubles"] == []
     units = {meaning: unit for meaning, _, unit in shown["parameters"]}

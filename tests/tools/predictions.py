@@ -21,7 +21,7 @@ from elastomer_friction.workflow.plan.cost.machine import Parted
 from elastomer_friction.workflow.plan.cost.pace import WHOLE, Learned, Pace, label, prediction
 from elastomer_friction.workflow.plan.cost.timing import factors
 from elastomer_friction.workflow.plan.plan import make_plan
-from elastomer_friction.workflow.run import How, run_measured, run_plan
+from elastomer_friction.workflow.run import RunOptions, run_measured, run_plan
 from elastomer_friction.workflow.simulate import load_kernels
 from elastomer_friction.workflow.study import (
     AnyStudy,
@@ -61,7 +61,7 @@ def run_one(study: AnyStudy, longest: float) -> dict[str, Any] | None:
         plan = make_plan(study, Pace(before))
         if plan.prediction().seconds > longest:
             return None
-        found = run_plan(plan, result, How())
+        found = run_plan(plan, result, RunOptions())
     return described(before, found.spent, found.typical)
 
 

@@ -1,7 +1,8 @@
-"""What `plan` prints: what a study would do, simulate and cost."""
+"""What `plan` prints: what a study would do and cost, and whether each effect is simulated."""
 
 import math
 import sys
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
@@ -9,9 +10,20 @@ import numpy as np
 
 from ..plan import WHOLE, Pace, Plan, Prediction, Variant, make_plan, prediction, this_machine
 from ..simulate import programme_steps
-from ..study import Measured, Study, judged
+from ..study import (
+    QUANTITIES,
+    FromFile,
+    Hold,
+    Material,
+    Measured,
+    Oscillate,
+    Ramp,
+    Slide,
+    Study,
+    judged,
+    why_not,
+)
 from ..system import core_time
-from .effects import effect_lines
 
 SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes
@@ -19,17 +31,18 @@ LONG = 1.0  # s, a wait that is announced
 
 
 Said = tuple[list[str], dict[str, Any]]  # lines to print, and the same as data
+NAMES = {Slide: "slide", Hold: "hold", Ramp: "ramp", Oscillate: "oscillate", FromFile: "file"}
 
 
 def outline_grid(study: Study, result: Path) -> Said:
     """Return what a study of a grid would do and cost, as lines and as data; computes nothing."""
     machine = this_machine()
-    plan = planned(study, machine.pace)
+    plan = announced_plan(study, machine.pace)
     cost = plan.prediction()
     return outline(plan, result, cost, machine.note), _facts(plan, cost)
 
 
-def planned(study: Study, pace: Pace) -> Plan:
+def announced_plan(study: Study, pace: Pace) -> Plan:
     """Return the plan of a study; where that takes long, say so before."""
     points = math.prod(study.shape) * len(study.variants)
     seconds = SECONDS_PER_POINT * points
@@ -176,3 +189,78 @@ def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
         f"  no rate   sought at {nothing} problems, where less than "
         f"{numerics.negligible:g} of the jump is expected to relax",
     ]
+
+
+def effect_lines(study: Study) -> list[str]:
+    """Return a line for every effect that a scene can call for, quantities among them."""
+    found = [*_materials(study), *_surface(study), *_motion(study), *_quantities(study)]
+    lines = [f"simulated     {what}" if yes else f"not simulated {what}" for yes, what in found]
+    rate = "kept" if study.scene.indentation_rate else "dropped, as eq. 3 is printed"
+    return [*lines, f"indentation rate in the force: {rate}"]
+
+
+def _materials(study: Study) -> Iterator[tuple[bool, str]]:
+    for label, material in study.materials.items():
+        if not label or material != study.material:
+            yield True, f"rheology{f' of {label}' if label else ''}: {_rheology(material)}"
+    if not any(material.branches for material in study.materials.values()):
+        yield False, "branches of relaxation: material.branches is not given"
+    count = len(study.material.temperatures)
+    if count:
+        yield True, f"{count} temperatures: all times shifted by WLF"
+    elif study.material.wlf:
+        yield True, "one temperature: all times shifted by WLF"
+    else:
+        yield False, "temperature: material.temperature and wlf are not given"
+
+
+def _rheology(material: Material) -> str:
+    tau = f"tau = {material.tau:.4g} s"
+    if not material.branches:
+        return f"Kelvin element, {tau}"
+    number = len(material.branches)
+    kind = "standard linear solid" if number == 1 else f"Prony series of {number} branches"
+    dashpot = "with a dashpot" if material.jumps else "without a dashpot"
+    times = f"times {material.branches[0][1]:.3g} ... {material.branches[-1][1]:.3g} s"
+    return f"{kind} {dashpot}, {times}, {tau}"
+
+
+def _surface(study: Study) -> Iterator[tuple[bool, str]]:
+    surface = study.surface
+    if surface.profile is not None:
+        lines, samples = surface.profile.heights.shape
+        how = "as they are" if surface.lines == "measured" else f"{surface.lines} lines like them"
+        yield True, f"measured lines: {lines} of {samples} samples, {how}"
+        return
+    yield False, "measured lines: surface.file is not given; lines are random and self-affine"
+    for name, value in (("rolloff", surface.rolloff), ("cutoff", surface.cutoff)):
+        said = f"{value:.4g} m" if value else f"surface.{name} is not given"
+        yield bool(value), f"{name}: {said}"
+
+
+def _motion(study: Study) -> Iterator[tuple[bool, str]]:
+    scene = study.scene
+    if scene.programme:
+        names = [NAMES[type(segment)] for segment in scene.programme]
+        shown = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
+        again = f", {scene.repeat} times" if scene.repeat > 1 else ""
+        yield True, f"programme from {scene.start}: {shown}{again}"
+    else:
+        yield False, "programme: there is no [[scene.programme]]; v1 steps to v2"
+    if scene.control == "force":
+        yield True, "constant normal force"
+        yield False, 'prescribed indentation: scene.control is "force"'
+    else:
+        kind = "over time" if scene.indentation_history else "constant"
+        yield False, 'constant normal force: scene.control is "indentation"'
+        yield True, f"prescribed indentation, {kind}"
+
+
+def _quantities(study: Study) -> Iterator[tuple[bool, str]]:
+    alone = study.realizations == 1 and not study.scene.holds
+    for name, quantity in QUANTITIES.items():
+        if name in study.scene.quantities:
+            yield True, f"{name}: {quantity.effect}"
+        else:
+            reason = why_not(name, study.scene, study.materials, alone) or "it is not asked for"
+            yield False, f"{name}: {reason}"

@@ -69,7 +69,7 @@ def _refused(path: Path, rows: Rows, index: int, found: str, must: str) -> UserE
     return UserError(f"fit: line {rows.lines[index]} of {str(path)!r}: {found}; must {must}")
 
 
-class Step(NamedTuple):
+class MeasuredStep(NamedTuple):
     """One velocity step as it was measured."""
 
     name: str  # of the file, and which step of it
@@ -86,7 +86,7 @@ class Step(NamedTuple):
         return self.v2 / self.v1
 
 
-def steps_of(record: Record, window: float | None = None) -> list[Step]:
+def measured_steps(record: Record, window: float | None = None) -> list[MeasuredStep]:
     """Return the velocity steps of a record, in order.
 
     window : seconds after each step that are looked at, at most; all by default. Raises UserError
@@ -105,7 +105,7 @@ def steps_of(record: Record, window: float | None = None) -> list[Step]:
     return found
 
 
-def _step(record: Record, name: str, one: slice, two: slice, window: float | None) -> Step:
+def _step(record: Record, name: str, one: slice, two: slice, window: float | None) -> MeasuredStep:
     t = record.time
     last, first = t[one.stop - 1], t[two.start]
     start = 0.5 * (last + first)
@@ -117,7 +117,7 @@ def _step(record: Record, name: str, one: slice, two: slice, window: float | Non
             f"fit {name}: {max(end - two.start, 0)} samples within {window:g} s of the step; a fit "
             f"needs {LEAST_SAMPLES}: give a longer --window"
         )
-    return Step(
+    return MeasuredStep(
         name=name,
         v1=float(record.velocity[one].mean()),
         v2=float(record.velocity[two].mean()),

@@ -22,12 +22,26 @@ from scipy.optimize import least_squares
 
 from ..reduce import step_law
 from .estimate import DEVIATIONS, Estimate, correlation_factor, mean
-from .record import Step
+from .record import MeasuredStep
 
 RATES = 80  # tried
 SLOWEST = 0.1  # rate times the whole time: slower is a straight line
 FASTEST = 1.0  # rate times the first interval of samples: faster is part of the jump
 SMALL = 1e-12  # of a coefficient of friction: less is rounding
+LARGEST_SHARE = 1.0 / DEVIATIONS  # of a number that its standard error may be
+
+NOTHING = "nothing relaxes that stands out from the noise"
+TOO_SHORT = "friction still relaxes where the record ends; a longer one is needed"
+TOO_COARSE = "friction relaxes within a few samples; it must be sampled faster"
+TOO_NOISY = "its standard error is more than a third of it"
+# What else is open where the rate is: a relaxation may go on for ever, or be over at once.
+OPEN_WITH = {
+    NOTHING: ("mu_2", "amplitude", "rate"),
+    TOO_SHORT: ("mu_2", "amplitude", "rate"),
+    TOO_COARSE: ("jump", "amplitude", "rate"),
+    TOO_NOISY: ("rate",),
+}
+UNSURE = "its standard error is more than a third of all that happens"
 
 Shape = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
 
@@ -128,26 +142,10 @@ def _refined(
     return found.x, found.jac
 
 
-LARGEST_SHARE = 1.0 / DEVIATIONS  # of a number that its standard error may be
-
-NOTHING = "nothing relaxes that stands out from the noise"
-TOO_SHORT = "friction still relaxes where the record ends; a longer one is needed"
-TOO_COARSE = "friction relaxes within a few samples; it must be sampled faster"
-TOO_NOISY = "its standard error is more than a third of it"
-# What else is open where the rate is: a relaxation may go on for ever, or be over at once.
-OPEN_WITH = {
-    NOTHING: ("mu_2", "amplitude", "rate"),
-    TOO_SHORT: ("mu_2", "amplitude", "rate"),
-    TOO_COARSE: ("jump", "amplitude", "rate"),
-    TOO_NOISY: ("rate",),
-}
-UNSURE = "its standard error is more than a third of all that happens"
-
-
 class StepFit(NamedTuple):
     """What one step determines by one law; an estimate that it does not determine is NaN."""
 
-    step: Step
+    step: MeasuredStep
     law: str
     mu_1: Estimate
     mu_2: Estimate
@@ -169,7 +167,7 @@ class StepFit(NamedTuple):
         return a, b, Estimate(length, length * share)
 
 
-def fit_step(step: Step, law: str = "ruina") -> StepFit:
+def fit_step(step: MeasuredStep, law: str = "ruina") -> StepFit:
     """Fit one step; law : "ruina", which is eq. 6, or "dieterich"."""
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
@@ -208,7 +206,7 @@ def _rate(fit: Relaxation) -> tuple[Estimate, str]:
 
 
 def _levels(
-    step: Step, fit: Relaxation, mu_1: Estimate, curve: np.ndarray, any_rate: bool
+    step: MeasuredStep, fit: Relaxation, mu_1: Estimate, curve: np.ndarray, any_rate: bool
 ) -> tuple[dict[str, Estimate], dict[str, str]]:
     """Return what is linear in mu_2 and b, and why some of it is not determined.
 

@@ -19,7 +19,7 @@ import numpy as np
 
 from ..kinetic_law import normalised_jump
 from .estimate import DEVIATIONS, Estimate
-from .record import Record, steps_of
+from .record import Record, measured_steps
 from .step_fit import LARGEST_SHARE, StepFit, fit_step
 
 LEAST_ERROR = 1e-3  # of the logarithm of a rate or jump: nothing is measured better
@@ -222,7 +222,7 @@ def fit_records(records: list[Record], known: Known, window: float | None = None
     that are looked at, at most. Raises UserError for a record without a step, or with too few
     samples after it.
     """
-    steps = [step for record in records for step in steps_of(record, window)]
+    steps = [step for record in records for step in measured_steps(record, window)]
     fits = [fit_step(step) for step in steps]
     return Fit(
         steps=fits,

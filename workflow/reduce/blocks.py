@@ -1,6 +1,7 @@
 """What of the store is reduced: block means of some tasks, and when and where they were kept."""
 
-from typing import NamedTuple
+from collections.abc import Sequence
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -25,6 +26,11 @@ class Blocks(NamedTuple):
     programmes: tuple[Programme, ...] = ()  # of the tasks
     stamps: dict[str, np.ndarray] | None = None  # of traces (kernels/scene), each (tasks, events)
     negligible: float = 0.0  # share of the jump
+
+
+def columns(fits: Sequence[Any]) -> Any:
+    """Return named tuples as one, each of whose fields is the array of it over all of them."""
+    return type(fits[0])(*map(np.array, zip(*fits, strict=True)))
 
 
 def enter(estimates: Estimates, name: str, values: np.ndarray) -> None:

@@ -17,7 +17,7 @@ from ..plan import (
 )
 from ..simulate import Task
 from ..study import Numerics, judged
-from .blocks import Estimates, enter
+from .blocks import Estimates, columns, enter
 from .fits import FITTED
 
 UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
@@ -169,13 +169,13 @@ def fit_exponents(
     chosen = [fitted & resolved & (hurst == value) for value in axis]
     bias = [exponent_bias(x[rows], points["relaxation_rate_bias"][rows]) for rows in chosen]
     left = [np.sum(fitted & ~resolved & (hurst == value)) for value in axis]
-    laws = [fit_power_law(x[rows], rates[rows]) for rows in chosen]
+    laws = columns([fit_power_law(x[rows], rates[rows]) for rows in chosen])
     found: Estimates = {}
-    enter(found, "alpha", np.array([law.alpha for law in laws]))
-    enter(found, "alpha_free", np.array([law.alpha_free for law in laws]))
-    enter(found, "alpha_prefactor", np.array([law.prefactor for law in laws]))
-    found["alpha_scatter"] = np.array([law.scatter for law in laws])
+    enter(found, "alpha", laws.alpha)
+    enter(found, "alpha_free", laws.alpha_free)
+    enter(found, "alpha_prefactor", laws.prefactor)
+    found["alpha_scatter"] = laws.scatter
     found["alpha_bias"], found["alpha_free_bias"] = np.array(bias).T
     found["alpha_unresolved"] = np.array(left, dtype=np.int32)
-    found["alpha_points"] = np.array([law.points for law in laws], dtype=np.int32)
+    found["alpha_points"] = laws.points.astype(np.int32)
     return found

@@ -5,7 +5,7 @@ import numpy as np
 from ..plan import JACKKNIFE_GROUPS
 from ..simulate import SCALARS
 from ..study import QUANTITIES
-from .blocks import Blocks, Estimates, enter
+from .blocks import Blocks, Estimates, columns, enter
 from .fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
 from .models import COEFFICIENTS, GAINS, Comparison, compare_models
 from .statistics import errors_needed, padded, replicates
@@ -56,17 +56,21 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
         if "models" in blocks.quantities:
             each = (blocks.values["curve"][task] - final[task])[:, kept]
             compared.append(compare_models(time, curves, each, fits[-1].rate[0]))
-    enter(estimates, "relaxation_rate", np.array([fit.rate for fit in fits]))
-    enter(estimates, "amplitude", np.array([fit.amplitude for fit in fits]))
-    enter(estimates, "relaxation_rate_free", np.array([fit.rate_free for fit in fits]))
-    status = np.array([fit.status for fit in fits], dtype=np.int8)
-    estimates["fit_status"] = np.where(_negligible(estimates, blocks), NEGLIGIBLE, status)
-    estimates["fit_window"] = np.array([fit.window for fit in fits])
-    estimates["fit_quality"] = np.array([fit.quality for fit in fits])
-    rates = np.array([fit.rate for fit in fits])
-    estimates["rate_replicates"] = padded(rates, JACKKNIFE_GROUPS)
+    status, rate, amplitude, rate_free, window, quality = columns(fits)
+    enter(estimates, "relaxation_rate", rate)
+    enter(estimates, "amplitude", amplitude)
+    enter(estimates, "relaxation_rate_free", rate_free)
+    status = np.where(_negligible(estimates, blocks), NEGLIGIBLE, status)
+    estimates["fit_status"] = status.astype(np.int8)
+    estimates |= {"fit_window": window, "fit_quality": quality}
+    estimates["rate_replicates"] = padded(rate, JACKKNIFE_GROUPS)
     if compared:
-        _models(estimates, compared)
+        found = columns(compared)
+        estimates["best_model"] = found.best.astype(np.int8)
+        for name in COEFFICIENTS:
+            enter(estimates, name, getattr(found, name))
+        for name in GAINS:
+            estimates[name], estimates[f"{name}_error"] = getattr(found, name).T
 
 
 def _negligible(estimates: Estimates, blocks: Blocks) -> np.ndarray:
@@ -79,12 +83,3 @@ def _negligible(estimates: Estimates, blocks: Blocks) -> np.ndarray:
     most = np.abs(estimates["deviation"][:, 0]) + errors_needed(max(groups, 2), 2.0, 0.05) * error
     jump = np.abs(np.mean(blocks.scalars[:, :, SCALARS.index("jump")], axis=1))
     return most < blocks.negligible * jump
-
-
-def _models(estimates: Estimates, found: list[Comparison]) -> None:
-    estimates["best_model"] = np.array([c.best for c in found], dtype=np.int8)
-    for name in COEFFICIENTS:
-        enter(estimates, name, np.array([getattr(c, name) for c in found]))
-    for name in GAINS:
-        gains = np.array([getattr(c, name) for c in found])
-        estimates[name], estimates[f"{name}_error"] = gains.T

@@ -25,7 +25,7 @@ FALL = 58.0  # exp(-s) falls from 95 % to 5 % while s grows by this factor
 LEAST_CHANGE = 0.1  # of log (b t)^beta over the samples: below, the curve is a constant
 
 
-def exponential(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def one_exponential(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return A exp(-b t) (eq. 6) and its derivatives; p = (A, log b) along the last axis."""
     return stretched(np.column_stack([p, np.zeros(len(p))]), t, 2)
 
@@ -43,13 +43,13 @@ def stretched(p: np.ndarray, t: np.ndarray, count: int = 3) -> tuple[np.ndarray,
 
 def two_exponentials(p: np.ndarray, t: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Return A exp(-b t) + B exp(-c t) and its derivatives; p = (A, log b, B, log c)."""
-    (one, first), (two, second) = exponential(p[:, :2], t), exponential(p[:, 2:], t)
+    (one, first), (two, second) = one_exponential(p[:, :2], t), one_exponential(p[:, 2:], t)
     return one + two, np.concatenate([first, second], axis=2)
 
 
 # model -> (law for (mu - mu_2)/scale over t/span, first guess from b span of eq. 6)
 MODELS: dict[int, tuple[Model, Callable[[float], np.ndarray]]] = {
-    EXPONENTIAL: (exponential, lambda b: np.array([1.0, np.log(b)])),
+    EXPONENTIAL: (one_exponential, lambda b: np.array([1.0, np.log(b)])),
     STRETCHED: (stretched, lambda b: np.array([1.0, np.log(b), 0.0])),
     TWO_EXPONENTIALS: (
         two_exponentials,

@@ -70,13 +70,13 @@ def fit_rate_state(
     relative = residual / abs(b[0] * math.log(ratio)) if b[0] else math.inf
     if not np.isfinite(fits[0]).all():
         return _nothing(size, UNDETERMINED)
-    if not significant(b):
-        return RateState(a, b, np.full(size, np.nan), relative, NO_STATE)
-    if not relative < WORST:
-        return RateState(a, b, np.full(size, np.nan), relative, NOT_EXPONENTIAL)
-    if not significant(dc):
-        return RateState(a, b, np.full(size, np.nan), relative, UNDETERMINED)
-    return RateState(a, b, dc, relative, FITTED)
+    status = NO_STATE
+    if significant(b):
+        status = NOT_EXPONENTIAL
+        if relative < WORST:
+            status = FITTED if significant(dc) else UNDETERMINED
+    known = dc if status == FITTED else np.full(size, np.nan)
+    return RateState(a, b, known, relative, status)
 
 
 def _sign(deviation: np.ndarray, ratio: float) -> float:

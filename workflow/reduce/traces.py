@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Hold, Leg, Oscillation, Programme, Sampled, Slide
-from .blocks import Blocks, Estimates, enter
+from .blocks import Blocks, Estimates, columns, enter
 from .rate_state import LAWS, RateState, fit_rate_state
 from .statistics import replicates
 
@@ -81,13 +81,11 @@ def _rate_state(
         ratio, sign = after / before, np.sign(before)
         data = distance, sign * curves, sign * change[task], ratio
         fits.append([fit_rate_state(*data, law) for law in LAWS])
+    found = columns([columns(own) for own in fits])  # over (tasks, laws)
     for name in ("a", "b", "dc"):
-        each = np.array([[getattr(fit, name) for fit in own] for own in fits])
-        enter(estimates, f"rate_state_{name}", np.moveaxis(each, 2, 1))
-    residuals = [[fit.residual for fit in own] for own in fits]
-    estimates["rate_state_residual"] = np.array(residuals)
-    status = [[fit.status for fit in own] for own in fits]
-    estimates["rate_state_status"] = np.array(status, np.int8)
+        enter(estimates, f"rate_state_{name}", np.moveaxis(getattr(found, name), 2, 1))
+    estimates["rate_state_residual"] = found.residual
+    estimates["rate_state_status"] = found.status.astype(np.int8)
 
 
 def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
@@ -154,8 +152,8 @@ def _each(
         kept = np.isfinite(every["time"][task])
         stamps = {name: values[task][kept] for name, values in every.items()}
         found.append(find(programme, stamps, *(trace[task][:, kept] for trace in traces)))
-    for name in found[0]._fields:
-        enter(estimates, name, np.array([getattr(each, name) for each in found]))
+    for name, values in columns(found)._asdict().items():
+        enter(estimates, name, values)
 
 
 class Healing(NamedTuple):

@@ -27,10 +27,10 @@ if TYPE_CHECKING:
         spread,
         typical_factor,
     )
-    from .drawing import COLOURS, error_band, error_bars, foot_line, log_bars, write_below
+    from .csv_tables import write_table
     from .figure import draw_figure, write_figure
     from .page import write_report
-    from .resolution import not_resolved, without_unresolved
-    from .table import write_grid_table, write_measured_table
+    from .panels import COLOURS, error_band, error_bars, foot_line, log_bars, write_below
+    from .unresolved import not_resolved, without_unresolved
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

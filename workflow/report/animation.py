@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 
 from ..errors import UserError
 from ..system import write_durably
-from .drawing import COLOURS, STYLE
+from .panels import COLOURS, STYLE
 
 NEEDED = ("snapshot_height", "snapshot_displacement", "trace_mu", "trace_time")
 WRITERS: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}

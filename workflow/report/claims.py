@@ -15,7 +15,7 @@ import numpy as np
 import xarray as xr
 
 from ..study import known_studies, load_script
-from .resolution import Resolved
+from .unresolved import Resolved
 
 Results = Mapping[str, xr.Dataset]  # "fig7", and "fig7/paper_step" for its comparison
 

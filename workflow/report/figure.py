@@ -21,8 +21,8 @@ from ..result import BROKEN, Groups, broken, open_result
 from ..study import AnyStudy, load_script
 from ..system import write_durably
 from . import usual_figure
-from .drawing import STYLE
-from .points import Point, remembered
+from .hover import HoverPoint, remembered
+from .panels import STYLE
 
 # It takes the dates of some fonts for wrong, which a reader of a figure need not know.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
@@ -35,7 +35,7 @@ class Picture(NamedTuple):
 
     png: Path
     pdf: Path
-    points: list[Point]
+    points: list[HoverPoint]
 
 
 def draw_figure(study: AnyStudy, result: Path, script: Path | None = None) -> list[Path]:

@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from ..result import AXIS_ATTRIBUTES, Groups
 from ..study import AXES
-from .drawing import COLOURS, error_bars, foot_line
+from .panels import COLOURS, error_bars, foot_line
 
 CAPTION = (
     "The first panel shows the coefficient of friction over time after the velocity step at points "

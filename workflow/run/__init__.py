@@ -8,9 +8,9 @@ from typing import TYPE_CHECKING
 from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from .measured import run_measured
-    from .run import run_plan
+    from .grid_run import run_plan
+    from .measurement import run_measured
     from .status import read_status, result_line, status_lines
-    from .workers import How
+    from .workers import RunOptions
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

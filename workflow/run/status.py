@@ -29,7 +29,7 @@ WRITE_SECONDS = 5.0
 class Status:
     """How far a study is."""
 
-    study: str  # identity
+    study: str  # study_digest
     total: int  # records, one for each problem and block
     done: int
     left: float  # predicted core-seconds
@@ -93,7 +93,7 @@ def result_line(result: Path) -> str:
     return f"result      {result}{'' if result.is_file() else ' (not written yet)'}"
 
 
-def identity(study: Study) -> str:
+def study_digest(study: Study) -> str:
     """Return what tells a study with its settings, and our code, from any other."""
     return hashlib.sha256((CODE + study.text).encode()).hexdigest()[:16]
 
@@ -145,20 +145,20 @@ def read_status(study: Study, result: Path, folder: Path) -> Status:
     """Return how far a study is: as its last run left it, up to now, or counted anew."""
     try:
         status = Status(**json.loads(status_file(result).read_text()))
-        if status.study == identity(study) and status.advance(folder):
+        if status.study == study_digest(study) and status.advance(folder):
             return status
     except (OSError, ValueError, TypeError):
         pass
-    return counted(study, folder)
+    return _counted(study, folder)
 
 
-def counted(study: Study, folder: Path) -> Status:
+def _counted(study: Study, folder: Path) -> Status:
     """Return the status counted record by record."""
     plan, store = make_plan(study, this_machine().pace), Store(folder)
     missing = missing_work(plan, store)
     failed = sum(t.key in store.failed for v in plan.variants for t in v.tasks)
     done = plan.records - total_records(missing)
-    return Status(identity(study), plan.records, done, total_seconds(missing), failed)
+    return Status(study_digest(study), plan.records, done, total_seconds(missing), failed)
 
 
 def status_lines(study: Study, result: Path, folder: Path) -> tuple[list[str], dict[str, object]]:

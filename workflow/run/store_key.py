@@ -11,7 +11,7 @@ from ..result import peek
 from ..simulate import Record
 from ..store import Store
 from ..system import our_sources, package_versions
-from .status import identity
+from .status import study_digest
 
 KEY = "key"  # attribute of the result file
 
@@ -24,7 +24,9 @@ def result_key(plan: Plan, store: Store, blocks: dict[str, int]) -> str:
     """
     digest = hashlib.sha256()
     makers = sorted(store.index.makers_of(blocks))
-    digest.update(repr((identity(plan.study), our_sources(), package_versions(), makers)).encode())
+    digest.update(
+        repr((study_digest(plan.study), our_sources(), package_versions(), makers)).encode()
+    )
     for variant in plan.variants:
         told = [f"{t.key}{0 if t.key in store.failed else blocks[t.key]}" for t in variant.tasks]
         digest.update(variant.point_task.tobytes() + "\n".join([variant.label, *told]).encode())

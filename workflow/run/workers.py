@@ -15,13 +15,12 @@ from ..study import HERE, LOCAL, Cluster
 
 SECONDS_HERE = 10.0  # of predicted work that this process does by itself
 SECONDS_PER_FIT = 3e-5  # and replicate
-TRIES = 2  # of an item that raises here; on a cluster two workers try it
 
 # What yields (item, function(item)): stream(function, items, watch, retry).
 Stream = Callable[..., Iterator[tuple[Any, Any]]]
 
 
-class How(NamedTuple):
+class RunOptions(NamedTuple):
     """How to run a plan; no number of the result depends on it.
 
     batch_seconds : predicted length of a batch; by default it grows with the study.
@@ -57,7 +56,7 @@ class Workers(NamedTuple):
 
 
 @contextmanager
-def open_workers(how: How, seconds: float, watch: Watch) -> Iterator[Workers]:
+def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Workers]:
     """Yield who does work of so many predicted seconds.
 
     Raises UserError where workers cannot be had, or run another program.
@@ -104,11 +103,9 @@ def stream_here(
 
 def _tried(function: Callable[[Any], Any], item: Any) -> Any:
     """Return function(item), tried again where it raises what is no fault of the user."""
-    for _ in range(TRIES - 1):
-        try:
-            return function(item)
-        except UserError:
-            raise
-        except Exception:
-            continue
-    return function(item)
+    try:
+        return function(item)
+    except UserError:
+        raise
+    except Exception:  # on a cluster two workers try it
+        return function(item)

@@ -9,7 +9,6 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from ..report import animate
-    from .alone import computed
-    from .call import run
+    from .call import computed, run
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -10,8 +10,8 @@ from ..lazy import public_names
 if TYPE_CHECKING:
     from .journal import size
     from .merge import merge_into
-    from .shelf import Shelf
     from .store import DamagedShard, Store, store_folder
     from .verify import Verified, holds_a_store
+    from .write_buffer import WriteBuffer
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

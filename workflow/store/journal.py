@@ -20,7 +20,7 @@ FORMAT = "elastomer-friction journal 2"
 Entry = dict[str, Any]
 
 
-def lines_of(entries: list[Entry]) -> bytes:
+def encoded(entries: list[Entry]) -> bytes:
     """Return entries as lines of the journal: checksum, blank, JSON."""
     texts = [json.dumps(entry, separators=(",", ":")).encode() for entry in entries]
     return b"".join(b"%08x %s\n" % (zlib.crc32(text), text) for text in texts)
@@ -28,10 +28,10 @@ def lines_of(entries: list[Entry]) -> bytes:
 
 def append(folder: Path, entries: list[Entry]) -> None:
     """Append entries durably. Raises UserError when the disk refuses them."""
-    append_durably(folder / NAME, lines_of(entries))
+    append_durably(folder / NAME, encoded(entries))
 
 
-def told(line: bytes) -> Entry | None:
+def entry_in(line: bytes) -> Entry | None:
     """Return what a line tells, or None where a crash or a disk has spoilt it."""
     checksum, _, text = line.rstrip(b"\n").partition(b" ")
     if not line.endswith(b"\n") or checksum != b"%08x" % zlib.crc32(text):
@@ -55,7 +55,7 @@ def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
             file.seek(offset)
             for line in file:
                 offset += len(line)
-                entry = told(line)
+                entry = entry_in(line)
                 if entry is None:
                     continue
                 if entry.get("format", FORMAT) != FORMAT:

@@ -19,20 +19,9 @@ import numpy as np
 from ..errors import UserError
 from ..simulate import SCALARS, Record
 from ..system import Maker, Patience, clear_leftovers, read_whole, sizes_in, write_durably
-from . import journal
+from . import journal, shard
 from .index import indexed
 from .journal import Entry
-from .shard import (
-    Contents,
-    Finished,
-    NoShard,
-    StoredBatch,
-    decode,
-    digest,
-    encode,
-    shard_sizes,
-    stored_batch,
-)
 
 CACHED_SHARDS = 4
 
@@ -69,7 +58,7 @@ class Store:
         clear_leftovers(self.folder / "*.nc")
         if not self.patience(partial(journal.size, self.folder)):
             self._write([{"format": journal.FORMAT}])
-        found = shard_sizes(self.patience(partial(sizes_in, self.folder)))
+        found = shard.shard_sizes(self.patience(partial(sizes_in, self.folder)))
         known = dict(self.index.sizes)
         for name, size in known.items():
             if name not in found:
@@ -84,16 +73,16 @@ class Store:
         """Return whether a record is stored durably."""
         return record in self.index
 
-    def add(self, finished: Finished) -> None:
+    def add(self, finished: shard.Finished) -> None:
         """Store finished batches durably in one shard. Raises UserError if the disk refuses."""
-        content = encode(finished)
-        name = digest(content)
+        content = shard.encode(finished)
+        name = shard.digest(content)
         self.patience(partial(write_durably, self._path(name), content))
         used = sum(result.seconds for _, result in finished)
         predicted = sum(batch.seconds for batch, _ in finished)
         times = {"used": round(used, 3), "predicted": round(predicted, 3)}
         makers = sorted({result.maker for _, result in finished})
-        batches = [stored_batch(batch) for batch, _ in finished]
+        batches = [shard.stored_batch(batch) for batch, _ in finished]
         self.enter(name, len(content), batches, makers, times)
 
     def begin(self, study: str, versions: str, processor: str) -> None:
@@ -118,13 +107,13 @@ class Store:
         curves = np.full((len(records), curve_samples), np.nan)
         wanted: dict[str, list[tuple[int, int]]] = {}
         for row, record in enumerate(records):
-            shard, position = self.index.find(record)
-            wanted.setdefault(shard, []).append((row, position))
-        for shard, pairs in wanted.items():
-            contents = self._contents(shard)
+            name, position = self.index.find(record)
+            wanted.setdefault(name, []).append((row, position))
+        for name, pairs in wanted.items():
+            contents = self._contents(name)
             if any(contents.records[at : at + 1] != [records[row]] for row, at in pairs):
-                self._enter_anew(shard)
-                raise DamagedShard(shard)
+                self._enter_anew(name)
+                raise DamagedShard(name)
             rows, positions = np.array(pairs).T
             scalars[rows] = contents.scalars[positions]
             found = contents.curves[positions, :curve_samples]
@@ -134,18 +123,18 @@ class Store:
     def _path(self, name: str) -> Path:
         return self.folder / f"{name}.nc"
 
-    def _load(self, name: str) -> Contents:
+    def _load(self, name: str) -> shard.Contents:
         """Return what a shard holds. Raises DamagedShard once one that is spoilt is set aside."""
         path = self._path(name)
         try:
-            return decode(name, self.patience(partial(read_whole, path)))
+            return shard.decode(name, self.patience(partial(read_whole, path)))
         except UserError as error:
             if not isinstance(error.__cause__, FileNotFoundError):
                 raise  # the disk refuses to read it: no fault of the shard
             self._set_aside(name, "missing")
         except ValueError as error:
             self._set_aside(name, str(error))
-        except NoShard as error:
+        except shard.NoShard as error:
             print(f"note: {path}: {error}; it is left as it is", file=sys.stderr)
             self._drop(name)
         raise DamagedShard(name)
@@ -180,7 +169,7 @@ class Store:
         self,
         name: str,
         size: int,
-        batches: list[StoredBatch],
+        batches: list[shard.StoredBatch],
         makers: list[Maker],
         times: dict | None = None,
     ) -> None:

@@ -60,7 +60,7 @@ class Verified:
         if not lines:
             self.notes.append("there is no journal, or it is empty")
         for number, line in enumerate(lines, 1):
-            entry = journal.told(line)
+            entry = journal.entry_in(line)
             if entry is None:
                 self.faults.append(f"{journal.NAME}, line {number}: spoilt")
                 continue

@@ -9,7 +9,7 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .compiling import saying_what_compiles
-    from .files import (
+    from .durable import (
         append_durably,
         check_place,
         clear_leftovers,

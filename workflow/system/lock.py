@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import IO
 
 from ..errors import UserError
-from .files import flush_folder, refused
+from .durable import flush_folder, refused
 
 LOCK = "lock"
 GLANCE_SECONDS = 2.0

@@ -32,7 +32,7 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
         raise KeyboardInterrupt
 
     for command, said in (("run", "to resume run again: python -m workflow"), ("plan", "")):
-        monkeypatch.setitem(cli.COMMANDS, command, interrupt)
+        monkeypatch.setitem(cli.COMMANDS, command, cli.COMMANDS[command]._replace(run=interrupt))
         assert main([command, study]) == 130
         err = capsys.readouterr().err
         assert said in err

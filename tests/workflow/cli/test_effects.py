@@ -1,6 +1,6 @@
 """What `plan` says of every effect: simulated, or not and why."""
 
-from elastomer_friction.workflow.cli.effects import effect_lines
+from elastomer_friction.workflow.cli.outline import effect_lines
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from tests.support.small import TEXT, small_study
 

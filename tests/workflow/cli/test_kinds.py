@@ -3,7 +3,7 @@
 import re
 
 from elastomer_friction.workflow.cli import main
-from elastomer_friction.workflow.cli.kinds import KINDS
+from elastomer_friction.workflow.cli.commands import KINDS
 from elastomer_friction.workflow.study.study import AnyStudy
 from tests.support.commands import facts, output, refusal
 

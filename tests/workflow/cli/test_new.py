@@ -5,7 +5,7 @@ import re
 
 import pytest
 
-from elastomer_friction.workflow.cli.new import TEMPLATE
+from elastomer_friction.workflow.cli.commands import TEMPLATE
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from elastomer_friction.workflow.study.tables import TABLES
 from tests.support.commands import output, refusal

@@ -73,5 +73,5 @@ def test_a_plan_of_many_points_is_announced(capsys, monkeypatch):
     plan = small_plan()
     for seconds, said in ((0.9, ""), (2.1, "Planning 16 points, about 2 s.\n")):
         monkeypatch.setattr(outline, "SECONDS_PER_POINT", seconds / 16)
-        assert outline.planned(plan.study, plan.pace).points == plan.points
+        assert outline.announced_plan(plan.study, plan.pace).points == plan.points
         assert capsys.readouterr().err == said

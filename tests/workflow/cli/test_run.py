@@ -3,8 +3,8 @@
 import pytest
 
 from elastomer_friction.workflow.cli import main
-from elastomer_friction.workflow.cli import run as command
-from elastomer_friction.workflow.cli.run import paced_plan, resume_line
+from elastomer_friction.workflow.cli import run_options as command
+from elastomer_friction.workflow.cli.run_options import paced_plan, resume_line
 from elastomer_friction.workflow.plan import TYPICAL, Pace
 from elastomer_friction.workflow.plan.cost.machine import Machine
 from elastomer_friction.workflow.plan.cost.work import PARTS

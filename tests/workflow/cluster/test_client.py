@@ -17,8 +17,8 @@ from distributed import Client, SpecCluster
 from elastomer_friction.workflow.cluster import client as module
 from elastomer_friction.workflow.cluster.client import open_client
 from elastomer_friction.workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
-from elastomer_friction.workflow.run.run import run_plan
-from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.run.grid_run import run_plan
+from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system import Interrupt
 from tests.support.own_workers import facts, processes, started_again, starting
@@ -111,7 +111,7 @@ def test_every_port_of_our_own_processes_asks_for_a_certificate_or_has_no_page(o
 def test_workers_of_our_own_give_the_same_bytes_to_who_has_a_certificate(own, finished, tmp_path):
     where = Cluster(own.client.scheduler.address, **written(own.client.security, tmp_path))
     path = tmp_path / "small.nc"
-    run_plan(small_plan(), path, How(where, batch_seconds=3.0))
+    run_plan(small_plan(), path, RunOptions(where, batch_seconds=3.0))
     assert path.read_bytes() == finished.path.read_bytes()
 
 

@@ -7,7 +7,7 @@ from matplotlib import pyplot as plt
 
 from elastomer_friction.workflow.laboratory.figure import MOST_STEPS, draw_fit, figure_of
 from elastomer_friction.workflow.laboratory.together import Known, fit_records
-from elastomer_friction.workflow.report.drawing import STYLE
+from elastomer_friction.workflow.report.panels import STYLE
 from tests.workflow.laboratory.given import record, records
 
 

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.laboratory.estimate import Estimate
-from elastomer_friction.workflow.laboratory.record import steps_of
+from elastomer_friction.workflow.laboratory.record import measured_steps
 from elastomer_friction.workflow.laboratory.step_fit import fit_step
 from elastomer_friction.workflow.laboratory.together import fit_slope, predicted_jump
 from tests.workflow.laboratory.given import SLOPE, law, record
 
-STEP = fit_step(*steps_of(record()))
+STEP = fit_step(*measured_steps(record()))
 
 
 def slope(speeds, share=0.02, seed=None, ratio=1.2):

@@ -4,12 +4,12 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.laboratory.estimate import Estimate
-from elastomer_friction.workflow.laboratory.record import steps_of
+from elastomer_friction.workflow.laboratory.record import measured_steps
 from elastomer_friction.workflow.laboratory.step_fit import fit_step
 from elastomer_friction.workflow.laboratory.together import Known, fit_rates
 from tests.workflow.laboratory.given import HURST, Q_MAX, TAU, law, record
 
-STEP = fit_step(*steps_of(record()))
+STEP = fit_step(*measured_steps(record()))
 BOTH, RIGHT, LEFT = [2e-3, 5e-3, 8e-3, 2e-2, 5e-2, 0.1, 0.3], [0.02, 0.05, 0.1, 0.3], [1e-3, 3e-3]
 NAMES = ("relaxation_time", "hurst", "q_max")
 

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.laboratory.record import steps_of
+from elastomer_friction.workflow.laboratory.record import measured_steps
 from elastomer_friction.workflow.laboratory.step_fit import (
     NOTHING,
     TOO_COARSE,
@@ -20,7 +20,7 @@ TRUE = {"mu_1": 0.3, "mu_2": 0.32, "jump": 0.05, "amplitude": 0.03, "rate": 8.0}
 
 
 def fitted(*arguments, law="ruina", **options):
-    (step,) = steps_of(record(*arguments, **options))
+    (step,) = measured_steps(record(*arguments, **options))
     return fit_step(step, law)
 
 
@@ -90,17 +90,17 @@ def test_constants_of_a_state_law_are_found(law, ratio):
     after = 0.3 + (a - b) * math.log(ratio) + curve
     rng = np.random.default_rng(3)
     friction = np.where(one.time < 0.0, 0.3, after) + 2e-4 * rng.standard_normal(one.time.size)
-    fit = fit_step(*steps_of(one._replace(friction=friction)), law)
+    fit = fit_step(*measured_steps(one._replace(friction=friction)), law)
     for found, true in zip(fit.state(), (a, b, length), strict=True):
         assert abs(found.value - true) < 4.0 * found.error
         assert found.error < 0.1 * true
-    other = fit_step(*steps_of(one._replace(friction=friction)), LAWS[law == LAWS[0]])
+    other = fit_step(*measured_steps(one._replace(friction=friction)), LAWS[law == LAWS[0]])
     assert other.rms > 1.5 * fit.rms
 
 
 def test_drift_before_the_step_is_seen():
     one = record(size=1e-4)
-    assert abs(fit_step(*steps_of(one)).drift.value) < 4e-5
+    assert abs(fit_step(*measured_steps(one)).drift.value) < 4e-5
     drifting = one._replace(friction=one.friction + 0.01 * one.time)
-    drift = fit_step(*steps_of(drifting)).drift
+    drift = fit_step(*measured_steps(drifting)).drift
     assert drift.value == pytest.approx(0.01, abs=3.0 * drift.error)

@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.laboratory.record import constant_stretches, steps_of
+from elastomer_friction.workflow.laboratory.record import constant_stretches, measured_steps
 from tests.workflow.laboratory.given import noise, record
 
 
 def test_one_step_is_taken_apart():
-    (step,) = steps_of(record(n=100, span=1.0))
+    (step,) = measured_steps(record(n=100, span=1.0))
     assert (step.name, step.v1, step.v2) == ("r0.txt", pytest.approx(0.1), pytest.approx(0.12))
     assert step.ratio == pytest.approx(1.2)
     assert step.change == pytest.approx(0.01)
@@ -40,13 +40,13 @@ def test_steps_of_one_file_are_numbered_and_a_window_cuts_them():
     v = np.concatenate([one.velocity, 0.1 + 0 * one.velocity])
     t = np.concatenate([one.time, one.time + 2.0])
     twice = one._replace(time=t, velocity=v, friction=np.tile(one.friction, 2))
-    steps = steps_of(twice, window=0.5)
+    steps = measured_steps(twice, window=0.5)
     assert [step.name for step in steps] == ["r0.txt, step 1", "r0.txt, step 2"]
     assert [step.time.size for step in steps] == [50, 50]
 
 
 def test_what_has_no_step_or_too_few_samples_is_refused():
     with pytest.raises(UserError, match=r"^fit r0\.txt: holds no velocity step: no two stretches"):
-        steps_of(record(v=(0.1, 0.1005)))
+        measured_steps(record(v=(0.1, 0.1005)))
     with pytest.raises(UserError, match=r"^fit r0\.txt: 5 samples within 0\.05 s of the step"):
-        steps_of(record(n=100, span=1.0), window=0.05)
+        measured_steps(record(n=100, span=1.0), window=0.05)

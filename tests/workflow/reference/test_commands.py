@@ -1,7 +1,7 @@
 """The page of commands: every command, with its arguments and what they are without."""
 
 from elastomer_friction.workflow.cli import command_parser
-from elastomer_friction.workflow.reference.commands import commands_page
+from elastomer_friction.workflow.reference.pages import commands_page
 
 PAGE = commands_page()
 

@@ -2,8 +2,8 @@
 
 import re
 
-from elastomer_friction.workflow.reference.index import anchor, index_page
 from elastomer_friction.workflow.reference.keys import keys_page
+from elastomer_friction.workflow.reference.pages import anchor, index_page
 from elastomer_friction.workflow.reference.results import results_page
 
 ROWS = re.findall(r"^\| \[`(\w+)`\]\((\w+\.md)#([\w-]+)\)", index_page(), re.MULTILINE)

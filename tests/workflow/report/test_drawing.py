@@ -6,7 +6,7 @@ from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
-from elastomer_friction.workflow.report.drawing import error_bars, foot_line, log_bars
+from elastomer_friction.workflow.report.panels import error_bars, foot_line, log_bars
 from tests.support.synthetic import result
 
 

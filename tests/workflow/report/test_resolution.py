@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
-from elastomer_friction.workflow.report.resolution import Resolved, not_resolved, without_unresolved
+from elastomer_friction.workflow.report.unresolved import Resolved, not_resolved, without_unresolved
 
 COARSE = 1
 

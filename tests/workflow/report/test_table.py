@@ -4,14 +4,14 @@ import pandas as pd
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.report.table import write_grid_table, write_measured_table
+from elastomer_friction.workflow.report.csv_tables import write_table
 from elastomer_friction.workflow.study.grid import AXES
 from elastomer_friction.workflow.study.read import read_study
 
 
 def test_every_point_is_a_row_of_the_estimates_of_the_result(shown, finished):
     dataset, study = finished.load(), finished.plan.study
-    paths = write_grid_table(study, shown / "small.nc")
+    paths = write_table(study, shown / "small.nc")
     assert [path.name for path in paths] == [
         "small.csv",
         "small-exponents.csv",
@@ -35,7 +35,7 @@ def test_every_point_is_a_row_of_the_estimates_of_the_result(shown, finished):
 def test_exponents_and_the_units_of_columns_are_tables_of_their_own(shown, finished):
     dataset = finished.load()
     table, exponents, columns = map(
-        pd.read_csv, write_grid_table(finished.plan.study, shown / "small.nc")
+        pd.read_csv, write_table(finished.plan.study, shown / "small.nc")
     )
     assert list(exponents.hurst) == [*dataset.hurst.values] * 2
     assert exponents.alpha[:2].to_numpy() == pytest.approx(dataset.alpha.values, nan_ok=True)
@@ -49,4 +49,4 @@ def test_a_measured_study_without_a_table_says_so(powers, tmp_path):
     measure = powers / "measure.py"
     measure.write_text(measure.read_text().partition("def table")[0])
     with pytest.raises(UserError, match=r"^study 'powers': has no table$"):
-        write_measured_table(read_study("powers"), tmp_path / "powers.nc")
+        write_table(read_study("powers"), tmp_path / "powers.nc")

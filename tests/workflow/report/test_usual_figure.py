@@ -6,7 +6,7 @@ import pytest
 import xarray as xr
 from matplotlib import pyplot as plt
 
-from elastomer_friction.workflow.report.drawing import STYLE
+from elastomer_friction.workflow.report.panels import STYLE
 from elastomer_friction.workflow.report.usual_figure import draw
 from tests.support.synthetic import add, result, with_rates
 

@@ -4,7 +4,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.run.makers import require_one
+from elastomer_friction.workflow.run.grid_run import require_one
 from elastomer_friction.workflow.store.store import store_folder
 from elastomer_friction.workflow.system import Maker, this_maker
 from tests.support.runs import run

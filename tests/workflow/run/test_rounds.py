@@ -15,8 +15,8 @@ from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.reduce.attainment import MISSED
 from elastomer_friction.workflow.reduce.fits import FITTED, NEGLIGIBLE
+from elastomer_friction.workflow.run.collect import next_blocks
 from elastomer_friction.workflow.run.failures import Failures
-from elastomer_friction.workflow.run.rounds import next_blocks
 from elastomer_friction.workflow.run.store_key import is_unchanged
 from elastomer_friction.workflow.store.store import Store, store_folder
 from tests.support.runs import run, shards

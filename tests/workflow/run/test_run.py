@@ -6,7 +6,7 @@ import shutil
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.run import run as driver
+from elastomer_friction.workflow.run import grid_run as driver
 from elastomer_friction.workflow.run.status import status_file
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import Store, store_folder

@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.run.run import run_plan
-from elastomer_friction.workflow.run.workers import How
+from elastomer_friction.workflow.run.grid_run import run_plan
+from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.simulate import block_means
 from elastomer_friction.workflow.store.store import Store, store_folder
 from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
@@ -62,7 +62,7 @@ scheme = "implicit-euler"
 def run(folder, *settings, scheduler=LOCAL, batch_seconds=0.2, **how):
     """Run the scenes, in this process unless a scheduler is given."""
     plan, path = small_plan(*settings, text=TEXT), folder / "small.nc"
-    how = How(Cluster(scheduler), batch_seconds=batch_seconds, **how)
+    how = RunOptions(Cluster(scheduler), batch_seconds=batch_seconds, **how)
     return Run(plan, run_plan(plan, path, how), path)
 
 

@@ -10,10 +10,10 @@ import pytest
 from elastomer_friction.workflow.run.status import (
     Status,
     StatusWriter,
-    identity,
     read_status,
     status_file,
     status_lines,
+    study_digest,
 )
 from elastomer_friction.workflow.store.store import Store, store_folder
 from elastomer_friction.workflow.system.lock import hold
@@ -31,8 +31,8 @@ def place(tmp_path):
     folder = store_folder(result)
     folder.mkdir()
     store = Store(folder)
-    store.begin(identity(STUDY), "numpy 2", "a processor")
-    status = Status(identity(STUDY), PLAN.records, 0, 7200.0)
+    store.begin(study_digest(STUDY), "numpy 2", "a processor")
+    status = Status(study_digest(STUDY), PLAN.records, 0, 7200.0)
     return result, store, StatusWriter(result, folder, status, lambda: (5, 1800.0))
 
 
@@ -112,9 +112,9 @@ def test_a_status_that_cannot_be_written_is_said_once_and_ends_nothing(place, cl
 
 
 def test_the_status_of_another_version_of_the_program_is_another(monkeypatch):
-    before = identity(STUDY)
+    before = study_digest(STUDY)
     monkeypatch.setattr("elastomer_friction.workflow.run.status.CODE", "0123456789abcdef")
-    assert identity(STUDY) != before
+    assert study_digest(STUDY) != before
 
 
 def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):
@@ -173,11 +173,11 @@ def test_whose_run_it_is_hangs_on_the_whole_of_process_and_host(number, host, wh
 def test_other_settings_are_another_status_and_another_cluster_is_not(place):
     place[2].write(1, 1)
     other = small_study("study.seed=2")
-    assert identity(other) != identity(STUDY)
-    assert read_status(other, place[0], place[1].folder).study == identity(other)
+    assert study_digest(other) != study_digest(STUDY)
+    assert read_status(other, place[0], place[1].folder).study == study_digest(other)
     elsewhere = small_study('cluster.where="slurm"', "cluster.jobs=7")
     assert elsewhere.cluster.jobs == 7
-    assert (identity(elsewhere), elsewhere.text) == (identity(STUDY), STUDY.text)
+    assert (study_digest(elsewhere), elsewhere.text) == (study_digest(STUDY), STUDY.text)
 
 
 def test_it_is_written_every_few_seconds_only(place, clock, monkeypatch):

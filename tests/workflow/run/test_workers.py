@@ -5,8 +5,8 @@ import pytest
 from elastomer_friction.workflow.cluster.watch import Watch
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.run import collect, workers
-from elastomer_friction.workflow.run import run as driver
-from elastomer_friction.workflow.run.workers import SECONDS_HERE, How, stream_here
+from elastomer_friction.workflow.run import grid_run as driver
+from elastomer_friction.workflow.run.workers import SECONDS_HERE, RunOptions, stream_here
 from elastomer_friction.workflow.study.cluster import Cluster
 from tests.support.runs import run, shards
 
@@ -14,10 +14,10 @@ ASKED = [{"workers": 1}, {"dashboard": True}, {"cluster": Cluster("tcp://there:1
 
 
 def test_this_process_does_seconds_of_work_unless_others_are_asked_for():
-    assert How().here(0.9 * SECONDS_HERE)
-    assert not How().here(SECONDS_HERE)
+    assert RunOptions().here(0.9 * SECONDS_HERE)
+    assert not RunOptions().here(SECONDS_HERE)
     for asked in ASKED:
-        assert not How(**asked).here(0.0)
+        assert not RunOptions(**asked).here(0.0)
 
 
 def halve(number):

@@ -69,7 +69,7 @@ def test_a_journal_that_is_wrong_about_a_sound_shard_is_mended(tmp_path, capsys)
     for entry in entries:
         if "shard" in entry:
             entry["chunks"] = next(swapped)
-    (tmp_path / journal.NAME).write_bytes(journal.lines_of(entries))
+    (tmp_path / journal.NAME).write_bytes(journal.encoded(entries))
     store = reopened(tmp_path)
     with pytest.raises(DamagedShard):
         store.read(records(COMPANIES[1]), SAMPLES)
@@ -86,7 +86,7 @@ def test_what_a_shard_does_not_hold_is_no_longer_told_of_it_once_it_is_read(tmp_
     entries.sort(key=lambda entry: "shard" in entry)
     first, second = (entry for entry in entries if "shard" in entry)
     first["chunks"] += second["chunks"]
-    (tmp_path / journal.NAME).write_bytes(journal.lines_of(entries[:-1]))  # none tells the second
+    (tmp_path / journal.NAME).write_bytes(journal.encoded(entries[:-1]))  # none tells the second
     (tmp_path / f"{second['shard']}.nc").unlink()
     store = Store(tmp_path)
     with pytest.raises(DamagedShard):
@@ -111,7 +111,7 @@ def test_a_part_whose_keys_do_not_match_its_checksum_is_not_taken_up(tmp_path):
     entries = [entry for entry, _ in journal.entries(tmp_path)]
     keys = entries[1]["keys"]
     entries[1]["keys"] = keys[32:] + keys[:32]  # two tasks exchanged
-    (tmp_path / journal.NAME).write_bytes(journal.lines_of(entries))
+    (tmp_path / journal.NAME).write_bytes(journal.encoded(entries))
     assert held(Store(tmp_path)) == set()
     assert_holds(reopened(tmp_path), BATCH, random_result(BATCH, 0))
 

@@ -83,7 +83,7 @@ def test_every_key_is_compared_with_what_the_journal_tells(store):
     entries = [entry for entry, _ in journal.entries(store.folder)]
     shards = [entry for entry in entries if "shard" in entry]
     shards[1]["chunks"], shards[2]["chunks"] = shards[2]["chunks"], shards[1]["chunks"]
-    (store.folder / journal.NAME).write_bytes(journal.lines_of(entries))
+    (store.folder / journal.NAME).write_bytes(journal.encoded(entries))
     found = verified(store.folder)
     assert len(found.faults) == 2
     key, block = records(WORK[5])[0]
@@ -94,7 +94,7 @@ def test_a_maker_that_the_shard_does_not_name_is_a_fault(store):
     entries = [entry for entry, _ in journal.entries(store.folder)]
     maker = next(entry for entry in entries if "maker" in entry)
     maker["versions"] = "numpy 1"
-    (store.folder / journal.NAME).write_bytes(journal.lines_of(entries))
+    (store.folder / journal.NAME).write_bytes(journal.encoded(entries))
     faults = verified(store.folder).faults
     assert len(faults) == 3
     assert all("was computed with something else" in fault for fault in faults)

@@ -6,7 +6,11 @@ import os
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system.files import append_durably, clear_leftovers, write_durably
+from elastomer_friction.workflow.system.durable import (
+    append_durably,
+    clear_leftovers,
+    write_durably,
+)
 
 
 def full_disk(*_):

@@ -6,7 +6,7 @@ import os
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.system.files import refused
+from elastomer_friction.workflow.system.durable import refused
 from elastomer_friction.workflow.system.patience import GRACE_SECONDS, Patience
 
 PASSING = ["EIO", "ESTALE", "EMFILE", "ENFILE", "ENOSPC", "EDQUOT", "ETIMEDOUT"]

@@ -1,15 +1,39 @@
-"""Write the report of a folder of results: read them, judge the claims, fill the page."""
+"""The report of a folder of results: read them, judge the claims, and fill the page.
 
+Of one study its figures, files, parameters and origin are shown. The page is a template of HTML, in
+which formulas that are written as plain text are set.
+"""
+
+import base64
 import contextlib
+import json
+import re
+import struct
 from pathlib import Path
+from typing import NamedTuple
+
+import xarray as xr
+from jinja2 import Environment, PackageLoader, StrictUndefined
+from markupsafe import Markup, escape
 
 from ...errors import UserError
-from ...result import ROOT, open_result, result_file
-from ...study import known_scales, known_studies, read_study
+from ...reduce import STATUS_MEANINGS
+from ...result import ROOT, Groups, differing_settings, listed, open_result, result_file
+from ...study import AnyStudy, known_scales, known_studies, read_study
 from ...system import write_durably
 from ..claims import evaluate, known_claims
-from .html import render
-from .section import section
+from ..csv_tables import write_tables
+from ..figure import Picture, caption, draw_groups
+from ..hover import HoverPoint
+from ..panels import STYLE
+
+NO_BREAK = "\u00a0"
+PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
+SMOKE = "smoke"
+SHOWN_VALUES = 6  # of an axis; of longer ones the ends
+ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
+CONSTANTS = ("shear_modulus", "tau", "length")  # coordinates of a result that are no axes
+UNITS = {"1": "", "s-1": "s⁻¹", "degree_Celsius": "°C"}  # of the CF conventions, where others read
 
 
 def study_names() -> list[str]:
@@ -58,3 +82,152 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
 
 def _names_of(scale: str | None) -> list[str]:
     return [name for name in study_names() if scale is None or scale in known_scales(name)]
+
+
+def render(**context: object) -> str:
+    """Return the page; every text in it is escaped."""
+    loader = PackageLoader("elastomer_friction.workflow.report", "page")
+    environment = Environment(
+        autoescape=True,
+        undefined=StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+        loader=loader,
+    )
+    environment.filters["formula"] = formula
+    environment.filters["verdict_class"] = verdict_class
+    return environment.get_template("report.html.j2").render(**context)
+
+
+def verdict_class(verdict: str) -> str:
+    """Return the colour of a verdict: what holds on a condition, or in part, is as "only" is."""
+    first = verdict.split()[0]
+    return "only" if first == "holds" and not PLAIN.fullmatch(verdict) else first
+
+
+def formula(text: str) -> Markup:
+    """Return plain text as HTML: x_N, x^(1−H) and 1e-06 set, no break inside "H = 0.3"."""
+    text = re.sub(r"(\d)e([+-]\d+)", lambda power: f"{power[1]}·10^({int(power[2])})", text)
+    text = re.sub(r" [=<>±∝] | %", lambda sign: sign[0].replace(" ", NO_BREAK), text)
+    text = re.sub(r"(?<!\w)-(?=\d)", "−", text)
+    raised = re.sub(r"\^(?:\(([^)]*)\)|([−\d.]+|\w))", r"<sup>\1\2</sup>", str(escape(text)))
+    return Markup(re.sub(r"_(max|[Nc]\b)", r"<sub>\1</sub>", raised))
+
+
+class Image(NamedTuple):
+    """A figure as data URI, its size in inches, and its points that a pointer can find."""
+
+    uri: str
+    width: float
+    height: float
+    points: list[HoverPoint]
+
+
+def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
+    """Return what the page shows of one study; ``troubles`` say why there is no figure or table.
+
+    Its figures and its tables are written into the folder of the result.
+    """
+    data, result = groups[ROOT], result_file(folder, study)
+    images: list[Image] = []
+    files, troubles = [result], []
+    try:
+        pictures = draw_groups(study, groups, result)
+        images = [_image(picture) for picture in pictures]
+        files += [picture.pdf for picture in pictures]
+    except UserError as error:
+        troubles.append(f"No figure: {error}")
+    try:
+        files += write_tables(study, groups, result)
+    except UserError as error:
+        troubles.append(f"No table: {error}")
+    changed = differing_settings(study, data.attrs)
+    scale = _scale(study, data.attrs)
+    return {
+        "name": study.name,
+        "title": str(data.attrs["title"]),
+        "smoke": scale.startswith(SMOKE),
+        "extent": ", ".join([scale, *_realizations(data)]),
+        "images": images,
+        "files": [file.name for file in files],
+        "caption": caption(study),
+        "troubles": troubles,
+        "parameters": _parameters(study, data),
+        "variants": [_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
+        "facts": _facts(data) + ([("Not as in study.toml", listed(changed))] if changed else []),
+        "origin": [(label, str(data.attrs[key])) for label, key in ORIGIN.items()],
+        "settings": str(data.attrs["study"]),
+    }
+
+
+def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:
+    """Return at which scale a result was computed, by its settings, whatever its file is called."""
+    for scale in dict.fromkeys([study.scale, "", *known_scales(study.name)]):
+        if not differing_settings(read_study(study.name, scale or None), attributes):
+            return f"{scale or 'default'} scale"
+    return f"{study.scale or 'default'} scale with other settings"
+
+
+def _realizations(data: xr.Dataset) -> list[str]:
+    """Return how many realizations there are per point, in words; nothing of a measured study."""
+    if "realizations" not in data:
+        return []
+    least, most = int(data.realizations.min()), int(data.realizations.max())
+    return [f"{most} realizations" if least == most else f"{least} to {most} realizations"]
+
+
+def _image(picture: Picture) -> Image:
+    content = picture.png.read_bytes()
+    width, height = struct.unpack(">II", content[16:24])  # PNG: the first chunk
+    uri = "data:image/png;base64," + base64.b64encode(content).decode()
+    sizes = width / STYLE["savefig.dpi"], height / STYLE["savefig.dpi"]
+    return Image(uri, *sizes, picture.points)
+
+
+def _parameters(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str, str]]:
+    """Return (meaning, values, unit) of the axes that have values, then of material and line.
+
+    Of a measured study: its settings.
+    """
+    settings = json.loads(data.attrs["study"])
+    if "measure" in settings:
+        measured = {k: v if isinstance(v, list) else [v] for k, v in settings["measure"].items()}
+        return [(k.replace("_", " "), ", ".join(map(str, v)), "") for k, v in measured.items()]
+    names = [*(axis for axis in data.dims if axis in study.axes), *CONSTANTS]
+    return [_axis(data[name]) for name in names if data[name].notnull().any()]
+
+
+def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
+    shown = [f"{value:.4g}" for value in axis.values.flat]
+    text = ", ".join(shown)
+    if len(shown) > SHOWN_VALUES:
+        text = f"{shown[0]} … {shown[-1]} ({len(shown)} values)"
+    unit = str(axis.attrs["units"])
+    return str(axis.attrs["long_name"]), text, UNITS.get(unit, unit.replace("s-1", "s⁻¹"))
+
+
+def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:
+    """Return name, scheme, steps per spacing and the outcome of the fits of one group."""
+    fits = "no fits asked for"
+    if "fit_status" in data:
+        meanings = STATUS_MEANINGS.replace("no_relaxation", "nothing_to_relax").split()
+        counts = {meaning: int((data.fit_status == k).sum()) for k, meaning in enumerate(meanings)}
+        fits = ", ".join(f"{n} {meaning.replace('_', ' ')}" for meaning, n in counts.items() if n)
+    label = group or "the study itself"
+    return label, str(data.attrs["scheme"]), str(data.attrs["steps_per_spacing"]), fits
+
+
+def _facts(data: xr.Dataset) -> list[tuple[str, str]]:
+    attrs = {key: str(value) for key, value in data.attrs.items()}
+    commit = attrs["commit"].replace("-dirty", " with changes that were not committed")
+    origin = [("Seed", attrs["seed"]), ("Commit", commit)]
+    if "scheme" not in attrs:  # a measured study
+        return origin
+    rate = "kept" if attrs["indentation_rate"] == "true" else "dropped, as eq. 3 is printed"
+    return [
+        ("Grid points", str(data.realizations.size)),
+        ("Realizations", f"{int(data.realizations.max())} each"),
+        ("Simulated", attrs["quantities"].replace(" ", ", ")),
+        ("Indentation rate", rate),
+        *origin,
+    ]

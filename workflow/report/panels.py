@@ -9,8 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from .points import remember
-from .resolution import HOLLOW, not_resolved
+from .hover import remember
+from .unresolved import HOLLOW, not_resolved
 
 STYLE: dict[str, Any] = {
     "figure.dpi": 150,

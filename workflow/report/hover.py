@@ -27,7 +27,7 @@ SYMBOLS = {
 }
 
 
-class Point(NamedTuple):
+class HoverPoint(NamedTuple):
     """A point of a drawn figure and what is said of it."""
 
     x: float  # share of the figure's width, from the left
@@ -62,7 +62,7 @@ def remember(
         _remembered.setdefault(ax, []).append((across[i], up[i], text))
 
 
-def remembered(figure: Figure) -> list[Point]:
+def remembered(figure: Figure) -> list[HoverPoint]:
     """Return the points that lie within their axes; the figure must have been laid out."""
     found = []
     for ax in figure.axes:
@@ -70,7 +70,7 @@ def remembered(figure: Figure) -> list[Point]:
             across, up = ax.transData.transform((x, y))
             if ax.bbox.contains(across, up):
                 shares = across / figure.bbox.width, 1.0 - up / figure.bbox.height
-                found.append(Point(float(shares[0]), float(shares[1]), text))
+                found.append(HoverPoint(float(shares[0]), float(shares[1]), text))
     return found
 
 

@@ -17,23 +17,15 @@ COLUMNS = "columns"  # table of what the columns of the others are
 Tables = dict[str, pd.DataFrame]  # "" is NAME.csv, the others are NAME-LABEL.csv
 
 
-def write_grid_table(study: Study, result: Path) -> list[Path]:
+def write_table(study: AnyStudy, result: Path) -> list[Path]:
     """Write the tables of a result beside it and return them; SI units, as in the netCDF file.
 
-    NAME.csv has all that is known of each point, NAME-exponents.csv the exponents of each Hurst
-    exponent, if any, and NAME-columns.csv unit and meaning of every column. Raises UserError where
-    there is no result, or the disk refuses a table.
+    Of a grid NAME.csv has all that is known of each point, NAME-exponents.csv the exponents of each
+    Hurst exponent, if any, and NAME-columns.csv unit and meaning of every column. Of a measured
+    study NAME.csv is the table that measure.py makes. Raises UserError where there is no result,
+    where the study has no table, or the disk refuses one.
     """
-    with contextlib.ExitStack() as stack:
-        return write_tables(study, open_result(study, result, stack), result)
-
-
-def write_measured_table(study: Measured, result: Path) -> list[Path]:
-    """Write NAME.csv, the table that measure.py makes, beside a result file and return it.
-
-    Raises UserError where the study has no table, or as for a grid.
-    """
-    if not hasattr(study.script, "table"):
+    if isinstance(study, Measured) and not hasattr(study.script, "table"):
         raise UserError(f"study {study.name!r}: has no table")
     with contextlib.ExitStack() as stack:
         return write_tables(study, open_result(study, result, stack), result)

@@ -11,7 +11,7 @@ from ..errors import UserError
 from ..plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
 from ..study import BATCH_SYSTEMS, Measured, Study
 from ..system import program
-from .outline import planned
+from .outline import announced_plan
 
 DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
 UNTIMED = 3.0  # s; a study that takes less at the most ends before this machine is measured
@@ -60,11 +60,11 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
     _check(options)
     # Before dask is imported, for worker processes too: its warnings on shutdown are noise.
     os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
-    from ..run import How, run_plan
+    from ..run import RunOptions, run_plan
 
     plan = paced_plan(study)
     where = options.scheduler or options.batch_system or study.cluster.where
-    how = How(
+    how = RunOptions(
         cluster=study.cluster._replace(where=where),
         workers=options.workers,
         dashboard=options.dashboard,
@@ -92,10 +92,10 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
 def paced_plan(study: Study) -> Plan:
     """Return the plan at the pace of this machine, or a typical one where that hardly matters."""
     if known := known_machine():
-        return planned(study, known.pace)
-    plan = planned(study, TYPICAL)
+        return announced_plan(study, known.pace)
+    plan = announced_plan(study, TYPICAL)
     pace = _pace(plan.prediction().high)
-    return plan if pace is TYPICAL else planned(study, pace)
+    return plan if pace is TYPICAL else announced_plan(study, pace)
 
 
 def _pace(seconds: float) -> Pace:

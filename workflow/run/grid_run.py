@@ -21,10 +21,11 @@ from ..plan import (
     total_seconds,
 )
 from ..simulate import load_kernels
-from ..store import DamagedShard, Shelf, Store, store_folder
+from ..store import DamagedShard, Store, WriteBuffer, store_folder
 from ..study import LOCAL
 from ..system import (
     Interrupt,
+    Maker,
     Patience,
     Reporter,
     check_place,
@@ -34,22 +35,21 @@ from ..system import (
     processor,
     saying_what_compiles,
 )
-from .collect import Collector
+from .collect import Collector, Rounds
 from .failures import Failures
-from .makers import require_one
-from .rounds import Rounds
-from .status import Status, StatusWriter, identity, status_file
+from .status import Status, StatusWriter, status_file, study_digest
 from .store_key import KEY, is_unchanged, result_key
 from .summary import Summary
-from .workers import How, Workers, fit_seconds, open_workers
+from .workers import RunOptions, Workers, fit_seconds, open_workers
 
-if TYPE_CHECKING:  # slow to import; computing needs nothing of it
+if TYPE_CHECKING:
     from ..result import Groups
+
 
 ATTEMPTS = 3  # at a result, when shards turn out damaged
 
 
-def run_plan(plan: Plan, result: Path, how: How) -> Summary:
+def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
     """Compute whatever of the plan is not stored yet and write the result file.
 
     An interrupted run keeps all finished batches and writes no result file; so does one with
@@ -69,7 +69,7 @@ def run_plan(plan: Plan, result: Path, how: How) -> Summary:
 
 
 class _Run:
-    def __init__(self, plan: Plan, result: Path, how: How) -> None:
+    def __init__(self, plan: Plan, result: Path, how: RunOptions) -> None:
         self.plan, self.result, self.how = plan, result, how
         self.interrupt = Interrupt()
         self.patience = Patience(how.cluster.patience, self.interrupt)
@@ -84,7 +84,7 @@ class _Run:
         if how.retry_failed:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
         self.watch = Watch(self._stops, how.cluster.patience)
-        name = identity(plan.study)
+        name = study_digest(plan.study)
         store.begin(name, package_versions(), processor())
         self.missing = missing_work(plan, self.failures)
         done, left = self._extent(self.missing)
@@ -167,20 +167,20 @@ class _Run:
         pieces = cut(self.plan, missing, target)
         work = make_batches(self.plan, pieces, target)
         reporter = Reporter("computing", total_seconds(pieces))
-        with reporter, Shelf(self.store, target) as shelf:
+        with reporter, WriteBuffer(self.store, target) as buffer:
 
             def look(threads: int, in_flight: int) -> None:
                 del in_flight
                 if threads:  # or else the watch says that there are none
                     reporter.beat(threads, self.failures.fresh)
-                shelf.flush_when_due()
+                buffer.flush_when_due()
 
             with self.watch.telling(look):
                 for batch, done in workers.stream(workers.work, work, self.watch, self.failures):
                     self.makers.add(done.maker)
                     require_one(self.makers, self.how.one_kind)
                     with self.summary.filing():
-                        shelf.add(batch, done)
+                        buffer.add(batch, done)
                     self.summary.count(self.plan, batch, done)
                     reporter.advance(batch.seconds)
 
@@ -196,3 +196,13 @@ class _Run:
         """Take note of the workers every second."""
         self.summary.workers = max(self.summary.workers, threads)
         self.status.write(threads, min(threads, in_flight))
+
+
+def require_one(makers: set[Maker], asked: bool) -> None:
+    """Raise UserError where records are of several makers, if one alone is asked for."""
+    if asked and len(makers) > 1:
+        said = "; ".join(f"{maker.versions} on {maker.processor}" for maker in sorted(makers))
+        raise UserError(
+            f"--one-kind: records of {len(makers)} kinds would be mixed: {said}; compute in "
+            "another folder (--out), or leave the option out"
+        )

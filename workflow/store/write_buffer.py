@@ -13,7 +13,7 @@ LONGEST_SECONDS = 120.0
 MOST_BYTES = 2**24
 
 
-class Shelf:
+class WriteBuffer:
     """Gathers finished batches and stores them together; stores what is left at the end.
 
     A shard is written every few batch lengths at first, then every thousandth of the time the
@@ -29,7 +29,7 @@ class Shelf:
         self.bytes = 0
         self.began = self.stored = now()
 
-    def __enter__(self) -> "Shelf":
+    def __enter__(self) -> "WriteBuffer":
         return self
 
     def __exit__(self, kind: type[BaseException] | None, *_: object) -> None:
