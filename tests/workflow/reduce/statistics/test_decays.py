@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import curve_fit
 
-from elastomer_friction.workflow.reduce.models import exponential
+from elastomer_friction.workflow.reduce.models import one_exponential
 from elastomer_friction.workflow.reduce.statistics.decays import RANGE, fit_decays
 from elastomer_friction.workflow.reduce.statistics.least_squares import fit_curves
 from tests.support.sweeps import examples
@@ -50,7 +50,7 @@ def test_noisy_curves_are_fitted_as_by_an_independent_solver(offset, late):
 def test_the_general_fit_of_curves_finds_the_same():
     curves = noisy(40, size=0.1)
     found = fit_decays(TIME, curves, EVEN, np.ones(40))
-    general = fit_curves(exponential, TIME, curves, np.array([1.0, 0.0]))
+    general = fit_curves(one_exponential, TIME, curves, np.array([1.0, 0.0]))
     np.testing.assert_allclose(found[:, 0], general[:, 0], rtol=1e-5)
     np.testing.assert_allclose(found[:, 1], np.exp(general[:, 1]), rtol=1e-5)
 

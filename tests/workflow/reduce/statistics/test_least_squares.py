@@ -6,7 +6,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import curve_fit
 
-from elastomer_friction.workflow.reduce.models import exponential, stretched
+from elastomer_friction.workflow.reduce.models import one_exponential, stretched
 from elastomer_friction.workflow.reduce.statistics.least_squares import fit_curves
 from tests.support.sweeps import examples
 
@@ -31,7 +31,7 @@ def test_exact_curves_give_their_parameters(size, rate, exponent):
 
 def test_noisy_curves_are_fitted_as_by_an_independent_solver():
     curves = noisy(6)
-    found = fit_curves(exponential, TIME, curves, np.array([1.0, 0.0]))
+    found = fit_curves(one_exponential, TIME, curves, np.array([1.0, 0.0]))
     for p, curve in zip(found, curves, strict=True):
         expected, _ = curve_fit(lambda t, a, b: a * np.exp(-b * t), TIME, curve, (1.0, 1.0))
         assert (p[0], np.exp(p[1])) == pytest.approx(tuple(expected), rel=1e-6)
@@ -39,9 +39,9 @@ def test_noisy_curves_are_fitted_as_by_an_independent_solver():
 
 def test_a_row_does_not_depend_on_its_company():
     curves, start = noisy(8), np.array([1.0, 0.0])
-    together = fit_curves(exponential, TIME, curves, start)
+    together = fit_curves(one_exponential, TIME, curves, start)
     for row in range(8):
-        alone = fit_curves(exponential, TIME, curves[row : row + 1], start)
+        alone = fit_curves(one_exponential, TIME, curves[row : row + 1], start)
         np.testing.assert_allclose(alone[0], together[row], rtol=1e-7)
 
 
@@ -49,8 +49,8 @@ def test_a_row_does_not_depend_on_its_company():
 def test_a_fit_that_cannot_succeed_ends_no_worse_than_it_began(curve):
     start = np.array([1.0, 0.0])
     with np.errstate(all="ignore"):
-        found = fit_curves(exponential, TIME, curve[None], start)
+        found = fit_curves(one_exponential, TIME, curve[None], start)
         after, before = (
-            np.sum((exponential(p[None], TIME)[0][0] - curve) ** 2) for p in (found[0], start)
+            np.sum((one_exponential(p[None], TIME)[0][0] - curve) ** 2) for p in (found[0], start)
         )
     assert after <= before or np.isnan(before)
