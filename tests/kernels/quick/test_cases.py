@@ -7,6 +7,7 @@ import pytest
 
 from elastomer_friction.kernels import (
     SCHEMES,
+    Case,
     ConstantForce,
     Quantities,
     lagged_slope,
@@ -19,9 +20,11 @@ from elastomer_friction.kernels import (
 from elastomer_friction.kernels.model.friction import elastic_correction
 from elastomer_friction.kernels.model.march import march
 from elastomer_friction.kernels.quick import cases
+from elastomer_friction.kernels.quick.case import Clock, Clocks, Seconds
 from elastomer_friction.kernels.quick.contacts.refined import NARROW
 from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds, Pace, steady_friction
 from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
 
@@ -177,3 +180,38 @@ def test_the_jump_of_the_smallest_step_is_that_of_a_larger_one_in_proportion():
 def test_cases_without_meaning_are_refused(change, named):
     with pytest.raises(ValueError, match=named):
         run_case(line_of(), CASE._replace(**change), ALL)
+
+
+PLAIN = Case(0.1, 1.0, (1.2, 0.5), (np.array([1]),), "exponential")
+
+
+@pytest.mark.parametrize(
+    "changed", [{"speed": -1.0}, {"ratios": (-1.2,)}, {"spectrum": Spectrum((1.0,), (1.0,), 0.0)}]
+)
+def test_a_kelvin_element_that_slides_one_way_is_plain(changed):
+    assert PLAIN.plain
+    assert not PLAIN._replace(**changed).plain
+
+
+def test_without_a_quantity_no_steady_state_is_needed():
+    assert not Quantities(steady=False, jump=False, relaxation=False).anything
+    for name in ("steady", "jump", "relaxation", "initial_rate"):
+        nothing = dict.fromkeys(("steady", "jump", "relaxation"), False)
+        assert Quantities(**{**nothing, name: True}).anything
+
+
+def test_a_clock_books_time_to_its_phases():
+    clock = Clock()
+    clock.lap("jump")
+    assert set(clock.spent) == set(Seconds._fields)
+    assert clock.spent["steady"] == 0.0 <= clock.spent["jump"]
+
+
+def test_clocks_book_time_by_work_or_to_one_case_alone():
+    clocks = Clocks(2)
+    clocks.lap(steady=[1.0, 3.0])
+    first, second = (clocks.seconds(case).steady for case in range(2))
+    assert second == pytest.approx(3.0 * first)
+    clocks.lap_alone(1, jump=2.0, marching=6.0)
+    assert clocks.seconds(0) == (first, 0.0, 0.0)
+    assert clocks.seconds(1).marching == pytest.approx(3.0 * clocks.seconds(1).jump)

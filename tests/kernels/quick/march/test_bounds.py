@@ -1,10 +1,10 @@
-"""The bounds of d and D hold what they are made of, with a margin."""
+"""The bounds of d and D hold what they are made of, with a margin; roots and sums of a step."""
 
 import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce
-from elastomer_friction.kernels.quick.march.balance import foresee
+from elastomer_friction.kernels.quick.march.balance import STRIP, foresee, in_order, overlap_of
 from elastomer_friction.kernels.quick.march.bounds import (
     bounds_of,
     closer_bounds,
@@ -56,3 +56,21 @@ def test_the_first_step_is_foreseen_and_lies_within_the_first_bounds(load, x, ra
     assert 0.9 < (guess - setting.start.d) / (d - setting.start.d) < 1.7
     found = first_bounds(setting, guess, 0.05)
     assert holds(found, d, advance(setting.law, d, setting.start.d))
+
+
+def test_no_digits_are_lost_where_hardly_anything_decays():
+    law = SCHEMES["exponential"](1e-12)
+    assert advance(law, 5.0, 5.0) == pytest.approx(5.0 / law.stiffness, rel=1e-15)
+
+
+@pytest.mark.parametrize("size", [0, 5, 4 * STRIP - 1, 4 * STRIP, 5 * STRIP + 7])
+def test_overlaps_are_those_of_the_touching_elements(size):
+    c = np.random.default_rng(5).standard_normal(size)
+    depth, count = overlap_of(c, 0.2)
+    assert depth == pytest.approx(np.maximum(0.2 - c, 0.0).sum(), rel=1e-12)
+    assert count == np.count_nonzero(c < 0.2)
+
+
+def test_parts_are_added_from_the_first_to_the_last():
+    assert in_order(np.array([1.0, 1e100, -1e100])) == 0.0
+    assert in_order(np.array([1e100, -1e100, 1.0])) == 1.0

@@ -4,6 +4,7 @@ import pytest
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.settings.columns import read_columns, rows_of_file
+from elastomer_friction.workflow.study.settings.text import read_rows
 
 NAMES = ("a time in s", "a velocity in m/s")
 
@@ -21,6 +22,9 @@ def read(tmp_path, text):
         "0,1\n2,3\n",
         "0;1\n2;3\n",
         " 0\t1 \n\n 2\t3 ",
+        "0,0;1,0\n2;3",
+        "0,0 1\n2 3",
+        "t v\n0, 1,,\n! no\n2, 3\n",
         "# all in SI\ntime, velocity\n0, 1  # here\n2, 3\n",
         "\ufefftime [s]\tv [m/s]\n0e0\t1.0\n+2\t3\n",
     ],
@@ -63,3 +67,9 @@ def test_bytes_that_are_no_text(tmp_path):
 def test_a_name_that_no_file_can_have(tmp_path):
     with pytest.raises(UserError, match="cannot be read"):
         read_columns("key", tmp_path / "a\0b", NAMES)
+
+
+def test_the_first_column_as_it_is_written_and_the_lines_of_rows():
+    rows = read_rows(b"x\n1,50;2\n\n3;4\n", (0, 1))
+    assert rows.written == ("1.50", "3")
+    assert (rows.lines, rows.header, rows.delimiter) == ((2, 4), ("x",), ";")
