@@ -11,11 +11,10 @@ from elastomer_friction.workflow.simulate.layout import row_layout, unpack
 from elastomer_friction.workflow.simulate.programmes import scene_of
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS
-from tests.support.small import cut_batches, small_plan
-from tests.workflow.plan.test_motion import PROGRAMME, TEXT
+from tests.support.small import HOLDING, PROGRAMME, cut_batches, small_plan
 
 SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
-PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=TEXT)
+PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=HOLDING)
 
 
 def records(target):
@@ -47,7 +46,7 @@ def test_mu_1_and_mu_2_belong_to_the_first_and_the_last_slide():
         "scene.programme=[{slide={ratio=2.0, distance=1e-3}}]",
         *SMALL,
         "numerics.steps_per_spacing=1",
-        text=TEXT,
+        text=HOLDING,
     )
     other = next(cut_batches(fast, set(), 1e9))
     expected = dict(zip(SCALARS, block_means(other).scalars[0, 0], strict=True))

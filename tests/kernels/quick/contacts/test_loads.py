@@ -1,4 +1,4 @@
-"""Many loads at one speed, on a line or a part of it: each as alone, full contact by its criterion."""
+"""Many loads at one speed, on a line or a part of it: each as alone; full contact by criterion."""
 
 import numpy as np
 import pytest
