@@ -1,14 +1,15 @@
-"""The store: what goes in comes out bit for bit, and a disk that refuses is reported."""
+"""The store and its shards: what goes in comes out bit for bit; a disk that refuses is reported."""
 
 import dataclasses
 
+import netCDF4
 import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store.store import Store
-from tests.support.shards import BATCH, SAMPLES, WORK, filled, held, records, reopened
+from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import random_result
 
 
@@ -58,3 +59,33 @@ def test_folder_that_vanished_is_reported(tmp_path):
     store = Store(tmp_path / "store")
     with pytest.raises(UserError, match="cannot be written: No such file or directory"):
         store.add([(BATCH, random_result(BATCH))])
+
+
+def test_one_shard_holds_many_batches(tmp_path):
+    store = Store(tmp_path)
+    work = [(batch, random_result(batch, seed)) for seed, batch in enumerate(WORK[:9])]
+    store.add(work)
+    assert len(list(tmp_path.glob("*.nc"))) == 1
+    for again in (store, Store(tmp_path)):
+        for batch, result in work:
+            assert_holds(again, batch, result)
+
+
+def test_batches_of_different_length_share_a_shard(tmp_path):
+    longer = dataclasses.replace(WORK[1], recording=WORK[1].recording._replace(samples=40))
+    work = [(batch, random_result(batch)) for batch in (WORK[0], longer)]
+    store = Store(tmp_path)
+    store.add(work)
+    assert_holds(store, *work[0])
+    _, curves = store.read(records(longer), 39)
+    assert curves.tobytes() == work[1][1].curves.tobytes()
+
+
+def test_numbers_that_netcdf_takes_for_missing_ones_come_back_bit_for_bit(tmp_path):
+    result = random_result(WORK[0])
+    result.scalars[..., 0] = result.curves[..., 0] = netCDF4.default_fillvals["f8"]
+    result.scalars[..., 1] = np.nan
+    store = Store(tmp_path)
+    store.add([(WORK[0], result)])
+    assert_holds(store, WORK[0], result)
+    assert type(store.read(records(WORK[0]), 1)[0]) is np.ndarray
