@@ -1,15 +1,12 @@
 """Core-hours of a whole study, from a random sample of its batches.
 
     python -m tests.tools.core_hours fig7 --scale paper --minutes 20 --seed 1 --out sample.json
-    python -m tests.tools.core_hours fig7 --scale paper --steps earlier --then 9b0af71
 
-It measures CPU time of one thread, which computes as a worker does. With --then a random tenth of
-the batches is computed by that commit as well, in turns: the same points, steps per spacing and
-numbers of lines. How draws lead to the whole stands in sample.py.
+It measures CPU time of one thread, which computes as a worker does. How draws lead to the whole
+stands in sample.py.
 """
 
 import argparse
-import contextlib
 import json
 from collections.abc import Iterator
 from pathlib import Path
@@ -19,25 +16,20 @@ import numpy as np
 
 from elastomer_friction.workflow.plan import this_machine
 from elastomer_friction.workflow.plan.cost import PARTS
-from elastomer_friction.workflow.plan.plan import Plan, make_plan
+from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.simulate import BatchResult, block_means
 from elastomer_friction.workflow.study import read_study
-from tests.tools.rivals.batches import Then, at
-from tests.tools.rivals.checkout import COMMIT
 from tests.tools.sample import (
     Draw,
     Estimate,
     Stratum,
     drawn,
-    earlier_discretisation,
     number_of_draws,
-    ratio,
     strata,
     total,
 )
 
 LEAST = 60  # draws of all variants
-LEAST_THEN, SHARE_THEN = 5, 0.1
 HOUR = 3600.0
 
 
@@ -66,21 +58,15 @@ def described(draw: Draw, result: BatchResult) -> dict[str, Any]:
     }
 
 
-def measured(
-    plan: Plan, whole: list[Stratum], draws: list[Draw], chosen: set[int], then: Then | None
-) -> Iterator[dict[str, Any]]:
-    """Yield what each draw is and took, where it is chosen at the other commit too."""
+def measured(whole: list[Stratum], draws: list[Draw]) -> Iterator[dict[str, Any]]:
+    """Yield what each draw is and took."""
     for stratum in whole:  # machine code is loaded
         small = min(stratum.batches, key=lambda batch: batch.seconds)
         block_means(small)
     for number, draw in enumerate(draws):
         row = described(draw, block_means(draw.batch))
         said = f"{number + 1:4d} of {len(draws)}: {row['seconds']:8.2f} s, "
-        said += f"predicted {draw.batch.seconds:8.2f}"
-        if then and number in chosen:
-            row["then"] = then(draw)
-            said += f", then {row['then']:9.2f} s"
-        print(said, flush=True)
+        print(f"{said}predicted {draw.batch.seconds:8.2f}", flush=True)
         yield row
 
 
@@ -118,17 +104,7 @@ def verdict(whole: list[Stratum], rows: list[dict[str, Any]]) -> dict[str, Any]:
     print(f"{'all':20s}{hours['all']} core-hours; longest batch {longest:.0f} s")
     parts = by_part(whole, rows)
     print("by part: " + ", ".join(f"{name} {value:.3g}" for name, value in parts.items()))
-    kept = {"hours": hours, "parts": parts, "longest_batch_seconds": longest}
-    both = [row for row in rows if "then" in row]
-    if both:
-        slower = ratio(
-            [row["then"] / row["predicted"] for row in both],
-            [row["seconds"] / row["predicted"] for row in both],
-        )
-        print(f"then over now: {slower}, of {len(both)} draws", end="; ")
-        print(f"then about {slower.value * hours['all'].value:.3g} core-hours")
-        kept["then_over_now"] = slower
-    return kept
+    return {"hours": hours, "parts": parts, "longest_batch_seconds": longest}
 
 
 def options() -> argparse.Namespace:
@@ -139,8 +115,6 @@ def options() -> argparse.Namespace:
     parser.add_argument("--minutes", type=float, default=0.0, help="predicted work, at least")
     parser.add_argument("--draws", type=int, default=LEAST, help="at least")
     parser.add_argument("--seed", type=int, default=1)
-    parser.add_argument("--steps", choices=["now", "earlier"], default="now")
-    parser.add_argument("--then", metavar="COMMIT", help=f"{COMMIT}, in turns with a tenth")
     parser.add_argument("--out", type=Path, help="a JSON file for all of it")
     return parser.parse_args()
 
@@ -149,17 +123,12 @@ def main() -> None:
     """Draw, measure, print; write where asked."""
     asked = options()
     study = read_study(asked.study, asked.scale, [])
-    with earlier_discretisation() if asked.steps == "earlier" else contextlib.nullcontext():
-        plan = make_plan(study, this_machine().pace)
-        whole = strata(plan)
+    whole = strata(make_plan(study, this_machine().pace))
     generator = np.random.default_rng(asked.seed)
     numbers = number_of_draws(whole, asked.draws, 60.0 * asked.minutes)
     draws = [d for s, n in zip(whole, numbers, strict=True) for d in drawn(s, n, generator)]
-    count = max(LEAST_THEN, round(SHARE_THEN * len(draws)))
-    chosen = set(generator.choice(len(draws), min(count, len(draws)), replace=False).tolist())
-    with at(asked.then, plan) if asked.then else contextlib.nullcontext() as then:
-        rows = list(measured(plan, whole, draws, chosen, then))
-    print(f"\n{study.name}, {asked.scale}, seed {asked.seed}, steps per spacing {asked.steps}")
+    rows = list(measured(whole, draws))
+    print(f"\n{study.name}, {asked.scale}, seed {asked.seed}")
     kept = {**vars(asked), "out": None, **verdict(whole, rows), "draws": rows}
     if asked.out:
         asked.out.write_text(json.dumps(kept) + "\n", encoding="utf-8")

@@ -1,18 +1,13 @@
 """What a march and a whole case cost, beside other ways to do the same work.
 
     python -m tests.tools.march_costs             with tamaas where it is installed
-    python -m tests.tools.march_costs --then      beside commit 9b0af71, checked out for it
 
 Nanoseconds of CPU time of one thread, per step and sample of the line (a nominal element step), and
 per sample of the line in a sweep. All ways march from the same state and must agree in mu.
 Printed by `make bench` (bench.py).
 """
 
-import argparse
 import contextlib
-import json
-import subprocess
-import sys
 import time
 from collections.abc import Callable
 
@@ -29,7 +24,6 @@ from elastomer_friction.kernels import (
 from elastomer_friction.kernels.quick.march.march import active_march
 from elastomer_friction.studies.accuracy.marches import TamaasMarch
 from elastomer_friction.workflow.simulate.realizations import lines_at_once
-from tests.tools.rivals.checkout import COMMIT, ROOT, checkout
 from tests.tools.rivals.compiled import Compiled
 from tests.tools.rivals.plain import naive_march, numpy_march
 from tests.tools.rivals.problem import Problem
@@ -38,8 +32,8 @@ from tests.tools.rivals.rows import RATIO, ROWS, Row
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
 SLOW_STEPS = 3  # of ways so slow that a few steps tell
 AGREEMENT = 1e-8  # of the change of mu in the march
-HEAD = ("march", "dense", "numpy", "naive", "C", "tamaas", "then")
-PARTS = ("sweep", "then", "case", "C", "then")
+HEAD = ("march", "dense", "numpy", "naive", "C", "tamaas")
+PARTS = ("sweep", "case", "C")
 
 
 def fastest(function: Callable[[], object]) -> float:
@@ -110,41 +104,23 @@ def cases(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
     return found
 
 
-def then() -> list[list[float]] | None:
-    """Return the times of commit 9b0af71, or None where it cannot be had."""
-    script = [sys.executable, str(ROOT / "tests/tools/rivals/then.py"), str(MOST)]
-    with contextlib.ExitStack() as stack:
-        try:
-            place, environment = stack.enter_context(checkout(COMMIT))
-        except (OSError, subprocess.CalledProcessError):
-            return None
-        done = subprocess.run(
-            script, env=environment, cwd=place, capture_output=True, text=True, check=True
-        )
-        return json.loads(done.stdout)
-
-
-def march_costs(with_then: bool) -> None:
+def march_costs() -> None:
     """Print the tables."""
-    earlier = then() if with_then else None
     compiled = None
     with contextlib.suppress(FileNotFoundError):
         compiled = Compiled()
-    print("March: ns per nominal element step; then = 9b0af71; C: every element, vectorised")
+    print("March: ns per nominal element step; C: every element, vectorised")
     print(f"{'H, N, m, x, Fbar, steps':36s}" + "".join(f"{name:>9s}" for name in HEAD))
     below = []
-    for k, row in enumerate(ROWS):
+    for row in ROWS:
         problem = Problem(row)
         found = marches(problem, compiled)
         whole = cases(problem, compiled)
         sweep = fastest(lambda p=problem: steady_sliding(p.before, p.line.z, p.load))
-        if earlier:
-            found["then"] = earlier[k][0] / problem.updates
         print(f"{_name(row):36s}" + "".join(_number(found.get(name)) for name in HEAD))
         n = problem.line.z.size
-        parts = [1e9 * sweep / problem.sweeps / n, 1e9 * earlier[k][1] / n if earlier else None]
-        parts += [1e3 * whole["case"], 1e3 * whole["C"] if "C" in whole else None]
-        below.append((row, [*parts, 1e3 * earlier[k][2] if earlier else None]))
+        in_c = 1e3 * whole["C"] if "C" in whole else None
+        below.append((row, [1e9 * sweep / problem.sweeps / n, 1e3 * whole["case"], in_c]))
     print("\nSweep: ns per sample; whole case (two steady states, jump, march): ms")
     print(f"{'H, N, m, x, Fbar, steps':36s}" + "".join(f"{name:>9s}" for name in PARTS))
     for row, values in below:
@@ -160,6 +136,4 @@ def _number(value: float | None, scale: float = 1e9) -> str:
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--then", action="store_true")
-    march_costs(parser.parse_args().then)
+    march_costs()

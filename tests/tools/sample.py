@@ -9,10 +9,8 @@ draws.
 
 import math
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
 from dataclasses import replace
 from typing import NamedTuple
-from unittest.mock import patch
 
 import numpy as np
 
@@ -25,34 +23,10 @@ from elastomer_friction.workflow.plan.batches import (
     total_seconds,
 )
 from elastomer_friction.workflow.plan.plan import Plan
-from elastomer_friction.workflow.plan.problems import Numbers, expected_rate
-from elastomer_friction.workflow.simulate import Batch, Problem
-from elastomer_friction.workflow.study import Numerics, Scene
+from elastomer_friction.workflow.simulate import Batch
 
 LEAST_DRAWS = 8  # of a variant: its share of the error is known then
 LEAST_SECONDS = 2.0  # of a draw, predicted: what a batch begins with is lost in it
-
-
-def earlier_steps(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers:
-    """Return the steps per spacing that commit 9b0af71 took for problems."""
-    if numerics.steps_per_spacing is not None:
-        return numerics.steps_per_spacing
-    first_order = 8 if numerics.scheme == "implicit-euler" else 1
-    if "relaxation" not in scene.quantities:
-        return np.full(np.shape(problem.load), 8 * first_order)
-    need = 2.0 * expected_rate(problem) / (problem.speed * np.minimum(1.0, problem.ratio))
-    resolved = 2.0 ** np.ceil(np.log2(need) - 1e-9)
-    return np.maximum(4, resolved).astype(np.int64) * first_order
-
-
-@contextmanager
-def earlier_discretisation() -> Iterator[None]:
-    """Let what is planned be discretised as by commit 9b0af71, which refined no contacts."""
-    with (
-        patch("elastomer_friction.workflow.plan.variant.steps_per_spacing", earlier_steps),
-        patch.object(Numerics, "refines", False),
-    ):
-        yield
 
 
 class Stratum(NamedTuple):
@@ -151,14 +125,3 @@ def total(predicted: Sequence[float], ratios: Sequence[Sequence[float]]) -> Esti
         value += whole * float(np.mean(own))
         variance += whole**2 * float(np.var(own, ddof=1)) / len(own)
     return Estimate(value, math.sqrt(variance))
-
-
-def ratio(then: Sequence[float], now: Sequence[float]) -> Estimate:
-    """Return how many times longer the same draws take there than here.
-
-    then, now : measured over predicted, of each draw.
-    """
-    there, here = np.array(then), np.array(now)
-    value = float(there.sum() / here.sum())
-    scatter = float(np.std(there - value * here, ddof=1))
-    return Estimate(value, scatter / math.sqrt(here.size) / float(here.mean()))

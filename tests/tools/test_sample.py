@@ -5,18 +5,12 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.plan.cost import TYPICAL
-from elastomer_friction.workflow.plan.plan import make_plan
-from elastomer_friction.workflow.plan.problems import together
 from elastomer_friction.workflow.simulate.realizations import block_means
-from tests.support.small import small_plan, small_study
+from tests.support.small import small_plan
 from tests.tools.sample import (
     cut_down,
     drawn,
-    earlier_discretisation,
-    earlier_steps,
     number_of_draws,
-    ratio,
     strata,
     total,
 )
@@ -49,14 +43,6 @@ def test_the_estimate_is_within_its_error_of_what_all_batches_take(seed):
 
 def test_predictions_off_by_one_factor_leave_no_error():
     assert total([3.0, 5.0], [[2.0, 2.0], [2.0, 2.0, 2.0]]) == (16.0, 0.0)
-
-
-def test_the_ratio_is_known_to_its_error():
-    generator = np.random.default_rng(1)
-    now = generator.uniform(0.5, 2.0, 400)
-    found = ratio(20.0 * now * generator.uniform(0.5, 1.5, 400), now)
-    assert abs(found.value - 20.0) < 4.0 * found.error < 4.0
-    assert ratio([2.0, 4.0], [1.0, 2.0]) == (2.0, 0.0)
 
 
 def test_draws_follow_the_cost_and_fill_the_time_asked_for():
@@ -96,36 +82,3 @@ def test_the_numbers_of_a_draw_are_those_of_the_study():
     halves = [replace(batch, realizations_per_block=4, first_block=k) for k in (2, 3)]
     means = [block_means(half).scalars for half in halves]
     np.testing.assert_allclose(np.mean(means, axis=0), block_means(batch).scalars, rtol=1e-12)
-
-
-def test_earlier_steps_are_powers_of_two_that_resolve_the_relaxation():
-    study = small_study()
-    (_, many) = together([task.problem for task in PLAN.variants[0].tasks])[0]
-    steps = earlier_steps(many, study.scene, study.variants[""])
-    assert (steps >= 4).all()
-    assert (np.log2(steps) % 1.0 == 0.0).all()
-    slow = many._replace(speed=0.01 * many.speed)
-    assert (earlier_steps(slow, study.scene, study.variants[""]) >= 2.0 / slow.speed).all()
-    assert (
-        8 * earlier_steps(slow, study.scene, study.variants[""])
-        == earlier_steps(slow, study.scene, replace_scheme(study))
-    ).all()
-
-
-def replace_scheme(study):
-    return study.variants[""]._replace(scheme="implicit-euler")
-
-
-def test_earlier_work_keeps_the_steps_that_are_given_and_refines_nothing():
-    now = make_plan(small_study(), TYPICAL)
-    with earlier_discretisation():
-        then = make_plan(small_study(), TYPICAL)
-        whole = strata(then)
-    given, chosen = (
-        [{task.steps_per_spacing for task in plan.variants[row].tasks} for plan in (now, then)]
-        for row in (1, 0)
-    )
-    assert given == [{1}, {1}]
-    assert chosen[0] != chosen[1]
-    assert not any(batch.refine for stratum in whole for batch in stratum.batches)
-    assert strata(now)[0].batches[0].refine
