@@ -19,15 +19,7 @@ from elastomer_friction.workflow.plan.cost import PARTS
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.simulate import BatchResult, block_means
 from elastomer_friction.workflow.study import read_study
-from tests.tools.sample import (
-    Draw,
-    Estimate,
-    Stratum,
-    drawn,
-    number_of_draws,
-    strata,
-    total,
-)
+from tests.tools.sample import Draw, Estimate, Stratum, drawn, number_of_draws, strata, total
 
 LEAST = 60  # draws of all variants
 HOUR = 3600.0

@@ -7,13 +7,7 @@ import pytest
 
 from elastomer_friction.workflow.simulate.realizations import block_means
 from tests.support.small import small_plan
-from tests.tools.sample import (
-    cut_down,
-    drawn,
-    number_of_draws,
-    strata,
-    total,
-)
+from tests.tools.sample import cut_down, drawn, number_of_draws, strata, total
 
 PLAN = small_plan("study.realizations=64", "study.realizations_per_block=8")
 WHOLE = strata(PLAN)

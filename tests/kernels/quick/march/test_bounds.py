@@ -10,7 +10,6 @@ from elastomer_friction.kernels.quick.march.bounds import (
     closer_bounds,
     first_bounds,
     holds,
-    widened,
 )
 from elastomer_friction.kernels.quick.march.setting import advance
 from tests.kernels.quick.march.given import Jump, dense, setting_of
@@ -26,12 +25,6 @@ def test_what_they_are_made_of_lies_within_and_what_is_farther_out_does_not(marg
     assert not holds(found, 3.0 + 1.01 * margin, 0.7)
     assert not holds(found, np.nan, 0.7)
     assert not holds(found, 2.5, np.nan)
-
-
-def test_wider_ones_hold_what_left_them():
-    narrow = bounds_of(LAW, 2.0, 3.0, 0.6, 0.9, 0.1)
-    assert not holds(narrow, 4.0, 1.5)
-    assert holds(widened(LAW, narrow, 4.0, 1.5, 0.1), 4.0, 1.5)
 
 
 @pytest.mark.parametrize("room", [0.0, 0.5, 5.0])
