@@ -94,30 +94,6 @@ def test_replicates_of_the_rate_are_handed_on():
     assert np.array_equal(FOUND["rate_replicates"][:, 0], FOUND["relaxation_rate"])
 
 
-NAMES = {
-    "steady": {"mu_1", "mu_2", "indentation", "contact_fraction"},
-    "jump": {"jump"},
-    "relaxation": {"mu", "deviation", "relaxation_rate", "relaxation_rate_free", "amplitude"},
-    "models": {
-        *("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"),
-        *("gain_stretched", "gain_two_exponentials"),
-    },
-}
-WITHOUT_ERROR = {"time", "fit_status", "fit_window", "fit_quality", "rate_replicates"}
-SCENES = [("steady",), ("jump",), ("relaxation",), ("steady", "jump"), tuple(NAMES)]
-
-
-@pytest.mark.parametrize("asked", SCENES)
-def test_only_what_was_asked_for_is_there(asked):
-    names = {"samples_per_contact"}.union(*(NAMES[quantity] for quantity in asked))
-    expected = names | {f"{name}_error" for name in names} | {"degrees_of_freedom"}
-    if "relaxation" in asked:
-        expected |= WITHOUT_ERROR
-    if "models" in asked:
-        expected |= {"best_model"}
-    assert set(reduce_blocks(exponential_blocks(quantities=asked))) == expected
-
-
 def test_reduction_does_not_depend_on_the_company_of_a_task():
     alone = reduce_blocks(
         BLOCKS._replace(
