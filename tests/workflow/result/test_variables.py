@@ -69,8 +69,7 @@ def test_every_flag_says_what_its_values_mean():
     assert set(FLAGS) == {name for name, each in VARIABLES.items() if each.dtype == "int8"}
 
 
-# Of h, dx, tau and 4 G L: metres, seconds, newtons.
-BASE = {"roughness": "m", "spacing": "m", "tau": "s", "stiffness": "N m-1"}
+# Metres, seconds and newtons of a unit, of h, dx, tau and 4 G L.
 UNITS = {(1, 0, 0): "m", (0, 1, 0): "s", (1, -1, 0): "m s-1", (0, -1, 0): "s-1", (0, 0, 0): "1"}
 UNITS |= {(0, 0, 1): "N", (1, 0, 1): "J"}
 SCALED = {name: variable for name, variable in SCENES.items() if variable.scaling}
