@@ -3,8 +3,12 @@
 import pytest
 
 from elastomer_friction.workflow.cli import main
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.errors import UserError, UserErrors
+from elastomer_friction.workflow.study.grid import AXES
 from elastomer_friction.workflow.study.read import find_study, read_study
+from elastomer_friction.workflow.study.tables import TABLES
+from elastomer_friction.workflow.study.variants import COMPARE
+from tests.support.documents import without
 from tests.support.small import TEXT, complaint, small_study, write_study
 
 # Beside those of tests/refusals.md (test_limits.py), and a wrong type for each key
@@ -122,3 +126,93 @@ def test_every_error_is_a_line_of_its_own_with_its_place(capsys, tmp_path):
     assert first.startswith("error: study.sead: unknown key; known are title, seed")
     assert first.endswith(f"did you mean seed? ({path}, line 4)")
     assert second == f"error: surface.length = -1: must be greater than zero ({path}, line 12)"
+
+
+KNOWN = {**TABLES, "compare.coarse": COMPARE}
+
+
+@pytest.mark.parametrize("key", [f"{table}.{key}" for table in KNOWN for key in KNOWN[table]])
+def test_no_key_takes_a_date(key):
+    assert complaint(f"{key}=1979-05-27").startswith(f"{key} = ")
+
+
+@pytest.mark.parametrize("table", KNOWN)
+def test_a_typo_in_a_key_is_answered_with_the_known_ones(table):
+    said = complaint(f"{table}.hurts=1")
+    end = "; did you mean hurst?" if "hurst" in KNOWN[table] else ""
+    assert said == f"{table}.hurts: unknown key; known are {', '.join(KNOWN[table])}{end}"
+
+
+def test_a_typo_in_a_table_is_answered_with_the_known_ones():
+    assert complaint("gird.hurst=1").startswith("gird: unknown key; known are study, material, ")
+
+
+REQUIRED = [
+    *("study.realizations", "material.shear_modulus", "material.relaxation_time", "surface.length"),
+    *(f"grid.{axis}" for axis in AXES),
+]
+
+
+@pytest.mark.parametrize("where", REQUIRED)
+def test_missing_key_is_named(where):
+    assert complaint(text=without(where)) == f"{where}: missing"
+
+
+SEVERAL = """
+[study]
+sead = 1
+realizations = 16
+
+[material]
+shear_modulus = -1e7
+
+[scales.wide.grid]
+normal_force = "much"
+
+[scales.wide.numerics]
+sceme = "exponential"
+
+[scales.tall]
+gird = {hurst = 0.3}
+
+[compare.other]
+scheme = "euler"
+"""
+
+
+def test_everything_is_said_at_once_in_the_order_of_the_file():
+    with pytest.raises(UserErrors) as caught:
+        small_study(text=SEVERAL)
+    said = [str(error) for error in caught.value.errors]
+    beginnings = [
+        "study.sead: unknown key",
+        "material.shear_modulus = -10000000.0: must be greater than zero",
+        "compare.other.scheme = 'euler': must be one of",
+        "scales.wide.grid.normal_force = 'much': must be a finite number",
+        "scales.wide.numerics.sceme: unknown key",
+        "scales.tall.gird: unknown key",
+    ]
+    assert len(said) == len(beginnings)
+    for line, beginning in zip(said, beginnings, strict=True):
+        assert line.startswith(beginning)
+    assert str(caught.value).splitlines() == said
+    assert [error.place.rpartition(" ")[2] for error in caught.value.errors] == [
+        *("3)", "7)", "19)", "10)", "13)", "16)")
+    ]
+
+
+def test_all_missing_keys_of_a_table_are_said_at_once():
+    lacking = TEXT.replace("hurst = [0.3, 0.7]\n", "").replace("roughness = 1e-5\n", "")
+    with pytest.raises(UserErrors) as caught:
+        small_study(text=lacking)
+    assert [str(e) for e in caught.value.errors] == [
+        "grid.hurst: missing",
+        "grid.roughness: missing",
+    ]
+
+
+def test_what_values_come_to_together_is_left_to_the_scale_that_is_asked_for():
+    large = TEXT + "[scales.fine.grid]\nspacing = 1e-12\n"
+    assert small_study(text=large).name == "small"
+    with pytest.raises(Exception, match=r"^grid.spacing = 1e-12: more than 1e\+08 elements"):
+        small_study(text=large, scale="fine")

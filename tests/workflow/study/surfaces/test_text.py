@@ -1,4 +1,4 @@
-"""Text files of instruments: headers, delimiters, decimal commas, encodings, rounded numbers."""
+"""Text files of instruments: headers, units, delimiters, encodings, rounded numbers."""
 
 from pathlib import Path
 
@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.surfaces.text import precision, read_text
+from elastomer_friction.workflow.study.surfaces.units import metres, units_in
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 
@@ -103,3 +104,37 @@ def test_numbers_are_within_half_their_precision(numbers, form):
 def test_precision_counts_zeros_that_were_left_out():
     np.testing.assert_allclose(precision(["0", "0.2", "3", "1499.8"]), 0.1)
     np.testing.assert_allclose(precision(["1.25e-3", "1.25", "12500"]), [1e-5, 1e-4, 1.0])
+
+
+MICRO = ("um", "µm", "μm", "UM", "Micrometer", "micrometres", "micron", "Microns", " um ")
+
+
+@pytest.mark.parametrize("unit", MICRO)
+def test_spellings_of_a_micrometre(unit):
+    assert metres(unit) == 1e-6
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor"),
+    [("m", 1.0), ("mm", 1e-3), ("nm", 1e-9), ("\u00c5", 1e-10), ("\u212b", 1e-10)],
+)
+def test_other_units(unit, factor):
+    assert metres(unit) == factor
+
+
+@pytest.mark.parametrize("word", ["M", "", "Raw", "s", "V", "a", "inch", "Lateral"])
+def test_other_words_are_no_units(word):
+    assert metres(word) is None
+
+
+@pytest.mark.parametrize(
+    ("header", "units"),
+    [
+        ("Lateral um,Raw Micrometer,", ["um", "Micrometer"]),
+        ("x [µm]\tz (nm)", ["µm", "nm"]),
+        ("position/mm;height_um", ["mm", "um"]),
+        ("R. Cursor, M 3", []),
+    ],
+)
+def test_units_within_a_header(header, units):
+    assert units_in(header) == units
