@@ -6,7 +6,6 @@ import sys
 
 import pytest
 
-from tests.conftest import ByFile, group_of
 from tests.support.runs import PATIENCE, ROOT
 
 TESTS = """
@@ -57,13 +56,3 @@ def test_skips_on_the_list_are_none(tmp_path):
     status, out = tried(tmp_path, "test_some.py: no \n", "-n", "0")
     assert status == 0
     assert "not on the list" not in out
-
-
-@pytest.mark.parametrize("name", ["a::b@c", "[]"])
-def test_the_tests_of_a_file_are_of_one_group(request, name):
-    assert group_of(request.node.nodeid) == "tests/test_skips.py"
-    assert group_of(f"tests/test_skips.py::test[{name}]") == "tests/test_skips.py"
-
-
-def test_xdist_asks_for_the_group():
-    assert ByFile._split_scope(None, "tests/test_a.py::test_it") == "tests/test_a.py"

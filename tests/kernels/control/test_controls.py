@@ -1,18 +1,14 @@
 """What a march is controlled by: a force, a force by eq. 3 as printed, an indentation."""
 
-from pathlib import Path
-
 import numpy as np
 import pytest
 from scipy.optimize import brentq
 
-from elastomer_friction.kernels import SCHEMES, ConstantForce, PrintedForce, march, steady_sliding
+from elastomer_friction.kernels import SCHEMES, ConstantForce, PrintedForce
 from elastomer_friction.kernels.control.indentation import PrescribedIndentation
 from elastomer_friction.kernels.model.balance import balance, note
 from elastomer_friction.kernels.motion.slide import Rings
-from tests.lines import random_line
 from tests.references import sorted_root
-from tests.sizes import PLAIN_PYTHON
 
 ALL_OF_IT = np.array([0, 50])
 
@@ -90,19 +86,3 @@ def test_the_indentation_of_every_step_is_the_one_given():
         noted = note(control, c, 9.0, np.array([0, 50]), None)
         assert balance(control, law, z, c, noted, 9.0, step) == (expected, 0)
     np.testing.assert_array_equal(c, before)
-
-
-@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
-def test_a_control_that_is_off_is_not_in_the_machine_code():
-    """The names of all functions can be read in it, whether they are inlined or not."""
-    law = SCHEMES["exponential"](0.5)
-    z, slope = random_line(20, 0.7, 1, seed=2)
-    start, _ = steady_sliding(law, z, 2.0)
-    for control in (ConstantForce, PrintedForce):
-        march(law, control(2.0), z, slope, start, np.array([3]), np.inf)
-    file, code = march._cache._cache_file, {}
-    for ((_, control, *_), *_), name in file._load_index().items():
-        code[control.instance_class] = Path(file._data_path(name)).read_bytes()
-    for name in (b"printed_eq3", b"weighted_overlap"):  # in a march nothing else needs the second
-        assert name not in code[ConstantForce]
-        assert name in code[PrintedForce]

@@ -87,16 +87,6 @@ def test_the_first_of_a_quartet_is_the_line_alone_and_every_other_one_stands_on_
         np.testing.assert_allclose(np.sort(below.z), np.sort(line.z[0] - line.z), atol=1e-14)
 
 
-@pytest.mark.parametrize("samples", [64, 400, 2000, 4095])
-def test_a_transform_has_the_same_bits_alone_and_in_a_batch(samples):
-    """What sample_line relies on, which transforms heights and slopes together."""
-    rng = np.random.default_rng(samples)
-    both = rng.standard_normal((2, samples // 2 + 1, 2)) @ np.array([1.0, 1.0j])
-    together = np.fft.irfft(both, samples)
-    for row, alone in zip(together, both, strict=True):
-        np.testing.assert_array_equal(row, np.fft.irfft(alone, samples))
-
-
 HEIGHTS = st.integers(4, 40).flatmap(lambda n: arrays(float, n, elements=st.floats(-1.0, 1.0)))
 SIZES = (4, 5, 64, 65)
 

@@ -5,7 +5,6 @@ import pytest
 
 from elastomer_friction.kernels import SCHEMES, Case, Quantities, run_case, run_cases
 from elastomer_friction.kernels.quick import cases
-from elastomer_friction.kernels.quick.case import Clock, Clocks, Seconds
 from elastomer_friction.kernels.quick.contacts.refined import NARROW
 from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds, Pace, steady_friction
 from elastomer_friction.kernels.quick.march.march import active_march
@@ -142,27 +141,3 @@ PLAIN = Case(0.1, 1.0, (1.2, 0.5), (np.array([1]),), "exponential")
 def test_a_kelvin_element_that_slides_one_way_is_plain(changed):
     assert PLAIN.plain
     assert not PLAIN._replace(**changed).plain
-
-
-def test_without_a_quantity_no_steady_state_is_needed():
-    assert not Quantities(steady=False, jump=False, relaxation=False).anything
-    for name in ("steady", "jump", "relaxation", "initial_rate"):
-        nothing = dict.fromkeys(("steady", "jump", "relaxation"), False)
-        assert Quantities(**{**nothing, name: True}).anything
-
-
-def test_a_clock_books_time_to_its_phases():
-    clock = Clock()
-    clock.lap("jump")
-    assert set(clock.spent) == set(Seconds._fields)
-    assert clock.spent["steady"] == 0.0 <= clock.spent["jump"]
-
-
-def test_clocks_book_time_by_work_or_to_one_case_alone():
-    clocks = Clocks(2)
-    clocks.lap(steady=[1.0, 3.0])
-    first, second = (clocks.seconds(case).steady for case in range(2))
-    assert second == pytest.approx(3.0 * first)
-    clocks.lap_alone(1, jump=2.0, marching=6.0)
-    assert clocks.seconds(0) == (first, 0.0, 0.0)
-    assert clocks.seconds(1).marching == pytest.approx(3.0 * clocks.seconds(1).jump)

@@ -6,7 +6,6 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import (
-    Case,
     Quantities,
     Spectrum,
     prepare,
@@ -69,15 +68,6 @@ def test_time_is_booked_to_the_cases_that_took_it():
     assert all(min(one.seconds) >= 0.0 for one in found)
     assert found[0].seconds.marching > found[-1].seconds.marching
     assert found[-1].seconds.steady > 0.0  # of the line, that all share
-
-
-def test_nothing_moves_in_full_contact():
-    """At both speeds: mu is mu_2 at once, and d what the load and the mean height make it."""
-    case = Case(40.0, 1.0, (1.2,), (np.arange(1, 30),), "exponential")
-    found = run_case(LINE, case, Quantities())
-    assert found.contact_fraction == 1.0
-    assert found.indentation == pytest.approx(40.0, rel=1e-13)
-    np.testing.assert_array_equal(found.curves[0], np.full(29, found.mu_2[0]))
 
 
 MEMORY = CASE._replace(

@@ -231,10 +231,3 @@ def test_the_old_force_comes_back_with_a_gain_below_one(name, dt):
     assert 0.0 <= law.linear <= 1.0
     assert law.stale.sum() * law.stiffness <= 0.8 + 1e-12
     assert 0.0 <= law.lag <= 0.5 + 1e-12
-
-
-def test_kelvin_memory():
-    assert {scheme: memories(form(KELVIN)) for scheme, form in FORMS.items()} == {
-        "exponential": 1,
-        "implicit-euler": 1,
-    }

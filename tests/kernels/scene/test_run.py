@@ -11,7 +11,7 @@ from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of, predict
 from elastomer_friction.kernels.scene import ASKED, Saved, run_scene, scene_steps, trace_stamps
-from elastomer_friction.kernels.scene.begin import fresh, relaxed, steady
+from elastomer_friction.kernels.scene.begin import fresh, relaxed
 from elastomer_friction.kernels.scene.records import (
     Film,
     Lengths,
@@ -128,27 +128,6 @@ def test_fresh_elements_are_glassy_and_keep_their_force_for_a_moment(scheme, spe
     predict(law, elements.memory, elements.p, w)
     again = law.stiffness * np.maximum(0.0, elements.d - (LINE.z - w))
     np.testing.assert_allclose(again, elements.p, rtol=1e-3, atol=1e-6)
-
-
-def test_a_dashpot_cannot_be_fresh():
-    with pytest.raises(ValueError, match="a dashpot carries any load at first"):
-        fresh(FORMS["exponential"](DAMPED), DAMPED, LINE.z, TOTAL, np.nan)
-
-
-@pytest.mark.parametrize("name", MATERIALS)
-@pytest.mark.parametrize("speed", [2.0, -2.0])
-def test_a_steady_state_under_a_load_is_that_at_its_indentation(name, speed):
-    one = steady("exponential", MATERIALS[name], LINE.z, speed, TOTAL, np.nan)
-    two = steady("exponential", MATERIALS[name], LINE.z, speed, None, one.d)
-    np.testing.assert_allclose(two.p, one.p, rtol=1e-6, atol=1e-9)
-    assert one.p.sum() == pytest.approx(TOTAL, rel=1e-10)
-
-
-@pytest.mark.parametrize("name", MATERIALS)
-def test_above_the_foundation_nothing_touches(name):
-    elements = steady("exponential", MATERIALS[name], LINE.z, 2.0, None, -0.1)
-    assert not elements.p.any()
-    assert not elements.memory.any()
 
 
 RNG = np.random.default_rng(4)

@@ -128,15 +128,6 @@ def test_failed_tasks_are_marked_and_others_keep_their_values():
     assert found["realizations"] is counts
 
 
-def test_where_none_failed_estimates_are_not_copied():
-    count = len(STEADY_VARIANT.tasks)
-    estimates = {"mu_1": np.ones(count), "samples_per_contact": np.full(count, 9.0)}
-    found = completed(
-        STEADY_PLAN, STEADY_VARIANT, estimates, np.arange(count), np.full(count, 4, np.int32)
-    )
-    assert found["mu_1"] is estimates["mu_1"]
-
-
 JUDGED = ("mu_1", "jump", "relaxation_rate")
 PROBLEM = Problem(0.7, 1000, 0.1, 1.0, 1.2)
 AUTO = Numerics()

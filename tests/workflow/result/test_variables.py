@@ -5,10 +5,8 @@ import re
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.reduce import MODEL_MEANINGS
 from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE
 from elastomer_friction.workflow.reduce.statistics import errors_needed
-from elastomer_friction.workflow.result.reference import tables
 from elastomer_friction.workflow.result.reference.tables import described_variables
 from elastomer_friction.workflow.result.scenes import SCENES
 from elastomer_friction.workflow.result.variables import AUXILIARY, FLAGS, VARIABLES, declared
@@ -97,14 +95,3 @@ def test_a_variable_is_described_in_sentences(variable):
     assert variable.text.endswith(".")
     assert variable.sign.endswith(".") or not variable.sign
     assert bool(variable.flags) == (variable.name in FLAGS)
-
-
-def test_a_variable_without_a_meaning_is_an_error(monkeypatch):
-    monkeypatch.setitem(tables.SECTIONS, "The jump (quantity `jump`)", {})
-    with pytest.raises(KeyError, match="jump"):
-        described_variables()
-
-
-def test_flags_begin_with_failed():
-    (best,) = (variable for variable in ALL if variable.name == "best_model")
-    assert best.flags == ("failed", *MODEL_MEANINGS.split())

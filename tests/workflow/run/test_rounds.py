@@ -10,9 +10,7 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import QUARTET
 from elastomer_friction.workflow.plan.batches import missing_work
-from elastomer_friction.workflow.plan.cost import PARTS, Pace
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
-from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.reduce.attainment import MISSED
 from elastomer_friction.workflow.reduce.fits import FITTED, NEGLIGIBLE
 from elastomer_friction.workflow.run.collect import next_blocks
@@ -85,13 +83,6 @@ def test_a_result_stays_where_the_records_are_that_it_is_made_of_whatever_was_ex
     stored = Failures(store, plan, 0)
     assert is_unchanged(plan, store, stored, reached.path, missing_work(plan, ()))
     assert not is_unchanged(plan, store, (), reached.path, [])
-
-
-def test_the_speed_of_the_machine_plays_no_part(reached):
-    slow = Pace(dict.fromkeys(PARTS, (100.0, 3.0)))
-    plan = make_plan(reached.plan.study, slow)
-    assert (plan.first, plan.expected) == (reached.plan.first, reached.plan.expected)
-    assert [v.tasks for v in plan.variants] == [v.tasks for v in reached.plan.variants]
 
 
 @given(st.integers(2, 600), st.floats(0.0, 1e9) | st.just(math.inf), st.integers(2, 10_000))

@@ -5,13 +5,10 @@ import shutil
 import subprocess
 import sys
 from pathlib import Path
-from types import FunctionType, ModuleType
 
 import numba
 import pytest
 
-from elastomer_friction.kernels.rheology.law import reach
-from elastomer_friction.workflow.simulate import realizations as work
 from elastomer_friction.workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
 from tests.support.imports import module_of
 
@@ -42,38 +39,6 @@ def imported(path):
 def test_hashed_files_import_of_ours_only_what_is_hashed(path):
     ours = {name for name in imported(path) if name.startswith(BEYOND)}
     assert {n for n in ours if not n.startswith(f"{WORKFLOW}.simulate.")} <= NO_NUMBERS
-
-
-def reachable(function, found):
-    """Add the files of all functions of ours that a function can reach by names it uses."""
-    if isinstance(function, FunctionType) and function not in found:
-        found.add(function)
-        names = set(function.__code__.co_names)
-        for constant in function.__code__.co_consts:
-            names |= set(getattr(constant, "co_names", ()))
-        for name in names:
-            value = function.__globals__.get(name)
-            members = vars(value).values() if isinstance(value, type) else [value]
-            if isinstance(value, ModuleType) and value.__name__.startswith("elastomer_friction"):
-                members = vars(value).values()
-            for member in members:
-                plain = getattr(member, "__func__", member)
-                reachable(getattr(plain, "__wrapped__", getattr(plain, "py_func", plain)), found)
-                for body in getattr(plain, "bodies", {}).values():  # chosen by type
-                    reachable(body, found)
-    return found
-
-
-def test_every_function_that_block_means_reaches_is_hashed():
-    found = reachable(work.block_means, set())
-    assert {work.record_steps, work.lines_of, *reach.bodies.values()} <= found
-    files = {Path(function.__code__.co_filename) for function in found}
-    root = FOLDERS[0].parent
-    strangers = {root / ".venv", root / "tests"}  # a test may have made a law of its own known
-    ours = {path for path in files if root in path.parents and strangers.isdisjoint(path.parents)}
-    outside = {path.relative_to(root).as_posix() for path in ours - set(HASHED)}
-    assert outside <= {"workflow/system/process.py", "workflow/system/packages.py"}
-    assert len(ours) > 12  # contact, force, friction, kelvin, line, march, slide, steady ...
 
 
 EDITS = {

@@ -213,27 +213,6 @@ SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
 PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=HOLDING)
 
 
-def records(target):
-    """Return (key, block) -> scalars and row of all records, in batches of a length."""
-    found = {}
-    for batch in cut_batches(PLAN, set(), target):
-        done = block_means(batch)
-        for row, task in enumerate(batch.tasks):
-            for block in range(batch.blocks):
-                width = PLAN.widest_row(PLAN.variants[0])
-                values = np.full(width, np.nan)
-                values[: done.curves.shape[2]] = done.curves[row, block]
-                place = task.key, batch.first_block + block
-                found[place] = done.scalars[row, block].tobytes(), values.tobytes()
-    return found
-
-
-def test_no_batching_shows():
-    whole = records(1e9)
-    assert len(whole) == 2 * 2
-    assert records(1e-9) == whole
-
-
 def test_mu_1_and_mu_2_belong_to_the_first_and_the_last_slide():
     """Without a velocity step in a row, as there is a hold between them."""
     batch = next(cut_batches(PLAN, set(), 1e9))

@@ -14,7 +14,6 @@ import pytest
 from elastomer_friction.workflow.system import program
 from elastomer_friction.workflow.system.packages import (
     PACKAGES,
-    package_versions,
     processor,
     this_maker,
     version_of,
@@ -155,11 +154,6 @@ def test_memory_of_large_arrays_stays_in_the_process():
 
     assert faults(kept=True, MALLOC_TRIM_THRESHOLD_="65536") < 10  # as dask sets it for workers
     assert faults(kept=False, MALLOC_TRIM_THRESHOLD_="65536") > 1000
-
-
-def test_versions_of_all_packages_are_told():
-    found = package_versions().split(", ")
-    assert found == [f"{name} {version(name)}" for name in PACKAGES]
 
 
 def test_what_numbers_depend_on_is_told_of_every_process_that_computes():

@@ -167,11 +167,6 @@ def test_what_would_take_too_many_fine_samples_is_not_refined():
     assert many < 0.1 * MOST_SAMPLES
 
 
-@given(st.floats(0.0, 1.0), st.floats(1e-6, 1e3), st.floats(1e-4, 1e4))
-def test_a_share_is_a_share(hurst, load, viscous_pressure):
-    assert 0.0 < touchable_share(hurst, load, viscous_pressure) <= 1.0
-
-
 def states(count=40, elements=1000, steps=4):
     """Yield (H, Fbar, viscous pressure, touchable share) of random problems."""
     rng = np.random.default_rng(8)
