@@ -4,46 +4,10 @@ import pytest
 
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.errors import UserError, UserErrors
-from elastomer_friction.workflow.study.grid import AXES
 from elastomer_friction.workflow.study.read import find_study, read_study
 from elastomer_friction.workflow.study.tables import TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
-from tests.support.documents import without
 from tests.support.small import TEXT, complaint, small_study, write_study
-
-# Beside those of tests/refusals.md (test_limits.py), and a wrong type for each key
-# (test_checks.py).
-BAD_VALUES = [
-    ("grid.normal_force=[1.0, 0.0]", "0.0", "greater than zero"),
-    ("grid.hurst=-0.1", "-0.1", "between 0 and 1"),
-    ("grid.spacing=0.005", "0.005", "at least 4 elements"),
-    ("grid.roughness=0", "0.0", "greater than zero"),
-    ("material.shear_modulus=-1e7", "-10000000.0", "greater than zero"),
-    ("material.relaxation_time=inf", "inf", "finite number"),
-    ("study.seed=-1", "-1", "whole number, at least 0"),
-    ("study.seed=1.5", "1.5", "whole number"),
-    ("study.seed=true", "True", "whole number"),
-    ("study.realizations_per_block=16", "16", "at least 2 blocks"),
-    ("scene.quantities=[]", "[]", "must be a list"),
-    ('scene.quantities=["stedy"]', "'stedy'", "one of steady, jump, relaxation"),
-    ("numerics.horizon=nan", "nan", "finite number"),
-    ("numerics.accuracy=0", "0.0", "between 0.0001 and 0.3"),
-    ("numerics.max_realizations=0", "0", "whole number"),
-    ("compare.coarse.horizon=1000", "1000.0", "between 1 and 100"),
-    ("cluster.jobs=0", "0", "at least 1"),
-    ("cluster.patience=-1", "-1", "greater than zero"),
-    ("cluster.prologue=[1]", "1", "string"),
-    ("compare=1", "1", "must be a table"),
-]
-
-
-@pytest.mark.parametrize(("setting", "value", "remedy"), BAD_VALUES)
-def test_bad_value_names_key_value_and_remedy(setting, value, remedy):
-    message = complaint(setting)
-    key = setting.partition("=")[0]
-    assert message.startswith(key)
-    assert f" = {value}:" in message
-    assert remedy in message
 
 
 def test_the_nearest_spacing_proposed_is_accepted():
@@ -62,23 +26,6 @@ def test_the_nearest_spacing_proposed_is_accepted():
 )
 def test_a_scale_that_is_none(scales, answer):
     assert complaint(text=f"{scales}\n{TEXT.partition('[scales')[0]}", scale="wide") == answer
-
-
-@pytest.mark.parametrize(
-    ("setting", "extreme"), [("grid.spacing", "5e-324"), ("surface.length", "1e306")]
-)
-def test_a_line_of_more_elements_than_any_float_is_refused(setting, extreme):
-    assert "grid.spacing" in complaint(f"{setting}={extreme}")
-
-
-def test_a_comparison_without_a_name_does_not_replace_the_study():
-    answer = complaint(text=TEXT.replace("[compare.coarse]", '[compare.""]'))
-    assert answer == 'compare."": name it by letters, digits and underscores'
-
-
-@pytest.mark.parametrize("setting", ["grid.=3", "grid hurst=1"])
-def test_setting_that_is_no_setting(setting):
-    assert complaint(setting) == f"--set {setting}: use table.key=value"
 
 
 def test_unknown_name_lists_the_known_studies():
@@ -141,21 +88,6 @@ def test_a_typo_in_a_key_is_answered_with_the_known_ones(table):
     said = complaint(f"{table}.hurts=1")
     end = "; did you mean hurst?" if "hurst" in KNOWN[table] else ""
     assert said == f"{table}.hurts: unknown key; known are {', '.join(KNOWN[table])}{end}"
-
-
-def test_a_typo_in_a_table_is_answered_with_the_known_ones():
-    assert complaint("gird.hurst=1").startswith("gird: unknown key; known are study, material, ")
-
-
-REQUIRED = [
-    *("study.realizations", "material.shear_modulus", "material.relaxation_time", "surface.length"),
-    *(f"grid.{axis}" for axis in AXES),
-]
-
-
-@pytest.mark.parametrize("where", REQUIRED)
-def test_missing_key_is_named(where):
-    assert complaint(text=without(where)) == f"{where}: missing"
 
 
 SEVERAL = """

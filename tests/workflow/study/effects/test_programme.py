@@ -67,13 +67,6 @@ def test_an_oscillation_goes_on_where_a_ramp_ends(tmp_path):
         read(tmp_path, ramp, {"oscillate": swing | {"velocity": 0.1}})
 
 
-@pytest.mark.parametrize("cycles", [0, 1.5])
-def test_cycles_are_whole(tmp_path, cycles):
-    table = {"amplitude": 1e-4, "frequency": 10, "cycles": cycles}
-    with pytest.raises(UserError, match="must be a whole number, at least 1"):
-        read(tmp_path, {"oscillate": table})
-
-
 def test_times_of_a_file_start_at_zero(tmp_path):
     (tmp_path / "late.csv").write_text("t;v\n5;0.1\n6;0.2\n")
     (segment,) = read(tmp_path, {"file": "late.csv"})

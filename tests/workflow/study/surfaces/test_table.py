@@ -55,59 +55,6 @@ def test_settings_of_a_measured_line(folder):
     assert surface.lines == "random-phase"
 
 
-def test_a_hurst_exponent_that_no_line_of_this_slope_has_is_refused(folder):
-    answer = refused(HERE | {"lines": "self-affine", "hurst": 0.0}, folder)
-    assert answer.startswith("surface.hurst = 0.0: rms slope = ")
-    assert "h/dx: lines of H = 0 have " in answer
-
-
-@pytest.mark.parametrize(
-    ("key", "value"),
-    [
-        ("length", 1.0),
-        ("normalisation", "modal"),
-        ("snap_spacing", True),
-        ("rolloff", 1.0),
-        ("cutoff", 1.0),
-    ],
-)
-def test_keys_of_random_lines_are_refused_with_a_file(folder, key, value):
-    answer = refused(HERE | {key: value}, folder)
-    assert answer == f"surface.{key} = {value!r}: leave it out with surface.file, measured lines"
-
-
-@pytest.mark.parametrize(
-    ("key", "value"),
-    [
-        ("columns", [0, 1]),
-        ("units", ["mm", "um"]),
-        ("detrend", "line"),
-        ("periodic", "taper"),
-        ("lines", "random-phase"),
-        ("hurst", 0.5),
-    ],
-)
-def test_keys_of_measured_lines_are_refused_without_one(folder, key, value):
-    answer = refused({"length": 1.0, key: value}, folder)
-    assert answer == f"surface.{key} = {value!r}: goes with surface.file alone"
-
-
-@pytest.mark.parametrize("columns", ["x", [0], [0, -1], [0, 1.0], [True, 1], ["x", "y", "z"]])
-def test_columns_that_are_none_are_refused(folder, columns):
-    assert refused(HERE | {"columns": columns}, folder).startswith("surface.columns = ")
-
-
-@pytest.mark.parametrize("units", ["um", ["um"], ["um", "V"], ["um", 1], ["um", "um", "um"]])
-def test_units_that_are_none_are_refused(folder, units):
-    assert refused(HERE | {"units": units}, folder).endswith("two out of m, cm, mm, um, nm, å, pm")
-
-
-@pytest.mark.parametrize("rolloff", [1e-3, 1e-4])
-def test_a_roll_off_is_longer_than_the_cut_off(folder, rolloff):
-    answer = refused({"length": 0.01, "cutoff": 1e-3, "rolloff": rolloff}, folder)
-    assert answer == f"surface.rolloff = {rolloff}: must be longer than surface.cutoff = 0.001"
-
-
 @pytest.mark.parametrize("key", ["rolloff", "cutoff"])
 def test_no_wavelength_is_longer_than_the_line(folder, key):
     answer = refused({"length": 0.01, key: 0.011}, folder)
