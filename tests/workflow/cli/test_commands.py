@@ -18,17 +18,9 @@ from elastomer_friction.workflow.plan.cost.machine import Machine
 from elastomer_friction.workflow.plan.cost.work import PARTS
 from elastomer_friction.workflow.study.study import AnyStudy
 from tests.support.commands import facts, output, refusal
-from tests.support.runs import PATIENCE, ROOT, start
+from tests.support.runs import PATIENCE, ROOT
 from tests.support.small import small_study
 from tests.support.sweeps import mostly_exhaustive
-
-
-@pytest.mark.exhaustive  # in this process every refusal is asked for
-def test_bad_input_is_one_line_in_a_process_of_its_own(study):
-    process = start("plan", study, "--set", "grid.hurst=1.2")
-    out, err = process.communicate(timeout=PATIENCE)
-    assert (process.returncode, out) == (2, "")
-    assert err == "error: grid.hurst = 1.2: must lie between 0 and 1\n"
 
 
 @pytest.mark.parametrize("command", ["plan", "run", "status", "figure", "table", "report"])
@@ -169,11 +161,6 @@ def test_a_scheduler_and_a_batch_system_are_one_too_many(capsys, study):
 @pytest.mark.parametrize("option", ["--workers=2", "--batch-seconds=1", "--scheduler=tcp://x:1"])
 def test_options_of_the_cluster_are_refused_where_there_is_none(powers, capsys, option):
     assert "is measured in one process" in refusal(capsys, "run", "powers", option)
-
-
-def test_results_below_a_file_are_refused(capsys, study):
-    message = refusal(capsys, "run", study, "--out", f"{study}/results")
-    assert "cannot be used for results" in message
 
 
 def test_how_to_go_on_can_be_typed_again(monkeypatch):

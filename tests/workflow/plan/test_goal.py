@@ -184,10 +184,6 @@ def test_a_first_order_scheme_takes_more_steps(hurst, speed):
     assert first >= 4 * second
 
 
-def test_given_steps_are_taken_as_they_are():
-    assert steps_per_spacing(problem(), ALL, Numerics(steps_per_spacing=3)) == 3
-
-
 def test_a_line_too_long_names_the_setting_and_the_way_out():
     words = r"^numerics.steps_per_spacing = auto: 100000 elements .* higher velocity"
     with pytest.raises(UserError, match=words):

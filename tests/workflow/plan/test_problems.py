@@ -172,14 +172,6 @@ def test_material_and_programme_enter_the_key():
         assert found[0].isdisjoint(other)
 
 
-def test_branches_in_any_order_are_one_material():
-    orders = "[[2e7, 1e-3], [1e7, 1e-4]]", "[[1e7, 1e-4], [2e7, 1e-3]]"
-    one, two = (
-        small_plan(PROGRAMME, f"material.branches={order}", text=HOLDING) for order in orders
-    )
-    assert keys(one) == keys(two)
-
-
 @pytest.mark.parametrize("value", [0.1, 1e-300, 3.0])
 def test_rounding_is_to_twelve_digits(value):
     assert rounded(value) == pytest.approx(value, rel=1e-12)

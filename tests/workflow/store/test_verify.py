@@ -12,7 +12,6 @@ from elastomer_friction.workflow.system.lock import hold
 from tests.support.faults import DAMAGE
 from tests.support.shards import (
     BATCH,
-    SAMPLES,
     WORK,
     assert_holds,
     filled,
@@ -195,12 +194,3 @@ def test_a_store_in_use_another_version_and_itself_are_refused(folders, monkeypa
     journal.append(source, [{"format": "elastomer-friction journal 99"}])
     with pytest.raises(UserError, match="another version of the format"):
         merge_into(source, target)
-
-
-def test_large_batches_are_taken_over_whole(tmp_path):
-    filled(tmp_path / "source", [BATCH])
-    merge_into(tmp_path / "source", tmp_path / "target")
-    store = Store(tmp_path / "target")
-    assert_holds(store, BATCH, random_result(BATCH, 0))
-    scalars, _ = store.read(records(BATCH)[::-1], SAMPLES)
-    assert len(scalars) == 16

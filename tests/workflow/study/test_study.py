@@ -33,14 +33,6 @@ def test_values_of_the_file_reach_the_study():
     assert study.shape == (2, 2, 1, 1, 2, 1)
 
 
-def test_what_is_left_out_takes_its_default():
-    study = small_study(text=TEXT.replace("seed = 1", "").replace('title = "small"', ""))
-    assert (study.seed, study.title, study.surface.normalisation) == (0, "small", "modal")
-    assert study.scene.quantities == ("steady", "jump", "relaxation")
-    assert study.scene.indentation_rate
-    assert study.variants[""] == Numerics(curve_samples=16)
-
-
 def test_steady_states_alone_need_no_velocity_step():
     study = small_study('scene.quantities=["steady"]', text=TEXT.replace("velocity_step = 0.2", ""))
     assert study.grid["velocity_step"] == (0.0,)

@@ -7,7 +7,6 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.surfaces.text import precision, read_text
 from elastomer_friction.workflow.study.surfaces.units import metres, units_in
 
@@ -61,25 +60,6 @@ def test_columns_are_chosen():
     np.testing.assert_array_equal(table.values, [[2.0, 5.0], [3.0, 6.0]])
     assert table.units == ("mm", "um")
     assert table.written == ("2", "5")
-
-
-@pytest.mark.parametrize(
-    ("text", "answer"),
-    [
-        ("x,z\n", "surface.file = 'f.txt': holds no line with numbers in columns [0, 1]"),
-        ("0\n1\n", "surface.file = 'f.txt': holds no line with numbers in columns [0, 1]"),
-        ("x\n0,1\n1,---\n", "line 3 reads '1,---': must hold finite numbers in columns [0, 1]"),
-        ("0,1\n1,nan\n", "line 2 reads '1,nan'"),
-        ("0,1\n1\n", "line 2 reads '1'"),
-        ("0,1\n1,inf\n", "line 2 reads '1,inf'"),
-        ("0,1\n1,2\nend of scan\n", "line 3 reads 'end of scan'"),
-    ],
-)
-def test_what_is_no_table_is_refused_with_its_line(text, answer):
-    with pytest.raises(UserError) as error:
-        read(text)
-    assert answer in str(error.value)
-    assert str(error.value).startswith("surface.file = 'f.txt': ")
 
 
 def test_the_stylus_line_is_read_as_it_is():
