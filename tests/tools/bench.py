@@ -36,6 +36,7 @@ from elastomer_friction.kernels import (
     scene_steps,
     steady_sliding,
 )
+from tests.kernels.scene import given
 from tests.tools.march_costs import march_costs
 
 ELEMENTS_OF_SCENES, M, LOAD, SPEED = 500, 4, 0.05, 5.0
@@ -65,21 +66,10 @@ def a_line(measured: bool = False) -> Line:
 
 def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> Scene:
     """Return a scene that keeps a trace at 64 moments, from rest."""
-    values: dict = {
-        "spectrum": spectrum,
-        "scheme": "exponential",
-        "programme": programme,
-        "load": LOAD,
-        "indentation": None,
-        "start": "relaxed",
-        "asked": ("trace",),
-        "kept": np.arange(1),
-        "edges": np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0]),
-        "frames": np.arange(0),
-    } | changes
-    scene = Scene(**values)
-    kept = np.linspace(0, scene_steps(scene, M).dt.size, 65).astype(np.int64)
-    return scene._replace(kept=np.unique(kept))
+    edges = np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0])
+    usual: dict = {"load": LOAD, "start": "relaxed", "edges": edges}
+    scene = given.a_scene(programme, spectrum, M, **usual | changes)
+    return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64)))
 
 
 def scenes() -> dict[str, tuple[Line, Scene, str]]:

@@ -15,7 +15,7 @@ from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from tests.convergence import observed_order
 from tests.lines import random_line
 from tests.references import sorted_root
-from tests.sizes import size
+from tests.sizes import PLAIN_PYTHON, size
 from tests.viscoelastic import MATERIALS, PRONY3, SBR, Foundation, of_unit_tau
 
 N, M, LOAD = size(40, 12), 4, 0.1
@@ -56,6 +56,22 @@ def test_marching_from_rest_ends_there(name):
     for _ in range(24 * z.size):
         line.step(1, 1.0 / speed, load=load)
     assert line.d == pytest.approx(found.elements.d, abs=1e-4 * far)
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: counts are the same, and slow")
+def test_thirteen_branches_cost_a_hundredth_of_marching():
+    """With a hundred times the updates of elements a march is not within 1e-3 yet."""
+    z, _ = random_line(80, 0.7, M, 5)
+    form, load = retardation(SBR), LOAD * z.size
+    speed = 1.0 * z.size  # the slowest branch lasts for 16 periods
+    found = steady_memory(form, z, speed, load)
+    start = sorted_root(z, load)
+    p = np.maximum(0.0, start - z)
+    line = Foundation(form, z, Elements(rest(form, p), p, start))
+    far = abs(start - found.elements.d)
+    for _ in range(100 * found.work // z.size):
+        line.step(1, 1.0 / speed, load=load)
+    assert abs(line.d - found.elements.d) > 1e-3 * far
 
 
 @pytest.mark.parametrize("speed", [0.1, 3.0, 80.0])
