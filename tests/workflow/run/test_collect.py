@@ -70,15 +70,6 @@ def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector, monkeypatc
     assert collector.fit(VARIANT, rows, BLOCKS, "fitting")
 
 
-def test_estimates_of_all_tasks_are_handed_out_without_a_copy():
-    fitted, count = Fitted(PLAN.variants[0]), len(PLAN.variants[0].tasks)
-    fitted.enter([*range(count)], {"mu": np.arange(2.0 * count).reshape(count, 2)}, [1] * count)
-    assert fitted.at([*range(count)])["mu"] is fitted.arrays["mu"]
-    rows = [*range(count - 1, -1, -1)]
-    assert np.array_equal(fitted.at(rows)["mu"], fitted.arrays["mu"][rows])
-    assert np.array_equal(fitted.at([1])["mu"], [[2.0, 3.0]])
-
-
 def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):
     for task in VARIANT.tasks[1:]:
         store.record_failure(task.key, "why")

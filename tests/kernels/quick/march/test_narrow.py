@@ -1,4 +1,4 @@
-"""Lists that are shortened as often as can be: the march stays the same, and they do get short."""
+"""Lists that are shortened, elements that always land: the march stays the same, and is shorter."""
 
 from functools import partial
 
@@ -11,6 +11,7 @@ from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
 from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of
+from elastomer_friction.kernels.quick.march.landings import land, landed, landing, no_landings
 from elastomer_friction.kernels.quick.march.lists import lists_of
 from elastomer_friction.kernels.quick.march.march import MARGINS, active_march, follow
 from elastomer_friction.kernels.quick.march.runs import classes_of
@@ -101,3 +102,42 @@ def test_a_march_that_began_anew_shortens_its_lists_too():
     assert long[-1]
     np.testing.assert_allclose(found[1], long[1], rtol=1e-11)
     assert found[3] < size(0.2, 0.9) * long[3]
+
+
+LAW = SCHEMES["exponential"](0.3)
+PAST = np.array([2.0, 1.9, 1.85, 1.83, 1.82, 1.815])
+SIZE = 40
+
+
+def aloft(source, height):
+    """Return the displacements of elements that left a sample in contact, up to now."""
+    w = np.full(SIZE, np.nan)
+    for i in range(1, PAST.size):
+        w[(source - i) % SIZE] = LAW.decay**i * (height - PAST[-1 - i])
+    return w
+
+
+def test_sums_are_those_of_samples_one_by_one():
+    landings, step, now = no_landings(1.8, 20), PAST.size, 1.81
+    samples = [(0.4, 0.5, 2, 0.3), (0.1, 0.7, 4, -0.2), (0.2, 0.3, 4, 0.6)]
+    for height, z, q, weight in samples:
+        w = aloft(45, height)  # 45 is sample 5, counted on round the period
+        assert land(LAW, landings, (height, 45, q), (z, weight), PAST, w, 9)
+    landings = landed(landings)
+    assert landings.distances.tolist() == [2, 4]
+    past = np.append(PAST, now)
+    each = [now - z + LAW.decay**q * (height - past[step - q]) for height, z, q, _ in samples]
+    weights = [weight for *_, weight in samples]
+    assert landing(landings, past, step, now, 0) == pytest.approx(sum(each), rel=1e-13)
+    expected = np.dot(each, weights)
+    assert landing(landings, past, step, now, 1) == pytest.approx(expected, rel=1e-13)
+
+
+@pytest.mark.parametrize(("q", "steps", "touched"), [(3, 9, False), (6, 9, True), (3, 2, True)])
+def test_nothing_is_summed_that_has_another_past(q, steps, touched):
+    """It left free, or before the first step; or it is not known, as it would arrive too late."""
+    landings, w = no_landings(1.8, 20), aloft(30, 0.4)
+    w[30 - 1] += 0.0 if touched else 1e-12
+    assert not land(LAW, landings, (0.4, 30, q), (0.5, 0.3), PAST, w, steps)
+    assert landed(landings).distances.size == 0
+    assert not landings.tally.any()

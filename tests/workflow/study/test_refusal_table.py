@@ -15,7 +15,7 @@ from elastomer_friction.workflow.plan.plan import make_plan
 from tests.support.documents import without
 from tests.support.small import TEXT, small_study
 
-ROOT = Path(__file__).resolve().parents[1]
+ROOT = Path(__file__).resolve().parents[3]
 STUDY = ("cluster", "grid", "numerics", "read", "study", "tables", "variants")
 SETTINGS = ("checks", "columns", "key", "values")
 EFFECTS = ("material", "needs", "quantities", "scene", "segments")
@@ -38,7 +38,7 @@ ELSEWHERE = {"find_study", "_one_point", "_realizations"}
 # (tests/workflow/study/surfaces); their words are among the other refusals.
 ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography", "_check_finite"}
 ELSEWHERE |= {"given_profile", "check_load", "read_scene"}
-# Of files that are given to the commands prony and fit (test_moduli.py, test_record.py).
+# Of files for prony and fit (settings/test_columns.py, tests/workflow/laboratory/test_record.py).
 ELSEWHERE |= {"named_unit"}
 
 
