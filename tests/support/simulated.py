@@ -5,8 +5,7 @@ from collections.abc import Callable
 from types import SimpleNamespace
 from typing import Any
 
-from elastomer_friction.studies.scaling.virtual import AtOnce
-from elastomer_friction.workflow.cluster.calls import ROLL
+from elastomer_friction.workflow.cluster.calls import ROLL, Call
 from elastomer_friction.workflow.cluster.flow import stream
 from elastomer_friction.workflow.cluster.watch import Watch
 from tests.support.simulated_workers import Task, Workers
@@ -28,6 +27,22 @@ def first(seconds):
     """Return a sound worker whose first item takes so long, as where all has to be compiled."""
     times = iter([seconds])
     return lambda item: (next(times, 1.0), item)
+
+
+class AtOnce(Call):
+    """A call that has returned when it is made."""
+
+    def __init__(self, function: Callable, *arguments: Any) -> None:
+        self._value = function(*arguments)
+
+    def wait(self, seconds: float) -> bool:
+        """Return that it has returned."""
+        del seconds
+        return True
+
+    def result(self) -> Any:
+        """Return what the call has returned."""
+        return self._value
 
 
 class Cluster(Workers):

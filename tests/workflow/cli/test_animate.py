@@ -48,5 +48,5 @@ def test_a_study_without_a_programme_is_refused(capsys):
 
 
 def test_a_study_that_measures_the_program_is_no_scene(capsys):
-    assert main(["animate", "scaling"]) == 2
-    assert "scaling: measures the program itself" in capsys.readouterr().err
+    assert main(["animate", "stability"]) == 2
+    assert "stability: measures the program itself" in capsys.readouterr().err

@@ -47,4 +47,3 @@ def test_a_key_is_described_in_sentences(key):
 def test_the_values_are_those_of_the_study_at_every_scale():
     points = default_of(MEASURES["accuracy"]["points"])
     assert points == "required; `17` in its study.toml, `3` at scale smoke"
-    assert "`[10, 100, 1000]` in its study.toml" in default_of(MEASURES["scaling"]["workers"])
