@@ -1,6 +1,6 @@
 """What a declaration holds where nothing is said: a number of one point of the grid."""
 
-from elastomer_friction.workflow.result.declaration import GRID, Variable
+from elastomer_friction.workflow.result.variables import GRID, Variable
 from elastomer_friction.workflow.study.grid import AXES
 
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.result.scenes import SCENES
+from elastomer_friction.workflow.result.variables import SCENES
 
 # Of h, dx, tau and 4 G L: metres, seconds, newtons.
 BASE = {"roughness": "m", "spacing": "m", "tau": "s", "stiffness": "N m-1"}

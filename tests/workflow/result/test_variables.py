@@ -6,8 +6,13 @@ import numpy as np
 
 from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE
 from elastomer_friction.workflow.reduce.statistics import errors_needed
-from elastomer_friction.workflow.result.scenes import SCENES
-from elastomer_friction.workflow.result.variables import AUXILIARY, FLAGS, VARIABLES, declared
+from elastomer_friction.workflow.result.variables import (
+    AUXILIARY,
+    FLAGS,
+    SCENES,
+    VARIABLES,
+    declared,
+)
 
 ACCURACY = {"accuracy_reached", "accuracy_status"}  # run/test_rounds.py
 

@@ -24,7 +24,7 @@ from ....kernels.compile.cache import source_hash
 from ...errors import UserError
 from ...simulate import load_kernels
 from ...system import ROOT, THREADS, make_folder, processor, saying_what_compiles, write_durably
-from . import amounts, sizes, timing, work
+from . import timing, work
 from .pace import TYPICAL, Learned, Pace, label
 from .work import PARTS
 
@@ -40,8 +40,7 @@ class Machine(NamedTuple):
 
 def pace_file() -> Path:
     """Return where the pace of these kernels on this processor is kept."""
-    modules = timing, work, amounts, sizes
-    method = b"".join(Path(str(module.__file__)).read_bytes() for module in modules)
+    method = b"".join(Path(str(m.__file__)).read_bytes() for m in (timing, work))
     what = (source_hash(), processor(), np.__version__, numba.__version__, numba.config.DISABLE_JIT)
     name = hashlib.sha256(repr(what).encode() + method).hexdigest()[:16]
     return Path(cache.FOLDER) / f"pace-{name}.json"

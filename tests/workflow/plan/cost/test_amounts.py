@@ -9,7 +9,7 @@ from elastomer_friction.kernels.model.steady import steady_sliding
 from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.contacts.refined import MOST_SAMPLES
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
-from elastomer_friction.workflow.plan.cost.amounts import begun_anew, fine_samples, touchable_share
+from elastomer_friction.workflow.plan.cost.work import begun_anew, fine_samples, touchable_share
 from elastomer_friction.workflow.simulate.tasks import Problem
 from tests.workflow.plan.cost.problems import PROBLEMS
 

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.plan.cost.sizes import DRAW, STEP, SWEEP, SecondsBySize
+from elastomer_friction.workflow.plan.cost.work import DRAW, STEP, SWEEP, SecondsBySize
 
 CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
 

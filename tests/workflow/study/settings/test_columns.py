@@ -3,7 +3,7 @@
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.settings.columns import read_columns, rows_of_file
+from elastomer_friction.workflow.study.settings.text import read_columns, rows_of_file
 
 NAMES = ("a time in s", "a velocity in m/s")
 

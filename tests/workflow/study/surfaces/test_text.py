@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.text import precision, read_text
+from elastomer_friction.workflow.study.surfaces.files import precision, read_text
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.study.surfaces.units import metres, units_in
+from elastomer_friction.workflow.study.surfaces.files import metres, units_in
 
 MICRO = ("um", "µm", "μm", "UM", "Micrometer", "micrometres", "micron", "Microns", " um ")
 
