@@ -22,7 +22,7 @@ from elastomer_friction.workflow.reduce.attainment import attained
 from elastomer_friction.workflow.reduce.blocks import Blocks, Estimates
 from elastomer_friction.workflow.reduce.estimates import reduce_blocks
 from elastomer_friction.workflow.reduce.fits import FITTED
-from elastomer_friction.workflow.reduce.statistics.jackknife import grouped_means
+from elastomer_friction.workflow.reduce.jackknife import grouped_means
 from elastomer_friction.workflow.run.collect import next_blocks
 from elastomer_friction.workflow.simulate.kept import record_steps, record_times
 from elastomer_friction.workflow.simulate.realizations import block_means

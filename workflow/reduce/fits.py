@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .statistics import fit_decays, significant, standard_error
+from .decays import fit_decays
+from .jackknife import significant, standard_error
 
 FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE, NO_STATE, NEGLIGIBLE = range(7)
 

@@ -19,7 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from .fits import FITTED, NO_STATE, NOT_EXPONENTIAL, NOT_FINITE, UNDETERMINED, fit_window
-from .statistics import fit_curves, significant
+from .jackknife import significant
+from .least_squares import fit_curves
 
 LAWS = ("ruina", "dieterich")
 LEAST_SAMPLES = 4

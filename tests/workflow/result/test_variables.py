@@ -5,7 +5,7 @@ import re
 import numpy as np
 
 from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE
-from elastomer_friction.workflow.reduce.statistics import errors_needed
+from elastomer_friction.workflow.reduce.jackknife import errors_needed
 from elastomer_friction.workflow.result.variables import (
     AUXILIARY,
     FLAGS,
