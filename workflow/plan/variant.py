@@ -13,10 +13,9 @@ from ..simulate import CODE, Problem, Recording, Surface, Task, kept_steps
 from ..study import Material, Numerics, Study
 from ..study import Surface as LinesOfStudy
 from .cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
-from .goal import Goal, goal_of
+from .goal import Goal, goal_of, horizon_steps, steps_per_spacing
 from .motion import recording_of
 from .problems import distinct_problems, sharers, together
-from .resolution import horizon_steps, steps_per_spacing
 
 NUMBERS = struct.Struct("<dqddd")  # of a problem, as they stand in its key: to the bit
 STEPS = struct.Struct("<qq")

@@ -9,12 +9,12 @@ from elastomer_friction.workflow.plan.error_laws import LAWS, relaxing_share
 from elastomer_friction.workflow.plan.goal import (
     LEAST_BLOCKS,
     LEAST_FOR_RATE,
+    MAX_SAMPLES_PER_LINE,
     allowed,
     goal_of,
     whole_blocks,
 )
 from elastomer_friction.workflow.plan.problems import together
-from elastomer_friction.workflow.plan.resolution import MAX_SAMPLES_PER_LINE
 from elastomer_friction.workflow.simulate.tasks import Problem
 from elastomer_friction.workflow.study.numerics import Numerics
 from elastomer_friction.workflow.study.study import Scene

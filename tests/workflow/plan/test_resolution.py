@@ -8,8 +8,7 @@ from hypothesis import strategies as st
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan.error_laws import LAWS, window_rate
-from elastomer_friction.workflow.plan.problems import together
-from elastomer_friction.workflow.plan.resolution import (
+from elastomer_friction.workflow.plan.goal import (
     BIAS,
     MAX_SAMPLES_PER_LINE,
     MOST_FOR_CONTACTS,
@@ -18,6 +17,7 @@ from elastomer_friction.workflow.plan.resolution import (
     rung,
     steps_per_spacing,
 )
+from elastomer_friction.workflow.plan.problems import together
 from elastomer_friction.workflow.simulate.tasks import Problem
 from elastomer_friction.workflow.study.numerics import Numerics
 from elastomer_friction.workflow.study.study import Scene

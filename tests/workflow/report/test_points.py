@@ -4,8 +4,7 @@ import numpy as np
 import pytest
 from matplotlib import pyplot as plt
 
-from elastomer_friction.workflow.report.hover import remembered
-from elastomer_friction.workflow.report.panels import error_band, error_bars
+from elastomer_friction.workflow.report.panels import error_band, error_bars, remembered
 from tests.support.synthetic import result
 
 

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from elastomer_friction.workflow.scene.arguments import toml_value
+from elastomer_friction.workflow.scene.call import toml_value
 
 
 def test_arrays_tuples_and_numbers_of_numpy_become_plain():

@@ -4,7 +4,7 @@ import tomllib
 
 import pytest
 
-from elastomer_friction.workflow.study.described import described_measures
+from elastomer_friction.workflow.study.schema import described_measures
 from elastomer_friction.workflow.study.scripts import OWN
 from elastomer_friction.workflow.study.settings import default_of, values_of
 from elastomer_friction.workflow.study.tables import EVERY_TABLE, HEAD

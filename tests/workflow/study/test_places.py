@@ -3,8 +3,7 @@
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.places import key_of, line_of
-from elastomer_friction.workflow.study.read import known_studies
+from elastomer_friction.workflow.study.read import key_of, known_studies, line_of
 from tests.support.small import TEXT, small_study
 
 FIG7 = known_studies()["fig7"].read_text()

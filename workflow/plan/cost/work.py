@@ -1,7 +1,7 @@
 """Predicted cost of a case: how much work it is, in seconds of a typical machine, by part.
 
 The amounts (samples, edges of contacts, steps) belong to the problem; how much longer a machine
-takes than the typical one is its pace (pace.py). Laws take a problem, or many of them together
+takes than the typical one is its pace (machine.py). Laws take a problem, or many of them together
 (problems.py).
 """
 

@@ -24,8 +24,7 @@ from ...system import write_durably
 from ..claims import evaluate, known_claims
 from ..csv_tables import write_tables
 from ..figure import Picture, caption, draw_groups
-from ..hover import HoverPoint
-from ..panels import STYLE
+from ..panels import STYLE, HoverPoint
 
 NO_BREAK = "\u00a0"
 PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition

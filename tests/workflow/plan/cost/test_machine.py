@@ -6,12 +6,14 @@ import pytest
 
 from elastomer_friction.workflow.plan.cost import machine
 from elastomer_friction.workflow.plan.cost.machine import (
+    TYPICAL,
+    Pace,
     known_machine,
+    label,
     learn,
     pace_file,
     this_machine,
 )
-from elastomer_friction.workflow.plan.cost.pace import TYPICAL, Pace, label
 from elastomer_friction.workflow.plan.cost.work import PARTS, PLAIN
 
 MEASURED = dict.fromkeys(PARTS, (1.25, 1.1))

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.plan.cost.pace import (
+from elastomer_friction.workflow.plan.cost.machine import (
     LAWS,
     LEAST_SECONDS,
     MOST_SECONDS,

@@ -3,10 +3,9 @@
 import pytest
 
 from elastomer_friction.workflow.study.effects.material import Material
-from elastomer_friction.workflow.study.effects.needs import why_not
 from elastomer_friction.workflow.study.effects.programme import Hold, Oscillate, Slide, Velocity
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
-from elastomer_friction.workflow.study.effects.scene import Scene
+from elastomer_friction.workflow.study.effects.scene import Scene, why_not
 
 KELVIN, GLASSY = Material(1e6, 1e-3), Material(1e6, 0.0, ((5e6, 1e-2),))
 SLOW, FAST = Slide(Velocity(0.1), 1e-3), Slide(Velocity(0.2), 1e-3)
