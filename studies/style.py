@@ -1,6 +1,8 @@
 """What the figures of several studies share."""
 
+import json
 from collections.abc import Iterator
+from pathlib import Path
 from typing import Any
 
 import matplotlib as mpl
@@ -10,6 +12,9 @@ from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize, to_hex
 from matplotlib.ticker import FuncFormatter, NullLocator
+
+from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.workflow.study import Study, read_grid_study
 
 CONVERGED, PAPER_STEP = "", "paper_step"  # groups of a result; the first is the study itself
 VARIANTS = {
@@ -51,6 +56,17 @@ def in_micrometres(ax: Axes, values: np.ndarray) -> None:
     ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{1e6 * value:.3g}"))
     ax.xaxis.set_minor_locator(NullLocator())
     ax.set_xlabel("spacing $\\Delta x$ (µm)")
+
+
+def study_of(data: xr.Dataset) -> Study:
+    """Return the study with whose settings a result was computed; it reads no other file."""
+    return read_grid_study("", Path(), json.loads(data.attrs["study"]))
+
+
+def fitted(points: xr.Dataset) -> xr.Dataset:
+    """Return points whose relaxation rate is NaN where eq. 6 was not fitted."""
+    rate = points.relaxation_rate.where(points.fit_status == FITTED)
+    return points.assign(relaxation_rate=rate)
 
 
 def normalised(points: xr.Dataset) -> xr.Dataset:

@@ -1,10 +1,6 @@
 """Figure 2: friction before, during and after a jump of the sliding velocity, up and down."""
 
-from typing import Any
-
-import xarray as xr
 from matplotlib import pyplot as plt
-from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import SCHEMES, VARIANTS
@@ -26,7 +22,14 @@ def draw(groups: Groups) -> Figure:
     for group, label in VARIANTS.items():
         dataset = groups[group]
         for ax, step, letter in zip(axes, dataset.velocity_step.values, "ab", strict=True):
-            _history(ax, dataset.sel(velocity_step=step).squeeze(), SCHEMES[group], label)
+            point = dataset.sel(velocity_step=step).squeeze()
+            curve = point.dropna("sample", subset=["mu"])
+            before = [-0.15 * float(curve.time[-1]), 0.0, 0.0]
+            style = SCHEMES[group] | {"markevery": max(1, curve.sample.size // MARKERS)}
+            error_band(ax, curve, "mu", "deviation_error", label=label, **style)
+            colour = style["color"]
+            ax.plot(before, [point.mu_1, point.mu_1, curve.mu[0]], color=colour)
+            ax.axhline(float(point.mu_2), color=colour, lw=0.6, ls=":")
             ax.set_title(f"({letter}) $v_2 = {1.0 + step:g}\\,v_1$")
             ax.set_xlabel("time after the jump $(t - t_0)/\\tau$")
     axes[0].set_ylabel("coefficient of friction $\\mu$")
@@ -34,13 +37,3 @@ def draw(groups: Groups) -> Figure:
     note = "the error is that of the deviation from $\\mu_2$; dotted: $\\mu_2$"
     foot_line(figure, groups[""], note, bars="bands")
     return figure
-
-
-def _history(ax: Axes, point: xr.Dataset, style: dict[str, Any], label: str) -> None:
-    curve = point.dropna("sample", subset=["mu"])
-    before = [-0.15 * float(curve.time[-1]), 0.0, 0.0]
-    every = max(1, curve.sample.size // MARKERS)
-    error_band(ax, curve, "mu", "deviation_error", markevery=every, label=label, **style)
-    colour = style["color"]
-    ax.plot(before, [point.mu_1, point.mu_1, curve.mu[0]], color=colour)
-    ax.axhline(float(point.mu_2), color=colour, lw=0.6, ls=":")

@@ -6,8 +6,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import CONVERGED, SCHEMES, VARIANTS, in_micrometres
-from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.studies.style import CONVERGED, SCHEMES, VARIANTS, fitted, in_micrometres
 from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -26,11 +25,11 @@ def draw(groups: Groups) -> Figure:
     figure, axes = plt.subplots(1, 2, figsize=(6.9, 2.8))
     for group, label in VARIANTS.items():
         points = groups[group].squeeze()
-        fitted = points.where(points.fit_status == FITTED)
+        rates = fitted(points)
         style = SCHEMES[group] | {"ls": "-", "label": label}
-        error_bars(axes[1], fitted, "relaxation_rate", "spacing", **style)
+        error_bars(axes[1], rates, "relaxation_rate", "spacing", **style)
         if group == CONVERGED:
-            nearest = np.abs(fitted.relaxation_rate - PAPER_RATE).argmin("spacing")
+            nearest = np.abs(rates.relaxation_rate - PAPER_RATE).argmin("spacing")
             _fit(axes[0], points.isel(spacing=nearest))
     foot_line(figure, groups[CONVERGED], "the caption of the paper gives no spacing")
     axes[1].axhline(PAPER_RATE, color="k", ls="--", lw=0.8, label="paper, $b = 2.4$")

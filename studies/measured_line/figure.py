@@ -12,8 +12,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import X_LABEL, normalised
-from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.studies.style import X_LABEL, fitted, normalised
 from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -29,28 +28,29 @@ STYLES: dict[str, dict[str, Any]] = {
     "random_phase": {"fmt": "-", "lw": 1.2, "label": "random phases"},
     "self_affine": {"fmt": "--", "lw": 0.9, "label": "self-affine, $H = 1$"},
 }
+ABOVE = (
+    ("mu_bar", "$\\mu_1 / \\nabla z$", "(b) steady friction"),
+    ("relaxation_rate", "relaxation rate $b$", "(c) relaxation after the step"),
+)
+BELOW = {
+    "mu_1": "(d) steady friction $\\mu_1$",
+    "jump": "(e) jump $\\Delta\\mu_0$",
+    "contact_fraction": "(f) contact fraction",
+}
 
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
-    shown = {name: normalised(_points(data)) for name, data in groups.items()}
+    shown = {
+        name: normalised(fitted(data.isel(hurst=0, spacing=0, roughness=0, velocity_step=0)))
+        for name, data in groups.items()
+    }
     figure, axes = plt.subplots(2, 3, figsize=(7.4, 5.0))
     _spectra(axes[0, 0], groups)
-    for ax, name, label, title in zip(
-        axes.flat[1:3],
-        ("mu_bar", "relaxation_rate"),
-        ("$\\mu_1 / \\nabla z$", "relaxation rate $b$"),
-        ("(b) steady friction", "(c) relaxation after the step"),
-        strict=True,
-    ):
+    for ax, (name, label, title) in zip(axes[0, 1:], ABOVE, strict=True):
         _by_force(ax, shown, name)
         ax.set(yscale="log", ylabel=label, title=title)
-    for ax, name, title in zip(
-        axes[1],
-        ("mu_1", "jump", "contact_fraction"),
-        ("(d) steady friction $\\mu_1$", "(e) jump $\\Delta\\mu_0$", "(f) contact fraction"),
-        strict=True,
-    ):
+    for ax, (name, title) in zip(axes[1], BELOW.items(), strict=True):
         others = {each: against(shown, each, name) for each in shown if each != RANDOM}
         _by_force(ax, others, "ratio")
         ax.axhline(1.0, color="k", lw=0.8)
@@ -58,16 +58,14 @@ def draw(groups: Groups) -> Figure:
     axes[1, 0].set_ylabel("over that of random phases")
     for ax in axes.flat[1:]:
         ax.set(xscale="log", xlabel=X_LABEL)
-    _legends(axes[0, 1], axes[0, 2], groups[""])
+    for style in STYLES.values():
+        axes[0, 1].plot([], [], style["fmt"], color="0.3", ms=3.0, label=style["label"])
+    axes[0, 1].legend(loc="lower right")
+    for force, colour in zip(groups[""].normal_force.values, COLOURS, strict=False):
+        axes[0, 2].plot([], [], "o", color=colour, label=f"$F_N$ = {1e9 * force:g} nN")
+    axes[0, 2].legend(loc="upper left")
     foot_line(figure, groups[""], f"lines: {groups[''].attrs['lines']}")
     return figure
-
-
-def _points(data: xr.Dataset) -> xr.Dataset:
-    """Return the points over force and velocity alone; rates where they are fitted."""
-    chosen = data.isel(hurst=0, spacing=0, roughness=0, velocity_step=0)
-    rate = chosen.relaxation_rate.where(chosen.fit_status == FITTED)
-    return chosen.assign(relaxation_rate=rate)
 
 
 def against(shown: Groups, label: str, name: str) -> xr.Dataset:
@@ -100,13 +98,3 @@ def _by_force(ax: Axes, shown: Groups, name: str) -> None:
         for i, force in enumerate(data.normal_force.values):
             style = STYLES[label] | {"color": COLOURS[i], "label": None}
             error_bars(ax, data.sel(normal_force=force), name, "speed_ratio", **style)
-
-
-def _legends(kinds: Axes, forces: Axes, data: xr.Dataset) -> None:
-    """Say what stands for the kinds of lines, and which colour for which load."""
-    for style in STYLES.values():
-        kinds.plot([], [], style["fmt"], color="0.3", ms=3.0, label=style["label"])
-    kinds.legend(loc="lower right")
-    for i, force in enumerate(data.normal_force.values):
-        forces.plot([], [], "o", color=COLOURS[i], label=f"$F_N$ = {1e9 * force:g} nN")
-    forces.legend(loc="upper left")

@@ -16,7 +16,6 @@ point, so that <z'^2> is the contact fraction times the squared rms slope: no nu
 at a half less than 1 %, by 600 lines of this study each.)
 """
 
-import json
 from itertools import pairwise
 from typing import Any, NamedTuple
 
@@ -26,9 +25,11 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
+from elastomer_friction.kernels.rheology.spectrum import complex_modulus
+from elastomer_friction.studies.style import study_of
 from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
 from elastomer_friction.workflow.result import Groups
+from elastomer_friction.workflow.study import Hold, Oscillate
 
 CAPTION = (
     "A line oscillates about a place of rest, and friction is shown over the velocity in loops, "
@@ -126,48 +127,34 @@ def _response(ax: Axes, data: xr.Dataset, name: str, colour: str, label: str) ->
     ax.legend(loc="upper left")
 
 
-def settings_of(data: xr.Dataset) -> dict[str, Any]:
-    """Return the settings with which a result was computed."""
-    settings: dict[str, Any] = json.loads(data.attrs["study"])
-    return settings
-
-
 def motions(data: xr.Dataset) -> list[Swing]:
     """Return the oscillations of the programme of a result, which else only holds."""
     found: list[Swing] = []
     time = 0.0
-    for number, segment in enumerate(settings_of(data)["scene"]["programme"]):
-        if "hold" in segment:
-            time += segment["hold"]["duration"]
-            continue
-        swung = segment["oscillate"]
-        time += swung["cycles"] / swung["frequency"]
-        found.append(Swing(number, swung["amplitude"], swung["frequency"], time))
+    for number, segment in enumerate(study_of(data).scene.programme):
+        if isinstance(segment, Hold):
+            time += segment.durations[0]
+        elif isinstance(segment, Oscillate):
+            time += segment.cycles / segment.frequency
+            found.append(Swing(number, segment.amplitude, segment.frequency, time))
     return found
 
 
 def shift_factors(data: xr.Dataset) -> np.ndarray:
     """Return a_T at the temperatures of a result, shape (temperatures,)."""
-    wlf = settings_of(data)["material"]["wlf"]
-    above = data.temperature.values - wlf["reference"]
-    return 10.0 ** (-wlf["c1"] * above / (wlf["c2"] + above))
+    return np.array([study_of(data).material.shift(t) for t in data.temperature.values])
 
 
 def modulus(data: xr.Dataset, name: str, omega: np.ndarray) -> np.ndarray:
     """Return G*/G - 1 of a variant at angular frequencies (rad/s) and the reference temperature."""
-    settings = settings_of(data)
-    material = settings["material"] | settings["compare"].get(name, {})
-    branches = sorted(material.get("branches", []), key=lambda branch: branch[1])
-    moduli = tuple(g / material["shear_modulus"] for g, _ in branches)
-    times = tuple(time for _, time in branches)
-    return complex_modulus(Spectrum(moduli, times, material["relaxation_time"]), omega) - 1.0
+    material = study_of(data).materials[name]
+    return complex_modulus(material.spectrum(), omega * material.tau) - 1.0
 
 
 def unit(data: xr.Dataset) -> np.ndarray:
     """Return the friction that stands for G* - G = G, shape (temperatures,)."""
-    settings = settings_of(data)
     amplitude = motions(data)[-1].amplitude
-    stiffness = 4.0 * settings["material"]["shear_modulus"] * settings["surface"]["length"]
+    stiffness = 4.0 * float(data.shear_modulus * data.length)
     contact = data.trace_contact_fraction.isel(event=0)
     unit = stiffness * amplitude / data.normal_force * data.rms_slope**2 * contact
     return np.asarray(unit.values)

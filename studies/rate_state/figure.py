@@ -79,14 +79,25 @@ def draw(groups: Groups) -> Figure:
         _by_velocity(axes[0, 1], data, name, "rate_state_b", "ratio")
         _by_velocity(axes[0, 2], data, name, "rate_state_a_minus_b", "x")
         _by_velocity(axes[1, 0], data, name, "distance", "x", log=True)
-    _other_law(axes[1, 0], middle[BROAD])
+    for velocity, colour in zip(middle[BROAD].velocity.values, COLOURS, strict=False):
+        line = middle[BROAD].sel(velocity=velocity, law="dieterich")
+        style: dict[str, Any] = {"fmt": "x:", "ms": 3.2, "lw": 0.6, "color": colour}
+        error_bars(axes[1, 0], line, "distance", "x", log=True, **style)
     broad = shown[BROAD].sel(law="ruina")
     fastest = broad.isel(velocity=-1, spacing=0)
-    _by_step(axes[1, 1], fastest, "rate_state_dc", "normal_force")
-    _by_step(axes[1, 2], _middle(broad).isel(velocity=-1), "rate_state_dc", "q_max")
+    _by_step(axes[1, 1], fastest, "normal_force")
+    _by_step(axes[1, 2], _middle(broad).isel(velocity=-1), "q_max")
     _dress(axes, broad)
     _legends(axes, middle[BROAD])
-    _notes(figure, groups)
+    data = groups[BROAD]
+    write_below(
+        figure,
+        f"{data.realizations.size} grid points of either material, "
+        f"{int(data.realizations.max())} realizations each, seed {data.attrs['seed']}; bars: one "
+        "jackknife standard error. " + "; ".join(left_out(groups)) + ".",
+        "Ruina's law; crosses in (d): Dieterich's, rubber. (a-d): middle load, finest spacing; "
+        "(e, f): fastest v1; (f): colours of (e). t = 1 ms. Pluses: not fitted, Kelvin.",
+    )
     return figure
 
 
@@ -107,21 +118,13 @@ def _by_velocity(
         ax.plot(left, low, "+", ms=5, color=COLOURS[i], transform=ax.get_xaxis_transform())
 
 
-def _other_law(ax: Axes, data: xr.Dataset) -> None:
-    """Draw D_c q_max of Dieterich's law beside that of Ruina's."""
-    for i, velocity in enumerate(data.velocity.values):
-        line = data.sel(velocity=velocity, law="dieterich")
-        style: dict[str, Any] = {"fmt": "x:", "ms": 3.2, "lw": 0.6, "color": COLOURS[i]}
-        error_bars(ax, line, "distance", "x", log=True, **style)
-
-
-def _by_step(ax: Axes, data: xr.Dataset, variable: str, over: str) -> None:
-    """Draw a variable, a colour for every velocity step."""
+def _by_step(ax: Axes, data: xr.Dataset, over: str) -> None:
+    """Draw D_c over a variable, a colour for every velocity step."""
     for i, step in enumerate(data.velocity_step.values):
         line = data.sel(velocity_step=step)
         label = f"$v_2/v_1 = {float(line.ratio):g}$"
-        colour = COLOURS[3 + i % 4]
-        error_bars(ax, line, variable, over, log=True, color=colour, label=label, **STYLES[BROAD])
+        style = STYLES[BROAD] | {"color": COLOURS[3 + i % 4], "label": label}
+        error_bars(ax, line, "rate_state_dc", over, log=True, **style)
 
 
 def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
@@ -169,19 +172,6 @@ def _legends(axes: np.ndarray, data: xr.Dataset) -> None:
     axes[1, 1].legend(loc="upper left")
     line = axes[1, 2].lines[-1]
     axes[1, 2].legend(handles=[line], loc="lower left")
-
-
-def _notes(figure: Figure, groups: Groups) -> None:
-    """Say below how large the study was, and how many points are not fitted."""
-    data = groups[BROAD]
-    write_below(
-        figure,
-        f"{data.realizations.size} grid points of either material, "
-        f"{int(data.realizations.max())} realizations each, seed {data.attrs['seed']}; bars: one "
-        "jackknife standard error. " + "; ".join(left_out(groups)) + ".",
-        "Ruina's law; crosses in (d): Dieterich's, rubber. (a-d): middle load, finest spacing; "
-        "(e, f): fastest v1; (f): colours of (e). t = 1 ms. Pluses: not fitted, Kelvin.",
-    )
 
 
 def left_out(groups: Groups) -> list[str]:

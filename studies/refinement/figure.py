@@ -6,8 +6,15 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import CONVERGED, DOTS, PALEST, PAPER_STEP, SCHEMES, X_LABEL
-from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.studies.style import (
+    CONVERGED,
+    DOTS,
+    PALEST,
+    PAPER_STEP,
+    SCHEMES,
+    X_LABEL,
+    fitted,
+)
 from elastomer_friction.workflow.report import error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -28,7 +35,10 @@ def draw(groups: Groups) -> Figure:
     hursts = np.unique(groups[""].hurst.values[[0, -1]])
     figure, axes = plt.subplots(2, 3, figsize=(7.4, 5.2), sharex=True, sharey="col")
     for row, hurst in zip(axes, hursts, strict=False):
-        shown = {name: _at(data, hurst) for name, data in groups.items()}
+        shown = {
+            name: fitted(data.sel(hurst=hurst).sel(normal_force=FORCE, method="nearest").squeeze())
+            for name, data in groups.items()
+        }
         _rates(row[0], shown, "euler", hurst)
         _rates(row[1], shown, "exponential", hurst)
         _amplitudes(row[2], shown)
@@ -47,14 +57,6 @@ def draw(groups: Groups) -> Figure:
         f"{NOTE}; shown: $F_N$ = {force:g} N; no marker where there is no fit",
     )
     return figure
-
-
-def _at(data: xr.Dataset, hurst: float) -> xr.Dataset:
-    """Return one Hurst exponent at the force that is shown, over velocity alone; fits that hold."""
-    chosen = data.sel(hurst=hurst).sel(normal_force=FORCE, method="nearest")
-    chosen = chosen.isel(spacing=0, roughness=0, velocity_step=0)
-    rate = chosen.relaxation_rate.where(chosen.fit_status == FITTED)
-    return chosen.assign(relaxation_rate=rate)
 
 
 def decay_rate(data: xr.Dataset, steps: int) -> xr.DataArray:
@@ -89,7 +91,7 @@ def _amplitudes(ax: Axes, shown: dict[str, xr.Dataset]) -> None:
     labels = {"": ("converged", CONVERGED), "euler_1": ("implicit Euler, $m = 1$", PAPER_STEP)}
     for name, (label, scheme) in labels.items():
         if name in shown:
-            one = shown[name].where(shown[name].fit_status == FITTED)
+            one = shown[name].where(shown[name].relaxation_rate.notnull())
             share = abs(one.amplitude / one.jump)
             ax.plot(one.speed_ratio, share, "-", label=label, **SCHEMES[scheme])
     ax.set(xscale="log", yscale="log")

@@ -45,8 +45,14 @@ def draw(groups: Groups) -> Figure:
     materials = study.materials
     figure, axes = plt.subplots(2, 3, figsize=(7.4, 4.9))
     _moduli(axes[0, 0], {name: materials[name] for name in known})
-    _friction(axes[0, 1], known)
-    _contact(axes[0, 2], known)
+    slope = float(known[RUBBER].rms_slope.max())
+    _over_speed(axes[0, 1], known, "mu_1", (1e-5, 3.0 * slope))
+    axes[0, 1].axhline(slope, color="0.4", lw=0.7, ls=":")
+    axes[0, 1].text(1e-8, 1.1 * slope, "rms slope", fontsize=6.5)
+    axes[0, 1].set(title="(b) steady at 20 °C", ylabel="coefficient of friction $\\mu$")
+    _over_speed(axes[0, 2], known, "contact_fraction", (1e-4, 1.5))
+    axes[0, 2].set(title="(c) share in contact at 20 °C", ylabel="share of the line in contact")
+    axes[0, 2].legend(loc="lower left", fontsize=6.5)
     _temperatures(axes[1, 0], known[RUBBER])
     _master(axes[1, 1], known[RUBBER], materials[RUBBER])
     _step(axes[1, 2], known)
@@ -83,26 +89,14 @@ def _moduli(ax: Axes, materials: dict[str, Material]) -> None:
     ax.set(xlabel="frequency $\\omega$ (rad/s)", ylabel="$G'$ (full), $G''$ (dashed) (MPa)")
 
 
-def _friction(ax: Axes, known: dict[str, xr.Dataset]) -> None:
+def _over_speed(
+    ax: Axes, known: dict[str, xr.Dataset], variable: str, limits: tuple[float, float]
+) -> None:
     for name, data in known.items():
         label, colour, marker = LABELS[name]
         style = POINTS | {"fmt": f"{marker}-", "color": colour, "label": label}
-        error_bars(ax, warmest(data), "mu_1", "velocity", log=True, **style)
-    slope = float(known[RUBBER].rms_slope.max())
-    ax.axhline(slope, color="0.4", lw=0.7, ls=":")
-    ax.text(1e-8, 1.1 * slope, "rms slope", fontsize=6.5)
-    ax.set(xscale="log", yscale="log", ylim=(1e-5, 3.0 * slope), title="(b) steady at 20 °C")
-    ax.set(xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
-
-
-def _contact(ax: Axes, known: dict[str, xr.Dataset]) -> None:
-    for name, data in known.items():
-        label, colour, marker = LABELS[name]
-        style = POINTS | {"fmt": f"{marker}-", "color": colour, "label": label}
-        error_bars(ax, warmest(data), "contact_fraction", "velocity", log=True, **style)
-    ax.set(xscale="log", yscale="log", ylim=(1e-4, 1.5), title="(c) share in contact at 20 °C")
-    ax.set(xlabel="speed $v$ (m/s)", ylabel="share of the line in contact")
-    ax.legend(loc="lower left", fontsize=6.5)
+        error_bars(ax, warmest(data), variable, "velocity", log=True, **style)
+    ax.set(xscale="log", yscale="log", ylim=limits, xlabel="speed $v$ (m/s)")
 
 
 def _temperatures(ax: Axes, data: xr.Dataset) -> None:
@@ -149,12 +143,6 @@ def _percent(decades: float) -> str:
     return f"{percent:.2g} %" if percent < 10.0 else f"{percent:.0f} %"
 
 
-def at_its_largest(data: xr.Dataset) -> xr.Dataset:
-    """Return the warmest point at the speed at which friction is largest."""
-    one = warmest(data)
-    return one.isel(velocity=int(np.argmax(one.mu_1.values)))
-
-
 def after_step(point: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Return distance since the step (m), mu and its standard error, from the step on."""
     moved, part = point.trace_distance.values, point.trace_segment.values
@@ -167,17 +155,15 @@ def after_step(point: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 def _step(ax: Axes, known: dict[str, xr.Dataset]) -> None:
     for name, data in known.items():
         _, colour, _ = LABELS[name]
-        point = at_its_largest(data)
+        warm = warmest(data)
+        point = warm.isel(velocity=int(np.argmax(warm.mu_1.values)))  # with the largest friction
+        speed = float(point.velocity)
+        said = f"{speed:g} m/s" if speed >= 1.0 else f"{1e3 * speed:.2g} mm/s"
         slip, mu, error = after_step(point)
         one, two = float(point.mu_1), float(point.mu_2)
-        ax.plot(slip, mu / one, color=colour, label=f"$v_1$ = {_speed(point)}")
+        ax.plot(slip, mu / one, color=colour, label=f"$v_1$ = {said}")
         ax.fill_between(slip, (mu - error) / one, (mu + error) / one, color=colour, alpha=0.15)
         ax.plot(slip[-1] * 1.3, two / one, "<", color=colour, ms=4.0, clip_on=False)
     ax.set(xscale="log", xlabel="slip since the step (m)", ylabel="$\\mu/\\mu_1$")
     ax.set(title="(f) after a step to $2 v_1$")
     ax.legend(loc="lower left", fontsize=6.5)
-
-
-def _speed(point: xr.Dataset) -> str:
-    speed = float(point.velocity)
-    return f"{speed:g} m/s" if speed >= 1.0 else f"{1e3 * speed:.2g} mm/s"

@@ -12,8 +12,6 @@ glass, where deformation is negligible: kinetics, not magnitudes). The abstracts
 and of Ronsin and Coeyrehourcq were read, the others are cited from memory.
 """
 
-from typing import Any
-
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
@@ -61,8 +59,10 @@ def draw(groups: Groups) -> Figure:
             label = f"$v = {float(point.velocity):g}$ m/s"
             error_bars(ax, point, "healing", "hold", fmt="o", color=colour, label=label)
             _expected(ax, point, name, colour)
-            style: dict[str, Any] = {"fmt": "o-" if name == KELVIN else "s--", "color": colour}
-            _held(axes[1, 0], point, **style)
+            before = point.static_peak - point.healing
+            share, error = (point[f"mu_end_of_hold{end}"] / before for end in ("", "_error"))
+            form = "o-" if name == KELVIN else "s--"
+            axes[1, 0].errorbar(point.hold, share, error, fmt=form, color=colour)
         ax.set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
         ax.axvline(TAU if name == KELVIN else LONGEST, color="0.6", lw=0.7, ls=":")
         ax.axhline(0.0, color="0.7", lw=0.5)
@@ -70,6 +70,7 @@ def draw(groups: Groups) -> Figure:
     axes[0, 0].set_title("(a) Kelvin element; dotted: $\\tau$")
     axes[0, 1].set_title("(b) nine branches; dotted: longest time")
     axes[0, 0].set_ylabel("static peak $-$ $\\mu$ before the hold")
+    axes[1, 0].axhline(0.0, color="0.7", lw=0.5)
     axes[1, 0].set_title("(c) friction at the end of the hold")
     axes[1, 0].set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
     axes[1, 0].set_ylabel("$\\mu\\,/\\,\\mu$ before the hold")
@@ -94,15 +95,6 @@ def _expected(ax: Axes, point: xr.Dataset, name: str, colour: str) -> None:
     rise, error = law(point, hold)
     ax.plot(hold, rise, "-", color=colour, lw=0.7)
     ax.fill_between(hold, rise - error, rise + error, color=colour, alpha=0.2, lw=0)
-
-
-def _held(ax: Axes, point: xr.Dataset, **style: Any) -> None:
-    """Draw what a hold leaves of the friction before it."""
-    before = point.static_peak - point.healing
-    ax.errorbar(
-        point.hold, point.mu_end_of_hold / before, point.mu_end_of_hold_error / before, **style
-    )
-    ax.axhline(0.0, color="0.7", lw=0.5)
 
 
 def _after(ax: Axes, point: xr.Dataset) -> None:

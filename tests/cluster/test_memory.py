@@ -2,20 +2,15 @@
 
 import pytest
 
-from elastomer_friction.studies.scaling.paper import pretend
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.study.read import read_study
 from elastomer_friction.workflow.system.process import peak_bytes
+from tests.cluster.many_points import pretended
 
 pytestmark = pytest.mark.cluster
-
-
-def pretended(batch):
-    """Stand in for block_means: compute nothing."""
-    return pretend(batch)
 
 
 @pytest.mark.parametrize("realizations", [200, 20_000])

@@ -19,12 +19,12 @@ from elastomer_friction.workflow.reduce.fits import (
     UNDETERMINED,
     fit_relaxation,
 )
-from elastomer_friction.workflow.reduce.models import compare_models
-from elastomer_friction.workflow.reduce.statistics.jackknife import (
+from elastomer_friction.workflow.reduce.jackknife import (
     errors_needed,
     replicates,
     standard_error,
 )
+from elastomer_friction.workflow.reduce.models import compare_models
 from tests.support.sweeps import sweep
 
 # 25 pulls find a bias of one standard error with 96 % (5 deviations of their mean), and errors that

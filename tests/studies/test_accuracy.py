@@ -18,10 +18,10 @@ from elastomer_friction.studies.accuracy.measure import table
 from elastomer_friction.studies.accuracy.points import COMPARED, POINTS, Point, surface
 from elastomer_friction.studies.accuracy.recommendation import cheapest
 from elastomer_friction.studies.accuracy.sampling import Method, run_lines
-from elastomer_friction.studies.accuracy.wide import mean_of_lines, stated
 from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.simulate import Problem
 from tests.support.studies import check_drawing, load
+from tests.tools.wide import mean_of_lines, stated
 
 whole_study = pytest.mark.exhaustive  # its parts are asked for in make test
 POINT = Point(0.5, 0.3, 1.5)

@@ -9,17 +9,15 @@ from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.study.measured import Measured
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from tests.support.small import cut_batches
-from tests.support.sweeps import mostly_exhaustive, sweep
+from tests.support.sweeps import sweep
 
 SCALES = {
     name: [None, *tomllib.loads(path.read_text()).get("scales", {})]
     for name, path in sorted(known_studies().items())
 }
 CASES = [(name, scale) for name, scales in SCALES.items() for scale in scales]
-MEASURED = ("accuracy", "scaling", "stability")
+MEASURED = ("accuracy", "stability")
 GRIDS = [case for case in CASES if case[0] not in MEASURED]
-SLOW = [("scaling", None), ("scaling", "paper")]  # they plan figure 7 of the paper
-QUICK = [case for case in CASES if case not in GRIDS + SLOW]
 
 
 @pytest.mark.parametrize("name", SCALES)
@@ -43,7 +41,7 @@ def test_study_is_planned(name, scale, every):
     assert plan.predicted_worker_bytes() < 2**30
 
 
-@mostly_exhaustive(("name", "scale"), QUICK, SLOW)
+@pytest.mark.parametrize(("name", "scale"), [case for case in CASES if case not in GRIDS])
 def test_measured_study_is_outlined(name, scale):
     study = read_study(name, scale)
     lines, seconds = study.script.outline(study.settings)

@@ -16,13 +16,18 @@ from scipy.stats import t as student
 
 from elastomer_friction.kernels import QUARTET, Quantities, amplitudes, rms_slope
 from elastomer_friction.workflow.plan.error_laws import LAWS
-from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS, Goal, least_blocks
-from elastomer_friction.workflow.plan.resolution import horizon_steps, steps_per_spacing
+from elastomer_friction.workflow.plan.goal import (
+    JACKKNIFE_GROUPS,
+    Goal,
+    horizon_steps,
+    least_blocks,
+    steps_per_spacing,
+)
 from elastomer_friction.workflow.reduce.attainment import attained
 from elastomer_friction.workflow.reduce.blocks import Blocks, Estimates
 from elastomer_friction.workflow.reduce.estimates import reduce_blocks
 from elastomer_friction.workflow.reduce.fits import FITTED
-from elastomer_friction.workflow.reduce.statistics.jackknife import grouped_means
+from elastomer_friction.workflow.reduce.jackknife import grouped_means
 from elastomer_friction.workflow.run.collect import next_blocks
 from elastomer_friction.workflow.simulate.kept import record_steps, record_times
 from elastomer_friction.workflow.simulate.realizations import block_means

@@ -17,8 +17,14 @@ from pathlib import Path
 from typing import Any
 
 from elastomer_friction.kernels import Quantities
-from elastomer_friction.workflow.plan.cost.machine import Parted
-from elastomer_friction.workflow.plan.cost.pace import WHOLE, Learned, Pace, label, prediction
+from elastomer_friction.workflow.plan.cost.machine import (
+    WHOLE,
+    Learned,
+    Pace,
+    Parted,
+    label,
+    prediction,
+)
 from elastomer_friction.workflow.plan.cost.timing import factors
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.run import RunOptions, run_measured, run_plan

@@ -45,7 +45,9 @@ def figure_of(fit: Fit) -> Figure:
         _rates(figure.add_subplot(last[0]), fit, fit.rates)
         _jumps(figure.add_subplot(last[1]), fit)
     figure.axes[0].legend(loc="best", fontsize=6)
-    _notes(figure, len(fit.steps))
+    count = len(fit.steps)
+    drawn = f"The first {MOST_STEPS} of {count} steps are drawn. " if count > MOST_STEPS else ""
+    write_below(figure, f"{drawn}Bars: one standard error, correlated noise counted as it is.")
     return figure
 
 
@@ -110,8 +112,3 @@ def _jumps(ax: Axes, fit: Fit) -> None:
         ax.legend(loc="upper left")
     ax.set(xlabel="$\\mu_1$", ylabel="$\\Delta\\mu_0/(\\Delta v/v_1)$")
     ax.set_xlim(0.0, 1.1 * mu.max() if mu.size else 1.0)
-
-
-def _notes(figure: Figure, count: int) -> None:
-    drawn = f"The first {MOST_STEPS} of {count} steps are drawn. " if count > MOST_STEPS else ""
-    write_below(figure, f"{drawn}Bars: one standard error, correlated noise counted as it is.")

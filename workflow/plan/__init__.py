@@ -28,10 +28,17 @@ if TYPE_CHECKING:
         this_machine,
     )
     from .error_laws import LAWS, first_order_rate_error, known, rate_error
-    from .goal import JACKKNIFE_GROUPS, Goal, allowed, most_blocks
+    from .goal import (
+        FIRST_ORDER,
+        JACKKNIFE_GROUPS,
+        Goal,
+        allowed,
+        horizon_steps,
+        most_blocks,
+        steps_per_spacing,
+    )
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
-    from .resolution import FIRST_ORDER, horizon_steps, steps_per_spacing
     from .variant import Variant
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -8,10 +8,7 @@ from collections.abc import Container, Iterator
 from itertools import groupby
 from typing import NamedTuple
 
-import numpy as np
-
 from ..simulate import Batch, Record, Task
-from ..study import Study, Surface
 from .plan import Plan
 from .variant import Variant, samples_of, sharing
 
@@ -84,42 +81,33 @@ def make_batches(plan: Plan, pieces: list[Missing], target: float) -> Iterator[B
 
     Every missing record is in exactly one batch; results do not depend on the cut.
     """
+    each = plan.study.realizations_per_block
     for piece in pieces:
+        surface = piece.variant.lines
+        heights, modes = None, surface.amplitudes  # in h, of measured lines and of lines like them
+        if surface.profile is not None and modes is None:
+            heights = surface.profile.heights / surface.profile.roughness
+        elif surface.profile is not None and modes is not None:
+            modes = modes / surface.profile.roughness
         blocks = max(1, round(target / piece.seconds))
         end = piece.first_block + piece.blocks
         for start in range(piece.first_block, end, blocks):
-            number = min(blocks, end - start)
+            number, first = min(blocks, end - start), start * each
             yield Batch(
                 seed=plan.study.seed,
-                normalisation=piece.variant.lines.normalisation,
+                normalisation=surface.normalisation,
                 quantities=plan.asked,
                 scheme=piece.variant.numerics.scheme,
                 recording=piece.variant.recording,
                 tasks=tuple(piece.tasks),
                 first_block=start,
                 blocks=number,
-                realizations_per_block=plan.study.realizations_per_block,
+                realizations_per_block=each,
                 seconds=number * piece.seconds,
                 refine=piece.variant.numerics.refines,
-                heights=_heights(plan.study, piece.variant.lines, start, number),
-                modes=_modes(piece.variant.lines),
+                heights=None if heights is None else heights[first : first + number * each],
+                modes=modes,
             )
-
-
-def _heights(study: Study, surface: Surface, first_block: int, blocks: int) -> np.ndarray | None:
-    """Return the measured lines of the realizations of some blocks, in h; None for random ones."""
-    profile = surface.profile
-    if profile is None or surface.amplitudes is not None:
-        return None
-    each = study.realizations_per_block
-    rows = slice(first_block * each, (first_block + blocks) * each)
-    return profile.heights[rows] / profile.roughness
-
-
-def _modes(surface: Surface) -> np.ndarray | None:
-    """Return the amplitudes of random lines like measured ones, in h; None for other lines."""
-    profile, modes = surface.profile, surface.amplitudes
-    return None if profile is None or modes is None else modes / profile.roughness
 
 
 def _missing_runs(

@@ -3,7 +3,7 @@
 All are relative and measured with the scheme ``exponential``, r = 1.2. Errors: 224 random problems,
 H 0 ... 1, Fbar 1e-3 ... 25, x 0.03 ... 3200, N 320 ... 10 000, against the finest m (64 to 512) on
 the same lines; upper bounds that 9 in 10 problems keep, also of 480 others on which they were tried
-(studies/accuracy/wide.py, docs/accuracy.md). Scatter: standard errors times the root of the number
+(tests/tools/wide.py, docs/accuracy.md). Scatter: standard errors times the root of the number
 of lines, which come in quartets; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600, N 320 ... 3200,
 over 16 quartets; right within 1.7 for two in three.
 

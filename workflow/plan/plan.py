@@ -125,15 +125,11 @@ def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Pla
         for blocks, share in ((first, FIRST_SHARE), (expected, 1.0)):
             counts = whole_blocks(study, share * needs, most).tolist()
             blocks.update(zip(variant.goals, counts, strict=True))
-    _check_records(study, sum(expected.values()))
-    return Plan(study, variants, asked, pace, first, expected)
-
-
-def _check_records(study: Study, records: int) -> None:
-    """Raise UserError where there are more records than a run can keep account of."""
-    if records > MOST_RECORDS:
+    records = sum(expected.values())
+    if records > MOST_RECORDS:  # than a run can keep account of
         least = study.realizations_per_block * math.ceil(records / MOST_RECORDS)
         raise UserError(
             f"study.realizations_per_block = {study.realizations_per_block}: {records} records "
             f"(problem x block), more than {MOST_RECORDS}; set it to {least} or more"
         )
+    return Plan(study, variants, asked, pace, first, expected)

@@ -13,10 +13,9 @@ from ..simulate import CODE, Problem, Recording, Surface, Task, kept_steps
 from ..study import Material, Numerics, Study
 from ..study import Surface as LinesOfStudy
 from .cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
-from .goal import Goal, goal_of
+from .goal import Goal, goal_of, horizon_steps, steps_per_spacing
 from .motion import recording_of
 from .problems import distinct_problems, sharers, together
-from .resolution import horizon_steps, steps_per_spacing
 
 NUMBERS = struct.Struct("<dqddd")  # of a problem, as they stand in its key: to the bit
 STEPS = struct.Struct("<qq")
@@ -89,14 +88,11 @@ def problems_of(study: Study) -> dict[str, Problems]:
                 break
         else:
             each, points = distinct_problems(study, label)
-            found[label] = Problems(each, _written(each), points, together(each))
+            # What a scene adds, which many share, is written out once.
+            settings = {added: repr(added).encode() for added in {one[5:] for one in each}}
+            written = [NUMBERS.pack(*one[:5]) + settings[one[5:]] for one in each]
+            found[label] = Problems(each, written, points, together(each))
     return found
-
-
-def _written(problems: list[Problem]) -> list[bytes]:
-    """Return problems as bytes; what a scene adds, which many share, is written out once."""
-    settings = {setting: repr(setting).encode() for setting in {each[5:] for each in problems}}
-    return [NUMBERS.pack(*problem[:5]) + settings[problem[5:]] for problem in problems]
 
 
 def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _Sizes:
@@ -139,7 +135,13 @@ def variant_of(
     # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
     shared = repr((CODE, study.seed, study.surfaces[label].normalisation, numerics.scheme))
     shared += repr((recording, asked, study.realizations_per_block, numerics.refines))
-    tasks = _tasks(shared, problems, said)
+    begun, tasks = hashlib.sha256(shared.encode()), []
+    for problem, written, steps, march_steps in zip(
+        problems.each, problems.written, said.steps, said.march_steps, strict=True
+    ):
+        digest = begun.copy()
+        digest.update(written + STEPS.pack(steps, march_steps))
+        tasks.append(Task(problem, steps, march_steps, digest.hexdigest()[:32]))
     lines: dict[tuple[float, int, Surface], list[Task]] = {}
     for task in tasks:
         hurst, elements = task.problem[:2]
@@ -184,16 +186,3 @@ def sharing(task: Task) -> tuple[int, float]:
 def samples_of(task: Task) -> int:
     """Return the number of samples of the lines of a task."""
     return task.problem.elements * task.steps_per_spacing
-
-
-def _tasks(shared: str, problems: Problems, said: _Sizes) -> list[Task]:
-    """Return the tasks of some problems, with their keys."""
-    first = hashlib.sha256(shared.encode())
-    tasks = []
-    for problem, written, steps, march_steps in zip(
-        problems.each, problems.written, said.steps, said.march_steps, strict=True
-    ):
-        digest = first.copy()
-        digest.update(written + STEPS.pack(steps, march_steps))
-        tasks.append(Task(problem, steps, march_steps, digest.hexdigest()[:32]))
-    return tasks

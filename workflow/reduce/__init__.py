@@ -33,9 +33,9 @@ if TYPE_CHECKING:
         fit_exponential,
         fit_relaxation,
     )
+    from .jackknife import grouped_means, replicates, significant, standard_error
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS, compare_models
     from .prony_fit import PronyFit, fit_prony
     from .rate_state import LAWS, fit_rate_state, step_law
-    from .statistics import grouped_means, replicates, significant, standard_error
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -8,7 +8,7 @@ import numpy as np
 from ...kernels import ENERGIES, TRACES, Programme, trace_stamps
 from ..plan import Plan, Variant, line_slope
 from ..simulate import Layout, Task, record_steps, record_times, row_layout, scene_of, unpack
-from .statistics import standard_error
+from .jackknife import standard_error
 
 Estimates = dict[str, np.ndarray]
 

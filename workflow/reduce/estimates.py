@@ -7,8 +7,8 @@ from ..simulate import SCALARS
 from ..study import QUANTITIES
 from .blocks import Blocks, Estimates, columns, enter
 from .fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
+from .jackknife import errors_needed, padded, replicates
 from .models import COEFFICIENTS, GAINS, Comparison, compare_models
-from .statistics import errors_needed, padded, replicates
 from .traces import reduce_programmes, reduce_steps
 
 

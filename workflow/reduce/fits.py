@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .statistics import fit_decays, significant, standard_error
+from .decays import fit_decays
+from .jackknife import significant, standard_error
 
 FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED, NOT_FINITE, NO_STATE, NEGLIGIBLE = range(7)
 
@@ -119,20 +120,17 @@ def _fit_all(
     """Fit every row of ``curves``; rows (amplitude, rate), NaN where it fails.
 
     rates : where the search begins. offset : whether an offset is fitted too.
-    Samples weigh as much as the time that they stand for: the sum is that of the curve in between,
-    whatever the steps, and does not lean on the first sample half a step after the jump.
+    Samples weigh as much as the time that they stand for, from the jump on to halfway to the next:
+    the sum is that of the curve in between, whatever the steps, and does not lean on the first
+    sample half a step after the jump.
     """
     scale, span = curves[0, 0], time[-1]
-    found = fit_decays(time, curves / scale, _durations(time), rates, offset)
+    halfway = 0.5 * (time[1:] + time[:-1])
+    durations = np.diff(np.concatenate([[0.0], halfway, [2.0 * span - halfway[-1]]]))
+    found = fit_decays(time, curves / scale, durations, rates, offset)
     amplitude, phase = scale * found[:, 0], found[:, 1] * span
     inside = (phase > 1e-3) & (phase < 1e4)
     return np.where(inside[:, None], np.column_stack([amplitude, found[:, 1]]), np.nan)
-
-
-def _durations(time: np.ndarray) -> np.ndarray:
-    """Return the time that each sample stands for, from the jump on, to halfway to the next."""
-    halfway = 0.5 * (time[1:] + time[:-1])
-    return np.diff(np.concatenate([[0.0], halfway, [2.0 * time[-1] - halfway[-1]]]))
 
 
 def _unfitted(status: int, size: int) -> RelaxationFit:

@@ -11,7 +11,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .statistics import Model, errors_needed, fit_curves, significant
+from .jackknife import errors_needed, significant
+from .least_squares import Model, fit_curves
 
 EXPONENTIAL, STRETCHED, TWO_EXPONENTIALS, UNDECIDED = 1, 2, 3, 0
 MODEL_MEANINGS = "undecided exponential stretched two_exponentials"
@@ -97,14 +98,20 @@ def compare_models(
     with np.errstate(all="ignore"):  # far from eq. 6 a fit may run away; it is not decisive then
         fits, gains = _fits_and_gains(time / span, deviation / scale, blocks / scale, rate * span)
         b, beta = np.exp(fits[STRETCHED][:, 1:]).T
-        fast, slow, share = _ordered(fits[TWO_EXPONENTIALS])
+        pair = fits[TWO_EXPONENTIALS]
+        rates, share = np.exp(pair[:, [1, 3]]), pair[:, 0] / (pair[:, 0] + pair[:, 2])
+        swap = rates[:, 1] > rates[:, 0]  # the faster one comes first
+        fast, slow = rates.max(axis=1), rates.min(axis=1)
+        share = np.where(swap, 1.0 - share, share)
         b[~determined(time / span, b, beta)] = np.nan
         fast[~determined(time / span, fast)] = slow[~determined(time / span, slow)] = np.nan
     known = {STRETCHED: (b, beta), TWO_EXPONENTIALS: (fast, slow, share, fast - slow)}
     better = {}
     for code, values in known.items():
-        if _decisive(gains[code], len(blocks)) and all(map(significant, values)):
-            better[code] = gains[code][0]
+        gain, error = gains[code]
+        needed = errors_needed(len(blocks), DECISIVE, 0.05)  # or it predicts better by chance
+        if gain > max(needed * error, ROUNDING) and all(map(significant, values)):
+            better[code] = gain
         else:
             for array in values:
                 array[:] = np.nan
@@ -155,18 +162,3 @@ def _gain(reference: np.ndarray, score: np.ndarray) -> tuple[float, float]:
     difference = reference - score
     error = difference.std(ddof=1) / np.sqrt(difference.size)
     return float(difference.mean() / reference.mean()), float(error / reference.mean())
-
-
-def _decisive(gain: tuple[float, float], blocks: int) -> bool:
-    """Return whether a model predicts better than by chance or rounding; NaN does not."""
-    needed = errors_needed(blocks, DECISIVE, 0.05)
-    return gain[0] > max(needed * gain[1], ROUNDING)
-
-
-def _ordered(fits: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return (faster rate, slower rate, share of the faster in the amplitude)."""
-    first, second = np.exp(fits[:, 1]), np.exp(fits[:, 3])
-    swap = second > first
-    share = fits[:, 0] / (fits[:, 0] + fits[:, 2])
-    fast, slow = np.where(swap, (second, first), (first, second))
-    return fast, slow, np.where(swap, 1.0 - share, share)

@@ -19,7 +19,8 @@ from typing import NamedTuple
 import numpy as np
 
 from .fits import FITTED, NO_STATE, NOT_EXPONENTIAL, NOT_FINITE, UNDETERMINED, fit_window
-from .statistics import fit_curves, significant
+from .jackknife import significant
+from .least_squares import fit_curves
 
 LAWS = ("ruina", "dieterich")
 LEAST_SAMPLES = 4
@@ -51,7 +52,10 @@ def fit_rate_state(
         return _nothing(size, NOT_FINITE)
     if not ratio > 0.0 or ratio == 1.0:
         return _nothing(size, NO_STATE)
-    sign = _sign(deviation[0], ratio)
+    # After a step up friction deviates upwards, but where the state is reversed, b < 0.
+    sign = 1.0 if ratio > 1.0 else -1.0
+    if np.max(sign * deviation[0]) < np.max(-sign * deviation[0]):
+        sign = -sign
     first = int(np.argmax(sign * deviation[0]))
     window = slice(first, first + fit_window(deviation[0, first:]))
     s, curves = distance[window], deviation[:, window]
@@ -77,15 +81,6 @@ def fit_rate_state(
             status = FITTED if significant(dc) else UNDETERMINED
     known = dc if status == FITTED else np.full(size, np.nan)
     return RateState(a, b, known, relative, status)
-
-
-def _sign(deviation: np.ndarray, ratio: float) -> float:
-    """Return in which direction friction deviates after the step: up as a rule, where r > 1.
-
-    Where the state is reversed, b < 0, the largest deviation of the other sign is the larger one.
-    """
-    up = 1.0 if ratio > 1.0 else -1.0
-    return up if np.max(up * deviation) >= np.max(-up * deviation) else -up
 
 
 def step_law(law: str, ratio: float) -> Callable:

@@ -15,8 +15,8 @@ import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Hold, Leg, Oscillation, Programme, Sampled, Slide
 from .blocks import Blocks, Estimates, columns, enter
+from .jackknife import replicates
 from .rate_state import LAWS, RateState, fit_rate_state
-from .statistics import replicates
 
 STAMPS = {"time": "trace_time", "distance": "trace_distance", "speed": "trace_velocity"}
 CHANGING = ("trace_mu", "trace_indentation")

@@ -34,7 +34,10 @@ def write_table(study: AnyStudy, result: Path) -> list[Path]:
 def write_tables(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
     """Write the tables of an opened result; none of a measured study that makes no table."""
     try:
-        found = _grid_tables(study, groups) if isinstance(study, Study) else _own(study, groups)
+        found = _grid_tables(study, groups) if isinstance(study, Study) else {}
+        if isinstance(study, Measured) and hasattr(study.script, "table"):
+            frame = study.script.table(groups)
+            found[""] = frame.set_index(frame.columns[0])
     except BROKEN as error:
         raise broken(study, result, error) from error
     paths = []
@@ -43,15 +46,6 @@ def write_tables(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
         digits = "%.10g" if isinstance(study, Study) else "%.4g"
         write_durably(paths[-1], frame.to_csv(float_format=digits).encode())
     return paths
-
-
-def _own(study: AnyStudy, groups: Groups) -> Tables:
-    """Return the table that measure.py makes, if it makes one."""
-    make = getattr(study.script, "table", None) if isinstance(study, Measured) else None
-    if make is None:
-        return {}
-    frame = make(groups)
-    return {"": frame.set_index(frame.columns[0])}
 
 
 def _grid_tables(study: Study, groups: Groups) -> Tables:

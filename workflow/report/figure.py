@@ -21,8 +21,7 @@ from ..result import BROKEN, Groups, broken, open_result
 from ..study import AnyStudy, load_script
 from ..system import write_durably
 from . import usual_figure
-from .hover import HoverPoint, remembered
-from .panels import STYLE
+from .panels import STYLE, HoverPoint, remembered
 
 # It takes the dates of some fonts for wrong, which a reader of a figure need not know.
 logging.getLogger("fontTools").setLevel(logging.ERROR)

@@ -10,9 +10,8 @@ from ..plan import Plan, Variant
 from ..reduce import LAWS, Estimates
 from ..simulate import EDGES
 from ..study import AXES
-from .declaration import Powers
 from .provenance import provenance
-from .variables import AUXILIARY, AXIS_ATTRIBUTES, attributes, declared
+from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 
 Groups = Mapping[str, xr.Dataset]  # "" is the study itself, the others are its comparisons
 Units = dict[str, xr.DataArray]  # unit of the plan -> its value in SI, over the axes it depends on

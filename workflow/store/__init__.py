@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING
 from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from .journal import size
     from .merge import merge_into
     from .store import DamagedShard, Store, store_folder
     from .verify import Verified, holds_a_store

@@ -23,7 +23,7 @@ class WriteBuffer:
     def __init__(
         self, store: Store, batch_seconds: float, now: Callable[[], float] = time.monotonic
     ) -> None:
-        """``now`` : tells the time (s), another one in a simulation."""
+        """``now`` : tells the time (s)."""
         self.store, self.least, self.now = store, 2.0 * batch_seconds, now
         self.waiting: Finished = []
         self.bytes = 0

@@ -9,7 +9,6 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
-    from .described import described_measures
     from .effects import (
         QUANTITIES,
         FromFile,
@@ -32,7 +31,7 @@ if TYPE_CHECKING:
     from .moduli import FREQUENCIES, MODULI, Moduli, read_moduli
     from .numerics import Numerics
     from .read import find_study, known_scales, known_studies, read_scene, read_study
-    from .schema import study_schema
+    from .schema import described_measures, study_schema
     from .scripts import load_script
     from .settings import (
         Key,

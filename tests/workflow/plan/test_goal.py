@@ -9,22 +9,20 @@ from hypothesis import strategies as st
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan.error_laws import LAWS, relaxing_share, window_rate
 from elastomer_friction.workflow.plan.goal import (
+    BIAS,
     LEAST_BLOCKS,
     LEAST_FOR_RATE,
-    allowed,
-    goal_of,
-    whole_blocks,
-)
-from elastomer_friction.workflow.plan.problems import together
-from elastomer_friction.workflow.plan.resolution import (
-    BIAS,
     MAX_SAMPLES_PER_LINE,
     MOST_FOR_CONTACTS,
+    allowed,
+    goal_of,
     horizon_steps,
     least_steps,
     rung,
     steps_per_spacing,
+    whole_blocks,
 )
+from elastomer_friction.workflow.plan.problems import together
 from elastomer_friction.workflow.simulate.tasks import Problem
 from elastomer_friction.workflow.study.numerics import Numerics
 from elastomer_friction.workflow.study.study import Scene

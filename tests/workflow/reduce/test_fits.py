@@ -22,7 +22,7 @@ from elastomer_friction.workflow.reduce.fits import (
     fit_relaxation,
     fit_window,
 )
-from elastomer_friction.workflow.reduce.statistics.jackknife import replicates
+from elastomer_friction.workflow.reduce.jackknife import replicates
 
 SHARE = np.linspace(0.0, 4.0, 63)
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.reduce import models
+from elastomer_friction.workflow.reduce.jackknife import replicates, standard_error
 from elastomer_friction.workflow.reduce.models import (
     EXPONENTIAL,
     STRETCHED,
@@ -15,7 +16,6 @@ from elastomer_friction.workflow.reduce.models import (
     compare_models,
     determined,
 )
-from elastomer_friction.workflow.reduce.statistics.jackknife import replicates, standard_error
 from tests.support.sweeps import mostly_exhaustive
 
 TIME = np.linspace(0.02, 4.0, 63)

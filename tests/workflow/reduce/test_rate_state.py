@@ -12,8 +12,8 @@ from elastomer_friction.workflow.reduce.fits import (
     NOT_FINITE,
     UNDETERMINED,
 )
+from elastomer_friction.workflow.reduce.jackknife import replicates, standard_error
 from elastomer_friction.workflow.reduce.rate_state import LAWS, fit_rate_state
-from elastomer_friction.workflow.reduce.statistics import replicates, standard_error
 
 A, B, DC = 0.03, 0.05, 2.0
 DISTANCE = np.geomspace(0.01, 20.0, 80)

@@ -9,13 +9,13 @@ from matplotlib.figure import Figure
 
 from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
 from elastomer_friction.workflow.report.figure import write_figure
-from elastomer_friction.workflow.report.hover import remembered
 from elastomer_friction.workflow.report.panels import (
     STYLE,
     error_band,
     error_bars,
     foot_line,
     log_bars,
+    remembered,
 )
 from elastomer_friction.workflow.report.usual_figure import draw
 from tests.support.results import assert_refused, call

@@ -6,10 +6,15 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE
-from elastomer_friction.workflow.reduce.statistics import errors_needed
+from elastomer_friction.workflow.reduce.jackknife import errors_needed
 from elastomer_friction.workflow.result.reference.tables import described_variables
-from elastomer_friction.workflow.result.scenes import SCENES
-from elastomer_friction.workflow.result.variables import AUXILIARY, FLAGS, VARIABLES, declared
+from elastomer_friction.workflow.result.variables import (
+    AUXILIARY,
+    FLAGS,
+    SCENES,
+    VARIABLES,
+    declared,
+)
 
 ACCURACY = {"accuracy_reached", "accuracy_status"}  # run/test_rounds.py
 

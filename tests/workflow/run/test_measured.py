@@ -9,7 +9,7 @@ import xarray as xr
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan import TYPICAL, WHOLE, Pace
-from elastomer_friction.workflow.plan.cost.pace import Learned, label
+from elastomer_friction.workflow.plan.cost.machine import Learned, label
 from elastomer_friction.workflow.run.measurement import run_measured
 from elastomer_friction.workflow.study.read import read_study
 

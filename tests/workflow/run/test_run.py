@@ -5,7 +5,6 @@ import shutil
 
 import pytest
 
-from elastomer_friction.workflow.cluster.watch import Watch
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.run import collect, workers
 from elastomer_friction.workflow.run import grid_run as driver
@@ -15,6 +14,7 @@ from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import Store, store_folder
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system.lock import hold
+from elastomer_friction.workflow.system.watch import Watch
 from tests.support.runs import run, shards
 from tests.support.shards import held
 from tests.support.small import all_records

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.scene.arguments import toml_value
+from elastomer_friction.workflow.scene.call import toml_value
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, N, heights, run, slide
 
 EVERYTHING = ["steady", "trace", "peak", "relaxation", "rate_state", "energy", "contact_lengths"]

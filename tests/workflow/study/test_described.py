@@ -7,9 +7,8 @@ from functools import partial
 import jsonschema
 import pytest
 
-from elastomer_friction.workflow.study.described import described_measures
 from elastomer_friction.workflow.study.read import known_studies
-from elastomer_friction.workflow.study.schema import study_schema
+from elastomer_friction.workflow.study.schema import described_measures, study_schema
 from elastomer_friction.workflow.study.scripts import OWN
 from elastomer_friction.workflow.study.settings import (
     Key,

@@ -3,8 +3,13 @@
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.places import key_of, line_of
-from elastomer_friction.workflow.study.read import find_study, known_studies, read_study
+from elastomer_friction.workflow.study.read import (
+    find_study,
+    key_of,
+    known_studies,
+    line_of,
+    read_study,
+)
 from tests.support.small import TEXT, small_study, write_study
 
 

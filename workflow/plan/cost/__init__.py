@@ -8,10 +8,17 @@ from typing import TYPE_CHECKING
 from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from .amounts import touchable_share
-    from .machine import Parted, known_machine, learn, this_machine
-    from .pace import TYPICAL, WHOLE, Pace, Prediction, prediction
-    from .sizes import DRAW
-    from .work import PARTS, Work, kind_of, typical_seconds
+    from .machine import (
+        TYPICAL,
+        WHOLE,
+        Pace,
+        Parted,
+        Prediction,
+        known_machine,
+        learn,
+        prediction,
+        this_machine,
+    )
+    from .work import DRAW, PARTS, Work, kind_of, touchable_share, typical_seconds
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -13,8 +13,7 @@ from ....kernels import Quantities
 from ....kernels.compile.clock import working_time
 from ...simulate import Batch, Problem, Recording, Task, block_means
 from ...system import processor
-from .sizes import DRAW
-from .work import DRAWING, PARTS, Work, typical_seconds
+from .work import DRAW, DRAWING, PARTS, Work, typical_seconds
 
 FOUR = (0.003, 0.03, 0.3, 3.0)
 ROUNDS = 5  # of all probes; the quickest of each part counts, the slowest tells how far it varies

@@ -24,8 +24,7 @@ from ...system import write_durably
 from ..claims import evaluate, known_claims
 from ..csv_tables import write_tables
 from ..figure import Picture, caption, draw_groups
-from ..hover import HoverPoint
-from ..panels import STYLE
+from ..panels import STYLE, HoverPoint
 
 NO_BREAK = "\u00a0"
 PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
@@ -49,7 +48,9 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
     Figures and tables are written beside the results. Raises UserError where none has a result,
     and where a named study has no such scale.
     """
-    studies = [read_study(name, scale) for name in names or _names_of(scale)]
+    if not names:
+        names = [name for name in study_names() if scale is None or scale in known_scales(name)]
+    studies = [read_study(name, scale) for name in names]
     present = [study for study in studies if result_file(folder, study).is_file()]
     if not present:
         wanted = ", ".join(study.name for study in studies)
@@ -78,10 +79,6 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
     path = folder / (f"report-{scale}.html" if scale else "report.html")
     write_durably(path, page.encode())
     return path
-
-
-def _names_of(scale: str | None) -> list[str]:
-    return [name for name in study_names() if scale is None or scale in known_scales(name)]
 
 
 def render(**context: object) -> str:

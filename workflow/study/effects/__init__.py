@@ -9,7 +9,6 @@ from ...lazy import public_names
 
 if TYPE_CHECKING:
     from .material import MATERIAL, WLF, Material, Wlf, read_material
-    from .needs import check_quantities, why_not
     from .programme import (
         FromFile,
         Hold,
@@ -23,7 +22,7 @@ if TYPE_CHECKING:
         with_hold,
     )
     from .quantities import QUANTITIES, judged
-    from .scene import SCENE, Scene, read_scene
+    from .scene import SCENE, Scene, check_quantities, read_scene, why_not
     from .segments import FILE, HOLD, OSCILLATE, RAMP, SLIDE
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -16,7 +16,7 @@ class Quantity(NamedTuple):
     means: tuple[str, ...] = ()  # block means that are estimates of it, as the kernels name them
     judged: str = ""  # the estimate whose accuracy can be asked for
     needs: tuple[str, ...] = ()  # other quantities, from one of which it follows
-    asks: tuple[str, ...] = ()  # of the scene, see needs.py
+    asks: tuple[str, ...] = ()  # of the scene, see ``why_not``
 
 
 QUANTITIES = {

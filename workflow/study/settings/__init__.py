@@ -12,6 +12,8 @@ if TYPE_CHECKING:
         UNBOUNDED,
         as_table,
         as_text,
+        axis_values,
+        checked_values,
         choice,
         flag,
         integer,
@@ -19,7 +21,6 @@ if TYPE_CHECKING:
         positive,
         within,
     )
-    from .columns import named_unit, read_columns, rows_of_file
     from .key import REQUIRED, Key, check_keys, checked, filled, read_table
     from .pieces import (
         NOT_ZERO,
@@ -32,8 +33,7 @@ if TYPE_CHECKING:
         table_of,
         values_of_axis,
     )
-    from .text import BrokenRowError, Rows, read_rows
-    from .values import axis_values, checked_values
+    from .text import BrokenRowError, Rows, named_unit, read_columns, read_rows, rows_of_file
     from .words import as_toml, default_of, values_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -4,9 +4,20 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from .checks import UNBOUNDED, as_text, choice, flag, integer, number, positive, within
+from .checks import (
+    MOST_VALUES,
+    SPACES,
+    UNBOUNDED,
+    as_text,
+    checked_values,
+    choice,
+    flag,
+    integer,
+    number,
+    positive,
+    within,
+)
 from .key import Key
-from .values import MOST_VALUES, SPACES, checked_values
 
 Schema = dict[str, Any]
 

@@ -5,9 +5,18 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from .checks import UNBOUNDED, as_text, choice, flag, integer, number, positive, within
+from .checks import (
+    UNBOUNDED,
+    as_text,
+    checked_values,
+    choice,
+    flag,
+    integer,
+    number,
+    positive,
+    within,
+)
 from .key import REQUIRED, Key
-from .values import checked_values
 
 PLAIN: dict[Callable[..., Any], str] = {
     positive: "a number above 0",

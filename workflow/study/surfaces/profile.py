@@ -1,4 +1,4 @@
-"""Measured lines as a study uses them: heights of one period each, all sampled alike."""
+"""Measured lines as a study uses them: levelled, periodic, and all sampled alike."""
 
 import hashlib
 from typing import NamedTuple
@@ -7,9 +7,7 @@ import numpy as np
 
 from ....kernels import measured_amplitudes, rms_slope
 from ...errors import UserError
-from .files import read_lines
-from .lines import KEY, LEAST_SAMPLES, Asked
-from .prepare import PERIODICS, TAPERED, check_not_flat, level, make_periodic, spikes
+from .files import KEY, LEAST_SAMPLES, Asked, read_lines
 
 SLOPES = 1e-5, 30.0  # of lines with heights and lengths in one unit
 LOADS = 1e-8, 1e6  # F_N/(4 G L h)
@@ -128,3 +126,59 @@ def _profile(heights: np.ndarray, length: float, copies: int, notes: str) -> Pro
     own.setflags(write=False)
     digest = hashlib.sha256(f"{own.shape}".encode() + own.tobytes()).hexdigest()
     return Profile(own, length, length / copies, notes, digest)
+
+
+DETRENDS = {"none": None, "mean": 0, "line": 1, "parabola": 2}  # degree of what is removed
+PERIODICS = {"none": 1, "mirror": 2, "taper": 1}  # how often a line goes into the period
+TAPERED = 0.1  # of the length, at either end
+FLAT = 1e-9  # of the largest height: what levelling leaves of a straight line by rounding
+
+
+def level(heights: np.ndarray, detrend: str) -> np.ndarray:
+    """Return the heights, shape (lines, n), less the polynomial fitted to each line."""
+    degree = DETRENDS[detrend]
+    if degree is None:
+        return heights
+    t = np.linspace(-1.0, 1.0, heights.shape[1])
+    for polynomial in (np.ones_like(t), t, t**2 - np.mean(t**2))[: degree + 1]:  # orthogonal
+        part = np.sum(heights * polynomial, axis=1) / np.sum(polynomial**2)
+        heights = heights - part[:, None] * polynomial
+    return heights
+
+
+def make_periodic(heights: np.ndarray, periodic: str) -> np.ndarray:
+    """Return one period of each line, shape (lines, n), or (lines, 2 n) where it is mirrored.
+
+    ``mirror`` appends the line reversed. ``taper`` brings both ends to the mean height by a
+    cosine over a tenth of the length. ``none`` leaves a step where the ends do not meet.
+    """
+    if periodic == "mirror":
+        return np.concatenate([heights, heights[:, ::-1]], axis=1)
+    if periodic == "taper":
+        samples = heights.shape[1]
+        from_end = np.minimum(np.arange(samples), np.arange(samples)[::-1]) + 0.5
+        window = np.sin(0.5 * np.pi * np.minimum(1.0, from_end / (TAPERED * samples))) ** 2
+        mean = heights.mean(axis=1, keepdims=True)
+        return mean + window * (heights - mean)
+    return heights
+
+
+def spikes(heights: np.ndarray) -> int:
+    """Return how many samples stand out from both neighbours by over 10 usual differences.
+
+    The usual difference is the median, over the line, of a sample's distance from the mean of its
+    neighbours; where that is zero, nothing can be said.
+    """
+    curvature = heights[:, 1:-1] - 0.5 * (heights[:, :-2] + heights[:, 2:])
+    usual = np.median(np.abs(curvature), axis=1, keepdims=True) / 0.6745  # sigma, if normal
+    return int(np.count_nonzero((usual > 0.0) & (np.abs(curvature) > 10.0 * usual)))
+
+
+def check_not_flat(what: str, heights: np.ndarray, raw: np.ndarray) -> None:
+    """Raise UserError for a line that is a plateau, heights without any roughness."""
+    flat = heights.std(axis=1) <= FLAT * np.abs(raw).max(axis=1)
+    if flat.any():
+        raise UserError(
+            f"{what}: line {int(np.argmax(flat)) + 1} of {flat.size} is flat: needs "
+            "heights that differ by more than a trend"
+        )

@@ -18,11 +18,9 @@ from ..settings import (
     positive,
     within,
 )
-from .lines import Asked
-from .prepare import DETRENDS, PERIODICS
-from .profile import read_profile
+from .files import METRES, Asked, metres
+from .profile import DETRENDS, PERIODICS, read_profile
 from .surface import LINES, Surface
-from .units import METRES, metres
 
 
 def _columns(key: str, value: object) -> tuple:

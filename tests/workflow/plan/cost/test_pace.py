@@ -9,20 +9,18 @@ from hypothesis import strategies as st
 
 from elastomer_friction.workflow.plan.cost import machine
 from elastomer_friction.workflow.plan.cost.machine import (
-    known_machine,
-    learn,
-    pace_file,
-    this_machine,
-)
-from elastomer_friction.workflow.plan.cost.pace import (
     LAWS,
     LEAST_SECONDS,
     MOST_SECONDS,
     TYPICAL,
     Learned,
     Pace,
+    known_machine,
     label,
+    learn,
+    pace_file,
     prediction,
+    this_machine,
 )
 from elastomer_friction.workflow.plan.cost.work import BRANCHES, PARTS, PLAIN
 from elastomer_friction.workflow.plan.plan import make_plan

@@ -21,14 +21,19 @@ from elastomer_friction.kernels.model.steady import steady_sliding
 from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.contacts.refined import MOST_SAMPLES
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
-from elastomer_friction.workflow.plan.cost.amounts import begun_anew, fine_samples, touchable_share
-from elastomer_friction.workflow.plan.cost.sizes import DRAW, STEP, SWEEP, SecondsBySize
 from elastomer_friction.workflow.plan.cost.timing import PROBES, batch, factors, typical
 from elastomer_friction.workflow.plan.cost.work import (
+    DRAW,
     DRAWING,
     PARTS,
+    STEP,
+    SWEEP,
+    SecondsBySize,
     Work,
+    begun_anew,
+    fine_samples,
     kind_of,
+    touchable_share,
     typical_seconds,
 )
 from elastomer_friction.workflow.simulate.tasks import Problem, Recording

@@ -5,10 +5,9 @@ import math
 import pytest
 
 from elastomer_friction.workflow.study.effects.material import Material
-from elastomer_friction.workflow.study.effects.needs import why_not
 from elastomer_friction.workflow.study.effects.programme import Hold, Oscillate, Slide, Velocity
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES, judged
-from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene
+from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene, why_not
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import small_study
 

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow.study.grid import snapped_spacing
-from elastomer_friction.workflow.study.settings.values import axis_values
+from elastomer_friction.workflow.study.settings.checks import axis_values
 
 
 @pytest.mark.parametrize(

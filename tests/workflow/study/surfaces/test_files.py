@@ -9,8 +9,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.files import read_lines
-from elastomer_friction.workflow.study.surfaces.lines import Asked
+from elastomer_friction.workflow.study.surfaces.files import Asked, read_lines
 
 ROOT = Path(__file__).resolve().parents[4]
 X = np.arange(16) * 0.5

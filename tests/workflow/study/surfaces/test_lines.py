@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.lines import Asked, lines_of, rounding
+from elastomer_friction.workflow.study.surfaces.files import Asked, lines_of, rounding
 
 X = np.arange(10.0)
 Z = np.random.default_rng(2).normal(size=(2, 10))

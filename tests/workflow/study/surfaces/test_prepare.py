@@ -6,14 +6,14 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.prepare import (
+from elastomer_friction.workflow.study.surfaces.files import uniform_step
+from elastomer_friction.workflow.study.surfaces.profile import (
     DETRENDS,
     PERIODICS,
     check_not_flat,
     level,
     make_periodic,
     spikes,
-    uniform_step,
 )
 
 RNG = np.random.default_rng(8)

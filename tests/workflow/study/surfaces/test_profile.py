@@ -6,9 +6,10 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.lines import Asked
-from elastomer_friction.workflow.study.surfaces.prepare import DETRENDS, PERIODICS
+from elastomer_friction.workflow.study.surfaces.files import Asked
 from elastomer_friction.workflow.study.surfaces.profile import (
+    DETRENDS,
+    PERIODICS,
     check_load,
     given_profile,
     read_profile,

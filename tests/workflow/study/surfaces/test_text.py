@@ -7,8 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.study.surfaces.text import precision, read_text
-from elastomer_friction.workflow.study.surfaces.units import metres, units_in
+from elastomer_friction.workflow.study.surfaces.files import metres, precision, read_text, units_in
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 

@@ -6,9 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.optimize import curve_fit
 
+from elastomer_friction.workflow.reduce.decays import RANGE, fit_decays
+from elastomer_friction.workflow.reduce.least_squares import fit_curves
 from elastomer_friction.workflow.reduce.models import one_exponential, stretched
-from elastomer_friction.workflow.reduce.statistics.decays import RANGE, fit_decays
-from elastomer_friction.workflow.reduce.statistics.least_squares import fit_curves
 from tests.support.sweeps import examples
 
 TIME = np.linspace(0.02, 4.0, 63)

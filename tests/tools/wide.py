@@ -1,6 +1,6 @@
 """How far "auto" is from the limit of fine samples, over the whole range of the paper.
 
-    python -m elastomer_friction.studies.accuracy.wide [POINTS [LINES [SEED]]]
+    python -m tests.tools.wide [POINTS [LINES [SEED]]]
 
 Random problems (a Latin hypercube in H, log N, log Fbar, log x), a few lines each; the same lines
 at the steps that "auto" takes, at half and at FINER times as many. Printed is what 50 and 90

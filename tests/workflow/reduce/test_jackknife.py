@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra.numpy import array_shapes, arrays
 
-from elastomer_friction.workflow.reduce.statistics.jackknife import (
+from elastomer_friction.workflow.reduce.jackknife import (
     grouped_means,
     padded,
     replicates,
