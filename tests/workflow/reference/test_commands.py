@@ -19,6 +19,11 @@ def test_an_option_is_named_with_its_meaning_and_default():
     assert "| folder of results, or path of the .nc file | `results` |" in PAGE
 
 
+def test_what_several_commands_take_is_said_once_with_their_names():
+    (row,) = (line for line in PAGE.splitlines() if line.startswith("| `STUDY` |"))
+    assert row.endswith("| `plan`, `run`, `status`, `figure`, `table`, `animate` |")
+
+
 def test_a_place_for_one_or_more_files_and_one_for_this_or_that():
     assert "\n`elastomer-friction fit FILE … [OPTIONS]`\n" in PAGE
     assert "| `[FOLDER or STUDY]` | a folder of results" in PAGE

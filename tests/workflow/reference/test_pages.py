@@ -29,9 +29,9 @@ def test_every_key_and_every_variable_has_its_heading(written):
         for key in keys:
             assert f"\n### {table}.{key}\n" in written["keys.md"]
     for study, keys in described_measures().items():
-        assert f"\n## The table [measure] of {study}\n" in written["keys.md"]
+        assert f"\n## The table [measure] of {study}\n" in written["measures.md"]
         for key in keys:
-            assert f"\n### {study}: measure.{key}\n" in written["keys.md"]
+            assert f"\n### {study}: measure.{key}\n" in written["measures.md"]
     for name in VARIABLES:
         assert f"\n### {name}\n" in written["results.md"]
 

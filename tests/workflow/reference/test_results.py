@@ -11,13 +11,18 @@ def entry(name):
 
 
 def test_a_number_of_each_point_and_a_curve():
-    assert "Dimensions: grid; unit: m.*" in entry("indentation")
-    assert "Dimensions: grid × `sample`; unit: 1.*" in entry("mu")
-    assert "Dimensions: `hurst`; unit: 1.*" in entry("alpha")
+    assert entry("indentation").startswith("*Grid, in m.*\n")
+    assert entry("mu").startswith("*Grid × `sample`.*\n")
+    assert entry("alpha").startswith("*`hurst`.*\n")
+    assert entry("shear_modulus").startswith("*A single number, in Pa.*\n")
 
 
 def test_the_sign_of_the_indentation_is_said():
-    assert "Sign: negative at light loads" in entry("indentation")
+    assert "It is negative at light loads" in entry("indentation")
+
+
+def test_flags_that_were_explained_are_linked():
+    assert entry("rate_state_status").endswith("those of [`fit_status`](#fit_status).\n")
 
 
 def test_coordinates_have_their_rows():
@@ -25,5 +30,5 @@ def test_coordinates_have_their_rows():
 
 
 def test_an_asterisk_of_a_symbol_is_no_mark_of_markdown():
-    assert r"*Amplitude mu\* of eq. 6" in entry("amplitude")
+    assert r"µ\* of eq. 6" in entry("amplitude")
     assert "ln(v/v*)" not in PAGE

@@ -30,9 +30,9 @@ from elastomer_friction.workflow.study.settings import (
         (as_text, "text"),
         (partial(within, least=0.0, most=1.0), "a number from 0 to 1"),
         (partial(integer, least=1), "a whole number, at least 1"),
-        (partial(integer, least=8, most=9), "a whole number, at least 8 and at most 9"),
+        (partial(integer, least=8, most=9), "a whole number from 8 to 9"),
         (partial(choice, known=("a", "b", "c")), '`"a"`, `"b"` or `"c"`'),
-        (partial(checked_values, positive), "a number above 0, or a list or range of such numbers"),
+        (partial(checked_values, positive), "a number above 0, or a list or range"),
         (lambda key, value: value, ""),
     ],
 )
