@@ -92,7 +92,7 @@ def _quantities() -> list[str]:
     """Return the table of what a scene can be asked for."""
     rows = [
         f"| `{name}` | {quantity.effect} | "
-        + (" or ".join(f"`{other}`" for other in quantity.needs) or "nothing else")
+        + (" or ".join(f"`{other}`" for other in quantity.needs) or "nothing")
         + " |"
         for name, quantity in QUANTITIES.items()
     ]
