@@ -13,8 +13,8 @@ from ..study import (
 HEAD = """# Every key of study.toml
 
 A study is one TOML file; the [tutorial](../tutorial.md) builds one step by step. An entry says what
-a key takes, its unit and its default, then its meaning, and for a number what changes when it is
-doubled. Quantities are in SI units; L, F̄, x and the other symbols are in the
+a key takes, in which unit, and its default, if it has one, then what it means, and of a number what
+changes when it is doubled. Quantities are in SI units; symbols are in the
 [glossary](../glossary.md). Unknown keys, wrong types and values out of range, at any scale, end a
 command with one line for each and exit status 2 before anything is computed.
 `elastomer-friction schema` prints a JSON schema with which editors check and complete the file.
@@ -79,9 +79,10 @@ def measures_page() -> str:
 def _entry(heading: str, key: Key) -> str:
     values, default = values_of(key), default_of(key)
     unit = f", in {key.unit.replace(', ', ' and ')}" if key.unit else ""
-    usual = _capital(default) if default.startswith("required") else f"Default: {default}"
+    usual = f" {_capital(default)}." if default.startswith("required") else f" Default: {default}."
+    usual = "" if default == "none" else usual
     text = f"{key.means} {key.doubled}".rstrip()
-    return f"### {heading}\n\n*{_capital(values)}{unit}. {usual}.*\n\n{text}\n"
+    return f"### {heading}\n\n*{_capital(values)}{unit}.{usual}*\n\n{text}\n"
 
 
 def _capital(text: str) -> str:

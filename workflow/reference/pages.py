@@ -21,9 +21,9 @@ started again.
 
 ## What several commands take
 
-| argument | meaning | default | commands |
-|---|---|---|---|"""
-COMMON = 4  # a row of as many commands stands in the first table alone
+| argument | meaning | commands |
+|---|---|---|"""
+COMMON = 2  # a row of as many commands stands in the first table alone
 NOTE = "<!-- Written by `make docs` from the tables in the code; change the texts there. -->\n\n"
 
 
@@ -60,7 +60,7 @@ def _command(name: str, command: argparse.ArgumentParser, rows: list[str]) -> li
         f"## {name}\n",
         f"`elastomer-friction {usage}`\n",
         f"{text[0].upper()}{text[1:]}.\n",
-        *(["| argument | meaning | default |", "|---|---|---|", *rows, ""] if rows else []),
+        *(["| argument | meaning |", "|---|---|", *rows, ""] if rows else []),
     ]
 
 
@@ -69,7 +69,7 @@ def _is_help(action: argparse.Action) -> bool:
 
 
 def _row(action: argparse.Action) -> str:
-    return f"| {_name(action)} | {_said(action)} | {_usual(action)} |"
+    return f"| {_name(action)} | {_said(action)}{_usual(action)} |"
 
 
 def _place(action: argparse.Action) -> str:
@@ -91,8 +91,10 @@ def _said(action: argparse.Action) -> str:
 
 
 def _usual(action: argparse.Action) -> str:
+    """Return the default as the end of a text that does not say it itself."""
     nothing = action.default in (None, False, []) or action.default is argparse.SUPPRESS
-    return "" if nothing else f"`{action.default}`"
+    said = nothing or "%(default)s" in (action.help or "")
+    return "" if said else f", by default `{action.default}`"
 
 
 PAGES: dict[str, Callable[[], str]] = {

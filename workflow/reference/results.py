@@ -7,9 +7,9 @@ HEAD = """# Every variable of a result
 
 A run writes one netCDF file, `results/NAME.nc`, with the study at its root and each table
 `[compare.NAME]` as a group of the same variables; [Python](../python.md) shows how to open it. An
-entry gives the dimensions and the unit, if there is one, then the formula, with the number of the
-equation in [the paper](https://doi.org/10.1038/srep05795), and what the sign or a flag says.
-Symbols are in the [glossary](../glossary.md).
+entry gives the dimensions and the unit where they are not the grid and 1, then the formula, with
+the number of the equation in [the paper](https://doi.org/10.1038/srep05795), and what a sign or a
+flag says. Symbols are in the [glossary](../glossary.md).
 
 **Dimensions.** "Grid" stands for the six dimensions {axes}, each of length 1 at least, and for
 those of `prescribed_indentation`, `temperature` and `hold` that the study has.
@@ -47,7 +47,8 @@ def _entry(variable: DescribedVariable) -> list[str]:
     if not set(AXES) <= set(variable.dims):
         dims = " × ".join(f"`{dim}`" for dim in variable.dims) or "A single number"
     unit = "" if variable.units == "1" else f", in {variable.units}"
-    return [f"### {variable.name}\n", f"*{dims}{unit}.*\n", f"{_plain(variable.text)}\n"]
+    place = [f"*{dims}{unit}.*\n"] if f"{dims}{unit}" != "Grid" else []
+    return [f"### {variable.name}\n", *place, f"{_plain(variable.text)}\n"]
 
 
 def _flags(variable: DescribedVariable, explained: dict[tuple[str, ...], str]) -> list[str]:

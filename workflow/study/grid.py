@@ -57,7 +57,7 @@ GRID = {
         "The Hurst exponent H of the line, whose power spectral density falls as q^(−2H−1).",
         "Doubled (up to 1), at the same roughness the rms slope is smaller, and for x > 1 the "
         "relaxation rate b ≈ x^(1−H) grows more slowly with the velocity.",
-        usual="required for random lines, left out with `surface.file`",
+        usual="required for random lines alone",
     ),
     "normal_force": Key(
         partial(checked_values, positive),
@@ -65,7 +65,7 @@ GRID = {
         "Doubled, F̄ doubles and more of the line touches. In full contact µ halves; in partial "
         "contact it changes less.",
         "N",
-        usual="required, left out where the indentation is prescribed",
+        usual="required where the indentation is not prescribed",
     ),
     "spacing": Key(
         partial(checked_values, positive),
@@ -74,14 +74,14 @@ GRID = {
         "`numerics.steps_per_spacing` instead.",
         "Doubled, elements and x halve, and the rms slope falls by about 2^(1−H).",
         "m",
-        usual="required for random lines, left out with `surface.file`",
+        usual="required for random lines alone",
     ),
     "roughness": Key(
         partial(checked_values, positive),
         "The rms roughness h of the line.",
         "Doubled, slopes double and F̄ halves: µ is twice what it was at half the normal force.",
         "m",
-        usual="required for random lines, left out with `surface.file`",
+        usual="required for random lines alone",
     ),
     "velocity": Key(
         partial(checked_values, positive),
@@ -90,14 +90,14 @@ GRID = {
         "Doubled, x doubles. Where x < 1 steady friction doubles; on the plateau above it hardly "
         "changes.",
         "m/s",
-        usual="required, left out where no segment of a programme depends on it",
+        usual="required where the motion depends on it",
     ),
     "velocity_step": Key(
         partial(checked_values, _step),
         "The relative velocity step Δv/v₁, so that v₂ = v₁ (1 + Δv/v₁).",
         "Doubled, small steps make twice the jump Δµ₀; the relaxation rate b hardly changes.",
         values="a number above −1, zero or at least 1e-9 in size, or a list or range",
-        usual="required, left out with a programme and where steady sliding alone is asked for",
+        usual="required without a programme, unless steady sliding alone is asked for",
         schema=values_of_axis({"type": "number", "exclusiveMinimum": -1}),
     ),
     "prescribed_indentation": Key(

@@ -14,9 +14,9 @@ def test_every_command_has_its_heading_and_its_usage():
 
 
 def test_an_option_is_named_with_its_meaning_and_default():
-    assert "| `--accuracy ACCURACY` | as --set numerics.accuracy=0.01: 1% or 0.01 |  |" in PAGE
+    assert "| `--accuracy ACCURACY` | as --set numerics.accuracy=0.01: 1% or 0.01 |" in PAGE
     assert "| `--set TABLE.KEY=VALUE` | override one setting" in PAGE
-    assert "| folder of results, or path of the .nc file | `results` |" in PAGE
+    assert "| folder of results, or path of the .nc file, by default `results` |" in PAGE
 
 
 def test_what_several_commands_take_is_said_once_with_their_names():

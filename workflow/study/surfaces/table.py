@@ -57,7 +57,7 @@ RANDOM = {
         "Doubled at the same spacing, elements and computing time double, the longest wave "
         "doubles, F̄ halves, and at the same roughness the rms slope falls by about 2^H.",
         "m",
-        usual="required for random lines, left out with `file`",
+        usual="required for random lines alone",
     ),
     "normalisation": Key(
         partial(choice, known=NORMALISATIONS),
