@@ -25,9 +25,8 @@ is the product of all lists, and each list is a dimension of the result. A grid 
 points and an axis 10 000 values.
 
 **Scales.** With `--scale NAME` the values of the tables `[scales.NAME.TABLE]` replace those of
-`[TABLE]`, and the result is `NAME-SCALE.nc` beside `NAME.nc`. The studies of this program have
-`smoke` (seconds) and `paper` (the full grid of the paper). `--set table.key=value` then replaces
-single values.
+`[TABLE]`, and the result is `STUDY-NAME.nc` beside `STUDY.nc`. `--set table.key=value` then
+replaces single values.
 
 **Comparisons.** A table `[compare.NAME]` repeats the study on the same random lines with other
 values of {compare}. Its results are the group NAME of the file.

@@ -157,8 +157,8 @@ CLUSTER = {
     ),
     "walltime": Key(
         _walltime,
-        "The time after which the batch system ends a job. Workers retire at nine tenths of it "
-        "and are replaced; no batch is predicted to take longer than a twentieth of that.",
+        "The time after which the batch system ends a job. Workers retire at nine tenths of it, "
+        "and no batch is predicted to take longer than a twentieth of that.",
         "Doubled, workers are replaced half as often, and jobs may wait longer in the queue.",
         default=HERE.walltime,
         values='a time such as `"12:00:00"` or `"1-00:00:00"`, at least a minute',
@@ -190,8 +190,8 @@ CLUSTER = {
     ),
     "log_folder": Key(
         _line,
-        "The folder for what jobs print, from the working folder. While a run lasts, its "
-        "certificates lie beside it, so every node must see it.",
+        "The folder for what jobs print, from the working folder. Every node must see it, because "
+        "certificates of a run lie beside it.",
         default=HERE.log_folder,
         values="one line of text",
         schema=TEXT,

@@ -56,15 +56,14 @@ NUMERICS = {
     ),
     "steps_per_spacing": Key(
         _steps,
-        "The number m of time steps in which the line moves by one spacing Δx, and of samples of "
-        'the line, each with an element, per Δx. With `"auto"` each point takes the least m that '
-        "keeps the discretisation error of what is asked for below 2 %, where that can be, and "
-        "reads steady friction and jump of narrow contacts from finer samples. It takes 4 for "
-        "measured lines and 8 for branches and programmes, whose errors follow no known law. A "
-        "number is taken as it is at every point, without finer samples; `resolution_status` "
-        "marks contacts that it does not resolve.",
-        "Doubled, the discretisation error of µ₁ falls to about a third, those of Δµ₀ and b to "
-        "about half; steady states take twice the time, relaxation up to four times.",
+        "The number m of time steps, and of samples of the line with an element each, per spacing "
+        'Δx. With `"auto"` each point takes the least m that keeps the discretisation error of '
+        "what is asked for below 2 %, where that can be, and reads steady friction and jump of "
+        "narrow contacts from finer samples. It takes 4 for measured lines and 8 for branches and "
+        "programmes, whose errors follow no known law. A number is taken as it is at every point, "
+        "and `resolution_status` marks contacts that it does not resolve.",
+        "Doubled, the error of µ₁ falls to about a third, those of Δµ₀ and b to about half; "
+        "steady states take twice the time, relaxation up to four times.",
         default=None,
         values='a whole number, at least 1, or `"auto"`',
         usual='`"auto"`',
@@ -88,8 +87,8 @@ NUMERICS = {
     "accuracy": Key(
         ACCURACY,
         "The wanted relative error of µ₁, Δµ₀ and b, as far as they are asked for: standard error "
-        "plus bound of the discretisation error. The program chooses m and the number of lines "
-        "for each point; `study.realizations` is not used.",
+        "plus bound of the discretisation error. It decides m and the number of lines, in place "
+        "of `study.realizations`.",
         "Doubled, it takes a quarter of the lines, and often fewer steps.",
         default=None,
         usual="none",

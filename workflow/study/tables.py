@@ -43,11 +43,11 @@ STUDY = HEAD | {
     ),
     "realizations_per_block": Key(
         partial(integer, least=1),
-        "The number of lines whose mean is stored as one record, and left out at a time by the "
-        "jackknife, which finds standard errors. It must divide `realizations` into two blocks at "
-        "least; for random lines it is rounded up to a multiple of four.",
-        "Doubled, the store holds half as many records, and with fewer than 32 blocks the "
-        "standard error is itself known less well. Estimates do not change.",
+        "The number of lines whose mean is one record of the store, and which the jackknife "
+        "leaves out at a time. It must divide `realizations` into two blocks at least; for random "
+        "lines it is rounded up to a multiple of four.",
+        "Doubled, the store holds half as many records, and with fewer than 32 blocks standard "
+        "errors are themselves known less well.",
         default=1,
     ),
 }

@@ -237,9 +237,8 @@ MATERIAL = {
         _branches,
         "A Prony series: Maxwell elements of modulus g_b (Pa) and relaxation time t_b (s), in any "
         "order, so that G(t) = G + Σ g_b exp(−t/t_b).",
-        "With all g_b doubled, instantaneous forces of the branches and what they dissipate in a "
-        "given motion double. With all t_b doubled and no dashpot, friction at v is what it was "
-        "at 2v.",
+        "With all g_b doubled, their instantaneous forces and what they dissipate in a given "
+        "motion double. With all t_b doubled and no dashpot, friction at v is what it was at 2v.",
         default=(),
         values="a list of `[g_b, t_b]`, 200 at most, g_b from 1e-9 to 1e9 times `shear_modulus`, "
         "t_b from 1e-30 to 1e30",

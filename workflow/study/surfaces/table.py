@@ -68,9 +68,9 @@ RANDOM = {
     ),
     "snap_spacing": Key(
         flag,
-        "Whether each spacing is moved to the nearest one that divides the length into 2^a 3^b "
-        "5^c elements, which are quick for the Fourier transform. Otherwise a spacing must divide "
-        "the length.",
+        "Whether each spacing is moved to the nearest that divides the length into 2^a 3^b 5^c "
+        "elements, which are quick for the Fourier transform. Otherwise it must divide the "
+        "length.",
         default=False,
     ),
     "rolloff": Key(
@@ -126,10 +126,9 @@ MEASURED = {
     ),
     "periodic": Key(
         partial(choice, known=PERIODICS),
-        "How a measured line becomes periodic: `mirror` appends it reversed, which doubles the "
-        "period and loses the direction of a texture; `taper` brings both ends to the mean height "
-        "over a tenth of the length; `none` takes it as one period, with a step where the ends do "
-        "not meet.",
+        "How a measured line becomes periodic: `mirror` appends it reversed, which loses the "
+        "direction of a texture; `taper` brings both ends to the mean height over a tenth of the "
+        "length; `none` takes it as one period, with a step where the ends do not meet.",
         default="mirror",
     ),
 }
