@@ -5,9 +5,8 @@ from typing import NamedTuple
 
 from ..variables import FLAGS, VARIABLES
 from . import programmes, steps
-from .meaning import Meaning
 
-SECTIONS: dict[str, Mapping[str, Meaning]] = {
+SECTIONS: dict[str, Mapping[str, str]] = {
     "Every result": steps.GENERAL,
     "Steady sliding (quantity `steady`)": steps.STEADY,
     "The jump (quantity `jump`)": steps.JUMP,
@@ -26,13 +25,11 @@ class DescribedVariable(NamedTuple):
     """One variable with all that is said of it."""
 
     name: str
-    long_name: str
     units: str
     dims: tuple[str, ...]
     flags: tuple[str, ...]  # meanings of −1, 0, 1 …; empty where it is no flag
     comment: str
     text: str
-    sign: str
 
 
 def described_variables() -> dict[str, tuple[DescribedVariable, ...]]:
@@ -46,16 +43,14 @@ def described_variables() -> dict[str, tuple[DescribedVariable, ...]]:
     return {title: tuple(_described(*each) for each in s.items()) for title, s in SECTIONS.items()}
 
 
-def _described(name: str, meaning: Meaning) -> DescribedVariable:
+def _described(name: str, text: str) -> DescribedVariable:
     variable = VARIABLES[name]
     flags = ("failed", *FLAGS[name].split()) if name in FLAGS else ()
     return DescribedVariable(
         name,
-        variable.long_name,
         variable.units,
         variable.dims,
         flags,
         variable.comment,
-        meaning.text,
-        meaning.sign,
+        text,
     )
