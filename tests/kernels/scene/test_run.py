@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.motion.programme import Slide
-from elastomer_friction.kernels.scene import ASKED, Saved, run_scene, scene_steps
+from elastomer_friction.kernels.scene import ASKED, TRACES, Saved, run_scene, scene_steps
 from tests.kernels.scene.given import EVERY, MATERIALS, PRONY, a_line, a_scene
 
 LINE = a_line()
@@ -27,9 +27,9 @@ def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
     two = whole._replace(programme=EVERY[cut:])
     two = two._replace(kept=np.arange(1, scene_steps(two, M, saved(first).origin).dt.size + 1))
     second, found = run_scene(LINE, two, saved(first)), run_scene(LINE, whole)
-    for key in ("mu", "indentation", "normal_force", "friction_force", "contact_fraction"):
-        joined = np.append(first[f"trace_{key}"], second[f"trace_{key}"])
-        np.testing.assert_array_equal(joined, found[f"trace_{key}"])
+    for key in TRACES:
+        joined = np.append(first[key], second[key])
+        np.testing.assert_array_equal(joined, found[key])
     for key in Saved._fields:
         np.testing.assert_array_equal(second[f"state_{key}"], found[f"state_{key}"])
     np.testing.assert_array_equal(

@@ -1,4 +1,4 @@
-"""Scenes: their steps and time stamps, and what is refused."""
+"""Scenes: their steps, when and where their traces are kept, and what is refused."""
 
 import math
 import re
@@ -9,7 +9,7 @@ import pytest
 from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of
-from elastomer_friction.kernels.scene import run_scene, scene_steps, trace_stamps
+from elastomer_friction.kernels.scene import MOTION, run_scene, scene_steps
 from elastomer_friction.kernels.scene.scene import indentation_at
 from tests.kernels.scene.given import DAMPED, EVERY, SOLID, a_line, a_scene
 
@@ -17,24 +17,25 @@ M = 4
 
 
 @pytest.mark.parametrize("scheme", FORMS)
-def test_stamps_are_where_and_when_the_force_of_a_step_acts(scheme):
-    scene = a_scene(EVERY, DAMPED, M, scheme=scheme)
-    steps, stamps = steps_of(EVERY, M), trace_stamps(scene, M)
+def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
+    found = run_scene(a_line(), a_scene(EVERY, DAMPED, M, scheme=scheme))
+    time, distance, velocity = (found[name] for name in MOTION)
+    steps = steps_of(EVERY, M)
     lag = np.array([law_of(FORMS[scheme](DAMPED), dt).lag for dt in steps.dt])
     place = np.append(0.0, steps.position) / M
-    np.testing.assert_allclose(stamps["time"][1:], np.cumsum(steps.dt) - lag * steps.dt)
+    np.testing.assert_allclose(time[1:], np.cumsum(steps.dt) - lag * steps.dt)
     acting = (1.0 - lag) * place[1:] + lag * place[:-1]
-    np.testing.assert_allclose(stamps["distance"][1:], acting, atol=1e-12)
-    np.testing.assert_allclose(stamps["speed"][1:], np.diff(place) / steps.dt, atol=1e-12)
-    np.testing.assert_array_equal(stamps["leg"][1:], steps.leg)
-    assert [stamps[name][0] for name in ("time", "distance", "speed", "leg")] == [0, 0, 0.5, 0]
+    np.testing.assert_allclose(distance[1:], acting, atol=1e-12)
+    np.testing.assert_allclose(velocity[1:], np.diff(place) / steps.dt, atol=1e-12)
+    assert (time[0], distance[0], velocity[0]) == (0.0, 0.0, 0.5)
 
 
-def test_some_kept_steps_have_the_stamps_of_all():
+def test_some_kept_steps_are_when_and_where_they_are_among_all():
     every = a_scene(EVERY, SOLID, M)
     some = every._replace(kept=np.array([0, 3, 17, 40]))
-    for name, values in trace_stamps(every, M).items():
-        np.testing.assert_array_equal(trace_stamps(some, M)[name], values[some.kept])
+    whole, part = (run_scene(a_line(), scene) for scene in (every, some))
+    for name in MOTION:
+        np.testing.assert_array_equal(part[name], whole[name][some.kept])
 
 
 def test_steps_at_rest_end_where_the_indentation_history_has_its_times():

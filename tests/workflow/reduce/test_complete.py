@@ -31,3 +31,14 @@ def test_where_none_failed_estimates_are_not_copied():
     estimates = {"mu_1": np.ones(count), "samples_per_contact": np.full(count, 9.0)}
     found = completed(PLAN, VARIANT, estimates, np.arange(count), np.full(count, 4, np.int32))
     assert found["mu_1"] is estimates["mu_1"]
+
+
+def test_when_a_trace_is_kept_has_an_error_only_where_it_differs_from_line_to_line():
+    count = len(VARIANT.tasks)
+    estimates = {"mu_1": np.ones(count), "samples_per_contact": np.full(count, 9.0)}
+    estimates |= dict.fromkeys(("trace_time", "trace_velocity"), np.ones((count, 3)))
+    estimates["trace_time_error"] = np.full((count, 3), [0.0, 0.0, np.nan])
+    estimates["trace_velocity_error"] = np.full((count, 3), [0.0, 0.1, np.nan])
+    found = completed(PLAN, VARIANT, estimates, np.arange(count), np.full(count, 4, np.int32))
+    assert "trace_time_error" not in found
+    assert found["trace_velocity_error"] is estimates["trace_velocity_error"]

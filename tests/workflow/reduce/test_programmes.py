@@ -9,7 +9,9 @@ from elastomer_friction.workflow.reduce.traces import reduce_programmes, reduce_
 
 EVENTS = 5
 TIME = np.array([[0.0, 1.0, 2.0, 3.0, np.nan]])
-STAMPS = {"time": TIME, "distance": 2.0 * TIME, "speed": 0.0 * TIME + 2.0, "leg": 0.0 * TIME}
+ALIKE = np.repeat(TIME[:, None, :], 3, axis=1)  # in every block
+MOVED = {"trace_time": ALIKE, "trace_distance": 0.7 * ALIKE, "trace_velocity": 0.0 * ALIKE + 0.7}
+LEGS = 0.0 * TIME
 
 
 def blocks(quantities, **values):
@@ -18,8 +20,8 @@ def blocks(quantities, **values):
     made = {name: value + 0.01 * rng.standard_normal((1, 3, 1)) for name, value in values.items()}
     speeds, programmes = np.array([[1.0, 2.0]]), ((Slide(2.0, 6.0),),)
     slopes, scalars = np.ones(1), np.zeros((1, 3, 6))
-    how = quantities, False, speeds, programmes, STAMPS
-    return Blocks(scalars, made, TIME[:, 1:], slopes, *how)
+    how = quantities, False, speeds, programmes, LEGS
+    return Blocks(scalars, MOVED | made, TIME[:, 1:], slopes, *how)
 
 
 def test_the_balance_is_taken_at_the_last_sample_that_is_there():
@@ -32,7 +34,8 @@ def test_the_balance_is_taken_at_the_last_sample_that_is_there():
     }
     estimates = {}
     found = blocks(("energy",), **energies)
-    found = found._replace(values={name: v + np.zeros((1, 3, 1)) for name, v in energies.items()})
+    made = {name: v + np.zeros((1, 3, 1)) for name, v in energies.items()}
+    found = found._replace(values=MOVED | made)
     reduce_programmes(estimates, found)
     assert estimates["balance_residual"] == pytest.approx([(9.9 - 3.0 - 6.0 - 0.3) / 6.0])
     assert estimates["trace_segment"].tolist() == [[0, 0, 0, 0, -1]]
@@ -50,12 +53,27 @@ def test_traces_are_means_with_errors_and_nothing_else_is_there():
     assert (estimates["trace_mu_error"][0, :4] > 0.0).all()
 
 
+def test_when_and_where_is_exact_where_all_lines_move_alike_and_else_a_mean_with_its_error():
+    trace = np.zeros((1, 3, EVENTS))
+    others = ("mu", "indentation", "normal_force", "friction_force", "contact_fraction")
+    parts = {f"trace_{name}": trace for name in others}
+    slower = MOVED["trace_velocity"] - np.array([0.0, 0.1, 0.2])[:, None]
+    estimates = {}
+    found = blocks(("trace",), **parts, trace_velocity=slower)
+    reduce_programmes(estimates, found._replace(values=MOVED | parts | {"trace_velocity": slower}))
+    for name in ("trace_time", "trace_distance"):
+        np.testing.assert_array_equal(estimates[name], MOVED[name][:, 0])
+        assert (estimates[f"{name}_error"][0, :4] == 0.0).all()
+    assert estimates["trace_velocity"][0, :4] == pytest.approx([0.6] * 4)
+    assert estimates["trace_velocity_error"][0, :4] == pytest.approx([0.1 / np.sqrt(3.0)] * 4)
+
+
 def test_a_change_counts_from_the_leg_before_and_its_error_is_that_of_the_difference():
     trace = np.array([1.0, 2.0, 5.0, 7.0, np.nan]) + np.arange(3.0)[None, :, None]
     parts = dict.fromkeys(("trace_normal_force", "trace_friction_force"), trace)
     parts |= dict.fromkeys(("trace_mu", "trace_indentation", "trace_contact_fraction"), trace)
-    legs = STAMPS | {"leg": np.array([[0.0, 0.0, 1.0, 1.0, np.nan]])}
-    found = blocks(("trace",), **parts)._replace(values=parts, stamps=legs)
+    legs = np.array([[0.0, 0.0, 1.0, 1.0, np.nan]])
+    found = blocks(("trace",), **parts)._replace(values=MOVED | parts, legs=legs)
     estimates = {}
     reduce_programmes(estimates, found)
     for name in ("trace_mu", "trace_indentation"):
@@ -98,10 +116,9 @@ def test_a_minus_b_is_the_slope_of_steady_friction(before, after, expected):
 
 def of_blocks(programme, leg, **values):
     """Return blocks of one task that took a programme, and what is asked of its legs."""
-    stamps = STAMPS | {"leg": np.array([leg])}
-    made = {name: np.array([each]) for name, each in values.items()}
+    made = MOVED | {name: np.array([each]) for name, each in values.items()}
     return blocks(("healing", "loop", "contact_lengths"))._replace(
-        values=made, stamps=stamps, programmes=(programme,)
+        values=made, legs=np.array([leg]), programmes=(programme,)
     )
 
 
