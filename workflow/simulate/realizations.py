@@ -26,7 +26,7 @@ TOGETHER = 4 * SHORT  # samples of lines that are short, at most, in one call
 Cases = list[tuple[Prepared, list[list[int]]]]
 
 
-class Sums(NamedTuple):
+class BlockSums(NamedTuple):
     """Of a block: sums over its lines, and of when and where a trace is kept the means."""
 
     scalars: np.ndarray  # shape (tasks, len(SCALARS)), or those of one task
@@ -56,10 +56,10 @@ def block_means(batch: Batch) -> BatchResult:
     numbers = range(0, batch.blocks * batch.realizations_per_block, size)
     several = max(1, TOGETHER // (size * batch.tasks[0].problem.elements))  # drawings
     for first in range(0, len(numbers), several):
-        some: list[tuple[Draw, Sums]] = []
+        some: list[tuple[Draw, BlockSums]] = []
         for number in numbers[first : first + several]:
             block, before = divmod(number, batch.realizations_per_block)
-            some.append((draw(number), Sums(scalars[:, block], curves[:, block], before)))
+            some.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
         _add_realizations(batch, layouts, cases, some, spent)
     for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
@@ -75,7 +75,7 @@ def _add_realizations(
     batch: Batch,
     layouts: list[Layout],
     cases: Cases,
-    draws: list[tuple[Draw, Sums]],
+    draws: list[tuple[Draw, BlockSums]],
     spent: np.ndarray,
 ) -> None:
     """Add the realizations of some drawings to the sums of their blocks."""
@@ -116,13 +116,13 @@ def _add_case(
     layouts: list[Layout],
     line: Line,
     case: tuple[list[int], Outcome | None],
-    sums: Sums,
+    sums: BlockSums,
     spent: np.ndarray,
 ) -> None:
     """Add what a case, and the programmes of its tasks, give on a line to the sums of its rows."""
     rows, outcome = case
     for k, row in enumerate(rows):
-        record = Sums(sums.scalars[row], sums.curves[row], sums.lines)
+        record = BlockSums(sums.scalars[row], sums.curves[row], sums.lines)
         task, places = batch.tasks[row], layouts[row]
         if outcome is None:
             record.scalars[:] = np.nan
@@ -165,7 +165,7 @@ def _case(batch: Batch, rows: list[int]) -> Case:
 
 
 def _add_outcome(
-    outcome: Outcome, k: int, ends: dict[str, float], places: Layout, sums: Sums
+    outcome: Outcome, k: int, ends: dict[str, float], places: Layout, sums: BlockSums
 ) -> None:
     """Add velocity jump k of a case to the sums of one record, scalars and row.
 
