@@ -35,6 +35,7 @@ from .rheology.law import State, law_of, memories
 from .rheology.spectrum import KELVIN, Spectrum
 from .scene import (
     ENERGIES,
+    MOTION,
     START,
     TRACES,
     Origin,
@@ -42,5 +43,4 @@ from .scene import (
     Scene,
     run_scene,
     scene_steps,
-    trace_stamps,
 )

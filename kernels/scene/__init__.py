@@ -4,13 +4,14 @@ What is kept on the way is chosen by type: what a scene does not ask for is not 
 """
 
 from .energy import ENERGIES
-from .records import TRACES
+from .records import MOTION, TRACES
 from .run import run_scene
-from .scene import ASKED, START, Origin, Saved, Scene, scene_steps, trace_stamps
+from .scene import ASKED, START, Origin, Saved, Scene, scene_steps
 
 __all__ = [
     "ASKED",
     "ENERGIES",
+    "MOTION",
     "START",
     "TRACES",
     "Origin",
@@ -18,5 +19,4 @@ __all__ = [
     "Scene",
     "run_scene",
     "scene_steps",
-    "trace_stamps",
 ]

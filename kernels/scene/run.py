@@ -23,7 +23,7 @@ class Recorders:
         """Make room for all that is asked for."""
         asked, kept, n = scene.asked, scene.kept.size, line.z.size
         self.kept, self.frames = scene.kept, scene.frames
-        self.trace = Trace(*np.empty((5, kept))) if "trace" in asked else None
+        self.trace = Trace(*np.empty((len(TRACES), kept))) if "trace" in asked else None
         self.ledger = Ledger(np.zeros((4, kept)), np.zeros(3)) if "energy" in asked else None
         self.lengths = None
         if "contact_lengths" in asked:
@@ -33,14 +33,22 @@ class Recorders:
         if "snapshots" in asked:
             self.film = Film(*np.empty((2, scene.frames.size, n)))
 
-    def start(self, form: Form, line: Line, track: Track, elements: Elements, lag: float) -> None:
-        """Keep the start itself, where step 0 is asked for; lag : of the steady step before it."""
+    def start(
+        self, form: Form, line: Line, track: Track, elements: Elements, lag: float, speed: float
+    ) -> None:
+        """Keep the start itself, where step 0 is asked for.
+
+        lag : of the steady step before it. speed : that with which the programme begins.
+        """
         z, slope = (values[track.line[0], track.begin[0] :][: line.z.size] for values in track[:2])
         memory, p, d = elements
         if self.kept.size and self.kept[0] == 0:
             if self.trace is not None:
                 before = np.roll(slope, -1 if lag > 0.0 else 1)
-                keep_trace(self.trace, 0, abs(lag), before, slope, d, d, p)
+                trace = self.trace
+                keep_trace(trace, 0, abs(lag), before, slope, d, d, p)
+                trace.time[0], trace.distance[0] = track.time[0], track.place[0]
+                trace.velocity[0] = speed
             if self.ledger is not None:
                 self.ledger.kept[0, 0] = stored_energy(form, memory, p)
             if self.lengths is not None:
@@ -74,8 +82,9 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
     state : to go on from, instead of the start of the scene; numbers of steps count from there.
 
     trace : "trace_mu" (h/dx), "trace_indentation" (h over the mean line), "trace_normal_force"
-    (4 G L h), "trace_friction_force" (4 G L h^2/dx), "trace_contact_fraction", each (kept,). mu is
-    NaN where nothing touches.
+    (4 G L h), "trace_friction_force" (4 G L h^2/dx), "trace_contact_fraction", and when and where
+    that was on this line: "trace_time" (tau), "trace_distance" (dx), "trace_velocity" (dx/tau),
+    each (kept,). mu is NaN where nothing touches; the start has the velocity that follows.
     energy : "stored_energy", "dissipated_energy", "work", "closing_work" (4 G L h^2), (kept,);
     all but the first are sums from the start.
     contact_lengths : "contact_length" (bins,), mean number of contacts over the kept steps.
@@ -95,14 +104,13 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
         control = PrescribedIndentation(indentation_at(scene, times[1:], line.datum))
     elements = Elements(begin.memory, begin.p, begin.d)
     recorders = Recorders(scene, line)
-    lag = 0.0
+    lag, speed = 0.0, first_speed(scene.programme)
     if state is None and scene.start == "steady":
-        speed = first_speed(scene.programme)
         lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
     done = updates = 0
-    for track in tracks(z, slope, m, steps, begin.position):
+    for track in tracks(z, slope, m, steps, begin.position, begin.time):
         if done == 0:
-            recorders.start(form, line, track, elements, lag)
+            recorders.start(form, line, track, elements, lag, speed)
         elements, passes = follow(form, control, track, elements, done, *recorders.all())
         done += track.dt.size
         updates += (passes + track.dt.size) * z.size

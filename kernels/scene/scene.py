@@ -7,8 +7,6 @@ import numpy as np
 
 from ..model.limits import LOADS, SPEEDS, check_between
 from ..motion.programme import Programme, Steps, first_speed, steps_of
-from ..rheology.forms import form_of
-from ..rheology.law import law_of
 from ..rheology.spectrum import Spectrum, shortest_step
 
 ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
@@ -97,33 +95,6 @@ def indentation_at(scene: Scene, times: np.ndarray, datum: float) -> np.ndarray:
     if isinstance(scene.indentation, tuple):
         return np.interp(times, *scene.indentation) - datum
     return np.full(np.shape(times), scene.indentation, float) - datum
-
-
-def trace_stamps(
-    scene: Scene, steps_per_spacing: int, origin: Origin = START
-) -> dict[str, np.ndarray]:
-    """Return when and where a trace is kept: the same for every line, each of shape (kept,).
-
-    "time" (in tau), "distance" (of the line, in dx), "speed" (in dx/tau) and "leg" (int).
-    Forces of a step act law.lag of it before its end. The start has the speed and leg that follow.
-    """
-    steps = scene_steps(scene, steps_per_spacing, origin)
-    form = form_of(scene.spectrum, scene.scheme)
-    end = np.cumsum(np.append(origin.time, steps.dt))
-    place = np.append(origin.position, steps.position) / steps_per_spacing
-    last = scene.kept
-    step = np.maximum(last - 1, 0)
-    dt, same = np.unique(steps.dt[step], return_inverse=True)
-    lag = np.array([law_of(form, length).lag for length in dt.tolist()])[same]
-    lag[last == 0] = 0.0
-    speed = (place[step + 1] - place[step]) / steps.dt[step]
-    speed[last == 0] = first_speed(scene.programme)
-    return {
-        "time": end[last] - lag * steps.dt[step],
-        "distance": place[last] - lag * (place[step + 1] - place[step]),
-        "speed": speed,
-        "leg": steps.leg[step],
-    }
 
 
 def check_scene(scene: Scene, steps: Steps, resumed: bool) -> None:

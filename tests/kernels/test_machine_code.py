@@ -88,11 +88,11 @@ def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
     exec(compile(ast.fix_missing_locations(tree), "<stripped>", "exec"), names)
     line = a_line(10)
     form, control = FORMS["exponential"](SOLID), ConstantForce(0.3 * line.z.size)
-    (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0)
+    (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0, 0.0)
     elements = relaxed(form, line.z, control.load, np.nan)
     none = np.arange(0)
     arguments = (form, control, track, elements, 0, none, none, None, None, None, None)
     stripped = len(instructions(names["follow"], *arguments))
     assert len(instructions(function, *arguments)) <= 1.02 * stripped
-    trace = Trace(*np.empty((5, 0)))
+    trace = Trace(*np.empty((8, 0)))
     assert len(instructions(function, *arguments[:7], trace, *arguments[8:])) > 1.05 * stripped

@@ -151,7 +151,7 @@ PROGRAMME = (Slide(1.0, 3.3), Hold(1.0), Oscillation(0.0, 0.2, 0.3, 1), Slide(-2
 def lines(z, slope, m, steps, start):
     """Return heights and slopes after every step, as concatenated from all stages."""
     rows = []
-    for track in tracks(z, slope, m, steps, start):
+    for track in tracks(z, slope, m, steps, start, 1.5):
         for s in range(0 if not rows else 1, track.dt.size + 1):
             begin = track.begin[s]
             rows.append([v[track.line[s], begin : begin + z.size] for v in (track.z, track.slope)])
@@ -176,12 +176,12 @@ def test_fractions_are_shifted_and_stages_do_not_show(monkeypatch):
         expected = [np.roll(v, whole) for v in shifted.by(place - whole)]
         np.testing.assert_allclose(row, expected, atol=1e-14)
     monkeypatch.setattr(module, "LINES", 3)
-    assert len(list(tracks(z, slope, 2, steps, 0.4))) > 10
+    assert len(list(tracks(z, slope, 2, steps, 0.4, 1.5))) > 10
     np.testing.assert_array_equal(lines(z, slope, 2, steps, 0.4), found)
 
 
 def test_no_steps_still_show_where_the_line_is():
     z, slope = random_line(20, 0.7, 2, seed=1)
-    (track,) = tracks(z, slope, 2, steps_of((), 2), 3.0)
+    (track,) = tracks(z, slope, 2, steps_of((), 2), 3.0, 1.5)
     assert track.dt.size == 0
     np.testing.assert_array_equal(track.z[track.line[0], track.begin[0] :][:40], np.roll(z, 3))

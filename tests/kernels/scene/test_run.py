@@ -10,7 +10,7 @@ import pytest
 from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of, predict
-from elastomer_friction.kernels.scene import ASKED, Saved, run_scene, scene_steps, trace_stamps
+from elastomer_friction.kernels.scene import ASKED, MOTION, TRACES, Saved, run_scene, scene_steps
 from elastomer_friction.kernels.scene.begin import fresh, relaxed
 from elastomer_friction.kernels.scene.records import (
     Film,
@@ -27,24 +27,25 @@ M = 4
 
 
 @pytest.mark.parametrize("scheme", FORMS)
-def test_stamps_are_where_and_when_the_force_of_a_step_acts(scheme):
-    scene = a_scene(EVERY, DAMPED, M, scheme=scheme)
-    steps, stamps = steps_of(EVERY, M), trace_stamps(scene, M)
+def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
+    found = run_scene(a_line(), a_scene(EVERY, DAMPED, M, scheme=scheme))
+    time, distance, velocity = (found[name] for name in MOTION)
+    steps = steps_of(EVERY, M)
     lag = np.array([law_of(FORMS[scheme](DAMPED), dt).lag for dt in steps.dt])
     place = np.append(0.0, steps.position) / M
-    np.testing.assert_allclose(stamps["time"][1:], np.cumsum(steps.dt) - lag * steps.dt)
+    np.testing.assert_allclose(time[1:], np.cumsum(steps.dt) - lag * steps.dt)
     acting = (1.0 - lag) * place[1:] + lag * place[:-1]
-    np.testing.assert_allclose(stamps["distance"][1:], acting, atol=1e-12)
-    np.testing.assert_allclose(stamps["speed"][1:], np.diff(place) / steps.dt, atol=1e-12)
-    np.testing.assert_array_equal(stamps["leg"][1:], steps.leg)
-    assert [stamps[name][0] for name in ("time", "distance", "speed", "leg")] == [0, 0, 0.5, 0]
+    np.testing.assert_allclose(distance[1:], acting, atol=1e-12)
+    np.testing.assert_allclose(velocity[1:], np.diff(place) / steps.dt, atol=1e-12)
+    assert (time[0], distance[0], velocity[0]) == (0.0, 0.0, 0.5)
 
 
-def test_some_kept_steps_have_the_stamps_of_all():
+def test_some_kept_steps_are_when_and_where_they_are_among_all():
     every = a_scene(EVERY, SOLID, M)
     some = every._replace(kept=np.array([0, 3, 17, 40]))
-    for name, values in trace_stamps(every, M).items():
-        np.testing.assert_array_equal(trace_stamps(some, M)[name], values[some.kept])
+    whole, part = (run_scene(a_line(), scene) for scene in (every, some))
+    for name in MOTION:
+        np.testing.assert_array_equal(part[name], whole[name][some.kept])
 
 
 def test_steps_at_rest_end_where_the_indentation_history_has_its_times():
@@ -136,7 +137,7 @@ RNG = np.random.default_rng(4)
 def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
     before, now = RNG.normal(size=(2, 40))
     p = np.maximum(0.0, RNG.normal(size=40))
-    trace = Trace(*np.zeros((5, 3)))
+    trace = Trace(*np.zeros((8, 3)))
     keep_trace(trace, 1, 0.3, before, now, 2.0, 1.0, p)
     acting = 0.7 * now + 0.3 * before
     assert trace.mu[1] == pytest.approx(p @ acting / p.sum())
@@ -149,7 +150,7 @@ def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
 
 
 def test_friction_is_not_a_number_where_nothing_touches():
-    trace = Trace(*np.zeros((5, 1)))
+    trace = Trace(*np.zeros((8, 1)))
     keep_trace(trace, 0, 0.3, np.ones(4), np.ones(4), 1.0, 1.0, np.zeros(4))
     assert np.isnan(trace.mu[0])
     assert trace.friction_force[0] == trace.normal_force[0] == trace.contact_fraction[0] == 0.0
@@ -200,9 +201,9 @@ def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
     two = whole._replace(programme=EVERY[cut:])
     two = two._replace(kept=np.arange(1, scene_steps(two, M, saved(first).origin).dt.size + 1))
     second, found = run_scene(LINE, two, saved(first)), run_scene(LINE, whole)
-    for key in ("mu", "indentation", "normal_force", "friction_force", "contact_fraction"):
-        joined = np.append(first[f"trace_{key}"], second[f"trace_{key}"])
-        np.testing.assert_array_equal(joined, found[f"trace_{key}"])
+    for key in TRACES:
+        joined = np.append(first[key], second[key])
+        np.testing.assert_array_equal(joined, found[key])
     for key in Saved._fields:
         np.testing.assert_array_equal(second[f"state_{key}"], found[f"state_{key}"])
     np.testing.assert_array_equal(

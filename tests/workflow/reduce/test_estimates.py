@@ -32,9 +32,9 @@ def test_traces_of_tasks_are_filled_up_to_the_longest():
     found = blocks_of(PLAN, VARIANT, tasks, np.ones((len(tasks), 4, len(SCALARS))), rows)
     assert found.values["trace_mu"].shape == (2, 4, VARIANT.events)
     for row in range(2):
-        kept = np.isfinite(found.stamps["time"][row])
+        kept = np.isfinite(found.legs[row])
         assert np.array_equal(kept, np.isfinite(found.values["trace_mu"][row, 0]))
-        assert (np.diff(found.stamps["time"][row][kept]) > 0.0).all()
+        assert set(np.diff(found.legs[row][kept])) == {0.0, 1.0}
     assert found.programmes == tuple(task.problem.programme for task in tasks)
     assert not found.jumps
 
@@ -196,3 +196,16 @@ def test_no_law_is_known_for_lines_that_were_measured():
 
 def test_nothing_is_said_where_nothing_steady_is_asked_for():
     assert resolved(names=()) == {}
+
+
+def test_when_a_trace_is_kept_has_an_error_only_where_it_differs_from_line_to_line():
+    count = len(STEADY_VARIANT.tasks)
+    estimates = {"mu_1": np.ones(count), "samples_per_contact": np.full(count, 9.0)}
+    estimates |= dict.fromkeys(("trace_time", "trace_velocity"), np.ones((count, 3)))
+    estimates["trace_time_error"] = np.full((count, 3), [0.0, 0.0, np.nan])
+    estimates["trace_velocity_error"] = np.full((count, 3), [0.0, 0.1, np.nan])
+    found = completed(
+        STEADY_PLAN, STEADY_VARIANT, estimates, np.arange(count), np.full(count, 4, np.int32)
+    )
+    assert "trace_time_error" not in found
+    assert found["trace_velocity_error"] is estimates["trace_velocity_error"]

@@ -1,11 +1,14 @@
 """Programmes in batches: which steps are kept, where they lie, the same bits whatever the cut."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import (
+    MOTION,
     QUARTET,
     SCHEMES,
     Case,
@@ -243,6 +246,23 @@ def test_a_trace_is_the_mean_over_the_lines_of_its_block():
         lines = Line.quartet(amplitudes(hurst, elements), phases, elements, 1)
         expected = np.mean([run_scene(line, scene)["trace_mu"] for line in lines], axis=0)
         np.testing.assert_allclose(found[block], expected, rtol=1e-12, equal_nan=True)
+
+
+def test_when_and_where_is_that_of_the_lines_to_the_bit_whatever_their_number():
+    batch = next(cut_batches(PLAN, set(), 1e9))
+    batch = replace(batch, realizations_per_block=12)
+    done = block_means(batch)
+    task = batch.tasks[-1]
+    places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
+    found = unpack(done.curves[-1], places)
+    scene = scene_of(task, batch.scheme, batch.recording)
+    hurst, elements = task.problem.hurst, task.problem.elements
+    phases = draw_phases(line_generator(batch.seed, hurst, elements, 0), elements)
+    line = next(iter(Line.quartet(amplitudes(hurst, elements), phases, elements, 1)))
+    expected = run_scene(line, scene)
+    for name in MOTION:
+        for block in found[name]:
+            np.testing.assert_array_equal(block, expected[name])
 
 
 def test_the_time_of_a_programme_is_booked_to_marching(monkeypatch):
