@@ -4,11 +4,12 @@ import numpy as np
 
 from ...compile.jit import kernel
 from ...rheology.law import State
+from ..contacts.pressed import moments
 from .balance import foresee, settle
 from .bounds import NOTHING, closer_bounds, first_bounds, holds, including, widened
 from .flights import Steady, arrivals_of, arrive, depart
 from .landings import landing, no_landings
-from .lists import lists_of, weighed
+from .lists import lists_of
 from .narrow import elements_aloft, narrowed
 from .runs import classes_of
 from .setting import advance
@@ -39,7 +40,7 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
     for attempt in range(1, len(margins) + 1):
         runs, met, sums = classes_of(setting, bounds)
         lists = lists_of(runs, met)
-        depth, moment = weighed(met.after, met.weight, setting.end.d)
+        depth, moment, _ = moments(met.after, None, met.weight, setting.end.d)
         settled = (sums.moment + moment) / (
             sums.depth + depth
         )  # averaged over a step (friction.py)
@@ -122,11 +123,12 @@ def shift(law, lists, d):
 
 @kernel
 def average(lists, sums, others, d, push):
-    """Return mu averaged over a step (friction.py).
+    """Return mu averaged over a step: eq. 5, as step_average of model/friction.py has it.
 
+    The sums over samples are those of friction.py too, and of contacts/pressure.py at an instant.
     others : overlap and moment of the landings. push : D of the samples in sums.
     """
-    depth, moment = weighed(lists.c, lists.weight, d)
+    depth, moment, _ = moments(lists.c, None, lists.weight, d)
     more = push - sums.level
     moment += others[1] + (sums.moment + more * sums.weight)
     return moment / (depth + others[0] + (sums.depth + more * sums.samples))

@@ -3,8 +3,9 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels.model.contact import indentation_under
 from elastomer_friction.kernels.quick.contacts.pressed import moments, span_under
-from elastomer_friction.kernels.quick.contacts.pressure import balance, friction
+from elastomer_friction.kernels.quick.contacts.pressure import friction
 from elastomer_friction.kernels.quick.steady.spans import SPAN
 from tests.kernels.quick.contacts.listed import Listed, everywhere
 
@@ -38,7 +39,7 @@ def test_friction_is_the_same_whatever_was_guessed(given):
     parts = [listed.at(1.2 * listed.speed, guess) for guess in (d, -1e9, 1e9)]
     assert parts[1].spans.size == 0
     assert parts[2].loose.size == 0
-    deep = balance(parts[0], listed.total, d)
+    deep, _ = indentation_under(parts[0], listed.total, d)
     found = [friction(part, deep) for part in parts]
     steep = np.abs(listed.line.slope).max()
     for mu, count in found[1:]:

@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import ConstantForce, lagged_slope
+from elastomer_friction.kernels.quick.contacts.pressed import moments
 from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
-from elastomer_friction.kernels.quick.march.lists import add_sample, add_span, lists_of, weighed
+from elastomer_friction.kernels.quick.march.lists import add_sample, add_span, lists_of
 from elastomer_friction.kernels.quick.march.runs import classes_of
 from elastomer_friction.kernels.quick.march.setting import rise
 from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises, spans_of
@@ -21,15 +22,9 @@ def test_lists_and_sums_carry_the_load_of_the_start_together(load):
     bounds = first_bounds(setting, guess, 0.1)
     runs, met, sums = classes_of(setting, bounds)
     lists = lists_of(runs, met)
-    depth, _ = weighed(lists.c, lists.weight, setting.start.d)
+    depth, _, _ = moments(lists.c, None, lists.weight, setting.start.d)
     assert setting.law.stiffness * (depth + sums.depth) == pytest.approx(force, rel=1e-9)
     assert lists.first[-1] == lists.z.size == (runs.top - runs.bottom + 1).sum()
-
-
-def test_weighed_sums_are_those_of_the_touching_samples():
-    c, weight = np.random.default_rng(2).standard_normal((2, 23))
-    each = np.maximum(0.3 - c, 0.0)
-    assert weighed(c, weight, 0.3) == pytest.approx((each.sum(), (each * weight).sum()), rel=1e-12)
 
 
 @pytest.mark.parametrize("hurst", [0.0, 1.0])
