@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import by_type, kernel
 from ...model.contact import excess_at, indentation_under, lowest_of, overlap
 from .setting import advance
 
@@ -22,6 +22,38 @@ def foresee(control, setting):
     law, d = setting.law, setting.start.d
     new = max(d + FARTHER * setting.rate / law.stiffness, NEARER * d)
     return min(new, law.decay * d + control.load / law.stiffness)
+
+
+class NothingElse(NamedTuple):
+    """Listed samples and those in sums are all that touches. A layer may know of others."""
+
+    samples: float  # none
+
+
+NOTHING_ELSE = NothingElse(0.0)
+
+
+@by_type
+def beside(others, step, d, row):
+    """Return (how many others touch, the sum over them) at the indentation d in a step.
+
+    Of their overlaps (row 0), or of those times lagged slopes (row 1).
+    """
+
+
+@by_type
+def remember(others, step, d):
+    """Keep the indentation at the end of a step, if the others depend on it."""
+
+
+@beside.of(NothingElse)
+def _nothing_beside(others, step, d, row):
+    return others.samples, 0.0
+
+
+@remember.of(NothingElse)
+def _nothing_to_remember(others, step, d):
+    pass
 
 
 class PartlyListed(NamedTuple):
@@ -51,16 +83,16 @@ def _lowest_listed(contact, load):
 
 
 @kernel
-def settle(control, law, lists, sums, others, d, guess):
+def settle(control, law, lists, sums, more, d, guess):
     """Return (d, push, passes): the new indentation, D of the samples in sums, passes over c.
 
     Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
-    others : how many samples are landings, and their overlap were d to stay. d : the old
-    indentation. guess : of the new one. d is infinite where nothing can carry the load.
+    more : how many samples touch beside both, and their overlap were d to stay (beside). d : the
+    old indentation. guess : of the new one. d is infinite where nothing can carry the load.
     """
-    load = control.load / law.stiffness - others[1]
+    load = control.load / law.stiffness - more[1]
     carried = sums.samples * (d / law.stiffness - sums.level) + sums.depth
-    contact = PartlyListed(lists.c, d, carried, sums.samples + others[0])
+    contact = PartlyListed(lists.c, d, carried, sums.samples + more[0])
     new, passes = indentation_under(contact, load, guess)
     return new, advance(law, new, d), passes
 

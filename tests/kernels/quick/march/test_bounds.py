@@ -7,11 +7,11 @@ from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import (
     bounds_of,
-    closer_bounds,
     first_bounds,
     holds,
     widened,
 )
+from elastomer_friction.kernels.quick.march.narrow import closer_bounds
 from elastomer_friction.kernels.quick.march.setting import advance
 from tests.kernels.quick.march.given import Jump, dense, setting_of
 

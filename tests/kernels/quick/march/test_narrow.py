@@ -8,20 +8,20 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce
-from elastomer_friction.kernels.quick.march.balance import foresee
+from elastomer_friction.kernels.quick.march.balance import NOTHING_ELSE, foresee
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
 from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of
 from elastomer_friction.kernels.quick.march.lists import lists_of
-from elastomer_friction.kernels.quick.march.march import MARGINS, active_march, follow
+from elastomer_friction.kernels.quick.march.march import MARGINS, active_march
+from elastomer_friction.kernels.quick.march.narrow import march_shortening
 from elastomer_friction.kernels.quick.march.runs import classes_of
+from elastomer_friction.kernels.quick.march.stepping import Stand, march_on
 from tests.kernels.quick.march.given import Jump, dense, rounding_of_mu, setting_of, size_of_jump
 from tests.sizes import size
 
-NEVER, ALWAYS = (0.0, 0.0, 0.0), (1e9, 0.0, 0.0)
 
-
-def followed(setting, control, steps, narrowing, margin=0.1):
-    """Return (mu, indentation, inside, work) of a march whose lists are shortened."""
+def followed(setting, control, steps, narrowing=True, margin=0.1):
+    """Return (mu, indentation, inside, work) of a march whose lists are shortened, or are not."""
     guess = foresee(control, setting)
     bounds = first_bounds(setting, guess, margin)
     runs, met, sums = classes_of(setting, bounds)
@@ -29,14 +29,19 @@ def followed(setting, control, steps, narrowing, margin=0.1):
     arrivals = arrivals_of(setting.law, lists, runs, steady, setting.z, steps)
     kept = np.arange(1, steps + 1)
     mu, d = np.full(steps, np.nan), np.full(steps, np.nan)
-    where = runs, lists, sums, arrivals
-    inside, _, _, work = follow(setting, control, where, bounds, guess, kept, mu, d, narrowing)
+    where = runs, lists, sums, arrivals, NOTHING_ELSE
+    stand = Stand(0, 0, setting.start.d, guess, np.nan)
+    march = setting, control, where, bounds, stand, steps, (kept, mu, d)
+    if narrowing:
+        inside, _, _, work = march_shortening(*march, 1e9, (0.0, 0.0))
+    else:
+        inside, _, _, work = march_on(*march)
     return mu, d, inside, work
 
 
 def assert_same(setting, load, jump, steps, margin=0.1):
     """Compare as far as the bounds hold; return whether they held to the end."""
-    mu, d, inside, _ = followed(setting, ConstantForce(load), steps, ALWAYS, margin)
+    mu, d, inside, _ = followed(setting, ConstantForce(load), steps, True, margin)
     deviation, expected = dense(setting, load, np.arange(1, steps + 1))
     held = np.isfinite(d)
     np.testing.assert_allclose(d[held], expected[held], rtol=1e-11, atol=1e-15)
@@ -84,7 +89,7 @@ def test_lists_become_short():
     setting, load = setting_of(Jump(0.7, 4, 1.0, 60.0, 1.2), size(1000, 60))
     short, long = (
         followed(setting, ConstantForce(load), size(300, 40), narrowing)
-        for narrowing in (ALWAYS, NEVER)
+        for narrowing in (True, False)
     )
     assert short[2]
     assert long[2]
