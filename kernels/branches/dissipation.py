@@ -19,7 +19,7 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..lines.line import Line
-from ..model.friction import lagged_slope
+from ..model.friction import lagged_slope, mean_slope
 from ..rheology.law import Elements, law_of
 from ..rheology.prony import moments
 from ..rheology.relaxed import Moduli
@@ -42,14 +42,23 @@ def steady_friction(
     way = math.copysign(1.0, speed)
     step = 1.0 / (line.steps_per_spacing * abs(speed))
     # Elements come to the samples from the side that the line moves to.
-    p, slope = (elements.p, line.slope) if way > 0.0 else (elements.p[::-1], -line.slope[::-1])
-    lost = line.steps_per_spacing * _loss(units, np.ascontiguousarray(p[::-1]), step) / load
+    p = elements.p[::-1] if way > 0.0 else elements.p
+    lost = line.steps_per_spacing * _loss(units, np.ascontiguousarray(p), step) / load
     share = 1.0 if units.glass > 0.0 else math.exp(-(_loss_tangent(units, 1.0 / step) ** 2))
     if share < 1e-3:
         lost = 0.0
-    weight = lagged_slope(np.ascontiguousarray(slope), law_of(form, step).lag)
-    summed = 0.0 if share == 1.0 else float(np.sum(p * weight)) / load
-    return way * (share * lost + (1.0 - share) * summed), contact
+    summed = 0.0 if share == 1.0 else step_friction(form, line, elements, speed)
+    return way * share * lost + (1.0 - share) * summed, contact
+
+
+def step_friction(
+    form: Retardation | Moduli, line: Line, elements: Elements, speed: float
+) -> float:
+    """Return mu of steady sliding (eq. 5) as a step of the march gives it; arguments as above."""
+    way = 1 if speed > 0.0 else -1
+    lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag
+    weight = lagged_slope(np.ascontiguousarray(line.slope[::way]), lag)[::way]
+    return mean_slope(elements.p, weight)
 
 
 def _loss_tangent(units: Retardation, omega: float) -> float:

@@ -2,8 +2,9 @@
 
 At constant indentation the line carries its field of states along. One turn of an element round
 the period, from the deepest sample, is a piecewise linear map of its state there and of d. It
-must come back to where it began, and the forces on the way must carry the load: Newton's method
-on both with exact tangents, which are columns beside the state that follow the same law.
+must come back to where it began, and the forces on the way must carry the load (eq. 4): Newton's
+method on both with exact tangents, which are columns beside the state that follow the same law.
+Eq. 4 alone is solved in model/contact.py, and in model/steady.py where u is all that is remembered.
 
 The state of an element at given d contracts in its own energy norm and the force grows with d,
 so that there is one solution. A step that leaves no element touching is halved; all loops are

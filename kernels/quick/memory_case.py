@@ -5,14 +5,13 @@ A Kelvin element that slides one way under a load takes a quicker one (cases.py)
 
 import numpy as np
 
-from ..branches.dissipation import steady_friction
+from ..branches.dissipation import steady_friction, step_friction
 from ..branches.jump import friction_jump, initial_rate
 from ..branches.steady import steady_memory
 from ..lines.line import Line
-from ..model.friction import lagged_slope
 from ..motion.programme import Slide
 from ..rheology.forms import form_of
-from ..rheology.law import Elements, law_of
+from ..rheology.law import Elements
 from ..rheology.retardation import Retardation
 from ..scene import Saved, Scene, run_scene
 from .case import Case, Clock, Outcome, Quantities, Seconds
@@ -46,7 +45,8 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
         clock.lap("steady")
         if asked.relaxation:
             curve = _relaxation(line, case, one, speed, case.kept_steps[k])
-            curves.append(mu_2[k] + (curve - _step_average(line, case, two, speed)))
+            form = form_of(case.spectrum, case.scheme)
+            curves.append(mu_2[k] + (curve - step_friction(form, line, two, speed)))
             work += line.z.size * int(case.kept_steps[k][-1])
             clock.lap("marching")
     seconds = Seconds(**clock.spent)
@@ -77,15 +77,6 @@ def _jump(line: Line, case: Case, one: Elements, ratio: float) -> float:
         return 0.0
     form = form_of(case.spectrum, case.scheme)
     return friction_jump(form, line, one, case.speed, ratio)
-
-
-def _step_average(line: Line, case: Case, elements: Elements, speed: float) -> float:
-    """Return mu of a steady state as a step of the march gives it, in h/dx."""
-    form = form_of(case.spectrum, case.scheme)
-    way = 1 if speed > 0.0 else -1
-    lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag
-    weight = lagged_slope(np.ascontiguousarray(line.slope[::way]), lag)[::way]
-    return float(np.sum(elements.p * weight) / elements.p.sum())
 
 
 def _relaxation(

@@ -8,6 +8,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
+from ..model.friction import weighed
 
 
 class Trace(NamedTuple):
@@ -52,11 +53,7 @@ def keep_trace(trace, k, lag, before, now, old, new, p):
     before, now : slopes before and after it, in h/dx. old, new : indentation, in h. p : forces
     of its elements. All of shape (n,).
     """
-    normal = tangential = touching = 0.0
-    for i in range(p.size):
-        normal += p[i]
-        tangential += p[i] * (now[i] + lag * (before[i] - now[i]))
-        touching += 1.0 if p[i] > 0.0 else 0.0
+    normal, tangential, touching = weighed(-p, None, now + lag * (before - now), 0.0)
     trace.mu[k] = tangential / normal if normal > 0.0 else np.nan
     trace.indentation[k] = new + lag * (old - new)
     trace.normal_force[k] = normal / p.size

@@ -25,7 +25,7 @@ from ..system import THREADS, Watch, say
 from .jobs import job_cluster
 from .security import ENCRYPTED, no_pages, own_security, scheduler_options, security_of
 
-CONNECT_SECONDS = 10
+CONNECT_SECONDS, MUTE_SECONDS = 10, 30
 CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye
 SILENT_WORKER = "30s"  # after which dask starts a worker anew; it looks so often
 AGAIN_SECONDS = "5s"  # between looks at whether one has to be replaced
@@ -144,8 +144,8 @@ async def _connected(where: Any, security: Any = None) -> Client:
     # While one tries to connect, xarray is not to ask dask's default for locks of files it writes.
     how = {"timeout": CONNECT_SECONDS, "set_as_default": False, "asynchronous": True}
     client = Client(where, security=security, **how)
-    try:
-        return await client
+    try:  # of itself it waits for ever for a scheduler that says nothing, as if it were stopped
+        return await asyncio.wait_for(client, MUTE_SECONDS)
     except BaseException:
         await _closed(client)
         raise

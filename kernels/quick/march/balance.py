@@ -1,14 +1,15 @@
 """The balance of one step: listed samples and those in sums carry the load together."""
 
+from typing import NamedTuple
+
 import numpy as np
 
-from ...compile.jit import kernel
-from ...model.contact import overlap
+from ...compile.jit import by_type, kernel
+from ...model.contact import excess_at, indentation_under, lowest_of, overlap
 from .setting import advance
 
 STRIP = 32  # samples, and partial sums
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
-MOST_PASSES = 100  # a few do; what takes more is left to the plain march
 
 
 @kernel
@@ -23,44 +24,77 @@ def foresee(control, setting):
     return min(new, law.decay * d + control.load / law.stiffness)
 
 
+class NothingElse(NamedTuple):
+    """Listed samples and those in sums are all that touches. A layer may know of others."""
+
+    samples: float  # none
+
+
+NOTHING_ELSE = NothingElse(0.0)
+
+
+@by_type
+def beside(others, step, d, row):
+    """Return (how many others touch, the sum over them) at the indentation d in a step.
+
+    Of their overlaps (row 0), or of those times lagged slopes (row 1).
+    """
+
+
+@by_type
+def remember(others, step, d):
+    """Keep the indentation at the end of a step, if the others depend on it."""
+
+
+@beside.of(NothingElse)
+def _nothing_beside(others, step, d, row):
+    return others.samples, 0.0
+
+
+@remember.of(NothingElse)
+def _nothing_to_remember(others, step, d):
+    pass
+
+
+class PartlyListed(NamedTuple):
+    """What touches in a step: listed samples one by one, the others by what they carry at ``old``.
+
+    All in units of the stiffness of the law.
+    """
+
+    c: np.ndarray  # thresholds of the listed samples
+    old: float  # an indentation
+    carried: float  # at it, by the others
+    samples: float  # how many these are
+
+
+@excess_at.of(PartlyListed)
+def _excess_of_partly_listed(contact, load, d):
+    force, count = overlap_of(contact.c, d)
+    more = contact.samples * (d - contact.old)
+    slope = count + contact.samples
+    return force + more + (contact.carried - load), slope, slope
+
+
+@lowest_of.of(PartlyListed)
+def _lowest_listed(contact, load):
+    lowest = contact.c.min() if contact.c.size > 0 else np.inf
+    return lowest, lowest + load
+
+
 @kernel
-def settle(control, law, lists, sums, others, d, guess):
+def settle(control, law, lists, sums, more, d, guess):
     """Return (d, push, passes): the new indentation, D of the samples in sums, passes over c.
 
-    Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K.
-    others : how many samples are landings, and their overlap were d to stay. d : the old
-    indentation. guess : of the new one. d is NaN where no balance was found.
+    Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
+    more : how many samples touch beside both, and their overlap were d to stay (beside). d : the
+    old indentation. guess : of the new one. d is infinite where nothing can carry the load.
     """
-    target = control.load / law.stiffness - others[1]
-    slope = sums.samples + others[0]
-    new, passes = _root(law, lists.c, sums, slope, target, d, guess)
+    load = control.load / law.stiffness - more[1]
+    carried = sums.samples * (d / law.stiffness - sums.level) + sums.depth
+    contact = PartlyListed(lists.c, d, carried, sums.samples + more[0])
+    new, passes = indentation_under(contact, load, guess)
     return new, advance(law, new, d), passes
-
-
-@kernel
-def _root(law, c, sums, slope, target, d, guess):
-    """Return (new, passes), the root of the balance by Newton's method.
-
-    The left side is increasing and convex in d, and linear but for the listed samples: right of
-    the root every pass has fewer of them touching, or is the last (contact.py).
-    slope : how the part of the samples in sums grows with d.
-    """
-    base = sums.samples * (d / law.stiffness - sums.level) + sums.depth - target  # were d to stay
-    now, before, fallen = guess, -1.0, c.size == 0
-    for passes in range(1, MOST_PASSES):
-        force, count = overlap_of(c, now)
-        steep = count + slope
-        if steep == 0.0:  # below every threshold: one element that carries all is above the root
-            if fallen:
-                break
-            now, fallen = c.min() + target, True
-        else:
-            new = now - (force + slope * (now - d) + base) / steep
-            if passes > 1 and (count == before or not new < now):
-                return new, passes
-            now = new
-        before = count
-    return np.nan, MOST_PASSES
 
 
 @kernel

@@ -8,7 +8,6 @@ from ...compile.jit import kernel
 from .setting import advance
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
-CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread
 
 
 class Bounds(NamedTuple):
@@ -63,17 +62,3 @@ def including(seen, d, push):
     """Return Bounds that hold values seen so far, and d and D, here ``push``."""
     low, high = min(seen.low, d), max(seen.high, d)
     return Bounds(low, high, min(seen.least, push), max(seen.most, push))
-
-
-@kernel
-def closer_bounds(law, bounds, seen, end, room):
-    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``.
-
-    room : that they leave at least to d and to D, on both sides of what was seen of them.
-    """
-    lowest, highest = min(seen.low, end), max(seen.high, end)
-    new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
-    low = max(min(new.low, lowest - room[0]), bounds.low)
-    high = min(max(new.high, highest + room[0]), bounds.high)
-    least = max(min(new.least, seen.least - room[1]), bounds.least)
-    return Bounds(low, high, least, min(max(new.most, seen.most + room[1]), bounds.most))

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import by_type, kernel
-from ...rheology.law import NEGLIGIBLE, State
+from ...rheology.law import NEGLIGIBLE
 from .setting import rise
 
 FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
@@ -132,19 +132,6 @@ def _flights(lists, runs, far, aloft, line, powers):
     return Flights(at, begin, place, goes, values, source, height, crossing)
 
 
-@launch.of(State)
-def _launch(aloft, values, begin, end, powers, line, top, distance, u):
-    w, d = aloft
-    count = min(end - begin, powers.size - 1)
-    wrap = min(line.size - top - 1, count)
-    for k in range(wrap):
-        j = top + 1 + k
-        values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
-    for k in range(wrap, count):
-        j = k - wrap
-        values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
-
-
 @launch.of(Steady)
 def _launch_at_first(aloft, values, begin, end, powers, line, top, distance, u):
     count = min(end - begin, powers.size - 1)
@@ -179,21 +166,3 @@ def depart(lists, flights, d):
         if place == flights.begin[f + 1]:
             place = flights.begin[f] if flights.round[f] else place - 1
         flights.place[f] = place
-
-
-@kernel
-def arriving(flights, f, least, most, steps):
-    """Return bounds of the displacements with which elements arrive in the steps to come.
-
-    least, most : bounds of the displacement where they leave.
-    """
-    begin, end = flights.begin[f], flights.begin[f + 1]
-    if flights.round[f]:
-        low, high = flights.crossing[f] * least, flights.crossing[f] * most
-    else:
-        begin, end = flights.place[f], end - 1
-        forgotten = end - begin < steps
-        low, high = (0.0, 0.0) if forgotten else (np.inf, -np.inf)
-    for slot in range(begin, end):
-        low, high = min(low, flights.values[slot]), max(high, flights.values[slot])
-    return low, high

@@ -1,5 +1,8 @@
 """Shorter lists in a long march: what is still open within narrower bounds, of what was listed.
 
+This is a layer over stepping.py, which does without: where march.py calls march_on in place of
+march_narrowing, with the same arguments but the last, this file and landings.py are not used. It
+is worth several times the steps of long marches in which d moves far (docs/speed.md).
 What always touches goes on to, and so does what never does: nothing but the runs is looked at.
 Where elements always land that have left contact, they are summed (landings.py).
 The recursion of gaps g is that of runs.py; as the elements on their way are known, displacements
@@ -11,13 +14,22 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from .flights import arriving, powers_of
-from .landings import land, landed
+from ...rheology.law import State
+from .bounds import Bounds, bounds_of
+from .flights import arrivals_of, launch, powers_of
+from .landings import land, landed, no_landings
 from .lists import Lists, Sums, add_sample
 from .marks import ALWAYS, FREE
 from .runs import LISTED, SHORT, UNKNOWN, Runs, class_of
 from .setting import rise
+from .stepping import march_on
 
+# What shorter lists leave to d and to D, of their spread at first; in the end none are made.
+ROOM = (0.0, 0.5, 1.0, 100.0)
+ROOM_OF_RATE = (0.0, 0.1, 0.2, 100.0)
+CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread
+LEAST_SAVED = 0.25  # of the spread of D
+FIRST_DUE = 6  # step after which lists may be shortened; then after half as many again
 SUMMED = 5  # a class: it always touches, and elements always land there
 
 
@@ -28,6 +40,70 @@ class Reach(NamedTuple):
     high: float
     least: float  # of the displacement u
     most: float
+
+
+@kernel
+def march_narrowing(setting, control, where, bounds, stand, last, into, given):
+    """March on as march_on does, and make shorter lists on the way; return what it does.
+
+    given : number of the attempt, from 1 on, and the spread of d and of D at first.
+    """
+    attempt, spread = given
+    room = ROOM[attempt - 1] * spread[0], ROOM_OF_RATE[attempt - 1] * spread[1]
+    return march_shortening(setting, control, where, bounds, stand, last, into, 1.0, room)
+
+
+@kernel
+def march_shortening(setting, control, where, bounds, stand, last, into, worth, room):
+    """March on as march_on does. Shorter lists are made where what they save exceeds what it costs.
+
+    worth : by which what they save is multiplied. room : that they leave at least to d and to D,
+    beyond what was seen of these.
+    """
+    law, (runs, lists, sums, arrivals, _) = setting.law, where
+    landings = no_landings(setting.end.d, stand.d, last)
+    work, due, w = 0, FIRST_DUE, np.empty(setting.z.size)
+    while True:
+        where = runs, lists, sums, arrivals, landings
+        inside, stand, seen, used = march_on(
+            setting, control, where, bounds, stand, min(due, last), into
+        )
+        work += used
+        left, d = last - stand.step, stand.d
+        if not inside or left == 0:
+            return inside, stand, seen, work
+        closer = closer_bounds(law, bounds, seen, setting.end.d, room)
+        if worth * gain(bounds, closer, lists, arrivals[1], left) > 1.0:
+            elements_aloft(law, lists, runs, arrivals[1], d, w, left)
+            past = landings.past[: stand.step + 1]
+            runs, lists, sums, landings = narrowed(law, setting.z, closer, where, past, w, left)
+            arrivals = arrivals_of(law, lists, runs, State(w, d), setting.z, left)
+            bounds = closer
+            work += lists.c.size + arrivals[1].values.size
+        due += due // 2
+
+
+@kernel
+def gain(bounds, closer, lists, flights, steps):
+    """Return what shorter lists save over what it costs to make them, by numbers alone."""
+    saved = 1.0 - (closer.most - closer.least) / (bounds.most - bounds.least)
+    each = 2.0 * lists.c.size + 16.0 * flights.at.size
+    cost = 30.0 * flights.values.size + 100.0 * lists.c.size
+    return steps * each * saved / cost if saved > LEAST_SAVED and cost > 0.0 else 0.0
+
+
+@kernel
+def closer_bounds(law, bounds, seen, end, room):
+    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``.
+
+    room : that they leave at least to d and to D, on both sides of what was seen of them.
+    """
+    lowest, highest = min(seen.low, end), max(seen.high, end)
+    new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
+    low = max(min(new.low, lowest - room[0]), bounds.low)
+    high = min(max(new.high, highest + room[0]), bounds.high)
+    least = max(min(new.least, seen.least - room[1]), bounds.least)
+    return Bounds(low, high, least, min(max(new.most, seen.most + room[1]), bounds.most))
 
 
 @kernel
@@ -171,3 +247,34 @@ def elements_aloft(law, lists, runs, flights, d, w, steps):
     for r in range(runs.top.size):
         for i in range(lists.first[r], lists.first[r + 1]):
             w[runs.bottom[r] + i - lists.first[r]] = lists.z[i] - max(lists.c[i], d)
+
+
+@kernel
+def arriving(flights, f, least, most, steps):
+    """Return bounds of the displacements with which elements arrive in the steps to come.
+
+    least, most : bounds of the displacement where they leave.
+    """
+    begin, end = flights.begin[f], flights.begin[f + 1]
+    if flights.round[f]:
+        low, high = flights.crossing[f] * least, flights.crossing[f] * most
+    else:
+        begin, end = flights.place[f], end - 1
+        forgotten = end - begin < steps
+        low, high = (0.0, 0.0) if forgotten else (np.inf, -np.inf)
+    for slot in range(begin, end):
+        low, high = min(low, flights.values[slot]), max(high, flights.values[slot])
+    return low, high
+
+
+@launch.of(State)
+def _launch(aloft, values, begin, end, powers, line, top, distance, u):
+    w, d = aloft
+    count = min(end - begin, powers.size - 1)
+    wrap = min(line.size - top - 1, count)
+    for k in range(wrap):
+        j = top + 1 + k
+        values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
+    for k in range(wrap, count):
+        j = k - wrap
+        values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)

@@ -68,3 +68,9 @@ def test_what_is_no_address_is_not_looked_for_in_the_network(monkeypatch, addres
 def test_another_service_is_refused(monkeypatch, terminal):
     monkeypatch.setattr(module, "CONNECT_SECONDS", 1.0)
     refused(f"tcp://127.0.0.1:{terminal}")
+
+
+def test_who_takes_connections_and_says_nothing_is_not_waited_for(monkeypatch):
+    monkeypatch.setattr(module, "MUTE_SECONDS", 0.5)
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        refused(f"tcp://127.0.0.1:{server.getsockname()[1]}")

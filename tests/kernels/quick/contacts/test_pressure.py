@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import quadrature, steady_sliding
+from elastomer_friction.kernels.model.contact import indentation_under
 from elastomer_friction.kernels.model.friction import _covered, elastic_correction
 from elastomer_friction.kernels.quick.contacts.pressed import (
     MovingLine,
@@ -11,7 +12,6 @@ from elastomer_friction.kernels.quick.contacts.pressed import (
     room_for_pressed,
 )
 from elastomer_friction.kernels.quick.contacts.pressure import (
-    balance,
     elastic_part,
     friction,
 )
@@ -90,7 +90,7 @@ def test_friction_is_the_same_whatever_was_guessed(given):
     parts = [listed.at(1.2 * listed.speed, guess) for guess in (d, -1e9, 1e9)]
     assert parts[1].spans.size == 0
     assert parts[2].loose.size == 0
-    deep = balance(parts[0], listed.total, d)
+    deep, _ = indentation_under(parts[0], listed.total, d)
     found = [friction(part, deep) for part in parts]
     steep = np.abs(listed.line.slope).max()
     for mu, count in found[1:]:
@@ -109,7 +109,7 @@ def test_friction_is_that_of_the_quadrature(given, ratio):
     steep = np.abs(line.slope).max()
     scale = d + there * steep  # of pressures: what rounding is relative to
     for guess in (d, 0.0, -1e9, 1e9):
-        deep = balance(part, listed.total, guess)
+        deep, _ = indentation_under(part, listed.total, guess)
         assert deep - d == pytest.approx(rate, abs=1e-13 * scale)
     found, count = friction(part, deep)
     assert found == pytest.approx(mu, abs=steep * (1e-12 + 1e-14 * scale / listed.load))
@@ -121,7 +121,7 @@ def test_elastic_part_is_the_correction_of_any_state(given):
     listed = Listed(*given)
     line, (w, d), speed, m = listed.line, listed.state, listed.speed, listed.line.steps_per_spacing
     part = listed.at(speed)
-    deep = balance(part, listed.total, d)
+    deep, _ = indentation_under(part, listed.total, d)
     found = elastic_part(part, listed.contacts, deep, float(m))
     expected = elastic_correction(line.z, line.slope, w, d, speed, deep - d, m)
     steep = np.abs(line.slope).max()

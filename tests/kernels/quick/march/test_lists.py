@@ -7,12 +7,12 @@ from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, sol
 from elastomer_friction.kernels.quick.march.balance import STRIP, foresee, in_order, overlap_of
 from elastomer_friction.kernels.quick.march.bounds import (
     bounds_of,
-    closer_bounds,
     first_bounds,
     holds,
 )
 from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of
 from elastomer_friction.kernels.quick.march.lists import add_sample, add_span, lists_of
+from elastomer_friction.kernels.quick.march.narrow import closer_bounds
 from elastomer_friction.kernels.quick.march.runs import classes_of
 from elastomer_friction.kernels.quick.march.setting import advance, rise
 from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises, spans_of

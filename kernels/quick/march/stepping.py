@@ -1,0 +1,73 @@
+"""The steps of the active-set march, of the samples that are listed, as long as the bounds hold."""
+
+from typing import NamedTuple
+
+from ...compile.jit import kernel
+from ..contacts.pressed import moments
+from .balance import beside, remember, settle
+from .bounds import NOTHING, holds, including
+from .flights import arrive, depart
+
+
+class Stand(NamedTuple):
+    """Where a march stands, at the end of a step."""
+
+    step: int
+    kept: int  # how many steps have been kept
+    d: float  # indentation
+    guess: float  # of the next one
+    push: float  # D
+
+
+@kernel
+def march_on(setting, control, where, bounds, stand, last, into):
+    """March on to step ``last`` as long as the bounds hold; return (inside, stand, seen, work).
+
+    where : runs, lists, sums, arrivals, and what touches beside them (balance.py). into :
+    kept_steps, and mu and indentation at them, which are filled in. seen : bounds of d and D on
+    the way. work : element updates.
+    """
+    law, (_, lists, sums, arrivals, others) = setting.law, where
+    kept_steps, mu, indentation = into
+    _, kept, d, guess, push = stand
+    seen, work = NOTHING, 0
+    for step in range(stand.step + 1, last + 1):
+        shift(law, lists, d)
+        arrive(law, lists, arrivals, d)
+        old = d
+        more = beside(others, step, old, 0)
+        d, push, passes = settle(control, law, lists, sums, more, old, guess)
+        work += passes * lists.c.size + arrivals[1].at.size
+        if not holds(bounds, d, push):
+            return False, Stand(step, kept, d, guess, push), seen, work
+        guess = d + (d - old)
+        remember(others, step, d)
+        depart(lists, arrivals[1], d)
+        if step == kept_steps[kept]:
+            more = beside(others, step, d, 0)[1], beside(others, step, d, 1)[1]
+            mu[kept] = average(lists, sums, more, d, push)
+            indentation[kept] = d
+            kept += 1
+        seen = including(seen, d, push)
+    return True, Stand(last, kept, d, guess, push), seen, work
+
+
+@kernel
+def shift(law, lists, d):
+    """Move every element to the next sample, of those that stay in their run (motion/slide.py)."""
+    c, z = lists.c, lists.z
+    for i in range(c.size - 1):
+        c[i] = z[i] - law.decay * (z[i + 1] - max(c[i + 1], d))
+
+
+@kernel
+def average(lists, sums, more, d, push):
+    """Return mu averaged over a step: eq. 5, as step_average of model/friction.py has it.
+
+    The sums over samples are those of friction.py too, and of contacts/pressure.py at an instant.
+    more : overlap and moment of what touches beside both. push : D of the samples in sums.
+    """
+    depth, moment, _ = moments(lists.c, None, lists.weight, d)
+    over = push - sums.level
+    moment += more[1] + (sums.moment + over * sums.weight)
+    return moment / (depth + more[0] + (sums.depth + over * sums.samples))
