@@ -28,10 +28,8 @@ FILES_TO_BE_RENAMED = {
     *("spectrum", "steady", "tables", "text"),
 }
 NAMES_TO_BE_RENAMED = {
-    *("Clock", "Hold", "Moduli", "Pace", "Ramp", "Scene", "Setting"),
-    *("Slide", "Steady", "Surface", "Work", "balance", "first_speed", "follow"),
-    *("holds", "lines_of", "moments", "placed", "read_scene", "settle", "shift"),
-    *("steady_friction",),
+    *("Hold", "Ramp", "Scene", "Setting", "Slide", "Steady", "Surface", "Work"),
+    *("lines_of", "placed", "read_scene"),
 }
 
 

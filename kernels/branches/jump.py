@@ -9,12 +9,12 @@ import numpy as np
 from ..lines.line import Line
 from ..model.friction import quadrature
 from ..rheology.law import Elements, displacement, lasting, law_of
-from ..rheology.relaxed import Moduli
+from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
 
 def friction_jump(
-    form: Retardation | Moduli, line: Line, elements: Elements, speed: float, ratio: float
+    form: Retardation | RelaxationForm, line: Line, elements: Elements, speed: float, ratio: float
 ) -> float:
     """Return the jump of mu (h/dx) from steady sliding at ``speed`` to ``ratio`` times it.
 

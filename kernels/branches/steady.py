@@ -18,7 +18,7 @@ import numpy as np
 from ..compile.jit import kernel
 from ..model.contact import solve_indentation
 from ..rheology.law import Elements, law_of, memories, predict, rest, settle
-from ..rheology.relaxed import Moduli
+from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
 TURNS = 60  # at most; a few are enough
@@ -35,7 +35,9 @@ class Steady(NamedTuple):
     residual: float  # what is left of the equations, relative
 
 
-def steady_memory(form: Retardation | Moduli, z: np.ndarray, speed: float, load: float) -> Steady:
+def steady_memory(
+    form: Retardation | RelaxationForm, z: np.ndarray, speed: float, load: float
+) -> Steady:
     """Return the steady state of sliding under the load sum_i f_i = load.
 
     form : of the material (rheology/forms.py). z : heights of the line, shape (n,), in h.
@@ -45,13 +47,13 @@ def steady_memory(form: Retardation | Moduli, z: np.ndarray, speed: float, load:
     return _found(form, z, speed, load, start)
 
 
-def steady_at(form: Retardation | Moduli, z: np.ndarray, speed: float, d: float) -> Steady:
+def steady_at(form: Retardation | RelaxationForm, z: np.ndarray, speed: float, d: float) -> Steady:
     """Return the steady state of sliding at a given indentation d (in h), as steady_memory."""
     return _found(form, z, speed, np.nan, d)
 
 
 def _found(
-    form: Retardation | Moduli, z: np.ndarray, speed: float, load: float, d: float
+    form: Retardation | RelaxationForm, z: np.ndarray, speed: float, load: float, d: float
 ) -> Steady:
     """Return the steady state under a load, from a first guess d, or at d if the load is NaN.
 

@@ -5,7 +5,7 @@ import numpy as np
 from ..control.indentation import PrescribedIndentation
 from ..lines.line import Line
 from ..model.force import ConstantForce
-from ..motion.programme import first_speed, last_speed
+from ..motion.programme import last_speed, speed_at_start
 from ..motion.track import Track, tracks
 from ..rheology.forms import form_of
 from ..rheology.law import Elements, displacement, law_of
@@ -97,7 +97,7 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
     recorders = Recorders(scene, line)
     lag = 0.0
     if state is None and scene.start == "steady":
-        speed = first_speed(scene.programme)
+        speed = speed_at_start(scene.programme)
         lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
     done = updates = 0
     for track in tracks(z, slope, m, steps, begin.position):
@@ -122,7 +122,7 @@ def _begin(line: Line, scene: Scene, form: Form) -> Saved:
     d = np.nan if load is not None else float(indentation_at(scene, np.zeros(1), line.datum)[0])
     speed = 0.0
     if scene.start == "steady":
-        speed = first_speed(scene.programme)
+        speed = speed_at_start(scene.programme)
         samples = speed * line.steps_per_spacing
         elements = steady(scene.scheme, scene.spectrum, z, samples, load, d)
     elif scene.start == "relaxed":

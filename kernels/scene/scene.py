@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..model.limits import LOADS, SPEEDS, check_between
-from ..motion.programme import Programme, Steps, first_speed, steps_of
+from ..motion.programme import Programme, Steps, speed_at_start, steps_of
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..rheology.spectrum import Spectrum, shortest_step
@@ -117,7 +117,7 @@ def trace_stamps(
     lag = np.array([law_of(form, length).lag for length in dt.tolist()])[same]
     lag[last == 0] = 0.0
     speed = (place[step + 1] - place[step]) / steps.dt[step]
-    speed[last == 0] = first_speed(scene.programme)
+    speed[last == 0] = speed_at_start(scene.programme)
     return {
         "time": end[last] - lag * steps.dt[step],
         "distance": place[last] - lag * (place[step + 1] - place[step]),
@@ -150,4 +150,4 @@ def _check_control(scene: Scene, resumed: bool) -> None:
     elif not math.isnan(scene.load):
         raise ValueError("load and indentation are both given: one of them follows from the other")
     if scene.start == "steady" and not resumed:
-        check_between("first speed", abs(first_speed(scene.programme)), SPEEDS)
+        check_between("first speed", abs(speed_at_start(scene.programme)), SPEEDS)

@@ -42,7 +42,7 @@ def beside(others, step, d, row):
 
 
 @by_type
-def remember(others, step, d):
+def keep_past(others, step, d):
     """Keep the indentation at the end of a step, if the others depend on it."""
 
 
@@ -51,7 +51,7 @@ def _nothing_beside(others, step, d, row):
     return others.samples, 0.0
 
 
-@remember.of(NothingElse)
+@keep_past.of(NothingElse)
 def _nothing_to_remember(others, step, d):
     pass
 
@@ -83,7 +83,7 @@ def _lowest_listed(contact, load):
 
 
 @kernel
-def settle(control, law, lists, sums, more, d, guess):
+def next_indentation(control, law, lists, sums, more, d, guess):
     """Return (d, push, passes): the new indentation, D of the samples in sums, passes over c.
 
     Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).

@@ -23,7 +23,7 @@ NOTHING = Bounds(np.inf, -np.inf, np.inf, -np.inf)  # seen so far
 
 
 @kernel
-def holds(bounds, d, push):
+def are_within(bounds, d, push):
     """Return whether d and D, here ``push``, lie within the bounds; NaN does not."""
     return bounds.low < d < bounds.high and bounds.least < push < bounds.most
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...compile.jit import kernel
-from ..contacts.pressed import moments
+from ..contacts.pressed import weighed_in_fours
 from .balance import NOTHING_ELSE, foresee
 from .bounds import first_bounds, widened
 from .flights import Steady, arrivals_of
@@ -34,7 +34,7 @@ def active_march(setting, control, kept_steps, margins=MARGINS):
     for attempt in range(1, len(margins) + 1):
         runs, met, sums = classes_of(setting, bounds)
         lists = lists_of(runs, met)
-        depth, moment, _ = moments(met.after, None, met.weight, setting.end.d)
+        depth, moment, _ = weighed_in_fours(met.after, None, met.weight, setting.end.d)
         # Averaged over a step (model/friction.py).
         settled = (sums.moment + moment) / (sums.depth + depth)
         arrivals = arrivals_of(law, lists, runs, steady, setting.z, last)

@@ -3,9 +3,9 @@
 from typing import NamedTuple
 
 from ...compile.jit import kernel
-from ..contacts.pressed import moments
-from .balance import beside, remember, settle
-from .bounds import NOTHING, holds, including
+from ..contacts.pressed import weighed_in_fours
+from .balance import beside, keep_past, next_indentation
+from .bounds import NOTHING, are_within, including
 from .flights import arrive, depart
 
 
@@ -32,16 +32,16 @@ def march_on(setting, control, where, bounds, stand, last, into):
     _, kept, d, guess, push = stand
     seen, work = NOTHING, 0
     for step in range(stand.step + 1, last + 1):
-        shift(law, lists, d)
+        move_listed(law, lists, d)
         arrive(law, lists, arrivals, d)
         old = d
         more = beside(others, step, old, 0)
-        d, push, passes = settle(control, law, lists, sums, more, old, guess)
+        d, push, passes = next_indentation(control, law, lists, sums, more, old, guess)
         work += passes * lists.c.size + arrivals[1].at.size
-        if not holds(bounds, d, push):
+        if not are_within(bounds, d, push):
             return False, Stand(step, kept, d, guess, push), seen, work
         guess = d + (d - old)
-        remember(others, step, d)
+        keep_past(others, step, d)
         depart(lists, arrivals[1], d)
         if step == kept_steps[kept]:
             more = beside(others, step, d, 0)[1], beside(others, step, d, 1)[1]
@@ -53,7 +53,7 @@ def march_on(setting, control, where, bounds, stand, last, into):
 
 
 @kernel
-def shift(law, lists, d):
+def move_listed(law, lists, d):
     """Move every element to the next sample, of those that stay in their run (motion/slide.py)."""
     c, z = lists.c, lists.z
     for i in range(c.size - 1):
@@ -67,7 +67,7 @@ def average(lists, sums, more, d, push):
     The sums over samples are those of friction.py too, and of contacts/pressure.py at an instant.
     more : overlap and moment of what touches beside both. push : D of the samples in sums.
     """
-    depth, moment, _ = moments(lists.c, None, lists.weight, d)
+    depth, moment, _ = weighed_in_fours(lists.c, None, lists.weight, d)
     over = push - sums.level
     moment += more[1] + (sums.moment + over * sums.weight)
     return moment / (depth + more[0] + (sums.depth + over * sums.samples))

@@ -10,8 +10,8 @@ from elastomer_friction.kernels.motion.programme import (
     Ramp,
     Sampled,
     Slide,
-    first_speed,
     last_speed,
+    speed_at_start,
     steps_of,
 )
 from elastomer_friction.kernels.rheology.spectrum import SHORTEST
@@ -30,7 +30,7 @@ M = 4
     ],
 )
 def test_first_and_last_speed(leg, first, last):
-    assert first_speed((leg,)) == first
+    assert speed_at_start((leg,)) == first
     assert last_speed(leg) == pytest.approx(last)
 
 

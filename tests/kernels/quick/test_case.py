@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.quick.case import Case, Clock, Clocks, Quantities, Seconds
+from elastomer_friction.kernels.quick.case import Case, PhaseClock, PhaseClocks, Quantities, Seconds
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 
 PLAIN = Case(0.1, 1.0, (1.2, 0.5), (np.array([1]),), "exponential")
@@ -25,14 +25,14 @@ def test_without_a_quantity_no_steady_state_is_needed():
 
 
 def test_a_clock_books_time_to_its_phases():
-    clock = Clock()
+    clock = PhaseClock()
     clock.lap("jump")
     assert set(clock.spent) == set(Seconds._fields)
     assert clock.spent["steady"] == 0.0 <= clock.spent["jump"]
 
 
 def test_clocks_book_time_by_work_or_to_one_case_alone():
-    clocks = Clocks(2)
+    clocks = PhaseClocks(2)
     clocks.lap(steady=[1.0, 3.0])
     first, second = (clocks.seconds(case).steady for case in range(2))
     assert second == pytest.approx(3.0 * first)

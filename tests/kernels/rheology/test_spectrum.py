@@ -1,4 +1,4 @@
-"""Moduli of a material in time and in frequency."""
+"""RelaxationForm of a material in time and in frequency."""
 
 import numpy as np
 import pytest

@@ -5,8 +5,8 @@ from types import SimpleNamespace
 import numpy as np
 
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AtSpeed,
     Grounds,
-    Pace,
     refine,
     steady_friction,
 )
@@ -14,8 +14,8 @@ from elastomer_friction.kernels.quick.contacts.steady_friction import (
 
 def one_load(line, speed, scheme, load, others=()):
     """Return what is found under a load; ``seen`` is None where the samples of the line will do."""
-    pace = Pace.of(scheme, line.steps_per_spacing, speed, others)
-    found = steady_friction(Grounds.of([line]), pace, np.array([load]))
+    at_speed = AtSpeed.of(scheme, line.steps_per_spacing, speed, others)
+    found = steady_friction(Grounds.of([line]), at_speed, np.array([load]))
     refine(found, 0, 0)
     names = ("d", "mu", "contact", "indentation", "updates", "full", "samples")
     return SimpleNamespace(

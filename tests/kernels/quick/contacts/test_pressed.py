@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.model.contact import indentation_under
-from elastomer_friction.kernels.quick.contacts.pressed import moments, span_under
+from elastomer_friction.kernels.quick.contacts.pressed import span_under, weighed_in_fours
 from elastomer_friction.kernels.quick.contacts.pressure import friction
 from elastomer_friction.kernels.quick.steady.spans import SPAN
 from tests.kernels.quick.contacts.listed import Listed, everywhere
@@ -15,10 +15,10 @@ def test_moments_are_those_of_the_pressed_samples(size):
     threshold, weight, slope = np.random.default_rng(4).uniform(-1.0, 1.0, (3, size))
     p = np.maximum(0.2 - threshold, 0.0)
     expected = (weight @ p, (weight * slope) @ p, weight @ (p > 0.0))
-    assert moments(threshold, weight, slope, 0.2) == pytest.approx(expected, rel=1e-12)
-    assert moments(threshold, weight, None, 0.2)[0] == pytest.approx(weight @ p, rel=1e-12)
+    assert weighed_in_fours(threshold, weight, slope, 0.2) == pytest.approx(expected, rel=1e-12)
+    assert weighed_in_fours(threshold, weight, None, 0.2)[0] == pytest.approx(weight @ p, rel=1e-12)
     expected = (p.sum(), slope @ p, (p > 0.0).sum())
-    assert moments(threshold, None, slope, 0.2) == pytest.approx(expected, rel=1e-12)
+    assert weighed_in_fours(threshold, None, slope, 0.2) == pytest.approx(expected, rel=1e-12)
 
 
 def test_a_span_is_its_samples():

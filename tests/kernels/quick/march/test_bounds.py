@@ -6,9 +6,9 @@ import pytest
 from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import (
+    are_within,
     bounds_of,
     first_bounds,
-    holds,
     widened,
 )
 from elastomer_friction.kernels.quick.march.narrow import closer_bounds
@@ -22,16 +22,16 @@ LAW = SCHEMES["exponential"](0.3)
 def test_what_they_are_made_of_lies_within_and_what_is_farther_out_does_not(margin):
     found = bounds_of(LAW, 2.0, 3.0, 0.6, 0.9, margin)
     for d, push in ((2.0, 0.6), (3.0, 0.9), (2.5, 2.5 / LAW.stiffness)):
-        assert holds(found, d, push)
-    assert not holds(found, 3.0 + 1.01 * margin, 0.7)
-    assert not holds(found, np.nan, 0.7)
-    assert not holds(found, 2.5, np.nan)
+        assert are_within(found, d, push)
+    assert not are_within(found, 3.0 + 1.01 * margin, 0.7)
+    assert not are_within(found, np.nan, 0.7)
+    assert not are_within(found, 2.5, np.nan)
 
 
 def test_wider_ones_hold_what_left_them():
     narrow = bounds_of(LAW, 2.0, 3.0, 0.6, 0.9, 0.1)
-    assert not holds(narrow, 4.0, 1.5)
-    assert holds(widened(LAW, narrow, 4.0, 1.5, 0.1), 4.0, 1.5)
+    assert not are_within(narrow, 4.0, 1.5)
+    assert are_within(widened(LAW, narrow, 4.0, 1.5, 0.1), 4.0, 1.5)
 
 
 @pytest.mark.parametrize("room", [0.0, 0.5, 5.0])
@@ -44,7 +44,7 @@ def test_closer_ones_leave_room_but_never_go_beyond(room):
     assert found.high <= outer.high
     assert found.low >= outer.low
     assert found.most >= min(0.6 + 0.01 * room, outer.most)
-    assert holds(found, 2.75, 0.6)
+    assert are_within(found, 2.75, 0.6)
 
 
 @pytest.mark.parametrize("ratio", [0.7, 1.2])
@@ -55,4 +55,4 @@ def test_the_first_step_is_foreseen_and_lies_within_the_first_bounds(load, x, ra
     _, (d,) = dense(setting, load, np.array([1]))
     assert 0.9 < (guess - setting.start.d) / (d - setting.start.d) < 1.7
     found = first_bounds(setting, guess, 0.05)
-    assert holds(found, d, advance(setting.law, d, setting.start.d))
+    assert are_within(found, d, advance(setting.law, d, setting.start.d))

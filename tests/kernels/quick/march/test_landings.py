@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES
-from elastomer_friction.kernels.quick.march.balance import beside, remember
+from elastomer_friction.kernels.quick.march.balance import beside, keep_past
 from elastomer_friction.kernels.quick.march.landings import land, landed, no_landings
 
 LAW = SCHEMES["exponential"](0.3)
@@ -30,7 +30,7 @@ def test_sums_are_those_of_samples_one_by_one():
     assert landings.distances.tolist() == [2, 4]
     past = np.append(PAST, now)
     for k in range(past.size):
-        remember(landings, k, past[k])
+        keep_past(landings, k, past[k])
     each = [now - z + LAW.decay**q * (height - past[step - q]) for height, z, q, _ in samples]
     weights = [weight for *_, weight in samples]
     assert beside(landings, step, now, 0) == (3.0, pytest.approx(sum(each), rel=1e-13))

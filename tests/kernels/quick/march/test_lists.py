@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import ConstantForce, lagged_slope
-from elastomer_friction.kernels.quick.contacts.pressed import moments
+from elastomer_friction.kernels.quick.contacts.pressed import weighed_in_fours
 from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
 from elastomer_friction.kernels.quick.march.lists import add_sample, add_span, lists_of
@@ -22,7 +22,7 @@ def test_lists_and_sums_carry_the_load_of_the_start_together(load):
     bounds = first_bounds(setting, guess, 0.1)
     runs, met, sums = classes_of(setting, bounds)
     lists = lists_of(runs, met)
-    depth, _, _ = moments(lists.c, None, lists.weight, setting.start.d)
+    depth, _, _ = weighed_in_fours(lists.c, None, lists.weight, setting.start.d)
     assert setting.law.stiffness * (depth + sums.depth) == pytest.approx(force, rel=1e-9)
     assert lists.first[-1] == lists.z.size == (runs.top - runs.bottom + 1).sum()
 

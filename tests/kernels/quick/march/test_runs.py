@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, solve_indentation
 from elastomer_friction.kernels.quick.march.balance import foresee
-from elastomer_friction.kernels.quick.march.bounds import first_bounds, holds
+from elastomer_friction.kernels.quick.march.bounds import are_within, first_bounds
 from elastomer_friction.kernels.quick.march.runs import classes_of
 from elastomer_friction.kernels.quick.march.setting import advance
 from tests.kernels.quick.march.given import Jump, setting_of, states_of
@@ -47,7 +47,7 @@ def test_classes_hold_as_long_as_bounds_do(hurst, ratio, scheme):
             for _ in range(size(100, 20)):
                 w, old = law.decay * np.roll(u, -1), d
                 d, _ = solve_indentation(setting.z - w, force / law.stiffness, d)
-                if not holds(bounds, d, advance(law, d, old)):
+                if not are_within(bounds, d, advance(law, d, old)):
                     break
                 assert ((setting.z - w < d) == before)[~listed].all()
                 u = np.minimum(w, setting.z - d)
