@@ -159,9 +159,9 @@ def _uniform(settings: dict, costs: Costs, seed: int) -> xr.Dataset:
     """
     rows = []
     for mean, workers in product(settings["uniform_seconds"], settings["uniform_workers"]):
-        client = simulated(workers, durations(mean, TASKS_PER_WORKER * workers, seed), costs)
-        rate = client.tasks / client.wall
-        rows.append((mean, workers, client.efficiency, rate))
+        pool = simulated(workers, durations(mean, TASKS_PER_WORKER * workers, seed), costs)
+        rate = pool.tasks / pool.wall
+        rows.append((mean, workers, pool.efficiency, rate))
     over = ["uniform_seconds", "uniform_workers"]
     frame = pd.DataFrame(rows, columns=[*over, "efficiency", "rate"])
     return _described(frame.set_index(over).to_xarray())

@@ -15,6 +15,7 @@ from typing import Any, cast
 
 import numpy as np
 
+from elastomer_friction.workflow.cluster import stream
 from elastomer_friction.workflow.plan import (
     Missing,
     Plan,
@@ -30,7 +31,7 @@ from elastomer_friction.workflow.store import Store, WriteBuffer, size
 from elastomer_friction.workflow.study import Study, read_study
 from elastomer_friction.workflow.system import peak_bytes, this_maker
 
-from .virtual import Costs, VirtualClient, virtual_stream
+from .virtual import Costs, VirtualPool
 
 MEBIBYTE = 2**20
 
@@ -61,13 +62,13 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
     plan, pieces, target = planned_in_pieces(study, scale)
     work = make_batches(plan, pieces, target)
     planning = time.process_time() - began
-    client = VirtualClient(workers, Costs(*costs), attrgetter("seconds"))
+    pool = VirtualPool(workers, Costs(*costs), attrgetter("seconds"), pretend)
     longest = 0.0
     began = time.process_time()
     with tempfile.TemporaryDirectory() as folder:
         store = Store(Path(folder))
-        with WriteBuffer(store, target, client.monotonic) as buffer:
-            for batch, done in virtual_stream(client, pretend, work):
+        with WriteBuffer(store, target, pool.monotonic) as buffer:
+            for batch, done in stream(pool, work):
                 buffer.add(batch, done)
                 longest = max(longest, batch.seconds)
         spent = time.process_time() - began
@@ -84,16 +85,16 @@ def measured(study: str, scale: str, workers: int, costs: list[float]) -> dict[s
         "points": plan.points,
         "realizations": sum(len(v.tasks) for v in plan.variants) * plan.study.realizations,
         "planning": planning,
-        "batches": client.tasks,
+        "batches": pool.tasks,
         "longest_batch": longest,
-        "wall": client.wall,
-        "work": client.busy,
-        "efficiency": client.efficiency,
+        "wall": pool.wall,
+        "work": pool.busy,
+        "efficiency": pool.efficiency,
         "shards": len(store.index.sizes),
         "store": sum(store.index.sizes.values()) / MEBIBYTE,
         "journal": journal / MEBIBYTE,
         "driver_memory": memory,
-        "driver_seconds": spent / client.tasks,  # measured: flow, index, shards; no network
+        "driver_seconds": spent / pool.tasks,  # measured: flow, index, shards; no network
         "indexing": indexing,
     }
 

@@ -8,13 +8,12 @@ import xarray as xr
 from elastomer_friction.studies.scaling.measure import table
 from elastomer_friction.studies.scaling.virtual import (
     Costs,
-    VirtualClient,
+    VirtualPool,
     durations,
     simulated,
-    virtual_stream,
 )
 from elastomer_friction.workflow.cli import main
-from elastomer_friction.workflow.cluster.flow import PER_THREAD
+from elastomer_friction.workflow.cluster.flow import PER_THREAD, stream
 from tests.support.studies import check_drawing, load
 
 whole_study = pytest.mark.exhaustive  # the simulation that it rests on is asked for in make test
@@ -25,12 +24,12 @@ FREE = Costs(scheduler=0.0, driver=0.0, latency=0.0)
 @pytest.mark.parametrize("workers", [1, 7, 300])
 def test_every_task_is_done_once_and_no_work_is_lost(workers):
     items = durations(0.5, 1000, 1)
-    client = VirtualClient(workers, COSTS, pos)
-    done = [item for item, _ in virtual_stream(client, pos, items)]
+    pool = VirtualPool(workers, COSTS, pos, pos)
+    done = [item for item, _ in stream(pool, items)]
     assert sorted(done) == sorted(items)
-    assert client.tasks == len(items)
-    assert client.busy == pytest.approx(sum(items), rel=1e-12)
-    assert client.wall >= max(client.busy / workers, max(items))
+    assert pool.tasks == len(items)
+    assert pool.busy == pytest.approx(sum(items), rel=1e-12)
+    assert pool.wall >= max(pool.busy / workers, max(items))
 
 
 def test_efficiency_falls_with_the_workers_and_grows_with_the_batch():
@@ -44,11 +43,11 @@ def test_efficiency_falls_with_the_workers_and_grows_with_the_batch():
 @pytest.mark.parametrize("costs", [COSTS, COSTS._replace(scheduler=5e-4, driver=2e-3)])
 def test_saturated_cluster_does_as_many_tasks_as_its_slowest_server(costs):
     workers, mean = 1000, 0.2
-    client = simulated(workers, durations(mean, 30 * workers, 1), costs)
+    pool = simulated(workers, durations(mean, 30 * workers, 1), costs)
     rate = 1.0 / max(costs.scheduler, costs.driver)
     assert workers / mean > 5.0 * rate  # what the workers could do
-    assert client.tasks / client.wall == pytest.approx(rate, rel=0.05)
-    assert client.efficiency == pytest.approx(mean * rate / workers, rel=0.05)
+    assert pool.tasks / pool.wall == pytest.approx(rate, rel=0.05)
+    assert pool.efficiency == pytest.approx(mean * rate / workers, rel=0.05)
 
 
 def test_nothing_is_lost_where_nothing_costs_and_little_in_one_wave():
@@ -66,8 +65,8 @@ def test_no_more_is_in_flight_than_the_window():
             sent.append(number)
             yield 1.0
 
-    client = VirtualClient(10, COSTS, pos)
-    for count, _ in enumerate(virtual_stream(client, pos, source())):
+    pool = VirtualPool(10, COSTS, pos, pos)
+    for count, _ in enumerate(stream(pool, source())):
         assert len(sent) - count <= PER_THREAD * 10 + 10  # and the results not yet yielded
 
 

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.cluster.watch import Watch
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
 from elastomer_friction.workflow.run import collect
@@ -13,6 +12,7 @@ from elastomer_friction.workflow.run.workers import Workers, stream_here
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store.store import Store
+from elastomer_friction.workflow.system.watch import Watch
 from tests.support.small import cut_batches, random_result, small_plan
 
 PLAN = small_plan()

@@ -2,12 +2,12 @@
 
 import pytest
 
-from elastomer_friction.workflow.cluster.watch import Watch
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.run import collect, workers
 from elastomer_friction.workflow.run import grid_run as driver
 from elastomer_friction.workflow.run.workers import SECONDS_HERE, RunOptions, stream_here
 from elastomer_friction.workflow.study.cluster import Cluster
+from elastomer_friction.workflow.system.watch import Watch
 from tests.support.runs import run, shards
 
 ASKED = [{"workers": 1}, {"dashboard": True}, {"cluster": Cluster("tcp://there:1")}]

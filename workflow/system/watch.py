@@ -7,22 +7,17 @@ import time
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
-from typing import TYPE_CHECKING
 
 from ..errors import UserError
-from ..system import duration
-
-if TYPE_CHECKING:
-    from .crew import Crew
+from .progress import duration
 
 BEAT_SECONDS = 1.0  # between looks
 LONGEST_BEAT = 5.0  # that counts: a process that was stopped itself has not been waiting
-QUIET_SECONDS = 4.0  # after a stop, whom nobody has heard of for so long is not waited for
+QUIET_SECONDS = 4.0  # after a stop, a scheduler that does not answer is not waited for longer
 NO_WORKER, NO_ANSWER = "worker", "answer of the scheduler"  # what may be lacking
-NO_SIGN = "sign of life of any worker"
 TRACEBACK = "Traceback (most recent call last):"
 # Without workers, or answers, before that is said; then twice as long each time.
-SILENCE_SECONDS = {NO_WORKER: 10.0, NO_ANSWER: 30.0, NO_SIGN: 30.0}
+SILENCE_SECONDS = {NO_WORKER: 10.0, NO_ANSWER: 30.0}
 
 Listener = Callable[[int, int], None]  # is told (worker threads, items in flight)
 
@@ -39,7 +34,6 @@ class Watch:
     stop: Callable[[], bool] = lambda: False  # whether to take up no more work
     patience: float = math.inf  # s to wait without workers, or for answers
     listeners: list[Listener] = field(default_factory=list)
-    crew: "Crew | None" = None  # what earlier streams know of the workers
     logs: str = ""  # folder of the logs of the jobs, where workers are jobs
     old_logs: set[Path] = field(default_factory=set)  # of runs before this one
     lacking: str = ""

@@ -2,11 +2,10 @@
 
 import pytest
 
-from elastomer_friction.workflow.cluster import versions as module
-from elastomer_friction.workflow.cluster.versions import check_versions, own_versions, require
-from elastomer_friction.workflow.cluster.watch import Watch
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.system import packages
+from elastomer_friction.workflow.system import versions as module
+from elastomer_friction.workflow.system.versions import own_versions, require
 
 
 def other(name, value):
@@ -14,10 +13,9 @@ def other(name, value):
     return own_versions() | {name: value}
 
 
-def test_same_versions_of_packages_python_and_our_own_sources_are_accepted(client):
+def test_same_versions_of_packages_python_and_our_own_sources_are_accepted():
     require(own_versions())
-    check_versions(client, Watch())
-    assert set(own_versions()) == {*module.PACKAGES, "python", "our sources"}
+    assert set(own_versions()) == {*module.DEPENDED_ON, "python", "our sources"}
     assert all("not installed" not in value for value in own_versions().values())
 
 
@@ -41,23 +39,3 @@ def test_a_worker_that_differs_refuses_with_a_table(name):
     assert name in line
     assert line.endswith("0.1")
     assert own_versions()[name] in line
-
-
-class Strangers:
-    """A client whose workers and scheduler run what they should not."""
-
-    def run(self, function, on_error):
-        assert (function, on_error) == (own_versions, "return")
-        return {"tcp://b:1": other("numpy", "1.0"), "tcp://a:1": own_versions()}
-
-    def run_on_scheduler(self, _):
-        raise ImportError("No module named 'workflow'")
-
-
-def test_all_who_differ_are_named():
-    with pytest.raises(UserError) as error:
-        check_versions(Strangers(), Watch())
-    scheduler, worker = str(error.value).splitlines()[2:]
-    assert scheduler.split()[0] == "scheduler"
-    assert scheduler.endswith("cannot import it: No module named 'workflow'")
-    assert worker.split()[:3] == ["tcp://b:1", "numpy", "1.0"]

@@ -2,8 +2,8 @@
 
 import pytest
 
-from elastomer_friction.workflow.cluster.watch import NO_ANSWER, Watch
 from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system.watch import NO_ANSWER, Watch
 
 
 def waited(watch, clock, seconds, threads=0, lack=""):
