@@ -30,8 +30,8 @@ from .quick.contacts.loads import How
 from .quick.contacts.part import Part, slide_on
 from .quick.contacts.refined import MARGIN, curvatures_of
 from .quick.contacts.steady_friction import AtSpeed, Grounds
-from .quick.march.march import active_march
-from .quick.march.setting import Passing, Setting
+from .quick.march.active import active_march
+from .quick.march.given import March, Passing
 from .quick.relaxation import Ends, plain_relaxations
 from .quick.steady.carry import NO_GAPS, Decay, carry
 from .quick.steady.spans import SPAN, TURN
@@ -82,7 +82,7 @@ def load_half(scheme: str, rate: bool) -> None:
     plain_relaxations(stack, law, ends, ends, control, FEW)
     if rate:  # eq. 3 as printed is marched plainly
         passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
-        setting = Setting(z, slope, spans, law, law, passing, passing, 0.0)
+        setting = March(z, slope, spans, law, law, passing, passing, 0.0)
         active_march(setting, control, MANY)
 
 

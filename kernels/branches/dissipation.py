@@ -36,7 +36,7 @@ def friction_by_loss(
     """Return (mu, contact): friction in h/dx and the share of samples in contact.
 
     units : the retardation form of the material. form : that of the time scheme, the same one
-    or the relaxation form. elements : of steady sliding (steady.py). speed : vbar, signed.
+    or the relaxation form. elements : of steady sliding (steady_memory.py). speed : vbar, signed.
     mu has the sign of the speed; it is NaN where nothing touches.
     """
     load = float(elements.p.sum())

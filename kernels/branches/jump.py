@@ -18,7 +18,7 @@ def friction_jump(
 ) -> float:
     """Return the jump of mu (h/dx) from steady sliding at ``speed`` to ``ratio`` times it.
 
-    form : of the material (rheology/forms.py). elements : of steady sliding (steady.py).
+    form : of the material (rheology/forms.py). elements : of steady sliding (steady_memory.py).
     speed : vbar, signed. In contact p = p_0 + eta (v z' + d') with p_0 from the state alone: with
     it in the place of d - z this is the quadrature of the Kelvin element.
     Raises ValueError for a material without a dashpot.

@@ -76,7 +76,7 @@ def steady_indentation(elements, load, guess, above, most, close):
     elements : what slides; excess_at (contact.py) says what it carries at d, here and in quick/.
     above : whether the guess of d is known to lie on the right of the root, but for rounding.
     most : elements. close : the excess, relative to the load, that is as good as none.
-    The others that solve eq. 4 are contact.py and, for internal variables, branches/steady.py.
+    Eq. 4 is solved in contact.py too, and for internal variables in branches/steady_memory.py.
     """
     d, fewest, least, sweeps = guess, most + 1, np.inf, 0
     while True:

@@ -13,10 +13,10 @@ from ..lines.line import Line
 from ..model.force import ConstantForce
 from .case import Case, Outcome, PhaseClocks, Quantities, Seconds
 from .contacts.steady_friction import Grounds, Sliding, refine, steady_friction
-from .march.march import active_march
-from .march.setting import Passing, Setting
+from .march.active import active_march
+from .march.given import March, Passing
 from .memory_case import run_memory_case
-from .prepare import Prepared, Together, prepare
+from .prepared import Prepared, Together, prepare
 from .relaxation import Ends, plain_relaxations
 from .steady.stack import alone
 
@@ -167,7 +167,7 @@ def _curves(
             for at in (one, two)
         )
         rate, line = float(one.found.rates[j, i, k]), ground.line
-        setting = Setting(line.z, line.slope, ground.spans, one.at_speed.law, law, start, end, rate)
+        setting = March(line.z, line.slope, ground.spans, one.at_speed.law, law, start, end, rate)
         mu, _, settled, updates[j], inside = active_march(setting, control, kept_steps)
         curves[j] = mu - settled
         if not inside:

@@ -7,13 +7,13 @@ import numpy as np
 
 from ..branches.dissipation import friction_by_loss, step_friction
 from ..branches.jump import friction_jump, initial_rate
-from ..branches.steady import steady_memory
+from ..branches.steady_memory import steady_memory
 from ..lines.line import Line
-from ..motion.programme import Slide
+from ..motion.legs import Slide
 from ..rheology.forms import form_of
 from ..rheology.law import Elements
 from ..rheology.retardation import Retardation
-from ..scene import Saved, Scene, run_scene
+from ..scene import Saved, SceneCase, run_scene
 from .case import Case, Outcome, PhaseClock, Quantities, Seconds
 from .contacts.samples import samples_per_contact
 
@@ -84,7 +84,7 @@ def _relaxation(
 ) -> np.ndarray:
     """Return mu at the kept steps after the speed has changed."""
     distance = int(kept[-1]) / line.steps_per_spacing
-    scene = Scene(
+    scene = SceneCase(
         spectrum=case.spectrum,
         scheme=case.scheme,
         programme=(Slide(speed, distance),),

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..branches.steady import steady_at, steady_memory
+from ..branches.steady_memory import steady_at, steady_memory
 from ..model.contact import solve_indentation
 from ..model.steady import steady_sliding, sweep
 from ..rheology.forms import form_of

@@ -21,7 +21,7 @@ from elastomer_friction.kernels import (
     Oscillation,
     Programme,
     Ramp,
-    Scene,
+    SceneCase,
     Slide,
     Spectrum,
     amplitudes,
@@ -58,7 +58,7 @@ def a_line(measured: bool = False) -> Line:
     return Line.measured(line.z[::M], M) if measured else line
 
 
-def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> Scene:
+def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> SceneCase:
     """Return a scene that keeps a trace at 64 moments, from rest."""
     values: dict = {
         "spectrum": spectrum,
@@ -72,12 +72,12 @@ def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> Scen
         "edges": np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0]),
         "frames": np.arange(0),
     } | changes
-    scene = Scene(**values)
+    scene = SceneCase(**values)
     kept = np.linspace(0, scene_steps(scene, M).dt.size, 65).astype(np.int64)
     return scene._replace(kept=np.unique(kept))
 
 
-def scenes() -> dict[str, tuple[Line, Scene, str]]:
+def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
     """Return lines and scenes by the effect that they show, and what they are compared with."""
     line, one = a_line(), branches(1)
     kelvin, slide = "general path, Kelvin", "slide, K = 1"

@@ -178,7 +178,7 @@ def last_hold(programme: Programme) -> tuple[int, float] | None:
 def healing(programme: Programme, stamps: dict[str, np.ndarray], mu: np.ndarray) -> Healing:
     """Return what the last hold of a programme did; NaN where there is none.
 
-    stamps : of the kept samples (kernels/scene.py), each of shape (samples,), distance in dx.
+    stamps : of the kept samples (kernels/scene), each of shape (samples,), distance in dx.
     mu : shape (replicates, samples), the mean trace first.
     """
     found = last_hold(programme)

@@ -2,7 +2,7 @@
 
 The quadrature of model/friction.py, which any state has, for a state whose touching samples are
 listed (touching.py): a span that is all pressed is known by its sums. Eq. 5 is summed there, here
-and, as the mean over a step, in march/march.py; eq. 4 is solved by model/contact.py.
+and, as the mean over a step, in march/stepping.py; eq. 4 is solved by model/contact.py.
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from .setting import advance
+from .given import advance
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...compile.jit import by_type, kernel
 from ...rheology.law import NEGLIGIBLE
-from .setting import rise
+from .given import rise
 
 FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
 

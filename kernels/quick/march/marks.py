@@ -9,7 +9,7 @@ from typing import NamedTuple
 from ...compile.jit import kernel
 from ...rheology.law import NEGLIGIBLE
 from ..steady.spans import SPAN
-from .setting import Passing, rise
+from .given import Passing, rise
 
 FREE, OPEN, ALWAYS = 0, 1, 3  # never touches; may touch; always does if the one upstream does
 FORCED = 4  # a mark: listed whatever the bounds tell

@@ -1,6 +1,6 @@
 """Shorter lists in a long march: what is still open within narrower bounds, of what was listed.
 
-This is a layer over stepping.py, which does without: where march.py calls march_on in place of
+This is a layer over stepping.py, which does without: where active.py calls march_on in place of
 march_narrowing, with the same arguments but the last, this file and landings.py are not used. It
 is worth several times the steps of long marches in which d moves far (docs/speed.md).
 What always touches goes on to, and so does what never does: nothing but the runs is looked at.
@@ -17,11 +17,11 @@ from ...compile.jit import kernel
 from ...rheology.law import State
 from .bounds import Bounds, bounds_of
 from .flights import arrivals_of, launch, powers_of
+from .given import rise
 from .landings import land, landed, no_landings
 from .lists import Lists, Sums, add_sample
 from .marks import ALWAYS, FREE
 from .runs import LISTED, SHORT, UNKNOWN, Runs, class_of
-from .setting import rise
 from .stepping import march_on
 
 # What shorter lists leave to d and to D, of their spread at first; in the end none are made.

@@ -1,7 +1,7 @@
 """Runs of samples of which it is open whether they touch, and sums of those that do: one walk.
 
 The gap g_j(t) = c_j(t) - d(t) above the element at sample j is negative where it touches. With
-a_j and D of setting.py
+a_j and D of given.py
 
     g_j(t) = a_j - D(t) + E max(g_(j+1)(t - 1), 0),
 
@@ -16,9 +16,9 @@ import numpy as np
 
 from ...compile.jit import kernel
 from ..steady.spans import SPAN
+from .given import rise
 from .lists import Met, Sums, add_sample, add_span, lagged
 from .marks import ALWAYS, FORCED, FREE, always, levels_of, mark_of_first, never, reached
-from .setting import rise
 
 LISTED = 2  # at times it touches, at times it does not, for all that the bounds tell
 SHORT = 8  # samples: what is never touched but this near is cheaper to list than to fly over

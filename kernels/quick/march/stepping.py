@@ -4,9 +4,9 @@ from typing import NamedTuple
 
 from ...compile.jit import kernel
 from ..contacts.pressed import weighed_in_fours
-from .balance import beside, keep_past, next_indentation
 from .bounds import NOTHING, are_within, including
 from .flights import arrive, depart
+from .load_balance import beside, keep_past, next_indentation
 
 
 class Stand(NamedTuple):
@@ -23,7 +23,7 @@ class Stand(NamedTuple):
 def march_on(setting, control, where, bounds, stand, last, into):
     """March on to step ``last`` as long as the bounds hold; return (inside, stand, seen, work).
 
-    where : runs, lists, sums, arrivals, and what touches beside them (balance.py). into :
+    where : runs, lists, sums, arrivals, and what touches beside them (load_balance.py). into :
     kept_steps, and mu and indentation at them, which are filled in. seen : bounds of d and D on
     the way. work : element updates.
     """

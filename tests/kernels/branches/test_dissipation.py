@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
 from elastomer_friction.kernels.branches.dissipation import friction_by_loss
-from elastomer_friction.kernels.branches.steady import steady_at, steady_memory
+from elastomer_friction.kernels.branches.steady_memory import steady_at, steady_memory
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.kernels.rheology.retardation import retardation

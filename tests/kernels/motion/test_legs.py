@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from elastomer_friction.kernels.motion.programme import (
+from elastomer_friction.kernels.motion.legs import (
     Hold,
     Oscillation,
     Ramp,

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels.motion.programme import (
+from elastomer_friction.kernels.motion.legs import (
     Hold,
     Oscillation,
     Ramp,

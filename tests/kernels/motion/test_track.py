@@ -4,7 +4,7 @@ import numpy as np
 
 from elastomer_friction.kernels.motion import track as module
 from elastomer_friction.kernels.motion.fourier import Shifted
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Slide, steps_of
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.motion.track import tracks
 from tests.lines import random_line
 

@@ -25,7 +25,7 @@ from elastomer_friction.kernels.quick.contacts.steady_friction import (
     Grounds,
     steady_friction,
 )
-from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.march.active import active_march
 from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
 

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.motion.programme import Slide
+from elastomer_friction.kernels.motion.legs import Slide
 from elastomer_friction.kernels.scene import ASKED, Saved, run_scene, scene_steps
 from tests.kernels.scene.given import EVERY, MATERIALS, PRONY, a_line, a_scene
 

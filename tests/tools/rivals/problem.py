@@ -14,7 +14,7 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds
-from elastomer_friction.kernels.quick.march.setting import Setting
+from elastomer_friction.kernels.quick.march.given import March
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from tests.kernels.quick.march.given import passing_of
 from tests.tools.rivals.rows import RATIO, Row
@@ -44,4 +44,4 @@ class Problem:
             quadrature(*line[:2], *self.one, self.speed, speed, self.load)[1]
             for speed in (self.speed, RATIO * self.speed)
         ]
-        self.setting = Setting(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])
+        self.setting = March(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])

@@ -12,18 +12,18 @@ if TYPE_CHECKING:
     from .needs import check_quantities, why_not
     from .programme import (
         FromFile,
-        Hold,
+        HoldSegment,
         Oscillate,
         Programme,
-        Ramp,
+        RampSegment,
         Segment,
-        Slide,
+        SlideSegment,
         Velocity,
         velocity_steps,
         with_hold,
     )
     from .quantities import QUANTITIES, judged
-    from .scene import SCENE, Scene, read_scene
+    from .scene import SCENE, Scene, read_scene_table
     from .segments import FILE, HOLD, OSCILLATE, RAMP, SLIDE
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -32,7 +32,7 @@ if TYPE_CHECKING:
         table_of,
         values_of_axis,
     )
-    from .text import BrokenRowError, Rows, read_rows
+    from .rows_of_numbers import BrokenRowError, Rows, read_rows
     from .values import axis_values, checked_values
     from .words import as_toml, default_of, values_of
 

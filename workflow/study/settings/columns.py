@@ -4,7 +4,7 @@ import re
 from pathlib import Path
 
 from ...errors import UserError
-from .text import BrokenRowError, Rows, read_rows
+from .rows_of_numbers import BrokenRowError, Rows, read_rows
 
 
 def read_columns(key: str, path: Path, names: tuple[str, ...]) -> Rows:

@@ -14,7 +14,7 @@ from elastomer_friction.kernels import (
     step_average,
 )
 from elastomer_friction.kernels.model.steady import sweep
-from elastomer_friction.kernels.quick.march.setting import Passing, Setting
+from elastomer_friction.kernels.quick.march.given import March, Passing
 from elastomer_friction.kernels.quick.steady.carry import decay_of
 from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises, spans_of
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
@@ -44,7 +44,7 @@ def setting_of(jump, elements, seed=1, line=None):
     before, after = (quadrature(z, slope, *states[0], v, r * v, load)[1] for r in (1.0, jump.ratio))
     spans = spans_of(z, slope)
     add_rises(spans.rows, z, slope)
-    return Setting(z, slope, spans, *laws, *passing, after - before), load
+    return March(z, slope, spans, *laws, *passing, after - before), load
 
 
 def passing_of(z, law, state):

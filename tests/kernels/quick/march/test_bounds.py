@@ -4,15 +4,15 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce
-from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import (
     are_within,
     bounds_of,
     first_bounds,
     widened,
 )
+from elastomer_friction.kernels.quick.march.given import advance
+from elastomer_friction.kernels.quick.march.load_balance import foresee
 from elastomer_friction.kernels.quick.march.narrow import closer_bounds
-from elastomer_friction.kernels.quick.march.setting import advance
 from tests.kernels.quick.march.given import Jump, dense, setting_of
 
 LAW = SCHEMES["exponential"](0.3)

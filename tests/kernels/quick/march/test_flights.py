@@ -4,7 +4,6 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import ConstantForce
-from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
 from elastomer_friction.kernels.quick.march.flights import (
     FORGOTTEN,
@@ -14,6 +13,7 @@ from elastomer_friction.kernels.quick.march.flights import (
     powers_of,
 )
 from elastomer_friction.kernels.quick.march.lists import lists_of
+from elastomer_friction.kernels.quick.march.load_balance import foresee
 from elastomer_friction.kernels.quick.march.runs import classes_of
 from tests.kernels.quick.march.given import Jump, setting_of, states_of
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES
-from elastomer_friction.kernels.quick.march.balance import beside, keep_past
 from elastomer_friction.kernels.quick.march.landings import land, landed, no_landings
+from elastomer_friction.kernels.quick.march.load_balance import beside, keep_past
 
 LAW = SCHEMES["exponential"](0.3)
 PAST = np.array([2.0, 1.9, 1.85, 1.83, 1.82, 1.815])

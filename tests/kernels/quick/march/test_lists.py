@@ -5,11 +5,11 @@ import pytest
 
 from elastomer_friction.kernels import ConstantForce, lagged_slope
 from elastomer_friction.kernels.quick.contacts.pressed import weighed_in_fours
-from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
+from elastomer_friction.kernels.quick.march.given import rise
 from elastomer_friction.kernels.quick.march.lists import add_sample, add_span, lists_of
+from elastomer_friction.kernels.quick.march.load_balance import foresee
 from elastomer_friction.kernels.quick.march.runs import classes_of
-from elastomer_friction.kernels.quick.march.setting import rise
 from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises, spans_of
 from tests.kernels.quick.march.given import Jump, setting_of
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import ConstantForce, lagged_slope, march
-from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
+from elastomer_friction.kernels.quick.march.load_balance import foresee
 from elastomer_friction.kernels.quick.march.marks import (
     ALWAYS,
     FREE,

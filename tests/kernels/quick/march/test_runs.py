@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, solve_indentation
-from elastomer_friction.kernels.quick.march.balance import foresee
 from elastomer_friction.kernels.quick.march.bounds import are_within, first_bounds
+from elastomer_friction.kernels.quick.march.given import advance
+from elastomer_friction.kernels.quick.march.load_balance import foresee
 from elastomer_friction.kernels.quick.march.runs import classes_of
-from elastomer_friction.kernels.quick.march.setting import advance
 from tests.kernels.quick.march.given import Jump, setting_of, states_of
 from tests.sizes import size
 

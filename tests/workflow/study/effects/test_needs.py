@@ -4,13 +4,18 @@ import pytest
 
 from elastomer_friction.workflow.study.effects.material import Material
 from elastomer_friction.workflow.study.effects.needs import why_not
-from elastomer_friction.workflow.study.effects.programme import Hold, Oscillate, Slide, Velocity
+from elastomer_friction.workflow.study.effects.programme import (
+    HoldSegment,
+    Oscillate,
+    SlideSegment,
+    Velocity,
+)
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from elastomer_friction.workflow.study.effects.scene import Scene
 
 KELVIN, GLASSY = Material(1e6, 1e-3), Material(1e6, 0.0, ((5e6, 1e-2),))
-SLOW, FAST = Slide(Velocity(0.1), 1e-3), Slide(Velocity(0.2), 1e-3)
-EVERYTHING = (SLOW, FAST, Hold((1.0,)), SLOW, Oscillate(Velocity(0.1), 1e-4, 10.0, 3))
+SLOW, FAST = SlideSegment(Velocity(0.1), 1e-3), SlideSegment(Velocity(0.2), 1e-3)
+EVERYTHING = (SLOW, FAST, HoldSegment((1.0,)), SLOW, Oscillate(Velocity(0.1), 1e-4, 10.0, 3))
 
 
 @pytest.mark.parametrize("name", QUANTITIES)
@@ -38,6 +43,6 @@ def test_what_is_defined_at_a_normal_force():
 
 
 def test_a_repeated_list_meets_itself():
-    once, twice = (Scene(programme=(SLOW, Hold((1.0,))), repeat=n) for n in (1, 2))
+    once, twice = (Scene(programme=(SLOW, HoldSegment((1.0,))), repeat=n) for n in (1, 2))
     assert "healing" in reasons(once)
     assert "healing" not in reasons(twice)

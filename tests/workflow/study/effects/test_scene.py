@@ -5,7 +5,7 @@ import math
 import pytest
 
 from elastomer_friction.workflow.study.effects.material import Material
-from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene
+from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene_table
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import small_study
 
@@ -17,7 +17,7 @@ HOLD = {"hold": {"duration": 1.0}}
 
 
 def read(*materials, **table):
-    return read_scene(checked("scene", table, SCENE), None, materials or (KELVIN,))
+    return read_scene_table(checked("scene", table, SCENE), None, materials or (KELVIN,))
 
 
 def test_without_keys_it_is_the_scene_of_the_paper():
@@ -56,7 +56,7 @@ def test_fresh_without_a_dashpot():
 def test_an_indentation_over_time(tmp_path):
     (tmp_path / "d.csv").write_text("0, 1e-5\n1, 2e-5\n")
     table = {"programme": [SLIDE], "control": "indentation", "indentation_file": "d.csv"}
-    scene = read_scene(table, tmp_path, (KELVIN,))
+    scene = read_scene_table(table, tmp_path, (KELVIN,))
     assert scene.indentation_history == ((0.0, 1.0), (1e-5, 2e-5))
     assert not scene.takes_indentation
 

@@ -7,10 +7,10 @@ import pytest
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.effects.programme import (
     FromFile,
-    Hold,
+    HoldSegment,
     Oscillate,
-    Ramp,
-    Slide,
+    RampSegment,
+    SlideSegment,
     Velocity,
 )
 from elastomer_friction.workflow.study.effects.segments import read_programme
@@ -25,14 +25,14 @@ def read(tmp_path, *entries):
 @pytest.mark.parametrize(
     ("entry", "segment"),
     [
-        ({"slide": {"velocity": -0.1, "distance": 1e-3}}, Slide(Velocity(-0.1), 1e-3)),
-        ({"slide": {"ratio": 1.2, "duration": 2}}, Slide(Velocity(1.2, True), None, 2.0)),
-        ({"hold": {"duration": 3}}, Hold((3.0,))),
-        ({"hold": {"duration": [3.0]}}, Hold((3.0,), several=True)),
-        ({"hold": {"duration": {"geomspace": [1, 100, 3]}}}, Hold((1.0, 10.0, 100.0), True)),
+        ({"slide": {"velocity": -0.1, "distance": 1e-3}}, SlideSegment(Velocity(-0.1), 1e-3)),
+        ({"slide": {"ratio": 1.2, "duration": 2}}, SlideSegment(Velocity(1.2, True), None, 2.0)),
+        ({"hold": {"duration": 3}}, HoldSegment((3.0,))),
+        ({"hold": {"duration": [3.0]}}, HoldSegment((3.0,), several=True)),
+        ({"hold": {"duration": {"geomspace": [1, 100, 3]}}}, HoldSegment((1.0, 10.0, 100.0), True)),
         (
             {"ramp": {"ratio": [1, -1], "duration": 2}},
-            Ramp(Velocity(1.0, True), Velocity(-1.0, True), 2.0),
+            RampSegment(Velocity(1.0, True), Velocity(-1.0, True), 2.0),
         ),
         (
             {"oscillate": {"amplitude": 1e-4, "frequency": 10, "cycles": 3}},

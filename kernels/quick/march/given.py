@@ -19,7 +19,7 @@ class Passing(NamedTuple):
     d: float  # indentation
 
 
-class Setting(NamedTuple):
+class March(NamedTuple):
     """A line, and steady sliding on it before and after the velocity jump."""
 
     z: np.ndarray  # in h, shape (n,)

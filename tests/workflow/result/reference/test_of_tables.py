@@ -3,8 +3,8 @@
 import pytest
 
 from elastomer_friction.workflow.reduce import MODEL_MEANINGS
-from elastomer_friction.workflow.result.reference import tables
-from elastomer_friction.workflow.result.reference.tables import described_variables
+from elastomer_friction.workflow.result.reference import of_tables
+from elastomer_friction.workflow.result.reference.of_tables import described_variables
 from elastomer_friction.workflow.result.variables import FLAGS, VARIABLES
 
 ALL = [variable for section in described_variables().values() for variable in section]
@@ -22,7 +22,7 @@ def test_a_variable_is_described_in_sentences(variable):
 
 
 def test_a_variable_without_a_meaning_is_an_error(monkeypatch):
-    monkeypatch.setitem(tables.SECTIONS, "The jump (quantity `jump`)", {})
+    monkeypatch.setitem(of_tables.SECTIONS, "The jump (quantity `jump`)", {})
     with pytest.raises(KeyError, match="jump"):
         described_variables()
 

@@ -14,7 +14,7 @@ from elastomer_friction.kernels import (
     rms_slope,
     sample_line,
 )
-from elastomer_friction.kernels.lines.measured import measured_modes
+from elastomer_friction.kernels.lines.measured_modes import measured_modes
 
 HEIGHTS = st.integers(4, 40).flatmap(lambda n: arrays(float, n, elements=st.floats(-1.0, 1.0)))
 SIZES = (4, 5, 64, 65)

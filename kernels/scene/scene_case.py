@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..model.limits import LOADS, SPEEDS, check_between
-from ..motion.programme import Programme, Steps, speed_at_start, steps_of
+from ..motion.legs import Programme, Steps, speed_at_start, steps_of
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..rheology.spectrum import Spectrum, shortest_step
@@ -15,7 +15,7 @@ ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
 STARTS = ("steady", "relaxed", "fresh")
 
 
-class Scene(NamedTuple):
+class SceneCase(NamedTuple):
     """What one line is taken through. Lengths along x in dx, heights in h, times in tau."""
 
     spectrum: Spectrum  # of the elastomer
@@ -59,7 +59,7 @@ class Saved(NamedTuple):
         return Origin(self.position, self.speed, self.time)
 
 
-def scene_steps(scene: Scene, steps_per_spacing: int, origin: Origin = START) -> Steps:
+def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = START) -> Steps:
     """Return all time steps of a scene that begins at ``origin``; steps_per_spacing : m.
 
     Raises ValueError as steps_of, and where there is none.
@@ -89,7 +89,7 @@ def _with_times(steps: Steps, position: float, times: np.ndarray) -> Steps:
     return Steps(steps.position[of], dt, steps.leg[of])
 
 
-def indentation_at(scene: Scene, times: np.ndarray, datum: float) -> np.ndarray:
+def indentation_at(scene: SceneCase, times: np.ndarray, datum: float) -> np.ndarray:
     """Return the prescribed indentation over the deepest point, in h; times in tau; that shape.
 
     datum : height of the deepest point over the mean line, in h.
@@ -100,7 +100,7 @@ def indentation_at(scene: Scene, times: np.ndarray, datum: float) -> np.ndarray:
 
 
 def trace_stamps(
-    scene: Scene, steps_per_spacing: int, origin: Origin = START
+    scene: SceneCase, steps_per_spacing: int, origin: Origin = START
 ) -> dict[str, np.ndarray]:
     """Return when and where a trace is kept: the same for every line, each of shape (kept,).
 
@@ -126,7 +126,7 @@ def trace_stamps(
     }
 
 
-def check_scene(scene: Scene, steps: Steps, resumed: bool) -> None:
+def check_scene(scene: SceneCase, steps: Steps, resumed: bool) -> None:
     """Raise ValueError for a scene without meaning, or beyond what doubles can resolve."""
     if scene.start not in STARTS:
         raise ValueError(f"start = {scene.start!r}: use one of {STARTS}")
@@ -143,7 +143,7 @@ def check_scene(scene: Scene, steps: Steps, resumed: bool) -> None:
     _check_control(scene, resumed)
 
 
-def _check_control(scene: Scene, resumed: bool) -> None:
+def _check_control(scene: SceneCase, resumed: bool) -> None:
     """Raise ValueError where load, indentation or first speed have no meaning."""
     if scene.indentation is None:
         check_between("load", scene.load, LOADS)

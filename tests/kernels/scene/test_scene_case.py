@@ -6,11 +6,11 @@ import re
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Slide, steps_of
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.scene import run_scene, scene_steps, trace_stamps
-from elastomer_friction.kernels.scene.scene import indentation_at
+from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene.given import DAMPED, EVERY, SOLID, a_line, a_scene
 
 M = 4

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.study.settings.text import BrokenRowError, read_rows
+from elastomer_friction.workflow.study.settings.rows_of_numbers import BrokenRowError, read_rows
 
 
 @pytest.mark.parametrize(

@@ -4,10 +4,10 @@ import numpy as np
 
 from ...compile.jit import kernel
 from ..contacts.pressed import weighed_in_fours
-from .balance import NOTHING_ELSE, foresee
 from .bounds import first_bounds, widened
 from .flights import Steady, arrivals_of
 from .lists import lists_of
+from .load_balance import NOTHING_ELSE, foresee
 from .narrow import march_narrowing
 from .runs import classes_of
 from .stepping import Stand
@@ -19,7 +19,7 @@ MARGINS = (0.05, 0.3, 2.0, 2.0)  # of the spread of d and D, one after the other
 def active_march(setting, control, kept_steps, margins=MARGINS):
     """March from steady sliding at v1; return (mu, indentation, settled, work, inside).
 
-    setting : line and steady states (setting.py). control : ConstantForce.
+    setting : line and steady states (given.py). control : ConstantForce.
     kept_steps : increasing step numbers (first step = 1) at which mu and d are kept.
     mu, indentation : as of kernels/model/march.py. settled : mu averaged over a step of the steady
     state at v2. work : element updates. inside : whether bounds were found that d kept to.

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import ConstantForce, lagged_slope, march
-from elastomer_friction.kernels.quick.march.balance import STRIP, in_order, overlap_of
-from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.march.active import active_march
+from elastomer_friction.kernels.quick.march.load_balance import STRIP, in_order, overlap_of
 from tests.kernels.quick.march.given import Jump, setting_of, states_of
 
 

@@ -3,7 +3,7 @@
 import pytest
 
 from elastomer_friction.kernels import SCHEMES
-from elastomer_friction.kernels.quick.march.setting import advance, rise
+from elastomer_friction.kernels.quick.march.given import advance, rise
 
 LAW = SCHEMES["exponential"](0.3)
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from ...compile.jit import by_type, kernel
 from ...model.contact import excess_at, indentation_under, lowest_of, overlap
-from .setting import advance
+from .given import advance
 
 STRIP = 32  # samples, and partial sums
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
