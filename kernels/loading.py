@@ -31,7 +31,7 @@ from .quick.contacts.part import Part, slide_on
 from .quick.contacts.refined import MARGIN, curvatures_of
 from .quick.contacts.steady_friction import AtSpeed, Grounds
 from .quick.march.active import active_march
-from .quick.march.given import March, Passing
+from .quick.march.given import March, SteadyState
 from .quick.relaxation import Ends, plain_relaxations
 from .quick.steady.carry import NO_GAPS, Decay, carry
 from .quick.steady.spans import SPAN, TURN
@@ -81,9 +81,9 @@ def load_half(scheme: str, rate: bool) -> None:
     ends = Ends(Decay(*law), sums[None], np.array([state.d]))
     plain_relaxations(stack, law, ends, ends, control, FEW)
     if rate:  # eq. 3 as printed is marched plainly
-        passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
-        setting = March(z, slope, spans, law, law, passing, passing, 0.0)
-        active_march(setting, control, MANY)
+        steady = SteadyState(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
+        march = March(z, slope, spans, law, law, steady, steady, 0.0)
+        active_march(march, control, MANY)
 
 
 def _load_fine(line: Line, law: Kelvin) -> None:

@@ -14,7 +14,7 @@ from ..model.force import ConstantForce
 from .case import Case, Outcome, PhaseClocks, Quantities, Seconds
 from .contacts.steady_friction import Grounds, Sliding, refine, steady_friction
 from .march.active import active_march
-from .march.given import March, Passing
+from .march.given import March, SteadyState
 from .memory_case import run_memory_case
 from .prepared import Prepared, Together, prepare
 from .relaxation import Ends, plain_relaxations
@@ -163,12 +163,12 @@ def _curves(
     for j in np.flatnonzero(marched).tolist():
         ground = one.grounds.each[j]
         start, end = (
-            Passing(at.decay, at.stay[j], at.found.entered[j, i], float(at.d[j, i]))
+            SteadyState(at.decay, at.stay[j], at.found.entered[j, i], float(at.d[j, i]))
             for at in (one, two)
         )
         rate, line = float(one.found.rates[j, i, k]), ground.line
-        setting = March(line.z, line.slope, ground.spans, one.at_speed.law, law, start, end, rate)
-        mu, _, settled, updates[j], inside = active_march(setting, control, kept_steps)
+        march = March(line.z, line.slope, ground.spans, one.at_speed.law, law, start, end, rate)
+        mu, _, settled, updates[j], inside = active_march(march, control, kept_steps)
         curves[j] = mu - settled
         if not inside:
             own = (at._replace(stay=at.stay[j : j + 1], d=at.d[j : j + 1]) for at in ends)

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from .flights import FORGOTTEN
+from .crossings import FORGOTTEN
 from .load_balance import beside, keep_past
 
 SAME = 2e-15  # of d: displacements that differ by rounding

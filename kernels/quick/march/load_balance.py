@@ -13,14 +13,14 @@ NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretell
 
 
 @kernel
-def foresee(control, setting):
+def foresee(control, march):
     """Return d after the first step, or a little beyond.
 
     d follows d' as an element in contact does, by 1 - E = 1 / K in a step. Under next to no load
     the rate is rounding, but one element could carry all of it.
     """
-    law, d = setting.law, setting.start.d
-    new = max(d + FARTHER * setting.rate / law.stiffness, NEARER * d)
+    law, d = march.law, march.start.d
+    new = max(d + FARTHER * march.rate / law.stiffness, NEARER * d)
     return min(new, law.decay * d + control.load / law.stiffness)
 
 
@@ -84,7 +84,7 @@ def _lowest_listed(contact, load):
 
 @kernel
 def next_indentation(control, law, lists, sums, more, d, guess):
-    """Return (d, push, passes): the new indentation, D of the samples in sums, passes over c.
+    """Return (d, advanced, passes): the new indentation, D of the samples in sums, passes over c.
 
     Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
     more : how many samples touch beside both, and their overlap were d to stay (beside). d : the

@@ -6,7 +6,7 @@ import pytest
 from elastomer_friction.kernels import ConstantForce, lagged_slope
 from elastomer_friction.kernels.quick.contacts.pressed import weighed_in_fours
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
-from elastomer_friction.kernels.quick.march.given import rise
+from elastomer_friction.kernels.quick.march.given import a_of
 from elastomer_friction.kernels.quick.march.lists import add_sample, add_span, lists_of
 from elastomer_friction.kernels.quick.march.load_balance import foresee
 from elastomer_friction.kernels.quick.march.runs import classes_of
@@ -33,7 +33,7 @@ def test_a_span_is_its_samples_round_the_period(hurst):
     z, level = setting.z + 7.0, 0.4
     setting = setting._replace(z=z, spans=spans_of(z, setting.slope))
     add_rises(setting.spans.rows, z, setting.slope)
-    a = rise(setting.law, z, np.roll(z, -1))
+    a = a_of(setting.law, z, np.roll(z, -1))
     weight = lagged_slope(setting.slope, setting.law.lag)
     for b in (0, 3, z.size // SPAN - 1):
         own = slice(b * SPAN, (b + 1) * SPAN)

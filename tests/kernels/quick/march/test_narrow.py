@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.quick.march.active import MARGINS, active_march
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
-from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of
+from elastomer_friction.kernels.quick.march.crossings import Steady, arrivals_of
 from elastomer_friction.kernels.quick.march.lists import lists_of
 from elastomer_friction.kernels.quick.march.load_balance import NOTHING_ELSE, foresee
 from elastomer_friction.kernels.quick.march.narrow import march_shortening

@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import ConstantForce
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
-from elastomer_friction.kernels.quick.march.flights import (
+from elastomer_friction.kernels.quick.march.crossings import (
     FORGOTTEN,
     Steady,
     arrivals_of,

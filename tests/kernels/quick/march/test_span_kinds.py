@@ -6,12 +6,12 @@ import pytest
 from elastomer_friction.kernels import ConstantForce, lagged_slope, march
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
 from elastomer_friction.kernels.quick.march.load_balance import foresee
-from elastomer_friction.kernels.quick.march.marks import (
+from elastomer_friction.kernels.quick.march.span_kinds import (
     ALWAYS,
     FREE,
     always,
+    kind_of_first,
     levels_of,
-    mark_of_first,
     never,
 )
 from elastomer_friction.kernels.quick.steady.spans import SPAN
@@ -31,7 +31,7 @@ def test_never_and_always_are_true_at_every_step(load, ratio):
     stay = np.repeat([always(setting, bounds, b) for b in spans], SPAN)
     assert none.any() or load > 1.0
     assert stay.any() or load < 1.0
-    first = mark_of_first(setting, bounds, levels)
+    first = kind_of_first(setting, bounds, levels)
     weight, most = lagged_slope(setting.slope, law.lag), np.arange(1, 30)
     w, d = states_of(setting)[0]
     start = states_of(setting)[0]
