@@ -44,7 +44,7 @@ def draw(groups: Groups) -> Figure:
     assert isinstance(study, Study)
     materials = study.materials
     figure, axes = plt.subplots(2, 3, figsize=(7.4, 4.9))
-    _moduli(axes[0, 0], {name: materials[name] for name in known})
+    _moduli(axes[0, 0], {name: materials[name].at_reference for name in known})
     _friction(axes[0, 1], known)
     _contact(axes[0, 2], known)
     _temperatures(axes[1, 0], known[RUBBER])

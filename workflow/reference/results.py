@@ -1,7 +1,7 @@
 """The page of every variable of a result."""
 
 from ..result import AXIS_ATTRIBUTES, DescribedVariable, described_variables
-from ..study import AXES
+from ..study import AXES, EVERY_AXIS
 
 HEAD = """# Every variable of a result
 
@@ -13,7 +13,7 @@ How to open a file is shown in [Python](../python.md), and the symbols are expla
 [glossary](../glossary.md).
 
 **Dimensions.** Every variable that is called "grid" below has the six dimensions {axes}, each of
-length 1 at least, and beyond them those of `prescribed_indentation`, `temperature` and `hold` that
+length 1 at least, and beyond them those of {others} that
 the study has.
 
 **Errors.** Every estimate `NAME` has its standard error `NAME_error`, a jackknife over blocks of
@@ -32,8 +32,11 @@ the versions of program and packages, the commit, the processor and the scheme.
 
 def results_page() -> str:
     """Return the page of variables as Markdown."""
-    axes = ", ".join(f"`{axis}`" for axis in AXES)
-    lines = [HEAD.replace("{axes}", axes), "## Coordinates\n"]
+    names = [f"`{axis}`" for axis in EVERY_AXIS]
+    *others, last = names[len(AXES) :]
+    head = HEAD.replace("{axes}", ", ".join(names[: len(AXES)]))
+    head = head.replace("{others}", f"{', '.join(others)} and {last}")
+    lines = [head, "## Coordinates\n"]
     lines += ["| name | meaning | unit |", "|---|---|---|"]
     lines += [f"| `{n}` | {said} | {unit} |" for n, (unit, said) in AXIS_ATTRIBUTES.items()]
     lines.append("")

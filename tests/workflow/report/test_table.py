@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.report.csv_tables import write_table
-from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.axes import AXES
 from elastomer_friction.workflow.study.read import read_study
 
 

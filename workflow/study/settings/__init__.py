@@ -33,7 +33,7 @@ if TYPE_CHECKING:
         values_of_axis,
     )
     from .text import BrokenRowError, Rows, read_rows
-    from .values import axis_values, checked_values
+    from .values import checked_values, one_or_several
     from .words import as_toml, default_of, values_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -6,7 +6,7 @@ from typing import Any
 
 from .checks import UNBOUNDED, as_text, choice, flag, integer, number, positive, within
 from .key import Key
-from .values import MOST_VALUES, SPACES, checked_values
+from .values import MOST_VALUES, SPACES, checked_values, one_or_several
 
 Schema = dict[str, Any]
 
@@ -63,4 +63,5 @@ def _taken(check: Callable[..., Any]) -> Schema:
         return {"type": "integer", "minimum": given["least"], **most}
     if check.func is choice:
         return {"enum": list(given["known"])}
-    return {checked_values: values_of_axis}[check.func](_taken(check.args[0]))
+    several = {checked_values: values_of_axis, one_or_several: values_of_axis}
+    return several[check.func](_taken(check.args[0]))

@@ -7,7 +7,7 @@ from typing import Any
 
 from .checks import UNBOUNDED, as_text, choice, flag, integer, number, positive, within
 from .key import REQUIRED, Key
-from .values import checked_values
+from .values import checked_values, one_or_several
 
 PLAIN: dict[Callable[..., Any], str] = {
     positive: "a number above 0",
@@ -37,7 +37,7 @@ def _taken(check: Callable[..., Any]) -> str:
     if check.func is choice:
         *others, last = (f'`"{known}"`' for known in given["known"])
         return f"{', '.join(others)} or {last}"
-    if check.func is checked_values:
+    if check.func in (checked_values, one_or_several):
         return f"{_taken(check.args[0])}, or a list or range of such numbers"
     return ""
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.axes import AXES
 from elastomer_friction.workflow.study.tables import TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.documents import without
