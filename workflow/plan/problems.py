@@ -7,7 +7,6 @@ and tau, the modes of the lines and its programme. Axes that change material, li
 """
 
 import math
-from collections import defaultdict
 from functools import cache
 from typing import Any
 
@@ -100,16 +99,17 @@ def _settings(parts: Parts, points: Points, found: dict[Setting, int]) -> np.nda
         names += ["prescribed_indentation"] if "prescribed_indentation" in points else []
     rows = np.stack([points[name].ravel() for name in names], axis=1)
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
-    spectrum, tau = _rounded_spectrum(parts.material), parts.material.tau
+    spectrum, tau, nan = _rounded_spectrum(parts.material), parts.material.tau, math.nan
     plain = {
         count: Setting(spectrum, line_modes(parts.surface, count))
         for count in {int(row[0]) for row in different}
     }
     index = []
     for row in different.tolist():
-        at = defaultdict(lambda: math.nan, zip(names, row, strict=True))
-        scale = Scale(at["dx"], tau, at["roughness"], at["velocity"])
-        own = setting(plain[int(row[0])], parts.scene, scale, at["prescribed_indentation"])
+        at = dict(zip(names, row, strict=True)).get
+        scale = Scale(at("dx", nan), tau, at("roughness", nan), at("velocity", nan))
+        depth = at("prescribed_indentation", nan)
+        own = setting(plain[int(row[0])], parts.scene, scale, depth)
         index.append(found.setdefault(own, len(found)))
     return np.array(index)[inverse].reshape(points["elements"].shape)
 
