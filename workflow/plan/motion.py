@@ -17,13 +17,13 @@ from ..study import (
     Numerics,
     Oscillate,
     RampSegment,
+    Scene,
     Segment,
     SlideSegment,
     Study,
     Surface,
     Velocity,
     velocity_steps,
-    with_hold,
 )
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
@@ -50,8 +50,9 @@ class Scale(NamedTuple):
 
 
 class Setting(NamedTuple):
-    """The fields of a problem that a scene adds or takes from its programme."""
+    """The fields of a problem that follow from material, lines and scene, not from the grid."""
 
+    spectrum: Spectrum
     surface: LineShape
     programme: Programme = ()
     speeds: tuple[float, float] | None = None  # speed and ratio; None: those of the grid
@@ -59,13 +60,7 @@ class Setting(NamedTuple):
     indentation: float | ScaledHistory | None = None
 
     def problem(
-        self,
-        hurst: float,
-        elements: int,
-        load: float,
-        speed: float,
-        ratio: float,
-        spectrum: Spectrum,
+        self, hurst: float, elements: int, load: float, speed: float, ratio: float
     ) -> Problem:
         """Return the problem of a point of the grid."""
         speed, ratio = self.speeds or (speed, ratio)
@@ -75,7 +70,7 @@ class Setting(NamedTuple):
             load,
             speed,
             ratio,
-            spectrum,
+            self.spectrum,
             surface=self.surface,
             programme=self.programme,
             start=self.start,
@@ -83,16 +78,13 @@ class Setting(NamedTuple):
         )
 
 
-def setting(study: Study, surface: LineShape, scale: Scale, hold: float, depth: float) -> Setting:
-    """Return what the scene of a study adds at a point.
+def setting(own: Setting, scene: Scene, scale: Scale, depth: float) -> Setting:
+    """Return a setting with what a scene adds to it at a point.
 
-    surface : of the lines there. hold : duration of the hold that has several, s. depth :
-    prescribed indentation, m. Either is NaN where the study has none.
+    depth : prescribed indentation, m; NaN where the study has none.
     """
-    scene = study.scene
     if not scene.programme:
-        return Setting(surface)
-    segments = with_hold(scene.segments, hold)
+        return own
     indentation: float | ScaledHistory | None = None
     if scene.indentation_history is not None:
         times, depths = scene.indentation_history
@@ -102,23 +94,28 @@ def setting(study: Study, surface: LineShape, scale: Scale, hold: float, depth: 
         )
     elif scene.control == "indentation":
         indentation = rounded(depth / scale.roughness)
-    programme = tuple(_leg(segment, scale) for segment in segments)
-    return Setting(surface, programme, _speeds(study, scale), scene.start, indentation)
+    programme = tuple(_leg(segment, scale) for segment in scene.segments)
+    return own._replace(
+        programme=programme,
+        speeds=_speeds(scene, scale),
+        start=scene.start,
+        indentation=indentation,
+    )
 
 
-def _speeds(study: Study, scale: Scale) -> tuple[float, float]:
+def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
     """Return the speed before the first velocity step, and that after it over it.
 
     Without a step the speed is that at which the programme begins, or, where it begins at rest,
     the first that it has.
     """
-    segments = study.scene.segments
+    segments = scene.segments
     steps = velocity_steps(segments)
     if steps:
         pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, SlideSegment)]
         before, after = (slide.velocity.at(scale.reference) for slide in pair)
         return rounded(before * scale.tau / scale.spacing), after / before
-    speed = study.scene.start_velocity(scale.reference) or study.scene.typical_speed
+    speed = scene.start_velocity(scale.reference) or scene.typical_speed
     return rounded(speed * scale.tau / scale.spacing), 1.0
 
 
