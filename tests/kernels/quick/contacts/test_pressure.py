@@ -7,16 +7,13 @@ from elastomer_friction.kernels import quadrature, steady_sliding
 from elastomer_friction.kernels.model.friction import _covered, elastic_correction
 from elastomer_friction.kernels.quick.contacts.pressed import (
     MovingLine,
-    moments,
     pressed,
     room_for_pressed,
-    span_under,
 )
 from elastomer_friction.kernels.quick.contacts.pressure import (
     balance,
     elastic_part,
     friction,
-    friction_everywhere,
 )
 from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
 from elastomer_friction.kernels.quick.contacts.touching import (
@@ -86,28 +83,6 @@ def test_widths_and_slopes_are_those_of_the_samples(given):
     assert steepest(listed.spans, listed.touching) == expected
 
 
-@pytest.mark.parametrize("size", [0, 3, 4, 21])
-def test_moments_are_those_of_the_pressed_samples(size):
-    threshold, weight, slope = np.random.default_rng(4).uniform(-1.0, 1.0, (3, size))
-    p = np.maximum(0.2 - threshold, 0.0)
-    expected = (weight @ p, (weight * slope) @ p, weight @ (p > 0.0))
-    assert moments(threshold, weight, slope, 0.2) == pytest.approx(expected, rel=1e-12)
-    assert moments(threshold, weight, None, 0.2)[0] == pytest.approx(weight @ p, rel=1e-12)
-    expected = (p.sum(), slope @ p, (p > 0.0).sum())
-    assert moments(threshold, None, slope, 0.2) == pytest.approx(expected, rel=1e-12)
-
-
-def test_a_span_is_its_samples():
-    listed = Listed(0.7, 100, 4, 2.0, 2.0)
-    line = listed.at(3.0).line
-    for b in (0, 7):
-        z, slope = (values[b * SPAN : (b + 1) * SPAN] for values in line[:2])
-        for deep in (-1e9, float(np.median(z - 3.0 * slope)), 1e9):
-            p = np.maximum(deep - (z - 3.0 * slope), 0.0)
-            expected = (p.sum(), p @ slope, (p > 0.0).sum())
-            assert span_under(line, b, deep) == pytest.approx(expected, rel=1e-12)
-
-
 @everywhere
 def test_friction_is_the_same_whatever_was_guessed(given):
     listed = Listed(*given)
@@ -151,15 +126,3 @@ def test_elastic_part_is_the_correction_of_any_state(given):
     expected = elastic_correction(line.z, line.slope, w, d, speed, deep - d, m)
     steep = np.abs(line.slope).max()
     assert found == pytest.approx(expected, abs=1e-12 * steep * (listed.total + speed * steep))
-
-
-@pytest.mark.parametrize("there", [0.5, 2.0, 3.0])
-def test_where_all_is_pressed_the_sums_of_the_line_will_do(there):
-    listed = Listed(0.7, 100, 4, 2.0, 60.0)
-    part = listed.at(there)
-    deep = balance(part, listed.total, listed.state.d)
-    mu, count = friction(part, deep)
-    assert count == listed.line.z.size
-    expected = pytest.approx((mu, deep), rel=1e-13)
-    line = listed.line
-    assert friction_everywhere(line.z, line.slope, listed.spans, there, listed.total) == expected

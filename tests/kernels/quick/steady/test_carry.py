@@ -5,7 +5,6 @@ import pytest
 
 from elastomer_friction.kernels import Line
 from elastomer_friction.kernels.model.friction import _reach
-from elastomer_friction.kernels.quick.steady.spans import SPAN
 from tests.kernels.quick.steady.given import LOADS, both, line_of, on_every_line, touching
 
 
@@ -19,17 +18,6 @@ def test_state_and_forces_are_those_of_the_plain_sweep(hurst, elements, m, speed
     # The plain sum loses digits as the stiffness, m vbar and more: 4000 here at most.
     assert (total, slope) == pytest.approx(expected[:2], rel=1e-10 * (1.0 + 1e-3 * d / load))
     assert count == expected[2]
-
-
-@pytest.mark.parametrize("load", LOADS)
-@on_every_line
-def test_elements_enter_spans_with_the_displacement_upstream(hurst, elements, m, speed, load):
-    line = line_of(hurst, elements, m)
-    d, plain, _, _, _, contacts = both(line, speed, load)
-    u = np.minimum(plain, line.z - d)
-    above = np.append(np.arange(SPAN, line.z.size, SPAN), 0)
-    found = contacts.entered[: above.size]
-    np.testing.assert_allclose(found, u[above], rtol=1e-12, atol=1e-150)
 
 
 @pytest.mark.parametrize("load", LOADS)
