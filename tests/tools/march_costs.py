@@ -25,8 +25,7 @@ from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.studies.accuracy.alternatives import TamaasMarch
 from elastomer_friction.workflow.simulate.realizations import lines_at_once
 from tests.tools.rivals.compiled import Compiled
-from tests.tools.rivals.problem import Problem
-from tests.tools.rivals.rows import RATIO, ROWS, Row
+from tests.tools.rivals.problem import RATIO, ROWS, Problem, Row
 
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
 AGREEMENT = 1e-8  # of the change of mu in the march

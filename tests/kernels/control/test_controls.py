@@ -2,7 +2,6 @@
 
 import numpy as np
 import pytest
-from scipy.optimize import brentq
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, PrintedForce
 from elastomer_friction.kernels.control.indentation import PrescribedIndentation
@@ -45,37 +44,6 @@ def test_elements_are_held_that_come_straight_from_contact():
     expected[19] = False  # what arrives there has crossed the gap between the stretches
     np.testing.assert_array_equal(held, expected)
     assert 5 < held.sum() < 45
-
-
-def test_where_the_whole_line_is_marched_its_end_is_held_by_its_beginning():
-    _, c, d = state()
-    no_gap = Rings(NONE, np.array([0, 1]), NONE)
-    for first_touches in (False, True):
-        c[0] = d - 0.1 if first_touches else d + 0.1
-        held = note(PrintedForce(1.0), c, d, np.array([0, 50]), no_gap)
-        np.testing.assert_array_equal(held, np.roll(c, -1) < d)
-
-
-@pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("load", [0.1, 5.0, 100.0])
-def test_held_elements_press_with_their_height_and_the_motion_of_the_line_alone(scheme, load):
-    """f = -(u + du/dt) over a step from z_(i+1) - d to z_i - d, both with the new d (eq. 3)."""
-    law, control = SCHEMES[scheme](0.5), PrintedForce(load)
-    z, c, d_old = state()
-    held = note(control, c, d_old, FIRST, RINGS)
-    free = c.copy()
-
-    def forces(d):
-        old = np.append(z[1:], 0.0) - d
-        threshold = np.where(held, z - law.decay * old, free)
-        return law.stiffness * np.maximum(0.0, d - threshold)
-
-    expected = brentq(lambda d: forces(d).sum() - load, -20.0, 200.0, xtol=1e-14, rtol=1e-14)
-    d, _ = balance(control, law, z, c, held, d_old, 1)
-    assert d == pytest.approx(expected, rel=1e-11, abs=1e-12)
-    # The march goes on from the thresholds of these forces.
-    found = law.stiffness * np.maximum(0.0, d - c)
-    np.testing.assert_allclose(found, forces(d), rtol=1e-9, atol=1e-11)
 
 
 def test_the_indentation_of_every_step_is_the_one_given():

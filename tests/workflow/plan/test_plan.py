@@ -6,30 +6,26 @@ from elastomer_friction.workflow.plan import variant as module
 from elastomer_friction.workflow.plan.variant import samples_of
 from tests.support.small import all_records, keys, small_plan
 
-WIDE_GRID = ("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
-WIDE = small_plan(*WIDE_GRID)
+PLAN = small_plan("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 
 
 def test_records_are_counted_and_have_keys_of_their_own():
-    records = all_records(WIDE)
-    assert len(set(records)) == len(records) == WIDE.records == 32 * 2 * 4
+    records = all_records(PLAN)
+    assert len(set(records)) == len(records) == PLAN.records == 32 * 2 * 4
 
 
 def test_only_a_relaxation_is_marched():
     jump = small_plan('scene.quantities=["jump"]')
     assert all(task.march_steps == 0 for task in jump.variants[0].tasks)
-    assert all(task.march_steps >= 8 for task in WIDE.variants[0].tasks)
+    assert all(task.march_steps >= 8 for task in PLAN.variants[0].tasks)
 
 
 def test_memory_follows_the_longest_line():
-    assert WIDE.longest_line() == max(
-        t.problem.elements * t.steps_per_spacing for t in WIDE.variants[0].tasks
+    assert PLAN.longest_line() == max(
+        t.problem.elements * t.steps_per_spacing for t in PLAN.variants[0].tasks
     )
     longer = small_plan("numerics.steps_per_spacing=50000")
-    assert longer.predicted_worker_bytes() > 2 * WIDE.predicted_worker_bytes()
-
-
-PLAN = small_plan("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
+    assert longer.predicted_worker_bytes() > 2 * PLAN.predicted_worker_bytes()
 
 
 def test_variants_of_one_material_share_their_problems():
