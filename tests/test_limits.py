@@ -17,10 +17,10 @@ from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[1]
 STUDY = ("cluster", "grid", "numerics", "read", "study", "tables", "variants")
-SETTINGS = ("checks", "columns", "key", "values")
-EFFECTS = ("material", "needs", "quantities", "scene", "segments")
+SETTINGS = ("checks", "key", "text")
+EFFECTS = ("material", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "tests" / "refusals.md"
-SURFACES = ("files", "lines", "prepare", "profile", "table", "text")
+SURFACES = ("files", "profile", "table")
 ROOMS = {
     "study": STUDY,
     "study/settings": SETTINGS,

@@ -85,21 +85,13 @@ def best(curve: Curve, reference: Curve, tried: np.ndarray, vertically: bool) ->
     lift = np.nansum(gap, axis=1) / share if vertically else np.zeros(tried.size)
     squares = np.nansum((gap - lift[:, None]) ** 2, axis=1)
     k = int(np.argmin(np.where(enough, squares / share, np.inf)))
-    error = float("nan")
-    if tried.size > 1:
-        error = _error(law(moved[k], 1), squares[k], int(points[k]), vertically)
-    n = int(points[k])
+    n, error = int(points[k]), float("nan")
+    slope = law(moved[k], 1)
+    slope = slope[np.isfinite(slope)]
+    spread, freedom = slope - slope.mean() * vertically, n - 1 - vertically
+    if tried.size > 1 and freedom > 0 and np.any(spread):  # by least squares, linearised
+        error = float(np.sqrt(squares[k] / freedom / np.sum(spread**2)))
     return Shift(float(tried[k]), float(lift[k]), error, float(squares[k]), n, curve.x.size - n)
-
-
-def _error(slope: np.ndarray, squares: float, points: int, vertically: bool) -> float:
-    """Return the standard error of a shift along speed by least squares, linearised."""
-    known = slope[np.isfinite(slope)]
-    spread = known - known.mean() if vertically else known
-    freedom = points - 1 - vertically
-    if freedom < 1 or not np.any(spread):
-        return float("nan")
-    return float(np.sqrt(squares / freedom / np.sum(spread**2)))
 
 
 class Place(NamedTuple):

@@ -12,7 +12,6 @@ from ..system import make_folder, write_durably
 from .run_options import DONE
 
 if TYPE_CHECKING:
-    from ..laboratory import Known
     from ..reduce import PronyFit
 
 LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
@@ -87,8 +86,17 @@ def add_fit_options(command: argparse.ArgumentParser) -> None:
 def run_fit(options: argparse.Namespace) -> int:
     """Read, fit, print and draw; return the exit status."""
     known = laboratory.Known(options.relaxation_time, options.hurst, options.q_max)
-    _check(options, known)
-    columns = _columns(options.columns)
+    positive = {"--window": options.window, "--q-max": known.q_max}
+    positive["--relaxation-time"] = known.relaxation_time
+    for name, value in positive.items():
+        if value is not None and not 0.0 < value < float("inf"):
+            raise UserError(f"{name} {value:g}: must be greater than zero")
+    if known.hurst is not None and not 0.0 <= known.hurst <= 1.0:
+        raise UserError(f"--hurst {known.hurst:g}: must lie between 0 and 1")
+    words = options.columns.split(",")
+    if len(words) != 3 or not all(word.strip().isdecimal() for word in words):
+        raise UserError(f"--columns {options.columns}: must be three numbers from 0, as 0,1,2")
+    columns = tuple(map(int, words))
     units = options.time, options.velocity
     records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
     fit = laboratory.fit_records(records, known, options.window)
@@ -97,20 +105,3 @@ def run_fit(options: argparse.Namespace) -> int:
     make_folder(path.parent)
     print(*laboratory.draw_fit(fit, path), sep="\n")
     return DONE
-
-
-def _columns(text: str) -> tuple[int, ...]:
-    words = text.split(",")
-    if len(words) != 3 or not all(word.strip().isdecimal() for word in words):
-        raise UserError(f"--columns {text}: must be three numbers from 0, as 0,1,2")
-    return tuple(map(int, words))
-
-
-def _check(options: argparse.Namespace, known: "Known") -> None:
-    positive = {"--window": options.window, "--q-max": known.q_max}
-    positive["--relaxation-time"] = known.relaxation_time
-    for name, value in positive.items():
-        if value is not None and not 0.0 < value < float("inf"):
-            raise UserError(f"{name} {value:g}: must be greater than zero")
-    if known.hurst is not None and not 0.0 <= known.hurst <= 1.0:
-        raise UserError(f"--hurst {known.hurst:g}: must lie between 0 and 1")

@@ -38,8 +38,26 @@ def outline_grid(study: Study, result: Path) -> Said:
     """Return what a study of a grid would do and cost, as lines and as data; computes nothing."""
     machine = this_machine()
     plan = announced_plan(study, machine.pace)
-    cost = plan.prediction()
-    return outline(plan, result, cost, machine.note), _facts(plan, cost)
+    cost, records = plan.prediction(), plan.records
+    facts = {
+        # JSON has no NaN, which stands where an axis has no value
+        "axes": {
+            axis: [None if math.isnan(v) else v for v in values]
+            for axis, values in study.grid.items()
+        },
+        "quantities": study.scene.quantities,
+        "points": plan.points,
+        "problems": plan.problems,
+        "variants": list(study.variants),
+        "realizations": records * study.realizations_per_block,
+        "records": records,
+        "predicted_core_seconds": cost.seconds,
+        "predicted_core_seconds_interval": [cost.low, cost.high],
+        "predicted_worker_bytes": round(plan.predicted_worker_bytes()),
+        "predicted_driver_bytes": round(plan.predicted_driver_bytes()),
+        "longest_line_samples": plan.longest_line(),
+    }
+    return outline(plan, result, cost, machine.note), facts
 
 
 def announced_plan(study: Study, pace: Pace) -> Plan:
@@ -66,28 +84,6 @@ def outline_measured(study: Measured, result: Path) -> Said:
     return [*head, *lines, *cost], facts
 
 
-def _facts(plan: Plan, cost: Prediction) -> dict[str, Any]:
-    """Return a plan as data: numbers in SI units, times in s, memory in bytes."""
-    seconds, low, high = cost
-    records = plan.records
-    grid = plan.study.grid.items()
-    return {
-        # JSON has no NaN, which stands where an axis has no value
-        "axes": {axis: [None if math.isnan(v) else v for v in values] for axis, values in grid},
-        "quantities": plan.study.scene.quantities,
-        "points": plan.points,
-        "problems": plan.problems,
-        "variants": list(plan.study.variants),
-        "realizations": records * plan.study.realizations_per_block,
-        "records": records,
-        "predicted_core_seconds": seconds,
-        "predicted_core_seconds_interval": [low, high],
-        "predicted_worker_bytes": round(plan.predicted_worker_bytes()),
-        "predicted_driver_bytes": round(plan.predicted_driver_bytes()),
-        "longest_line_samples": plan.longest_line(),
-    }
-
-
 def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]:
     """Return the description of a plan, line by line.
 
@@ -108,7 +104,14 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
     lines += effect_lines(study)
     for variant in plan.variants:
         lines += march_lines(variant)
-    return [*lines, *_costs(plan, cost, speed)]
+    return [
+        *lines,
+        f"predicted   {core_time(cost.low, cost.high)}",
+        f"speed       as measured on {speed}",
+        f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
+        f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
+        f"longest line {plan.longest_line()} samples",
+    ]
 
 
 def march_lines(variant: Variant) -> list[str]:
@@ -137,16 +140,6 @@ def _span(values: np.ndarray) -> str:
     """Return the least and the largest of some numbers."""
     low, high = f"{values.min():.4g}", f"{values.max():.4g}"
     return low if low == high else f"{low} ... {high}"
-
-
-def _costs(plan: Plan, cost: Prediction, speed: str) -> list[str]:
-    return [
-        f"predicted   {core_time(cost.low, cost.high)}",
-        f"speed       as measured on {speed}",
-        f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
-        f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
-        f"longest line {plan.longest_line()} samples",
-    ]
 
 
 def _realizations(plan: Plan) -> list[str]:

@@ -5,7 +5,6 @@ has a usual figure.
 """
 
 import contextlib
-import inspect
 import io
 import logging
 from collections.abc import Callable
@@ -53,7 +52,15 @@ def draw_groups(
     study: AnyStudy, groups: Groups, result: Path, script: Path | None = None
 ) -> list[Picture]:
     """Draw the study's figures from its opened result; as ``draw_figure``."""
-    draw = _script(study, script)
+    file = script or study.folder / "figure.py"
+    if file.is_file():
+        draw = getattr(load_script(file), "draw", None)
+        if draw is None:
+            raise UserError(f"{file}: has no function draw(groups)")
+    elif script is None and study.kind == "grid":
+        draw = usual_figure.draw
+    else:
+        raise UserError(f"{file}: not found; the study has no figure script")
     try:
         return draw_pictures(lambda: draw(groups), result)
     except BROKEN as error:
@@ -100,21 +107,3 @@ def _rendered(figure: Figure, kind: str) -> bytes:
     figure.savefig(content, format=kind, metadata=stamp)
     figure.set_layout_engine("none")  # laid out once: alike in both, and quicker
     return content.getvalue()
-
-
-def _script(study: AnyStudy, asked: Path | None) -> Callable[[Groups], Drawn]:
-    """Return the function that draws. Raises UserError where there is none, or one of old."""
-    script = asked or study.folder / "figure.py"
-    if not script.is_file():
-        if asked is None and study.kind == "grid":
-            return usual_figure.draw
-        raise UserError(f"{script}: not found; the study has no figure script")
-    draw = getattr(load_script(script), "draw", None)
-    if draw is None:
-        raise UserError(f"{script}: has no function draw(groups)")
-    if [*inspect.signature(draw).parameters][:1] != ["groups"]:
-        raise UserError(
-            f"{script}: draw takes the path of a result; write draw(groups) instead, which is "
-            'handed the opened datasets: groups[""] is the study, groups["NAME"] a comparison'
-        )
-    return draw
