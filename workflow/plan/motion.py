@@ -3,12 +3,13 @@
 Lengths along x are in dx, heights in h, times in tau, speeds in dx/tau.
 """
 
+import math
 from typing import NamedTuple
 
 import numpy as np
 
 from ... import kernels
-from ...kernels import Programme, Quantities, Spectrum, rms_slope
+from ...kernels import Quantities, rms_slope
 from ..errors import UserError
 from ..simulate import Problem, Recording, ScaledHistory, Surface
 from ..study import (
@@ -49,49 +50,16 @@ class Scale(NamedTuple):
     reference: float  # m/s
 
 
-class Setting(NamedTuple):
-    """The fields of a problem that a scene adds or takes from its programme."""
-
-    surface: Surface
-    programme: Programme = ()
-    speeds: tuple[float, float] | None = None  # speed and ratio; None: those of the grid
-    start: str = "steady"
-    indentation: float | ScaledHistory | None = None
-
-    def problem(
-        self,
-        hurst: float,
-        elements: int,
-        load: float,
-        speed: float,
-        ratio: float,
-        spectrum: Spectrum,
-    ) -> Problem:
-        """Return the problem of a point of the grid."""
-        speed, ratio = self.speeds or (speed, ratio)
-        return Problem(
-            hurst,
-            elements,
-            load,
-            speed,
-            ratio,
-            spectrum,
-            surface=self.surface,
-            programme=self.programme,
-            start=self.start,
-            indentation=self.indentation,
-        )
-
-
-def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: float) -> Setting:
-    """Return what the scene of a study adds at a point.
+def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: float) -> Problem:
+    """Return what the scene of a study adds at a point: a problem without the numbers of the grid.
 
     surface : of the lines there. hold : duration of the hold that has several, s. depth :
     prescribed indentation, m. Either is NaN where the study has none.
     """
     scene = study.scene
+    problem = Problem(math.nan, 0, math.nan, math.nan, math.nan, surface=surface)
     if not scene.programme:
-        return Setting(surface)
+        return problem
     segments = with_hold(scene.segments, hold)
     indentation: float | ScaledHistory | None = None
     if scene.indentation_history is not None:
@@ -103,7 +71,10 @@ def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: fl
     elif scene.control == "indentation":
         indentation = rounded(depth / scale.roughness)
     programme = tuple(_leg(segment, scale) for segment in segments)
-    return Setting(surface, programme, _speeds(study, scale), scene.start, indentation)
+    speed, ratio = _speeds(study, scale)
+    return problem._replace(
+        speed=speed, ratio=ratio, programme=programme, start=scene.start, indentation=indentation
+    )
 
 
 def _speeds(study: Study, scale: Scale) -> tuple[float, float]:

@@ -18,7 +18,7 @@ from ..errors import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
 from ..study import Material, Study, check_load
-from .motion import Scale, Setting, canonical, line_modes, rounded, setting
+from .motion import Scale, canonical, line_modes, rounded, setting
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
 TYPICAL_HURST = 0.8  # of measured lines, for predictions of cost alone
@@ -46,7 +46,13 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     found: dict[tuple, int] = {}
     index = [found.setdefault(row, len(found)) for row in zip(*rows, strict=True)]
     spectrum = _rounded_spectrum(material)
-    problems = [settings[row[-1]].problem(*row[:-1], spectrum) for row in found]
+    problems = []
+    for row in found:
+        own: list[Any] = list(row[:-1])
+        added = settings[row[-1]]
+        if added.programme:  # which says the speeds
+            own[3:] = added.speed, added.ratio
+        problems.append(Problem._make((*own, spectrum, *added[6:])))
     return problems, np.array(index).reshape(study.shape)
 
 
@@ -97,7 +103,7 @@ def _times(material: Material, points: Points) -> np.ndarray:
     return np.array([material.tau_at(value) for value in values])[inverse].reshape(inverse.shape)
 
 
-def _settings(study: Study, label: str, points: Points) -> tuple[list[Setting], np.ndarray]:
+def _settings(study: Study, label: str, points: Points) -> tuple[list[Problem], np.ndarray]:
     """Return the distinct settings of a scene and, per point, the index of its own."""
     names = ["elements"]
     if study.scene.programme:
@@ -105,7 +111,7 @@ def _settings(study: Study, label: str, points: Points) -> tuple[list[Setting], 
         names += [name for name in ("hold", "prescribed_indentation") if name in points]
     rows = np.stack([points[name].ravel() for name in names], axis=1)
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
-    found: dict[Setting, int] = {}
+    found: dict[Problem, int] = {}
     index = []
     modes = {int(row[0]): line_modes(study.surfaces[label], int(row[0])) for row in different}
     for row in different.tolist():
