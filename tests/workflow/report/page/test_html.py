@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.report.page.report import formula, verdict_class
+from elastomer_friction.workflow.report.page import formula, verdict_class
 
 
 @pytest.mark.parametrize(

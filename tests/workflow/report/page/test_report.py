@@ -8,7 +8,7 @@ import pytest
 
 from elastomer_friction.workflow.plan import TYPICAL
 from elastomer_friction.workflow.report.claims import known_claims
-from elastomer_friction.workflow.report.page.report import study_names, write_report
+from elastomer_friction.workflow.report.page import study_names, write_report
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from elastomer_friction.workflow.run.measurement import run_measured
 from elastomer_friction.workflow.study.read import read_study

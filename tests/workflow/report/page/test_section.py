@@ -6,7 +6,7 @@ import pytest
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.report.figure import caption
-from elastomer_friction.workflow.report.page.report import section
+from elastomer_friction.workflow.report.page import section
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from tests.support.synthetic import result
@@ -47,7 +47,7 @@ def test_a_study_whose_table_cannot_be_made_says_so(tmp_path, monkeypatch):
     def refuse(*_):
         raise UserError("there is no disk")
 
-    monkeypatch.setattr("elastomer_friction.workflow.report.page.report.write_tables", refuse)
+    monkeypatch.setattr("elastomer_friction.workflow.report.page.write_tables", refuse)
     shown = section(read_study("fig6"), {"": result("fig6")}, tmp_path)
     assert shown["troubles"][1:] == ["No table: there is no disk"]
     assert shown["files"] == ["fig6.nc"]

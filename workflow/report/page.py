@@ -16,15 +16,15 @@ import xarray as xr
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from ...errors import UserError
-from ...reduce import STATUS_MEANINGS
-from ...result import ROOT, Groups, differing_settings, listed, open_result, result_file
-from ...study import AnyStudy, known_scales, known_studies, read_study
-from ...system import write_durably
-from ..claims import evaluate, known_claims
-from ..csv_tables import write_tables
-from ..figure import Picture, caption, draw_groups
-from ..panels import STYLE, HoverPoint
+from ..errors import UserError
+from ..reduce import STATUS_MEANINGS
+from ..result import ROOT, Groups, differing_settings, listed, open_result, result_file
+from ..study import AnyStudy, known_scales, known_studies, read_study
+from ..system import write_durably
+from .claims import evaluate, known_claims
+from .csv_tables import write_tables
+from .figure import Picture, caption, draw_groups
+from .panels import STYLE, HoverPoint
 
 NO_BREAK = "\u00a0"
 PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
@@ -83,7 +83,7 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
 
 def render(**context: object) -> str:
     """Return the page; every text in it is escaped."""
-    loader = PackageLoader("elastomer_friction.workflow.report", "page")
+    loader = PackageLoader("elastomer_friction.workflow", "report")
     environment = Environment(
         autoescape=True,
         undefined=StrictUndefined,
