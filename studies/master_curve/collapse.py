@@ -213,12 +213,6 @@ class Collapsed(NamedTuple):
     ways: dict[str, Collapse]  # UNSHIFTED, ALONG_SPEED, ALONG_BOTH
 
 
-def collapsed(family: Family) -> Collapsed:
-    """Return how the curves of a family collapse onto its reference in all ways."""
-    onto = family.curves[family.reference()]
-    return Collapsed(family, {way: collapse(family.curves, onto, way) for way in WAYS})
-
-
 def resolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
     """Return a result without friction where contacts are not resolved, and how many points."""
     coarse = not_resolved(dataset)
@@ -229,10 +223,12 @@ def resolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
 
 def remaining(dataset: xr.Dataset) -> dict[str, Collapsed]:
     """Return how the curves of a result collapse, at given forces and at given indentations."""
-    return {
-        "force": collapsed(at_forces(dataset)),
-        "indentation": collapsed(at_indentations(dataset)),
-    }
+    found = {}
+    for how, family in (("force", at_forces(dataset)), ("indentation", at_indentations(dataset))):
+        onto = family.curves[family.reference()]
+        ways = {way: collapse(family.curves, onto, way) for way in WAYS}
+        found[how] = Collapsed(family, ways)
+    return found
 
 
 def thermal(found: Collapsed) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -7,12 +7,12 @@ from typing import TYPE_CHECKING
 from .. import laboratory  # slow to import, all but the units: other commands do without
 from ..errors import UserError
 from ..laboratory import TIMES, VELOCITIES
-from ..study import FREQUENCIES, MODULI, Moduli, read_moduli
+from ..study import FREQUENCIES, MODULI, read_moduli
 from ..system import make_folder, write_durably
 from .run_options import DONE
 
 if TYPE_CHECKING:
-    from ..reduce import PronyFit
+    pass
 
 LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
 
@@ -39,7 +39,18 @@ def run_prony(options: argparse.Namespace) -> int:
     if not fit.branches or fit.shear_modulus < LEAST_SHARE * stiffest:
         lacking = "relaxed modulus" if fit.branches else "branches"
         raise UserError(f"prony {options.file}: the best fit has no {lacking}; is it a rubber?")
-    said = [f"# {line}" for line in _said(options.file, measured, fit)]
+    omega = measured.omega
+    said = [
+        f"# {options.file}: {omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s, "
+        f"read as {' and '.join(measured.units)}",
+        f"# {len(fit.branches)} branches; residual of G* {100 * fit.rms:.2g} % rms, "
+        f"{100 * fit.worst:.2g} % at most",
+    ]
+    if not fit.determined:
+        said.append(
+            f"# the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} "
+            f"Pa do as well; it wants frequencies below {omega[0]:.3g} rad/s"
+        )
     modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
     rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
     if options.out:
@@ -50,23 +61,6 @@ def run_prony(options: argparse.Namespace) -> int:
         branches = ["branches = [", *(f"    [{row}]," for row in rows), "]"]
     print(*said, "[material]", modulus, *branches, sep="\n")
     return DONE
-
-
-def _said(file: str, measured: Moduli, fit: "PronyFit") -> list[str]:
-    """Return what was fitted, how well, and what the data leave open."""
-    omega = measured.omega
-    lines = [
-        f"{file}: {omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s, "
-        f"read as {' and '.join(measured.units)}",
-        f"{len(fit.branches)} branches; residual of G* {100 * fit.rms:.2g} % rms, "
-        f"{100 * fit.worst:.2g} % at most",
-    ]
-    if not fit.determined:
-        lines.append(
-            f"the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} Pa "
-            f"do as well; it wants frequencies below {omega[0]:.3g} rad/s"
-        )
-    return lines
 
 
 def add_fit_options(command: argparse.ArgumentParser) -> None:

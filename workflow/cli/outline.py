@@ -154,34 +154,31 @@ def _realizations(plan: Plan) -> list[str]:
         return [f"realizations {study.realizations} each{up}, {runs} in all"]
     lines = [f"realizations {runs} in all, predicted; rounds add more until the accuracy is met"]
     for variant in plan.variants:
-        if variant.goals:
-            lines += _goals(plan, variant, block)
+        if not variant.goals:
+            continue
+        numerics = variant.numerics
+        counts = [plan.expected[task.key] * block for task in variant.tasks]
+        steps = [task.steps_per_spacing for task in variant.tasks]
+        capped = sum(n + block > numerics.max_realizations for n in counts)
+        wanted = numerics.accuracy or 0.0
+        sought = [
+            {name: goal.bias[name] for name, scatter in goal.scatter.items() if scatter > 0.0}
+            for goal in variant.goals.values()
+        ]
+        coarse = sum(max(bias.values()) > 0.5 * wanted for bias in sought)
+        names = len(judged(plan.study.scene.quantities))
+        nothing = sum(len(bias) < names for bias in sought)
+        given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
+        lines += [
+            f"accuracy    {wanted:g} {variant.label}",
+            f"  steps     {min(steps)} ... {max(steps)} per spacing, elements with them{given}",
+            f"  each      {min(counts)} ... {max(counts)} realizations",
+            f"  missed    probably at {capped} problems that end at {numerics.max_realizations} "
+            f"realizations, at {coarse} that no line in reach resolves",
+            f"  no rate   sought at {nothing} problems, where less than "
+            f"{numerics.negligible:g} of the jump is expected to relax",
+        ]
     return lines
-
-
-def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
-    numerics = variant.numerics
-    counts = [plan.expected[task.key] * block for task in variant.tasks]
-    steps = [task.steps_per_spacing for task in variant.tasks]
-    capped = sum(n + block > numerics.max_realizations for n in counts)
-    wanted = numerics.accuracy or 0.0
-    sought = [
-        {name: goal.bias[name] for name, scatter in goal.scatter.items() if scatter > 0.0}
-        for goal in variant.goals.values()
-    ]
-    coarse = sum(max(bias.values()) > 0.5 * wanted for bias in sought)
-    names = len(judged(plan.study.scene.quantities))
-    nothing = sum(len(bias) < names for bias in sought)
-    given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
-    return [
-        f"accuracy    {wanted:g} {variant.label}",
-        f"  steps     {min(steps)} ... {max(steps)} per spacing, elements with them{given}",
-        f"  each      {min(counts)} ... {max(counts)} realizations",
-        f"  missed    probably at {capped} problems that end at {numerics.max_realizations} "
-        f"realizations, at {coarse} that no line in reach resolves",
-        f"  no rate   sought at {nothing} problems, where less than "
-        f"{numerics.negligible:g} of the jump is expected to relax",
-    ]
 
 
 def effect_lines(study: Study) -> list[str]:

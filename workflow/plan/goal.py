@@ -171,23 +171,18 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     elif steps is None:
         steps = np.maximum(LEAST_STEPS, least_steps(problem, scene))
         if "relaxation" in scene.quantities:
-            steps = _for_contacts(problem, steps)
+            most = np.minimum(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
+            width, rate = contact_width(problem), expected_rate(problem)
+            coarse = np.array(True)
+            while coarse.any():  # by the law of b, as far as m may go
+                finer = rung(steps + 1)
+                coarse = rate_error(problem, steps, width * steps, rate) > BIAS
+                coarse = coarse & (finer <= most)
+                steps = np.where(coarse, finer, steps)
         if numerics.scheme == "implicit-euler":
             steps = steps * FIRST_ORDER
     check_resolution(problem, steps, numerics)
     return steps
-
-
-def _for_contacts(problem: Problem, steps: Numbers) -> Numbers:
-    """Return m, from ``steps`` on, for which the law of b keeps BIAS, as far as m may go."""
-    most = np.minimum(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
-    width, rate = contact_width(problem), expected_rate(problem)
-    while True:
-        finer, wide = rung(steps + 1), width * steps
-        coarse = (rate_error(problem, steps, wide, rate) > BIAS) & (finer <= most)
-        if not coarse.any():
-            return steps
-        steps = np.where(coarse, finer, steps)
 
 
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:

@@ -71,26 +71,17 @@ def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: fl
     elif scene.control == "indentation":
         indentation = rounded(depth / scale.roughness)
     programme = tuple(_leg(segment, scale) for segment in segments)
-    speed, ratio = _speeds(study, scale)
+    steps, ratio = velocity_steps(segments), 1.0
+    if steps:
+        pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, Slide)]
+        speed, after = (slide.velocity.at(scale.reference) for slide in pair)
+        ratio = after / speed
+    else:  # that at which the programme begins or, where it begins at rest, the first that it has
+        speed = scene.start_velocity(scale.reference) or scene.typical_speed
+    speed = rounded(speed * scale.tau / scale.spacing)
     return problem._replace(
         speed=speed, ratio=ratio, programme=programme, start=scene.start, indentation=indentation
     )
-
-
-def _speeds(study: Study, scale: Scale) -> tuple[float, float]:
-    """Return the speed before the first velocity step, and that after it over it.
-
-    Without a step the speed is that at which the programme begins, or, where it begins at rest,
-    the first that it has.
-    """
-    segments = study.scene.segments
-    steps = velocity_steps(segments)
-    if steps:
-        pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, Slide)]
-        before, after = (slide.velocity.at(scale.reference) for slide in pair)
-        return rounded(before * scale.tau / scale.spacing), after / before
-    speed = study.scene.start_velocity(scale.reference) or study.scene.typical_speed
-    return rounded(speed * scale.tau / scale.spacing), 1.0
 
 
 def line_modes(surface: LinesOfStudy, elements: int) -> Surface:

@@ -52,15 +52,7 @@ def draw_groups(
     study: AnyStudy, groups: Groups, result: Path, script: Path | None = None
 ) -> list[Picture]:
     """Draw the study's figures from its opened result; as ``draw_figure``."""
-    file = script or study.folder / "figure.py"
-    if file.is_file():
-        draw = getattr(load_script(file), "draw", None)
-        if draw is None:
-            raise UserError(f"{file}: has no function draw(groups)")
-    elif script is None and study.kind == "grid":
-        draw = usual_figure.draw
-    else:
-        raise UserError(f"{file}: not found; the study has no figure script")
+    draw = _script(study, script)
     try:
         return draw_pictures(lambda: draw(groups), result)
     except BROKEN as error:
@@ -107,3 +99,16 @@ def _rendered(figure: Figure, kind: str) -> bytes:
     figure.savefig(content, format=kind, metadata=stamp)
     figure.set_layout_engine("none")  # laid out once: alike in both, and quicker
     return content.getvalue()
+
+
+def _script(study: AnyStudy, asked: Path | None) -> Callable[[Groups], Drawn]:
+    """Return the function that draws. Raises UserError where there is none."""
+    script = asked or study.folder / "figure.py"
+    if not script.is_file():
+        if asked is None and study.kind == "grid":
+            return usual_figure.draw
+        raise UserError(f"{script}: not found; the study has no figure script")
+    draw = getattr(load_script(script), "draw", None)
+    if draw is None:
+        raise UserError(f"{script}: has no function draw(groups)")
+    return draw

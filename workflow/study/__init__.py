@@ -15,7 +15,6 @@ if TYPE_CHECKING:
         Hold,
         Material,
         Oscillate,
-        Programme,
         Ramp,
         Scene,
         Segment,
