@@ -106,7 +106,7 @@ def test_a_wheel_holds_all_that_the_command_needs(tmp_path, monkeypatch):
     (wheel,) = tmp_path.glob("*.whl")
     names = set(zipfile.ZipFile(wheel).namelist())
     shipped = subprocess.check_output(["git", "-C", ROOT, "ls-files", "studies"], text=True)
-    needed = {"workflow/cli/study.toml", "workflow/report/page/report.html.j2", "py.typed"}
+    needed = {"workflow/cli/study.toml", "workflow/report/report.html.j2", "py.typed"}
     needed |= set(shipped.splitlines())
     assert {f"elastomer_friction/{name}" for name in needed} <= names
     assert {name.partition("/")[0].partition("-")[0] for name in names} == {"elastomer_friction"}

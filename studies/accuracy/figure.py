@@ -41,7 +41,9 @@ def _discretisation(groups: Groups) -> Figure:
         both = {"ncols": 2, "columnspacing": 0.6, "handletextpad": 0.4, "fontsize": 6.5}
         ax.legend(loc="lower left", handlelength=1.6, **(both if name in REFINED else {}))
         ax.set_title(f"({letter}) discretisation error of {label}")
-    name_regimes(axes[0, 0])
+    for k, (_, _, label) in enumerate(REGIMES):
+        style: dict[str, Any] = {"ha": "right", "va": "top", "fontsize": 7, "color": COLOURS[k]}
+        axes[0, 0].text(0.97, 0.97 - 0.08 * k, label, transform=axes[0, 0].transAxes, **style)
     worst = float(data.reference_error.sel(quantity="mu_1").max())
     write_below(
         figure,
@@ -189,12 +191,3 @@ def milliseconds(ax: Axes) -> None:
     )
     ax.xaxis.set_major_formatter("{x:g}")
     ax.xaxis.set_minor_formatter("")
-
-
-def name_regimes(ax: Axes) -> None:
-    """Say which colour is which regime of x."""
-    for k, (_, _, label) in enumerate(REGIMES):
-        at = (0.97, 0.97 - 0.08 * k)
-        ax.annotate(
-            label, at, xycoords="axes fraction", color=COLOURS[k], ha="right", va="top", fontsize=7
-        )

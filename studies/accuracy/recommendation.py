@@ -75,14 +75,10 @@ def table_lines(found: xr.Dataset) -> list[str]:
             cells = []
             for name in found.sampled.values:
                 one = found.sel(regime=regime, target=target, sampled=name)
-                cells.append(f"{name:5s}{_cell(one):30s}")
+                cell = f"(reached at {100.0 * float(one.reached_of_regime):.0f} %)"
+                if np.isfinite(seconds := float(one.seconds_of_regime)):
+                    steps, count = int(one.steps_of_regime), int(one.realizations_of_regime)
+                    cell = f"{steps}, {count}, {seconds:.2g} s"
+                cells.append(f"{name:5s}{cell:30s}")
             lines.append(f"  {100.0 * target:4g} %  " + "".join(cells).rstrip())
     return lines
-
-
-def _cell(one: xr.Dataset) -> str:
-    seconds = float(one.seconds_of_regime)
-    if not np.isfinite(seconds):
-        return f"(reached at {100.0 * float(one.reached_of_regime):.0f} %)"
-    steps, count = int(one.steps_of_regime), int(one.realizations_of_regime)
-    return f"{steps}, {count}, {seconds:.2g} s"

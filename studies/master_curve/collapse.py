@@ -85,21 +85,13 @@ def best(curve: Curve, reference: Curve, tried: np.ndarray, vertically: bool) ->
     lift = np.nansum(gap, axis=1) / share if vertically else np.zeros(tried.size)
     squares = np.nansum((gap - lift[:, None]) ** 2, axis=1)
     k = int(np.argmin(np.where(enough, squares / share, np.inf)))
-    error = float("nan")
-    if tried.size > 1:
-        error = _error(law(moved[k], 1), squares[k], int(points[k]), vertically)
-    n = int(points[k])
+    n, error = int(points[k]), float("nan")
+    slope = law(moved[k], 1)
+    slope = slope[np.isfinite(slope)]
+    spread, freedom = slope - slope.mean() * vertically, n - 1 - vertically
+    if tried.size > 1 and freedom > 0 and np.any(spread):  # by least squares, linearised
+        error = float(np.sqrt(squares[k] / freedom / np.sum(spread**2)))
     return Shift(float(tried[k]), float(lift[k]), error, float(squares[k]), n, curve.x.size - n)
-
-
-def _error(slope: np.ndarray, squares: float, points: int, vertically: bool) -> float:
-    """Return the standard error of a shift along speed by least squares, linearised."""
-    known = slope[np.isfinite(slope)]
-    spread = known - known.mean() if vertically else known
-    freedom = points - 1 - vertically
-    if freedom < 1 or not np.any(spread):
-        return float("nan")
-    return float(np.sqrt(squares / freedom / np.sum(spread**2)))
 
 
 class Place(NamedTuple):
@@ -221,12 +213,6 @@ class Collapsed(NamedTuple):
     ways: dict[str, Collapse]  # UNSHIFTED, ALONG_SPEED, ALONG_BOTH
 
 
-def collapsed(family: Family) -> Collapsed:
-    """Return how the curves of a family collapse onto its reference in all ways."""
-    onto = family.curves[family.reference()]
-    return Collapsed(family, {way: collapse(family.curves, onto, way) for way in WAYS})
-
-
 def resolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
     """Return a result without friction where contacts are not resolved, and how many points."""
     coarse = not_resolved(dataset)
@@ -237,10 +223,12 @@ def resolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
 
 def remaining(dataset: xr.Dataset) -> dict[str, Collapsed]:
     """Return how the curves of a result collapse, at given forces and at given indentations."""
-    return {
-        "force": collapsed(at_forces(dataset)),
-        "indentation": collapsed(at_indentations(dataset)),
-    }
+    found = {}
+    for how, family in (("force", at_forces(dataset)), ("indentation", at_indentations(dataset))):
+        onto = family.curves[family.reference()]
+        ways = {way: collapse(family.curves, onto, way) for way in WAYS}
+        found[how] = Collapsed(family, ways)
+    return found
 
 
 def thermal(found: Collapsed) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -60,23 +60,19 @@ def draw(groups: Groups) -> Figure:
     _shifts(axes["e"], found)
     _thermal(axes["f"], found["", "force"], found["", "indentation"])
     _residuals(axes["g"], found)
-    rule = _rule(found, sum(count for _, count in sound.values()))
-    foot_line(figure, sound[""][0], f"{rule}; {NOTE}")
-    return figure
-
-
-def _rule(found: dict[tuple[str, str], Collapsed], coarse: int) -> str:
-    """Say how curves were shifted and which points were left out."""
+    coarse = sum(count for _, count in sound.values())
     without = ", ".join(str(each.family.left_out) for each in found.values())
     beyond = ", ".join(str(each.ways[ALONG_BOTH].left_out) for each in found.values())
     points = ", ".join(str(sum(c.x.size for c in each.family.curves)) for each in found.values())
-    return (
+    rule = (
         "one shift per curve by least squares over a grid of 0.01 decades (collapse.py), at least "
         f"{OVERLAP:.0%} of its points over the reference (black); left out: {coarse} points "
         f"with contacts of fewer than 4 samples; in the order of (g), all without a number or with "
         f"errors over {LARGEST_ERROR:.0%} {without}, beyond the reference {beyond} of {points}; "
         "(f): one marker for every curve, side by side"
     )
+    foot_line(figure, sound[""][0], f"{rule}; {NOTE}")
+    return figure
 
 
 def _pair(figure: Figure, axes: tuple[Axes, Axes], found: Collapsed, log: bool, label: str) -> None:

@@ -88,7 +88,14 @@ def draw(groups: Groups) -> Figure:
     _by_step(axes[1, 1], fastest, "normal_force")
     _by_step(axes[1, 2], _middle(broad).isel(velocity=-1), "q_max")
     _dress(axes, broad)
-    _legends(axes, middle[BROAD])
+    for velocity, colour in zip(middle[BROAD].velocity.values, COLOURS, strict=False):
+        axes[0, 0].plot([], [], "-", color=colour, label=f"$v_1 = {velocity:g}$ m/s")
+    axes[0, 0].legend(loc="lower right", fontsize=6)
+    axes[0, 1].plot([], [], "ko-", ms=3.2, lw=0.6, label="nine branches")
+    axes[0, 1].plot([], [], "ks--", ms=3.2, lw=0.6, mfc="white", label="Kelvin")
+    for ax in (axes[0, 1], axes[1, 1]):
+        ax.legend(loc="upper left")
+    axes[1, 2].legend(handles=[axes[1, 2].lines[-1]], loc="lower left")
     data = groups[BROAD]
     write_below(
         figure,
@@ -158,20 +165,6 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
     q_max = np.sort(broad.q_max.values)
     cutoff.xaxis.set_minor_formatter(NullFormatter())
     cutoff.plot(q_max, 1.0 / q_max, "-", color="0.6", lw=0.8, label="$1/q_\\mathrm{max}$")
-
-
-def _legends(axes: np.ndarray, data: xr.Dataset) -> None:
-    """Say what stands for velocities, materials and laws."""
-    for i, velocity in enumerate(data.velocity.values):
-        axes[0, 0].plot([], [], "-", color=COLOURS[i], label=f"$v_1 = {velocity:g}$ m/s")
-    axes[0, 0].legend(loc="lower right", fontsize=6)
-    for label, style in (("nine branches", "ko-"), ("Kelvin", "ks--")):
-        face = {"mfc": "white"} if label == "Kelvin" else {}
-        axes[0, 1].plot([], [], style, ms=3.2, lw=0.6, label=label, **face)
-    axes[0, 1].legend(loc="upper left")
-    axes[1, 1].legend(loc="upper left")
-    line = axes[1, 2].lines[-1]
-    axes[1, 2].legend(handles=[line], loc="lower left")
 
 
 def left_out(groups: Groups) -> list[str]:

@@ -23,6 +23,7 @@ CAPTION = (
     "smaller time steps of both schemes, beside the limit to which they converge and eq. 13 of "
     "the paper. Panel (c) shows which share of the jump is left to relax."
 )
+LEFT = {"": ("converged", CONVERGED), "euler_1": ("implicit Euler, $m = 1$", PAPER_STEP)}
 FORCE = 0.1  # N, the nearest is shown
 NOTE = (
     "(a) dotted: the rate at which implicit Euler lets a free element decay, "
@@ -41,7 +42,12 @@ def draw(groups: Groups) -> Figure:
         }
         _rates(row[0], shown, "euler", hurst)
         _rates(row[1], shown, "exponential", hurst)
-        _amplitudes(row[2], shown)
+        for name, (label, scheme) in LEFT.items():
+            if name in shown:
+                one = shown[name].where(shown[name].relaxation_rate.notnull())
+                share = abs(one.amplitude / one.jump)
+                row[2].plot(one.speed_ratio, share, "-", label=label, **SCHEMES[scheme])
+        row[2].set(xscale="log", yscale="log")
         row[0].set_ylabel(f"relaxation rate $b$, $H = {hurst:g}$")
     axes[0, 0].set_title("(a) implicit Euler")
     axes[0, 1].set_title("(b) exponential")
@@ -85,13 +91,3 @@ def _rates(ax: Axes, shown: dict[str, xr.Dataset], scheme: str, hurst: float) ->
     ax.plot(x[x >= 1], x[x >= 1] ** (1.0 - hurst), "--", color="0.5", lw=0.9)
     ax.annotate("eq. 13", (0.045, 0.026), fontsize=6.5, color="0.35")
     ax.set(xscale="log", yscale="log", ylim=(0.02, 40.0))
-
-
-def _amplitudes(ax: Axes, shown: dict[str, xr.Dataset]) -> None:
-    labels = {"": ("converged", CONVERGED), "euler_1": ("implicit Euler, $m = 1$", PAPER_STEP)}
-    for name, (label, scheme) in labels.items():
-        if name in shown:
-            one = shown[name].where(shown[name].relaxation_rate.notnull())
-            share = abs(one.amplitude / one.jump)
-            ax.plot(one.speed_ratio, share, "-", label=label, **SCHEMES[scheme])
-    ax.set(xscale="log", yscale="log")

@@ -53,7 +53,13 @@ def draw(groups: Groups) -> Figure:
     _over_speed(axes[0, 2], known, "contact_fraction", (1e-4, 1.5))
     axes[0, 2].set(title="(c) share in contact at 20 °C", ylabel="share of the line in contact")
     axes[0, 2].legend(loc="lower left", fontsize=6.5)
-    _temperatures(axes[1, 0], known[RUBBER])
+    for temperature, colour in zip(known[RUBBER].temperature.values, HEAT, strict=False):
+        one = known[RUBBER].sel(temperature=temperature)
+        style = POINTS | {"fmt": "o-", "color": colour, "label": f"{temperature:.3g} °C"}
+        error_bars(axes[1, 0], one, "mu_1", "velocity", **style)
+    axes[1, 0].set(xscale="log", xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
+    axes[1, 0].set(title="(d) SBR at several temperatures", ylim=(0.0, None))
+    axes[1, 0].legend(loc="upper left")
     _master(axes[1, 1], known[RUBBER], materials[RUBBER])
     _step(axes[1, 2], known)
     foot_line(figure, groups[RUBBER], NOTE)
@@ -97,16 +103,6 @@ def _over_speed(
         style = POINTS | {"fmt": f"{marker}-", "color": colour, "label": label}
         error_bars(ax, warmest(data), variable, "velocity", log=True, **style)
     ax.set(xscale="log", yscale="log", ylim=limits, xlabel="speed $v$ (m/s)")
-
-
-def _temperatures(ax: Axes, data: xr.Dataset) -> None:
-    for temperature, colour in zip(data.temperature.values, HEAT, strict=False):
-        one = data.sel(temperature=temperature)
-        style = POINTS | {"fmt": "o-", "color": colour, "label": f"{temperature:.3g} °C"}
-        error_bars(ax, one, "mu_1", "velocity", **style)
-    ax.set(xscale="log", xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
-    ax.set(title="(d) SBR at several temperatures", ylim=(0.0, None))
-    ax.legend(loc="upper left")
 
 
 def _master(ax: Axes, data: xr.Dataset, material: Material) -> None:

@@ -58,7 +58,15 @@ def draw(groups: Groups) -> Figure:
             point = data.isel(velocity=index)
             label = f"$v = {float(point.velocity):g}$ m/s"
             error_bars(ax, point, "healing", "hold", fmt="o", color=colour, label=label)
-            _expected(ax, point, name, colour)
+            holds = point.hold.values
+            hold = np.geomspace(holds[0], holds[-1], 100)
+            if name == KELVIN:
+                healed = -np.expm1(-hold / TAU) * float(point.healing[-1])
+                ax.plot(hold, healed, "--", color=colour, lw=0.7)
+            else:
+                rise, error = law(point, hold)
+                ax.plot(hold, rise, "-", color=colour, lw=0.7)
+                ax.fill_between(hold, rise - error, rise + error, color=colour, alpha=0.2, lw=0)
             before = point.static_peak - point.healing
             share, error = (point[f"mu_end_of_hold{end}"] / before for end in ("", "_error"))
             form = "o-" if name == KELVIN else "s--"
@@ -83,18 +91,6 @@ def draw(groups: Groups) -> Figure:
         "squares: nine branches. The hold is at a fixed position; experiments hold the drive.",
     )
     return figure
-
-
-def _expected(ax: Axes, point: xr.Dataset, name: str, colour: str) -> None:
-    """Draw what the healing is to be read beside."""
-    holds = point.hold.values
-    hold = np.geomspace(holds[0], holds[-1], 100)
-    if name == KELVIN:
-        ax.plot(hold, -np.expm1(-hold / TAU) * float(point.healing[-1]), "--", color=colour, lw=0.7)
-        return
-    rise, error = law(point, hold)
-    ax.plot(hold, rise, "-", color=colour, lw=0.7)
-    ax.fill_between(hold, rise - error, rise + error, color=colour, alpha=0.2, lw=0)
 
 
 def _after(ax: Axes, point: xr.Dataset) -> None:

@@ -7,6 +7,7 @@ cases are all corners on random lines, lines that no spectrum makes, and very lo
 
 import itertools
 from collections.abc import Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
@@ -91,7 +92,11 @@ def probe(motion: Motion, steps: int) -> dict[str, float]:
         starts.append(state)
         w, d = state
         subnormal = np.sum((w != 0.0) & (np.abs(w) < TINY))
-        _raise(worst, sweeps=sweeps, falling=_falling(motion.line.z, d, law), subnormal=subnormal)
+        again = np.empty_like(w)
+        deeper, deepest = d * np.geomspace(0.01, 100.0, 25), int(np.argmin(motion.line.z))
+        force = [sweep(law, motion.line.z, depth, deepest, again)[0] for depth in deeper]
+        falling = sum(b <= a for a, b in pairwise(force))  # where the force fails to rise
+        _raise(worst, sweeps=sweeps, falling=falling, subnormal=subnormal)
         _raise(worst, not_finite=np.sum(~np.isfinite(w)))
         depths = _follow(motion, state, dt, law, 1.02 * d, STAY, worst)
         _raise(worst, steady=np.max(np.abs(depths / d - 1.0)))
@@ -133,23 +138,19 @@ def _follow(motion, state, dt, law, cap, steps, worst):
         d, passes = solve_indentation(z - free, total / law.stiffness, d)
         u = np.minimum(free, z - depth)
         force = law.stiffness * (free - u)
+        # How far an element presses and stands off at once, pulls, or passes through.
+        pressed, apart = force / force.max(), ((z - depth) - u) / depth
         _raise(
             worst,
             balance=abs(np.sum(force) / total - 1.0),
             mean=abs(-np.sum(u) / total - 1.0),
-            contact=_contact(force, (z - depth) - u, depth),
+            contact=max(np.max(np.minimum(pressed, apart)), -pressed.min(), -apart.min()),
             energy=_energy(motion.scheme, dt, old, u, force),
             march=abs(d / depth - 1.0),
             passes=passes,
         )
         d = depth
     return depths
-
-
-def _contact(force, gap, d):
-    """Return how far an element presses and stands off at once, pulls, or passes through."""
-    pressed, apart = force / force.max(), gap / d
-    return max(np.max(np.minimum(pressed, apart)), -pressed.min(), -apart.min())
 
 
 def _energy(scheme, dt, old, new, force):
@@ -167,14 +168,6 @@ def _energy(scheme, dt, old, new, force):
     # At rest all terms are rounding of the stored energy.
     size = np.sum(np.abs(work) + np.abs(elastic) + dissipated + EPS * old**2)
     return abs(np.sum(work - elastic - dissipated)) / size
-
-
-def _falling(z, d, law):
-    """Return how often the force of steady sliding fails to rise with the indentation."""
-    w = np.empty_like(z)
-    depths = d * np.geomspace(0.01, 100.0, 25)
-    force = [sweep(law, z, depth, int(np.argmin(z)), w)[0] for depth in depths]
-    return int(np.sum(np.diff(force) <= 0.0))
 
 
 def _raise(worst: dict[str, float], **found: float) -> None:

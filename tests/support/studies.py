@@ -15,7 +15,7 @@ from matplotlib.axes import Axes
 
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.reduce.fits import FITTED
-from elastomer_friction.workflow.report.page.report import section
+from elastomer_friction.workflow.report.page import section
 from elastomer_friction.workflow.report.panels import STYLE
 from elastomer_friction.workflow.run import workers
 from elastomer_friction.workflow.run.grid_run import run_plan
@@ -60,7 +60,7 @@ def load(path: Path) -> Groups:
 def check_section(study: AnyStudy, groups: Groups, folder: Path) -> None:
     """Show a result in the report, but for its figure: what it was computed with, and its table."""
     with pytest.MonkeyPatch.context() as patch:
-        patch.setattr("elastomer_friction.workflow.report.page.report.draw_groups", lambda *_: [])
+        patch.setattr("elastomer_friction.workflow.report.page.draw_groups", lambda *_: [])
         shown = section(study, groups, folder)
     assert shown["troubles"] == []
     units = {meaning: unit for meaning, _, unit in shown["parameters"]}

@@ -1,6 +1,7 @@
 """Command line: elastomer-friction, or python -m workflow, with one command."""
 
 import argparse
+import contextlib
 import json
 import os
 import re
@@ -56,7 +57,12 @@ def main(arguments: list[str] | None = None) -> int:
     """
     command = ""  # not known yet
     try:
-        options = _options(arguments)
+        parser = command_parser()
+        if "_ARGCOMPLETE" in os.environ:  # a shell asks what could be typed next
+            import argcomplete
+
+            argcomplete.autocomplete(parser)
+        options = parser.parse_args(arguments)
         command = options.command
         return COMMANDS[command].run(options)
     except UserError as error:
@@ -67,16 +73,6 @@ def main(arguments: list[str] | None = None) -> int:
         said = resume_line("aborted") if command == "run" else "interrupted"
         print(said, file=sys.stderr)
         return RESUMABLE
-
-
-def _options(arguments: list[str] | None) -> argparse.Namespace:
-    """Return what the command line asks for."""
-    parser = command_parser()
-    if "_ARGCOMPLETE" in os.environ:  # a shell asks what could be typed next
-        import argcomplete
-
-        argcomplete.autocomplete(parser)
-    return parser.parse_args(arguments)
 
 
 def command_parser() -> argparse.ArgumentParser:
@@ -160,18 +156,15 @@ def _merge_options(command: argparse.ArgumentParser) -> None:
 
 def _study(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
     settings = list(options.set)
-    if options.accuracy is not None:
-        settings.append(f"numerics.accuracy={_share(options.accuracy)!r}")
+    if (text := options.accuracy) is not None:
+        try:
+            share = float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
+        except ValueError:
+            message = f"--accuracy {text}: must be a number such as 1% or 0.01"
+            raise UserError(message) from None
+        settings.append(f"numerics.accuracy={share!r}")
     study = read_study(options.study, options.scale, settings)
     return study, result_file(Path(options.out), study)
-
-
-def _share(text: str) -> float:
-    """Return 0.01 for 1% and for 0.01."""
-    try:
-        return float(text.removesuffix("%")) / (100.0 if text.endswith("%") else 1.0)
-    except ValueError:
-        raise UserError(f"--accuracy {text}: must be a number such as 1% or 0.01") from None
 
 
 def _lines(options: argparse.Namespace) -> int:
@@ -229,16 +222,11 @@ def _studies(_: argparse.Namespace) -> int:
     known = known_studies()
     width = max(map(len, known))
     for name, path in sorted(known.items()):
-        print(f"{name:{width}}  {_title(path)}")
+        title = NO_TITLE
+        with contextlib.suppress(OSError, ValueError, LookupError, TypeError):
+            title = tomllib.loads(path.read_text(encoding="utf-8"))["study"]["title"]
+        print(f"{name:{width}}  {title}")
     return DONE
-
-
-def _title(path: Path) -> str:
-    """Return the title of a study."""
-    try:
-        return str(tomllib.loads(path.read_text(encoding="utf-8"))["study"]["title"])
-    except (OSError, ValueError, LookupError, TypeError):
-        return NO_TITLE
 
 
 def _schema(_: argparse.Namespace) -> int:

@@ -7,13 +7,12 @@ from typing import TYPE_CHECKING
 from .. import laboratory  # slow to import, all but the units: other commands do without
 from ..errors import UserError
 from ..laboratory import TIMES, VELOCITIES
-from ..study import FREQUENCIES, MODULI, Moduli, read_moduli
+from ..study import FREQUENCIES, MODULI, read_moduli
 from ..system import make_folder, write_durably
 from .run_options import DONE
 
 if TYPE_CHECKING:
-    from ..laboratory import Known
-    from ..reduce import PronyFit
+    pass
 
 LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
 
@@ -40,7 +39,18 @@ def run_prony(options: argparse.Namespace) -> int:
     if not fit.branches or fit.shear_modulus < LEAST_SHARE * stiffest:
         lacking = "relaxed modulus" if fit.branches else "branches"
         raise UserError(f"prony {options.file}: the best fit has no {lacking}; is it a rubber?")
-    said = [f"# {line}" for line in _said(options.file, measured, fit)]
+    omega = measured.omega
+    said = [
+        f"# {options.file}: {omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s, "
+        f"read as {' and '.join(measured.units)}",
+        f"# {len(fit.branches)} branches; residual of G* {100 * fit.rms:.2g} % rms, "
+        f"{100 * fit.worst:.2g} % at most",
+    ]
+    if not fit.determined:
+        said.append(
+            f"# the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} "
+            f"Pa do as well; it wants frequencies below {omega[0]:.3g} rad/s"
+        )
     modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
     rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
     if options.out:
@@ -51,23 +61,6 @@ def run_prony(options: argparse.Namespace) -> int:
         branches = ["branches = [", *(f"    [{row}]," for row in rows), "]"]
     print(*said, "[material]", modulus, *branches, sep="\n")
     return DONE
-
-
-def _said(file: str, measured: Moduli, fit: "PronyFit") -> list[str]:
-    """Return what was fitted, how well, and what the data leave open."""
-    omega = measured.omega
-    lines = [
-        f"{file}: {omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s, "
-        f"read as {' and '.join(measured.units)}",
-        f"{len(fit.branches)} branches; residual of G* {100 * fit.rms:.2g} % rms, "
-        f"{100 * fit.worst:.2g} % at most",
-    ]
-    if not fit.determined:
-        lines.append(
-            f"the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} Pa "
-            f"do as well; it wants frequencies below {omega[0]:.3g} rad/s"
-        )
-    return lines
 
 
 def add_fit_options(command: argparse.ArgumentParser) -> None:
@@ -87,8 +80,17 @@ def add_fit_options(command: argparse.ArgumentParser) -> None:
 def run_fit(options: argparse.Namespace) -> int:
     """Read, fit, print and draw; return the exit status."""
     known = laboratory.Known(options.relaxation_time, options.hurst, options.q_max)
-    _check(options, known)
-    columns = _columns(options.columns)
+    positive = {"--window": options.window, "--q-max": known.q_max}
+    positive["--relaxation-time"] = known.relaxation_time
+    for name, value in positive.items():
+        if value is not None and not 0.0 < value < float("inf"):
+            raise UserError(f"{name} {value:g}: must be greater than zero")
+    if known.hurst is not None and not 0.0 <= known.hurst <= 1.0:
+        raise UserError(f"--hurst {known.hurst:g}: must lie between 0 and 1")
+    words = options.columns.split(",")
+    if len(words) != 3 or not all(word.strip().isdecimal() for word in words):
+        raise UserError(f"--columns {options.columns}: must be three numbers from 0, as 0,1,2")
+    columns = tuple(map(int, words))
     units = options.time, options.velocity
     records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
     fit = laboratory.fit_records(records, known, options.window)
@@ -97,20 +99,3 @@ def run_fit(options: argparse.Namespace) -> int:
     make_folder(path.parent)
     print(*laboratory.draw_fit(fit, path), sep="\n")
     return DONE
-
-
-def _columns(text: str) -> tuple[int, ...]:
-    words = text.split(",")
-    if len(words) != 3 or not all(word.strip().isdecimal() for word in words):
-        raise UserError(f"--columns {text}: must be three numbers from 0, as 0,1,2")
-    return tuple(map(int, words))
-
-
-def _check(options: argparse.Namespace, known: "Known") -> None:
-    positive = {"--window": options.window, "--q-max": known.q_max}
-    positive["--relaxation-time"] = known.relaxation_time
-    for name, value in positive.items():
-        if value is not None and not 0.0 < value < float("inf"):
-            raise UserError(f"{name} {value:g}: must be greater than zero")
-    if known.hurst is not None and not 0.0 <= known.hurst <= 1.0:
-        raise UserError(f"--hurst {known.hurst:g}: must lie between 0 and 1")

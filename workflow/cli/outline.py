@@ -45,8 +45,26 @@ def outline_grid(study: Study, result: Path) -> Said:
     """Return what a study of a grid would do and cost, as lines and as data; computes nothing."""
     machine = this_machine()
     plan = announced_plan(study, machine.pace)
-    cost = plan.prediction()
-    return outline(plan, result, cost, machine.note), _facts(plan, cost)
+    cost, records = plan.prediction(), plan.records
+    facts = {
+        # JSON has no NaN, which stands where an axis has no value
+        "axes": {
+            axis: [None if math.isnan(v) else v for v in values]
+            for axis, values in study.grid.items()
+        },
+        "quantities": study.scene.quantities,
+        "points": plan.points,
+        "problems": plan.problems,
+        "variants": list(study.variants),
+        "realizations": records * study.realizations_per_block,
+        "records": records,
+        "predicted_core_seconds": cost.seconds,
+        "predicted_core_seconds_interval": [cost.low, cost.high],
+        "predicted_worker_bytes": round(plan.predicted_worker_bytes()),
+        "predicted_driver_bytes": round(plan.predicted_driver_bytes()),
+        "longest_line_samples": plan.longest_line(),
+    }
+    return outline(plan, result, cost, machine.note), facts
 
 
 def announced_plan(study: Study, pace: Pace) -> Plan:
@@ -73,28 +91,6 @@ def outline_measured(study: Measured, result: Path) -> Said:
     return [*head, *lines, *cost], facts
 
 
-def _facts(plan: Plan, cost: Prediction) -> dict[str, Any]:
-    """Return a plan as data: numbers in SI units, times in s, memory in bytes."""
-    seconds, low, high = cost
-    records = plan.records
-    grid = plan.study.grid.items()
-    return {
-        # JSON has no NaN, which stands where an axis has no value
-        "axes": {axis: [None if math.isnan(v) else v for v in values] for axis, values in grid},
-        "quantities": plan.study.scene.quantities,
-        "points": plan.points,
-        "problems": plan.problems,
-        "variants": list(plan.study.variants),
-        "realizations": records * plan.study.realizations_per_block,
-        "records": records,
-        "predicted_core_seconds": seconds,
-        "predicted_core_seconds_interval": [low, high],
-        "predicted_worker_bytes": round(plan.predicted_worker_bytes()),
-        "predicted_driver_bytes": round(plan.predicted_driver_bytes()),
-        "longest_line_samples": plan.longest_line(),
-    }
-
-
 def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]:
     """Return the description of a plan, line by line.
 
@@ -115,7 +111,14 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
     lines += effect_lines(study)
     for variant in plan.variants:
         lines += march_lines(variant)
-    return [*lines, *_costs(plan, cost, speed)]
+    return [
+        *lines,
+        f"predicted   {core_time(cost.low, cost.high)}",
+        f"speed       as measured on {speed}",
+        f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
+        f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
+        f"longest line {plan.longest_line()} samples",
+    ]
 
 
 def march_lines(variant: Variant) -> list[str]:
@@ -146,16 +149,6 @@ def _span(values: np.ndarray) -> str:
     return low if low == high else f"{low} ... {high}"
 
 
-def _costs(plan: Plan, cost: Prediction, speed: str) -> list[str]:
-    return [
-        f"predicted   {core_time(cost.low, cost.high)}",
-        f"speed       as measured on {speed}",
-        f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
-        f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
-        f"longest line {plan.longest_line()} samples",
-    ]
-
-
 def _realizations(plan: Plan) -> list[str]:
     """Return how many realizations there are, and what they are to reach."""
     study = plan.study
@@ -168,34 +161,31 @@ def _realizations(plan: Plan) -> list[str]:
         return [f"realizations {study.realizations} each{up}, {runs} in all"]
     lines = [f"realizations {runs} in all, predicted; rounds add more until the accuracy is met"]
     for variant in plan.variants:
-        if variant.goals:
-            lines += _goals(plan, variant, block)
+        if not variant.goals:
+            continue
+        numerics = variant.numerics
+        counts = [plan.expected[task.key] * block for task in variant.tasks]
+        steps = [task.steps_per_spacing for task in variant.tasks]
+        capped = sum(n + block > numerics.max_realizations for n in counts)
+        wanted = numerics.accuracy or 0.0
+        sought = [
+            {name: goal.bias[name] for name, scatter in goal.scatter.items() if scatter > 0.0}
+            for goal in variant.goals.values()
+        ]
+        coarse = sum(max(bias.values()) > 0.5 * wanted for bias in sought)
+        names = len(judged(plan.study.scene.quantities))
+        nothing = sum(len(bias) < names for bias in sought)
+        given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
+        lines += [
+            f"accuracy    {wanted:g} {variant.label}",
+            f"  steps     {min(steps)} ... {max(steps)} per spacing, elements with them{given}",
+            f"  each      {min(counts)} ... {max(counts)} realizations",
+            f"  missed    probably at {capped} problems that end at {numerics.max_realizations} "
+            f"realizations, at {coarse} that no line in reach resolves",
+            f"  no rate   sought at {nothing} problems, where less than "
+            f"{numerics.negligible:g} of the jump is expected to relax",
+        ]
     return lines
-
-
-def _goals(plan: Plan, variant: Variant, block: int) -> list[str]:
-    numerics = variant.numerics
-    counts = [plan.expected[task.key] * block for task in variant.tasks]
-    steps = [task.steps_per_spacing for task in variant.tasks]
-    capped = sum(n + block > numerics.max_realizations for n in counts)
-    wanted = numerics.accuracy or 0.0
-    sought = [
-        {name: goal.bias[name] for name, scatter in goal.scatter.items() if scatter > 0.0}
-        for goal in variant.goals.values()
-    ]
-    coarse = sum(max(bias.values()) > 0.5 * wanted for bias in sought)
-    names = len(judged(plan.study.scene.quantities))
-    nothing = sum(len(bias) < names for bias in sought)
-    given = " (given: its error is not counted)" if numerics.steps_per_spacing else ""
-    return [
-        f"accuracy    {wanted:g} {variant.label}",
-        f"  steps     {min(steps)} ... {max(steps)} per spacing, elements with them{given}",
-        f"  each      {min(counts)} ... {max(counts)} realizations",
-        f"  missed    probably at {capped} problems that end at {numerics.max_realizations} "
-        f"realizations, at {coarse} that no line in reach resolves",
-        f"  no rate   sought at {nothing} problems, where less than "
-        f"{numerics.negligible:g} of the jump is expected to relax",
-    ]
 
 
 def effect_lines(study: Study) -> list[str]:

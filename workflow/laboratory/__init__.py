@@ -9,8 +9,8 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .figure import draw_fit
-    from .record import TIMES, VELOCITIES, Record, read_record
+    from .record import TIMES, VELOCITIES, read_record
     from .sentences import describe
-    from .together import Fit, Known, fit_records
+    from .together import Known, fit_records
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -98,34 +98,29 @@ def measured_steps(record: Record, window: float | None = None) -> list[Measured
             f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
             f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart"
         )
-    found = []
+    found, t = [], record.time
     for number, (one, two) in enumerate(pairwise(stretches), 1):
         name = f"{record.name}, step {number}" if len(stretches) > 2 else record.name
-        found.append(_step(record, name, one, two, window))
-    return found
-
-
-def _step(record: Record, name: str, one: slice, two: slice, window: float | None) -> MeasuredStep:
-    t = record.time
-    last, first = t[one.stop - 1], t[two.start]
-    start = 0.5 * (last + first)
-    end = two.stop
-    if window is not None:
-        end = min(end, int(np.searchsorted(t, start + window, side="right")))
-    if end - two.start < LEAST_SAMPLES:
-        raise UserError(
-            f"fit {name}: {max(end - two.start, 0)} samples within {window:g} s of the step; a fit "
-            f"needs {LEAST_SAMPLES}: give a longer --window"
+        last, first = t[one.stop - 1], t[two.start]
+        start, end = 0.5 * (last + first), two.stop
+        if window is not None:
+            end = min(end, int(np.searchsorted(t, start + window, side="right")))
+        if end - two.start < LEAST_SAMPLES:
+            raise UserError(
+                f"fit {name}: {max(end - two.start, 0)} samples within {window:g} s of the step; a "
+                f"fit needs {LEAST_SAMPLES}: give a longer --window"
+            )
+        step = MeasuredStep(
+            name=name,
+            v1=float(record.velocity[one].mean()),
+            v2=float(record.velocity[two].mean()),
+            change=float(first - last),
+            before=record.friction[(one.start + one.stop) // 2 : one.stop],
+            time=t[two.start : end] - start,
+            after=record.friction[two.start : end],
         )
-    return MeasuredStep(
-        name=name,
-        v1=float(record.velocity[one].mean()),
-        v2=float(record.velocity[two].mean()),
-        change=float(first - last),
-        before=record.friction[(one.start + one.stop) // 2 : one.stop],
-        time=t[two.start : end] - start,
-        after=record.friction[two.start : end],
-    )
+        found.append(step)
+    return found
 
 
 def constant_stretches(values: np.ndarray) -> list[slice]:
@@ -144,7 +139,12 @@ def constant_stretches(values: np.ndarray) -> list[slice]:
             done.append(slice(start, stop))
         else:
             open_parts += [(start, start + cut), (start + cut, stop)]
-    parts = sorted((p for p in done if _is_constant(values[p])), key=lambda part: part.start)
+    parts = []
+    for part in sorted(done, key=lambda part: part.start):
+        own = values[part]
+        place = np.linspace(-0.5, 0.5, own.size)
+        if own.size >= LEAST_SAMPLES and abs(place @ own / (place @ place)) < LEAST_CHANGE:
+            parts.append(part)
     joined: list[slice] = []
     for part in parts:
         if joined and abs(values[part].mean() - values[joined[-1]].mean()) < LEAST_CHANGE:
@@ -166,11 +166,3 @@ def _cut(values: np.ndarray, noise: float) -> int | None:
     best = int(np.argmax(weight * difference**2))
     least = max(LEAST_CHANGE, CHANCE * noise / np.sqrt(weight[best]))
     return best + 1 if abs(difference[best]) > least else None
-
-
-def _is_constant(values: np.ndarray) -> bool:
-    if values.size < LEAST_SAMPLES:
-        return False
-    place = np.linspace(-0.5, 0.5, values.size)
-    rise = float(place @ values / (place @ place))
-    return abs(rise) < LEAST_CHANGE

@@ -15,7 +15,13 @@ def describe(fit: Fit) -> list[str]:
     """Return lines for a terminal: each step, then what all determine together."""
     lines = []
     for step, ageing in zip(fit.steps, fit.ageing, strict=True):
-        lines += [*_step(step), *_laws(step, ageing), ""]
+        lines += _step(step)
+        for law, label in ((step, "Ruina's law (eq. 6)"), (ageing, "Dieterich's law")):
+            values = zip(("a", "b", "D_c"), law.state(), ("", "", " m"), strict=True)
+            known = [f"{name} = {shown(each)}{unit}" for name, each, unit in values if each.known]
+            if known:  # what a law leaves open is left out
+                lines.append(_line(label, f"{', '.join(known)}; residual {law.rms:.2g}"))
+        lines.append("")
     return [*lines, *_together(fit)]
 
 
@@ -44,17 +50,6 @@ def _step(fit: StepFit) -> list[str]:
     for why in dict.fromkeys(fit.why.values()):
         names = [NAMES[name] for name in fit.why if fit.why[name] == why]
         lines.append(_line("not determined", f"{_listed(names)}: {why}"))
-    return lines
-
-
-def _laws(fit: StepFit, ageing: StepFit) -> list[str]:
-    """Return a, b and D_c of the two laws; what one of them leaves open is left out."""
-    lines = []
-    for law, label in ((fit, "Ruina's law (eq. 6)"), (ageing, "Dieterich's law")):
-        values = zip(("a", "b", "D_c"), law.state(), ("", "", " m"), strict=True)
-        known = [f"{name} = {shown(each)}{unit}" for name, each, unit in values if each.known]
-        if known:
-            lines.append(_line(label, f"{', '.join(known)}; residual {law.rms:.2g}"))
     return lines
 
 

@@ -172,6 +172,11 @@ def fit_step(step: MeasuredStep, law: str = "ruina") -> StepFit:
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
     mu_1 = mean(step.before)
+    place = np.linspace(-0.5, 0.5, step.before.size)  # of a straight line through what was before
+    weight = place @ place
+    rise = float(place @ step.before / weight)
+    rest = step.before - step.before.mean() - rise * place
+    variance = rest @ rest / (rest.size - 2) * correlation_factor(rest)
     rate, why = _rate(fit)
     found, reasons = _levels(step, fit, mu_1, curve, bool(why))
     reasons |= dict.fromkeys(OPEN_WITH.get(why, ()), why)
@@ -182,7 +187,7 @@ def fit_step(step: MeasuredStep, law: str = "ruina") -> StepFit:
         mu_1=mu_1,
         rate=rate,
         why=reasons,
-        drift=_drift(step.before),
+        drift=Estimate(rise, math.sqrt(variance / weight)),
         rms=float(np.sqrt(np.mean(fit.residual**2))),
         factor=fit.factor,
         curve=curve,
@@ -231,13 +236,3 @@ def _levels(
             found[name] = Estimate()
             reasons[name] = UNSURE
     return found, reasons
-
-
-def _drift(values: np.ndarray) -> Estimate:
-    """Return the rise of a straight line over values, shape (samples,)."""
-    place = np.linspace(-0.5, 0.5, values.size)
-    weight = place @ place
-    rise = float(place @ values / weight)
-    rest = values - values.mean() - rise * place
-    variance = rest @ rest / (values.size - 2) * correlation_factor(rest)
-    return Estimate(rise, math.sqrt(variance / weight))

@@ -135,7 +135,12 @@ def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
     chosen: list[Task] = []
     lines: set[int] = set()
     total = 0.0
-    for tasks in _groups(plan, whole, target):
+    groups: list[list[Task]] = []  # what shares sweeps, unless that takes too long
+    for _, group in groupby(whole.tasks, sharing):
+        tasks = list(group)
+        together = _own_seconds(plan, variant, tasks) <= TOGETHER * target
+        groups += [tasks] if together else [[task] for task in tasks]
+    for tasks in groups:
         samples, own = samples_of(tasks[0]), _own_seconds(plan, variant, tasks)
         drawing = plan.study.realizations_per_block * variant.draw_seconds(samples)
         shared = own if samples in lines else own + drawing
@@ -146,16 +151,6 @@ def _pieces(plan: Plan, whole: Missing, target: float) -> Iterator[Missing]:
         lines.add(samples)
         total += shared
     yield whole._replace(tasks=chosen, seconds=total)
-
-
-def _groups(plan: Plan, whole: Missing, target: float) -> Iterator[list[Task]]:
-    """Yield tasks that share sweeps together, and those one by one that take too long for it."""
-    for _, group in groupby(whole.tasks, sharing):
-        tasks = list(group)
-        if _own_seconds(plan, whole.variant, tasks) <= TOGETHER * target:
-            yield tasks
-        else:
-            yield from ([task] for task in tasks)
 
 
 def _own_seconds(plan: Plan, variant: Variant, tasks: list[Task]) -> float:

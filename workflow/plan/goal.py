@@ -69,25 +69,27 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     # Where the search begins, to be replaced by the first steps that are tried.
     best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
+    share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
     while (open_ones := (steps * problem.elements <= MAX_SAMPLES_PER_LINE) & (tried < TRIED)).any():
         bias = {name: LAWS[name].error(problem, steps) for name in names}
         goal = Goal(steps, bias, scatter, _need(wanted, bias, scatter))
         fine = np.max([counted[name] * bias[name] for name in names], axis=0) <= 0.5 * wanted
         lines = np.maximum(goal.realizations, QUARTET * least_blocks(names))
-        cost = np.where(fine, lines * _updates(problem, scene, numerics, steps), np.inf)
-        best = _where(open_ones & ((cost < lowest) | (tried == 0)), goal, best)
+        marched = 0.0
+        if "relaxation" in scene.quantities:
+            marched = share * horizon_steps(problem, numerics, steps)
+        updates = steps * (STATES + marched)  # of elements in a march, which a realization takes
+        cost = np.where(fine, lines * updates, np.inf)
+        better = open_ones & ((cost < lowest) | (tried == 0))
+        best = Goal(
+            np.where(better, steps, best.steps),
+            {name: np.where(better, bias[name], best.bias[name]) for name in names},
+            scatter,
+            np.where(better, goal.realizations, best.realizations),
+        )
         lowest, tried = np.where(open_ones, np.minimum(cost, lowest), lowest), tried + fine
         steps = 2 * steps
     return best
-
-
-def _where(chosen: np.ndarray, one: Goal, other: Goal) -> Goal:
-    """Return one goal for the problems that are chosen, the other for the rest."""
-    bias = {name: np.where(chosen, one.bias[name], other.bias[name]) for name in one.bias}
-    realizations = np.where(chosen, one.realizations, other.realizations)
-    return one._replace(
-        steps=np.where(chosen, one.steps, other.steps), bias=bias, realizations=realizations
-    )
 
 
 def _need(wanted: float, bias: dict[str, Numbers], scatter: dict[str, Numbers]) -> Numbers:
@@ -98,15 +100,6 @@ def _need(wanted: float, bias: dict[str, Numbers], scatter: dict[str, Numbers]) 
 def allowed(wanted: float, bias: Numbers) -> Numbers:
     """Return the relative standard error that is left beside a bias, at least half of all."""
     return np.maximum(wanted - bias, 0.5 * wanted)
-
-
-def _updates(problem: Problem, scene: Scene, numerics: Numerics, steps: Numbers) -> Numbers:
-    """Return the cost of one realization per spacing, in element updates of the march."""
-    march = 0.0
-    if "relaxation" in scene.quantities:
-        share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
-        march = share * horizon_steps(problem, numerics, steps)
-    return steps * (STATES + march)
 
 
 def least_blocks(names: tuple[str, ...]) -> int:
@@ -178,23 +171,18 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     elif steps is None:
         steps = np.maximum(LEAST_STEPS, least_steps(problem, scene))
         if "relaxation" in scene.quantities:
-            steps = _for_contacts(problem, steps)
+            most = np.minimum(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
+            width, rate = contact_width(problem), expected_rate(problem)
+            coarse = np.array(True)
+            while coarse.any():  # by the law of b, as far as m may go
+                finer = rung(steps + 1)
+                coarse = rate_error(problem, steps, width * steps, rate) > BIAS
+                coarse = coarse & (finer <= most)
+                steps = np.where(coarse, finer, steps)
         if numerics.scheme == "implicit-euler":
             steps = steps * FIRST_ORDER
     check_resolution(problem, steps, numerics)
     return steps
-
-
-def _for_contacts(problem: Problem, steps: Numbers) -> Numbers:
-    """Return m, from ``steps`` on, for which the law of b keeps BIAS, as far as m may go."""
-    most = np.minimum(MOST_FOR_CONTACTS, MAX_SAMPLES_PER_LINE // problem.elements)
-    width, rate = contact_width(problem), expected_rate(problem)
-    while True:
-        finer, wide = rung(steps + 1), width * steps
-        coarse = (rate_error(problem, steps, wide, rate) > BIAS) & (finer <= most)
-        if not coarse.any():
-            return steps
-        steps = np.where(coarse, finer, steps)
 
 
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:

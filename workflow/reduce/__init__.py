@@ -17,13 +17,10 @@ if TYPE_CHECKING:
         UNRESOLVED,
         completed,
         exponents_of,
-        fit_exponents,
-        fit_power_law,
     )
     from .estimates import reduce_blocks
     from .fits import (
         FITTED,
-        NEGLIGIBLE,
         NO_RELAXATION,
         NO_STATE,
         NOT_EXPONENTIAL,
@@ -33,9 +30,9 @@ if TYPE_CHECKING:
         fit_exponential,
         fit_relaxation,
     )
-    from .jackknife import grouped_means, replicates, significant, standard_error
-    from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS, compare_models
+    from .jackknife import grouped_means, replicates, standard_error
+    from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
     from .prony_fit import PronyFit, fit_prony
-    from .rate_state import LAWS, fit_rate_state, step_law
+    from .rate_state import LAWS, step_law
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -32,7 +32,9 @@ def attained(
     """Judge the estimates of some tasks.
 
     Where a value has no relative error (next to nothing relaxes, not exponential, exactly zero) it
-    is left out, and the status says so; reached is NaN where that leaves nothing.
+    is left out, and the status says so; reached is NaN where that leaves nothing. By chance two
+    groups agree too well one time in ten, so that the law of scatter counts there as TRUST degrees
+    of freedom (G. K. Smyth, Stat. Appl. Genet. Mol. Biol. 3, 3 (2004), doi:10.2202/1544-6115.1027).
     estimates : with ``degrees_of_freedom`` of the errors. ratios : v2/v1, realizations : of each
     task, both of shape (tasks,).
     """
@@ -47,7 +49,9 @@ def attained(
             relative = estimates[f"{name}_error"] / np.abs(estimates[name])
         relative[~np.isfinite(relative)] = np.inf
         law = np.array([goal.scatter[name] for goal in goals]) / np.sqrt(realizations)
-        moderated = _moderated(relative, law, freedom)
+        # Errors of few groups are a mean with what the law of their scatter says.
+        both = np.sqrt((TRUST * law**2 + freedom * relative**2) / (TRUST + freedom))
+        moderated = np.where(freedom + 1 < FEW_GROUPS, both, relative)
         relative = np.maximum(relative, moderated)
         undefined = (relative > left) & _undefined(name, estimates, ratios, wanted)
         partly |= undefined
@@ -60,16 +64,6 @@ def attained(
     missed = reached > wanted * (1.0 + 1e-9)
     status = np.where(missed, MISSED, np.where(partly, MET_WHERE_DEFINED, MET))
     return Attained(np.where(reached < 0.0, np.nan, reached), status.astype(np.int8), growth)
-
-
-def _moderated(error: np.ndarray, law: np.ndarray, freedom: np.ndarray) -> np.ndarray:
-    """Return errors, those of few groups as a mean with what the law of their scatter says.
-
-    By chance two groups agree too well one time in ten. The law is worth TRUST degrees of freedom.
-    Source: G. K. Smyth, Stat. Appl. Genet. Mol. Biol. 3, 3 (2004), doi:10.2202/1544-6115.1027.
-    """
-    both = np.sqrt((TRUST * law**2 + freedom * error**2) / (TRUST + freedom))
-    return np.where(freedom + 1 < FEW_GROUPS, both, error)
 
 
 def _undefined(

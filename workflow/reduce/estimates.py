@@ -60,7 +60,13 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
     enter(estimates, "relaxation_rate", rate)
     enter(estimates, "amplitude", amplitude)
     enter(estimates, "relaxation_rate_free", rate_free)
-    status = np.where(_negligible(estimates, blocks), NEGLIGIBLE, status)
+    # Negligible is what surely relaxes less than that share of the jump; a bound of zero leaves
+    # every fit as it is, and so does a curve that holds no numbers.
+    groups = max(blocks.scalars.shape[1], 2)
+    error = np.nan_to_num(estimates["deviation_error"][:, 0])  # of one block nothing is known
+    most = np.abs(estimates["deviation"][:, 0]) + errors_needed(groups, 2.0, 0.05) * error
+    jump = np.abs(np.mean(blocks.scalars[:, :, SCALARS.index("jump")], axis=1))
+    status = np.where(most < blocks.negligible * jump, NEGLIGIBLE, status)
     estimates["fit_status"] = status.astype(np.int8)
     estimates |= {"fit_window": window, "fit_quality": quality}
     estimates["rate_replicates"] = padded(rate, JACKKNIFE_GROUPS)
@@ -71,15 +77,3 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
             enter(estimates, name, getattr(found, name))
         for name in GAINS:
             estimates[name], estimates[f"{name}_error"] = getattr(found, name).T
-
-
-def _negligible(estimates: Estimates, blocks: Blocks) -> np.ndarray:
-    """Return where surely less relaxes than the share of the jump that is negligible.
-
-    Not where the curve holds no numbers. A bound of zero leaves every fit as it is.
-    """
-    groups = blocks.scalars.shape[1]
-    error = np.nan_to_num(estimates["deviation_error"][:, 0])  # of one block nothing is known
-    most = np.abs(estimates["deviation"][:, 0]) + errors_needed(max(groups, 2), 2.0, 0.05) * error
-    jump = np.abs(np.mean(blocks.scalars[:, :, SCALARS.index("jump")], axis=1))
-    return most < blocks.negligible * jump

@@ -51,7 +51,9 @@ def fit_curves(model: Model, t: np.ndarray, curves: np.ndarray, start: np.ndarra
         tried = _at(model, t, curves, best.p + step)
         fell = tried.squares < best.squares  # not where it is not a number
         gain = np.where(fell, best.squares - tried.squares, 0.0)
-        best = _Fit(*(_chosen(fell & going, *pair) for pair in zip(tried, best, strict=True)))
+        better = np.flatnonzero(fell & going)
+        for old, new in zip(best, tried, strict=True):
+            old[better] = new[better]
         going &= ~(fell & (gain <= ENOUGH * best.squares)) & (damping < largest)
         damping = np.clip(np.where(fell, damping / FACTOR, damping * FACTOR), least, largest)
         if not going.any():
@@ -77,7 +79,3 @@ def _step(fit: _Fit, damping: np.ndarray) -> np.ndarray:
     safe = np.where(sound[:, None, None], damped, np.eye(scale.shape[1]))
     step = np.linalg.solve(safe, -fit.gradient[..., None])[..., 0]
     return np.where(sound[:, None], step, 0.0)
-
-
-def _chosen(mask: np.ndarray, new: np.ndarray, old: np.ndarray) -> np.ndarray:
-    return np.where(mask.reshape(-1, *[1] * (new.ndim - 1)), new, old)

@@ -154,11 +154,9 @@ def _fits_and_gains(
         fits[code] = np.concatenate([mean, fit_curves(model, t, curves[1:], mean[0])])
         predicted, _ = model(fits[code][1:], t)
         scores[code] = np.mean((blocks - predicted) ** 2, axis=1)
-    return fits, {code: _gain(scores[EXPONENTIAL], scores[code]) for code in MODELS}
-
-
-def _gain(reference: np.ndarray, score: np.ndarray) -> tuple[float, float]:
-    """Return 1 - score/reference, averaged over blocks, and its standard error."""
-    difference = reference - score
-    error = difference.std(ddof=1) / np.sqrt(difference.size)
-    return float(difference.mean() / reference.mean()), float(error / reference.mean())
+    gains, reference = {}, scores[EXPONENTIAL]
+    for code, score in scores.items():  # 1 - score/reference over the blocks, and its error
+        less = reference - score
+        error = less.std(ddof=1) / np.sqrt(less.size)
+        gains[code] = float(less.mean() / reference.mean()), float(error / reference.mean())
+    return fits, gains

@@ -9,7 +9,6 @@ import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
-from matplotlib.axes import Axes
 
 from ..errors import UserError
 from ..system import write_durably
@@ -58,17 +57,38 @@ def check_animation(path: Path) -> None:
 
 
 def _animation(scene: xr.Dataset) -> FuncAnimation:
+    """Return the rigid line over the foundation, and beneath it the friction up to each frame."""
     frames = np.arange(scene.sizes["event"])[:: -(-scene.sizes["event"] // FRAMES)]
     figure, (above, below) = plt.subplots(
         2, 1, figsize=(5.6, 4.2), gridspec_kw={"height_ratios": [2.0, 1.0]}
     )
     view = _view(scene)
-    profile = _Profile(above, view)
-    trace = _Trace(below, scene)
+    x, low = view.x.values, float(view.snapshot_displacement.min())
+    depth = max(-low, 1e-12)
+    floor, top = low - depth, 1.5 * depth
+    above.set(xlim=(x[0], x[-1]), ylim=(floor, top), ylabel="height, µm")
+    above.set_xlabel("along the foundation, µm")
+    above.text(0.01, 0.96, "rigid body", transform=above.transAxes, va="top")
+    above.text(0.01, 0.04, "elastomer", transform=above.transAxes)
+    time, mu = scene.trace_time.values, scene.trace_mu.values
+    below.plot(time, mu, color="0.8")
+    (line,) = below.plot([], [], color=COLOURS[0])
+    (dot,) = below.plot([], [], "o", color=COLOURS[4], ms=4.0)
+    below.set(xlabel="time, s", ylabel="coefficient of friction")
 
     def draw(frame: int) -> list[Any]:
-        profile.draw(view.isel(event=frame))
-        trace.draw(frame)
+        for drawn in [*above.collections, *above.lines]:
+            drawn.remove()
+        now = view.isel(event=frame)
+        rigid, soft = now.snapshot_height.values, now.snapshot_displacement.values
+        # A free element lies below the line by more than rounding.
+        contact = np.where(rigid <= soft + 1e-9 * (top - floor), soft, np.nan)
+        above.fill_between(x, rigid, top, color=RIGID, lw=0)
+        above.fill_between(x, soft, floor, color=RUBBER, lw=0)
+        above.plot(x, contact, color=TOUCHING, lw=2.0, marker=".", ms=2.0)
+        above.plot(x, rigid, color="0.25", lw=0.8)
+        line.set_data(time[: frame + 1], mu[: frame + 1])
+        dot.set_data(time[frame : frame + 1], mu[frame : frame + 1])
         return []
 
     return FuncAnimation(figure, draw, frames=list(frames), blit=False)
@@ -83,50 +103,3 @@ def _view(scene: xr.Dataset) -> xr.Dataset:
     names = ["snapshot_height", "snapshot_displacement"]
     view = scene[names].isel(x=chosen) * MICRO
     return view.assign_coords(x=np.arange(count) * step * MICRO)
-
-
-class _Profile:
-    """The rigid line above, the surface of the foundation below."""
-
-    def __init__(self, ax: Axes, view: xr.Dataset) -> None:
-        self.ax, self.x = ax, view.x.values
-        low = float(view.snapshot_displacement.min())
-        depth = max(-low, 1e-12)
-        self.floor, self.top = low - depth, 1.5 * depth
-        ax.set(
-            xlim=(self.x[0], self.x[-1]),
-            ylim=(self.floor, self.top),
-            xlabel="along the foundation, µm",
-            ylabel="height, µm",
-        )
-        ax.text(0.01, 0.96, "rigid body", transform=ax.transAxes, va="top")
-        ax.text(0.01, 0.04, "elastomer", transform=ax.transAxes)
-
-    def draw(self, now: xr.Dataset) -> None:
-        """Draw one snapshot in place of the one before."""
-        for drawn in [*self.ax.collections, *self.ax.lines]:
-            drawn.remove()
-        rigid, soft = now.snapshot_height.values, now.snapshot_displacement.values
-        # A free element lies below the line by more than rounding.
-        near = rigid <= soft + 1e-9 * (self.top - self.floor)
-        self.ax.fill_between(self.x, rigid, self.top, color=RIGID, lw=0)
-        self.ax.fill_between(self.x, soft, self.floor, color=RUBBER, lw=0)
-        contact = np.where(near, soft, np.nan)
-        self.ax.plot(self.x, contact, color=TOUCHING, lw=2.0, marker=".", ms=2.0)
-        self.ax.plot(self.x, rigid, color="0.25", lw=0.8)
-
-
-class _Trace:
-    """The coefficient of friction over time, and where the animation is."""
-
-    def __init__(self, ax: Axes, scene: xr.Dataset) -> None:
-        self.time, self.mu = scene.trace_time.values, scene.trace_mu.values
-        ax.plot(self.time, self.mu, color="0.8")
-        (self.line,) = ax.plot([], [], color=COLOURS[0])
-        (self.dot,) = ax.plot([], [], "o", color=COLOURS[4], ms=4.0)
-        ax.set(xlabel="time, s", ylabel="coefficient of friction")
-
-    def draw(self, frame: int) -> None:
-        """Show the friction up to a frame."""
-        self.line.set_data(self.time[: frame + 1], self.mu[: frame + 1])
-        self.dot.set_data(self.time[frame : frame + 1], self.mu[frame : frame + 1])

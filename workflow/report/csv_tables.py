@@ -34,8 +34,12 @@ def write_table(study: AnyStudy, result: Path) -> list[Path]:
 def write_tables(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
     """Write the tables of an opened result; none of a measured study that makes no table."""
     try:
-        found = _grid_tables(study, groups) if isinstance(study, Study) else {}
-        if isinstance(study, Measured) and hasattr(study.script, "table"):
+        found: Tables = {}
+        if isinstance(study, Study):
+            both = {"": _rows(groups, study.axes), "exponents": _rows(groups, ("hurst",))}
+            found = {label: frame for label, frame in both.items() if frame.columns.size}
+            found[COLUMNS] = _meanings(groups, found)
+        elif isinstance(study, Measured) and hasattr(study.script, "table"):
             frame = study.script.table(groups)
             found[""] = frame.set_index(frame.columns[0])
     except BROKEN as error:
@@ -46,12 +50,6 @@ def write_tables(study: AnyStudy, groups: Groups, result: Path) -> list[Path]:
         digits = "%.10g" if isinstance(study, Study) else "%.4g"
         write_durably(paths[-1], frame.to_csv(float_format=digits).encode())
     return paths
-
-
-def _grid_tables(study: Study, groups: Groups) -> Tables:
-    found = {"": _rows(groups, study.axes), "exponents": _rows(groups, ("hurst",))}
-    kept = {label: frame for label, frame in found.items() if frame.columns.size}
-    return kept | {COLUMNS: _meanings(groups, kept)}
 
 
 def _rows(groups: Groups, axes: tuple[str, ...]) -> pd.DataFrame:

@@ -5,7 +5,6 @@ has a usual figure.
 """
 
 import contextlib
-import inspect
 import io
 import logging
 from collections.abc import Callable
@@ -103,7 +102,7 @@ def _rendered(figure: Figure, kind: str) -> bytes:
 
 
 def _script(study: AnyStudy, asked: Path | None) -> Callable[[Groups], Drawn]:
-    """Return the function that draws. Raises UserError where there is none, or one of old."""
+    """Return the function that draws. Raises UserError where there is none."""
     script = asked or study.folder / "figure.py"
     if not script.is_file():
         if asked is None and study.kind == "grid":
@@ -112,9 +111,4 @@ def _script(study: AnyStudy, asked: Path | None) -> Callable[[Groups], Drawn]:
     draw = getattr(load_script(script), "draw", None)
     if draw is None:
         raise UserError(f"{script}: has no function draw(groups)")
-    if [*inspect.signature(draw).parameters][:1] != ["groups"]:
-        raise UserError(
-            f"{script}: draw takes the path of a result; write draw(groups) instead, which is "
-            'handed the opened datasets: groups[""] is the study, groups["NAME"] a comparison'
-        )
     return draw

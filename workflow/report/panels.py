@@ -163,7 +163,10 @@ def remember(
     estimate = points[name]
     # Of an exponent per H alone there is no velocity to name.
     places = [a for a in AXES if a in points.coords and {*points[a].dims} <= {*estimate.dims}]
-    values = {each: _flat(points[each], estimate) for each in (name, over, *places)}
+    values = {
+        each: np.ravel(points[each].broadcast_like(estimate).transpose(*estimate.dims).values)
+        for each in (name, over, *places)
+    }
     across, up, errors = values[over] + aside, values[name], np.ravel(error)
     for i in np.flatnonzero(np.isfinite(across) & np.isfinite(up)):
         said = [
@@ -187,10 +190,6 @@ def remembered(figure: Figure) -> list[HoverPoint]:
                 shares = across / figure.bbox.width, 1.0 - up / figure.bbox.height
                 found.append(HoverPoint(float(shares[0]), float(shares[1]), text))
     return found
-
-
-def _flat(variable: xr.DataArray, like: xr.DataArray) -> np.ndarray:
-    return np.ravel(variable.broadcast_like(like).transpose(*like.dims).values)
 
 
 def _unit(variable: xr.DataArray) -> str:

@@ -45,7 +45,10 @@ CURVES = (("time", "mu", "$(t - t_0)/\\tau$"), ("trace_time", "trace_mu", "time 
 def draw(groups: Groups) -> Figure:
     """Return the figure of any result of a grid."""
     data = groups[""]
-    shown = [name for name in WANTED if name in data] or _estimates(data)[: len(WANTED)]
+    shown = [name for name in WANTED if name in data]
+    if not shown:
+        estimates = [str(n) for n in data.data_vars if f"{n}_error" in data]
+        shown = [n for n in estimates if set(data[n].dims) >= {*AXES}][: len(WANTED)]
     curve = next((names for names in CURVES if names[1] in data), None)
     panels = len(shown) + (curve is not None)
     figure, axes = plt.subplots(1, panels, figsize=(1.0 + 2.3 * panels, 3.0), squeeze=False)
@@ -56,13 +59,12 @@ def draw(groups: Groups) -> Figure:
         _estimate(ax, groups, name)
     if shown and axes[0, -len(shown)].get_legend_handles_labels()[0]:
         axes[0, -len(shown)].legend(fontsize=6)  # the same in all panels of estimates
-    foot_line(figure, data, _others(data), bars="bars and bands" if curve else "bars")
+    others = [axis for axis in _by_length(data)[2:] if data.sizes[axis] > 1]
+    values = [f"{AXIS_ATTRIBUTES[axis][1]} {float(data[axis][0]):.3g}" for axis in others]
+    note = f"estimates are shown at the first of several values: {', '.join(values)}"
+    bars = "bars and bands" if curve else "bars"
+    foot_line(figure, data, note * bool(others), bars=bars)
     return figure
-
-
-def _estimates(data: xr.Dataset) -> list[str]:
-    """Return the names of variables on the grid that have standard errors."""
-    return [str(n) for n in data.data_vars if f"{n}_error" in data and set(data[n].dims) >= {*AXES}]
 
 
 def _by_length(data: xr.Dataset) -> list[str]:
@@ -117,12 +119,3 @@ def _estimate(ax: Axes, groups: Groups, name: str) -> None:
     if found.size and found.min() > 0.0 and found.max() > DECADES * found.min():
         ax.set_yscale("log")
     ax.set(xlabel=SYMBOLS[along], ylabel=LABELS.get(name, name))
-
-
-def _others(data: xr.Dataset) -> str:
-    """Return at which values of the other axes estimates are drawn."""
-    others = [axis for axis in _by_length(data)[2:] if data.sizes[axis] > 1]
-    if not others:
-        return ""
-    values = [f"{AXIS_ATTRIBUTES[axis][1]} {float(data[axis][0]):.3g}" for axis in others]
-    return f"estimates are shown at the first of several values: {', '.join(values)}"

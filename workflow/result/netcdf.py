@@ -59,17 +59,11 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
                     aside, "a" if label else "w", group=label or None, encoding=_encoding(dataset)
                 )
         except (OSError, RuntimeError) as error:
-            _ask_the_disk(aside)
+            # HDF5 says "Permission denied", or nothing, where the disk is full: the disk says so
+            # to a plain write of as much and more.
+            size = aside.stat().st_size if aside.exists() else 0
+            aside.write_bytes(bytes(size + MORE_BYTES))
             raise RuntimeError(str(error)) from error
-
-
-def _ask_the_disk(path: Path) -> None:
-    """Raise what the disk says to a plain write of as much and more, if it refuses that.
-
-    HDF5 says "Permission denied", or nothing, where the disk is full.
-    """
-    size = path.stat().st_size if path.exists() else 0
-    path.write_bytes(bytes(size + MORE_BYTES))
 
 
 def _encoding(dataset: "xr.Dataset") -> dict[str, Any]:

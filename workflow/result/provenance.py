@@ -39,13 +39,12 @@ def _git(root: Path, *command: str) -> str:
 
 def made_by(makers: Set[Maker]) -> dict[str, str]:
     """Return the attributes that say what computed the records of a result; "mixed" if several."""
-    versions = sorted({maker.versions for maker in makers})
-    processors = sorted({maker.processor for maker in makers})
-    return {"versions": _together(versions), "processor": _together(processors)}
-
-
-def _together(texts: list[str]) -> str:
-    return f"mixed: {' | '.join(texts)}" if len(texts) > 1 else "".join(texts) or "unknown"
+    found = {}
+    for name in Maker._fields:
+        texts = sorted({getattr(maker, name) for maker in makers})
+        mixed = f"mixed: {' | '.join(texts)}"
+        found[name] = mixed if len(texts) > 1 else "".join(texts) or "unknown"
+    return found
 
 
 def origin(study: AnyStudy) -> dict[str, str | int | float]:

@@ -113,11 +113,6 @@ def line_and_material(study: Study) -> str:
     return json.dumps([kept, grid, profile, study.seed, steps], sort_keys=True)
 
 
-def with_mark(dataset: xr.Dataset, mark: str) -> xr.Dataset:
-    """Return a dataset that says to which scenes its state belongs."""
-    return dataset.assign_attrs({MARK: mark}) if "state_memory" in dataset else dataset
-
-
 def saved_state(state: xr.Dataset, study: Study) -> Saved:
     """Return the state that a dataset holds. Raises UserError for one of another scene."""
     missing = [name for name in FIELDS.values() if name not in state]
@@ -231,4 +226,7 @@ def run(
     arguments = dict(locals())
     study = study_of(arguments)
     resumed = None if state is None else saved_state(state, study)
-    return with_mark(computed(study, resumed), line_and_material(study))
+    dataset = computed(study, resumed)
+    if "state_memory" in dataset:  # it says to which scenes its state belongs
+        dataset.attrs[MARK] = line_and_material(study)
+    return dataset

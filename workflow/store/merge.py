@@ -24,26 +24,22 @@ def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str
     with hold(target, without=no_lock):
         into = Store(target)
         into.prepare()
-        return _take_over(source, into)
-
-
-def _take_over(source: Path, into: Store) -> list[str]:
-    said, taken, records, differing = [], 0, 0, 0
-    names = sorted(shard_sizes(sizes_in(source)))
-    for name in names:
-        content = read_whole(source / f"{name}.nc")
-        try:
-            contents = decode(name, content)
-        except (NoShard, ValueError) as error:
-            said.append(f"left out    {name}.nc: {error}")
-            continue
-        known = [row for row, record in enumerate(contents.records) if record in into]
-        differing += _differing(into, contents, known)
-        fresh = len(contents.records) - len(known)
-        if fresh:
-            into.patience(partial(write_durably, into.folder / f"{name}.nc", content))
-            into.enter(name, len(content), contents.batches, contents.makers)
-            taken, records = taken + 1, records + fresh
+        said, taken, records, differing = [], 0, 0, 0
+        names = sorted(shard_sizes(sizes_in(source)))
+        for name in names:
+            content = read_whole(source / f"{name}.nc")
+            try:
+                contents = decode(name, content)
+            except (NoShard, ValueError) as error:
+                said.append(f"left out    {name}.nc: {error}")
+                continue
+            known = [row for row, record in enumerate(contents.records) if record in into]
+            differing += _differing(into, contents, known)
+            fresh = len(contents.records) - len(known)
+            if fresh:
+                into.patience(partial(write_durably, into.folder / f"{name}.nc", content))
+                into.enter(name, len(content), contents.batches, contents.makers)
+                taken, records = taken + 1, records + fresh
     if differing:
         said.append(f"differing   {differing} records are in both, but not to the bit")
     return [*said, f"taken over  {taken} of {len(names)} shards, {records} records that are new"]

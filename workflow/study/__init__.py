@@ -16,7 +16,6 @@ if TYPE_CHECKING:
         HoldSegment,
         Material,
         Oscillate,
-        Programme,
         RampSegment,
         Scene,
         Segment,

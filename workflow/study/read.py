@@ -28,7 +28,10 @@ def load_tables(path: Path, scale: str | None, settings: list[str]) -> tuple[dic
     try:
         tables = tomllib.loads(path.read_text(encoding="utf-8"))
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
-        hint = "; a list is [0.3, 0.5]" if BARE_LIST.search(_line_at_fault(path, error)) else ""
+        place = re.search(r"at line (\d+)", str(error))
+        lines = path.read_text(encoding="utf-8").splitlines() if place else []
+        bare = place and BARE_LIST.search(lines[int(place[1]) - 1])
+        hint = "; a list is [0.3, 0.5]" if bare else ""
         raise UserError(f"{path}: cannot be read as TOML: {error}{hint}") from error
     scales = tables.pop("scales", {})
     if scale is not None:
@@ -40,12 +43,6 @@ def load_tables(path: Path, scale: str | None, settings: list[str]) -> tuple[dic
     for setting in settings:
         _merge(tables, _setting(setting), "--set")
     return tables, as_table("scales", scales)
-
-
-def _line_at_fault(path: Path, error: Exception) -> str:
-    """Return the line of a file where an error of its syntax is, "" where it names none."""
-    found = re.search(r"at line (\d+)", str(error))
-    return path.read_text(encoding="utf-8").splitlines()[int(found[1]) - 1] if found else ""
 
 
 def _merge(tables: dict, extra: Any, where: str) -> None:

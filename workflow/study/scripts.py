@@ -1,9 +1,9 @@
 """Load the scripts of a study's folder: figure.py, and measure.py of a measured study."""
 
 import ast
+import contextlib
 import importlib
 import importlib.util
-import pwd
 import re
 import sys
 from pathlib import Path
@@ -30,7 +30,10 @@ def load_script(script: Path) -> ModuleType:
     folder = script.parent
     if OWN not in script.parents and script not in named:
         named.add(script)
-        print(f"note: runs {script}, a file of {_owner(script)}", file=sys.stderr)
+        owner = f"user {script.stat().st_uid}"
+        with contextlib.suppress(KeyError):
+            owner = script.owner()
+        print(f"note: runs {script}, a file of {owner}", file=sys.stderr)
     package = "study" + re.sub(r"\W", "_", str(folder))
     for name in [n for n in sys.modules if n == package or n.startswith(f"{package}.")]:
         del sys.modules[name]
@@ -66,12 +69,3 @@ def _of_others(name: str) -> bool:
     if found is None or found.origin is None:
         return False
     return OWN.parent not in Path(found.origin).resolve().parents
-
-
-def _owner(file: Path) -> str:
-    """Return the name of the user to whom a file belongs."""
-    number = file.stat().st_uid
-    try:
-        return pwd.getpwuid(number).pw_name
-    except KeyError:
-        return f"user {number}"

@@ -131,7 +131,9 @@ def read_grid_study(
     alone = single and not scene.holds
     check_quantities(scene, materials, alone)
     check_accuracy(variants, materials, scene, surface)
-    found = Study(
+    if one_point:
+        _one_point(grid)
+    return Study(
         **head,
         grid=grid,
         scene=scene,
@@ -140,7 +142,12 @@ def read_grid_study(
         surfaces=surfaces,
         cluster=cluster,
     )
-    return _one_point(found) if one_point else found
+
+
+def _one_point(grid: Grid) -> None:
+    for axis, values in grid.items():
+        if len(values) > 1 and axis != "hold":
+            raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
 
 
 def _check_each(
@@ -188,13 +195,6 @@ def _blocks(realizations: int, block: int, drawn: bool) -> dict[str, int]:
             f"more than {MOST_BLOCKS} blocks; set it to {-(-realizations // MOST_BLOCKS)} or more"
         )
     return {"realizations": realizations, "realizations_per_block": block}
-
-
-def _one_point(study: Study) -> Study:
-    for axis, values in study.grid.items():
-        if len(values) > 1 and axis != "hold":
-            raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
-    return study
 
 
 def study_head(

@@ -48,7 +48,10 @@ def saying_what_compiles(what: str, usual: str, folder: str, waits: str) -> Iter
     with event.install_listener(compiles, teller), event.install_listener(waits, teller):
         yield
     if compiles in said:
-        _keep(notes, {**_known(notes), what: ended - began})
+        aside = Path(notes, f"{FILE}.{os.getpid()}")
+        with contextlib.suppress(OSError):  # if the disk takes it
+            aside.write_text(json.dumps({**_known(notes), what: ended - began}), encoding="utf-8")
+            aside.replace(Path(notes, FILE))
 
 
 def _known(folder: Path) -> dict[str, float]:
@@ -57,11 +60,3 @@ def _known(folder: Path) -> dict[str, float]:
         text = Path(folder, FILE).read_text(encoding="utf-8")
         return {str(what): float(seconds) for what, seconds in json.loads(text).items()}
     return {}
-
-
-def _keep(folder: Path, seconds: dict[str, float]) -> None:
-    """Write it down, if the disk takes it."""
-    aside = Path(folder, f"{FILE}.{os.getpid()}")
-    with contextlib.suppress(OSError):
-        aside.write_text(json.dumps(seconds), encoding="utf-8")
-        aside.replace(Path(folder, FILE))

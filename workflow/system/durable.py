@@ -2,7 +2,6 @@
 
 import contextlib
 import errno
-import io
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -61,7 +60,9 @@ def append_durably(path: Path, content: bytes) -> None:
     with refused(path, "cannot be written:"), path.open("ab", buffering=0) as file:
         size = file.seek(0, os.SEEK_END)
         try:
-            _write_all(file, content if _ends_a_line(path, size) else b"\n" + content)
+            left = memoryview(content if _ends_a_line(path, size) else b"\n" + content)
+            while left:  # a disk that is nearly full takes a part at first
+                left = left[file.write(left) :]
             os.fsync(file.fileno())
             flush_folder(path.parent)
         except OSError:
@@ -134,13 +135,6 @@ def flush_folder(folder: Path) -> bool:
     finally:
         os.close(descriptor)
     return True
-
-
-def _write_all(file: io.FileIO, content: bytes) -> None:
-    """Write all of the content; a disk that is nearly full takes a part at first."""
-    left = memoryview(content)
-    while left:
-        left = left[file.write(left) :]
 
 
 def _ends_a_line(path: Path, size: int) -> bool:

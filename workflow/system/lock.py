@@ -10,7 +10,7 @@ import time
 from collections.abc import Iterator
 from datetime import datetime
 from pathlib import Path
-from typing import IO
+from typing import IO, Any
 
 from ..errors import UserError
 from .durable import flush_folder, refused
@@ -48,8 +48,10 @@ def holder(folder: Path) -> str | None:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:
             return _words(folder)
-        except OSError:  # a file system without locks
-            return _words(folder) if _alive(folder) else None
+        except OSError:  # a file system without locks: is a process of this machine still there?
+            signed = _signed(folder)
+            here = signed.get("host") == socket.gethostname()
+            return _words(folder) if here and Path(f"/proc/{signed['pid']}").exists() else None
     return None
 
 
@@ -82,17 +84,14 @@ def _sign(file: IO[str]) -> None:
         os.write(file.fileno(), text.encode())  # no buffer, which would fail again when closed
 
 
-def _alive(folder: Path) -> bool:
-    """Return whether a process of this machine that signed the lock is still there."""
+def _signed(folder: Path) -> dict[str, Any]:
+    """Return pid, host and since of who has signed the lock; nothing where that is damaged."""
     with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
         signed = json.loads((folder / LOCK).read_text())
-        return signed["host"] == socket.gethostname() and Path(f"/proc/{signed['pid']}").exists()
-    return False
+        return {name: signed[name] for name in ("pid", "host", "since")}
+    return {}
 
 
 def _words(folder: Path) -> str:
-    try:
-        signed = json.loads((folder / LOCK).read_text())
-        return f"process {signed['pid']} on {signed['host']} since {signed['since']}"
-    except (OSError, ValueError, KeyError, TypeError):
-        return "an unknown process"
+    known = "process {pid} on {host} since {since}" if (signed := _signed(folder)) else ""
+    return known.format(**signed) or "an unknown process"

@@ -12,7 +12,6 @@ if TYPE_CHECKING:
         TYPICAL,
         WHOLE,
         Pace,
-        Parted,
         Prediction,
         known_machine,
         learn,

@@ -68,7 +68,12 @@ def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict
     found: dict[str, Numbers] = dict.fromkeys(PARTS, 0.0)
     found[CALLS] = CALL * (1 + bool(recording.asked))
     if asked.anything:
-        found |= (_kelvin if work.problem.spectrum == KELVIN else _memory)(asked, work)
+        if work.problem.spectrum == KELVIN:
+            found |= _kelvin(asked, work)
+        else:  # elements with internal variables, all of which are marched
+            states = 1 + (asked.steady or asked.relaxation)
+            found[STEADY] = states * _memory_state(work)
+            found[MARCHING] = work.march_steps * _dense_step(work)
     if recording.asked:
         problem = work.problem
         begins = problem.start == "steady" and problem.spectrum != KELVIN
@@ -144,13 +149,6 @@ def _march(work: Work, share: Numbers, width: Numbers) -> Numbers:
     marched = n * setup + (2.1e-6 + n * listed * shorter) * steps
     partial = partial_contact(problem.load, viscous_pressure(problem), 1.7)
     return 7.3e-5 + partial * marched
-
-
-def _memory(asked: Quantities, work: Work) -> dict[str, Numbers]:
-    """Return the time of a case of elements with internal variables, all of which are marched."""
-    steady_states = 1 + (asked.steady or asked.relaxation)
-    march = work.march_steps * _dense_step(work)
-    return {STEADY: steady_states * _memory_state(work), MARCHING: march}
 
 
 def _memory_state(work: Work) -> Numbers:

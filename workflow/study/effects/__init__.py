@@ -8,12 +8,11 @@ from typing import TYPE_CHECKING
 from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from .material import MATERIAL, WLF, Material, Wlf, read_material
+    from .material import MATERIAL, WLF, Material, read_material
     from .programme import (
         FromFile,
         HoldSegment,
         Oscillate,
-        Programme,
         RampSegment,
         Segment,
         SlideSegment,

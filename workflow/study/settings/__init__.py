@@ -9,7 +9,6 @@ from ...lazy import public_names
 
 if TYPE_CHECKING:
     from .checks import (
-        UNBOUNDED,
         as_table,
         as_text,
         axis_values,
@@ -22,7 +21,7 @@ if TYPE_CHECKING:
         positive,
         within,
     )
-    from .key import REQUIRED, Key, check_keys, checked, filled, read_table
+    from .key import Key, check_keys, checked, filled, read_table
     from .pieces import (
         NOT_ZERO,
         NUMBER,

@@ -155,7 +155,17 @@ def read_surface(given: Mapping[str, Any], folder: Path) -> Surface:
     Files are found from ``folder``.
     """
     if "file" in given:
-        return _measured(given, folder)
+        settings = filled("surface", given, MEASURED)
+        for key in filter(RANDOM.__contains__, given):
+            raise UserError(
+                f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, "
+                "measured lines"
+            )
+        name = settings["file"]
+        asked = Asked(folder / name, name, settings["columns"], settings["units"])
+        profile = read_profile(asked, settings["detrend"], settings["periodic"])
+        like = {key: value for key, value in given.items() if key in LIKE}
+        return lines_like("surface", Surface(profile.measured_length, profile=profile), like)
     for key in filter(WITH_FILE.__contains__, given):
         value = list(given[key]) if isinstance(given[key], tuple) else given[key]  # as in TOML
         raise UserError(f"surface.{key} = {value!r:.40}: goes with surface.file alone")
@@ -172,19 +182,6 @@ def read_surface(given: Mapping[str, Any], folder: Path) -> Surface:
             f"{surface.cutoff!r}"
         )
     return surface
-
-
-def _measured(given: Mapping[str, Any], folder: Path) -> Surface:
-    settings = filled("surface", given, MEASURED)
-    like = {key: value for key, value in given.items() if key in LIKE}
-    for key in filter(RANDOM.__contains__, given):
-        raise UserError(
-            f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, measured lines"
-        )
-    name = settings["file"]
-    asked = Asked(folder / name, name, settings["columns"], settings["units"])
-    profile = read_profile(asked, settings["detrend"], settings["periodic"])
-    return lines_like("surface", Surface(profile.measured_length, profile=profile), like)
 
 
 def lines_like(where: str, surface: Surface, table: Mapping[str, Any]) -> Surface:

@@ -4,7 +4,7 @@ import pytest
 from matplotlib.figure import Figure
 
 from elastomer_friction.workflow.report import figure
-from elastomer_friction.workflow.report.page.report import write_report
+from elastomer_friction.workflow.report.page import write_report
 from elastomer_friction.workflow.report.panels import error_bars
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from tests.support.synthetic import add, result, write_figure_8

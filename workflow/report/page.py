@@ -16,15 +16,15 @@ import xarray as xr
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
-from ...errors import UserError
-from ...reduce import STATUS_MEANINGS
-from ...result import ROOT, Groups, differing_settings, listed, open_result, result_file
-from ...study import AnyStudy, known_scales, known_studies, read_study
-from ...system import write_durably
-from ..claims import evaluate, known_claims
-from ..csv_tables import write_tables
-from ..figure import Picture, caption, draw_groups
-from ..panels import STYLE, HoverPoint
+from ..errors import UserError
+from ..reduce import STATUS_MEANINGS
+from ..result import ROOT, Groups, differing_settings, listed, open_result, result_file
+from ..study import AnyStudy, known_scales, known_studies, read_study
+from ..system import write_durably
+from .claims import evaluate, known_claims
+from .csv_tables import write_tables
+from .figure import Picture, caption, draw_groups
+from .panels import STYLE, HoverPoint
 
 NO_BREAK = "\u00a0"
 PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
@@ -83,7 +83,7 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
 
 def render(**context: object) -> str:
     """Return the page; every text in it is escaped."""
-    loader = PackageLoader("elastomer_friction.workflow.report", "page")
+    loader = PackageLoader("elastomer_friction.workflow", "report")
     environment = Environment(
         autoescape=True,
         undefined=StrictUndefined,
@@ -139,12 +139,16 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
     except UserError as error:
         troubles.append(f"No table: {error}")
     changed = differing_settings(study, data.attrs)
+    least, most = 0, 0
+    if "realizations" in data:
+        least, most = int(data.realizations.min()), int(data.realizations.max())
+    lines = f", {most} realizations" if least == most else f", {least} to {most} realizations"
     scale = _scale(study, data.attrs)
     return {
         "name": study.name,
         "title": str(data.attrs["title"]),
         "smoke": scale.startswith(SMOKE),
-        "extent": ", ".join([scale, *_realizations(data)]),
+        "extent": scale + lines * bool(most),
         "images": images,
         "files": [file.name for file in files],
         "caption": caption(study),
@@ -163,14 +167,6 @@ def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:
         if not differing_settings(read_study(study.name, scale or None), attributes):
             return f"{scale or 'default'} scale"
     return f"{study.scale or 'default'} scale with other settings"
-
-
-def _realizations(data: xr.Dataset) -> list[str]:
-    """Return how many realizations there are per point, in words; nothing of a measured study."""
-    if "realizations" not in data:
-        return []
-    least, most = int(data.realizations.min()), int(data.realizations.max())
-    return [f"{most} realizations" if least == most else f"{least} to {most} realizations"]
 
 
 def _image(picture: Picture) -> Image:
