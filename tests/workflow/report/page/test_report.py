@@ -10,7 +10,7 @@ from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan import TYPICAL
 from elastomer_friction.workflow.report.claims import known_claims
 from elastomer_friction.workflow.report.figure import caption
-from elastomer_friction.workflow.report.page.report import (
+from elastomer_friction.workflow.report.page import (
     formula,
     section,
     study_names,
