@@ -22,17 +22,21 @@ from ..lines.line import Line
 from ..model.friction import lagged_slope, mean_slope
 from ..rheology.law import Elements, law_of
 from ..rheology.prony import moments
-from ..rheology.relaxed import Moduli
+from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
 
-def steady_friction(
-    units: Retardation, form: Retardation | Moduli, line: Line, elements: Elements, speed: float
+def friction_by_loss(
+    units: Retardation,
+    form: Retardation | RelaxationForm,
+    line: Line,
+    elements: Elements,
+    speed: float,
 ) -> tuple[float, float]:
     """Return (mu, contact): friction in h/dx and the share of samples in contact.
 
     units : the retardation form of the material. form : that of the time scheme, the same one
-    or the relaxation form. elements : of steady sliding (steady.py). speed : vbar, signed.
+    or the relaxation form. elements : of steady sliding (steady_memory.py). speed : vbar, signed.
     mu has the sign of the speed; it is NaN where nothing touches.
     """
     load = float(elements.p.sum())
@@ -52,7 +56,7 @@ def steady_friction(
 
 
 def step_friction(
-    form: Retardation | Moduli, line: Line, elements: Elements, speed: float
+    form: Retardation | RelaxationForm, line: Line, elements: Elements, speed: float
 ) -> float:
     """Return mu of steady sliding (eq. 5) as a step of the march gives it; arguments as above."""
     way = 1 if speed > 0.0 else -1

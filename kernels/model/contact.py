@@ -15,7 +15,7 @@ can carry d below every threshold; that restarts it once, from the bound of one 
 
 What touches is a NamedTuple, Springs or one that knows sums over many elements (quick/): its type
 says what it carries at d. Eq. 4 is solved in two more places, where the elements have come to where
-they are by sliding steadily: model/steady.py, and branches/steady.py for internal variables.
+they are by sliding steadily: model/steady.py, and branches/steady_memory.py for internal variables.
 """
 
 from typing import NamedTuple

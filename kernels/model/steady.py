@@ -70,12 +70,13 @@ def _excess_of_plain_sliding(contact, load, d):
 
 
 @kernel
-def steady_indentation(elements, load, guess, most, close):
+def steady_indentation(elements, load, guess, above, most, close):
     """Return (d, sweeps, touching) of steady sliding under the load sum_i f_i = load (eq. 4).
 
     elements : what slides; excess_at (contact.py) says what it carries at d, here and in quick/.
+    above : whether the guess of d is known to lie on the right of the root, but for rounding.
     most : elements. close : the excess, relative to the load, that is as good as none.
-    The others that solve eq. 4 are contact.py and, for internal variables, branches/steady.py.
+    Eq. 4 is solved in contact.py too, and for internal variables in branches/steady_memory.py.
     """
     d, fewest, least, sweeps = guess, most + 1, np.inf, 0
     while True:
@@ -85,7 +86,7 @@ def steady_indentation(elements, load, guess, most, close):
         # Right of the root the excess falls and fewer elements touch, up to rounding.
         progress = touching < fewest or excess < 0.5 * least
         right = excess > 0.0 and new < d and progress
-        if abs(excess) <= close * load or (sweeps > 1 and not right):
+        if abs(excess) <= close * load or ((above or sweeps > 1) and not right):
             return d, sweeps, touching
         if excess > 0.0:
             fewest, least = min(fewest, touching), min(least, excess)
@@ -104,5 +105,5 @@ def steady_sliding(law, z, load):
     elements = PlainSliding(law, z, deepest, np.empty_like(z))
     # F(d) >= sum (d - z)+: the elastic indentation (v -> 0) bounds d from above.
     guess, _ = solve_indentation(z, load, z[deepest] + load / z.size)
-    d, sweeps, _ = steady_indentation(elements, load, guess, z.size, ROUNDING)
+    d, sweeps, _ = steady_indentation(elements, load, guess, True, z.size, ROUNDING)
     return State(elements.w, d), sweeps

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .fourier import Shifted
-from .programme import Steps
+from .legs import Steps
 
 SHIFTED = 1 << 21  # samples of shifted lines in a stage, at most, but for one line
 LINES = 512  # shifted lines in a stage, at most

@@ -5,16 +5,16 @@ A Kelvin element that slides one way under a load takes a quicker one (cases.py)
 
 import numpy as np
 
-from ..branches.dissipation import steady_friction, step_friction
+from ..branches.dissipation import friction_by_loss, step_friction
 from ..branches.jump import friction_jump, initial_rate
-from ..branches.steady import steady_memory
+from ..branches.steady_memory import steady_memory
 from ..lines.line import Line
-from ..motion.programme import Slide
+from ..motion.legs import Slide
 from ..rheology.forms import form_of
 from ..rheology.law import Elements
 from ..rheology.retardation import Retardation
-from ..scene import Saved, Scene, run_scene
-from .case import Case, Clock, Outcome, Quantities, Seconds
+from ..scene import Saved, SceneCase, run_scene
+from .case import Case, Outcome, PhaseClock, Quantities, Seconds
 from .contacts.samples import samples_per_contact
 
 
@@ -24,7 +24,7 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     The relaxation curve is mu_2 plus the deviation of the march from its own steady value, as for
     a Kelvin element. Without a dashpot the jump is zero, and the rate of mu is what jumps.
     """
-    clock = Clock()
+    clock = PhaseClock()
     one, mu_1, contact, work = _steady(line, case, case.speed)
     clock.lap("steady")
     count = len(case.ratios)
@@ -60,7 +60,7 @@ def _steady(line: Line, case: Case, speed: float) -> tuple[Elements, float, floa
     form = form_of(case.spectrum, case.scheme)
     load = case.load * line.z.size
     found = steady_memory(form, line.z, line.steps_per_spacing * speed, load)
-    mu, contact = steady_friction(_units(case), form, line, found.elements, speed)
+    mu, contact = friction_by_loss(_units(case), form, line, found.elements, speed)
     return found.elements, mu, contact, found.work
 
 
@@ -84,7 +84,7 @@ def _relaxation(
 ) -> np.ndarray:
     """Return mu at the kept steps after the speed has changed."""
     distance = int(kept[-1]) / line.steps_per_spacing
-    scene = Scene(
+    scene = SceneCase(
         spectrum=case.spectrum,
         scheme=case.scheme,
         programme=(Slide(speed, distance),),

@@ -6,7 +6,7 @@ What is kept on the way is chosen by type: what a scene does not ask for is not 
 from .energy import ENERGIES
 from .records import MOTION, TRACES
 from .run import run_scene
-from .scene import ASKED, START, Origin, Saved, Scene, scene_steps
+from .scene_case import ASKED, START, Origin, Saved, SceneCase, scene_steps
 
 __all__ = [
     "ASKED",
@@ -16,7 +16,7 @@ __all__ = [
     "TRACES",
     "Origin",
     "Saved",
-    "Scene",
+    "SceneCase",
     "run_scene",
     "scene_steps",
 ]

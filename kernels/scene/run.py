@@ -5,7 +5,7 @@ import numpy as np
 from ..control.indentation import PrescribedIndentation
 from ..lines.line import Line
 from ..model.force import ConstantForce
-from ..motion.programme import first_speed, last_speed
+from ..motion.legs import last_speed, speed_at_start
 from ..motion.track import Track, tracks
 from ..rheology.forms import form_of
 from ..rheology.law import Elements, displacement, law_of
@@ -13,13 +13,13 @@ from .begin import Form, fresh, relaxed, steady
 from .energy import ENERGIES, Ledger, stored_energy
 from .follow import follow
 from .records import TRACES, Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
-from .scene import START, Saved, Scene, check_scene, indentation_at, scene_steps
+from .scene_case import START, Saved, SceneCase, check_scene, indentation_at, scene_steps
 
 
 class Recorders:
     """The recorders of a scene; those that are not asked for are None."""
 
-    def __init__(self, scene: Scene, line: Line) -> None:
+    def __init__(self, scene: SceneCase, line: Line) -> None:
         """Make room for all that is asked for."""
         asked, kept, n = scene.asked, scene.kept.size, line.z.size
         self.kept, self.frames = scene.kept, scene.frames
@@ -76,7 +76,7 @@ class Recorders:
         return values
 
 
-def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str, np.ndarray]:
+def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[str, np.ndarray]:
     """Take one line through a scene; return the values asked for, by name.
 
     state : to go on from, instead of the start of the scene; numbers of steps count from there.
@@ -104,7 +104,7 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
         control = PrescribedIndentation(indentation_at(scene, times[1:], line.datum))
     elements = Elements(begin.memory, begin.p, begin.d)
     recorders = Recorders(scene, line)
-    lag, speed = 0.0, first_speed(scene.programme)
+    lag, speed = 0.0, speed_at_start(scene.programme)
     if state is None and scene.start == "steady":
         lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
     done = updates = 0
@@ -123,14 +123,14 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
     return values
 
 
-def _begin(line: Line, scene: Scene, form: Form) -> Saved:
+def _begin(line: Line, scene: SceneCase, form: Form) -> Saved:
     """Return the state before the first step."""
     z = line.z
     load = scene.load * z.size if scene.indentation is None else None
     d = np.nan if load is not None else float(indentation_at(scene, np.zeros(1), line.datum)[0])
     speed = 0.0
     if scene.start == "steady":
-        speed = first_speed(scene.programme)
+        speed = speed_at_start(scene.programme)
         samples = speed * line.steps_per_spacing
         elements = steady(scene.scheme, scene.spectrum, z, samples, load, d)
     elif scene.start == "relaxed":

@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Slide
+from elastomer_friction.kernels.motion.legs import Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import Spectrum

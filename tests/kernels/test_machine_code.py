@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import ConstantForce
-from elastomer_friction.kernels.motion.programme import Slide, steps_of
+from elastomer_friction.kernels.motion.legs import Slide, steps_of
 from elastomer_friction.kernels.motion.track import tracks
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.scene.begin import relaxed
@@ -28,10 +28,10 @@ RECORDERS = ("trace", "ledger", "lengths", "film")
 EFFECTS = (
     "elastomer_friction.kernels.control.indentation",
     "elastomer_friction.kernels.control.printed_eq3",
-    "elastomer_friction.kernels.branches.steady",
+    "elastomer_friction.kernels.branches.steady_memory",
     "elastomer_friction.kernels.rheology.relaxed",
     "elastomer_friction.kernels.scene.run",
-    "elastomer_friction.kernels.lines.measured",
+    "elastomer_friction.kernels.lines.measured_modes",
 )
 pytestmark = [
     pytest.mark.exhaustive,

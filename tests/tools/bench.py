@@ -24,7 +24,7 @@ from elastomer_friction.kernels import (
     Programme,
     Quantities,
     Ramp,
-    Scene,
+    SceneCase,
     Slide,
     Spectrum,
     amplitudes,
@@ -64,7 +64,7 @@ def a_line(measured: bool = False) -> Line:
     return Line.measured(line.z[::M], M) if measured else line
 
 
-def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> Scene:
+def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> SceneCase:
     """Return a scene that keeps a trace at 64 moments, from rest."""
     edges = np.array([0.0, 1.0, 2.0, 4.0, 8.0, 1000.0])
     usual: dict = {"load": LOAD, "start": "relaxed", "edges": edges}
@@ -72,7 +72,7 @@ def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> Scen
     return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64)))
 
 
-def scenes() -> dict[str, tuple[Line, Scene, str]]:
+def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
     """Return lines and scenes by the effect that they show, and what they are compared with."""
     line, one = a_line(), branches(1)
     kelvin, slide = "general path, Kelvin", "slide, K = 1"

@@ -21,7 +21,7 @@ from elastomer_friction.kernels import (
     run_prepared,
     steady_sliding,
 )
-from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.studies.accuracy.alternatives import TamaasMarch
 from elastomer_friction.workflow.simulate.realizations import lines_at_once
 from tests.tools.rivals.compiled import Compiled

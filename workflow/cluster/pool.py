@@ -18,7 +18,7 @@ from distributed import Client, Future
 from distributed.client import FutureCancelledError
 
 from ..errors import UserError
-from .worker import PLACE, placed
+from .worker import PLACE, with_address
 
 LOST = "the scheduler was lost; run again to resume"
 FETCH_SECONDS = 30.0  # for a result to come from its worker, before it is computed again
@@ -52,7 +52,7 @@ class Pool:
 
     def __init__(self, client: Client, function: Callable) -> None:
         self._client, self._loop = client, cast(Any, client.loop).asyncio_loop
-        self._function, self._name = partial(placed, function=function), funcname(function)
+        self._function, self._name = partial(with_address, function=function), funcname(function)
         self._futures: dict[str, Future] = {}  # that are waited for
         self._outcomes: SimpleQueue[Arrival] = SimpleQueue()
 

@@ -19,7 +19,7 @@ def run_batch(
     return work(batch)
 
 
-def placed(item: Any, function: Callable) -> tuple[str, Any]:
+def with_address(item: Any, function: Callable) -> tuple[str, Any]:
     """Return the address of the worker that this is, and function(item); errors say it, too."""
     address = get_worker().address
     try:

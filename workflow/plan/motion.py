@@ -10,21 +10,21 @@ import numpy as np
 from ... import kernels
 from ...kernels import Programme, Quantities, Spectrum, rms_slope
 from ..errors import UserError
-from ..simulate import Problem, Recording, ScaledHistory, Surface
+from ..simulate import LineShape, Problem, Recording, ScaledHistory
 from ..study import (
     FromFile,
-    Hold,
+    HoldSegment,
     Numerics,
     Oscillate,
-    Ramp,
+    RampSegment,
     Segment,
-    Slide,
+    SlideSegment,
     Study,
+    Surface,
     Velocity,
     velocity_steps,
     with_hold,
 )
-from ..study import Surface as LinesOfStudy
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
 
@@ -52,7 +52,7 @@ class Scale(NamedTuple):
 class Setting(NamedTuple):
     """The fields of a problem that a scene adds or takes from its programme."""
 
-    surface: Surface
+    surface: LineShape
     programme: Programme = ()
     speeds: tuple[float, float] | None = None  # speed and ratio; None: those of the grid
     start: str = "steady"
@@ -83,7 +83,7 @@ class Setting(NamedTuple):
         )
 
 
-def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: float) -> Setting:
+def setting(study: Study, surface: LineShape, scale: Scale, hold: float, depth: float) -> Setting:
     """Return what the scene of a study adds at a point.
 
     surface : of the lines there. hold : duration of the hold that has several, s. depth :
@@ -115,20 +115,20 @@ def _speeds(study: Study, scale: Scale) -> tuple[float, float]:
     segments = study.scene.segments
     steps = velocity_steps(segments)
     if steps:
-        pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, Slide)]
+        pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, SlideSegment)]
         before, after = (slide.velocity.at(scale.reference) for slide in pair)
         return rounded(before * scale.tau / scale.spacing), after / before
     speed = study.scene.start_velocity(scale.reference) or study.scene.typical_speed
     return rounded(speed * scale.tau / scale.spacing), 1.0
 
 
-def line_modes(surface: LinesOfStudy, elements: int) -> Surface:
+def line_modes(surface: Surface, elements: int) -> LineShape:
     """Return what lines of so many elements are."""
     profile, own = surface.profile, surface.spectrum
     if profile is None or own is None:
-        return Surface(*surface.modes(elements))
+        return LineShape(*surface.modes(elements))
     slope = rms_slope(own / profile.roughness, elements)
-    return Surface(measured=surface.identity, slope=slope)
+    return LineShape(measured=surface.identity, slope=slope)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
@@ -138,14 +138,14 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
         return rounded(velocity.at(scale.reference) * tau / dx)
 
     match segment:
-        case Slide():
+        case SlideSegment():
             metres = abs(segment.velocity.at(scale.reference)) * segment.seconds(scale.reference)
             distance = metres if segment.distance is None else segment.distance
             return kernels.Slide(speed(segment.velocity), rounded(distance / dx))
-        case Hold():
+        case HoldSegment():
             (duration,) = segment.durations
             return kernels.Hold(rounded(duration / tau))
-        case Ramp():
+        case RampSegment():
             ends = speed(segment.first), speed(segment.last)
             return kernels.Ramp(*ends, rounded(segment.duration / tau))
         case Oscillate():

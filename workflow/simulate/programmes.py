@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ...kernels import MOTION, Case, Line, Quantities, Scene, run_case, run_scene
+from ...kernels import MOTION, Case, Line, Quantities, SceneCase, run_case, run_scene
 from ...kernels.compile.clock import working_time
 from .kept import kept_steps
 from .layout import EDGES, Layout
@@ -35,12 +35,12 @@ def add_programme(
     return seconds
 
 
-def scene_of(task: Task, scheme: str, recording: Recording) -> Scene:
+def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
     """Return the scene of a task for the kernels."""
     problem, steps = task.problem, task.steps_per_spacing
     asked = recording.asked
     kept = kept_steps(problem, steps, recording)
-    return Scene(
+    return SceneCase(
         spectrum=problem.spectrum,
         scheme=scheme,
         programme=problem.programme,

@@ -13,7 +13,7 @@ from ...kernels import MOTION, Case, Line, Outcome, Prepared, Quantities, prepar
 from ...kernels.compile.clock import working_time
 from ...kernels.loading import load
 from ..system import keep_memory, peak_bytes, this_maker
-from .drawing import Draw, lines_of
+from .drawing import Draw, drawing_of
 from .kept import record_steps
 from .layout import Layout, row_layout, row_width
 from .programmes import add_programme, steady_ends
@@ -52,7 +52,7 @@ def block_means(batch: Batch) -> BatchResult:
     curves = np.zeros((len(batch.tasks), batch.blocks, max(1, *widths)))  # no empty rows in netCDF
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     cases = _cases(batch)
-    size, draw = lines_of(batch)
+    size, draw = drawing_of(batch)
     numbers = range(0, batch.blocks * batch.realizations_per_block, size)
     several = max(1, TOGETHER // (size * batch.tasks[0].problem.elements))  # drawings
     for first in range(0, len(numbers), several):

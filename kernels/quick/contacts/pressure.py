@@ -2,7 +2,7 @@
 
 The quadrature of model/friction.py, which any state has, for a state whose touching samples are
 listed (touching.py): a span that is all pressed is known by its sums. Eq. 5 is summed there, here
-and, as the mean over a step, in march/march.py; eq. 4 is solved by model/contact.py.
+and, as the mean over a step, in march/stepping.py; eq. 4 is solved by model/contact.py.
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """
 
@@ -13,13 +13,13 @@ from ...model.contact import excess_at, lowest_of, overlap
 from ...model.friction import LEAST_REACH, MOST_REACH
 from ..steady.contacts import AHEAD, BEHIND
 from ..steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
-from .pressed import Pressed, moments, span_under
+from .pressed import Pressed, span_under, weighed_in_fours
 from .touching import covered
 
 
 @excess_at.of(Pressed)
 def _excess_of_pressed(contact, load, d):
-    force, _, count = moments(contact.threshold, contact.touching.weight, None, d)
+    force, _, count = weighed_in_fours(contact.threshold, contact.touching.weight, None, d)
     more, others = overlap(contact.loose, d)
     force, count = force + more, count + others
     line = contact.line
@@ -50,8 +50,10 @@ def friction(contact, deep):
     As weighed (model/friction.py), with the sums of spans that are all pressed.
     """
     touching, line = contact.touching, contact.line
-    normal, tangential, count = moments(contact.threshold, touching.weight, touching.slope, deep)
-    more, along, others = moments(contact.loose, None, contact.slope, deep)
+    normal, tangential, count = weighed_in_fours(
+        contact.threshold, touching.weight, touching.slope, deep
+    )
+    more, along, others = weighed_in_fours(contact.loose, None, contact.slope, deep)
     normal, tangential, count = normal + more, tangential + along, count + others
     rows, speed = line.spans.rows, line.speed
     for i in range(contact.spans.size):

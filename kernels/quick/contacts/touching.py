@@ -90,7 +90,7 @@ def mean_rise(z, d, decay, contacts):
 
 @kernel
 def median_width(z, d, decay, contacts):
-    """Return the median over the load of the width of patches (patches/samples.py), in samples."""
+    """Return the median over the load of the width of patches (samples.py), in samples."""
     pieces = contacts.ends.shape[0]
     start = 0
     while start < pieces and contacts.ends[start, 2] == 1:

@@ -13,8 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from .balance import beside, remember
-from .flights import FORGOTTEN
+from .crossings import FORGOTTEN
+from .load_balance import beside, keep_past
 
 SAME = 2e-15  # of d: displacements that differ by rounding
 
@@ -85,7 +85,7 @@ def _landing(others, step, d, row):
     return tally[0], (tally[2 * row] * (d - reference) + tally[2 * row + 1]) - (one + other)
 
 
-@remember.of(Landings)
+@keep_past.of(Landings)
 def _remember(others, step, d):
     others.past[step] = d
 

@@ -61,9 +61,9 @@ def lists_of(runs, met):
 
 
 @kernel
-def add_span(setting, level, b, tally):
+def add_span(march, level, b, tally):
     """Add a span all of whose samples always touch to a tally: samples, depth, weight, moment."""
-    rows, law = setting.spans.rows, setting.law
+    rows, law = march.spans.rows, march.law
     z, s = rows[b, FIRST], rows[b, STEEP]
     up, turn = rows[b + 1, FIRST] - z, rows[b + 1, STEEP] - s
     one, other = rows[b, RISE], rows[b, TURN]

@@ -3,10 +3,10 @@
 from typing import NamedTuple
 
 from ...compile.jit import kernel
-from ..contacts.pressed import moments
-from .balance import beside, remember, settle
-from .bounds import NOTHING, holds, including
-from .flights import arrive, depart
+from ..contacts.pressed import weighed_in_fours
+from .bounds import NOTHING, are_within, including
+from .crossings import arrive, depart
+from .load_balance import beside, keep_past, next_indentation
 
 
 class Stand(NamedTuple):
@@ -16,44 +16,44 @@ class Stand(NamedTuple):
     kept: int  # how many steps have been kept
     d: float  # indentation
     guess: float  # of the next one
-    push: float  # D
+    advanced: float  # D
 
 
 @kernel
-def march_on(setting, control, where, bounds, stand, last, into):
+def march_on(march, control, where, bounds, stand, last, into):
     """March on to step ``last`` as long as the bounds hold; return (inside, stand, seen, work).
 
-    where : runs, lists, sums, arrivals, and what touches beside them (balance.py). into :
+    where : runs, lists, sums, arrivals, and what touches beside them (load_balance.py). into :
     kept_steps, and mu and indentation at them, which are filled in. seen : bounds of d and D on
     the way. work : element updates.
     """
-    law, (_, lists, sums, arrivals, others) = setting.law, where
+    law, (_, lists, sums, arrivals, others) = march.law, where
     kept_steps, mu, indentation = into
-    _, kept, d, guess, push = stand
+    _, kept, d, guess, advanced = stand
     seen, work = NOTHING, 0
     for step in range(stand.step + 1, last + 1):
-        shift(law, lists, d)
+        move_listed(law, lists, d)
         arrive(law, lists, arrivals, d)
         old = d
         more = beside(others, step, old, 0)
-        d, push, passes = settle(control, law, lists, sums, more, old, guess)
+        d, advanced, passes = next_indentation(control, law, lists, sums, more, old, guess)
         work += passes * lists.c.size + arrivals[1].at.size
-        if not holds(bounds, d, push):
-            return False, Stand(step, kept, d, guess, push), seen, work
+        if not are_within(bounds, d, advanced):
+            return False, Stand(step, kept, d, guess, advanced), seen, work
         guess = d + (d - old)
-        remember(others, step, d)
+        keep_past(others, step, d)
         depart(lists, arrivals[1], d)
         if step == kept_steps[kept]:
             more = beside(others, step, d, 0)[1], beside(others, step, d, 1)[1]
-            mu[kept] = average(lists, sums, more, d, push)
+            mu[kept] = average(lists, sums, more, d, advanced)
             indentation[kept] = d
             kept += 1
-        seen = including(seen, d, push)
-    return True, Stand(last, kept, d, guess, push), seen, work
+        seen = including(seen, d, advanced)
+    return True, Stand(last, kept, d, guess, advanced), seen, work
 
 
 @kernel
-def shift(law, lists, d):
+def move_listed(law, lists, d):
     """Move every element to the next sample, of those that stay in their run (motion/slide.py)."""
     c, z = lists.c, lists.z
     for i in range(c.size - 1):
@@ -61,13 +61,13 @@ def shift(law, lists, d):
 
 
 @kernel
-def average(lists, sums, more, d, push):
+def average(lists, sums, more, d, advanced):
     """Return mu averaged over a step: eq. 5, as step_average of model/friction.py has it.
 
     The sums over samples are those of friction.py too, and of contacts/pressure.py at an instant.
-    more : overlap and moment of what touches beside both. push : D of the samples in sums.
+    more : overlap and moment of what touches beside both. advanced : D of the samples in sums.
     """
-    depth, moment, _ = moments(lists.c, None, lists.weight, d)
-    over = push - sums.level
+    depth, moment, _ = weighed_in_fours(lists.c, None, lists.weight, d)
+    over = advanced - sums.level
     moment += more[1] + (sums.moment + over * sums.weight)
     return moment / (depth + more[0] + (sums.depth + over * sums.samples))

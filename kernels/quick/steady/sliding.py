@@ -94,5 +94,5 @@ def indentation(decay, z, spans, stay, load, near, contacts, gaps):
     decay, z, spans, stay, contacts, gaps : as of carry. near : d as approach leaves it.
     """
     elements = Carried(decay, z, spans, stay, contacts, gaps, np.zeros(1, np.int64))
-    d, sweeps, touching = steady_indentation(elements, load, near, z.size, CLOSE)
+    d, sweeps, touching = steady_indentation(elements, load, near, False, z.size, CLOSE)
     return d, sweeps, touching, elements.pieces[0]

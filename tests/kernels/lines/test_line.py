@@ -16,7 +16,7 @@ from elastomer_friction.kernels import (
     rms_slope,
     sample_line,
 )
-from elastomer_friction.kernels.lines.measured import measured_modes
+from elastomer_friction.kernels.lines.measured_modes import measured_modes
 from tests.cases import M, line_of
 
 

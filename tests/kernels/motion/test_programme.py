@@ -7,6 +7,16 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
+from elastomer_friction.kernels.motion.legs import (
+    Hold,
+    Oscillation,
+    Ramp,
+    Sampled,
+    Slide,
+    last_speed,
+    speed_at_start,
+    steps_of,
+)
 from elastomer_friction.kernels.motion.path import (
     Path,
     along,
@@ -16,16 +26,6 @@ from elastomer_friction.kernels.motion.path import (
     growth,
     oscillating,
     piecewise,
-)
-from elastomer_friction.kernels.motion.programme import (
-    Hold,
-    Oscillation,
-    Ramp,
-    Sampled,
-    Slide,
-    first_speed,
-    last_speed,
-    steps_of,
 )
 from elastomer_friction.kernels.rheology.spectrum import SHORTEST
 
@@ -98,7 +98,7 @@ M = 4
     ],
 )
 def test_first_and_last_speed(leg, first, last):
-    assert first_speed((leg,)) == first
+    assert speed_at_start((leg,)) == first
     assert last_speed(leg) == pytest.approx(last)
 
 

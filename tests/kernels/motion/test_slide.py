@@ -7,7 +7,7 @@ from elastomer_friction.kernels import Kelvin, State, amplitudes, draw_phases, s
 from elastomer_friction.kernels.lines.self_affine import mode_numbers
 from elastomer_friction.kernels.motion import track as module
 from elastomer_friction.kernels.motion.fourier import Shifted
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Slide, steps_of
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.motion.slide import shift, start_rings
 from elastomer_friction.kernels.motion.stretches import SHORT_GAP, bounds, gather, touchable
 from elastomer_friction.kernels.motion.track import tracks

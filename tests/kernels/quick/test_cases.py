@@ -6,8 +6,12 @@ import pytest
 from elastomer_friction.kernels import SCHEMES, Case, Quantities, run_case, run_cases
 from elastomer_friction.kernels.quick import cases
 from elastomer_friction.kernels.quick.contacts.refined import NARROW
-from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds, Pace, steady_friction
-from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AtSpeed,
+    Grounds,
+    steady_friction,
+)
+from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
@@ -34,7 +38,7 @@ def test_samples_are_refined_only_where_that_is_wanted():
     given = CASE._replace(load=1e-3, speed=100.0, refine=False)
     finer = given._replace(refine=True)
     as_sampled, refined = run_case(line, given, asked), run_case(line, finer, asked)
-    pace = Pace.of(given.scheme, line.steps_per_spacing, 100.0)
+    pace = AtSpeed.of(given.scheme, line.steps_per_spacing, 100.0)
     alone = steady_friction(Grounds.of([line]), pace, np.array([1e-3 * line.z.size]))
     assert as_sampled.mu_1 == alone.mu[0, 0] > 0.0
     assert as_sampled.samples_per_contact == alone.samples[0, 0] < 0.5 * NARROW

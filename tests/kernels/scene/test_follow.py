@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Hold, Ramp, Slide
+from elastomer_friction.kernels.motion.legs import Hold, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
 from tests.convergence import observed_order

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus, relaxation_modulus
 from elastomer_friction.kernels.scene import run_scene

@@ -7,7 +7,7 @@ import re
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Slide, steps_of
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of, predict
 from elastomer_friction.kernels.scene import ASKED, MOTION, TRACES, Saved, run_scene, scene_steps
@@ -20,7 +20,7 @@ from elastomer_friction.kernels.scene.records import (
     keep_frame,
     keep_trace,
 )
-from elastomer_friction.kernels.scene.scene import indentation_at
+from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene.given import DAMPED, EVERY, MATERIALS, PRONY, SOLID, a_line, a_scene
 
 M = 4

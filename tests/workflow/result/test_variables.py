@@ -7,7 +7,7 @@ import pytest
 
 from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE
 from elastomer_friction.workflow.reduce.jackknife import errors_needed
-from elastomer_friction.workflow.result.reference.tables import described_variables
+from elastomer_friction.workflow.result.reference.of_tables import described_variables
 from elastomer_friction.workflow.result.variables import (
     AUXILIARY,
     FLAGS,

@@ -10,7 +10,7 @@ from ...errors import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer
 from .material import Material
 from .programme import (
-    Hold,
+    HoldSegment,
     Oscillate,
     Programme,
     Segment,
@@ -62,7 +62,11 @@ class Scene(NamedTuple):
     @property
     def slid_before(self) -> bool:
         """Return whether it begins at rest after steady sliding at the velocity of the grid."""
-        return self.start == STEADY and bool(self.programme) and isinstance(self.programme[0], Hold)
+        return (
+            self.start == STEADY
+            and bool(self.programme)
+            and isinstance(self.programme[0], HoldSegment)
+        )
 
     @property
     def takes_velocity(self) -> bool:
@@ -90,7 +94,7 @@ class Scene(NamedTuple):
         return found.at(reference) if found else reference
 
 
-def read_scene(own: Mapping[str, Any], folder: Path, materials: Iterable[Material]) -> Scene:
+def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[Material]) -> Scene:
     """Return the scene of the checked values of a table. Raises UserError.
 
     own : the programme in it as it is written. Files are found from ``folder``.

@@ -24,7 +24,16 @@ from ..settings import (
     read_columns,
     read_table,
 )
-from .programme import FromFile, Hold, Oscillate, Programme, Ramp, Segment, Slide, Velocity
+from .programme import (
+    FromFile,
+    HoldSegment,
+    Oscillate,
+    Programme,
+    RampSegment,
+    Segment,
+    SlideSegment,
+    Velocity,
+)
 
 MOST_SEGMENTS = 1000
 MOST_SAMPLES = 100_000  # of a file
@@ -180,24 +189,24 @@ def _one_of(where: str, given: dict[str, Any], *names: str) -> str:
     return found[0]
 
 
-def _slide(where: str, table: Any, _: Path) -> Slide:
+def _slide(where: str, table: Any, _: Path) -> SlideSegment:
     given = read_table(where, table, SLIDE)
     kind = _one_of(where, given, "velocity", "ratio")
     _one_of(where, given, "distance", "duration")
     velocity = Velocity(given[kind], kind == "ratio")
-    return Slide(velocity, given["distance"], given["duration"])
+    return SlideSegment(velocity, given["distance"], given["duration"])
 
 
-def _hold(where: str, table: Any, _: Path) -> Hold:
+def _hold(where: str, table: Any, _: Path) -> HoldSegment:
     durations = read_table(where, table, HOLD)["duration"]
-    return Hold(durations, isinstance(table["duration"], list | dict))
+    return HoldSegment(durations, isinstance(table["duration"], list | dict))
 
 
-def _ramp(where: str, table: Any, _: Path) -> Ramp:
+def _ramp(where: str, table: Any, _: Path) -> RampSegment:
     given = read_table(where, table, RAMP)
     kind = _one_of(where, given, "velocity", "ratio")
     first, last = (Velocity(value, kind == "ratio") for value in given[kind])
-    return Ramp(first, last, given["duration"])
+    return RampSegment(first, last, given["duration"])
 
 
 def _oscillate(where: str, table: Any, _: Path) -> Oscillate:
@@ -254,13 +263,13 @@ def read_programme(key: str, value: object, folder: Path) -> Programme:
     if not isinstance(value, list) or not 1 <= len(value) <= MOST_SEGMENTS:
         raise UserError(f"{key} = {value!r:.60}: must be a list of 1 to {MOST_SEGMENTS} segments")
     programme = tuple(_segment(f"{key}[{i}]", entry, folder) for i, entry in enumerate(value))
-    lists = [i for i, s in enumerate(programme) if isinstance(s, Hold) and s.several]
+    lists = [i for i, s in enumerate(programme) if isinstance(s, HoldSegment) and s.several]
     if len(lists) > 1:
         raise UserError(
             f"{key}[{lists[1]}].hold: only one hold of a programme may have a list of durations"
         )
     for i, (before, after) in enumerate(pairwise(programme), 1):
-        if isinstance(before, Ramp) and isinstance(after, Oscillate):
+        if isinstance(before, RampSegment) and isinstance(after, Oscillate):
             _check_mean(f"{key}[{i}].oscillate", before.last, after.velocity)
     return programme
 

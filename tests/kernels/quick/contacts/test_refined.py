@@ -28,8 +28,8 @@ from elastomer_friction.kernels.quick.contacts.refined import (
 )
 from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AtSpeed,
     Grounds,
-    Pace,
     refine,
     steady_friction,
 )
@@ -39,7 +39,7 @@ from tests.sizes import size
 
 def one_load(line, speed, scheme, load, others=()):
     """Return what is found under a load; ``seen`` is None where the samples of the line will do."""
-    pace = Pace.of(scheme, line.steps_per_spacing, speed, others)
+    pace = AtSpeed.of(scheme, line.steps_per_spacing, speed, others)
     found = steady_friction(Grounds.of([line]), pace, np.array([load]))
     refine(found, 0, 0)
     names = ("d", "mu", "contact", "indentation", "updates", "full", "samples")

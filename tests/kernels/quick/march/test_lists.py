@@ -4,17 +4,17 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, solve_indentation
-from elastomer_friction.kernels.quick.march.balance import STRIP, foresee, in_order, overlap_of
 from elastomer_friction.kernels.quick.march.bounds import (
+    are_within,
     bounds_of,
     first_bounds,
-    holds,
 )
-from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of
+from elastomer_friction.kernels.quick.march.crossings import Steady, arrivals_of
+from elastomer_friction.kernels.quick.march.given import a_of, advance
 from elastomer_friction.kernels.quick.march.lists import add_sample, add_span, lists_of
+from elastomer_friction.kernels.quick.march.load_balance import STRIP, foresee, in_order, overlap_of
 from elastomer_friction.kernels.quick.march.narrow import closer_bounds
 from elastomer_friction.kernels.quick.march.runs import classes_of
-from elastomer_friction.kernels.quick.march.setting import advance, rise
 from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises, spans_of
 from tests.kernels.quick.march.given import Jump, dense, setting_of, states_of
 from tests.sizes import size
@@ -26,10 +26,10 @@ LAW = SCHEMES["exponential"](0.3)
 def test_what_they_are_made_of_lies_within_and_what_is_farther_out_does_not(margin):
     found = bounds_of(LAW, 2.0, 3.0, 0.6, 0.9, margin)
     for d, push in ((2.0, 0.6), (3.0, 0.9), (2.5, 2.5 / LAW.stiffness)):
-        assert holds(found, d, push)
-    assert not holds(found, 3.0 + 1.01 * margin, 0.7)
-    assert not holds(found, np.nan, 0.7)
-    assert not holds(found, 2.5, np.nan)
+        assert are_within(found, d, push)
+    assert not are_within(found, 3.0 + 1.01 * margin, 0.7)
+    assert not are_within(found, np.nan, 0.7)
+    assert not are_within(found, 2.5, np.nan)
 
 
 @pytest.mark.parametrize("room", [0.0, 0.5, 5.0])
@@ -42,7 +42,7 @@ def test_closer_ones_leave_room_but_never_go_beyond(room):
     assert found.high <= outer.high
     assert found.low >= outer.low
     assert found.most >= min(0.6 + 0.01 * room, outer.most)
-    assert holds(found, 2.75, 0.6)
+    assert are_within(found, 2.75, 0.6)
 
 
 @pytest.mark.parametrize("ratio", [0.7, 1.2])
@@ -53,7 +53,7 @@ def test_the_first_step_is_foreseen_and_lies_within_the_first_bounds(load, x, ra
     _, (d,) = dense(setting, load, np.array([1]))
     assert 0.9 < (guess - setting.start.d) / (d - setting.start.d) < 1.7
     found = first_bounds(setting, guess, 0.05)
-    assert holds(found, d, advance(setting.law, d, setting.start.d))
+    assert are_within(found, d, advance(setting.law, d, setting.start.d))
 
 
 def test_no_digits_are_lost_where_hardly_anything_decays():
@@ -109,7 +109,7 @@ def test_classes_hold_as_long_as_bounds_do(hurst, ratio, scheme):
             for _ in range(size(100, 20)):
                 w, old = law.decay * np.roll(u, -1), d
                 d, _ = solve_indentation(setting.z - w, force / law.stiffness, d)
-                if not holds(bounds, d, advance(law, d, old)):
+                if not are_within(bounds, d, advance(law, d, old)):
                     break
                 assert ((setting.z - w < d) == before)[~listed].all()
                 u = np.minimum(w, setting.z - d)
@@ -122,7 +122,7 @@ def test_a_span_is_its_samples_round_the_period(hurst):
     z, level = setting.z + 7.0, 0.4
     setting = setting._replace(z=z, spans=spans_of(z, setting.slope))
     add_rises(setting.spans.rows, z, setting.slope)
-    a = rise(setting.law, z, np.roll(z, -1))
+    a = a_of(setting.law, z, np.roll(z, -1))
     weight = lagged_slope(setting.slope, setting.law.lag)
     for b in (0, 3, z.size // SPAN - 1):
         own = slice(b * SPAN, (b + 1) * SPAN)

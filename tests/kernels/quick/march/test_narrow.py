@@ -8,17 +8,17 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce
-from elastomer_friction.kernels.quick.march.balance import (
+from elastomer_friction.kernels.quick.march.active import MARGINS, active_march
+from elastomer_friction.kernels.quick.march.bounds import first_bounds
+from elastomer_friction.kernels.quick.march.crossings import Steady, arrivals_of
+from elastomer_friction.kernels.quick.march.landings import land, landed, no_landings
+from elastomer_friction.kernels.quick.march.lists import lists_of
+from elastomer_friction.kernels.quick.march.load_balance import (
     NOTHING_ELSE,
     beside,
     foresee,
-    remember,
+    keep_past,
 )
-from elastomer_friction.kernels.quick.march.bounds import first_bounds
-from elastomer_friction.kernels.quick.march.flights import Steady, arrivals_of
-from elastomer_friction.kernels.quick.march.landings import land, landed, no_landings
-from elastomer_friction.kernels.quick.march.lists import lists_of
-from elastomer_friction.kernels.quick.march.march import MARGINS, active_march
 from elastomer_friction.kernels.quick.march.narrow import march_shortening
 from elastomer_friction.kernels.quick.march.runs import classes_of
 from elastomer_friction.kernels.quick.march.stepping import Stand, march_on
@@ -137,7 +137,7 @@ def test_sums_are_those_of_samples_one_by_one():
     assert landings.distances.tolist() == [2, 4]
     past = np.append(PAST, now)
     for k in range(past.size):
-        remember(landings, k, past[k])
+        keep_past(landings, k, past[k])
     each = [now - z + LAW.decay**q * (height - past[step - q]) for height, z, q, _ in samples]
     weights = [weight for *_, weight in samples]
     assert beside(landings, step, now, 0) == (3.0, pytest.approx(sum(each), rel=1e-13))

@@ -7,10 +7,10 @@ import pytest
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.effects.programme import (
     FromFile,
-    Hold,
+    HoldSegment,
     Oscillate,
-    Ramp,
-    Slide,
+    RampSegment,
+    SlideSegment,
     Velocity,
     first_speed,
     first_velocity,
@@ -32,14 +32,14 @@ def read(tmp_path, *entries):
 @pytest.mark.parametrize(
     ("entry", "segment"),
     [
-        ({"slide": {"velocity": -0.1, "distance": 1e-3}}, Slide(Velocity(-0.1), 1e-3)),
-        ({"slide": {"ratio": 1.2, "duration": 2}}, Slide(Velocity(1.2, True), None, 2.0)),
-        ({"hold": {"duration": 3}}, Hold((3.0,))),
-        ({"hold": {"duration": [3.0]}}, Hold((3.0,), several=True)),
-        ({"hold": {"duration": {"geomspace": [1, 100, 3]}}}, Hold((1.0, 10.0, 100.0), True)),
+        ({"slide": {"velocity": -0.1, "distance": 1e-3}}, SlideSegment(Velocity(-0.1), 1e-3)),
+        ({"slide": {"ratio": 1.2, "duration": 2}}, SlideSegment(Velocity(1.2, True), None, 2.0)),
+        ({"hold": {"duration": 3}}, HoldSegment((3.0,))),
+        ({"hold": {"duration": [3.0]}}, HoldSegment((3.0,), several=True)),
+        ({"hold": {"duration": {"geomspace": [1, 100, 3]}}}, HoldSegment((1.0, 10.0, 100.0), True)),
         (
             {"ramp": {"ratio": [1, -1], "duration": 2}},
-            Ramp(Velocity(1.0, True), Velocity(-1.0, True), 2.0),
+            RampSegment(Velocity(1.0, True), Velocity(-1.0, True), 2.0),
         ),
         (
             {"oscillate": {"amplitude": 1e-4, "frequency": 10, "cycles": 3}},
@@ -73,11 +73,11 @@ def test_times_of_a_file_start_at_zero(tmp_path):
     assert segment.times == (0.0, 1.0)
 
 
-SLOW, FAST = Slide(Velocity(0.1), 1e-3), Slide(Velocity(0.3), None, 2.0)
-BACK = Slide(Velocity(-0.3), 1e-3)
-OWN = Slide(Velocity(1.2, relative=True), 1e-3)
-REST = Hold((1.0,))
-SEVERAL = Hold((1.0, 10.0), several=True)
+SLOW, FAST = SlideSegment(Velocity(0.1), 1e-3), SlideSegment(Velocity(0.3), None, 2.0)
+BACK = SlideSegment(Velocity(-0.3), 1e-3)
+OWN = SlideSegment(Velocity(1.2, relative=True), 1e-3)
+REST = HoldSegment((1.0,))
+SEVERAL = HoldSegment((1.0, 10.0), several=True)
 SWING = Oscillate(Velocity(0.0), 1e-4, 10.0, 3)
 FILE = FromFile((0.0, 1.0, 2.0), (0.0, -0.2, 0.4))
 
@@ -108,13 +108,13 @@ def test_a_hold_heals_between_slides():
 def test_the_durations_of_a_list_make_one_programme_each():
     programme = (SLOW, SEVERAL, FAST, REST)
     assert hold_durations(programme) == (1.0, 10.0)
-    assert with_hold(programme, 10.0) == (SLOW, Hold((10.0,)), FAST, REST)
+    assert with_hold(programme, 10.0) == (SLOW, HoldSegment((10.0,)), FAST, REST)
     assert hold_durations((SLOW, REST)) == ()
 
 
 def test_where_a_programme_begins():
     assert first_velocity((REST, SLOW)) is None
-    assert first_velocity((Ramp(Velocity(0.2), Velocity(0.1), 1.0),)) == Velocity(0.2)
+    assert first_velocity((RampSegment(Velocity(0.2), Velocity(0.1), 1.0),)) == Velocity(0.2)
     assert first_velocity((FILE,)) == Velocity(0.0)
 
 

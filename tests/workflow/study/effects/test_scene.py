@@ -5,9 +5,14 @@ import math
 import pytest
 
 from elastomer_friction.workflow.study.effects.material import Material
-from elastomer_friction.workflow.study.effects.programme import Hold, Oscillate, Slide, Velocity
+from elastomer_friction.workflow.study.effects.programme import (
+    HoldSegment,
+    Oscillate,
+    SlideSegment,
+    Velocity,
+)
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES, judged
-from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene, why_not
+from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene_table, why_not
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import small_study
 
@@ -19,7 +24,7 @@ HOLD = {"hold": {"duration": 1.0}}
 
 
 def read(*materials, **table):
-    return read_scene(checked("scene", table, SCENE), None, materials or (KELVIN,))
+    return read_scene_table(checked("scene", table, SCENE), None, materials or (KELVIN,))
 
 
 def test_without_keys_it_is_the_scene_of_the_paper():
@@ -58,7 +63,7 @@ def test_fresh_without_a_dashpot():
 def test_an_indentation_over_time(tmp_path):
     (tmp_path / "d.csv").write_text("0, 1e-5\n1, 2e-5\n")
     table = {"programme": [SLIDE], "control": "indentation", "indentation_file": "d.csv"}
-    scene = read_scene(table, tmp_path, (KELVIN,))
+    scene = read_scene_table(table, tmp_path, (KELVIN,))
     assert scene.indentation_history == ((0.0, 1.0), (1e-5, 2e-5))
     assert not scene.takes_indentation
 
@@ -90,8 +95,8 @@ surface.length = 0.01
 """
 
 
-SLOW, FAST = Slide(Velocity(0.1), 1e-3), Slide(Velocity(0.2), 1e-3)
-EVERYTHING = (SLOW, FAST, Hold((1.0,)), SLOW, Oscillate(Velocity(0.1), 1e-4, 10.0, 3))
+SLOW, FAST = SlideSegment(Velocity(0.1), 1e-3), SlideSegment(Velocity(0.2), 1e-3)
+EVERYTHING = (SLOW, FAST, HoldSegment((1.0,)), SLOW, Oscillate(Velocity(0.1), 1e-4, 10.0, 3))
 
 
 @pytest.mark.parametrize("name", QUANTITIES)
@@ -119,7 +124,7 @@ def test_what_is_defined_at_a_normal_force():
 
 
 def test_a_repeated_list_meets_itself():
-    once, twice = (Scene(programme=(SLOW, Hold((1.0,))), repeat=n) for n in (1, 2))
+    once, twice = (Scene(programme=(SLOW, HoldSegment((1.0,))), repeat=n) for n in (1, 2))
     assert "healing" in reasons(once)
     assert "healing" not in reasons(twice)
 

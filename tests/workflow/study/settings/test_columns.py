@@ -7,7 +7,11 @@ import pytest
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.moduli import read_moduli
-from elastomer_friction.workflow.study.settings.text import read_columns, read_rows, rows_of_file
+from elastomer_friction.workflow.study.settings.rows_of_numbers import (
+    read_columns,
+    read_rows,
+    rows_of_file,
+)
 
 NAMES = ("a time in s", "a velocity in m/s")
 

@@ -12,7 +12,7 @@ import numpy as np
 
 from ...compile.jit import by_type, kernel
 from ...rheology.law import NEGLIGIBLE
-from .setting import rise
+from .given import a_of
 
 FORGOTTEN = 1e-30  # what decays below this, beside d, is zero
 
@@ -21,23 +21,23 @@ class Neighbours(NamedTuple):
     """Runs that elements enter straight from a sample that always touches."""
 
     at: np.ndarray  # where they enter the lists: the last sample of the run
-    rise: np.ndarray  # a_j there
+    a: np.ndarray  # a_j there
 
 
-class Flights(NamedTuple):
+class Crossings(NamedTuple):
     """Runs that elements enter across a gap, or from a listed sample at the other end of the line.
 
-    Flight f has its slots in values[begin[f] : begin[f + 1]].
+    Crossing f has its slots in values[begin[f] : begin[f + 1]].
     """
 
     at: np.ndarray  # where they enter the lists
-    begin: np.ndarray  # shape (flights + 1,)
+    begin: np.ndarray  # shape (crossings + 1,)
     place: np.ndarray  # the slot of the next arrival; changes
     round: np.ndarray  # whether slots go round, or the last one, zero, stays
     values: np.ndarray
     source: np.ndarray  # where elements leave the lists; -1 for a sample that always touches
     height: np.ndarray  # z of the sample they leave
-    crossing: np.ndarray  # E^q
+    left: np.ndarray  # E^q
 
 
 class Steady(NamedTuple):
@@ -71,7 +71,7 @@ def powers_of(decay, steps):
 
 @kernel
 def arrivals_of(law, lists, runs, aloft, line, steps):
-    """Return (Neighbours, Flights) of all runs.
+    """Return (Neighbours, Crossings) of all runs.
 
     line : heights of all samples. aloft : displacements without force and indentation of now,
     Steady, or a State of all samples that elements fly over. steps : still to come.
@@ -90,28 +90,28 @@ def arrivals_of(law, lists, runs, aloft, line, steps):
     for i in range(a):
         at[i] = lists.first[near[i] + 1] - 1
         above = runs.top[near[i]] + 1
-        steep[i] = rise(law, lists.z[at[i]], line[above if above < line.size else 0])
+        steep[i] = a_of(law, lists.z[at[i]], line[above if above < line.size else 0])
     neighbours = Neighbours(at, steep)
-    return neighbours, _flights(lists, runs, far[:f], aloft, line, powers)
+    return neighbours, _crossings(lists, runs, far[:f], aloft, line, powers)
 
 
 @kernel
-def _flights(lists, runs, far, aloft, line, powers):
-    """Return the Flights of the runs ``far``."""
+def _crossings(lists, runs, far, aloft, line, powers):
+    """Return the Crossings of the runs ``far``."""
     reach, size = powers.size - 1, far.size
     at, begin, place = (
         np.empty(size, np.int64),
         np.zeros(size + 1, np.int64),
         np.empty(size, np.int64),
     )
-    source, height, crossing = np.empty(size, np.int64), np.empty(size), np.empty(size)
+    source, height, left = np.empty(size, np.int64), np.empty(size), np.empty(size)
     goes = np.empty(size, np.bool_)
     for f in range(size):
         r = far[f]
         q = runs.distance[r]
         at[f], place[f], goes[f] = lists.first[r + 1] - 1, begin[f], q <= reach
         begin[f + 1] = begin[f] + (q if goes[f] else reach + 1)
-        crossing[f] = powers[q] if goes[f] else 0.0
+        left[f] = powers[q] if goes[f] else 0.0
         if runs.sure[r]:
             above = runs.top[r] + q
             source[f], height[f] = -1, line[above - line.size if above >= line.size else above]
@@ -128,8 +128,8 @@ def _flights(lists, runs, far, aloft, line, powers):
         if not goes[f]:
             values[begin[f + 1] - 1] = 0.0  # all that comes later has been forgotten
         elif source[f] < 0:
-            values[begin[f + 1] - 1] = crossing[f] * u
-    return Flights(at, begin, place, goes, values, source, height, crossing)
+            values[begin[f + 1] - 1] = left[f] * u
+    return Crossings(at, begin, place, goes, values, source, height, left)
 
 
 @launch.of(Steady)
@@ -145,24 +145,24 @@ def _launch_at_first(aloft, values, begin, end, powers, line, top, distance, u):
 @kernel
 def arrive(law, lists, arrivals, d):
     """Set the thresholds where elements enter the lists. d : indentation before the step."""
-    neighbours, flights = arrivals
+    neighbours, crossings = arrivals
     for i in range(neighbours.at.size):
-        lists.c[neighbours.at[i]] = neighbours.rise[i] + law.decay * d
-    for f in range(flights.at.size):
-        i = flights.at[f]
-        lists.c[i] = lists.z[i] - flights.values[flights.place[f]]
+        lists.c[neighbours.at[i]] = neighbours.a[i] + law.decay * d
+    for f in range(crossings.at.size):
+        i = crossings.at[f]
+        lists.c[i] = lists.z[i] - crossings.values[crossings.place[f]]
 
 
 @kernel
-def depart(lists, flights, d):
+def depart(lists, crossings, d):
     """Send elements across the gaps at the end of a step, and go on to the next slots."""
-    for f in range(flights.at.size):
-        place = flights.place[f]
-        if flights.round[f]:
-            i = flights.source[f]
-            u = flights.height[f] - (d if i < 0 else max(lists.c[i], d))
-            flights.values[place] = flights.crossing[f] * u
+    for f in range(crossings.at.size):
+        place = crossings.place[f]
+        if crossings.round[f]:
+            i = crossings.source[f]
+            u = crossings.height[f] - (d if i < 0 else max(lists.c[i], d))
+            crossings.values[place] = crossings.left[f] * u
         place += 1
-        if place == flights.begin[f + 1]:
-            place = flights.begin[f] if flights.round[f] else place - 1
-        flights.place[f] = place
+        if place == crossings.begin[f + 1]:
+            place = crossings.begin[f] if crossings.round[f] else place - 1
+        crossings.place[f] = place

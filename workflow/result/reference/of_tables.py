@@ -4,7 +4,7 @@ from collections.abc import Mapping
 from typing import NamedTuple
 
 from ..variables import FLAGS, VARIABLES
-from . import programmes, steps
+from . import of_programmes, steps
 
 SECTIONS: dict[str, Mapping[str, str]] = {
     "Every result": steps.GENERAL,
@@ -13,11 +13,11 @@ SECTIONS: dict[str, Mapping[str, str]] = {
     "Relaxation after the velocity step (quantity `relaxation`)": steps.RELAXATION,
     "Exponents, one for each H (quantity `relaxation`)": steps.EXPONENTS,
     "Fits beyond eq. 6 (quantity `models`)": steps.MODELS,
-    "Along a programme (quantity `trace`)": programmes.TRACE,
-    "Peaks, holds and loops (quantities `peak`, `healing`, `loop`)": programmes.EVENTS,
-    "Rate and state (quantity `rate_state`)": programmes.RATE_STATE,
-    "Energy and lengths of contacts (quantities `energy`, `contact_lengths`)": programmes.ENERGY,
-    "A single line (quantities `snapshots`, `state`)": programmes.ALONE,
+    "Along a programme (quantity `trace`)": of_programmes.TRACE,
+    "Peaks, holds and loops (quantities `peak`, `healing`, `loop`)": of_programmes.EVENTS,
+    "Rate and state (quantity `rate_state`)": of_programmes.RATE_STATE,
+    "Energy and lengths of contacts (quantities `energy`, `contact_lengths`)": of_programmes.ENERGY,
+    "A single line (quantities `snapshots`, `state`)": of_programmes.ALONE,
 }
 
 

@@ -6,21 +6,21 @@ import numpy as np
 
 from ...compile.jit import by_type, kernel
 from ...model.contact import excess_at, indentation_under, lowest_of, overlap
-from .setting import advance
+from .given import advance
 
 STRIP = 32  # samples, and partial sums
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
 
 
 @kernel
-def foresee(control, setting):
+def foresee(control, march):
     """Return d after the first step, or a little beyond.
 
     d follows d' as an element in contact does, by 1 - E = 1 / K in a step. Under next to no load
     the rate is rounding, but one element could carry all of it.
     """
-    law, d = setting.law, setting.start.d
-    new = max(d + FARTHER * setting.rate / law.stiffness, NEARER * d)
+    law, d = march.law, march.start.d
+    new = max(d + FARTHER * march.rate / law.stiffness, NEARER * d)
     return min(new, law.decay * d + control.load / law.stiffness)
 
 
@@ -42,7 +42,7 @@ def beside(others, step, d, row):
 
 
 @by_type
-def remember(others, step, d):
+def keep_past(others, step, d):
     """Keep the indentation at the end of a step, if the others depend on it."""
 
 
@@ -51,7 +51,7 @@ def _nothing_beside(others, step, d, row):
     return others.samples, 0.0
 
 
-@remember.of(NothingElse)
+@keep_past.of(NothingElse)
 def _nothing_to_remember(others, step, d):
     pass
 
@@ -83,8 +83,8 @@ def _lowest_listed(contact, load):
 
 
 @kernel
-def settle(control, law, lists, sums, more, d, guess):
-    """Return (d, push, passes): the new indentation, D of the samples in sums, passes over c.
+def next_indentation(control, law, lists, sums, more, d, guess):
+    """Return (d, advanced, passes): the new indentation, D of the samples in sums, passes over c.
 
     Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
     more : how many samples touch beside both, and their overlap were d to stay (beside). d : the

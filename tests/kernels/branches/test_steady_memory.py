@@ -6,8 +6,7 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, steady_sliding
-from elastomer_friction.kernels.branches import steady
-from elastomer_friction.kernels.branches.steady import steady_at, steady_memory
+from elastomer_friction.kernels.branches.steady_memory import steady_at, steady_memory
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import Elements, memories, rest
 from elastomer_friction.kernels.rheology.retardation import retardation
@@ -193,6 +192,6 @@ def test_thirty_branches_over_fourteen_decades(scheme, speed):
 
 
 def test_what_is_not_found_is_said(monkeypatch):
-    monkeypatch.setattr(steady, "TURNS", 1)
+    monkeypatch.setattr(f"{steady_memory.__module__}.TURNS", 1)
     with pytest.raises(ValueError, match="speed = 2 samples per tau: no steady state was found"):
         steady_memory(retardation(PRONY3), three_modes(8), 2.0, 1.0)

@@ -108,7 +108,7 @@ def last_speed(leg: Leg) -> float:
     return leg.speed + 2.0 * math.pi * leg.frequency * leg.amplitude
 
 
-def first_speed(programme: Programme) -> float:
+def speed_at_start(programme: Programme) -> float:
     """Return the speed at which a programme begins, in dx/tau: 0 if it begins with a hold.
 
     Of an oscillation it is the mean speed: that of the steady state before it.

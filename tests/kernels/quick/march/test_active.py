@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, Line
 from elastomer_friction.kernels.motion.stretches import touchable
-from elastomer_friction.kernels.quick.march.march import MARGINS, active_march
+from elastomer_friction.kernels.quick.march.active import MARGINS, active_march
 from tests.kernels.quick.march.given import (
     Jump,
     dense,

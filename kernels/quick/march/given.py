@@ -10,7 +10,7 @@ from ..steady.carry import Decay
 from ..steady.spans import Spans
 
 
-class Passing(NamedTuple):
+class SteadyState(NamedTuple):
     """Steady sliding at one speed, as the elements pass the spans of the line (steady/spans.py)."""
 
     decay: Decay
@@ -19,7 +19,7 @@ class Passing(NamedTuple):
     d: float  # indentation
 
 
-class Setting(NamedTuple):
+class March(NamedTuple):
     """A line, and steady sliding on it before and after the velocity jump."""
 
     z: np.ndarray  # in h, shape (n,)
@@ -27,8 +27,8 @@ class Setting(NamedTuple):
     spans: Spans
     before: Kelvin  # of steps of one sample at v1
     law: Kelvin  # the same at v2
-    start: Passing  # at v1
-    end: Passing  # and at v2
+    start: SteadyState  # at v1
+    end: SteadyState  # and at v2
     rate: float  # d' in h/tau just after the velocity jump
 
 
@@ -39,7 +39,7 @@ def advance(law, d, old):
 
 
 @kernel
-def rise(law, z, upstream):
+def a_of(law, z, upstream):
     """Return a_j = z_j - E z_(j+1) of heights z_j and, upstream of it, z_(j+1).
 
     The overlap d - c of an element that comes from contact upstream is D - a_j.

@@ -8,7 +8,7 @@ import numpy as np
 from ..model.limits import LOADS, SPEEDS, check_between
 from ..rheology.spectrum import shortest_step
 from .case import Case, Quantities
-from .contacts.steady_friction import Pace
+from .contacts.steady_friction import AtSpeed
 
 LEAST_STEP = 1e-9  # |r - 1|, or zero; r is then known to 1e-7 of it, the jump to 1e-5
 
@@ -19,8 +19,8 @@ class Together(NamedTuple):
     rows: list[int]  # which of all cases they are
     cases: list[Case]
     loads: np.ndarray  # Fbar, shape (cases,)
-    pace: Pace  # at v1
-    following: tuple[Pace, ...]  # at each v2 that is asked for
+    at_speed: AtSpeed  # at v1
+    following: tuple[AtSpeed, ...]  # at each v2 that is asked for
     nothing: np.ndarray  # shape (ratios,): NaN, not to be changed
 
 
@@ -58,10 +58,10 @@ def _together(rows: list[int], cases: Sequence[Case], steps: int, asked: Quantit
     after = tuple(ratio * speed for ratio in ratios)
     to = after if asked.jump or asked.relaxation else ()
     following = after if asked.steady or asked.relaxation else ()
-    pace = Pace.of(scheme, steps, speed, to, following)
-    twos = tuple(Pace.of(scheme, steps, later) for later in following)
+    at_speed = AtSpeed.of(scheme, steps, speed, to, following)
+    twos = tuple(AtSpeed.of(scheme, steps, later) for later in following)
     loads, nothing = np.array([case.load for case in own]), np.full(len(ratios), np.nan)
-    return Together(rows, own, loads, pace, twos, nothing)
+    return Together(rows, own, loads, at_speed, twos, nothing)
 
 
 def _check(case: Case, steps: int, asked: Quantities) -> None:

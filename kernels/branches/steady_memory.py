@@ -1,4 +1,4 @@
-"""Steady sliding of elements with internal variables, without time marching.
+"""SteadyMemory sliding of elements with internal variables, without time marching.
 
 At constant indentation the line carries its field of states along. One turn of an element round
 the period, from the deepest sample, is a piecewise linear map of its state there and of d. It
@@ -18,7 +18,7 @@ import numpy as np
 from ..compile.jit import kernel
 from ..model.contact import solve_indentation
 from ..rheology.law import Elements, law_of, memories, predict, rest, settle
-from ..rheology.relaxed import Moduli
+from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
 TURNS = 60  # at most; a few are enough
@@ -27,15 +27,17 @@ SOUND = 1e-6  # residual that is taken
 FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
 
 
-class Steady(NamedTuple):
-    """A steady state of sliding."""
+class SteadyMemory(NamedTuple):
+    """A steady state of sliding of elements with internal variables."""
 
     elements: Elements  # at the samples of the line, after a step
     work: int  # updates of an element or of a tangent that it took
     residual: float  # what is left of the equations, relative
 
 
-def steady_memory(form: Retardation | Moduli, z: np.ndarray, speed: float, load: float) -> Steady:
+def steady_memory(
+    form: Retardation | RelaxationForm, z: np.ndarray, speed: float, load: float
+) -> SteadyMemory:
     """Return the steady state of sliding under the load sum_i f_i = load.
 
     form : of the material (rheology/forms.py). z : heights of the line, shape (n,), in h.
@@ -45,14 +47,16 @@ def steady_memory(form: Retardation | Moduli, z: np.ndarray, speed: float, load:
     return _found(form, z, speed, load, start)
 
 
-def steady_at(form: Retardation | Moduli, z: np.ndarray, speed: float, d: float) -> Steady:
+def steady_at(
+    form: Retardation | RelaxationForm, z: np.ndarray, speed: float, d: float
+) -> SteadyMemory:
     """Return the steady state of sliding at a given indentation d (in h), as steady_memory."""
     return _found(form, z, speed, np.nan, d)
 
 
 def _found(
-    form: Retardation | Moduli, z: np.ndarray, speed: float, load: float, d: float
-) -> Steady:
+    form: Retardation | RelaxationForm, z: np.ndarray, speed: float, load: float, d: float
+) -> SteadyMemory:
     """Return the steady state under a load, from a first guess d, or at d if the load is NaN.
 
     Heights and d are counted from the deepest sample: what presses in is known to rounding then.
@@ -87,7 +91,7 @@ def _found(
             f"speed = {speed:g} samples per tau: no steady state was found, "
             f"its equations are off by {least:.1e}"
         )
-    return Steady(found, turns * z.size * (count + 3), least)
+    return SteadyMemory(found, turns * z.size * (count + 3), least)
 
 
 def _residual(excess: np.ndarray, x: np.ndarray, load: float) -> float:

@@ -6,14 +6,14 @@ from typing import NamedTuple
 import numpy as np
 
 from ..model.limits import LOADS, SPEEDS, check_between
-from ..motion.programme import Programme, Steps, first_speed, steps_of
+from ..motion.legs import Programme, Steps, speed_at_start, steps_of
 from ..rheology.spectrum import Spectrum, shortest_step
 
 ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
 STARTS = ("steady", "relaxed", "fresh")
 
 
-class Scene(NamedTuple):
+class SceneCase(NamedTuple):
     """What one line is taken through. Lengths along x in dx, heights in h, times in tau."""
 
     spectrum: Spectrum  # of the elastomer
@@ -57,7 +57,7 @@ class Saved(NamedTuple):
         return Origin(self.position, self.speed, self.time)
 
 
-def scene_steps(scene: Scene, steps_per_spacing: int, origin: Origin = START) -> Steps:
+def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = START) -> Steps:
     """Return all time steps of a scene that begins at ``origin``; steps_per_spacing : m.
 
     Raises ValueError as steps_of, and where there is none.
@@ -87,7 +87,7 @@ def _with_times(steps: Steps, position: float, times: np.ndarray) -> Steps:
     return Steps(steps.position[of], dt, steps.leg[of])
 
 
-def indentation_at(scene: Scene, times: np.ndarray, datum: float) -> np.ndarray:
+def indentation_at(scene: SceneCase, times: np.ndarray, datum: float) -> np.ndarray:
     """Return the prescribed indentation over the deepest point, in h; times in tau; that shape.
 
     datum : height of the deepest point over the mean line, in h.
@@ -97,7 +97,7 @@ def indentation_at(scene: Scene, times: np.ndarray, datum: float) -> np.ndarray:
     return np.full(np.shape(times), scene.indentation, float) - datum
 
 
-def check_scene(scene: Scene, steps: Steps, resumed: bool) -> None:
+def check_scene(scene: SceneCase, steps: Steps, resumed: bool) -> None:
     """Raise ValueError for a scene without meaning, or beyond what doubles can resolve."""
     if scene.start not in STARTS:
         raise ValueError(f"start = {scene.start!r}: use one of {STARTS}")
@@ -114,11 +114,11 @@ def check_scene(scene: Scene, steps: Steps, resumed: bool) -> None:
     _check_control(scene, resumed)
 
 
-def _check_control(scene: Scene, resumed: bool) -> None:
+def _check_control(scene: SceneCase, resumed: bool) -> None:
     """Raise ValueError where load, indentation or first speed have no meaning."""
     if scene.indentation is None:
         check_between("load", scene.load, LOADS)
     elif not math.isnan(scene.load):
         raise ValueError("load and indentation are both given: one of them follows from the other")
     if scene.start == "steady" and not resumed:
-        check_between("first speed", abs(first_speed(scene.programme)), SPEEDS)
+        check_between("first speed", abs(speed_at_start(scene.programme)), SPEEDS)
