@@ -17,30 +17,30 @@ rheology, control or motion; what a scene does not ask for is not in its machine
 from .control.printed_eq3 import PrintedForce
 from .lines.equivalent import equivalent_amplitudes, equivalent_spectrum
 from .lines.line import QUARTET, Line
-from .lines.measured import measured_amplitudes
+from .lines.measured_modes import measured_amplitudes
+from .lines.power import power_spectrum, rms_height
 from .lines.self_affine import amplitudes, draw_phases, matching_rolloff, rms_slope, sample_line
-from .lines.spectrum import power_spectrum, rms_height
 from .model.contact import solve_indentation
 from .model.force import ConstantForce
 from .model.friction import lagged_slope, quadrature, step_average
 from .model.march import march
 from .model.steady import steady_sliding
-from .motion.programme import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide, steps_of
+from .motion.legs import Hold, Leg, Oscillation, Programme, Ramp, Sampled, Slide, steps_of
 from .quick.case import Case, Outcome, Quantities, Seconds
 from .quick.cases import run_case, run_cases, run_prepared
-from .quick.prepare import Prepared, prepare
+from .quick.prepared import Prepared, prepare
 from .rheology.forms import form_of
 from .rheology.kelvin import SCHEMES, Kelvin
 from .rheology.law import State, law_of, memories
 from .rheology.spectrum import KELVIN, Spectrum
 from .scene import (
     ENERGIES,
+    MOTION,
     START,
     TRACES,
     Origin,
     Saved,
-    Scene,
+    SceneCase,
     run_scene,
     scene_steps,
-    trace_stamps,
 )

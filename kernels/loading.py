@@ -29,9 +29,9 @@ from .quick.contacts.fine_line import mark_touchable, marked
 from .quick.contacts.loads import How
 from .quick.contacts.part import Part, slide_on
 from .quick.contacts.refined import MARGIN, curvatures_of
-from .quick.contacts.steady_friction import Grounds, Pace
-from .quick.march.march import active_march
-from .quick.march.setting import Passing, Setting
+from .quick.contacts.steady_friction import AtSpeed, Grounds
+from .quick.march.active import active_march
+from .quick.march.given import March, SteadyState
 from .quick.relaxation import Ends, plain_relaxations
 from .quick.steady.carry import NO_GAPS, Decay, carry
 from .quick.steady.spans import SPAN, TURN
@@ -59,10 +59,10 @@ def load(scheme: str, asked: Quantities) -> None:
     ]
     with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
-            pace, nobody = Pace.of(scheme, STEPS, WIDE[1], (1.2,), (1.2,)), np.empty((1, 0))
-            how = How(float(STEPS), pace.share, True)
-            slide_on(pace.law, Part(_stack(line)), pace.at_speeds, nobody[0], nobody, how)
-            _load_fine(line, pace.law)
+            at_speed, nobody = AtSpeed.of(scheme, STEPS, WIDE[1], (1.2,), (1.2,)), np.empty((1, 0))
+            how = How(float(STEPS), at_speed.share, True)
+            slide_on(at_speed.law, Part(_stack(line)), at_speed.at_speeds, nobody[0], nobody, how)
+            _load_fine(line, at_speed.law)
             law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
         run_cases(line, cases, asked)
 
@@ -81,9 +81,9 @@ def load_half(scheme: str, rate: bool) -> None:
     ends = Ends(Decay(*law), sums[None], np.array([state.d]))
     plain_relaxations(stack, law, ends, ends, control, FEW)
     if rate:  # eq. 3 as printed is marched plainly
-        passing = Passing(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
-        setting = Setting(z, slope, spans, law, law, passing, passing, 0.0)
-        active_march(setting, control, MANY)
+        steady = SteadyState(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
+        march = March(z, slope, spans, law, law, steady, steady, 0.0)
+        active_march(march, control, MANY)
 
 
 def _load_fine(line: Line, law: Kelvin) -> None:

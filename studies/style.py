@@ -58,7 +58,7 @@ def in_micrometres(ax: Axes, values: np.ndarray) -> None:
     ax.set_xlabel("spacing $\\Delta x$ (µm)")
 
 
-def computed_study(data: xr.Dataset) -> Study:
+def study_in(data: xr.Dataset) -> Study:
     """Return the study with whose settings a result was computed; it reads no other file."""
     return read_grid_study("", Path(), json.loads(data.attrs["study"]))
 

@@ -1,11 +1,8 @@
 """Sizes of test problems: smaller where the kernels run as plain Python."""
 
 import numba
-import pytest
 
 PLAIN_PYTHON = bool(numba.config.DISABLE_JIT)
-# Of tests that take seconds to compile a version of kernels that others do not need.
-COMPILES_ALONE = () if PLAIN_PYTHON else (pytest.mark.exhaustive,)
 
 
 def size(compiled: int, plain: int) -> int:

@@ -1,6 +1,7 @@
 """What the documents name is there: files of ours, links between pages, targets of make."""
 
 import re
+import subprocess
 from pathlib import Path
 
 import pytest
@@ -65,3 +66,17 @@ def test_every_key_of_a_scene_is_described():
     segments = {**SLIDE, **HOLD, **RAMP, **OSCILLATE}
     for key in (*MATERIAL, *SCENE, *KINDS, *segments, *QUANTITIES, "record", "trace"):
         assert re.search(rf"`{key}|^### [\w.]+\.{key}$", page, re.MULTILINE), key
+
+
+@pytest.mark.parametrize(
+    ("target", "study"),
+    [(["study-mine"], "mine"), (["study", "STUDY=a/b.toml"], "a/b.toml")],
+    ids=["by its name", "by its path"],
+)
+def test_a_study_is_run_and_then_drawn(target, study):
+    told = subprocess.run(
+        ["make", "-n", *target, "SCALE=smoke"], cwd=ROOT, capture_output=True, text=True, check=True
+    )
+    lines = [line for line in told.stdout.splitlines() if " -m workflow " in line]
+    commands = [line.partition(" -m workflow ")[2] for line in lines]
+    assert commands == [f"run {study} --scale smoke ", f"figure {study} --scale smoke "]

@@ -1,4 +1,4 @@
-"""A skip that is not on the list lets the tests fail where a list is given."""
+"""How tests are run: a skip that is not on the list is a failure; a file is in one process."""
 
 import os
 import subprocess

@@ -19,20 +19,24 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..lines.line import Line
-from ..model.friction import lagged_slope
+from ..model.friction import lagged_slope, mean_slope
 from ..rheology.law import Elements, law_of
 from ..rheology.prony import moments
-from ..rheology.relaxed import Moduli
+from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
 
-def steady_friction(
-    units: Retardation, form: Retardation | Moduli, line: Line, elements: Elements, speed: float
+def friction_by_loss(
+    units: Retardation,
+    form: Retardation | RelaxationForm,
+    line: Line,
+    elements: Elements,
+    speed: float,
 ) -> tuple[float, float]:
     """Return (mu, contact): friction in h/dx and the share of samples in contact.
 
     units : the retardation form of the material. form : that of the time scheme, the same one
-    or the relaxation form. elements : of steady sliding (steady.py). speed : vbar, signed.
+    or the relaxation form. elements : of steady sliding (steady_memory.py). speed : vbar, signed.
     mu has the sign of the speed; it is NaN where nothing touches.
     """
     load = float(elements.p.sum())
@@ -42,14 +46,23 @@ def steady_friction(
     way = math.copysign(1.0, speed)
     step = 1.0 / (line.steps_per_spacing * abs(speed))
     # Elements come to the samples from the side that the line moves to.
-    p, slope = (elements.p, line.slope) if way > 0.0 else (elements.p[::-1], -line.slope[::-1])
-    lost = line.steps_per_spacing * _loss(units, np.ascontiguousarray(p[::-1]), step) / load
+    p = elements.p[::-1] if way > 0.0 else elements.p
+    lost = line.steps_per_spacing * _loss(units, np.ascontiguousarray(p), step) / load
     share = 1.0 if units.glass > 0.0 else math.exp(-(_loss_tangent(units, 1.0 / step) ** 2))
     if share < 1e-3:
         lost = 0.0
-    weight = lagged_slope(np.ascontiguousarray(slope), law_of(form, step).lag)
-    summed = 0.0 if share == 1.0 else float(np.sum(p * weight)) / load
-    return way * (share * lost + (1.0 - share) * summed), contact
+    summed = 0.0 if share == 1.0 else step_friction(form, line, elements, speed)
+    return way * share * lost + (1.0 - share) * summed, contact
+
+
+def step_friction(
+    form: Retardation | RelaxationForm, line: Line, elements: Elements, speed: float
+) -> float:
+    """Return mu of steady sliding (eq. 5) as a step of the march gives it; arguments as above."""
+    way = 1 if speed > 0.0 else -1
+    lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag
+    weight = lagged_slope(np.ascontiguousarray(line.slope[::way]), lag)[::way]
+    return mean_slope(elements.p, weight)
 
 
 def _loss_tangent(units: Retardation, omega: float) -> float:

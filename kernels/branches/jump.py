@@ -9,16 +9,16 @@ import numpy as np
 from ..lines.line import Line
 from ..model.friction import quadrature
 from ..rheology.law import Elements, displacement, lasting, law_of
-from ..rheology.relaxed import Moduli
+from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
 
 def friction_jump(
-    form: Retardation | Moduli, line: Line, elements: Elements, speed: float, ratio: float
+    form: Retardation | RelaxationForm, line: Line, elements: Elements, speed: float, ratio: float
 ) -> float:
     """Return the jump of mu (h/dx) from steady sliding at ``speed`` to ``ratio`` times it.
 
-    form : of the material (rheology/forms.py). elements : of steady sliding (steady.py).
+    form : of the material (rheology/forms.py). elements : of steady sliding (steady_memory.py).
     speed : vbar, signed. In contact p = p_0 + eta (v z' + d') with p_0 from the state alone: with
     it in the place of d - z this is the quadrature of the Kelvin element.
     Raises ValueError for a material without a dashpot.

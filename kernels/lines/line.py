@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .measured import measured_modes
+from .measured_modes import measured_modes
 from .self_affine import sample_line, sample_modes
 
 QUARTET = 4  # lines that one drawing of phases gives
@@ -76,7 +76,7 @@ class Line(NamedTuple):
 
     @classmethod
     def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Line":
-        """Prepare a measured line (measured.py), sampled m times as finely as it was given.
+        """Prepare a measured line (measured_modes.py), sampled m times as finely as it was given.
 
         heights (in h) : one period, one sample per element, shape (N,). Raises ValueError as
         measured_modes and from_samples do.

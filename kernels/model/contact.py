@@ -12,11 +12,106 @@ exact root, without a tolerance.
 Never more than 2 n + 3 passes over n elements: after the first pass d lies right of the root,
 from then on every pass has a smaller d with fewer elements touching, or is the last. Rounding
 can carry d below every threshold; that restarts it once, from the bound of one element.
+
+What touches is a NamedTuple, Springs or one that knows sums over many elements (quick/): its type
+says what it carries at d. Eq. 4 is solved in two more places, where the elements have come to where
+they are by sliding steadily: model/steady.py, and branches/steady_memory.py for internal variables.
 """
+
+from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import kernel
+from ..compile.jit import by_type, kernel
+
+
+@by_type
+def excess_at(contact, load, d):
+    """Return (what it carries at d beyond the load, the derivative with respect to d, number).
+
+    number : of the elements that touch, or how much of them does.
+    """
+
+
+@by_type
+def lowest_of(contact, load):
+    """Return (the lowest threshold, d at which some element alone would carry the load)."""
+
+
+@kernel
+def indentation_under(contact, load, guess):
+    """Return (d, passes) at which a contact carries load > 0 (eq. 4), from any ``guess``.
+
+    d is NaN where the load or the guess is. passes : number of calls of excess_at (2 to 4 when the
+    guess is good).
+    """
+    d = guess
+    fallen = False  # below every threshold
+    previous = 0.0
+    passes = 0
+    while True:
+        excess, slope, count = excess_at(contact, load, d)
+        passes += 1
+        if count == 0.0:
+            # One element carrying all is an upper bound.
+            lowest, new = lowest_of(contact, load)
+            if fallen or not new > d:  # the load is below rounding, or not a number
+                return np.nextafter(lowest, np.inf) if d <= lowest else d, passes
+            fallen = True
+        else:
+            new = d - excess / slope
+            if passes > 1 and (count == previous or not new < d):
+                return new, passes
+        previous = count
+        d = new
+
+
+class Springs(NamedTuple):
+    """Elements one by one, all of the stiffness 1."""
+
+    c: np.ndarray  # contact thresholds z_i - w_i, shape (n,), n > 0, in h
+
+
+class UnlikeSprings(NamedTuple):
+    """Elements one by one, each of its own stiffness."""
+
+    c: np.ndarray  # as of Springs
+    stiffness: np.ndarray  # s_i > 0, shape (n,)
+
+
+@excess_at.of(Springs)
+def _excess_of_springs(contact, load, d):
+    force, count = overlap(contact.c, d)
+    return force - load, count, count
+
+
+@excess_at.of(UnlikeSprings)
+def _excess_of_unlike_springs(contact, load, d):
+    force, slope, count = weighted_overlap(contact.c, contact.stiffness, d)
+    return force - load, slope, count
+
+
+@lowest_of.of(Springs)
+def _lowest_of_springs(contact, load):
+    lowest = contact.c.min()
+    return lowest, lowest + load
+
+
+@lowest_of.of(UnlikeSprings)
+def _lowest_of_unlike_springs(contact, load):
+    at = np.argmin(contact.c)
+    return contact.c[at], contact.c[at] + load / contact.stiffness[at]
+
+
+@kernel
+def solve_indentation(c, load, guess, stiffness=None):
+    """Return (d, passes) with sum_i s_i max(0, d - c_i) = load > 0, from any ``guess``.
+
+    c, stiffness : as of UnlikeSprings; None where all s_i are 1.
+    """
+    if stiffness is None:
+        return indentation_under(Springs(c), load, guess)
+    return indentation_under(UnlikeSprings(c, stiffness), load, guess)
 
 
 @kernel
@@ -69,38 +164,3 @@ def weighted_overlap(c, stiffness, d):
             slope += stiffness[i]
             count += 1.0
     return force, slope, count
-
-
-@kernel
-def solve_indentation(c, load, guess, stiffness=None):
-    """Return (d, passes) with sum_i s_i max(0, d - c_i) = load > 0 (eq. 4), from any ``guess``.
-
-    c : contact thresholds z_i - w_i, shape (n,), n > 0, in h. stiffness : s_i > 0, shape (n,), or
-    None where all are 1: numba compiles a version for each type of it. d is NaN where the load
-    or the guess is.
-    passes : number of passes over c (2 to 4 when the guess is good).
-    """
-    d = guess
-    fallen = False  # below every threshold
-    previous = 0.0
-    passes = 0
-    while True:
-        if stiffness is None:
-            force, count = overlap(c, d)
-            slope = count
-        else:
-            force, slope, count = weighted_overlap(c, stiffness, d)
-        passes += 1
-        if count == 0.0:
-            # One element carrying all is an upper bound.
-            lowest = np.argmin(c)
-            new = c[lowest] + (load if stiffness is None else load / stiffness[lowest])
-            if fallen or not new > d:  # the load is below rounding, or not a number
-                return np.nextafter(c[lowest], np.inf) if d <= c[lowest] else d, passes
-            fallen = True
-        else:
-            new = d - (force - load) / slope
-            if passes > 1 and (count == previous or not new < d):
-                return new, passes
-        previous = count
-        d = new

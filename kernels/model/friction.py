@@ -1,5 +1,7 @@
 """Friction of a contact state: eq. 5 by quadrature at an instant, or as mean over a step.
 
+Eq. 5 is summed here, sample by sample, and in two places of quick/ that know sums over many samples
+beforehand: contacts/pressure.py at an instant, and march/stepping.py as the mean over a step.
 Source: Li et al. (2014), eqs. 3 to 5, doi:10.1038/srep05795.
 """
 
@@ -33,13 +35,7 @@ def quadrature(z, slope, w, d, formed, speed, load):
     threshold = (z[at] - d) - speed * slope[at]  # minus the pressure where d' = 0
     # As a first guess every element is pressed, but perhaps one.
     rate, _ = solve_indentation(threshold, load, threshold.max(), weight)
-    normal = tangential = contact = 0.0
-    for i in range(at.size):
-        p = rate - threshold[i]
-        if p > 0.0:
-            normal += weight[i] * p
-            tangential += weight[i] * p * slope[at[i]]
-            contact += weight[i]
+    normal, tangential, contact = weighed(threshold, weight, slope[at], rate)
     return tangential / normal, rate, min(contact / z.size, 1.0)  # edges of two can overlap
 
 
@@ -174,11 +170,31 @@ def step_average(weight, c, d):
     weight : lagged slope, in h/dx, c : contact thresholds, in h, both of shape (n,).
     d : indentation, in h.
     """
-    total = 0.0
-    friction = 0.0
-    for j in range(c.size):
-        depth = d - c[j]
-        if depth > 0.0:
-            total += depth
-            friction += depth * weight[j]
-    return friction / total
+    normal, tangential, _ = weighed(c, None, weight, d)
+    return tangential / normal
+
+
+@kernel
+def weighed(threshold, covered, slope, d):
+    """Return the sums of eq. 5: of forces, of forces times slopes, and of what is in contact.
+
+    The forces are p = d - threshold, where that is positive. covered : how much of each sample the
+    contact covers, or None where that is 1. All of shape (n,).
+    """
+    normal = tangential = contact = 0.0
+    for i in range(threshold.size):
+        p = d - threshold[i]
+        if p > 0.0:
+            share = 1.0 if covered is None else covered[i]
+            normal += share * p
+            tangential += share * p * slope[i]
+            contact += share
+    return normal, tangential, contact
+
+
+def mean_slope(p, slope):
+    """Return mu by eq. 5 of forces p >= 0 that are known, where the line has these slopes.
+
+    Outside of kernels: numpy adds up in pairs, which keeps more digits.
+    """
+    return float(np.sum(p * slope) / p.sum())

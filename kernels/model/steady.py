@@ -11,11 +11,16 @@ or is the last. Where rounding hides the root, one more is granted as long as it
 excess force: never more than n + log2(first excess / (4e-16 load)) in all.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ..compile.jit import kernel
+from ..rheology.kelvin import Kelvin
 from ..rheology.law import NEGLIGIBLE, State, reach
-from .contact import solve_indentation
+from .contact import excess_at, solve_indentation
+
+ROUNDING = 4e-16  # of the load: an excess that is as good as none
 
 
 @kernel
@@ -48,30 +53,57 @@ def sweep(law, z, d, deepest, w):
     return total, slope, touching
 
 
+class PlainSliding(NamedTuple):
+    """Elements under a line that slides steadily, one by one."""
+
+    law: Kelvin  # or another of elements that remember u alone, for steps of one sample
+    z: np.ndarray  # heights (in h), shape (n,)
+    deepest: int  # sample
+    w: np.ndarray  # free displacements, shape (n,): filled
+
+
+@excess_at.of(PlainSliding)
+def _excess_of_plain_sliding(contact, load, d):
+    law, z, deepest, w = contact
+    total, slope, touching = sweep(law, z, d, deepest, w)
+    return law.stiffness * total - load, law.stiffness * slope, touching
+
+
+@kernel
+def steady_indentation(elements, load, guess, above, most, close):
+    """Return (d, sweeps, touching) of steady sliding under the load sum_i f_i = load (eq. 4).
+
+    elements : what slides; excess_at (contact.py) says what it carries at d, here and in quick/.
+    above : whether the guess of d is known to lie on the right of the root, but for rounding.
+    most : elements. close : the excess, relative to the load, that is as good as none.
+    Eq. 4 is solved in contact.py too, and for internal variables in branches/steady_memory.py.
+    """
+    d, fewest, least, sweeps = guess, most + 1, np.inf, 0
+    while True:
+        excess, slope, touching = excess_at(elements, load, d)
+        sweeps += 1
+        new = d - excess / slope
+        # Right of the root the excess falls and fewer elements touch, up to rounding.
+        progress = touching < fewest or excess < 0.5 * least
+        right = excess > 0.0 and new < d and progress
+        if abs(excess) <= close * load or ((above or sweeps > 1) and not right):
+            return d, sweeps, touching
+        if excess > 0.0:
+            fewest, least = min(fewest, touching), min(least, excess)
+        d = new
+
+
 @kernel
 def steady_sliding(law, z, load):
-    """Return (state, sweeps) of the steady state under the load sum_i f_i = load (eq. 4).
+    """Return (state, sweeps) of steady sliding of elements that remember u alone.
 
     law : of the elastomer, for steps of one sample (rheology), e.g. Kelvin.
     z : heights (in h), shape (n,). load : n Fbar.
     state : free displacements w, shape (n,), and indentation d (rheology/law.py).
     """
-    deepest = np.argmin(z)
-    w = np.empty_like(z)
+    deepest = int(np.argmin(z))
+    elements = PlainSliding(law, z, deepest, np.empty_like(z))
     # F(d) >= sum (d - z)+: the elastic indentation (v -> 0) bounds d from above.
-    d, _ = solve_indentation(z, load, z[deepest] + load / z.size)
-    fewest = z.size + 1
-    least = np.inf
-    sweeps = 0
-    while True:
-        total, slope, touching = sweep(law, z, d, deepest, w)
-        sweeps += 1
-        excess = law.stiffness * total - load
-        new = d - excess / (law.stiffness * slope)
-        # From the right every iterate stays right of the root; rounding alone ends this.
-        progress = touching < fewest or excess < 0.5 * least
-        if not (excess > 4e-16 * load and new < d and progress):
-            return State(w, d), sweeps
-        fewest = min(fewest, touching)
-        least = min(least, excess)
-        d = new
+    guess, _ = solve_indentation(z, load, z[deepest] + load / z.size)
+    d, sweeps, _ = steady_indentation(elements, load, guess, True, z.size, ROUNDING)
+    return State(elements.w, d), sweeps

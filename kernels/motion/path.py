@@ -106,7 +106,7 @@ def _resolved(
 
 
 def oscillating(speed: float, amplitude: float, frequency: float, cycles: int, m: int) -> Path:
-    """Return the path of an Oscillation (programme.py); every cycle ends at a break."""
+    """Return the path of an Oscillation (legs.py); every cycle ends at a break."""
     omega = 2.0 * math.pi * frequency
     turns = np.zeros(0)
     if abs(speed) < omega * amplitude:

@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .fourier import Shifted
-from .programme import Steps
+from .legs import Steps
 
 SHIFTED = 1 << 21  # samples of shifted lines in a stage, at most, but for one line
 LINES = 512  # shifted lines in a stage, at most
@@ -24,16 +24,21 @@ class Track(NamedTuple):
     line: np.ndarray  # which of the lines, shape (S + 1,)
     begin: np.ndarray  # at which of its samples element 0 is, shape (S + 1,)
     dt: np.ndarray  # of the steps, in tau, shape (S,)
+    place: np.ndarray  # how far the line has moved, in dx, shape (S + 1,)
+    time: np.ndarray  # in tau, shape (S + 1,)
 
 
-def tracks(z: np.ndarray, slope: np.ndarray, m: int, steps: Steps, start: float) -> Iterator[Track]:
+def tracks(
+    z: np.ndarray, slope: np.ndarray, m: int, steps: Steps, start: float, time: float
+) -> Iterator[Track]:
     """Yield the track of some steps after the other, until all have passed.
 
-    z, slope : line, shape (n,), in h and h/dx. m : samples to a spacing. start : position before
-    the first step, in samples.
+    z, slope : line, shape (n,), in h and h/dx. m : samples to a spacing. start, time : before the
+    first step, in samples and in tau.
     """
     n = z.size
     place = np.append(start, steps.position)
+    times = np.cumsum(np.append(time, steps.dt))
     whole = np.floor(place)
     fraction = place - whole
     begin = (-whole % n).astype(np.int64)
@@ -43,7 +48,9 @@ def tracks(z: np.ndarray, slope: np.ndarray, m: int, steps: Steps, start: float)
         both = [(z, slope)]
         both += [shifted.by(part) for part in parts[1:]] if shifted else []
         heights, slopes = (np.tile(np.stack(values), 2) for values in zip(*both, strict=True))
-        yield Track(heights, slopes, line[1:], begin[first : last + 1], steps.dt[first:last])
+        ends = slice(first, last + 1)
+        dt, moved = steps.dt[first:last], place[ends] / m
+        yield Track(heights, slopes, line[1:], begin[ends], dt, moved, times[ends])
 
 
 def _stages(fraction: np.ndarray, most: int) -> list[tuple[int, int]]:

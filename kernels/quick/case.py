@@ -67,7 +67,7 @@ class Outcome(NamedTuple):
     initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN where not asked for
 
 
-class Clock:
+class PhaseClock:
     """Books the time since its last reading to a phase."""
 
     def __init__(self) -> None:
@@ -81,7 +81,7 @@ class Clock:
         self.last = now
 
 
-class Clocks:
+class PhaseClocks:
     """Books the time since its last reading to phases of several cases, in proportion to work."""
 
     def __init__(self, cases: int) -> None:

@@ -11,12 +11,12 @@ import numpy as np
 from ..control.printed_eq3 import PrintedForce
 from ..lines.line import Line
 from ..model.force import ConstantForce
-from .case import Case, Clocks, Outcome, Quantities, Seconds
+from .case import Case, Outcome, PhaseClocks, Quantities, Seconds
 from .contacts.steady_friction import Grounds, Sliding, refine, steady_friction
-from .march.march import active_march
-from .march.setting import Passing, Setting
+from .march.active import active_march
+from .march.given import March, SteadyState
 from .memory_case import run_memory_case
-from .prepare import Prepared, Together, prepare
+from .prepared import Prepared, Together, prepare
 from .relaxation import Ends, plain_relaxations
 from .steady.stack import alone
 
@@ -67,13 +67,13 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
     Return the outcomes of each case, on all the lines.
     """
     lines, n = grounds.stack.z.shape
-    loads, clocks = some.loads * n, Clocks(len(some.cases))
-    one = steady_friction(grounds, some.pace, loads)
-    clocks.lap(_work(one), jump=len(some.pace.others) * n * lines)
+    loads, clocks = some.loads * n, PhaseClocks(len(some.cases))
+    one = steady_friction(grounds, some.at_speed, loads)
+    clocks.lap(_work(one), jump=len(some.at_speed.others) * n * lines)
     twos = []
     for k, later in enumerate(some.following):
         two = one
-        if later.speed != some.pace.speed:
+        if later.speed != some.at_speed.speed:
             guesses = np.ascontiguousarray(one.found.ahead[..., k])
             two = steady_friction(grounds, later, loads, guesses)
             clocks.lap(_work(two))
@@ -92,7 +92,7 @@ def _under_load(
     i: int,
     some: Together,
     asked: Quantities,
-    clocks: Clocks,
+    clocks: PhaseClocks,
 ) -> list[Outcome]:
     """Return what is found under load i on all the lines: at v1, at each v2 and between.
 
@@ -101,7 +101,7 @@ def _under_load(
     case, (lines, n) = some.cases[i], one.grounds.stack.z.shape
     for j in range(lines):
         if case.refine and refine(one, j, i):
-            jumping = float(len(one.pace.others) * n)
+            jumping = float(len(one.at_speed.others) * n)
             clocks.lap_alone(i, steady=one.updates[j, i] + n, jump=jumping)
     work = one.updates[:, i].copy()
     mu_2 = np.full((lines, len(case.ratios)), np.nan)
@@ -149,7 +149,7 @@ def _curves(
     speeds, d is the same at both, every step begins with u = z - d and ends with it, and mu is
     mu_2 at once.
     """
-    stack, law = one.grounds.stack, two.pace.law
+    stack, law = one.grounds.stack, two.at_speed.law
     lines, n = stack.z.shape
     control = (ConstantForce if asked.indentation_rate else PrintedForce)(float(one.loads[i]))
     curves, updates = np.zeros((lines, kept_steps.size)), np.zeros(lines)
@@ -163,12 +163,12 @@ def _curves(
     for j in np.flatnonzero(marched).tolist():
         ground = one.grounds.each[j]
         start, end = (
-            Passing(at.decay, at.stay[j], at.found.entered[j, i], float(at.d[j, i]))
+            SteadyState(at.decay, at.stay[j], at.found.entered[j, i], float(at.d[j, i]))
             for at in (one, two)
         )
         rate, line = float(one.found.rates[j, i, k]), ground.line
-        setting = Setting(line.z, line.slope, ground.spans, one.pace.law, law, start, end, rate)
-        mu, _, settled, updates[j], inside = active_march(setting, control, kept_steps)
+        march = March(line.z, line.slope, ground.spans, one.at_speed.law, law, start, end, rate)
+        mu, _, settled, updates[j], inside = active_march(march, control, kept_steps)
         curves[j] = mu - settled
         if not inside:
             own = (at._replace(stay=at.stay[j : j + 1], d=at.d[j : j + 1]) for at in ends)

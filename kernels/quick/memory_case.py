@@ -5,17 +5,16 @@ A Kelvin element that slides one way under a load takes a quicker one (cases.py)
 
 import numpy as np
 
-from ..branches.dissipation import steady_friction
+from ..branches.dissipation import friction_by_loss, step_friction
 from ..branches.jump import friction_jump, initial_rate
-from ..branches.steady import steady_memory
+from ..branches.steady_memory import steady_memory
 from ..lines.line import Line
-from ..model.friction import lagged_slope
-from ..motion.programme import Slide
+from ..motion.legs import Slide
 from ..rheology.forms import form_of
-from ..rheology.law import Elements, law_of
+from ..rheology.law import Elements
 from ..rheology.retardation import Retardation
-from ..scene import Saved, Scene, run_scene
-from .case import Case, Clock, Outcome, Quantities, Seconds
+from ..scene import Saved, SceneCase, run_scene
+from .case import Case, Outcome, PhaseClock, Quantities, Seconds
 from .contacts.samples import samples_per_contact
 
 
@@ -25,7 +24,7 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     The relaxation curve is mu_2 plus the deviation of the march from its own steady value, as for
     a Kelvin element. Without a dashpot the jump is zero, and the rate of mu is what jumps.
     """
-    clock = Clock()
+    clock = PhaseClock()
     one, mu_1, contact, work = _steady(line, case, case.speed)
     clock.lap("steady")
     count = len(case.ratios)
@@ -46,7 +45,8 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
         clock.lap("steady")
         if asked.relaxation:
             curve = _relaxation(line, case, one, speed, case.kept_steps[k])
-            curves.append(mu_2[k] + (curve - _step_average(line, case, two, speed)))
+            form = form_of(case.spectrum, case.scheme)
+            curves.append(mu_2[k] + (curve - step_friction(form, line, two, speed)))
             work += line.z.size * int(case.kept_steps[k][-1])
             clock.lap("marching")
     seconds = Seconds(**clock.spent)
@@ -60,7 +60,7 @@ def _steady(line: Line, case: Case, speed: float) -> tuple[Elements, float, floa
     form = form_of(case.spectrum, case.scheme)
     load = case.load * line.z.size
     found = steady_memory(form, line.z, line.steps_per_spacing * speed, load)
-    mu, contact = steady_friction(_units(case), form, line, found.elements, speed)
+    mu, contact = friction_by_loss(_units(case), form, line, found.elements, speed)
     return found.elements, mu, contact, found.work
 
 
@@ -79,21 +79,12 @@ def _jump(line: Line, case: Case, one: Elements, ratio: float) -> float:
     return friction_jump(form, line, one, case.speed, ratio)
 
 
-def _step_average(line: Line, case: Case, elements: Elements, speed: float) -> float:
-    """Return mu of a steady state as a step of the march gives it, in h/dx."""
-    form = form_of(case.spectrum, case.scheme)
-    way = 1 if speed > 0.0 else -1
-    lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag
-    weight = lagged_slope(np.ascontiguousarray(line.slope[::way]), lag)[::way]
-    return float(np.sum(elements.p * weight) / elements.p.sum())
-
-
 def _relaxation(
     line: Line, case: Case, one: Elements, speed: float, kept: np.ndarray
 ) -> np.ndarray:
     """Return mu at the kept steps after the speed has changed."""
     distance = int(kept[-1]) / line.steps_per_spacing
-    scene = Scene(
+    scene = SceneCase(
         spectrum=case.spectrum,
         scheme=case.scheme,
         programme=(Slide(speed, distance),),

@@ -4,17 +4,17 @@ from collections.abc import Callable
 from functools import lru_cache
 
 from . import prony, relaxed
-from .relaxed import Moduli, relaxation
+from .relaxed import RelaxationForm, relaxation
 from .retardation import Retardation, retardation
 from .spectrum import Spectrum
 
-FORMS: dict[str, Callable[[Spectrum], Retardation | Moduli]] = {
+FORMS: dict[str, Callable[[Spectrum], Retardation | RelaxationForm]] = {
     prony.SCHEME: retardation,
     relaxed.SCHEME: relaxation,
 }
 
 
 @lru_cache(maxsize=100)
-def form_of(spectrum: Spectrum, scheme: str) -> Retardation | Moduli:
+def form_of(spectrum: Spectrum, scheme: str) -> Retardation | RelaxationForm:
     """Return the form of a material for a time scheme. Raises ValueError as retardation does."""
     return FORMS[scheme](spectrum)

@@ -18,7 +18,7 @@ from .spectrum import Spectrum
 SCHEME = "implicit-euler"
 
 
-class Moduli(NamedTuple):
+class RelaxationForm(NamedTuple):
     """A material in its relaxation form."""
 
     moduli: np.ndarray  # g_b / G, shape (B,)
@@ -36,12 +36,12 @@ class Relaxed(NamedTuple):
     lag: float  # 0 (law.py)
 
 
-def relaxation(spectrum: Spectrum) -> Moduli:
+def relaxation(spectrum: Spectrum) -> RelaxationForm:
     """Return the relaxation form. Raises ValueError as ``merged`` does."""
-    return Moduli(*merged(spectrum), spectrum.viscosity)
+    return RelaxationForm(*merged(spectrum), spectrum.viscosity)
 
 
-@law_of.of(Moduli)
+@law_of.of(RelaxationForm)
 def _law_of(form, dt):
     count = form.times.size
     decay, gain = np.empty(count), np.empty(count)
@@ -57,24 +57,24 @@ def _law_of(form, dt):
     return Relaxed(decay, gain, drag, stiffness, 0.0)
 
 
-@memories.of(Moduli)
+@memories.of(RelaxationForm)
 def _memories(form):
     return form.times.size + 1
 
 
-@rest.of(Moduli)
+@rest.of(RelaxationForm)
 def _rest(form, p):
     memory = np.zeros((form.times.size + 1, p.size))
     memory[-1] -= p
     return memory
 
 
-@displacement.of(Moduli)
+@displacement.of(RelaxationForm)
 def _displacement(form, memory, p):
     return memory[-1].copy()
 
 
-@lasting.of(Moduli)
+@lasting.of(RelaxationForm)
 def _lasting(form, memory):
     return form.viscosity, -memory.sum(0)
 

@@ -4,19 +4,19 @@ What is kept on the way is chosen by type: what a scene does not ask for is not 
 """
 
 from .energy import ENERGIES
-from .records import TRACES
+from .records import MOTION, TRACES
 from .run import run_scene
-from .scene import ASKED, START, Origin, Saved, Scene, scene_steps, trace_stamps
+from .scene_case import ASKED, START, Origin, Saved, SceneCase, scene_steps
 
 __all__ = [
     "ASKED",
     "ENERGIES",
+    "MOTION",
     "START",
     "TRACES",
     "Origin",
     "Saved",
-    "Scene",
+    "SceneCase",
     "run_scene",
     "scene_steps",
-    "trace_stamps",
 ]

@@ -2,17 +2,17 @@
 
 import numpy as np
 
-from ..branches.steady import steady_at, steady_memory
+from ..branches.steady_memory import steady_at, steady_memory
 from ..model.contact import solve_indentation
 from ..model.steady import steady_sliding, sweep
 from ..rheology.forms import form_of
 from ..rheology.kelvin import SCHEMES
 from ..rheology.law import Elements, rest
-from ..rheology.relaxed import Moduli
+from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 from ..rheology.spectrum import KELVIN, Spectrum
 
-Form = Retardation | Moduli
+Form = Retardation | RelaxationForm
 
 
 def relaxed(form: Form, z: np.ndarray, load: float | None, d: float) -> Elements:
@@ -45,7 +45,7 @@ def _pressed(form: Form, z: np.ndarray, load: float | None, d: float, stiffness:
         d, _ = solve_indentation(z, load / stiffness, z.min() + load / (stiffness * z.size))
     u = np.minimum(z - d, 0.0)
     memory = rest(form, -u)
-    if isinstance(form, Moduli):
+    if isinstance(form, RelaxationForm):
         memory[:-1] = 0.0
     return Elements(memory, -stiffness * u, d)
 

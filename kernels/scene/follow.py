@@ -11,7 +11,7 @@ from ..compile.jit import kernel
 from ..model.balance import balance
 from ..rheology.law import Elements, displacement, law_of, predict, settle
 from .energy import book, stored_energy
-from .records import count_lengths, keep_frame, keep_trace
+from .records import count_lengths, keep_frame, keep_motion, keep_trace
 
 
 @kernel
@@ -66,6 +66,7 @@ def _keep(k, form, law, track, s, old, d, memory, p, trace, ledger, lengths):
     if trace is not None:
         before, now = _seen(track.slope, track, s, n), _seen(track.slope, track, s + 1, n)
         keep_trace(trace, k, law.lag, before, now, old, d, p)
+        keep_motion(trace, k, law.lag, track, s)
     if ledger is not None:
         ledger.kept[0, k] = stored_energy(form, memory, p)
         for entry in range(3):

@@ -8,13 +8,14 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
+from ..model.friction import weighed
 
 
 class Trace(NamedTuple):
     """Values at the steps that are kept, all of shape (kept,).
 
-    Forces of a step act at its lag before its end, and so does the indentation given here, which
-    is interpolated. mu is NaN where nothing touches.
+    Forces of a step act at its lag before its end, and so do the indentation, the time and the
+    distance given here, which are interpolated. mu is NaN where nothing touches.
     """
 
     mu: np.ndarray  # in h/dx
@@ -22,9 +23,13 @@ class Trace(NamedTuple):
     normal_force: np.ndarray  # in 4 G L h
     friction_force: np.ndarray  # in 4 G L h^2/dx
     contact_fraction: np.ndarray
+    time: np.ndarray  # in tau
+    distance: np.ndarray  # of the line, in dx
+    velocity: np.ndarray  # of the line, in dx/tau
 
 
 TRACES = tuple(f"trace_{name}" for name in Trace._fields)
+MOTION = TRACES[-3:]  # when and where: equal for all lines that are moved alike
 
 
 class Lengths(NamedTuple):
@@ -48,16 +53,21 @@ def keep_trace(trace, k, lag, before, now, old, new, p):
     before, now : slopes before and after it, in h/dx. old, new : indentation, in h. p : forces
     of its elements. All of shape (n,).
     """
-    normal = tangential = touching = 0.0
-    for i in range(p.size):
-        normal += p[i]
-        tangential += p[i] * (now[i] + lag * (before[i] - now[i]))
-        touching += 1.0 if p[i] > 0.0 else 0.0
+    normal, tangential, touching = weighed(-p, None, now + lag * (before - now), 0.0)
     trace.mu[k] = tangential / normal if normal > 0.0 else np.nan
     trace.indentation[k] = new + lag * (old - new)
     trace.normal_force[k] = normal / p.size
     trace.friction_force[k] = tangential / p.size
     trace.contact_fraction[k] = touching / p.size
+
+
+@kernel
+def keep_motion(trace, k, lag, track, s):
+    """Keep when and where the force of step s of a track acts, and the velocity of the step."""
+    moved = track.place[s + 1] - track.place[s]
+    trace.time[k] = track.time[s + 1] - lag * track.dt[s]
+    trace.distance[k] = track.place[s + 1] - lag * moved
+    trace.velocity[k] = moved / track.dt[s]
 
 
 @kernel

@@ -5,7 +5,7 @@ import numpy as np
 from ..control.indentation import PrescribedIndentation
 from ..lines.line import Line
 from ..model.force import ConstantForce
-from ..motion.programme import first_speed, last_speed
+from ..motion.legs import last_speed, speed_at_start
 from ..motion.track import Track, tracks
 from ..rheology.forms import form_of
 from ..rheology.law import Elements, displacement, law_of
@@ -13,17 +13,17 @@ from .begin import Form, fresh, relaxed, steady
 from .energy import ENERGIES, Ledger, stored_energy
 from .follow import follow
 from .records import TRACES, Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
-from .scene import START, Saved, Scene, check_scene, indentation_at, scene_steps
+from .scene_case import START, Saved, SceneCase, check_scene, indentation_at, scene_steps
 
 
 class Recorders:
     """The recorders of a scene; those that are not asked for are None."""
 
-    def __init__(self, scene: Scene, line: Line) -> None:
+    def __init__(self, scene: SceneCase, line: Line) -> None:
         """Make room for all that is asked for."""
         asked, kept, n = scene.asked, scene.kept.size, line.z.size
         self.kept, self.frames = scene.kept, scene.frames
-        self.trace = Trace(*np.empty((5, kept))) if "trace" in asked else None
+        self.trace = Trace(*np.empty((len(TRACES), kept))) if "trace" in asked else None
         self.ledger = Ledger(np.zeros((4, kept)), np.zeros(3)) if "energy" in asked else None
         self.lengths = None
         if "contact_lengths" in asked:
@@ -33,14 +33,22 @@ class Recorders:
         if "snapshots" in asked:
             self.film = Film(*np.empty((2, scene.frames.size, n)))
 
-    def start(self, form: Form, line: Line, track: Track, elements: Elements, lag: float) -> None:
-        """Keep the start itself, where step 0 is asked for; lag : of the steady step before it."""
+    def start(
+        self, form: Form, line: Line, track: Track, elements: Elements, lag: float, speed: float
+    ) -> None:
+        """Keep the start itself, where step 0 is asked for.
+
+        lag : of the steady step before it. speed : that with which the programme begins.
+        """
         z, slope = (values[track.line[0], track.begin[0] :][: line.z.size] for values in track[:2])
         memory, p, d = elements
         if self.kept.size and self.kept[0] == 0:
             if self.trace is not None:
                 before = np.roll(slope, -1 if lag > 0.0 else 1)
-                keep_trace(self.trace, 0, abs(lag), before, slope, d, d, p)
+                trace = self.trace
+                keep_trace(trace, 0, abs(lag), before, slope, d, d, p)
+                trace.time[0], trace.distance[0] = track.time[0], track.place[0]
+                trace.velocity[0] = speed
             if self.ledger is not None:
                 self.ledger.kept[0, 0] = stored_energy(form, memory, p)
             if self.lengths is not None:
@@ -68,14 +76,15 @@ class Recorders:
         return values
 
 
-def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str, np.ndarray]:
+def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[str, np.ndarray]:
     """Take one line through a scene; return the values asked for, by name.
 
     state : to go on from, instead of the start of the scene; numbers of steps count from there.
 
     trace : "trace_mu" (h/dx), "trace_indentation" (h over the mean line), "trace_normal_force"
-    (4 G L h), "trace_friction_force" (4 G L h^2/dx), "trace_contact_fraction", each (kept,). mu is
-    NaN where nothing touches.
+    (4 G L h), "trace_friction_force" (4 G L h^2/dx), "trace_contact_fraction", and when and where
+    that was on this line: "trace_time" (tau), "trace_distance" (dx), "trace_velocity" (dx/tau),
+    each (kept,). mu is NaN where nothing touches; the start has the velocity that follows.
     energy : "stored_energy", "dissipated_energy", "work", "closing_work" (4 G L h^2), (kept,);
     all but the first are sums from the start.
     contact_lengths : "contact_length" (bins,), mean number of contacts over the kept steps.
@@ -95,14 +104,13 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
         control = PrescribedIndentation(indentation_at(scene, times[1:], line.datum))
     elements = Elements(begin.memory, begin.p, begin.d)
     recorders = Recorders(scene, line)
-    lag = 0.0
+    lag, speed = 0.0, speed_at_start(scene.programme)
     if state is None and scene.start == "steady":
-        speed = first_speed(scene.programme)
         lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
     done = updates = 0
-    for track in tracks(z, slope, m, steps, begin.position):
+    for track in tracks(z, slope, m, steps, begin.position, begin.time):
         if done == 0:
-            recorders.start(form, line, track, elements, lag)
+            recorders.start(form, line, track, elements, lag, speed)
         elements, passes = follow(form, control, track, elements, done, *recorders.all())
         done += track.dt.size
         updates += (passes + track.dt.size) * z.size
@@ -115,14 +123,14 @@ def run_scene(line: Line, scene: Scene, state: Saved | None = None) -> dict[str,
     return values
 
 
-def _begin(line: Line, scene: Scene, form: Form) -> Saved:
+def _begin(line: Line, scene: SceneCase, form: Form) -> Saved:
     """Return the state before the first step."""
     z = line.z
     load = scene.load * z.size if scene.indentation is None else None
     d = np.nan if load is not None else float(indentation_at(scene, np.zeros(1), line.datum)[0])
     speed = 0.0
     if scene.start == "steady":
-        speed = first_speed(scene.programme)
+        speed = speed_at_start(scene.programme)
         samples = speed * line.steps_per_spacing
         elements = steady(scene.scheme, scene.spectrum, z, samples, load, d)
     elif scene.start == "relaxed":

@@ -26,7 +26,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.studies.style import computed_study
+from elastomer_friction.studies.style import study_in
 from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Hold, Oscillate
@@ -131,7 +131,7 @@ def motions(data: xr.Dataset) -> list[Swing]:
     """Return the oscillations of the programme of a result, which else only holds."""
     found: list[Swing] = []
     time = 0.0
-    for number, segment in enumerate(computed_study(data).scene.programme):
+    for number, segment in enumerate(study_in(data).scene.programme):
         if isinstance(segment, Hold):
             time += segment.durations[0]
         elif isinstance(segment, Oscillate):
@@ -142,12 +142,12 @@ def motions(data: xr.Dataset) -> list[Swing]:
 
 def shift_factors(data: xr.Dataset) -> np.ndarray:
     """Return a_T at the temperatures of a result, shape (temperatures,)."""
-    return np.array([computed_study(data).material.shift(t) for t in data.temperature.values])
+    return np.array([study_in(data).material.shift(t) for t in data.temperature.values])
 
 
 def modulus(data: xr.Dataset, name: str, omega: np.ndarray) -> np.ndarray:
     """Return G*/G - 1 of a variant at angular frequencies (rad/s) and the reference temperature."""
-    material = computed_study(data).materials[name]
+    material = study_in(data).materials[name]
     return complex_modulus(material.spectrum(), omega * material.tau) - 1.0
 
 

@@ -10,13 +10,14 @@ import threading
 import time
 from pathlib import Path
 
+import numpy as np
 import psutil
 
-from elastomer_friction.studies.scaling.paper import pretend
 from elastomer_friction.workflow.plan import make_plan
 from elastomer_friction.workflow.run import RunOptions, run_plan
+from elastomer_friction.workflow.simulate import PHASES, SCALARS, BatchResult
 from elastomer_friction.workflow.study import read_study
-from elastomer_friction.workflow.system import peak_bytes
+from elastomer_friction.workflow.system import peak_bytes, this_maker
 
 STUDY = """
 [study]
@@ -38,8 +39,12 @@ velocity_step = 0.2
 
 
 def pretended(batch):
-    """Stand in for block_means: compute nothing."""
-    return pretend(batch)
+    """Stand in for block_means: zeros of the right shapes, in no time."""
+    shape = len(batch.tasks), batch.blocks
+    scalars = np.zeros((*shape, len(SCALARS)))
+    curves = np.zeros((*shape, batch.recording.samples - 1))
+    spent = np.zeros((len(batch.tasks), len(PHASES)))
+    return BatchResult(scalars, curves, spent, batch.seconds, 0, this_maker())
 
 
 def highest(found: list[int], done: threading.Event) -> None:

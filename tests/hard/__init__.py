@@ -1,1 +1,0 @@
-"""Hard cases: corners of the parameter space, hard data, bad input, damaged files."""

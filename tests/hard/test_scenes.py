@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Ramp, Slide
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 from elastomer_friction.kernels.scene import ASKED

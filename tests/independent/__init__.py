@@ -1,1 +1,0 @@
-"""Solvers that share nothing with the kernels but the equations: slow, literal, independent."""

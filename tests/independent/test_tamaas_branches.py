@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Slide
+from elastomer_friction.kernels.motion.legs import Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
-from elastomer_friction.kernels.scene import Saved, Scene, run_scene
+from elastomer_friction.kernels.scene import Saved, run_scene
+from tests.kernels.scene.given import a_scene
 from tests.lines import random_line
 
 tamaas = pytest.importorskip("tamaas", reason="needs the extra 'verify': pip install '.[verify]'")
@@ -51,17 +52,14 @@ def test_two_branches_forth_and_back():
     line = Line.from_samples(*random_line(ELEMENTS, 0.7, 1, seed=1), 1)
     nothing = np.zeros(line.z.size)
     untouched = Saved(np.zeros((3, line.z.size)), nothing, 0.0, 0.0, 0.0, 0.0)
-    scene = Scene(
-        spectrum=SPECTRUM,
+    scene = a_scene(
+        (Slide(SPEED, FORTH), Slide(-SPEED, BACK)),
+        SPECTRUM,
+        1,
         scheme="implicit-euler",
-        programme=(Slide(SPEED, FORTH), Slide(-SPEED, BACK)),
         load=LOAD,
-        indentation=None,
         start="relaxed",
-        asked=("trace",),
         kept=np.arange(1, FORTH + BACK + 1),
-        edges=np.empty(0),
-        frames=np.empty(0, np.int64),
     )
     mu = run_scene(line, scene, untouched)["trace_mu"]
     np.testing.assert_allclose(by_tamaas(line), mu, rtol=0.0, atol=TOLERANCE * np.ptp(mu))

@@ -1,1 +1,0 @@
-"""Tests of the numerical core, one module per module of `kernels`."""

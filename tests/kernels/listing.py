@@ -43,7 +43,7 @@ def listings() -> dict[str, list[str]]:
     z, kelvin, control = np.array([3.0, 1.0, 0.0, 2.0]), SCHEMES[SCHEME](0.3), ConstantForce(4.0)
     state = State(np.zeros(4), 2.0)
     twice, steps = np.tile(z, (1, 2)), np.zeros(2, np.int64)
-    track = Track(twice, twice, steps, steps, np.ones(1))
+    track = Track(twice, twice, steps, steps, np.ones(1), np.ones(2), np.ones(2))
     elements, none = Elements(np.zeros((1, 4)), np.zeros(4), 2.0), np.arange(0)
     off = (0, none, none, None, None, None, None)
     return {

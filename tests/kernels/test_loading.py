@@ -20,7 +20,7 @@ compiled_only = pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: no
 HALF = """
 import sys
 from elastomer_friction.kernels import Quantities, loading
-from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.kernels.quick.relaxation import plain_relaxations
 from elastomer_friction.kernels.quick.steady.spans import add_rises
 from elastomer_friction.kernels.quick.steady.stack import stack_of

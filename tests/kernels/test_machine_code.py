@@ -13,7 +13,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import ConstantForce
-from elastomer_friction.kernels.motion.programme import Slide, steps_of
+from elastomer_friction.kernels.motion.legs import Slide, steps_of
 from elastomer_friction.kernels.motion.track import tracks
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.scene.begin import relaxed
@@ -28,10 +28,10 @@ RECORDERS = ("trace", "ledger", "lengths", "film")
 EFFECTS = (
     "elastomer_friction.kernels.control.indentation",
     "elastomer_friction.kernels.control.printed_eq3",
-    "elastomer_friction.kernels.branches.steady",
+    "elastomer_friction.kernels.branches.steady_memory",
     "elastomer_friction.kernels.rheology.relaxed",
     "elastomer_friction.kernels.scene.run",
-    "elastomer_friction.kernels.lines.measured",
+    "elastomer_friction.kernels.lines.measured_modes",
 )
 pytestmark = [
     pytest.mark.exhaustive,
@@ -88,11 +88,11 @@ def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
     exec(compile(ast.fix_missing_locations(tree), "<stripped>", "exec"), names)
     line = a_line(10)
     form, control = FORMS["exponential"](SOLID), ConstantForce(0.3 * line.z.size)
-    (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0)
+    (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0, 0.0)
     elements = relaxed(form, line.z, control.load, np.nan)
     none = np.arange(0)
     arguments = (form, control, track, elements, 0, none, none, None, None, None, None)
     stripped = len(instructions(names["follow"], *arguments))
     assert len(instructions(function, *arguments)) <= 1.02 * stripped
-    trace = Trace(*np.empty((5, 0)))
+    trace = Trace(*np.empty((8, 0)))
     assert len(instructions(function, *arguments[:7], trace, *arguments[8:])) > 1.05 * stripped

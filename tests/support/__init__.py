@@ -1,1 +1,0 @@
-"""What tests share: small studies, lines, references, and ways to run and to look."""

@@ -11,7 +11,8 @@ import pytest
 
 def facts():
     """Return what a worker says of itself."""
-    return os.getpid(), signal.getsignal(signal.SIGINT) == signal.SIG_IGN, dict(os.environ)
+    blocked = signal.pthread_sigmask(signal.SIG_BLOCK, ())
+    return os.getpid(), signal.SIGINT in blocked, dict(os.environ)
 
 
 def started_again(client, killed):

@@ -1,13 +1,12 @@
-"""A simulated cluster behind the interface that a stream of work has with dask's client."""
+"""A simulated cluster behind the interface of a Pool of workers."""
 
 from collections import Counter
-from collections.abc import Callable
-from types import SimpleNamespace
+from collections.abc import Callable, Collection, Iterable
+from concurrent.futures import Future
 from typing import Any
 
-from elastomer_friction.workflow.cluster.calls import ROLL, Call
 from elastomer_friction.workflow.cluster.flow import stream
-from elastomer_friction.workflow.cluster.watch import Watch
+from elastomer_friction.workflow.cluster.pool import Arrival, Snapshot
 from tests.support.simulated_workers import Task, Workers
 
 ERROR = OSError("Input/output error")
@@ -29,85 +28,53 @@ def first(seconds):
     return lambda item: (next(times, 1.0), item)
 
 
-class AtOnce(Call):
-    """A call that has returned when it is made."""
-
-    def __init__(self, function: Callable, *arguments: Any) -> None:
-        self._value = function(*arguments)
-
-    def wait(self, seconds: float) -> bool:
-        """Return that it has returned."""
-        del seconds
-        return True
-
-    def result(self) -> Any:
-        """Return what the call has returned."""
-        return self._value
-
-
 class Cluster(Workers):
-    """Stands in for distributed's Client and as_completed."""
-
-    loop = None
+    """Stands in for a Pool of workers."""
 
     def __init__(self, **workers: Callable[[Any], tuple[float, Any]]) -> None:
         """``workers`` : what each does, by name; see ``at``."""
         super().__init__(**workers)
-        self.cancelled: list[Task] = []
+        self.tasks: dict[str, Task] = {}  # that are waited for
 
-    @property
-    def scheduler(self) -> SimpleNamespace:
-        """Return what answers calls."""
-        return SimpleNamespace(**{ROLL: self.handlers.get(ROLL)})
+    def monotonic(self) -> float:
+        """Return the time."""
+        return self.now
 
-    def run_on_scheduler(self, function: Callable, *arguments: Any) -> Any:
-        """Run a function there."""
-        return function(*arguments, dask_scheduler=self)
-
-    def sync(self, function: Callable) -> Any:
-        """Call the scheduler, which has heard of those that are not silent."""
-        for worker in self.workers.values():
-            worker.last_seen = worker.last_seen if worker.silent else self.now
-        return function()
-
-    def map(
-        self,
-        function: Callable,
-        items: list[Any],
-        workers: list[str] | None = None,
-        allow_other_workers: bool = False,
-        **_: Any,
-    ) -> list[Task]:
-        """Submit items."""
-        del function
-        tasks = [Task(str(next(self.numbers)), i, workers, allow_other_workers) for i in items]
+    def submit(self, items: list[Any], workers: Collection[str] = ()) -> list[str]:
+        """Give out items."""
+        tasks = [Task(str(next(self.numbers)), item, workers) for item in items]
+        self.tasks |= {task.key: task for task in tasks}
         for task in tasks:
-            self.tasks[task.key] = task
             self.assign(task)
-        return tasks
+        return [task.key for task in tasks]
 
-    def gather(self, tasks: list[Task]) -> list[Any]:
-        """Return results."""
-        return [task.value for task in tasks]
-
-    def cancel(self, tasks: list[Task]) -> None:
-        """Forget tasks."""
-        self.cancelled += tasks
-
-    def update(self, tasks: list[Task]) -> None:
-        """Wait for these too."""
-
-    def next_batch(self, block: bool) -> list[Task]:
-        """Return what has ended since the last time."""
-        del block
+    def take(self, seconds: float) -> list[Arrival]:
+        """Return what has come, once something has, within so many seconds."""
+        self.pass_by(seconds)
         ended, self.ended = self.ended, []
-        return ended
+        return [outcome for outcome in ended if self.tasks.pop(outcome.key, None)]
+
+    def drop(self, keys: Collection[str]) -> None:
+        """Wait for some no more."""
+        for key in keys:
+            self.forget(self.tasks.pop(key))
+
+    def pending(self, key: str) -> bool:
+        """Return whether nobody has done an item yet."""
+        return all(outcome.key != key for outcome in self.ended)
+
+    def ask(self) -> "Future[Snapshot]":
+        """Return who is there."""
+        begun = [task.key for worker in self.workers.values() for task in worker.processing]
+        ready = [worker.address for worker in self.running]
+        answer: Future[Snapshot] = Future()
+        answer.set_result(Snapshot(dict.fromkeys(self.workers, 1), sorted(ready), begun))
+        return answer
 
 
-def streamed(cluster: Cluster, items: list[Any], **how: Any) -> list[tuple[Any, Any]]:
+def streamed(cluster: Cluster, items: Iterable[Any], **how: Any) -> list[tuple[Any, Any]]:
     """Return what a stream of items through a simulated cluster yields."""
-    simulated = {"clock": cluster, "completed": lambda *_, **__: cluster, "call": AtOnce}
-    return list(stream(cluster, abs, items, **{"watch": Watch()} | how, **simulated))
+    return list(stream(cluster, items, **how))
 
 
 def tries(cluster, name):

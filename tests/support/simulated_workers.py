@@ -4,7 +4,7 @@ Workers of one thread fail, die, fall silent, pause and join. Tasks are assigned
 but stolen without mercy: who idles takes at once what waits on another worker and may be taken.
 """
 
-from collections.abc import Callable
+from collections.abc import Callable, Collection
 from dataclasses import dataclass, field
 from functools import partial
 from heapq import heappop, heappush
@@ -13,7 +13,10 @@ from typing import Any
 
 from distributed.scheduler import KilledWorker
 
+from elastomer_friction.workflow.cluster.pool import Arrival
+
 ALLOWED_FAILURES = 3  # deaths of workers that dask lets a task survive
+GIVEN_UP = 45.0  # s after which dask gives up a worker of which it hears nothing: 30 to 60
 LONGEST = 5000.0  # s: who is not done by then hangs
 DIE = object()  # what becomes of an item that kills its worker
 
@@ -24,16 +27,8 @@ class Task:
 
     key: str
     item: Any
-    workers: list[str] | None  # who may have it
-    loose: bool  # and others too
-    status: str = "pending"
-    value: Any = None  # result or error
-    erred_on: set[str] = field(default_factory=set)
+    workers: Collection[str]  # who alone may have it; none: anybody
     deaths: int = 0
-
-    def exception(self) -> Exception:
-        """Return the error."""
-        return self.value
 
 
 @dataclass(eq=False)
@@ -42,8 +37,6 @@ class Worker:
 
     address: str
     does: Callable[[Any], tuple[float, Any]]
-    nthreads: int = 1
-    last_seen: float = 0.0
     processing: list[Task] = field(default_factory=list)
     computing: Task | None = None
     silent: bool = False
@@ -51,7 +44,7 @@ class Worker:
 
 
 class Workers:
-    """Stands in for distributed's Scheduler, and for the clock."""
+    """Does what dask's scheduler does, in the time of a simulation."""
 
     def __init__(self, **workers: Callable[[Any], tuple[float, Any]]) -> None:
         """``workers`` : what each does, by name; see ``at``."""
@@ -60,11 +53,9 @@ class Workers:
         self.workers: dict[str, Worker] = {}
         self.running: set[Worker] = set()
         self.unrunnable: dict[Task, float] = {}
-        self.tasks: dict[str, Task] = {}
-        self.handlers: dict[str, Callable] = {}
         self.tried: list[tuple[Any, str]] = []  # (item, name of the worker) as they began
         self._events: list[tuple[float, int, Callable]] = []
-        self.ended: list[Task] = []
+        self.ended: list[Arrival] = []
         self.numbers = count()
         for name, does in workers.items():
             self.join(name, does)
@@ -88,7 +79,8 @@ class Workers:
         for task in worker.processing:
             task.deaths += 1
             if task.deaths > ALLOWED_FAILURES:
-                self._end(task, "error", KilledWorker(task.key, worker, ALLOWED_FAILURES))
+                killed = KilledWorker(task.key, worker, ALLOWED_FAILURES)
+                self._end(Arrival(task.key, error=killed))
             else:
                 self.assign(task)
         if self.replaced:
@@ -100,9 +92,14 @@ class Workers:
             self.running.discard(self.workers[at(name)])
 
     def hush(self, name: str) -> None:
-        """Stop a worker as SIGSTOP does; it is thought to be there."""
-        if at(name) in self.workers:
-            self.workers[at(name)].silent = True
+        """Stop a worker as SIGSTOP does; it is thought to be there until it is given up."""
+        if worker := self.workers.get(at(name)):
+            worker.silent = True
+            self.after(GIVEN_UP, self._give_up, worker)
+
+    def _give_up(self, worker: Worker) -> None:
+        if worker.silent:
+            self.die(worker.address.rpartition(":")[2])
 
     def wake(self, name: str) -> None:
         """Let a worker go on."""
@@ -118,29 +115,31 @@ class Workers:
             self.assign(task)
         self._go_on()
 
-    def monotonic(self) -> float:
-        """Return the time."""
-        return self.now
-
-    def sleep(self, seconds: float) -> None:
-        """Let time pass, and happen what is to happen."""
+    def pass_by(self, seconds: float) -> None:
+        """Let time pass, and happen what is to happen, until a task has ended."""
         until = self.now + seconds
         assert until < LONGEST, "hangs"
-        while self._events and self._events[0][0] <= until:
+        while self._events and self._events[0][0] <= until and not self.ended:
             self.now, _, happen = heappop(self._events)
             happen()
             self._go_on()
-        self.now = until
+        self.now = self.now if self.ended else until
 
     def assign(self, task: Task) -> None:
         """Give a task to whoever of those that may have it has least to do."""
         fit = [w for w in self.running if _may(task, w)]
-        fit = fit or ([*self.running] if task.loose else [])
         if fit:
             min(fit, key=lambda w: (len(w.processing), w.address)).processing.append(task)
             self._go_on()
         else:
             self.unrunnable[task] = self.now
+
+    def forget(self, task: Task) -> None:
+        """Let nobody begin a task that is not waited for."""
+        self.unrunnable.pop(task, None)
+        for worker in self.workers.values():
+            if task in worker.processing and task is not worker.computing:
+                worker.processing.remove(task)
 
     def _go_on(self) -> None:
         """Let who idles compute what it has, or steal."""
@@ -159,7 +158,7 @@ class Workers:
         for victim in self.workers.values():
             for task in victim.processing:
                 free = task is not victim.computing and not victim.silent
-                if free and (task.loose or _may(task, thief)):
+                if free and _may(task, thief):
                     victim.processing.remove(task)
                     thief.processing.append(task)
                     return
@@ -174,15 +173,12 @@ class Workers:
         else:
             worker.processing.remove(task)
             worker.computing = None
-            if isinstance(value, Exception):
-                task.erred_on = {worker.address}
-                self._end(task, "error", value)
-            else:
-                self._end(task, "finished", (worker.address, value))
+            failed = isinstance(value, Exception)
+            how = {"error": value} if failed else {"value": value}
+            self._end(Arrival(task.key, worker.address, **how))
 
-    def _end(self, task: Task, status: str, value: Any) -> None:
-        task.status, task.value = status, value
-        self.ended.append(task)
+    def _end(self, outcome: Arrival) -> None:
+        self.ended.append(outcome)
 
 
 def at(name: str) -> str:
@@ -192,4 +188,4 @@ def at(name: str) -> str:
 
 
 def _may(task: Task, worker: Worker) -> bool:
-    return task.workers is None or worker.address in task.workers
+    return not task.workers or worker.address in task.workers

@@ -47,6 +47,32 @@ steps_per_spacing = 1
 normal_force = [0.04, 0.4, 4.0]
 """
 
+# Two slides with holds between them, and what they are of, at two temperatures.
+PROGRAMME = (
+    "scene.programme=[{slide={ratio=1.0, distance=1e-3}}, {hold={duration=[1e-3, 1e-2]}}, "
+    "{slide={ratio=2.0, distance=1e-3}}]"
+)
+HOLDING = """
+[study]
+seed = 1
+realizations = 4
+[material]
+shear_modulus = 1e7
+branches = [[2e7, 1e-3]]
+wlf = {c1 = 10.0, c2 = 50.0, reference = 20.0}
+temperature = [10.0, 20.0]
+[surface]
+length = 0.01
+[grid]
+hurst = 0.5
+normal_force = 0.04
+spacing = 1e-4
+roughness = 1e-5
+velocity = [0.03, 9.486832980505138]
+[scene]
+quantities = ["steady", "trace"]
+"""
+
 HEIGHTS = (3, 0, -4, -1, 2, 5, 1, -2, -3, 4)
 SMOOTH = (0, 2, 4, 5, 5, 4, 2, 0, -1, -1)
 

@@ -1,1 +1,0 @@
-"""Tools that one runs by hand: benchmarks, fuzzing, chaos, intervals of confidence, mutation."""

@@ -28,7 +28,6 @@ TESTS = [
     "--ignore=tests/workflow/result/test_conventions.py",  # its checker is no package of ours
     # These compile kernels that neither the study nor the other tests need.
     "--ignore=tests/kernels/quick/steady/test_carry.py",
-    "--ignore=tests/workflow/result/reference/test_programmes.py",
 ]
 LEAST = (3, 11)  # as in pyproject.toml
 ASK = "import sys; print(*sys.version_info[:3])"

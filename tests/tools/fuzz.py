@@ -8,9 +8,6 @@ from hypothesis import seed
 
 os.environ["FUZZ_EXAMPLES"] = "500"  # of each kind in a round
 from tests.workflow.study import test_fuzz as fuzz
-from tests.workflow.study import test_fuzz_scenes as scenes
-
-FUZZED = (*fuzz.FUZZED, scenes.test_a_scene_with_random_changes_is_read_or_refused)
 
 
 def main() -> None:
@@ -27,7 +24,7 @@ def main() -> None:
 
     fuzz.check = counting
     while time.monotonic() < end:
-        for test in FUZZED:
+        for test in fuzz.FUZZED:
             if time.monotonic() < end:
                 seed(number)(test)()
         number += 1

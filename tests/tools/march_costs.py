@@ -21,18 +21,16 @@ from elastomer_friction.kernels import (
     run_prepared,
     steady_sliding,
 )
-from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.studies.accuracy.alternatives import TamaasMarch
 from elastomer_friction.workflow.simulate.realizations import lines_at_once
 from tests.tools.rivals.compiled import Compiled
-from tests.tools.rivals.plain import naive_march, numpy_march
 from tests.tools.rivals.problem import Problem
 from tests.tools.rivals.rows import RATIO, ROWS, Row
 
 LEAST, MOST = 0.2, 7  # seconds for each way, and repeats
-SLOW_STEPS = 3  # of ways so slow that a few steps tell
 AGREEMENT = 1e-8  # of the change of mu in the march
-HEAD = ("march", "dense", "numpy", "naive", "C", "tamaas")
+HEAD = ("march", "dense", "C", "tamaas")
 PARTS = ("sweep", "case", "C")
 
 
@@ -52,24 +50,19 @@ def marches(problem: Problem, compiled: Compiled | None) -> dict[str, float]:
     p, z, weight, steps = problem, problem.line.z, problem.weight, problem.row.steps
     (w, d), law = p.one, p.law
     cap = 1.02 * max(p.one.d, p.two.d)
-    target = p.load / law.stiffness
     ways: dict[str, Callable[[int], float]] = {
         "march": lambda n: active_march(p.setting, p.control, np.array([n]))[0][-1],
         "dense": lambda n: march(law, p.control, z, weight, p.one, np.array([n]), cap)[0][-1],
-        "numpy": lambda n: numpy_march(z, weight, w, d, law.decay, target, n)[-1],
-        "naive": lambda n: naive_march(z, weight, w, d, law.decay, target, n)[-1],
     }
     if compiled:
         ways["C"] = lambda n: compiled.march(z, weight, w, d, law.decay, law.stiffness, p.load, n)[
             -1
         ]
-    found, expected = {}, {}
+    found, expected = {}, ways["march"](steps)
     for name, way in ways.items():
-        n = min(steps, SLOW_STEPS) if name in ("numpy", "naive") else steps
-        found[name] = fastest(lambda way=way, n=n: way(n)) / (z.size * n)  # type: ignore[misc]
-        mu = way(n)
-        scale = abs(expected.setdefault(n, mu)) + AGREEMENT
-        assert abs(mu - expected[n]) < AGREEMENT * scale, (name, problem.row, mu, expected[n])
+        found[name] = fastest(lambda way=way: way(steps)) / (z.size * steps)  # type: ignore[misc]
+        mu, scale = way(steps), abs(expected) + AGREEMENT
+        assert abs(mu - expected) < AGREEMENT * scale, (name, problem.row, mu, expected)
     with contextlib.suppress(ImportError, ArithmeticError):
         solver = TamaasMarch(p.line, p.row.load)
         dt = 1.0 / (p.row.m * p.speed * RATIO)

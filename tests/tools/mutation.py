@@ -4,9 +4,9 @@
     NUMBA_DISABLE_JIT=1 python -m tests.tools.mutation kernels/model/contact.py
 
 Each mutant (mutants.py) is tried in a process of its own, by the tests beside that reach the
-changed line: those of a folder are in the folder of the same name under tests, those of a file
-in that of its folder. A mutant is killed by a test that fails, or that takes far more CPU time
-than all of them do. The files are changed in place and restored: use a clone of its own.
+changed line: those of a folder, or of the folder of a file, are in the folder of the same name
+under tests. A mutant is killed by a test that fails, or that takes far more CPU time than all of
+them do. The files are changed in place and restored: use a clone of its own.
 """
 
 import argparse
@@ -20,11 +20,12 @@ import sys
 import tempfile
 import time
 import traceback
-from collections import Counter
+from collections import Counter, defaultdict
 from collections.abc import Callable
 from pathlib import Path
 from typing import NamedTuple
 
+import coverage
 import distributed  # noqa: F401  what all tests import is imported once, before the children start
 import matplotlib.pyplot  # noqa: F401
 import netCDF4  # noqa: F401
@@ -34,7 +35,63 @@ import scipy.optimize  # noqa: F401
 import xarray  # noqa: F401
 
 from tests.tools.mutants import Mutant, mutants_of
-from tests.tools.reached import Reached
+
+SETUP, IMPORT = "setup of ", "import of "
+
+
+class Reached:
+    """A pytest plugin that notes which tests reach which line, and how long each takes."""
+
+    def __init__(self, files: list[Path]) -> None:
+        ours = [str(file.resolve()) for file in files]
+        self.coverage = coverage.Coverage(data_file=None, config_file=False, include=ours)
+        self.fixtures: dict[str, set[str]] = {}  # of each test
+        self.seconds: dict[str, float] = defaultdict(float)
+
+    def pytest_collectstart(self, collector: pytest.Collector) -> None:
+        """Note lines that a module of tests reaches on import."""
+        self.coverage.switch_context(IMPORT + collector.nodeid)
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_protocol(self, item: pytest.Item):
+        """Note lines for a test, and what it is made of."""
+        name = item.nodeid.partition("[")[0]
+        self.fixtures[name] = set(getattr(item, "fixturenames", ()))
+        self.coverage.switch_context(name)
+        began = time.process_time()
+        try:
+            return (yield)
+        finally:
+            self.seconds[name] += time.process_time() - began
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_fixture_setup(self, fixturedef: pytest.FixtureDef, request: pytest.FixtureRequest):
+        """Note lines that a fixture reaches for all who use it."""
+        self.coverage.switch_context(SETUP + fixturedef.argname)
+        try:
+            return (yield)
+        finally:
+            self.coverage.switch_context(request.node.nodeid.partition("[")[0])
+
+    def by_line(self) -> dict[str, dict[int, set[str]]]:
+        """Return path -> line -> tests that reach it."""
+        users = defaultdict(set)
+        for test, fixtures in self.fixtures.items():
+            users[test].add(test)
+            users[IMPORT + test.partition("::")[0]].add(test)
+            for fixture in fixtures:
+                users[SETUP + fixture].add(test)
+
+        def tests_of(contexts: list[str]) -> set[str]:
+            found = {test for c in contexts if not c.startswith(IMPORT) for test in users[c]}
+            return found and found.union(*(users[c] for c in contexts))  # on import alone: all
+
+        data = self.coverage.get_data()
+        return {
+            path: {line: tests_of(c) for line, c in data.contexts_by_lineno(path).items()}
+            for path in data.measured_files()
+        }
+
 
 QUIET = ["-x", "-q", "-n", "0", "-p", "no:cacheprovider", "--hypothesis-seed=0"]
 USUAL = ["-m", "not cluster and not exhaustive"]
@@ -62,7 +119,7 @@ class Room(NamedTuple):
 def room_of(place: Path, scratch: Path) -> Room:
     """Run the tests of a place once, in a process of its own. Raises SystemExit if they fail."""
     files = sorted(place.rglob("*.py")) if place.is_dir() else [place]
-    tests = Path("tests") / (place if place.is_dir() else place.with_name(f"test_{place.name}"))
+    tests = Path("tests") / (place if place.is_dir() else place.parent)
 
     def survey() -> int:
         reached = Reached(files)

@@ -10,9 +10,9 @@ from collections.abc import Callable
 import numpy as np
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
-from elastomer_friction.kernels.branches.steady import steady_memory
+from elastomer_friction.kernels.branches.steady_memory import steady_memory
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Slide
+from elastomer_friction.kernels.motion.legs import Slide
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
 from tests.convergence import observed_order

@@ -1,1 +1,0 @@
-"""Tests of the pipeline, one module per module of `workflow`."""

@@ -13,12 +13,12 @@ from ..simulate import programme_steps
 from ..study import (
     QUANTITIES,
     FromFile,
-    Hold,
+    HoldSegment,
     Material,
     Measured,
     Oscillate,
-    Ramp,
-    Slide,
+    RampSegment,
+    SlideSegment,
     Study,
     judged,
     why_not,
@@ -31,7 +31,13 @@ LONG = 1.0  # s, a wait that is announced
 
 
 Said = tuple[list[str], dict[str, Any]]  # lines to print, and the same as data
-NAMES = {Slide: "slide", Hold: "hold", Ramp: "ramp", Oscillate: "oscillate", FromFile: "file"}
+NAMES = {
+    SlideSegment: "slide",
+    HoldSegment: "hold",
+    RampSegment: "ramp",
+    Oscillate: "oscillate",
+    FromFile: "file",
+}
 
 
 def outline_grid(study: Study, result: Path) -> Said:

@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING
 from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from .calls import ROLL, Call, Roll
+    from .blame import Blame
     from .client import open_client
     from .flow import stream
-    from .versions import check_versions, own_versions
-    from .watch import Watch
+    from .pool import Arrival, Pool, Snapshot
     from .worker import run_batch
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -1,45 +1,35 @@
 """The client of what computes: processes of this machine, jobs, or a scheduler that is there."""
 
+import asyncio
+import concurrent.futures
 import contextlib
 import importlib.util
 import logging
 import signal
-import socket
-import ssl
 import tempfile
-from collections.abc import Callable, Iterator
-from functools import partial
+import threading
+from collections.abc import Iterator
+from multiprocessing import resource_tracker
 from typing import Any
 
 import dask
 from dask.system import CPU_COUNT
 from distributed import Client, Nanny, Scheduler, SpecCluster
-from distributed.comm import get_address_host_port
 from distributed.system import MEMORY_LIMIT
-from distributed.utils import LoopRunner
-from tornado.ioloop import IOLoop, PeriodicCallback
+from distributed.utils import sync
+from tornado.ioloop import IOLoop
 
 from ..errors import UserError
 from ..study import BATCH_SYSTEMS, LOCAL, Cluster
-from ..system import THREADS
-from .calls import CLOSE_SECONDS, SafeClient, patiently
+from ..system import THREADS, Watch, say
 from .jobs import job_cluster
-from .security import ENCRYPTED, own_security, routes, scheduler_options, security_of
-from .watch import NO_ANSWER, Watch, say
+from .security import ENCRYPTED, no_pages, own_security, scheduler_options, security_of
 
-CONNECT_SECONDS = 10
-TRIES = 3  # to begin a thread of dask, which gives it ten seconds each: few on a busy machine
-LOST_SECONDS = 30.0  # without a worker process, until a nanny of our own is given up
-AGAIN_SECONDS = 5.0  # between looks at whether one has to be replaced
+CONNECT_SECONDS, MUTE_SECONDS = 10, 30
+CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye
+SILENT_WORKER = "30s"  # after which dask starts a worker anew; it looks so often
+AGAIN_SECONDS = "5s"  # between looks at whether one has to be replaced
 HERE = "127.0.0.1"
-
-
-class PromptNanny(Nanny):
-    """A nanny that kills its worker process soon where it does not end: it may be stopped."""
-
-    async def kill(self, timeout: float = CLOSE_SECONDS, reason: str = "nanny-kill") -> None:
-        """End the worker process."""
-        await super().kill(min(timeout, CLOSE_SECONDS), reason)
 
 
 @contextlib.contextmanager
@@ -56,8 +46,7 @@ def open_client(
     if dashboard and importlib.util.find_spec("bokeh") is None:
         raise UserError("--dashboard: needs bokeh (the extra 'dashboard' of this package)")
     settings = {
-        "distributed.worker.preload": ["elastomer_friction.workflow.cluster.worker"],
-        **routes(dashboard),
+        "distributed.scheduler.worker-ttl": SILENT_WORKER,
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
         "distributed.admin.low-level-log-length": 0,  # or the last 1000 messages stay in memory
         # Every loop asks 50 times a second whether it is late, and every worker looks 100 times at
@@ -72,116 +61,102 @@ def open_client(
     watch = watch or Watch()
     with contextlib.ExitStack() as stack:
         stack.enter_context(dask.config.set(settings))
+        loop = stack.enter_context(_loop_without_ctrl_c())
         if cluster.where == LOCAL:
-            client = SafeClient(stack.enter_context(_local_cluster(workers, dashboard)))
+            local = stack.enter_context(_local_cluster(loop, workers, dashboard))
+            client = sync(loop, _connected, local)
         elif cluster.where in BATCH_SYSTEMS:
-            client = SafeClient(stack.enter_context(job_cluster(cluster, dashboard)))
+            jobs = stack.enter_context(job_cluster(loop, cluster, dashboard))
+            client = sync(loop, _connected, jobs)
             watch.follow(cluster.log_folder)
         else:
-            client = _client_of(cluster, watch)
-        stack.callback(client.end)
+            client = _client_of(loop, cluster)
+        stack.callback(sync, loop, _closed, client)
         if dashboard:
             say(f"dashboard: {client.dashboard_link} (anyone on the machine can look)")
         yield client
 
 
 @contextlib.contextmanager
-def _local_cluster(workers: int | None, dashboard: bool) -> Iterator[SpecCluster]:
+def _local_cluster(loop: IOLoop, workers: int | None, dashboard: bool) -> Iterator[SpecCluster]:
     """Yield processes of this machine, which listen to whoever has the certificate of this run."""
     count = workers or CPU_COUNT
-    security = own_security()
-    options = scheduler_options(dashboard)
-    ends = {"host": HERE, "protocol": ENCRYPTED, "security": security}
     # What lies here is put in the path of imports: it must be nobody else's.
     with tempfile.TemporaryDirectory(prefix="elastomer-friction-") as folder:
+        security = own_security(folder)
+        ends = {"host": HERE, "protocol": ENCRYPTED, "security": security}
         one = {"nthreads": 1, "memory_limit": MEMORY_LIMIT // count, "local_directory": folder}
-        how = ends | one | {"silence_logs": logging.ERROR}
+        how = ends | one | {"silence_logs": logging.CRITICAL}
         parts: dict[str, Any] = {
-            "scheduler": {"cls": Scheduler, "options": ends | options},
-            "workers": {number: {"cls": PromptNanny, "options": how} for number in range(count)},
+            "scheduler": {"cls": Scheduler, "options": ends | scheduler_options(dashboard)},
+            "workers": {number: {"cls": Nanny, "options": how} for number in range(count)},
         }
-        lost = dask.config.set({"distributed.deploy.lost-worker-timeout": LOST_SECONDS})
-        with lost, _loop_without_ctrl_c() as loop:
-            how_run = {"loop": loop, "security": security, "silence_logs": logging.ERROR}
-            with SpecCluster(**parts, **how_run) as local, _kept(local, loop, count):
-                yield local
-
-
-@contextlib.contextmanager
-def _kept(local: SpecCluster, loop: IOLoop, count: int) -> Iterator[None]:
-    """Keep so many workers: dask's nanny gives up one that is killed while it starts again."""
-    look = PeriodicCallback(partial(local.scale, count), 1e3 * AGAIN_SECONDS)
-    loop.add_callback(look.start)
-    try:
-        yield
-    finally:
-        loop.add_callback(look.stop)
+        how_run = {"loop": loop, "security": security, "silence_logs": logging.CRITICAL}
+        pages = dask.config.set(no_pages(security, dashboard))
+        with pages, SpecCluster(**parts, **how_run) as local:
+            # A nanny whose worker process is killed while it starts again gives it up.
+            local.adapt(minimum=count, maximum=count, interval=AGAIN_SECONDS)
+            yield local
 
 
 @contextlib.contextmanager
 def _loop_without_ctrl_c() -> Iterator[IOLoop]:
     """Yield the loop of a thread that Ctrl-C does not reach, nor the processes it starts.
 
-    Ctrl-C is sent to the whole process group: worker processes must be born not to hear it. This
-    thread hears it all the while, so that it is not lost while they start.
+    Ctrl-C is sent to the whole process group: worker processes must be born not to hear it.
     """
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    begun: concurrent.futures.Future[IOLoop] = concurrent.futures.Future()
+    over = asyncio.Event()
+
+    async def until_over() -> None:
+        begun.set_result(IOLoop.current())
+        await over.wait()
+
+    def run() -> None:
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})  # processes inherit it
+        asyncio.run(until_over())
+
+    resource_tracker.ensure_running()  # where it begins later, it unblocks what is blocked there
+    thread = threading.Thread(target=run, name="IO loop", daemon=True)
+    thread.start()
+    loop = begun.result()
     try:
-        runner = begun(_running_loop)  # threads and processes inherit what is blocked
+        yield loop
     finally:
-        signal.pthread_sigmask(signal.SIG_SETMASK, before)
-    try:
-        yield runner.loop
-    finally:
-        runner.stop()
+        loop.add_callback(over.set)
+        thread.join(CLOSE_SECONDS)
 
 
-def _running_loop() -> LoopRunner:
-    runner = LoopRunner()
-    runner.start()
-    return runner
-
-
-def begun(begin: Callable[[], Any]) -> Any:
-    """Return what ``begin`` returns; try again where dask asserts that its thread has begun."""
-    for _ in range(TRIES - 1):
-        with contextlib.suppress(AssertionError):
-            return begin()
-    return begin()
-
-
-def _client_of(cluster: Cluster, watch: Watch) -> SafeClient:
-    """Return a client of a scheduler that stands; wait for one that is there and says nothing."""
+def _client_of(loop: IOLoop, cluster: Cluster) -> Client:
+    """Return a client of a scheduler that stands."""
     security = security_of(cluster)
-    while True:
-        try:
-            return patiently(watch, NO_ANSWER, _connected, cluster.where, security)
-        # Where another service greets, dask reads a length that no memory holds (MemoryError).
-        except (OSError, ValueError, MemoryError) as error:
-            no_address = isinstance(error, ValueError)
-            if no_address or not _is_mute(cluster.where):
-                whose = " that the certificates fit" if security else ""
-                text = f"--scheduler {cluster.where}: no scheduler answers there{whose}"
-                raise UserError(text) from error
+    try:
+        return sync(loop, _connected, cluster.where, security)
+    # Where another service greets, dask reads a length that no memory holds (MemoryError).
+    except (OSError, ValueError, MemoryError) as error:
+        whose = " that the certificates fit" if security else ""
+        text = f"--scheduler {cluster.where}: no scheduler answers there{whose}"
+        raise UserError(text) from error
 
 
-def _connected(address: str, security: Any) -> SafeClient:
+async def _connected(where: Any, security: Any = None) -> Client:
+    """Return a client; where nobody answers, close what has been opened."""
     # While one tries to connect, xarray is not to ask dask's default for locks of files it writes.
-    how = {"timeout": CONNECT_SECONDS, "security": security, "set_as_default": False}
-    return begun(partial(SafeClient, address, **how))
+    how = {"timeout": CONNECT_SECONDS, "set_as_default": False, "asynchronous": True}
+    client = Client(where, security=security, **how)
+    try:  # of itself it waits for ever for a scheduler that says nothing, as if it were stopped
+        return await asyncio.wait_for(client, MUTE_SECONDS)
+    except BaseException:
+        await _closed(client)
+        raise
 
 
-def _is_mute(address: str) -> bool:
-    """Return whether somebody takes connections at an address and says nothing, as if stopped."""
-    place = get_address_host_port(address)
-    with contextlib.suppress(OSError), socket.create_connection(place, CONNECT_SECONDS) as end:
-        try:
-            if address.startswith(ENCRYPTED):
-                context = ssl.SSLContext(ssl.PROTOCOL_TLS_CLIENT)
-                context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
-                context.wrap_socket(end).close()  # it is only seen whether it answers
-            else:
-                end.recv(1)
-        except TimeoutError:
-            return True
-    return False
+async def _closed(client: Client) -> None:
+    """Close a client, whether or not its scheduler answers.
+
+    Nothing is left to do when Python collects it: that may come while dask holds the lock of its
+    threads, and would wait for that very lock.
+    """
+    with contextlib.suppress(TimeoutError):
+        await client.close(timeout=CLOSE_SECONDS)
+    client.status = "closed"

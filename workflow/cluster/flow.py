@@ -1,198 +1,194 @@
-"""Stream items through the cluster: a bounded window, refilled in bulk, gathered in batches.
-
-Nothing here waits for a process that may have been stopped: whatever asks one is a call in a
-thread, and what a worker keeps is computed elsewhere.
-"""
+"""Stream items through the workers: a bounded window of them, refilled in bulk."""
 
 import math
-import time
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Collection, Iterable, Iterator
 from dataclasses import dataclass, field
-from functools import partial
 from itertools import islice
-from typing import Any
+from types import SimpleNamespace
+from typing import Any, cast
 
-from dask.utils import funcname
-from distributed import Client, Future, as_completed
 from distributed.scheduler import KilledWorker
 
 from ..errors import UserError
-from .calls import Call, Clock, Fetches
-from .crew import SILENT_SECONDS, RollCalls
-from .flight import Flight, Retry, Work, raise_error
-from .watch import BEAT_SECONDS, NO_ANSWER, NO_SIGN, QUIET_SECONDS, Watch, say
-from .worker import placed
+from ..system import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
+from .blame import Blame
+from .pool import Arrival, ResultLost, Snapshot
 
 PER_THREAD, LEAST = 4, 8  # items in flight
+FEW_PER_THREAD = 2  # where each item is for some workers alone, so that others may still have it
+POLL_SECONDS = 0.2  # at most between looks at whether to stop
 STOP_SECONDS = 10.0  # that running items are awaited after a stop
+DEATHS = 3  # of workers that an item survives, as dask's
+
+# What to do instead of an item that failed with an error, alone in the cluster or not.
+Retry = Callable[[Any, Exception, bool], list[Any]]
+
+
+def raise_error(item: Any, error: Exception, alone: bool) -> list[Any]:
+    """Let an error on a worker end the stream; an item whose worker died gets another chance."""
+    if isinstance(error, KilledWorker) and not alone:
+        return [item]
+    raise error
 
 
 def stream(
-    client: Client,
-    function: Callable,
+    pool: Any,
     items: Iterable[Any],
     watch: Watch | None = None,
     retry: Retry = raise_error,
-    *,
-    clock: Clock = time,
-    completed: Callable[..., Any] = as_completed,
-    call: Callable[..., Call] = Call,
+    blame: Blame | None = None,
 ) -> Iterator[tuple[Any, Any]]:
-    """Yield (item, function(item)) as they finish; once watch() is true, only what is running.
+    """Yield (item, result) as they come from a pool; once watch() is true, only what is running.
 
     At most a few items per worker thread are in flight, so memory does not grow with the
     study. An item that raises is tried on another worker, for which it waits where one was lost a
     moment ago; ``retry`` returns what to do instead of one that failed on two, or twice on the
     only one. What follows a killed worker is done last, one item at a time, so that the item to
-    blame is certain. An item whose worker falls silent is computed a second time on another; the
-    first result counts. What runs when a stop is asked for is awaited for STOP_SECONDS at most.
-    Raises UserError when the scheduler is lost, or patience ends. ``clock``, ``completed``
-    (distributed.as_completed) and ``call`` are others in a simulation.
+    blame is certain. What runs when a stop is asked for is awaited for STOP_SECONDS at most.
+    Raises UserError when the scheduler is lost, or patience ends.
+
+    pool : a Pool, or what stands in for one in a simulation.
+    blame : what earlier streams know of the workers.
     """
-    running, placing = completed([], loop=client.loop), partial(placed, function=function)
-    watch = watch or Watch()
-    asking = RollCalls(client, watch, clock, call), Fetches(client, clock, call)
-    how = (placing, funcname(function), iter(items), watch, retry)
-    return iter(_Stream(client, *how, clock, running, *asking))
+    return iter(_Stream(pool, iter(items), watch or Watch(), retry, blame or Blame()))
+
+
+@dataclass
+class _Work:
+    """An item on its way."""
+
+    item: Any
+    failed: list[str] = field(default_factory=list)  # where it raised: addresses, or ""
+    deaths: int = 0  # of workers that had it
+    workers: Collection[str] = ()  # who alone may have it; none: anybody
 
 
 @dataclass
 class _Stream:
-    client: Client
-    function: Callable
-    name: str
+    pool: Any
     source: Iterator[Any]
     watch: Watch
     retry: Retry
-    clock: Clock
-    running: Any  # of distributed.as_completed
-    rolls: RollCalls
-    fetches: Fetches
-    flight: Flight = field(default_factory=Flight)
-    again: list[Work] = field(default_factory=list)  # before the rest of the source
-    alone: list[Work] = field(default_factory=list)  # after it
-    left: list[Future] = field(default_factory=list)  # copies that nobody waits for any more
-    looked: float = float("-inf")
-    stop_seen: float = math.inf  # when it was asked for
+    blame: Blame
+    in_flight: dict[str, _Work] = field(default_factory=dict)  # by key
+    again: list[_Work] = field(default_factory=list)  # before the rest of the source
+    alone: list[_Work] = field(default_factory=list)  # after it
     isolated: bool = False  # what is in flight is alone there
     window: int = LEAST
+    answer: Any = None  # that is awaited: a future of a snapshot
+    asked: float = -math.inf  # when
+    looked: float = -math.inf  # when
+    stopped: float = math.inf  # when that was asked for
 
     def __iter__(self) -> Iterator[tuple[Any, Any]]:
-        self._tick()
-        while not (self.rolls.answered() or self.watch()):
-            self.fetches.rest()
-            self._tick()
-        self._submit()
         try:
-            while self.flight or (self.again and not self.watch()):
-                ended = self.running.next_batch(block=False)
-                self.fetches.begin([f for f in ended if f.key in self.flight.works])
-                del ended
+            self._look()
+            self._submit()
+            while self.in_flight or (self.again and not self.watch()):
                 done = self._take()
-                if not done:
-                    self.fetches.rest()
-                self._tick()
+                self._look()
                 self._submit()
                 yield from done
         finally:
-            if self.left:
-                self.client.cancel(self.left)
+            self.pool.drop(self.in_flight)
 
     def _submit(self) -> None:
         """Fill the window from what is to be done again and the source; then one alone."""
-        free = self.window - len(self.flight)
-        if self.watch() or free <= self.window // 8 or (self.isolated and self.flight):
+        free = self.window - len(self.in_flight)
+        if self.watch() or free <= self.window // 8 or (self.isolated and self.in_flight):
             return  # refilled in bulk
         fresh = self.again[:free]
         del self.again[:free]
-        fresh += map(Work, islice(self.source, free - len(fresh)))
+        fresh += map(_Work, islice(self.source, free - len(fresh)))
         self.isolated = self.isolated and len(fresh) < 2
-        if not fresh and not self.flight and self.alone:
+        if not fresh and not self.in_flight and self.alone:
             fresh, self.isolated = [self.alone.pop()], True
-        crew = self.rolls.crew
-        self._send([w for w in fresh if not w.failed], crew.fit() if crew.left_out else [])
+        blame = self.blame
+        self._send([w for w in fresh if not w.failed], blame.fit() if blame.left_out else [])
         for work in fresh:
-            if work.failed and crew.awaits(work.failed):
+            if work.failed and blame.awaited(work.failed):
                 self.again.append(work)
             elif work.failed:
-                self._send([work], work.workers(crew))
+                self._send([work], blame.fit(work.failed))
 
-    def _send(self, works: list[Work], workers: list[str]) -> None:
-        """Submit works, for some workers alone if there are any.
+    def _send(self, works: list[_Work], workers: list[str]) -> None:
+        """Give out works, to some workers alone if there are any.
 
         As a mere wish it would be of no use: idle workers steal, and who fails is soon idle.
         """
         if works:
-            where: dict[str, Any] = {"workers": workers} if workers else {}
-            items = [work.item for work in works]
-            futures = self.client.map(self.function, items, pure=False, key=self.name, **where)
-            for work, future in zip(works, futures, strict=True):
-                self.flight.add(work, future, workers)
-            self.running.update(futures)
+            keys = self.pool.submit([work.item for work in works], workers)
+            for key, work in zip(keys, works, strict=True):
+                work.workers = workers
+                self.in_flight[key] = work
 
     def _take(self) -> list[tuple[Any, Any]]:
         """Return (item, result) of what has come, and note what to do instead of what failed."""
         done: list[tuple[Any, Any]] = []
-        for found in self.fetches.done():
-            for key, (address, result) in found.results.items():
-                if work := self.flight.works.get(key):  # else a copy of it was faster
-                    self.left += self.flight.drop(work)
-                    self.rolls.crew.succeeded(address, work.failed)
-                    done.append((work.item, result))
-            for key, (address, error) in found.errors.items():
-                self._fail(key, address, error)
+        for outcome in self.pool.take(POLL_SECONDS):
+            work = self.in_flight.pop(outcome.key)
+            if outcome.error:
+                self._fail(work, outcome)
+            else:
+                self.blame.succeeded(outcome.address, work.failed)
+                done.append((work.item, outcome.value))
         return done
 
-    def _fail(self, key: str, address: str, error: Exception) -> None:
-        """Note what to do instead of an item that failed on a worker."""
-        work = self.flight.fall(key)
-        if work is None:
-            return
-        work.fail(address, error)
-        if not work.lost(self.rolls.crew.silent):
-            return  # another copy may go well
-        if isinstance(error, UserError) or not work.to_be_tried_again(self.rolls.crew):
-            self.left += self.flight.drop(work)
-            instead = map(Work, self.retry(work.item, error, self.isolated))
+    def _fail(self, work: _Work, outcome: Arrival) -> None:
+        """Note what to do instead of an item that failed, or whose worker died."""
+        error = outcome.error
+        if isinstance(error, KilledWorker):
+            work.deaths = max(work.deaths, error.allowed_failures) + 1
+        elif not isinstance(error, ResultLost):
+            work.failed.append(outcome.address)
+        given_up = work.deaths > DEATHS or self.blame.to_be_given_up(work.failed)
+        if error and (given_up or isinstance(error, UserError)):
+            instead = map(_Work, self.retry(work.item, error, self.isolated))
             (self.alone if isinstance(error, KilledWorker) else self.again).extend(instead)
-        elif not work.copies:  # or else at the next look
+        else:
             self.again.append(work)
 
-    def _tick(self) -> None:
-        """Now and then look at the workers, and at what they do."""
-        now, stopping = self.clock.monotonic(), self.watch()
-        if self.rolls.tick(stopping):
-            self._look_after()
-        if now - self.looked >= BEAT_SECONDS:
-            self.looked = now
-            unanswered, crew = self.rolls.unanswered(), self.rolls.crew
-            if stopping:
-                self.stop_seen = min(self.stop_seen, now)
-                all_of_it = unanswered or now - self.stop_seen >= STOP_SECONDS
-                self._leave([*self.flight.works.values()] if all_of_it else self.flight.lost(crew))
-            lack = NO_ANSWER if unanswered else NO_SIGN if crew.all_quiet() else ""
-            self.watch.look(crew.threads(), len(self.flight), lack)
-
-    def _look_after(self) -> None:
-        """Compute elsewhere what does not come; after a stop, shed what no worker has begun."""
-        crew, stopping = self.rolls.crew, self.rolls.stopping
-        self.window = max((2 if crew.left_out else PER_THREAD) * crew.threads(), LEAST)
-        self.flight.note(crew)
-        self.flight.stick(self.fetches.overdue(QUIET_SECONDS if stopping else SILENT_SECONDS))
-        for future, error in self.flight.stranded(crew):
-            self.left.append(future)
-            self._fail(str(future.key), "", error)
+    def _look(self) -> None:
+        """Every second ask for the workers, and let the watch look."""
+        now, stopping = self.pool.monotonic(), self.watch()
         if stopping:
-            for work in self.flight.unbegun(crew):
-                self.left += self.flight.drop(work)
-        else:
-            for work, workers in self.flight.second_copies(crew):
-                self._send([work], workers)
+            self.stopped = min(self.stopped, now)
+        if self.answer is not None and self.answer.done():
+            self._note(self.answer.result(), now)
+            self.answer = None
+        if now - self.looked < BEAT_SECONDS:
+            return
+        self.looked = now
+        if self.answer is None:
+            self.answer, self.asked = self.pool.ask(), now
+        silent = now - self.asked >= QUIET_SECONDS
+        if self.in_flight and (now - self.stopped >= STOP_SECONDS or (stopping and silent)):
+            say(f"left behind: {len(self.in_flight)} batches that were not done in time")
+            self._drop([*self.in_flight])
+        threads = sum(self.blame.now.threads.values())
+        self.watch.look(threads, len(self.in_flight), NO_ANSWER if silent else "")
 
-    def _leave(self, works: list[Work]) -> None:
-        """After a stop, do not wait for what does not come."""
-        left = dict.fromkeys(works)
-        if left:
-            say(f"left behind: {len(left)} batches that were not done in time")
-        for work in left:
-            self.left += self.flight.drop(work)
+    def _note(self, snapshot: Snapshot, now: float) -> None:
+        """Note who is there; compute again what waits for workers that are gone.
+
+        After a stop, shed what nobody had begun when the scheduler was asked.
+        """
+        blame = self.blame
+        blame.note(snapshot, now)
+        per_thread = FEW_PER_THREAD if blame.left_out else PER_THREAD
+        self.window = max(per_thread * sum(snapshot.threads.values()), LEAST)
+        for key, work in [*self.in_flight.items()]:
+            if work.workers and snapshot.threads.keys().isdisjoint(work.workers):
+                self._drop([key])
+                last = cast(Any, SimpleNamespace(address=" or ".join(work.workers)))
+                died = KilledWorker(key, last, work.deaths)
+                self._fail(work, Arrival(key, error=died))
+        if self.asked >= self.stopped:
+            fresh = self.in_flight.keys() - snapshot.begun
+            self._drop([key for key in fresh if self.pool.pending(key)])
+
+    def _drop(self, keys: list[str]) -> None:
+        """Wait for items no more."""
+        self.pool.drop(keys)
+        for key in keys:
+            del self.in_flight[key]

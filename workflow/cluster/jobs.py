@@ -9,15 +9,17 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
+import dask
+from tornado.ioloop import IOLoop
+
 from ..errors import UserError
 from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
 from ..system import ROOT, THREADS, refused
-from .security import ENCRYPTED, own_security, scheduler_options
+from .security import ENCRYPTED, no_pages, own_security, scheduler_options
 
 # What a worker keeps on a disk is put in the path of imports: it must be nobody else's. Nor is
 # anything imported from the folder where the job was submitted.
 PRIVATE = (
-    "export DASK_DISTRIBUTED__WORKER__HTTP__ROUTES='[]'",  # no pages, whoever asks
     "export PYTHONSAFEPATH=1",
     f"export PYTHONPATH={shlex.quote(str(ROOT))}${{PYTHONPATH:+:$PYTHONPATH}}",
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
@@ -28,7 +30,7 @@ STAGGER = 0.1  # of the lifetime, so that workers do not all retire at once
 
 
 @contextlib.contextmanager
-def job_cluster(cluster: Cluster, dashboard: bool = False) -> Iterator[Any]:
+def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iterator[Any]:
     """Yield a cluster whose scheduler is here and whose workers are ``cluster.jobs`` jobs.
 
     All have a certificate of this run, which lies in a folder of our own beside the jobs' logs.
@@ -46,25 +48,21 @@ def job_cluster(cluster: Cluster, dashboard: bool = False) -> Iterator[Any]:
         logs.mkdir(parents=True, exist_ok=True)
         keys = tempfile.TemporaryDirectory(prefix=".tls-", dir=logs.resolve())
     with keys as folder, contextlib.ExitStack() as stack:
-        jobs = start(**_settings(cluster, dashboard, folder))
-        stack.callback(_close_certificates, jobs, folder)
+        security = own_security(folder)
+        pages = no_pages(security, dashboard)
+        stack.enter_context(dask.config.set(pages))
+        jobs = start(loop=loop, security=security, **_settings(cluster, dashboard, pages))
         stack.enter_context(jobs)
         _try_submitting(name, jobs.job_script())
         jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_SECONDS)
         yield jobs
 
 
-def _close_certificates(jobs: Any, folder: str) -> None:
-    """Close the files of certificates, or their own closing finds them gone with the folder."""
-    for held in vars(jobs).values():
-        if str(getattr(held, "name", "")).startswith(folder):
-            held.close()
-
-
-def _settings(cluster: Cluster, dashboard: bool, keys: str) -> dict[str, Any]:
-    """Return what dask-jobqueue is told; ``keys`` is the folder of the certificates."""
+def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[str, Any]:
+    """Return what dask-jobqueue is told; ``pages`` are settings of dask."""
     lifetime = cluster.lifetime
-    exported = [f"export {name}={value}" for name, value in THREADS.items()]
+    settings = {f"DASK_{name.replace('.', '__').upper()}": value for name, value in pages.items()}
+    exported = [f"export {k}={shlex.quote(str(v))}" for k, v in {**THREADS, **settings}.items()]
     return {
         "queue": cluster.queue or None,
         "account": cluster.account or None,
@@ -80,13 +78,10 @@ def _settings(cluster: Cluster, dashboard: bool, keys: str) -> dict[str, Any]:
         "worker_extra_args": [
             *("--lifetime", f"{lifetime:.0f}s"),
             *("--lifetime-stagger", f"{STAGGER * lifetime:.0f}s"),
-            *("--preload", "elastomer_friction.workflow.cluster.worker"),
             "--no-dashboard",
         ],
         "scheduler_options": scheduler_options(dashboard),
-        "security": own_security(),
         "protocol": ENCRYPTED,
-        "shared_temp_directory": keys,
     }
 
 

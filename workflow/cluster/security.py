@@ -16,6 +16,9 @@ from ..errors import UserError
 from ..study import Cluster
 
 ENCRYPTED = "tls://"
+PARTS = ("key", "cert")
+# Keys of [cluster], and what dask calls them.
+FILES = {"tls_ca_file": "tls_ca_file", "tls_cert": "tls_client_cert", "tls_key": "tls_client_key"}
 # How long a certificate is valid from now on, and before now: clocks differ, or are set back.
 VALID, MARGIN = timedelta(days=365), timedelta(days=2)
 
@@ -25,16 +28,23 @@ def scheduler_options(dashboard: bool) -> dict[str, Any]:
     return {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}  # any free port
 
 
-def routes(dashboard: bool) -> dict[str, list[str]]:
-    """Return dask's settings by which no port serves a page but those of the dashboard."""
-    workers: dict[str, list[str]] = {"distributed.worker.http.routes": []}
-    return workers if dashboard else workers | {"distributed.scheduler.http.routes": []}
+def no_pages(security: Any, dashboard: bool) -> dict[str, Any]:
+    """Return dask's settings by which no port serves a page but those of the dashboard.
+
+    Such a port speaks TLS as all others do, or who has no certificate would wait for an answer.
+    """
+    workers: dict[str, Any] = {"distributed.worker.http.routes": []}
+    if dashboard:
+        return workers
+    tls = {"distributed.scheduler.dashboard.tls.cert": security.tls_worker_cert}
+    return workers | tls | {"distributed.scheduler.http.routes": []}
 
 
-def own_security() -> Security:
+def own_security(folder: str) -> Security:
     """Return a certificate made for this run: who does not have it is refused.
 
-    That of ``Security.temporary`` is valid from this second on: once the clock is set back, no
+    It is written with its key into a folder that is nobody else's. That of
+    ``Security.temporary`` is valid from this second on: once the clock is set back, no
     connection can be made with it any more.
     """
     from cryptography import x509
@@ -51,14 +61,12 @@ def own_security() -> Security:
         .sign(key, hashes.SHA256())
     )
     formats = serialization.PrivateFormat.PKCS8, serialization.NoEncryption()
-    private = key.private_bytes(serialization.Encoding.PEM, *formats).decode()
-    public = certificate.public_bytes(serialization.Encoding.PEM).decode()
-    whose = {
-        f"tls_{who}_{part}": text
-        for who in ("client", "scheduler", "worker")
-        for part, text in (("key", private), ("cert", public))
-    }
-    return Security(require_encryption=True, tls_ca_file=public, **whose)
+    private = key.private_bytes(serialization.Encoding.PEM, *formats)
+    file = Path(folder) / "run.pem"
+    file.touch(0o600)
+    file.write_bytes(private + certificate.public_bytes(serialization.Encoding.PEM))
+    parts = [f"tls_{who}_{part}" for who in ("client", "scheduler", "worker") for part in PARTS]
+    return Security(require_encryption=True, **dict.fromkeys(["tls_ca_file", *parts], str(file)))
 
 
 def security_of(cluster: Cluster) -> Security | None:
@@ -80,23 +88,12 @@ def security_of(cluster: Cluster) -> Security | None:
             f"--scheduler {cluster.where}: needs cluster.tls_ca_file, cluster.tls_cert and "
             "cluster.tls_key, or dask's own configuration of TLS"
         )
-    files = {name: getattr(cluster, name) for name in ("tls_ca_file", "tls_cert", "tls_key")}
-    paths = {name: str(Path(file).expanduser()) for name, file in files.items() if file}
-    return _checked(
-        Security(
-            require_encryption=True,
-            tls_ca_file=paths["tls_ca_file"],
-            tls_client_cert=paths["tls_cert"],
-            tls_client_key=paths.get("tls_key"),
-        ),
-        files,
-    )
-
-
-def _checked(security: Security, files: dict[str, str]) -> Security:
+    files = {name: getattr(cluster, name) for name in FILES if getattr(cluster, name)}
+    paths = {FILES[name]: str(Path(file).expanduser()) for name, file in files.items()}
+    security = Security(require_encryption=True, **paths)
     try:
         security.get_connection_args("client")
     except (OSError, ssl.SSLError) as error:
-        said = ", ".join(f"cluster.{name} = {file!r}" for name, file in files.items() if file)
+        said = ", ".join(f"cluster.{name} = {file!r}" for name, file in files.items())
         raise UserError(f"{said}: cannot be used for TLS: {error}") from error
     return security

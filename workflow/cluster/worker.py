@@ -1,28 +1,14 @@
-"""What a worker process does with a batch; loaded by every worker when it starts.
+"""What a worker process does with a batch; it needs nothing set up beforehand."""
 
-Imported by name; needs nothing set up beforehand.
-"""
-
-import logging
-import signal
 from collections.abc import Callable
 from typing import Any
 
-from distributed import Status, Worker, get_worker
+from distributed import get_worker
 
 from ..simulate import Batch, BatchResult, block_means
-from .versions import Versions, require
+from ..system import Versions, require
 
-CLOSING = (Status.closing, Status.closed)
-
-
-def dask_setup(worker: Worker) -> None:
-    """Leave Ctrl-C to the driver, which lets running batches finish and be stored.
-
-    Of a worker that closes nothing is logged: a heartbeat that this cuts off is no error.
-    """
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
-    logging.getLogger("distributed.worker").addFilter(lambda record: worker.status not in CLOSING)
+PLACE = "elastomer_friction_worker"  # attribute of an error: where it was raised
 
 
 def run_batch(
@@ -33,10 +19,11 @@ def run_batch(
     return work(batch)
 
 
-def placed(item: Any, function: Callable) -> tuple[str, Any]:
-    """Return the address of the worker that this is, and function(item)."""
+def with_address(item: Any, function: Callable) -> tuple[str, Any]:
+    """Return the address of the worker that this is, and function(item); errors say it, too."""
+    address = get_worker().address
     try:
-        address = get_worker().address
-    except ValueError:  # a simulation
-        address = ""
-    return address, function(item)
+        return address, function(item)
+    except Exception as error:
+        setattr(error, PLACE, address)
+        raise

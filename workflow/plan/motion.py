@@ -11,21 +11,21 @@ import numpy as np
 from ... import kernels
 from ...kernels import Quantities, rms_slope
 from ..errors import UserError
-from ..simulate import Problem, Recording, ScaledHistory, Surface
+from ..simulate import LineShape, Problem, Recording, ScaledHistory
 from ..study import (
     FromFile,
-    Hold,
+    HoldSegment,
     Numerics,
     Oscillate,
-    Ramp,
+    RampSegment,
     Segment,
-    Slide,
+    SlideSegment,
     Study,
+    Surface,
     Velocity,
     velocity_steps,
     with_hold,
 )
-from ..study import Surface as LinesOfStudy
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
 
@@ -50,7 +50,7 @@ class Scale(NamedTuple):
     reference: float  # m/s
 
 
-def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: float) -> Problem:
+def setting(study: Study, surface: LineShape, scale: Scale, hold: float, depth: float) -> Problem:
     """Return what the scene of a study adds at a point: a problem without the numbers of the grid.
 
     surface : of the lines there. hold : duration of the hold that has several, s. depth :
@@ -73,7 +73,7 @@ def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: fl
     programme = tuple(_leg(segment, scale) for segment in segments)
     steps, ratio = velocity_steps(segments), 1.0
     if steps:
-        pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, Slide)]
+        pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, SlideSegment)]
         speed, after = (slide.velocity.at(scale.reference) for slide in pair)
         ratio = after / speed
     else:  # that at which the programme begins or, where it begins at rest, the first that it has
@@ -84,13 +84,13 @@ def setting(study: Study, surface: Surface, scale: Scale, hold: float, depth: fl
     )
 
 
-def line_modes(surface: LinesOfStudy, elements: int) -> Surface:
+def line_modes(surface: Surface, elements: int) -> LineShape:
     """Return what lines of so many elements are."""
     profile, own = surface.profile, surface.spectrum
     if profile is None or own is None:
-        return Surface(*surface.modes(elements))
+        return LineShape(*surface.modes(elements))
     slope = rms_slope(own / profile.roughness, elements)
-    return Surface(measured=surface.identity, slope=slope)
+    return LineShape(measured=surface.identity, slope=slope)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
@@ -100,14 +100,14 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
         return rounded(velocity.at(scale.reference) * tau / dx)
 
     match segment:
-        case Slide():
+        case SlideSegment():
             metres = abs(segment.velocity.at(scale.reference)) * segment.seconds(scale.reference)
             distance = metres if segment.distance is None else segment.distance
             return kernels.Slide(speed(segment.velocity), rounded(distance / dx))
-        case Hold():
+        case HoldSegment():
             (duration,) = segment.durations
             return kernels.Hold(rounded(duration / tau))
-        case Ramp():
+        case RampSegment():
             ends = speed(segment.first), speed(segment.last)
             return kernels.Ramp(*ends, rounded(segment.duration / tau))
         case Oscillate():

@@ -13,7 +13,7 @@ import numpy as np
 
 from ...kernels import Spectrum, amplitudes, rms_slope
 from ...kernels.model.limits import LOADS, SPEEDS
-from ...kernels.quick.prepare import LEAST_STEP
+from ...kernels.quick.prepared import LEAST_STEP
 from ..errors import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem

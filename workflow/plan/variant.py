@@ -9,9 +9,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import Origin, Quantities
-from ..simulate import CODE, Problem, Recording, Surface, Task, kept_steps
-from ..study import Material, Numerics, Study
-from ..study import Surface as LinesOfStudy
+from ..simulate import CODE, LineShape, Problem, Recording, Task, kept_steps
+from ..study import Material, Numerics, Study, Surface
 from .cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
 from .goal import Goal, goal_of, horizon_steps, steps_per_spacing
 from .motion import recording_of
@@ -27,7 +26,7 @@ class Variant(NamedTuple):
     label: str
     numerics: Numerics
     material: Material
-    lines: LinesOfStudy
+    lines: Surface
     recording: Recording
     events: int  # samples of the longest trace; 0 where none is kept
     point_task: np.ndarray  # index into tasks per grid point, shape of the grid
@@ -142,7 +141,7 @@ def variant_of(
         digest = begun.copy()
         digest.update(written + STEPS.pack(steps, march_steps))
         tasks.append(Task(problem, steps, march_steps, digest.hexdigest()[:32]))
-    lines: dict[tuple[float, int, Surface], list[Task]] = {}
+    lines: dict[tuple[float, int, LineShape], list[Task]] = {}
     for task in tasks:
         hurst, elements = task.problem[:2]
         lines.setdefault((hurst, elements, task.problem.surface), []).append(task)

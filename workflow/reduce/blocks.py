@@ -1,13 +1,22 @@
-"""What of the store is reduced: block means of some tasks, and when and where they were kept."""
+"""What of the store is reduced: block means of some tasks, and what they belong to."""
 
 from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import ENERGIES, TRACES, Programme, trace_stamps
+from ...kernels import ENERGIES, TRACES, Programme
 from ..plan import Plan, Variant, line_slope
-from ..simulate import Layout, Task, record_steps, record_times, row_layout, scene_of, unpack
+from ..simulate import (
+    Layout,
+    Task,
+    kept_steps,
+    programme_steps,
+    record_steps,
+    record_times,
+    row_layout,
+    unpack,
+)
 from .jackknife import standard_error
 
 Estimates = dict[str, np.ndarray]
@@ -24,7 +33,7 @@ class Blocks(NamedTuple):
     jumps: bool = True  # whether friction jumps with the velocity: whether there is a dashpot
     speeds: np.ndarray = np.empty((0, 2))  # before and after the velocity step, dx/tau, (tasks, 2)
     programmes: tuple[Programme, ...] = ()  # of the tasks
-    stamps: dict[str, np.ndarray] | None = None  # of traces (kernels/scene), each (tasks, events)
+    legs: np.ndarray = np.empty((0, 0))  # of the samples of traces, NaN beyond, (tasks, events)
     negligible: float = 0.0  # share of the jump
 
 
@@ -66,7 +75,7 @@ def blocks_of(
         variant.material.jumps,
         np.array(speeds),
         tuple(task.problem.programme for task in tasks),
-        _stamps(variant, tasks) if variant.recording.asked else None,
+        _legs(variant, tasks),
         variant.numerics.negligible,
     )
 
@@ -82,16 +91,15 @@ def _filled(values: np.ndarray, length: int) -> np.ndarray:
     return np.pad(values, ends, constant_values=np.nan) if missing else values
 
 
-def _stamps(variant: Variant, tasks: list[Task]) -> dict[str, np.ndarray]:
-    """Return when and where the traces of tasks are kept, each of shape (tasks, events)."""
-    each = []
-    for task in tasks:
-        scene = scene_of(task, variant.numerics.scheme, variant.recording)
-        each.append(trace_stamps(scene, task.steps_per_spacing, variant.recording.origin))
-    return {
-        name: np.stack([_filled(own[name].astype(float), variant.events) for own in each])
-        for name in each[0]
-    }
+def _legs(variant: Variant, tasks: list[Task]) -> np.ndarray:
+    """Return the numbers of the legs in which traces are kept, shape (tasks, events)."""
+    legs = np.full((len(tasks), variant.events), np.nan)
+    for row, task in enumerate(tasks) if variant.events else ():
+        what = task.problem, task.steps_per_spacing
+        kept = kept_steps(*what, variant.recording)
+        steps = programme_steps(*what, variant.recording.origin)
+        legs[row, : kept.size] = steps.leg[np.maximum(kept - 1, 0)]
+    return legs
 
 
 def _times(plan: Plan, variant: Variant, tasks: list[Task]) -> np.ndarray:

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ...kernels import MOTION
 from ..plan import (
     FIRST_ORDER,
     LAWS,
@@ -36,13 +37,15 @@ def completed(
     """Return name -> array over all tasks of a variant.
 
     estimates : of the tasks at the rows ``sound``; the others are marked, NaN or -1. counts :
-    realizations of each task, shape (tasks,).
+    realizations of each task, shape (tasks,). When and where traces are kept has an error only
+    where it differs from line to line.
     """
     tasks = variant.tasks
     names = judged(plan.study.scene.quantities)
     done = [tasks[row] for row in sound]
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
-    spread = {name: _spread(v, sound, len(tasks)) for name, v in estimates.items()}
+    same = {f"{name}_error" for name in MOTION if not _differs(estimates, name)}
+    spread = {n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in same}
     slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
     return spread | {
         "realizations": counts,
@@ -50,6 +53,11 @@ def completed(
         "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
         "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
     }
+
+
+def _differs(estimates: Estimates, name: str) -> bool:
+    """Return whether an estimate differs from line to line."""
+    return bool(np.any(estimates.get(f"{name}_error", 0.0) > 0.0))
 
 
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:

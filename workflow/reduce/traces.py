@@ -13,12 +13,11 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import ENERGIES, TRACES, Hold, Leg, Oscillation, Programme, Sampled, Slide
+from ...kernels import ENERGIES, MOTION, TRACES, Hold, Leg, Oscillation, Programme, Sampled, Slide
 from .blocks import Blocks, Estimates, columns, enter
-from .jackknife import replicates
+from .jackknife import replicates, standard_error
 from .rate_state import LAWS, RateState, fit_rate_state
 
-STAMPS = {"time": "trace_time", "distance": "trace_distance", "speed": "trace_velocity"}
 CHANGING = ("trace_mu", "trace_indentation")
 ALONE = ("snapshot_", "state_")  # of one realization: no error
 
@@ -90,28 +89,41 @@ def _rate_state(
 
 def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
     """Enter what a programme was asked for."""
-    asked, values, stamps = blocks.quantities, blocks.values, blocks.stamps
+    asked, values, legs = blocks.quantities, blocks.values, blocks.legs
     means = {name: replicates(values[name], 1) for name in (*TRACES, *ENERGIES) if name in values}
-    if stamps and ("trace" in asked or "energy" in asked):
-        for name, own in STAMPS.items():
-            estimates[own] = stamps[name]
-        leg = stamps["leg"]
-        estimates["trace_segment"] = np.where(np.isnan(leg), -1, leg).astype(np.int32)
+    means |= {name: _motion(values[name]) for name in MOTION if name in values}
+    if "trace" in asked or "energy" in asked:
+        for name in MOTION:
+            estimates[name] = means[name][:, 0]
+            estimates[f"{name}_error"] = standard_error(means[name] - means[name][:, :1], 1)
+        estimates["trace_segment"] = np.where(np.isnan(legs), -1, legs).astype(np.int32)
     for name in TRACES if "trace" in asked else ():
-        enter(estimates, name, means[name])
-        if stamps and name in CHANGING:
-            enter(estimates, f"{name}_change", _changes(means[name], stamps["leg"]))
+        if name not in MOTION:
+            enter(estimates, name, means[name])
+        if name in CHANGING:
+            enter(estimates, f"{name}_change", _changes(means[name], legs))
     if "energy" in asked:
         for name in ENERGIES:
             enter(estimates, name, means[name])
         enter(estimates, "balance_residual", _residual(means))
     if "healing" in asked:
-        _each(estimates, blocks, healing, means["trace_mu"])
+        way, mu = means["trace_distance"], means["trace_mu"]
+        _each(estimates, blocks, healing, legs[:, None], way, mu)
     if "loop" in asked:
-        _each(estimates, blocks, loop, means["trace_mu"], means["trace_friction_force"])
+        names = ("trace_time", "trace_mu", "trace_friction_force")
+        _each(estimates, blocks, loop, *map(means.__getitem__, names))
     if "contact_lengths" in asked:
         enter(estimates, "contact_length", replicates(values["contact_length"], 1))
     estimates |= {name: own.mean(axis=1) for name, own in values.items() if name.startswith(ALONE)}
+
+
+def _motion(values: np.ndarray) -> np.ndarray:
+    """Return the replicates of when or where traces are kept, shape (tasks, replicates, events).
+
+    values : shape (tasks, blocks, events). What is equal in all blocks stays as it is, to the bit.
+    """
+    first = values[:, :1]
+    return first + replicates(values - first, 1)
 
 
 def _changes(traces: np.ndarray, legs: np.ndarray) -> np.ndarray:
@@ -147,11 +159,10 @@ def _each(
     estimates: Estimates, blocks: Blocks, find: Callable[..., Any], *traces: np.ndarray
 ) -> None:
     """Enter the fields of what ``find`` says of every task, from replicates of its traces."""
-    found, every = [], blocks.stamps or {}
+    found = []
     for task, programme in enumerate(blocks.programmes):
-        kept = np.isfinite(every["time"][task])
-        stamps = {name: values[task][kept] for name, values in every.items()}
-        found.append(find(programme, stamps, *(trace[task][:, kept] for trace in traces)))
+        kept = np.isfinite(blocks.legs[task])
+        found.append(find(programme, *(trace[task][:, kept] for trace in traces)))
     for name, values in columns(found)._asdict().items():
         enter(estimates, name, values)
 
@@ -175,24 +186,26 @@ def last_hold(programme: Programme) -> tuple[int, float] | None:
     return found[-1] if found else None
 
 
-def healing(programme: Programme, stamps: dict[str, np.ndarray], mu: np.ndarray) -> Healing:
+def healing(
+    programme: Programme, legs: np.ndarray, distance: np.ndarray, mu: np.ndarray
+) -> Healing:
     """Return what the last hold of a programme did; NaN where there is none.
 
-    stamps : of the kept samples (kernels/scene.py), each of shape (samples,), distance in dx.
-    mu : shape (replicates, samples), the mean trace first.
+    legs : of the kept samples, shape (1, samples). distance (dx), mu : shape (replicates, samples),
+    the mean trace first.
     """
     found = last_hold(programme)
     nothing = np.full(len(mu), np.nan)
     if found is None:
         return Healing(nothing, nothing, nothing, nothing)
     k, speed = found
-    held, slid = stamps["leg"] == k, stamps["leg"] == k + 1
-    before = np.flatnonzero(stamps["leg"] < k)  # the last of them ends the slide before the hold
+    held, slid = legs[0] == k, legs[0] == k + 1
+    before = np.flatnonzero(legs[0] < k)  # the last of them ends the slide before the hold
     if not (held.any() and slid.any() and before.size):
         return Healing(nothing, nothing, nothing, nothing)
     end = np.flatnonzero(held)[-1]
-    distance = np.abs(stamps["distance"][slid] - stamps["distance"][end])
-    peak, where = extremum(distance, mu[:, slid], float(np.sign(speed)))
+    slipped = np.abs(distance[0, slid] - distance[0, end])
+    peak, where = extremum(slipped, mu[:, slid], float(np.sign(speed)))
     return Healing(peak, peak - mu[:, before[-1]], mu[:, end], where)
 
 
@@ -217,14 +230,11 @@ def leg_duration(leg: Leg) -> float:
             return leg.duration
 
 
-def loop(
-    programme: Programme, stamps: dict[str, np.ndarray], mu: np.ndarray, force: np.ndarray
-) -> Loop:
+def loop(programme: Programme, times: np.ndarray, mu: np.ndarray, force: np.ndarray) -> Loop:
     """Return the loop of the last cycle of the last oscillation; NaN where there is none.
 
-    stamps : of the kept samples (kernels/scene), each of shape (samples,), time in tau. mu and
-    force (4 G L h^2/dx) : shape (replicates, samples). Integrals over the cycle are by trapezoids
-    over its own time stamps.
+    times (tau), mu, force (4 G L h^2/dx) : shape (replicates, samples), the mean trace first.
+    Integrals over the cycle are by trapezoids over the mean times.
     """
     swung = [(k, leg) for k, leg in enumerate(programme) if isinstance(leg, Oscillation)]
     nothing = np.full(len(mu), np.nan)
@@ -233,7 +243,7 @@ def loop(
     k, leg = swung[-1]
     begin = sum(leg_duration(before) for before in programme[:k])
     end, period = begin + leg_duration(leg), 1.0 / leg.frequency
-    time = stamps["time"]
+    time = times[0]
     cycle = (time > end - period * (1.0 + 1e-9)) & (time <= end * (1.0 + 1e-12))
     at = time[cycle]
     if at.size < 4:

@@ -12,35 +12,30 @@ from ..study import (
 
 HEAD = """# Every key of study.toml
 
-A study is described by one TOML file. This page lists every table of it and every key, with the
-values that a key takes, its unit, and its default. Each entry ends with what changes when the
-value is doubled, or, where a key is no number, when it is another one.
-[A tutorial](../tutorial.md) builds a study step by step.
-
-All quantities are in SI units, and a number without a unit is dimensionless. Unknown keys, keys of
-the wrong type and values out of range, at any scale, end a command with one line for each and exit
-status 2, before anything is computed; the line says where in the file the key stands.
-`elastomer-friction schema` prints a JSON schema of the file, with which editors check and complete
-it. In what follows, L is `surface.length`, G is `material.shear_modulus`, F̄ = F_N/(4GLh) is the
-dimensionless normal force, and x = v₁ τ q_max is the dimensionless velocity, in which τ is the
-relaxation time of the elastomer and q_max the largest wave number of the line.
+A study is one TOML file; the [tutorial](../tutorial.md) builds one step by step. An entry says what
+a key takes, in which unit, and its default, if it has one, then what it means, and of a number what
+changes when it is doubled. Quantities are in SI units; symbols are in the
+[glossary](../glossary.md). Unknown keys, wrong types and values out of range, at any scale, end a
+command with one line for each and exit status 2 before anything is computed.
+`elastomer-friction schema` prints a JSON schema with which editors check and complete the file.
 
 **Lists and ranges.** Where an entry says "a list or range", the key takes a number, a list
 `[0.3, 0.5]`, `{linspace = [first, last, count]}` or `{geomspace = [first, last, count]}`. The grid
 is the product of all lists, and each list is a dimension of the result. A grid may have 300 000
 points and an axis 10 000 values.
 
-**Scales.** Tables `[scales.NAME.TABLE]` hold values that replace those of `[TABLE]` when a command
-is given `--scale NAME`. The studies of this program have `smoke` (seconds) and `paper` (the full
-grid of the paper). The result of a scale is the file `NAME-SCALE.nc`, beside `NAME.nc`. After that,
-`--set table.key=value` on the command line replaces single values.
+**Scales.** With `--scale NAME` the values of the tables `[scales.NAME.TABLE]` replace those of
+`[TABLE]`, and the result is `STUDY-NAME.nc` beside `STUDY.nc`. `--set table.key=value` then
+replaces single values.
 
-**Comparisons.** Each table `[compare.NAME]` repeats the whole study, on the same random lines, with
-other values of these keys: {compare}. Its results are the group NAME of the result file.
+**Comparisons.** A table `[compare.NAME]` repeats the study on the same random lines with other
+values of {compare}. Its results are the group NAME of the file.
+"""
+MEASURES_HEAD = """# Keys of the studies that measure the program
 
-**Measured studies.** A folder with `measure.py` measures the program itself. It has a table
-`[measure]` in place of a grid, whose keys are its own. Those of the studies of this program are at
-the end of this page.
+A study whose folder holds `measure.py` measures the program itself. In place of a grid it has a
+table `[measure]`, whose keys are its own; entries read as on the page of
+[all other keys](keys.md).
 """
 INTRODUCTIONS = {
     "study": "What the study is called and how many lines it averages over.",
@@ -55,8 +50,7 @@ INTRODUCTIONS = {
     "numerics": "How the problem is discretised, and how accurate it is to be.",
     "cluster": "Where the study is computed. No number of a result depends on this table.",
 }
-MEASURES = "How much the study `{0}` measures, and of what."
-SEGMENT = "The keys of a segment `{0}`, as `[[scene.programme]]` with `{0} = {{…}}`."
+SEGMENT = "The keys of a segment `[[scene.programme]]` with `{0} = {{…}}`."
 
 
 def keys_page() -> str:
@@ -69,28 +63,36 @@ def keys_page() -> str:
         lines += [_entry(f"{table}.{name}", key) for name, key in keys.items()]
         if table == "scene":
             lines += _quantities()
+    return "\n".join(lines)
+
+
+def measures_page() -> str:
+    """Return the page of the keys of measured studies as Markdown."""
+    lines = [MEASURES_HEAD]
     for study, keys in described_measures().items():
-        lines += [f"## The table [measure] of {study}\n", f"{MEASURES.format(study)}\n"]
+        lines.append(f"## The table [measure] of {study}\n")
         lines += [_entry(f"{study}: measure.{name}", key) for name, key in keys.items()]
     return "\n".join(lines)
 
 
 def _entry(heading: str, key: Key) -> str:
-    default = default_of(key)
-    said = [
-        f"Value: {values_of(key)}",
-        default if default.startswith("required") else f"default: {default}",
-    ]
-    if key.unit:
-        said.insert(1, f"unit: {key.unit}")
-    return f"### {heading}\n\n*{'; '.join(said)}.*\n\n{key.means} {key.doubled}\n"
+    values, default = values_of(key), default_of(key)
+    unit = f", in {key.unit.replace(', ', ' and ')}" if key.unit else ""
+    usual = f" {_capital(default)}." if default.startswith("required") else f" Default: {default}."
+    usual = "" if default == "none" else usual
+    text = f"{key.means} {key.doubled}".rstrip()
+    return f"### {heading}\n\n*{_capital(values)}{unit}.{usual}*\n\n{text}\n"
+
+
+def _capital(text: str) -> str:
+    return text[0].upper() + text[1:]
 
 
 def _quantities() -> list[str]:
     """Return the table of what a scene can be asked for."""
     rows = [
         f"| `{name}` | {quantity.effect} | "
-        + (" or ".join(f"`{other}`" for other in quantity.needs) or "nothing else")
+        + (" or ".join(f"`{other}`" for other in quantity.needs) or "nothing")
         + " |"
         for name, quantity in QUANTITIES.items()
     ]

@@ -1,89 +1,75 @@
-"""The pages of reference: which there are, how they are written, and the index and commands.
+"""The pages of reference: which there are, how they are written, and that of the commands.
 
-The index names every key, variable and quantity in the order of the alphabet; the page of commands
-is made of the parsers of the command line.
+The page of commands is made of the parsers of the command line.
 """
 
 import argparse
-import re
 from collections.abc import Callable
 from pathlib import Path
 
 from ..cli import command_parser
-from ..result import described_variables
-from ..study import EVERY_TABLE, QUANTITIES, described_measures
-from .keys import keys_page
+from .keys import keys_page, measures_page
 from .results import results_page
 
-INDEX_HEAD = """# Index
-
-Every key of `study.toml`, every variable of a result and every quantity, in the order of the
-alphabet. Symbols and terms are in the [glossary](../glossary.md), commands on
-[their page](commands.md).
-
-| name | what it is |
-|---|---|"""
 COMMANDS_HEAD = """# Every command
 
-The command line is `elastomer-friction COMMAND`. Every command answers `--help`. A command that is
-given wrong input prints one line that names it, and changes nothing. The exit status is 0 when a
-command is done, 2 for wrong input or surroundings, 3 when it is done but for problems that failed
-or when `verify` finds a fault, and 130 when it was interrupted. A run that was interrupted goes on
-where it ended when it is started again.
-"""
+The command line is `elastomer-friction COMMAND`. Every command answers `--help`, and answers wrong
+input with one line that names it and no change. The exit status is 0 when a command is done, 2 for
+wrong input or surroundings, 3 when it is done but for problems that failed or when `verify` finds a
+fault, and 130 when it was interrupted. A run that was interrupted goes on where it ended when it is
+started again.
+
+## What several commands take
+
+| argument | meaning | commands |
+|---|---|---|"""
+COMMON = 2  # a row of as many commands stands in the first table alone
 NOTE = "<!-- Written by `make docs` from the tables in the code; change the texts there. -->\n\n"
-
-
-def index_page() -> str:
-    """Return the page of the index as Markdown."""
-    rows = {}
-    places = {table: (f"key of `[{table}]`", keys) for table, keys in EVERY_TABLE.items()}
-    for study, keys in described_measures().items():
-        places[f"{study}: measure"] = (f"key of `[measure]` of the study `{study}`", keys)
-    for table, (where, keys) in places.items():
-        for key in keys:
-            heading = f"{table}.{key}"
-            rows[key, where] = f"[`{key}`](keys.md#{anchor(heading)}) | {where}"
-    for section in described_variables().values():
-        for variable in section:
-            said = f"variable: {variable.long_name}"
-            link = f"results.md#{anchor(variable.name)}"
-            rows[variable.name, said] = f"[`{variable.name}`]({link}) | {said}"
-    for name, quantity in QUANTITIES.items():
-        said = f"quantity: {quantity.effect}"
-        rows[name, said] = f"[`{name}`](keys.md#quantities) | {said}"
-    return "\n".join([INDEX_HEAD, *(f"| {rows[name]} |" for name in sorted(rows))])
-
-
-def anchor(heading: str) -> str:
-    """Return the name by which pages link to a heading."""
-    return re.sub(r"[^\w\- ]", "", heading).strip().lower().replace(" ", "-")
 
 
 def commands_page() -> str:
     """Return the page of commands as Markdown."""
     parser = command_parser()
+    commands = {
+        name: (command, [_row(a) for a in command._actions if not _is_help(a)])
+        for action in parser._actions
+        if isinstance(action, argparse._SubParsersAction)
+        for name, command in action.choices.items()
+    }
+    takers: dict[str, list[str]] = {}
+    for name, (_, rows) in commands.items():
+        for row in rows:
+            takers.setdefault(row, []).append(name)
+    common = {row: names for row, names in takers.items() if len(names) >= COMMON}
     lines = [COMMANDS_HEAD]
-    for action in parser._actions:
-        if isinstance(action, argparse._SubParsersAction):
-            for name, command in action.choices.items():
-                lines += _command(name, command)
+    for row, names in common.items():
+        lines.append(f"{row} {', '.join(f'`{name}`' for name in names)} |")
+    lines.append("")
+    for name, (command, rows) in commands.items():
+        lines += _command(name, command, [row for row in rows if row not in common])
     return "\n".join(lines)
 
 
-def _command(name: str, command: argparse.ArgumentParser) -> list[str]:
-    actions = [a for a in command._actions if not isinstance(a, argparse._HelpAction)]
+def _command(name: str, command: argparse.ArgumentParser, rows: list[str]) -> list[str]:
+    actions = [action for action in command._actions if not _is_help(action)]
     places = [_place(action) for action in actions if not action.option_strings]
     options = " [OPTIONS]" if any(action.option_strings for action in actions) else ""
     usage = " ".join([name, *places]) + options
-    rows = [f"| {_name(a)} | {_said(a)} | {_usual(a)} |" for a in actions]
     text = str(command.description)
     return [
         f"## {name}\n",
         f"`elastomer-friction {usage}`\n",
         f"{text[0].upper()}{text[1:]}.\n",
-        *(["| argument | meaning | default |", "|---|---|---|", *rows, ""] if rows else []),
+        *(["| argument | meaning |", "|---|---|", *rows, ""] if rows else []),
     ]
+
+
+def _is_help(action: argparse.Action) -> bool:
+    return isinstance(action, argparse._HelpAction)
+
+
+def _row(action: argparse.Action) -> str:
+    return f"| {_name(action)} | {_said(action)}{_usual(action)} |"
 
 
 def _place(action: argparse.Action) -> str:
@@ -105,14 +91,16 @@ def _said(action: argparse.Action) -> str:
 
 
 def _usual(action: argparse.Action) -> str:
+    """Return the default as the end of a text that does not say it itself."""
     nothing = action.default in (None, False, []) or action.default is argparse.SUPPRESS
-    return "" if nothing else f"`{action.default}`"
+    said = nothing or "%(default)s" in (action.help or "")
+    return "" if said else f", by default `{action.default}`"
 
 
 PAGES: dict[str, Callable[[], str]] = {
-    "README.md": index_page,
     "commands.md": commands_page,
     "keys.md": keys_page,
+    "measures.md": measures_page,
     "results.md": results_page,
 }
 

@@ -5,28 +5,24 @@ from ..study import AXES
 
 HEAD = """# Every variable of a result
 
-A run writes one netCDF file, `results/NAME.nc`. The study itself is at the root of the file, and
-each table `[compare.NAME]` is a group of that name with the same variables. This page lists every
-variable: its dimensions, its unit, its formula with the number of the equation in
-[the paper](https://doi.org/10.1038/srep05795), what its sign says, and the meaning of each flag.
-How to open a file is shown in [Python](../python.md), and the symbols are explained in the
-[glossary](../glossary.md).
+A run writes one netCDF file, `results/NAME.nc`, with the study at its root and each table
+`[compare.NAME]` as a group of the same variables; [Python](../python.md) shows how to open it. An
+entry gives the dimensions and the unit where they are not the grid and 1, then the formula, with
+the number of the equation in [the paper](https://doi.org/10.1038/srep05795), and what a sign or a
+flag says. Symbols are in the [glossary](../glossary.md).
 
-**Dimensions.** Every variable that is called "grid" below has the six dimensions {axes}, each of
-length 1 at least, and beyond them those of `prescribed_indentation`, `temperature` and `hold` that
-the study has.
+**Dimensions.** "Grid" stands for the six dimensions {axes}, each of length 1 at least, and for
+those of `prescribed_indentation`, `temperature` and `hold` that the study has.
 
-**Errors.** Every estimate `NAME` has its standard error `NAME_error`, a jackknife over blocks of
-lines. It is the error of chance alone: which lines were drawn. The bound of the discretisation
-error, relative to the estimate, is `NAME_bias` for `mu_1`, `jump` and `relaxation_rate`.
+**Errors.** Every estimate `NAME` has its standard error `NAME_error`, by a jackknife over blocks of
+lines: the error of chance alone, by which lines were drawn. `NAME_bias` is the bound of the
+relative discretisation error of `mu_1`, `jump` and `relaxation_rate` ([errors](../errors.md)).
 
-**Missing numbers.** A number that cannot be known is NaN, and a flag beside it says why. A flag of
-−1 means that the computation of this point failed.
+**Missing numbers.** A number that cannot be known is NaN, and a flag beside it says why; −1 means
+that the computation of this point failed. What `scene.quantities` does not name is absent.
 
-**What was not asked for is absent.** `scene.quantities` names what a study computes.
-
-**Provenance.** The global attributes hold the settings of the study (`study`, as JSON), the seed,
-the versions of program and packages, the commit, the processor and the scheme.
+**Provenance.** The global attributes hold the settings (`study`, as JSON), the seed, the versions
+of program and packages, the commit, the processor and the scheme.
 """
 
 
@@ -37,31 +33,37 @@ def results_page() -> str:
     lines += ["| name | meaning | unit |", "|---|---|---|"]
     lines += [f"| `{n}` | {said} | {unit} |" for n, (unit, said) in AXIS_ATTRIBUTES.items()]
     lines.append("")
+    explained: dict[tuple[str, ...], str] = {}  # flags -> the first variable that has them
     for title, variables in described_variables().items():
-        lines += [f"## {title}\n", *map(_entry, variables)]
+        lines.append(f"## {title}\n")
+        for variable in variables:
+            lines += [*_entry(variable), *_flags(variable, explained)]
     return "\n".join(lines)
 
 
-def _entry(variable: DescribedVariable) -> str:
-    beyond = [dim for dim in variable.dims if dim not in AXES]
-    dims = " × ".join(["grid", *(f"`{dim}`" for dim in beyond)])
+def _entry(variable: DescribedVariable) -> list[str]:
+    beyond = [f"`{dim}`" for dim in variable.dims if dim not in AXES]
+    dims = " × ".join(["Grid", *beyond])
     if not set(AXES) <= set(variable.dims):
-        dims = " × ".join(f"`{dim}`" for dim in variable.dims)
-    lines = [
-        f"### {variable.name}\n",
-        f"*{_plain(_capital(variable.long_name))}. Dimensions: {dims}; unit: {variable.units}.*\n",
-        _plain(variable.text + (f" Sign: {_small(variable.sign)}" if variable.sign else "")) + "\n",
-    ]
-    if variable.flags:
-        lines += ["| flag | meaning |", "|---|---|"]
-        said = dict(_meanings(variable.comment))
-        for value, name in enumerate(variable.flags, -1):
-            more = f": {said[name]}" if name in said else ""
-            lines.append(f"| {value} | `{name}`{more} |".replace("| -1", "| −1"))
-        lines.append("")
-    elif variable.comment:
-        lines.append(f"The file remarks: {_plain(variable.comment)}.\n")
-    return "\n".join(lines)
+        dims = " × ".join(f"`{dim}`" for dim in variable.dims) or "A single number"
+    unit = "" if variable.units == "1" else f", in {variable.units}"
+    place = [f"*{dims}{unit}.*\n"] if f"{dims}{unit}" != "Grid" else []
+    return [f"### {variable.name}\n", *place, f"{_plain(variable.text)}\n"]
+
+
+def _flags(variable: DescribedVariable, explained: dict[tuple[str, ...], str]) -> list[str]:
+    """Return the table of flags, or a link to the variable that has the same."""
+    if not variable.flags:
+        return []
+    first = explained.setdefault(variable.flags, variable.name)
+    if first != variable.name:
+        return [f"Its flags are those of [`{first}`](#{first}).\n"]
+    said = dict(_meanings(variable.comment))
+    rows = []
+    for value, name in enumerate(variable.flags, -1):
+        more = f": {said[name]}" if name in said else ""
+        rows.append(f"| {value} | `{name}`{more} |".replace("| -1", "| −1"))
+    return ["| flag | meaning |", "|---|---|", *rows, ""]
 
 
 def _meanings(comment: str) -> list[tuple[str, str]]:
@@ -70,14 +72,6 @@ def _meanings(comment: str) -> list[tuple[str, str]]:
     return [(name, meaning) for name, colon, meaning in parts if colon]
 
 
-def _capital(text: str) -> str:
-    return text if text[1:2] in " =*" else text[0].upper() + text[1:]
-
-
 def _plain(text: str) -> str:
     """Return a text whose asterisks, as in mu*, are not read as marks of Markdown."""
     return text.replace("*", r"\*")
-
-
-def _small(text: str) -> str:
-    return text[0].lower() + text[1:]

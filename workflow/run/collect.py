@@ -13,12 +13,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import reduce, result
-from ..cluster import Watch
 from ..errors import UserError
 from ..plan import JACKKNIFE_GROUPS, Plan, Variant, most_blocks
 from ..simulate import Task
 from ..store import Store
-from ..system import Reporter
+from ..system import Reporter, Watch
 from .summary import Summary
 from .workers import Workers, fit_seconds
 

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 from ...kernels.compile import cache
 from .. import result as results
-from ..cluster import Watch
 from ..errors import UserError
 from ..plan import (
     JACKKNIFE_GROUPS,
@@ -28,6 +27,7 @@ from ..system import (
     Maker,
     Patience,
     Reporter,
+    Watch,
     check_place,
     clear_leftovers,
     hold,

@@ -7,11 +7,11 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from .. import cluster
-from ..cluster import Watch
 from ..errors import UserError
 from ..plan import Plan
 from ..simulate import Batch, BatchResult, block_means
 from ..study import HERE, LOCAL, Cluster
+from ..system import Watch, own_versions
 
 SECONDS_HERE = 10.0  # of predicted work that this process does by itself
 SECONDS_PER_FIT = 3e-5  # and replicate
@@ -59,7 +59,7 @@ class Workers(NamedTuple):
 def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Workers]:
     """Yield who does work of so many predicted seconds.
 
-    Raises UserError where workers cannot be had, or run another program.
+    Raises UserError where workers cannot be had.
     """
     if how.here(seconds):
         yield Workers(stream_here, how.work)
@@ -67,9 +67,13 @@ def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Work
     if how.cluster.where == LOCAL:
         print("Starting worker processes, about 3 s.", file=sys.stderr)
     with cluster.open_client(how.cluster, how.workers, how.dashboard, watch) as client:
-        cluster.check_versions(client, watch)
-        work = partial(cluster.run_batch, expected=cluster.own_versions(), work=how.work)
-        yield Workers(partial(cluster.stream, client), work)
+        work = partial(cluster.run_batch, expected=own_versions(), work=how.work)
+        through = partial(cluster.stream, blame=cluster.Blame())
+
+        def stream(function: Callable, *how: Any) -> Iterator[tuple[Any, Any]]:
+            return through(cluster.Pool(client, function), *how)
+
+        yield Workers(stream, work)
 
 
 def stream_here(

@@ -19,11 +19,11 @@ if TYPE_CHECKING:
         SCALARS,
         Batch,
         BatchResult,
+        LineShape,
         Problem,
         Record,
         Recording,
         ScaledHistory,
-        Surface,
         Task,
     )
 

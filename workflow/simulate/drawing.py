@@ -12,7 +12,7 @@ from .tasks import Batch
 Draw = Callable[[int], Iterable[Line]]
 
 
-def lines_of(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
+def drawing_of(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
     """Return how many realizations one drawing is for, and what draws them from a number on.
 
     Random self-affine lines come in quartets, those of a block together. Lines that were measured

@@ -12,7 +12,7 @@ from ...kernels import (
     Origin,
     Oscillation,
     Programme,
-    Scene,
+    SceneCase,
     Spectrum,
     form_of,
     law_of,
@@ -46,7 +46,7 @@ def record_times(
     return (kept - law_of(form_of(spectrum, scheme), 1.0 / steps_per_tau).lag) / steps_per_tau
 
 
-class March(NamedTuple):
+class ProgrammeSteps(NamedTuple):
     """The steps of a programme, all arrays of shape (S,)."""
 
     time: np.ndarray  # at the end of each step since the start of the programme, in tau
@@ -61,17 +61,19 @@ def _march(
     spectrum: Spectrum,
     m: int,
     origin: Origin,
-) -> March:
+) -> ProgrammeSteps:
     nothing = np.empty(0)
-    scene = Scene(
+    scene = SceneCase(
         spectrum, "exponential", programme, 1.0, history, "steady", (), nothing, nothing, nothing
     )
     steps = scene_steps(scene, m, origin)
     moved = np.abs(np.diff(steps.position, prepend=origin.position))
-    return March(np.cumsum(steps.dt), moved, steps.leg)
+    return ProgrammeSteps(np.cumsum(steps.dt), moved, steps.leg)
 
 
-def programme_steps(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> March:
+def programme_steps(
+    problem: Problem, steps_per_spacing: int, origin: Origin = START
+) -> ProgrammeSteps:
     """Return the steps of the programme of a problem that begins at ``origin``."""
     what = problem.programme, problem.indentation, problem.spectrum
     return _march(*what, steps_per_spacing, origin)

@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from ...kernels import Case, Line, Quantities, Scene, run_case, run_scene
+from ...kernels import MOTION, Case, Line, Quantities, SceneCase, run_case, run_scene
 from ...kernels.compile.clock import working_time
 from .kept import kept_steps
 from .layout import EDGES, Layout
@@ -14,11 +14,13 @@ STEADY = Quantities(steady=True, jump=False, relaxation=False)
 
 
 def add_programme(
-    batch: Batch, line: Line, task: Task, places: Layout, values: np.ndarray
+    batch: Batch, line: Line, task: Task, places: Layout, values: np.ndarray, lines: int
 ) -> float:
     """Add one realization of a task to the sums of its row, laid out as ``places`` say.
 
-    Returns the CPU seconds that it took.
+    When and where a trace is kept enters as the mean over the lines until now, which with this one
+    are ``lines``: where all are moved alike it stays what it is to the bit, as no sum would over
+    its number. Returns the CPU seconds that it took.
     """
     seconds = 0.0
     if batch.recording.asked:
@@ -27,18 +29,18 @@ def add_programme(
         for name, (first, shape) in places.items():
             if name not in found:
                 continue
-            value = found[name]
-            values[first : first + math.prod(shape)] += np.ravel(value)
+            own, value = values[first : first + math.prod(shape)], np.ravel(found[name])
+            own += (value - own) / lines if name in MOTION else value
         seconds = working_time() - began
     return seconds
 
 
-def scene_of(task: Task, scheme: str, recording: Recording) -> Scene:
+def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
     """Return the scene of a task for the kernels."""
     problem, steps = task.problem, task.steps_per_spacing
     asked = recording.asked
     kept = kept_steps(problem, steps, recording)
-    return Scene(
+    return SceneCase(
         spectrum=problem.spectrum,
         scheme=scheme,
         programme=problem.programme,

@@ -1,18 +1,19 @@
 """Run a batch: draw its lines, run every realization, average over blocks."""
 
+import math
 from collections.abc import Iterable
 from functools import lru_cache
 from itertools import groupby, islice, repeat
 from operator import attrgetter, itemgetter
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import Case, Line, Outcome, Prepared, Quantities, prepare, run_prepared
+from ...kernels import MOTION, Case, Line, Outcome, Prepared, Quantities, prepare, run_prepared
 from ...kernels.compile.clock import working_time
 from ...kernels.loading import load
 from ..system import keep_memory, peak_bytes, this_maker
-from .drawing import Draw, lines_of
+from .drawing import Draw, drawing_of
 from .kept import record_steps
 from .layout import Layout, row_layout, row_width
 from .programmes import add_programme, steady_ends
@@ -23,7 +24,14 @@ SHORT = 8192  # samples of a line on which a call from Python takes longer than 
 TOGETHER = 4 * SHORT  # samples of lines that are short, at most, in one call
 # All cases on a line of some steps per spacing, and of each the rows of its tasks.
 Cases = list[tuple[Prepared, list[list[int]]]]
-Sums = tuple[np.ndarray, np.ndarray]  # of scalars and curves, over a block: one row per task
+
+
+class BlockSums(NamedTuple):
+    """Of a block: sums over its lines, and of when and where a trace is kept the means."""
+
+    scalars: np.ndarray  # shape (tasks, len(SCALARS)), or those of one task
+    curves: np.ndarray  # shape (tasks, values), likewise
+    lines: int  # that are in them
 
 
 @lru_cache
@@ -44,19 +52,21 @@ def block_means(batch: Batch) -> BatchResult:
     curves = np.zeros((len(batch.tasks), batch.blocks, max(1, *widths)))  # no empty rows in netCDF
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     cases = _cases(batch)
-    size, draw = lines_of(batch)
+    size, draw = drawing_of(batch)
     numbers = range(0, batch.blocks * batch.realizations_per_block, size)
     several = max(1, TOGETHER // (size * batch.tasks[0].problem.elements))  # drawings
     for first in range(0, len(numbers), several):
-        some: list[tuple[Draw, Sums]] = []
+        some: list[tuple[Draw, BlockSums]] = []
         for number in numbers[first : first + several]:
-            block = number // batch.realizations_per_block
-            some.append((draw(number), (scalars[:, block], curves[:, block])))
+            block, before = divmod(number, batch.realizations_per_block)
+            some.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
         _add_realizations(batch, layouts, cases, some, spent)
-    for row, width in enumerate(widths):
+    for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
+        for name, (first, shape) in places.items():
+            if name not in MOTION:
+                curves[row, :, first : first + math.prod(shape)] /= batch.realizations_per_block
     scalars /= batch.realizations_per_block
-    curves /= batch.realizations_per_block
     used = working_time() - began
     return BatchResult(scalars, curves, spent, used, peak_bytes(), this_maker())
 
@@ -65,7 +75,7 @@ def _add_realizations(
     batch: Batch,
     layouts: list[Layout],
     cases: Cases,
-    draws: list[tuple[Draw, Sums]],
+    draws: list[tuple[Draw, BlockSums]],
     spent: np.ndarray,
 ) -> None:
     """Add the realizations of some drawings to the sums of their blocks."""
@@ -73,7 +83,11 @@ def _add_realizations(
     for prepared, shared in cases:
         steps = prepared.steps_per_spacing
         several = lines_at_once(batch.tasks[0].problem.elements * steps)
-        lines = ((line, sums) for draw, sums in draws for line in draw(steps))
+        lines = (
+            (line, sums._replace(lines=sums.lines + count))
+            for draw, sums in draws
+            for count, line in enumerate(draw(steps), start=1)
+        )
         while True:
             began = working_time()
             some = list(islice(lines, several))
@@ -102,20 +116,20 @@ def _add_case(
     layouts: list[Layout],
     line: Line,
     case: tuple[list[int], Outcome | None],
-    sums: Sums,
+    sums: BlockSums,
     spent: np.ndarray,
 ) -> None:
     """Add what a case, and the programmes of its tasks, give on a line to the sums of its rows."""
     rows, outcome = case
     for k, row in enumerate(rows):
-        record = sums[0][row], sums[1][row]
+        record = BlockSums(sums.scalars[row], sums.curves[row], sums.lines)
         task, places = batch.tasks[row], layouts[row]
         if outcome is None:
-            record[0][:] = np.nan
+            record.scalars[:] = np.nan
         else:
             spent[row, 1:] += [seconds / len(rows) for seconds in outcome.seconds]
             _add_outcome(outcome, k, steady_ends(batch, line, task), places, record)
-        spent[row, -1] += add_programme(batch, line, task, places, record[1])
+        spent[row, -1] += add_programme(batch, line, task, places, record.curves, record.lines)
 
 
 def _cases(batch: Batch) -> Cases:
@@ -151,13 +165,13 @@ def _case(batch: Batch, rows: list[int]) -> Case:
 
 
 def _add_outcome(
-    outcome: Outcome, k: int, ends: dict[str, float], places: Layout, sums: Sums
+    outcome: Outcome, k: int, ends: dict[str, float], places: Layout, sums: BlockSums
 ) -> None:
     """Add velocity jump k of a case to the sums of one record, scalars and row.
 
     ends : what of the scalars belongs to other slides of a programme.
     """
-    scalars, values = sums
+    scalars, values, _ = sums
     found = scalars_of(outcome)
     if ends:
         found = tuple((dict(zip(SCALARS, found, strict=True)) | ends).values())

@@ -22,7 +22,7 @@ from ..system import Maker
 ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, indentations in h
 
 
-class Surface(NamedTuple):
+class LineShape(NamedTuple):
     """What lines are, but for H and N: random with these modes, or measured."""
 
     rolloff: float = 0.0  # wave number below which the spectrum is flat, in 2 pi/L; 0: none
@@ -40,7 +40,7 @@ class Problem(NamedTuple):
     speed: float  # vbar = v1 tau / dx; of the first slide of a programme
     ratio: float  # r = v2 / v1; of the first velocity step of a programme
     spectrum: Spectrum = KELVIN
-    surface: Surface = Surface()
+    surface: LineShape = LineShape()
     programme: Programme = ()  # empty: only steady states and the step from v1 to v2
     start: str = "steady"
     indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a load
@@ -67,7 +67,7 @@ class Recording(NamedTuple):
     samples: int  # of a curve, about
     record: str = "time"  # samples evenly over "time", "distance", or the "log" of time in a leg
     every: int = 0  # keep every so many steps instead; 0: samples
-    asked: tuple[str, ...] = ()  # what of a programme is asked for (kernels/scene.py)
+    asked: tuple[str, ...] = ()  # what of a programme is asked for (kernels/scene)
     dense: tuple[str, ...] = ()  # "healing", "loop": what needs samples of its own
     origin: Origin = START  # where a programme begins that is resumed
 

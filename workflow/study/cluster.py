@@ -122,8 +122,7 @@ CLUSTER = {
     "where": Key(
         _where,
         "Where batches are computed: on the cores of this machine, as jobs of SLURM, or by a Dask "
-        "scheduler that runs at the given address.",
-        "No number depends on it.",
+        "scheduler at an address.",
         default=HERE.where,
         values='`"local"`, `"slurm"`, `"tls://host:port"` or `"tcp://host:port"`',
         schema={"type": "string", "pattern": "^(local|slurm)$|://"},
@@ -158,8 +157,8 @@ CLUSTER = {
     ),
     "walltime": Key(
         _walltime,
-        "The time after which the batch system ends a job. Workers retire at nine tenths of it "
-        "and are replaced; no batch is predicted to take longer than a twentieth of that.",
+        "The time after which the batch system ends a job. Workers retire at nine tenths of it, "
+        "and no batch is predicted to take longer than a twentieth of that.",
         "Doubled, workers are replaced half as often, and jobs may wait longer in the queue.",
         default=HERE.walltime,
         values='a time such as `"12:00:00"` or `"1-00:00:00"`, at least a minute',
@@ -168,7 +167,6 @@ CLUSTER = {
     "queue": Key(
         _word,
         "The queue, or partition, of the batch system.",
-        "No number depends on it.",
         default=HERE.queue,
         values="one word",
         usual="that of the batch system",
@@ -177,7 +175,6 @@ CLUSTER = {
     "account": Key(
         _word,
         "The account to which the jobs are charged.",
-        "No number depends on it.",
         default=HERE.account,
         values="one word",
         usual="that of the batch system",
@@ -186,7 +183,6 @@ CLUSTER = {
     "interface": Key(
         _word,
         'The network interface by which nodes reach each other, such as `"ib0"`.',
-        "No number depends on it.",
         default=HERE.interface,
         values="one word",
         usual="that which the system chooses",
@@ -194,18 +190,16 @@ CLUSTER = {
     ),
     "log_folder": Key(
         _line,
-        "The folder for what jobs print, from the working folder. While a run lasts, its "
-        "certificates lie beside it, so every node must see it.",
-        "No number depends on it.",
+        "The folder for what jobs print, from the working folder. Every node must see it, because "
+        "certificates of a run lie beside it.",
         default=HERE.log_folder,
         values="one line of text",
         schema=TEXT,
     ),
     "prologue": Key(
         _prologue,
-        "Lines of the job script before the workers start, such as "
-        '`["module load python"]`. They run with your rights.',
-        "No number depends on it.",
+        'Lines of the job script before the workers start, such as `["module load python"]`. They '
+        "run with your rights.",
         default=HERE.prologue,
         values="one line of text, or a list of them",
         usual="none",
@@ -214,7 +208,6 @@ CLUSTER = {
     "tls_ca_file": Key(
         _line,
         "A PEM file with the certificate of who has signed those of a scheduler `tls://…`.",
-        "No number depends on it.",
         default=HERE.tls_ca_file,
         values="the path of a file",
         usual="none",
@@ -223,7 +216,6 @@ CLUSTER = {
     "tls_cert": Key(
         _line,
         "A PEM file with the certificate that shows that scheduler who you are.",
-        "No number depends on it.",
         default=HERE.tls_cert,
         values="the path of a file",
         usual="none",
@@ -232,7 +224,6 @@ CLUSTER = {
     "tls_key": Key(
         _line,
         "A PEM file with the key of that certificate, unless the certificate's file holds it.",
-        "No number depends on it.",
         default=HERE.tls_key,
         values="the path of a file",
         usual="none",

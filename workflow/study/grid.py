@@ -55,62 +55,58 @@ GRID = {
     "hurst": Key(
         partial(checked_values, partial(within, least=0.0, most=1.0)),
         "The Hurst exponent H of the line, whose power spectral density falls as q^(−2H−1).",
-        "Doubled (up to 1), the line is smoother: at the same roughness its rms slope is smaller, "
-        "and for x > 1 the relaxation rate grows more slowly with the velocity, b ≈ x^(1−H).",
-        usual="required for random lines, left out with `surface.file`",
+        "Doubled (up to 1), at the same roughness the rms slope is smaller, and for x > 1 the "
+        "relaxation rate b ≈ x^(1−H) grows more slowly with the velocity.",
+        usual="required for random lines alone",
     ),
     "normal_force": Key(
         partial(checked_values, positive),
         "The normal force F_N on the line of length L.",
-        "Doubled, F̄ = F_N/(4GLh) doubles and more of the line touches. In full contact µ halves; "
-        "in partial contact it changes less.",
+        "Doubled, F̄ doubles and more of the line touches. In full contact µ halves; in partial "
+        "contact it changes less.",
         "N",
-        usual="required, left out where the indentation is prescribed",
+        usual="required where the indentation is not prescribed",
     ),
     "spacing": Key(
         partial(checked_values, positive),
         "The spacing Δx of the elements. It is a physical parameter: without a cut-off the "
-        "shortest wave of the line is 2Δx, and q_max = π/Δx. The accuracy of a computation is "
-        "set by `numerics.steps_per_spacing` instead.",
-        "Doubled, there are half as many elements, x = v₁ τ q_max halves, and the rms slope falls "
-        "by about 2^(1−H).",
+        "shortest wave is 2Δx long, and q_max = π/Δx. Accuracy is set by "
+        "`numerics.steps_per_spacing` instead.",
+        "Doubled, elements and x halve, and the rms slope falls by about 2^(1−H).",
         "m",
-        usual="required for random lines, left out with `surface.file`",
+        usual="required for random lines alone",
     ),
     "roughness": Key(
         partial(checked_values, positive),
         "The rms roughness h of the line.",
-        "Doubled, slopes double and F̄ = F_N/(4GLh) halves: µ is twice what it was at half the "
-        "normal force.",
+        "Doubled, slopes double and F̄ halves: µ is twice what it was at half the normal force.",
         "m",
-        usual="required for random lines, left out with `surface.file`",
+        usual="required for random lines alone",
     ),
     "velocity": Key(
         partial(checked_values, positive),
-        "The sliding velocity v₁ before the velocity step, or the velocity to which `ratio` in a "
+        "The sliding velocity v₁ before the velocity step, or that to which `ratio` in a "
         "programme refers.",
-        "Doubled, x = v₁ τ q_max doubles. In region I (x < 1) steady friction doubles, on the "
-        "plateau it hardly changes.",
+        "Doubled, x doubles. Where x < 1 steady friction doubles; on the plateau above it hardly "
+        "changes.",
         "m/s",
-        usual="required, left out where no segment of a programme depends on it",
+        usual="required where the motion depends on it",
     ),
     "velocity_step": Key(
         partial(checked_values, _step),
         "The relative velocity step Δv/v₁, so that v₂ = v₁ (1 + Δv/v₁).",
-        "Doubled, small steps make twice the jump Δµ₀ of friction; the relaxation rate b hardly "
-        "changes.",
-        values="a number above −1, zero or at least 1e-9 in size, or a list or range of such "
-        "numbers",
-        usual="required, left out with a programme and where steady sliding alone is asked for",
+        "Doubled, small steps make twice the jump Δµ₀; the relaxation rate b hardly changes.",
+        values="a number above −1, zero or at least 1e-9 in size, or a list or range",
+        usual="required without a programme, unless steady sliding alone is asked for",
         schema=values_of_axis({"type": "number", "exclusiveMinimum": -1}),
     ),
     "prescribed_indentation": Key(
         partial(checked_values, number),
-        "The indentation d of the line over its mean height, positive where the mean line lies "
-        'below the undeformed surface; with `scene.control = "indentation"` alone.',
-        "Doubled in full contact, the normal force doubles and the coefficient of friction halves.",
+        "The indentation d, positive where the mean line lies below the undeformed surface; with "
+        '`scene.control = "indentation"` alone.',
+        "Doubled in full contact, the normal force doubles and µ halves.",
         "m",
-        usual="left out but with control by indentation",
+        usual="left out with control by force",
     ),
 }
 AXES = tuple(GRID)[:6]  # that every result has

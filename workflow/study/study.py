@@ -10,7 +10,7 @@ from typing import Any, ClassVar
 from ...kernels import QUARTET
 from ..errors import UserError
 from .cluster import HERE, Cluster, read_cluster
-from .effects import Material, Scene, check_quantities, read_scene
+from .effects import Material, Scene, check_quantities, read_scene_table
 from .grid import Grid, read_grid
 from .numerics import Numerics
 from .settings import filled
@@ -108,7 +108,7 @@ def read_grid_study(
         else Surface(profile.measured_length, profile=profile)
     )
     variants, materials, surfaces = read_variants(given, folder, surface)
-    scene = read_scene(given["scene"], folder, materials.values())
+    scene = read_scene_table(given["scene"], folder, materials.values())
     grid = read_grid(given["grid"], written.get("grid", {}), surface, scene, materials[""])
     head["realizations"] = _realizations(head["realizations"], surfaces)
     head["realizations_asked"] = head["realizations"]

@@ -18,38 +18,36 @@ Keys = Mapping[str, Key]
 HEAD = {
     "title": Key(
         as_text,
-        "A line of text that heads the output of `plan`, the figure and the result file.",
-        "No number depends on it.",
+        "The line that heads the output of `plan`, the figure and the result file.",
         default="",
         usual="the name of the study",
     ),
     "seed": Key(
         partial(integer, least=0),
-        "The number from which every random line is drawn, together with the Hurst exponent, the "
-        "number of elements and the index of the realization.",
-        "Another seed, doubled or not, draws other lines: every estimate changes within its "
-        "standard error.",
+        "The number from which the random lines are drawn, together with H, the number of "
+        "elements and the index of the realization.",
+        "Doubled, or changed in any way, it draws other lines: estimates change within their "
+        "standard errors.",
         default=0,
     ),
 }
 STUDY = HEAD | {
     "realizations": Key(
         partial(integer, least=2),
-        "The number of random lines over which every estimate is averaged. It is rounded up to "
-        "whole quartets, four lines from one set of random phases, and to at least two blocks.",
-        "Doubled, the standard errors fall by √2 and the computing time doubles. Lines that are "
-        "stored already are not computed again.",
+        "The number of lines over which estimates are averaged. For random lines it is rounded up "
+        "to whole quartets, four lines from one set of random phases, and to two blocks.",
+        "Doubled, standard errors fall by √2, and the time doubles but for lines that are stored "
+        "already.",
         default=None,
         usual='as many as were measured with `surface.lines = "measured"`, else required',
     ),
     "realizations_per_block": Key(
         partial(integer, least=1),
-        "The number of lines whose mean is stored as one record. Blocks are the unit of the store "
-        "and of the jackknife, which finds standard errors by leaving out one block, or with more "
-        "than 32 blocks one group of blocks, at a time. For random lines it is rounded up to a "
-        "multiple of four, and it must divide `realizations` into at least two blocks.",
-        "Doubled, the store holds half as many records, and the standard error is itself known "
-        "less well where there are fewer than 32 blocks. The estimates do not change.",
+        "The number of lines whose mean is one record of the store, and which the jackknife "
+        "leaves out at a time. It must divide `realizations` into two blocks at least; for random "
+        "lines it is rounded up to a multiple of four.",
+        "Doubled, the store holds half as many records, and with fewer than 32 blocks standard "
+        "errors are themselves known less well.",
         default=1,
     ),
 }

@@ -35,5 +35,7 @@ if TYPE_CHECKING:
     from .process import THREADS, Interrupt, keep_memory, peak_bytes
     from .progress import Reporter, core_time, counted, duration
     from .terminal import forgive_streams, program
+    from .versions import Versions, own_versions, require
+    from .watch import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -11,13 +11,14 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
+from ...model.contact import indentation_under
 from ..steady.ahead import indentation_ahead
 from ..steady.contacts import first, room_for
 from ..steady.sliding import POWER_STEPS, STEPS, approach, elastic_guess, indentation
 from ..steady.spans import SPAN
 from ..steady.thresholds import Thresholds
 from .pressed import MovingLine, pressed, room_for_pressed
-from .pressure import balance, elastic_part, friction, friction_everywhere
+from .pressure import elastic_part, friction, friction_everywhere
 from .touching import list_touching, mean_rise, median_width, room_for_all, steepest
 
 # What is found of every load: d over the deepest sample, mu, the share in contact, samples per
@@ -154,6 +155,6 @@ def _friction(contact, full, highest, load, guess):
         mu, deep = friction_everywhere(z, slope, spans, speed, load)
         if deep > highest:
             return mu, float(z.size), deep
-    deep = balance(contact, load, guess)
+    deep, _ = indentation_under(contact, load, guess)  # d + d', with pressures (d + d') - z + v z'
     mu, count = friction(contact, deep)
     return mu, count, deep

@@ -84,7 +84,7 @@ def span_under(line, b, deep):
 
 
 @kernel
-def moments(threshold, weight, slope, deep):
+def weighed_in_fours(threshold, weight, slope, deep):
     """Return (sum of w p, sum of w p z', sum of w) over samples with pressure p > 0.
 
     weight : w, or None where it is 1. slope : z', or None where only forces are asked for. Four

@@ -1,70 +1,59 @@
 """Pressures in the contacts of a steady state: eqs. 3 to 5 by quadrature.
 
-The quadrature of friction.py, which any state has, for a state whose touching samples are listed
-(touching.py): a span that is all pressed is known by its sums.
+The quadrature of model/friction.py, which any state has, for a state whose touching samples are
+listed (touching.py): a span that is all pressed is known by its sums. Eq. 5 is summed there, here
+and, as the mean over a step, in march/stepping.py; eq. 4 is solved by model/contact.py.
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """
 
 import numpy as np
 
 from ...compile.jit import kernel
-from ...model.contact import overlap
+from ...model.contact import excess_at, lowest_of, overlap
 from ...model.friction import LEAST_REACH, MOST_REACH
 from ..steady.contacts import AHEAD, BEHIND
 from ..steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
-from .pressed import moments, span_under
+from .pressed import Pressed, span_under, weighed_in_fours
 from .touching import covered
 
 
-@kernel
-def balance(contact, load, guess):
-    """Return d + d' so that the pressures (d + d') - z + vbar z' > 0 carry the load (eq. 4).
-
-    As solve_indentation (contact.py), by Newton's method from the right, from any guess.
-    """
-    deep, before = guess, -1.0
-    passes, fallen = 0, False
-    while True:
-        force, weight = _carried(contact, deep)
-        passes += 1
-        if weight == 0.0:  # the guess was too low: one sample that carries all is an upper bound
-            least = np.inf
-            for i in range(contact.threshold.size):
-                least = min(least, contact.threshold[i] + load / contact.touching.weight[i])
-            if fallen or not least > deep:
-                return deep
-            deep, fallen = least, True
-            continue
-        new = deep - (force - load) / weight
-        if passes > 1 and (weight == before or not new < deep):
-            return new
-        before, deep = weight, new
-
-
-@kernel
-def _carried(contact, deep):
-    """Return (force, samples) under pressure."""
-    force, _, count = moments(contact.threshold, contact.touching.weight, None, deep)
-    more, others = overlap(contact.loose, deep)
+@excess_at.of(Pressed)
+def _excess_of_pressed(contact, load, d):
+    force, _, count = weighed_in_fours(contact.threshold, contact.touching.weight, None, d)
+    more, others = overlap(contact.loose, d)
     force, count = force + more, count + others
     line = contact.line
     for i in range(contact.spans.size):
         b = contact.spans[i]
-        if deep > line.press[b]:
-            force += SPAN * (deep - contact.first[i]) - contact.sums[i]
+        if d > line.press[b]:
+            force += SPAN * (d - contact.first[i]) - contact.sums[i]
             count += SPAN
         else:
-            more, _, others = span_under(line, b, deep)
+            more, _, others = span_under(line, b, d)
             force, count = force + more, count + others
-    return force, count
+    return force - load, count, count
+
+
+@lowest_of.of(Pressed)
+def _lowest_of_pressed(contact, load):
+    lowest = bound = np.inf
+    for i in range(contact.threshold.size):
+        lowest = min(lowest, contact.threshold[i])
+        bound = min(bound, contact.threshold[i] + load / contact.touching.weight[i])
+    return lowest, bound
 
 
 @kernel
 def friction(contact, deep):
-    """Return (mu, samples under pressure): eq. 5, in h/dx, with pressures as of balance."""
+    """Return (mu, samples under pressure): eq. 5, in h/dx. deep : d + d'.
+
+    As weighed (model/friction.py), with the sums of spans that are all pressed.
+    """
     touching, line = contact.touching, contact.line
-    normal, tangential, count = moments(contact.threshold, touching.weight, touching.slope, deep)
-    more, along, others = moments(contact.loose, None, contact.slope, deep)
+    normal, tangential, count = weighed_in_fours(
+        contact.threshold, touching.weight, touching.slope, deep
+    )
+    more, along, others = weighed_in_fours(contact.loose, None, contact.slope, deep)
     normal, tangential, count = normal + more, tangential + along, count + others
     rows, speed = line.spans.rows, line.speed
     for i in range(contact.spans.size):
@@ -72,12 +61,22 @@ def friction(contact, deep):
         if deep > line.press[b]:
             p = deep - contact.first[i]
             more, others = SPAN * p - contact.sums[i], float(SPAN)
-            uneven = p * rows[b, SLOPE] - (rows[b, WORK] - speed * rows[b, SQUARE])
-            along = more * rows[b, STEEP] + uneven
+            row = rows[b, SLOPE], rows[b, WORK], rows[b, SQUARE]
+            along = more * rows[b, STEEP] + _uneven(p, row, speed)
         else:
             more, along, others = span_under(line, b, deep)
         normal, tangential, count = normal + more, tangential + along, count + others
     return tangential / normal, count
+
+
+@kernel
+def _uneven(p, sums, speed):
+    """Return the sum of p times z' over samples all pressed, beyond that with z' of the first.
+
+    p : at the first sample. sums : SLOPE, WORK and SQUARE (spans.py).
+    """
+    slope, work, square = sums
+    return p * slope - (work - speed * square)
 
 
 @kernel
@@ -89,7 +88,7 @@ def friction_everywhere(z, slope, spans, speed, load):
     height, rise, work, square = spans.whole
     excess = (height - speed * rise) / z.size
     p = load / z.size + excess  # at the first sample, which the sums are taken from
-    uneven = p * rise - (work - speed * square)
+    uneven = _uneven(p, (rise, work, square), speed)
     return slope[0] + uneven / load, p + (z[0] - speed * slope[0])
 
 

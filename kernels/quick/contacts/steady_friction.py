@@ -52,7 +52,7 @@ class Grounds(NamedTuple):
         return cls(stack, [Ground(line, stack, k) for k, line in enumerate(lines)])
 
 
-class Pace(NamedTuple):
+class AtSpeed(NamedTuple):
     """A speed of steady sliding, and what of it is the same on all lines of as many samples."""
 
     speed: float  # vbar
@@ -70,8 +70,8 @@ class Pace(NamedTuple):
         speed: float,
         others: tuple[float, ...] = (),
         following: tuple[float, ...] = (),
-    ) -> "Pace":
-        """Return the pace at ``speed`` with ``steps`` samples per spacing; all speeds vbar.
+    ) -> "AtSpeed":
+        """Return what holds at ``speed`` with ``steps`` samples per spacing; all speeds vbar.
 
         following : speeds at which steady sliding is asked for next, for which d is guessed.
         """
@@ -84,7 +84,7 @@ class Sliding(NamedTuple):
     """Steady sliding on lines at one speed; arrays of shape (lines, loads) but for the first."""
 
     grounds: Grounds
-    pace: Pace
+    at_speed: AtSpeed
     stay: np.ndarray  # shape (lines, spans): thresholds above which contact lasts (Thresholds)
     decay: Decay
     loads: np.ndarray  # n Fbar, shape (loads,)
@@ -111,9 +111,9 @@ class Sliding(NamedTuple):
 
 
 def steady_friction(
-    grounds: Grounds, pace: Pace, loads: np.ndarray, guesses: np.ndarray | None = None
+    grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray, guesses: np.ndarray | None = None
 ) -> Sliding:
-    """Return steady sliding on every line, its friction and its jumps to other speeds of its pace.
+    """Return steady sliding on every line, its friction and its jumps to other speeds.
 
     loads : n Fbar, guesses : of d, shape (lines, loads). What is found under a load depends on
     its own guess and on no other load or line. Narrow contacts are to be refined after it.
@@ -121,15 +121,15 @@ def steady_friction(
     one = grounds.each[0].line
     if guesses is None:
         guesses = np.full((len(grounds.each), loads.size), np.nan)
-    how = How(float(one.steps_per_spacing), pace.share, one.band_limited)
+    how = How(float(one.steps_per_spacing), at_speed.share, one.band_limited)
     stay, decay, found, _ = slide_on(
-        pace.law, Part(grounds.stack), pace.at_speeds, loads, guesses, how
+        at_speed.law, Part(grounds.stack), at_speed.at_speeds, loads, guesses, how
     )
     table = found.table
     datum = np.array([[ground.line.datum] for ground in grounds.each])
     return Sliding(
         grounds,
-        pace,
+        at_speed,
         stay,
         decay,
         loads,
@@ -150,14 +150,14 @@ def refine(sliding: Sliding, j: int, i: int) -> bool:
 
     Return whether that was tried. Lines that are not known between their samples stay as they are.
     """
-    ground, pace = sliding.grounds.each[j], sliding.pace
+    ground, at_speed = sliding.grounds.each[j], sliding.at_speed
     samples = float(sliding.samples[j, i])
     if samples >= NARROW or ground.curvature is None:
         return False
-    line, speeds = ground.line, (pace.speed, *pace.others)
+    line, speeds = ground.line, (at_speed.speed, *at_speed.others)
     state, load = sliding.state(j, i), float(sliding.loads[i])
     stack, curvature = alone(sliding.grounds.stack, j), ground.curvature
-    found = refined(line, stack, curvature, speeds, pace.scheme, load, state, samples)
+    found = refined(line, stack, curvature, speeds, at_speed.scheme, load, state, samples)
     if found is None:
         return True
     sliding.seen[j, i] = found

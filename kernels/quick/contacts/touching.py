@@ -5,7 +5,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from ...model.friction import LEAST_COVERED
+from ...model.friction import LEAST_COVERED, weighed
 from ..steady.contacts import AHEAD, BEHIND, FREE, SUM
 from ..steady.spans import SPAN
 
@@ -76,20 +76,21 @@ def steepest(spans, touching):
 @kernel
 def mean_rise(z, d, decay, contacts):
     """Return by how much the line rises in a step over its contacts, a mean over their forces."""
-    total = work = 0.0
+    threshold, rise, count = np.empty(z.size), np.empty(z.size), 0
     for i in range(contacts.ends.shape[0]):
         free = contacts.edges[i, FREE]
         for j in range(contacts.ends[i, 0], contacts.ends[i, 1] - 1, -1):
             u = z[j] - d
-            total += free - u
-            work += (free - u) * (z[j + 1 if j + 1 < z.size else 0] - z[j])
+            threshold[count], rise[count] = u - free, z[j + 1 if j + 1 < z.size else 0] - z[j]
+            count += 1
             free = decay.once * u
-    return work / total
+    forces, work, _ = weighed(threshold[:count], None, rise[:count], 0.0)
+    return work / forces
 
 
 @kernel
 def median_width(z, d, decay, contacts):
-    """Return the median over the load of the width of patches (patches/samples.py), in samples."""
+    """Return the median over the load of the width of patches (samples.py), in samples."""
     pieces = contacts.ends.shape[0]
     start = 0
     while start < pieces and contacts.ends[start, 2] == 1:

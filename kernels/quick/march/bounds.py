@@ -5,10 +5,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from .setting import advance
+from .given import advance
 
 LEAST_SPREAD = 1e-11  # of d: rounding stays far below it
-CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread
 
 
 class Bounds(NamedTuple):
@@ -24,9 +23,9 @@ NOTHING = Bounds(np.inf, -np.inf, np.inf, -np.inf)  # seen so far
 
 
 @kernel
-def holds(bounds, d, push):
-    """Return whether d and D, here ``push``, lie within the bounds; NaN does not."""
-    return bounds.low < d < bounds.high and bounds.least < push < bounds.most
+def are_within(bounds, d, advanced):
+    """Return whether d and D, here ``advanced``, lie within the bounds; NaN does not."""
+    return bounds.low < d < bounds.high and bounds.least < advanced < bounds.most
 
 
 @kernel
@@ -43,37 +42,23 @@ def bounds_of(law, lowest, highest, least, most, margin):
 
 
 @kernel
-def first_bounds(setting, d, margin):
+def first_bounds(march, d, margin):
     """Return the Bounds of a whole march, of which the first step takes d to ``d`` or nearby."""
-    one, two = setting.start.d, setting.end.d
-    push = advance(setting.law, d, one)
-    return bounds_of(setting.law, min(one, two, d), max(one, two, d), push, push, margin)
+    one, two = march.start.d, march.end.d
+    advanced = advance(march.law, d, one)
+    return bounds_of(march.law, min(one, two, d), max(one, two, d), advanced, advanced, margin)
 
 
 @kernel
-def widened(law, bounds, d, push, margin):
-    """Return Bounds that hold also d and D, here ``push``, as a march left them."""
+def widened(law, bounds, d, advanced, margin):
+    """Return Bounds that hold also d and D, here ``advanced``, as a march left them."""
     lowest, highest = min(bounds.low, d), max(bounds.high, d)
-    least, most = min(bounds.least, push), max(bounds.most, push)
+    least, most = min(bounds.least, advanced), max(bounds.most, advanced)
     return bounds_of(law, lowest, highest, least, most, margin)
 
 
 @kernel
-def including(seen, d, push):
-    """Return Bounds that hold values seen so far, and d and D, here ``push``."""
+def including(seen, d, advanced):
+    """Return Bounds that hold values seen so far, and d and D, here ``advanced``."""
     low, high = min(seen.low, d), max(seen.high, d)
-    return Bounds(low, high, min(seen.least, push), max(seen.most, push))
-
-
-@kernel
-def closer_bounds(law, bounds, seen, end, room):
-    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``.
-
-    room : that they leave at least to d and to D, on both sides of what was seen of them.
-    """
-    lowest, highest = min(seen.low, end), max(seen.high, end)
-    new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
-    low = max(min(new.low, lowest - room[0]), bounds.low)
-    high = min(max(new.high, highest + room[0]), bounds.high)
-    least = max(min(new.least, seen.least - room[1]), bounds.least)
-    return Bounds(low, high, least, min(max(new.most, seen.most + room[1]), bounds.most))
+    return Bounds(low, high, min(seen.least, advanced), max(seen.most, advanced))

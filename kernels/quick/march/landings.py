@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from .flights import FORGOTTEN
+from .crossings import FORGOTTEN
+from .load_balance import beside, keep_past
 
 SAME = 2e-15  # of d: displacements that differ by rounding
 
@@ -25,12 +26,15 @@ class Landings(NamedTuple):
     tally: np.ndarray  # shape (4,): how many; sums of overlaps, lagged slopes, their products
     crossing: np.ndarray  # shape (2, most q + 1): sums of E^q, and times the lagged slopes
     distances: np.ndarray  # the distances q that there are, increasing
+    past: np.ndarray  # d after the steps, from step 0 on, shape (steps + 1,): filled on the way
 
 
 @kernel
-def no_landings(reference, steps):
-    """Return Landings without any. steps : of the march."""
-    return Landings(reference, np.zeros(4), np.zeros((2, steps + 1)), np.empty(0, np.int64))
+def no_landings(reference, d, steps):
+    """Return Landings without any. d : at the start. steps : of the march."""
+    past = np.empty(steps + 1)
+    past[0] = d
+    return Landings(reference, np.zeros(4), np.zeros((2, steps + 1)), np.empty(0, np.int64), past)
 
 
 @kernel
@@ -62,16 +66,13 @@ def landed(landings):
     for q in range(crossing.shape[1]):
         distances[count] = q
         count += crossing[0, q] > 0.0
-    return Landings(landings.reference, landings.tally, crossing, distances[:count].copy())
+    some = distances[:count].copy()
+    return Landings(landings.reference, landings.tally, crossing, some, landings.past)
 
 
-@kernel
-def landing(landings, past, step, d, row):
-    """Return the sum of the overlaps (row 0), or of them times lagged slopes (row 1).
-
-    past : d after the steps, from step 0 on. d : in this step.
-    """
-    reference, crossing, distances = landings.reference, landings.crossing, landings.distances
+@beside.of(Landings)
+def _landing(others, step, d, row):
+    reference, tally, crossing, distances, past = others
     one = other = 0.0
     whole = distances.size - distances.size % 2
     for i in range(0, whole, 2):
@@ -81,8 +82,12 @@ def landing(landings, past, step, d, row):
     if whole < distances.size:
         q = distances[whole]
         one += crossing[row, q] * (past[step - q] - reference)
-    tally = landings.tally
-    return (tally[2 * row] * (d - reference) + tally[2 * row + 1]) - (one + other)
+    return tally[0], (tally[2 * row] * (d - reference) + tally[2 * row + 1]) - (one + other)
+
+
+@keep_past.of(Landings)
+def _remember(others, step, d):
+    others.past[step] = d
 
 
 @kernel

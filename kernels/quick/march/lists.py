@@ -61,31 +61,9 @@ def lists_of(runs, met):
 
 
 @kernel
-def weighed(c, weight, d):
-    """Return (sum of d - c_i, sum of (d - c_i) weight_i) over the touching c_i < d.
-
-    Four partial sums in a fixed order.
-    """
-    p0 = p1 = p2 = p3 = 0.0
-    m0 = m1 = m2 = m3 = 0.0
-    whole = c.size - c.size % 4
-    for i in range(0, whole, 4):
-        d0, d1, d2, d3 = d - c[i], d - c[i + 1], d - c[i + 2], d - c[i + 3]
-        d0, d1 = (d0 if d0 > 0.0 else 0.0), (d1 if d1 > 0.0 else 0.0)
-        d2, d3 = (d2 if d2 > 0.0 else 0.0), (d3 if d3 > 0.0 else 0.0)
-        p0, p1, p2, p3 = p0 + d0, p1 + d1, p2 + d2, p3 + d3
-        m0, m1 = m0 + d0 * weight[i], m1 + d1 * weight[i + 1]
-        m2, m3 = m2 + d2 * weight[i + 2], m3 + d3 * weight[i + 3]
-    for i in range(whole, c.size):
-        depth = max(d - c[i], 0.0)
-        p0, m0 = p0 + depth, m0 + depth * weight[i]
-    return (p0 + p1) + (p2 + p3), (m0 + m1) + (m2 + m3)
-
-
-@kernel
-def add_span(setting, level, b, tally):
+def add_span(march, level, b, tally):
     """Add a span all of whose samples always touch to a tally: samples, depth, weight, moment."""
-    rows, law = setting.spans.rows, setting.law
+    rows, law = march.spans.rows, march.law
     z, s = rows[b, FIRST], rows[b, STEEP]
     up, turn = rows[b + 1, FIRST] - z, rows[b + 1, STEEP] - s
     one, other = rows[b, RISE], rows[b, TURN]

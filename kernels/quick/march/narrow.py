@@ -1,5 +1,8 @@
 """Shorter lists in a long march: what is still open within narrower bounds, of what was listed.
 
+This is a layer over stepping.py, which does without: where active.py calls march_on in place of
+march_narrowing, with the same arguments but the last, this file and landings.py are not used. It
+is worth several times the steps of long marches in which d moves far (docs/speed.md).
 What always touches goes on to, and so does what never does: nothing but the runs is looked at.
 Where elements always land that have left contact, they are summed (landings.py).
 The recursion of gaps g is that of runs.py; as the elements on their way are known, displacements
@@ -11,13 +14,22 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
-from .flights import arriving, powers_of
-from .landings import land, landed
+from ...rheology.law import State
+from .bounds import Bounds, bounds_of
+from .crossings import arrivals_of, launch, powers_of
+from .given import a_of
+from .landings import land, landed, no_landings
 from .lists import Lists, Sums, add_sample
-from .marks import ALWAYS, FREE
 from .runs import LISTED, SHORT, UNKNOWN, Runs, class_of
-from .setting import rise
+from .span_kinds import ALWAYS, FREE
+from .stepping import march_on
 
+# What shorter lists leave to d and to D, of their spread at first; in the end none are made.
+ROOM = (0.0, 0.5, 1.0, 100.0)
+ROOM_OF_RATE = (0.0, 0.1, 0.2, 100.0)
+CLOSER = 0.6  # margin of bounds that follow d towards its end, of the spread
+LEAST_SAVED = 0.25  # of the spread of D
+FIRST_DUE = 6  # step after which lists may be shortened; then after half as many again
 SUMMED = 5  # a class: it always touches, and elements always land there
 
 
@@ -31,6 +43,70 @@ class Reach(NamedTuple):
 
 
 @kernel
+def march_narrowing(march, control, where, bounds, stand, last, into, given):
+    """March on as march_on does, and make shorter lists on the way; return what it does.
+
+    given : number of the attempt, from 1 on, and the spread of d and of D at first.
+    """
+    attempt, spread = given
+    room = ROOM[attempt - 1] * spread[0], ROOM_OF_RATE[attempt - 1] * spread[1]
+    return march_shortening(march, control, where, bounds, stand, last, into, 1.0, room)
+
+
+@kernel
+def march_shortening(march, control, where, bounds, stand, last, into, worth, room):
+    """March on as march_on does. Shorter lists are made where what they save exceeds what it costs.
+
+    worth : by which what they save is multiplied. room : that they leave at least to d and to D,
+    beyond what was seen of these.
+    """
+    law, (runs, lists, sums, arrivals, _) = march.law, where
+    landings = no_landings(march.end.d, stand.d, last)
+    work, due, w = 0, FIRST_DUE, np.empty(march.z.size)
+    while True:
+        where = runs, lists, sums, arrivals, landings
+        inside, stand, seen, used = march_on(
+            march, control, where, bounds, stand, min(due, last), into
+        )
+        work += used
+        left, d = last - stand.step, stand.d
+        if not inside or left == 0:
+            return inside, stand, seen, work
+        closer = closer_bounds(law, bounds, seen, march.end.d, room)
+        if worth * gain(bounds, closer, lists, arrivals[1], left) > 1.0:
+            elements_aloft(law, lists, runs, arrivals[1], d, w, left)
+            past = landings.past[: stand.step + 1]
+            runs, lists, sums, landings = narrowed(law, march.z, closer, where, past, w, left)
+            arrivals = arrivals_of(law, lists, runs, State(w, d), march.z, left)
+            bounds = closer
+            work += lists.c.size + arrivals[1].values.size
+        due += due // 2
+
+
+@kernel
+def gain(bounds, closer, lists, crossings, steps):
+    """Return what shorter lists save over what it costs to make them, by numbers alone."""
+    saved = 1.0 - (closer.most - closer.least) / (bounds.most - bounds.least)
+    each = 2.0 * lists.c.size + 16.0 * crossings.at.size
+    cost = 30.0 * crossings.values.size + 100.0 * lists.c.size
+    return steps * each * saved / cost if saved > LEAST_SAVED and cost > 0.0 else 0.0
+
+
+@kernel
+def closer_bounds(law, bounds, seen, end, room):
+    """Return Bounds, none beyond ``bounds``, for d between what was seen of it and ``end``.
+
+    room : that they leave at least to d and to D, on both sides of what was seen of them.
+    """
+    lowest, highest = min(seen.low, end), max(seen.high, end)
+    new = bounds_of(law, lowest, highest, seen.least, seen.most, CLOSER)
+    low = max(min(new.low, lowest - room[0]), bounds.low)
+    high = min(max(new.high, highest + room[0]), bounds.high)
+    least = max(min(new.least, seen.least - room[1]), bounds.least)
+    return Bounds(low, high, least, min(max(new.most, seen.most + room[1]), bounds.most))
+
+
+@kernel
 def narrowed(law, line, bounds, where, past, aloft, steps):
     """Return (runs, lists, sums, landings) within narrower bounds, at the end of a step.
 
@@ -38,7 +114,7 @@ def narrowed(law, line, bounds, where, past, aloft, steps):
     : d from the start to the end of this step. aloft : displacements, as elements_aloft leaves
     them. steps : still to come.
     """
-    runs, lists, sums, (_, flights), landings = where
+    runs, lists, sums, (_, crossings), landings = where
     n, size, d = line.size, lists.c.size, past[-1]
     top, bottom, distance, first, last = (
         np.empty(size, np.int64),
@@ -48,7 +124,7 @@ def narrowed(law, line, bounds, where, past, aloft, steps):
         np.empty(size, np.int64),
     )
     sure, parts = np.empty(size, np.bool_), np.zeros(4)
-    count = flight = 0
+    count = crossing = 0
     # Where elements come from to the first run is known at the end, if it was listed.
     source, from_sure, wraps = n, False, False
     reach = Reach(0.0, UNKNOWN, -bounds.high, 0.0)
@@ -56,11 +132,11 @@ def narrowed(law, line, bounds, where, past, aloft, steps):
         j, kind = runs.top[r], FREE
         if runs.sure[r]:
             source, from_sure = j + runs.distance[r], True
-        w, reach = _entering(law, line, bounds, runs, r, (flights, flight, steps), reach)
-        flight += not (runs.sure[r] and runs.distance[r] == 1)
+        w, reach = _entering(law, line, bounds, runs, r, (crossings, crossing, steps), reach)
+        crossing += not (runs.sure[r] and runs.distance[r] == 1)
         for i in range(lists.first[r + 1] - 1, lists.first[r] - 1, -1):
             was, held = kind, reach.high == 0.0
-            steep = rise(law, line[j], _at(line, j + 1))
+            steep = a_of(law, line[j], _at(line, j + 1))
             c = lists.c[i] + (line[j] - lists.z[i])
             least, most, reach = _reach(law, bounds, line[j], c, d, steep, reach, w)
             kind = class_of(False, held and reach.high == 0.0, least, most)
@@ -100,15 +176,15 @@ def narrowed(law, line, bounds, where, past, aloft, steps):
 def _entering(law, line, bounds, runs, r, over, above):
     """Return bounds of the displacements with which elements come to run r, and the Reach ahead.
 
-    over : flights, the next of them, and the steps to come. above : the Reach of the run before.
+    over : crossings, the next of them, and the steps to come. above : the Reach of the run before.
     """
     if runs.sure[r]:
         height = _at(line, runs.top[r] + runs.distance[r])
         above = Reach(0.0, 0.0, height - bounds.high, height - bounds.low)
         if runs.distance[r] == 1:
             return (law.decay * above.least, law.decay * above.most), above
-    flights, flight, steps = over
-    w = arriving(flights, flight, above.least, above.most, steps)
+    crossings, crossing, steps = over
+    w = arriving(crossings, crossing, above.least, above.most, steps)
     return w, Reach(0.0, UNKNOWN, above.least, above.most)
 
 
@@ -150,7 +226,7 @@ def _part(lists, first, last):
 
 
 @kernel
-def elements_aloft(law, lists, runs, flights, d, w, steps):
+def elements_aloft(law, lists, runs, crossings, d, w, steps):
     """Fill in w, shape (n,), the displacements of all elements in runs and on their way to them.
 
     d : indentation now. steps : still to come; who would arrive later is left out.
@@ -159,15 +235,46 @@ def elements_aloft(law, lists, runs, flights, d, w, steps):
     f = 0
     for r in range(runs.top.size):
         if not (runs.sure[r] and runs.distance[r] == 1):
-            begin, end, place = flights.begin[f], flights.begin[f + 1], flights.place[f]
+            begin, end, place = crossings.begin[f], crossings.begin[f + 1], crossings.place[f]
             for k in range(1, min(runs.distance[r], powers.size - 1) + 1):
                 j = runs.top[r] + k
-                arrival = flights.values[place]
+                arrival = crossings.values[place]
                 w[j - w.size if j >= w.size else j] = arrival / powers[k] if arrival else 0.0
                 place += 1
                 if place == end:
-                    place = begin if flights.round[f] else end - 1
+                    place = begin if crossings.round[f] else end - 1
             f += 1
     for r in range(runs.top.size):
         for i in range(lists.first[r], lists.first[r + 1]):
             w[runs.bottom[r] + i - lists.first[r]] = lists.z[i] - max(lists.c[i], d)
+
+
+@kernel
+def arriving(crossings, f, least, most, steps):
+    """Return bounds of the displacements with which elements arrive in the steps to come.
+
+    least, most : bounds of the displacement where they leave.
+    """
+    begin, end = crossings.begin[f], crossings.begin[f + 1]
+    if crossings.round[f]:
+        low, high = crossings.left[f] * least, crossings.left[f] * most
+    else:
+        begin, end = crossings.place[f], end - 1
+        forgotten = end - begin < steps
+        low, high = (0.0, 0.0) if forgotten else (np.inf, -np.inf)
+    for slot in range(begin, end):
+        low, high = min(low, crossings.values[slot]), max(high, crossings.values[slot])
+    return low, high
+
+
+@launch.of(State)
+def _launch(aloft, values, begin, end, powers, line, top, distance, u):
+    w, d = aloft
+    count = min(end - begin, powers.size - 1)
+    wrap = min(line.size - top - 1, count)
+    for k in range(wrap):
+        j = top + 1 + k
+        values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)
+    for k in range(wrap, count):
+        j = k - wrap
+        values[begin + k] = powers[k + 1] * min(w[j], line[j] - d)

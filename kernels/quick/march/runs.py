@@ -1,13 +1,13 @@
 """Runs of samples of which it is open whether they touch, and sums of those that do: one walk.
 
 The gap g_j(t) = c_j(t) - d(t) above the element at sample j is negative where it touches. With
-a_j and D of setting.py
+a_j and D of given.py
 
     g_j(t) = a_j - D(t) + E max(g_(j+1)(t - 1), 0),
 
-so the bounds of D bound g from sample to sample against the motion; others are in marks.py. Spans
-that always touch or never do are passed at once; in the others, which are few, the displacements
-of both steady states are found again.
+so the bounds of D bound g from sample to sample against the motion; others are in span_kinds.py.
+Spans that always touch or never do are passed at once; in the others, which are few, the
+displacements of both steady states are found again.
 """
 
 from typing import NamedTuple
@@ -16,9 +16,9 @@ import numpy as np
 
 from ...compile.jit import kernel
 from ..steady.spans import SPAN
+from .given import a_of
 from .lists import Met, Sums, add_sample, add_span, lagged
-from .marks import ALWAYS, FORCED, FREE, always, levels_of, mark_of_first, never, reached
-from .setting import rise
+from .span_kinds import ALWAYS, FORCED, FREE, always, kind_of_first, levels_of, never, reached
 
 LISTED = 2  # at times it touches, at times it does not, for all that the bounds tell
 SHORT = 8  # samples: what is never touched but this near is cheaper to list than to fly over
@@ -35,42 +35,42 @@ class Runs(NamedTuple):
 
 
 @kernel
-def classes_of(setting, bounds):
+def classes_of(march, bounds):
     """Return (Runs, Met, Sums) of a line; every other sample never touches within the bounds."""
-    levels = levels_of(setting, bounds)
-    first = mark_of_first(setting, bounds, levels)
+    levels = levels_of(march, bounds)
+    first = kind_of_first(march, bounds, levels)
     # All round the line samples may hold each other in contact: supposed first, then seen.
-    runs, met, sums, high = walk(setting, bounds, levels, first)
+    runs, met, sums, high = walk(march, bounds, levels, first)
     if first == ALWAYS and high > 0.0:
-        runs, met, sums, _ = walk(setting, bounds, levels, FORCED)
+        runs, met, sums, _ = walk(march, bounds, levels, FORCED)
     return runs, met, sums
 
 
 @kernel
-def walk(setting, bounds, levels, first):
+def walk(march, bounds, levels, first):
     """Return (Runs, Met, Sums, high), ``high`` the upper bound of max(g, 0) at z[0].
 
-    first : the mark of z[0]. Where it is ALWAYS it is taken to be in contact, which ``high`` then
+    first : the kind of z[0]. Where it is ALWAYS it is taken to be in contact, which ``high`` then
     tells.
     """
-    n, whole = setting.z.size, setting.spans.lowest.size
-    level, tally = setting.end.d / setting.law.stiffness, np.zeros(4)
+    n, whole = march.z.size, march.spans.lowest.size
+    level, tally = march.end.d / march.law.stiffness, np.zeros(4)
     runs, met = _room(n)
     # Elements come to the end of the line from z[0], or from beyond it if it never touches.
     kind, source, from_sure = FREE, n, first == ALWAYS
     low, high = 0.0, (0.0 if from_sure else UNKNOWN)  # bounds of max(g, 0) one sample before
     count = size = 0  # of runs, and of listed samples
-    for b in range(setting.start.entered.size - 1, -1, -1):
+    for b in range(march.start.entered.size - 1, -1, -1):
         if b < whole and (b > 0 or first != FORCED):
-            if never(setting, bounds, levels, b):
+            if never(march, bounds, levels, b):
                 kind, low, high = FREE, 0.0, UNKNOWN
                 continue
-            if high == 0.0 and always(setting, bounds, b):
-                add_span(setting, level, b, tally)
+            if high == 0.0 and always(march, bounds, b):
+                add_span(march, level, b, tally)
                 kind, source, from_sure = ALWAYS, b * SPAN, True
                 continue
         at = kind, source, from_sure, low, high, count, size
-        at = _visit(setting, bounds, levels, first, b, at, runs, met, level, tally)
+        at = _visit(march, bounds, levels, first, b, at, runs, met, level, tally)
         kind, source, from_sure, low, high, count, size = at
     if first == FREE and count > 0:
         runs.distance[0], runs.sure[0] = source + n - runs.top[0], from_sure
@@ -89,13 +89,13 @@ def _room(n):
 
 
 @kernel
-def _visit(setting, bounds, levels, first, b, at, runs, met, level, tally):
+def _visit(march, bounds, levels, first, b, at, runs, met, level, tally):
     """Walk through the samples of a span one by one; ``at`` is what walk knows, and comes back."""
     z, slope, law, (start, end) = (
-        setting.z,
-        setting.slope,
-        setting.law,
-        (setting.start, setting.end),
+        march.z,
+        march.slope,
+        march.law,
+        (march.start, march.end),
     )
     kind, source, from_sure, low, high, count, size = at
     u, v = start.entered[b], end.entered[b]
@@ -105,7 +105,7 @@ def _visit(setting, bounds, levels, first, b, at, runs, met, level, tally):
         near, far = (w, after) if levels.early else (after, w)
         kind, steep = FREE, 0.0
         if z[j] - near < bounds.high + levels.near_slack:
-            steep = rise(law, z[j], z[j + 1 if j + 1 < z.size else 0])
+            steep = a_of(law, z[j], z[j + 1 if j + 1 < z.size else 0])
             least, most = gap(law, bounds, levels, z[j], steep, near, far, low, high)
             now = z[j] - w - start.d
             least, most = min(least, now), max(most, now)
@@ -148,8 +148,8 @@ def _meet(met, i, z, highest, weight, w, after):
 def gap(law, bounds, levels, z, steep, near, far, low, high):
     """Return (least, most): bounds of g_j in all steps to come.
 
-    steep : a_j. near, far : displacements of both steady states (marks.py). low, high : bounds of
-    max(g, 0) at the sample upstream.
+    steep : a_j. near, far : displacements of both steady states (span_kinds.py).
+    low, high : bounds of max(g, 0) at the sample upstream.
     """
     least = max(steep - bounds.most + law.decay * low, z - near - levels.near_slack - bounds.high)
     most = min(steep - bounds.least + law.decay * high, z - far + levels.far_slack - bounds.low)

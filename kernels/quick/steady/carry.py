@@ -1,8 +1,8 @@
 """One sweep of steady sliding by spans: elements carried round the line at constant indentation.
 
-It does what plain.sweep does, and gives the force as -sum u: in steady sliding the displacement of
-an element at the end of a period is that at its beginning, so its dashpot adds nothing to the mean.
-That sum has terms of one sign: it is known to rounding, at any speed.
+It does what sweep of model/steady.py does, and gives the force as -sum u: in steady sliding the
+displacement of an element at the end of a period is that at its beginning, so its dashpot adds
+nothing to the mean. That sum has terms of one sign: it is known to rounding, at any speed.
 """
 
 from typing import NamedTuple

@@ -6,11 +6,16 @@ power of d: they need no good guess, and where there is one they are all. Sweeps
 list the contacts.
 """
 
+from typing import NamedTuple
+
 import numpy as np
 
 from ...compile.jit import kernel
-from ...model.contact import solve_indentation
-from .carry import carry
+from ...model.contact import excess_at, solve_indentation
+from ...model.steady import steady_indentation
+from .carry import Decay, Gaps, carry
+from .contacts import Contacts
+from .spans import Spans
 
 POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed; the first with a guess
 CLOSE = 1e-13  # of the load: what may be left of an excess, beyond the rounding of long sums
@@ -62,6 +67,25 @@ def _next(step, d, total, slope, load, deepest):
     return d - excess / slope
 
 
+class Carried(NamedTuple):
+    """Elements under a line that slides steadily, by spans; arguments of carry."""
+
+    decay: Decay
+    z: np.ndarray
+    spans: Spans
+    stay: np.ndarray
+    contacts: Contacts  # filled
+    gaps: Gaps
+    pieces: np.ndarray  # of contact, shape (1,): filled
+
+
+@excess_at.of(Carried)
+def _excess_of_carried(contact, load, d):
+    decay, z, spans, stay, contacts, gaps, pieces = contact
+    total, slope, touching, pieces[0] = carry(decay, z, spans, stay, d, contacts, None, gaps)
+    return total - load, slope, touching
+
+
 @kernel
 def indentation(decay, z, spans, stay, load, near, contacts, gaps):
     """Return (d, sweeps, touching, pieces) of steady sliding under the load n Fbar.
@@ -69,19 +93,6 @@ def indentation(decay, z, spans, stay, load, near, contacts, gaps):
     touching : samples; contacts are filled with so many pieces.
     decay, z, spans, stay, contacts, gaps : as of carry. near : d as approach leaves it.
     """
-    d = near
-    least, fewest = np.inf, z.size + 1
-    sweeps = 0
-    while True:
-        total, slope, touching, pieces = carry(decay, z, spans, stay, d, contacts, None, gaps)
-        sweeps += 1
-        excess = total - load
-        new = d - excess / slope
-        # Right of the root the excess falls and fewer elements touch, up to rounding.
-        progress = touching < fewest or excess < 0.5 * least
-        right = excess > 0.0 and new < d and progress
-        if abs(excess) <= CLOSE * load or (sweeps > 1 and not right):
-            return d, sweeps, touching, pieces
-        if excess > 0.0:
-            fewest, least = min(fewest, touching), min(least, excess)
-        d = new
+    elements = Carried(decay, z, spans, stay, contacts, gaps, np.zeros(1, np.int64))
+    d, sweeps, touching = steady_indentation(elements, load, near, False, z.size, CLOSE)
+    return d, sweeps, touching, elements.pieces[0]

@@ -1,1 +1,0 @@
-"""Tests of kernels/branches, one module per module."""

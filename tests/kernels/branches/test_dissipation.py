@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
-from elastomer_friction.kernels.branches.dissipation import steady_friction
-from elastomer_friction.kernels.branches.steady import steady_at, steady_memory
+from elastomer_friction.kernels.branches.dissipation import friction_by_loss
+from elastomer_friction.kernels.branches.steady_memory import steady_at, steady_memory
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
 from elastomer_friction.kernels.rheology.retardation import retardation
@@ -28,7 +28,7 @@ def friction(material, line, speed, load=0.1, scheme="exponential"):
     form = FORMS[scheme](material)
     m = line.steps_per_spacing
     found = steady_memory(form, line.z, speed * m, load * line.z.size)
-    return steady_friction(retardation(material), form, line, found.elements, speed)
+    return friction_by_loss(retardation(material), form, line, found.elements, speed)
 
 
 @pytest.mark.parametrize("name", MATERIALS)
@@ -98,6 +98,6 @@ def test_reversed_motion_of_the_mirrored_line(material):
 def test_nothing_touches():
     line, form = line_of(4), retardation(PRONY3)
     elements = steady_at(form, line.z, 1.0, -1.0).elements
-    mu, contact = steady_friction(form, form, line, elements, 0.25)
+    mu, contact = friction_by_loss(form, form, line, elements, 0.25)
     assert np.isnan(mu)
     assert contact == 0.0

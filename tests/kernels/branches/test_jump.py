@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import Line, amplitudes, draw_phases, quadrature, steady_sliding
 from elastomer_friction.kernels.branches.jump import friction_jump, initial_rate
-from elastomer_friction.kernels.branches.steady import steady_memory
+from elastomer_friction.kernels.branches.steady_memory import steady_memory
 from elastomer_friction.kernels.model.friction import lagged_slope
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES

@@ -1,4 +1,4 @@
-"""Compilation: it computes what Python computes, lets other threads run, and goes by types."""
+"""Compilation: it computes what Python computes, goes by types, links kernels into callers."""
 
 import os
 import subprocess
@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import numba
+import numpy as np
 import pytest
 from numba.core.dispatcher import Dispatcher
 
@@ -157,3 +158,76 @@ def test_bodies_are_compiled_with_the_flags_of_kernels_whoever_calls(compiled):
         return change(law, u)
 
     assert caller(Scaled(2.0), 0.0) == float("inf")
+
+
+class Pair(NamedTuple):
+    """Arrays that are passed on."""
+
+    first: np.ndarray
+    second: np.ndarray
+
+
+@by_type
+def weigh(pair, i):
+    """Return the weight of element i."""
+
+
+@weigh.of(Pair)
+def _weigh(pair, i):
+    return pair.first[i] * pair.second[i]
+
+
+@kernel
+def lowest(values):
+    """Return the number of the lowest value, which numpy refuses to tell of none."""
+    return np.argmin(values)
+
+
+@kernel
+def total(pair):
+    """Return a weighted sum."""
+    found = 0.0
+    for i in range(pair.first.size):
+        found += weigh(pair, i)
+    return found
+
+
+@kernel
+def both(pair):
+    """Return what two others give."""
+    return total(pair), lowest(pair.first)
+
+
+@kernel
+def twice(pair):
+    """Return twice the sum: another caller."""
+    return 2.0 * total(pair)
+
+
+PAIR = Pair(np.array([3.0, 1.0, 2.0]), np.array([1.0, 10.0, 100.0]))
+
+
+@compiled_only
+def test_a_kernel_that_is_only_called_by_kernels_gets_no_machine_code_of_its_own():
+    assert both(PAIR) == (213.0, 1)
+    assert twice(PAIR) == 426.0
+    assert len(both.signatures) == len(twice.signatures) == 1
+    assert total.signatures == lowest.signatures == []
+
+
+@compiled_only
+def test_it_can_be_called_from_python_and_from_other_compiled_functions_too():
+    @numba.njit
+    def stranger(pair):
+        return both(pair)
+
+    assert stranger(PAIR) == both(PAIR) == (total(PAIR), lowest(PAIR.first))
+    assert len(total.signatures) == 1
+
+
+@compiled_only
+def test_an_error_inside_comes_out():
+    nothing = Pair(np.empty(0), np.empty(0))
+    assert total(nothing) == 0.0
+    with pytest.raises(ValueError, match="empty"):
+        both(nothing)

@@ -1,1 +1,0 @@
-"""Tests of kernels/lines, one module per module."""

@@ -1,9 +1,22 @@
-"""A sampled line: its origin, and what is refused."""
+"""Sampled and measured lines: their origin, what passes through samples, and what is refused."""
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
 
-from elastomer_friction.kernels import QUARTET, Line, amplitudes, draw_phases
+from elastomer_friction.kernels import (
+    QUARTET,
+    Line,
+    amplitudes,
+    draw_phases,
+    measured_amplitudes,
+    rms_height,
+    rms_slope,
+    sample_line,
+)
+from elastomer_friction.kernels.lines.measured_modes import measured_modes
 from tests.cases import M, line_of
 
 
@@ -74,11 +87,76 @@ def test_the_first_of_a_quartet_is_the_line_alone_and_every_other_one_stands_on_
         np.testing.assert_allclose(np.sort(below.z), np.sort(line.z[0] - line.z), atol=1e-14)
 
 
-@pytest.mark.parametrize("samples", [64, 400, 2000, 4095])
-def test_a_transform_has_the_same_bits_alone_and_in_a_batch(samples):
-    """What sample_line relies on, which transforms heights and slopes together."""
-    rng = np.random.default_rng(samples)
-    both = rng.standard_normal((2, samples // 2 + 1, 2)) @ np.array([1.0, 1.0j])
-    together = np.fft.irfft(both, samples)
-    for row, alone in zip(together, both, strict=True):
-        np.testing.assert_array_equal(row, np.fft.irfft(alone, samples))
+HEIGHTS = st.integers(4, 40).flatmap(lambda n: arrays(float, n, elements=st.floats(-1.0, 1.0)))
+SIZES = (4, 5, 64, 65)
+
+
+def some_line(samples, seed=3):
+    """Return the heights of a random walk, brought back to its start."""
+    walk = np.cumsum(np.random.default_rng(seed).normal(size=samples))
+    return walk - walk[-1] * np.arange(samples) / samples
+
+
+@given(HEIGHTS, st.integers(1, 4))
+def test_resampling_keeps_the_samples(heights, m):
+    z, _ = sample_line(*measured_modes(heights), heights.size, m)
+    np.testing.assert_allclose(z[::m] + heights.mean(), heights, atol=1e-13)
+
+
+@given(HEIGHTS)
+def test_the_power_of_the_modes_is_the_variance(heights):
+    """Parseval: sum A_k^2 / 2 is the mean square of the heights about their mean."""
+    amplitude = measured_amplitudes(heights[None, :])
+    assert rms_height(amplitude) == pytest.approx(heights.std(), rel=1e-12, abs=1e-15)
+
+
+@pytest.mark.parametrize("samples", SIZES)
+@pytest.mark.parametrize("m", [1, 3])
+def test_slopes_are_those_of_the_cosines(samples, m):
+    x = np.arange(samples * m) / m
+    q = 2.0 * np.pi / samples
+    heights = 2.0 + 0.5 * np.cos(q * np.arange(samples) + 0.3)
+    z, slope = sample_line(*measured_modes(heights), samples, m)
+    np.testing.assert_allclose(z, 0.5 * np.cos(q * x + 0.3), atol=1e-13)
+    np.testing.assert_allclose(slope, -0.5 * q * np.sin(q * x + 0.3), atol=1e-13)
+
+
+@pytest.mark.parametrize("samples", [5, 65])  # of an even number the Nyquist mode is half known
+def test_rms_slope_is_that_of_the_line(samples):
+    heights = some_line(samples)
+    _, slope = sample_line(*measured_modes(heights), samples, 2)
+    amplitude = measured_amplitudes(heights[None, :])
+    assert rms_slope(amplitude, samples) == pytest.approx(np.sqrt(np.mean(slope**2)), rel=1e-12)
+
+
+@pytest.mark.parametrize("samples", SIZES)
+def test_a_measured_line_starts_at_its_top_like_any_other(samples):
+    heights = some_line(samples)
+    line = Line.measured(heights, 1)
+    assert line.z[0] == line.z.max()
+    assert line.datum == pytest.approx(heights.min(), rel=1e-12)
+    np.testing.assert_allclose(np.sort(line.z + line.datum), np.sort(heights), atol=1e-12)
+
+
+def test_random_phases_keep_the_power_spectrum_and_follow_the_seed():
+    heights = np.array([some_line(65, seed) for seed in range(5)])
+    amplitude = measured_amplitudes(heights)
+    assert rms_height(amplitude) ** 2 == pytest.approx(np.mean(np.var(heights, axis=1)), rel=1e-12)
+
+    def drawn(seed):
+        return sample_line(amplitude, draw_phases(np.random.default_rng(seed), 65), 65, 1)[0]
+
+    np.testing.assert_allclose(measured_amplitudes(drawn(1)[None, :]), amplitude, rtol=1e-11)
+    np.testing.assert_array_equal(drawn(1), drawn(1))
+    assert not np.any(drawn(1) == drawn(2))
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf])
+def test_measured_samples_that_are_no_numbers_are_refused(bad):
+    with pytest.raises(ValueError, match="not finite"):
+        Line.measured(np.array([0.0, 1.0, bad, 2.0]), 1)
+
+
+def test_too_few_samples_are_refused():
+    with pytest.raises(ValueError, match="needs 4 or more"):
+        Line.measured(np.array([0.0, 1.0, 2.0]), 1)

@@ -1,1 +1,0 @@
-"""Tests of kernels/motion, one module per module."""

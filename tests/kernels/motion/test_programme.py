@@ -7,17 +7,129 @@ import pytest
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels.motion.programme import (
+from elastomer_friction.kernels.motion.legs import (
     Hold,
     Oscillation,
     Ramp,
     Sampled,
     Slide,
     last_speed,
+    speed_at_start,
     steps_of,
 )
+from elastomer_friction.kernels.motion.path import (
+    Path,
+    along,
+    crossed,
+    fewest_steps,
+    geometric,
+    growth,
+    oscillating,
+    piecewise,
+)
+from elastomer_friction.kernels.rheology.spectrum import SHORTEST
+
+
+def test_crossed_goes_both_ways_and_leaves_out_what_is_near_an_end():
+    np.testing.assert_array_equal(crossed(0.0, 3.0), [1.0, 2.0, 3.0])
+    np.testing.assert_array_equal(crossed(0.9, 3.1), [2.0, 3.1])
+    np.testing.assert_array_equal(crossed(0.5, -2.5), [0.0, -1.0, -2.0, -2.5])
+    np.testing.assert_array_equal(crossed(0.0, 1.0 + 1e-12), [1.0])
+    np.testing.assert_array_equal(crossed(0.1, 0.2), [0.2])
+
+
+def test_geometric_steps_fill_the_duration_and_begin_no_later():
+    dt = geometric(10.0, 0.1, 1.5)
+    assert dt.sum() == pytest.approx(10.0, rel=1e-14)
+    np.testing.assert_allclose(dt[1:] / dt[:-1], 1.5)
+    assert 0.1 / 1.5 < dt[0] <= 0.1
+    assert geometric(0.0, 0.1, 1.5).size == 0
+    assert geometric(1.0, 5.0, 1.5).tolist() == [1.0]
+
+
+def test_refinement_is_that_of_the_samples():
+    assert fewest_steps(1) == fewest_steps(4) == 64
+    assert fewest_steps(16) == 2 * fewest_steps(8)
+    assert growth(8) - 1.0 == 0.5 * (growth(4) - 1.0)
+
+
+def test_times_of_whole_samples_are_found_to_the_last_bits():
+    """X = t^3, which no formula of the module knows."""
+    path = Path(lambda t: t**3, np.array([0.0, 4.0]))
+    place, dt = along(path, 4, 0.0)
+    t = np.cumsum(dt)
+    whole = place % 1.0 == 0.0
+    assert set(range(1, 65)) <= set(place)
+    np.testing.assert_allclose(t[whole], np.cbrt(place[whole]), rtol=1e-14)
+    np.testing.assert_allclose(place, t**3, rtol=1e-12)
+    assert dt.max() <= 4.0 / 32 + 1e-12
+
+
+def test_a_path_that_rests_and_comes_back():
+    path = piecewise((0.0, 1.0, 2.0, 3.0), (1.0, 0.0, 0.0, -1.0), 4)
+    place, dt = along(path, 4, 0.5)
+    t = np.cumsum(dt)
+    assert place.max() == 2.5
+    assert place[-1] == 0.5
+    assert np.all(np.diff(place[(t > 1.0) & (t < 2.0 + 1e-9)]) == 0.0)
+
+
+def test_turning_points_of_an_oscillation_are_breaks():
+    path = oscillating(0.5, 2.0, 0.25, 3, 1)
+    assert path.breaks.size == 10
+    rates = np.array(
+        [(path.where(t + 1e-6) - path.where(t - 1e-6))[0] / 2e-6 for t in path.breaks[1:, None]]
+    )
+    np.testing.assert_allclose(rates[[0, 1, 3, 4, 6, 7]], 0.0, atol=1e-4)
+    assert oscillating(50.0, 2.0, 0.25, 3, 1).breaks.tolist() == [0.0, 4.0, 8.0, 12.0]
+
 
 M = 4
+
+
+@pytest.mark.parametrize(
+    ("leg", "first", "last"),
+    [
+        (Slide(2.0, 1.0), 2.0, 2.0),
+        (Hold(1.0), 0.0, 0.0),
+        (Ramp(1.0, 3.0, 1.0), 1.0, 3.0),
+        (Oscillation(0.5, 1.0, 1.0, 1), 0.5, 0.5 + 2.0 * math.pi),
+        (Sampled((0.0, 1.0), (4.0, 5.0)), 4.0, 5.0),
+    ],
+)
+def test_first_and_last_speed(leg, first, last):
+    assert speed_at_start((leg,)) == first
+    assert last_speed(leg) == pytest.approx(last)
+
+
+@pytest.mark.parametrize(
+    "leg",
+    [
+        Slide(0.0, 1.0),
+        Slide(1.0, -1.0),
+        Slide(math.nan, 1.0),
+        Hold(-1.0),
+        Ramp(1.0, 2.0, 0.0),
+        Oscillation(0.0, 0.0, 1.0, 1),
+        Oscillation(0.0, 1.0, 1.0, 0),
+        Oscillation(0.0, 1.0, 1.0, 2.5),
+        Sampled((0.0,), (1.0,)),
+        Sampled((1.0, 2.0), (1.0, 1.0)),
+        Sampled((0.0, 0.0), (1.0, 1.0)),
+        Sampled((0.0, 1.0), (1.0, math.inf)),
+    ],
+    ids=str,
+)
+def test_legs_without_meaning_are_refused(leg):
+    with pytest.raises(ValueError, match=type(leg).__name__):
+        steps_of((leg,), M)
+
+
+def test_steps_lost_in_rounding_are_refused():
+    with pytest.raises(ValueError, match="lost in rounding"):
+        steps_of((Slide(1.0 / (M * SHORTEST) * 2.0, 5.0),), M)
+
+
 EVERY = (
     Slide(0.7, 3.3),
     Hold(2.0),

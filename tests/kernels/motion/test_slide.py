@@ -1,12 +1,51 @@
-"""Sliding by whole samples: where every element is, and what is left of it, after any way."""
+"""Where every element is after any way along the line, stage by stage, and what is left of it."""
 
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels import Kelvin, State
+from elastomer_friction.kernels import Kelvin, State, amplitudes, draw_phases, sample_line
+from elastomer_friction.kernels.lines.self_affine import mode_numbers
+from elastomer_friction.kernels.motion import track as module
+from elastomer_friction.kernels.motion.fourier import Shifted
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.motion.slide import shift, start_rings
-from elastomer_friction.kernels.motion.stretches import bounds, gather, touchable
+from elastomer_friction.kernels.motion.stretches import SHORT_GAP, bounds, gather, touchable
+from elastomer_friction.kernels.motion.track import tracks
 from tests.lines import random_line
+
+
+def test_stretches_cover_exactly_what_can_touch():
+    z, _ = random_line(400, 0.2, 1, seed=2)
+    for cap in np.quantile(z, [0.005, 0.02, 0.3, 0.9]):
+        start, stop = touchable(z, cap)
+        inside = np.zeros(z.size, bool)
+        for a, b in zip(start, stop, strict=True):
+            inside[a:b] = True
+            assert z[a] < cap
+            assert z[b - 1] < cap
+        assert np.all(z[~inside] >= cap)
+        assert np.all(start[1:] - stop[:-1] > SHORT_GAP)
+    start, stop = touchable(z, np.inf)
+    assert (start.tolist(), stop.tolist()) == ([0], [z.size])
+
+
+@pytest.mark.parametrize("gap", [SHORT_GAP, SHORT_GAP + 1])
+def test_a_gap_is_left_out_from_one_sample_beyond_a_short_one(gap):
+    z = np.concatenate([np.ones(40), np.zeros(2), np.ones(gap), np.zeros(3)])
+    start, stop = touchable(z, 0.5)
+    if gap == SHORT_GAP:
+        assert (start.tolist(), stop.tolist()) == ([40], [z.size])
+    else:
+        assert (start.tolist(), stop.tolist()) == ([40, 42 + gap], [42, z.size])
+
+
+def test_gather_and_bounds_are_those_of_numpy():
+    values = np.random.default_rng(1).normal(size=100)
+    start, stop = np.array([3, 40, 41, 99]), np.array([7, 41, 90, 100])
+    pieces = [values[a:b] for a, b in zip(start, stop, strict=True)]
+    np.testing.assert_array_equal(gather(values, start, stop), np.concatenate(pieces))
+    np.testing.assert_array_equal(bounds(stop - start), [0, 4, 5, 54, 55])
+
 
 LAW = Kelvin(0.97, 1.0 / 0.03, 0.5)
 ELEMENTS, STEPS = 400, 450  # more than once round
@@ -83,3 +122,66 @@ def test_elements_that_touched_go_on_from_the_line(scene):
         u = np.minimum(w, z - depth(step))
         touched += np.sum(u < w)
     assert touched > 100
+
+
+@pytest.mark.parametrize("fraction", [0.3, 0.5, 1.0])
+@pytest.mark.parametrize(("elements", "m"), [(16, 1), (16, 3), (15, 1)])
+def test_the_shift_is_that_of_every_mode(elements, m, fraction):
+    """With one sample to a spacing an even line has a wave of two samples."""
+    phases = draw_phases(np.random.default_rng(1), elements)
+    amplitude = amplitudes(0.5, elements)
+    q = 2.0 * np.pi * mode_numbers(elements) / elements
+    at = np.outer((np.arange(elements * m) - fraction) / m, q) + phases
+    z, slope = Shifted(*sample_line(amplitude, phases, elements, m), m).by(fraction)
+    np.testing.assert_allclose(z, np.cos(at) @ amplitude, atol=1e-13)
+    np.testing.assert_allclose(slope, -np.sin(at) @ (amplitude * q), atol=1e-13)
+
+
+def test_the_energy_of_a_line_does_not_depend_on_the_fraction():
+    rng = np.random.default_rng(2)
+    z = rng.normal(size=63)
+    shifted = Shifted(z, np.zeros_like(z), 1)
+    sums = [np.sum(shifted.by(f)[0] ** 2) for f in (0.0, 0.25, 0.5, 0.9)]
+    np.testing.assert_allclose(sums, np.sum(z**2), rtol=1e-13)
+
+
+PROGRAMME = (Slide(1.0, 3.3), Hold(1.0), Oscillation(0.0, 0.2, 0.3, 1), Slide(-2.0, 5.0))
+
+
+def lines(z, slope, m, steps, start):
+    """Return heights and slopes after every step, as concatenated from all stages."""
+    rows = []
+    for track in tracks(z, slope, m, steps, start, 1.5):
+        for s in range(0 if not rows else 1, track.dt.size + 1):
+            begin = track.begin[s]
+            rows.append([v[track.line[s], begin : begin + z.size] for v in (track.z, track.slope)])
+    return np.array(rows)
+
+
+def test_whole_samples_are_the_line_itself_read_from_elsewhere():
+    z, slope = random_line(20, 0.7, 2, seed=1)
+    steps = steps_of((Slide(1.0, 12.0), Slide(-1.0, 30.0)), 2)
+    found = lines(z, slope, 2, steps, 0.0)
+    for row, place in zip(found, np.append(0.0, steps.position), strict=True):
+        np.testing.assert_array_equal(row, [np.roll(v, int(place)) for v in (z, slope)])
+
+
+def test_fractions_are_shifted_and_stages_do_not_show(monkeypatch):
+    z, slope = random_line(20, 0.7, 2, seed=1)
+    steps = steps_of(PROGRAMME, 2, 0.4)
+    found = lines(z, slope, 2, steps, 0.4)
+    shifted = Shifted(z, slope, 2)
+    for row, place in zip(found, np.append(0.4, steps.position), strict=True):
+        whole = int(np.floor(place))
+        expected = [np.roll(v, whole) for v in shifted.by(place - whole)]
+        np.testing.assert_allclose(row, expected, atol=1e-14)
+    monkeypatch.setattr(module, "LINES", 3)
+    assert len(list(tracks(z, slope, 2, steps, 0.4, 1.5))) > 10
+    np.testing.assert_array_equal(lines(z, slope, 2, steps, 0.4), found)
+
+
+def test_no_steps_still_show_where_the_line_is():
+    z, slope = random_line(20, 0.7, 2, seed=1)
+    (track,) = tracks(z, slope, 2, steps_of((), 2), 3.0, 1.5)
+    assert track.dt.size == 0
+    np.testing.assert_array_equal(track.z[track.line[0], track.begin[0] :][:40], np.roll(z, 3))

@@ -1,27 +1,18 @@
 """One realization: only what is asked for, shared work, agreement of the parts, symmetries."""
 
-from functools import partial
-
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels import (
-    SCHEMES,
-    ConstantForce,
-    Quantities,
-    lagged_slope,
-    quadrature,
-    run_case,
-    run_cases,
-    steady_sliding,
-    step_average,
-)
-from elastomer_friction.kernels.model.friction import elastic_correction
-from elastomer_friction.kernels.model.march import march
+from elastomer_friction.kernels import SCHEMES, Case, Quantities, run_case, run_cases
 from elastomer_friction.kernels.quick import cases
 from elastomer_friction.kernels.quick.contacts.refined import NARROW
-from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds, Pace, steady_friction
-from elastomer_friction.kernels.quick.march.march import active_march
+from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AtSpeed,
+    Grounds,
+    steady_friction,
+)
+from elastomer_friction.kernels.quick.march.active import active_march
+from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
 from tests.reference_march import Elements, constants, relaxation, steady
 
@@ -47,7 +38,7 @@ def test_samples_are_refined_only_where_that_is_wanted():
     given = CASE._replace(load=1e-3, speed=100.0, refine=False)
     finer = given._replace(refine=True)
     as_sampled, refined = run_case(line, given, asked), run_case(line, finer, asked)
-    pace = Pace.of(given.scheme, line.steps_per_spacing, 100.0)
+    pace = AtSpeed.of(given.scheme, line.steps_per_spacing, 100.0)
     alone = steady_friction(Grounds.of([line]), pace, np.array([1e-3 * line.z.size]))
     assert as_sampled.mu_1 == alone.mu[0, 0] > 0.0
     assert as_sampled.samples_per_contact == alone.samples[0, 0] < 0.5 * NARROW
@@ -72,40 +63,6 @@ def test_several_ratios_are_separate_runs_bit_for_bit_but_cheaper():
     np.testing.assert_array_equal(together.curves, [one.curves[0] for one in alone])
     shared = run_case(line, CASE._replace(ratios=(), kept_steps=()), ALL).work
     assert together.work == sum(one.work for one in alone) - 2 * shared
-
-
-@pytest.mark.parametrize("scheme", SCHEMES)
-def test_outcome_is_made_of_the_kernels(scheme):
-    line, v = line_of(), CASE.speed
-    outcome = run_case(line, CASE._replace(scheme=scheme), ALL)
-    load = CASE.load * line.z.size
-    (w, d), _ = steady_sliding(SCHEMES[scheme](1.0 / (M * v)), line.z, load)
-    mu, rate, contact = quadrature(line.z, line.slope, w, d, v, v, load)
-    missing = elastic_correction(line.z, line.slope, w, d, v, rate, M) / load
-    same = partial(pytest.approx, rel=1e-12)
-    assert outcome.mu_1 == same(mu + np.exp(-((M * v) ** 2)) * missing)
-    assert outcome.contact_fraction == same(contact)
-    assert outcome.indentation - line.datum == same(d)
-    after, _, _ = quadrature(line.z, line.slope, w, d, v, 1.2 * v, load)
-    assert outcome.jump[1] == same(after - mu, abs=1e-14)
-    swapped = run_case(line, CASE._replace(speed=1.2 * v, scheme=scheme), ALL)
-    assert outcome.mu_2[1] == same(swapped.mu_1)
-
-
-@pytest.mark.parametrize("scheme", SCHEMES)
-def test_curve_is_mu_2_plus_the_deviation_of_the_marched_step_average(scheme):
-    line, first = line_of(), np.array([1])
-    case = CASE._replace(speed=3.0, kept_steps=(first,) * 3, scheme=scheme)
-    outcome, load = run_case(line, case, ALL), case.load * line.z.size
-    one, two = (SCHEMES[scheme](1.0 / (M * r * case.speed)) for r in (1.0, RATIOS[0]))
-    state, _ = steady_sliding(one, line.z, load)
-    weight = lagged_slope(line.slope, two.lag)
-    mu, *_ = march(two, ConstantForce(load), line.z, weight, state, first, np.inf)
-    (w, d), _ = steady_sliding(two, line.z, load)
-    deviation = mu - step_average(weight, line.z - w, d)
-    assert abs(deviation[0]) > 1e-4
-    # One march leaves the highest tops out, as they never touch: only rounding differs.
-    np.testing.assert_allclose(outcome.curves[0] - outcome.mu_2[0], deviation, rtol=1e-9)
 
 
 def test_curve_is_marched_plainly_where_bounds_are_exceeded(monkeypatch):
@@ -177,3 +134,14 @@ def test_the_jump_of_the_smallest_step_is_that_of_a_larger_one_in_proportion():
 def test_cases_without_meaning_are_refused(change, named):
     with pytest.raises(ValueError, match=named):
         run_case(line_of(), CASE._replace(**change), ALL)
+
+
+PLAIN = Case(0.1, 1.0, (1.2, 0.5), (np.array([1]),), "exponential")
+
+
+@pytest.mark.parametrize(
+    "changed", [{"speed": -1.0}, {"ratios": (-1.2,)}, {"spectrum": Spectrum((1.0,), (1.0,), 0.0)}]
+)
+def test_a_kelvin_element_that_slides_one_way_is_plain(changed):
+    assert PLAIN.plain
+    assert not PLAIN._replace(**changed).plain

@@ -1,12 +1,19 @@
-"""Many cases on one line: what one gives does not depend on its company, to the bit."""
+"""Many cases, on one line or several: what one gives does not depend on its company, to the bit."""
 
 import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import Case, Quantities, Spectrum, run_case, run_cases
-from tests.cases import CASE, line_of
+from elastomer_friction.kernels import (
+    Quantities,
+    Spectrum,
+    prepare,
+    run_case,
+    run_cases,
+    run_prepared,
+)
+from tests.cases import ALL, CASE, KEPT, line_of
 
 LINE = line_of()
 STEADY = Quantities(relaxation=False)
@@ -63,10 +70,40 @@ def test_time_is_booked_to_the_cases_that_took_it():
     assert found[-1].seconds.steady > 0.0  # of the line, that all share
 
 
-def test_nothing_moves_in_full_contact():
-    """At both speeds: mu is mu_2 at once, and d what the load and the mean height make it."""
-    case = Case(40.0, 1.0, (1.2,), (np.arange(1, 30),), "exponential")
-    found = run_case(LINE, case, Quantities())
-    assert found.contact_fraction == 1.0
-    assert found.indentation == pytest.approx(40.0, rel=1e-13)
-    np.testing.assert_array_equal(found.curves[0], np.full(29, found.mu_2[0]))
+MEMORY = CASE._replace(
+    ratios=(1.2,), kept_steps=(KEPT[:3],), spectrum=Spectrum((1.0,), (1.0,), 0.1)
+)
+STEADY_ALONE = Quantities(jump=False, relaxation=False)
+
+
+def test_cases_of_one_speed_are_together_and_those_with_memory_alone():
+    faster, heavier = CASE._replace(speed=2.0 * CASE.speed), CASE._replace(load=2.0 * CASE.load)
+    found = prepare([CASE, MEMORY, faster, heavier], 4, STEADY_ALONE)
+    assert [some.rows for some in found.together] == [[0, 3], [2]]
+    assert found.alone == (1,)
+    np.testing.assert_array_equal(found.together[0].loads, [CASE.load, heavier.load])
+
+
+@pytest.mark.parametrize("asked", [ALL, STEADY_ALONE, ALL._replace(jump=False)])
+def test_lines_run_together_give_what_each_gives_alone(asked):
+    cases = [CASE, CASE._replace(load=1e-3, speed=100.0), CASE._replace(load=40.0), MEMORY]
+    lines = [line_of(shift=shift, steps=4) for shift in (0.0, 3.3, 20.2)]
+    together = run_prepared(lines, prepare(cases, 4, asked))
+    for line, found in zip(lines, together, strict=True):
+        for one, other in zip(found, run_cases(line, cases, asked), strict=True):
+            for name in set(one._fields) - {"seconds"}:
+                np.testing.assert_array_equal(getattr(one, name), getattr(other, name))
+
+
+@pytest.mark.parametrize(
+    "lines",
+    [
+        [line_of(steps=4)],
+        [line_of(steps=8), line_of(steps=4)],
+        [line_of(60, steps=8), line_of(62, steps=8)],
+        [line_of(steps=8), line_of(steps=8)._replace(band_limited=False)],
+    ],
+)
+def test_lines_that_cases_are_not_prepared_for_are_refused(lines):
+    with pytest.raises(ValueError, match="alike, of 8 steps per spacing"):
+        run_prepared(lines, prepare([CASE], 8, STEADY_ALONE))

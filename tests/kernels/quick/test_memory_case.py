@@ -67,10 +67,3 @@ def test_steps_that_the_fastest_branch_loses_in_rounding_are_refused():
     for spectrum, speed in ((solid._replace(viscosity=1.0), 1e10), (solid, 1e11)):
         with pytest.raises(ValueError, match="lost in rounding"):
             run_case(LINE, SOLID._replace(speed=speed, spectrum=spectrum), ASKED)
-
-
-def test_only_what_is_asked_for_is_there():
-    found = run_case(LINE, SOLID, Quantities(jump=False, relaxation=False))
-    assert np.isfinite(found.mu_2).all()
-    assert np.isnan(found.jump).all()
-    assert not found.curves

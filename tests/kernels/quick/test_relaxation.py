@@ -4,7 +4,11 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, step_average
-from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds, Pace, steady_friction
+from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AtSpeed,
+    Grounds,
+    steady_friction,
+)
 from elastomer_friction.kernels.quick.relaxation import Ends, plain_relaxations
 from elastomer_friction.kernels.quick.steady.stack import alone
 from tests.cases import KEPT, M, line_of
@@ -18,9 +22,11 @@ class Given:
     def __init__(self, scheme):
         self.lines = [line_of(), line_of(shift=5)]
         self.grounds = Grounds.of(self.lines, marched=True)
-        paces = [Pace.of(scheme, M, speed) for speed in SPEEDS]
-        self.law, load = paces[1].law, LOAD * self.lines[0].z.size
-        self.found = [steady_friction(self.grounds, pace, np.array([load])) for pace in paces]
+        at_speeds = [AtSpeed.of(scheme, M, speed) for speed in SPEEDS]
+        self.law, load = at_speeds[1].law, LOAD * self.lines[0].z.size
+        self.found = [
+            steady_friction(self.grounds, at_speed, np.array([load])) for at_speed in at_speeds
+        ]
         self.ends = [Ends(own.decay, own.stay, own.d[:, 0].copy()) for own in self.found]
         self.control = ConstantForce(load)
 

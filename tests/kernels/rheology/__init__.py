@@ -1,1 +1,0 @@
-"""Tests of kernels/rheology, one module per module."""

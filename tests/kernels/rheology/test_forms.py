@@ -1,8 +1,10 @@
-"""Both forms of a material do what it does: known histories, and orders towards them."""
+"""One step of every form of a material, and known histories: exact, or at their order."""
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
+from elastomer_friction.kernels import SCHEMES, Kelvin
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import (
     Elements,
@@ -10,12 +12,127 @@ from elastomer_friction.kernels.rheology.law import (
     lasting,
     law_of,
     memories,
+    predict,
     rest,
+    settle,
 )
-from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.prony import moments
+from elastomer_friction.kernels.rheology.relaxed import relaxation
+from elastomer_friction.kernels.rheology.retardation import Retardation, retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, relaxation_modulus
 from tests.convergence import observed_order
-from tests.viscoelastic import MATERIALS, Foundation
+from tests.reference_march import constants
+from tests.viscoelastic import MATERIALS, PRONY3, Foundation
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("dt", np.geomspace(1e-6, 30.0, 15))
+def test_constants_are_those_of_the_defining_formulas(scheme, dt):
+    step = SCHEMES[scheme](dt)
+    # Some formulas lose digits as eps / dt; 20 Gauss nodes integrate the lag to rounding.
+    lost = 1e-15 + 4e-16 / dt
+    expected = constants(scheme, dt)
+    assert step.decay == pytest.approx(expected[0], rel=1e-15)
+    assert step[1:] == pytest.approx(expected[1:], rel=1e-12 + lost)
+    # Held at u the force must be -u (eq. 2).
+    assert step.stiffness * (1.0 - step.decay) == pytest.approx(1.0, rel=lost)
+
+
+def test_lag_of_the_exponential_scheme_between_its_limits():
+    lag = [SCHEMES["exponential"](dt).lag for dt in np.geomspace(1e-12, 1e6, 400)]
+    assert lag[0] == pytest.approx(0.5, abs=1e-12)  # dt -> 0: even weight
+    assert lag[-1] == pytest.approx(1e-6, rel=1e-12)  # dt -> inf: the last tau counts
+    assert np.all(np.diff(lag) < 1e-12)  # falling; rounding of 1/dt - 1/expm1(dt) below 1e-3
+
+
+@pytest.mark.parametrize("seam", [1e-3, 40.0])
+def test_lag_is_continuous_where_its_formula_changes(seam):
+    lag = SCHEMES["exponential"]
+    # Two differences of 1e-9 seam apart; cancellation leaves eps / dt = 2e-13.
+    assert lag(seam * (1 - 1e-9)).lag == pytest.approx(lag(seam * (1 + 1e-9)).lag, rel=3e-9)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_extreme_steps_stay_finite(scheme):
+    for dt in (1e-12, 1e4, 1e12):
+        step = SCHEMES[scheme](dt)
+        assert isinstance(step, Kelvin)
+        assert np.all(np.isfinite(step))
+        assert 0.0 <= step.decay < 1.0
+        assert step.stiffness >= 1.0
+
+
+@pytest.mark.parametrize("dt", np.geomspace(1e-9, 1e9, 19))
+def test_one_unit_is_the_kelvin_element(dt):
+    law, kelvin = law_of(retardation(KELVIN), dt), SCHEMES["exponential"](dt)
+    assert law.decay[0] == pytest.approx(kelvin.decay, rel=1e-15)
+    assert law.stiffness == pytest.approx(kelvin.stiffness, rel=1e-14)
+    assert law.lag == pytest.approx(kelvin.lag, rel=1e-11)
+    assert (law.linear, law.stale[0]) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("x", [1e-12, 1e-4, 0.0999, 0.1001, 3.0, 50.0, 1e8])
+def test_moments_are_those_of_a_linear_force(x):
+    """Weights of the force at the end and at the start, integrated with e^-(x - s)."""
+    gone, end, start = moments(x)
+    assert gone == pytest.approx(-np.expm1(-x), rel=1e-15)
+    assert end + start == pytest.approx(gone, rel=1e-13)
+    if x < 100.0:
+        expected, _ = quad(lambda s: np.exp(-(1.0 - s) * x) * x * s, 0.0, 1.0, epsrel=1e-13)
+        assert end == pytest.approx(expected, rel=1e-11)
+
+
+def test_a_linear_force_is_followed_exactly():
+    """y of a unit under p = t, against -J (t - lambda (1 - e^(-t/lambda))), in uneven steps."""
+    form = Retardation(1.0, np.array([0.7, 0.3]), np.array([2.0, 0.1]))
+    memory, p, w, now = np.zeros((2, 1)), np.zeros(1), np.empty(1), 0.0
+    for dt in (0.01, 0.3, 1.1, 1e-5):
+        now += dt
+        law, new = law_of(form, dt), np.array([now])
+        assert law.linear == 1.0
+        predict(law, memory, p, w)
+        settle(law, memory, w, p, new)
+        p = new
+    lag = form.times * -np.expm1(-now / form.times)
+    assert memory[:, 0] == pytest.approx(-form.compliances * (now - lag), rel=1e-13)
+
+
+def test_what_is_left_of_a_state_is_never_subnormal():
+    law = law_of(retardation(KELVIN), 1.0)
+    memory, w, p = np.array([[-1.0]]), np.empty(1), np.zeros(1)
+    for _ in range(1000):
+        predict(law, memory, p, w)
+        settle(law, memory, w, p, p)
+        assert memory[0, 0] == 0.0 or abs(memory[0, 0]) > 1e-201
+    assert memory[0, 0] == 0.0
+
+
+@pytest.mark.parametrize("dt", np.geomspace(1e-9, 1e6, 16))
+def test_without_branches_it_is_implicit_euler(dt):
+    law, kelvin = law_of(relaxation(KELVIN), dt), SCHEMES["implicit-euler"](dt)
+    assert (law.stiffness, law.lag) == (pytest.approx(kelvin.stiffness, rel=1e-15), 0.0)
+    memory, w = np.array([[-1.0]]), np.empty(1)
+    predict(law, memory, np.zeros(1), w)
+    assert w == pytest.approx(-kelvin.decay, rel=1e-14)
+    settle(law, memory, w, np.zeros(1), np.zeros(1))
+    assert memory[0] == pytest.approx(-kelvin.decay, rel=1e-14)
+
+
+def test_a_constant_rate_is_followed_exactly():
+    """p of u = -t: t + sum g t_b (1 - e^(-t/t_b)), in uneven steps."""
+    form = relaxation(PRONY3)
+    memory, w, now, p = np.zeros((4, 1)), np.empty(1), 0.0, np.zeros(1)
+    for dt in (0.01, 0.3, 1.1, 1e-5):
+        now += dt
+        law = law_of(form, dt)
+        predict(law, memory, p, w)
+        p = law.stiffness * (w + now)
+        settle(law, memory, w, p, p)
+        stresses = form.moduli * form.times * -np.expm1(-now / form.times)
+        assert p == pytest.approx(now + stresses.sum(), rel=1e-11)
+    assert memory[-1] == pytest.approx(-now, rel=1e-13)
+    assert memory[:-1, 0] == pytest.approx(-stresses, rel=1e-11)
+
 
 REFINEMENTS = np.array([1, 2, 4, 8])
 
@@ -114,10 +231,3 @@ def test_the_old_force_comes_back_with_a_gain_below_one(name, dt):
     assert 0.0 <= law.linear <= 1.0
     assert law.stale.sum() * law.stiffness <= 0.8 + 1e-12
     assert 0.0 <= law.lag <= 0.5 + 1e-12
-
-
-def test_kelvin_memory():
-    assert {scheme: memories(form(KELVIN)) for scheme, form in FORMS.items()} == {
-        "exponential": 1,
-        "implicit-euler": 1,
-    }

@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Ramp, Sampled, Slide
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Sampled, Slide
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
-from elastomer_friction.kernels.scene import Scene, run_scene, scene_steps
+from elastomer_friction.kernels.scene import SceneCase, run_scene, scene_steps
 from tests.lines import random_line
 from tests.sizes import size
 
@@ -32,7 +32,7 @@ def a_line(elements=None, hurst=0.7, m=4, seed=3):
 
 
 def a_scene(programme, spectrum=KELVIN, m=4, **changes):
-    """Return a Scene at F̄ = 0.3 or a given indentation, of which every step is kept."""
+    """Return a scene at F̄ = 0.3 or a given indentation, of which every step is kept."""
     values = {
         "spectrum": spectrum,
         "scheme": "exponential",
@@ -45,7 +45,7 @@ def a_scene(programme, spectrum=KELVIN, m=4, **changes):
         "edges": np.arange(1.0),
         "frames": np.arange(0),
     } | changes
-    scene = Scene(**values)
+    scene = SceneCase(**values)
     if "kept" in changes:
         return scene
     return scene._replace(kept=np.arange(scene_steps(scene, m).dt.size + 1))

@@ -5,7 +5,7 @@ import itertools
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation, Ramp, Slide
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import KELVIN

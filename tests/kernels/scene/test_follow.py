@@ -5,12 +5,11 @@ import pytest
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Hold, Ramp, Slide
+from elastomer_friction.kernels.motion.legs import Hold, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
-from elastomer_friction.kernels.scene import trace_stamps
 from tests.convergence import observed_order
-from tests.kernels.scene.given import MATERIALS, a_line, a_scene, trace
+from tests.kernels.scene.given import MATERIALS, a_line, trace
 from tests.sizes import size
 
 
@@ -105,9 +104,9 @@ def errors_over_time(name, refinements):
         programme = (Slide(2.0, 8.0), Slide(3.0, 8.0))
         for seed in range(lines):
             line = a_line(8, 1.0, m, seed)
-            stamps = trace_stamps(a_scene(programme, MATERIALS[name], m, start="relaxed"), m)
-            mu = trace(line, programme, MATERIALS[name], start="relaxed")["trace_mu"]
-            curves.append(np.interp(np.linspace(0.25, 6.5, 400), stamps["time"], mu))
+            found = trace(line, programme, MATERIALS[name], start="relaxed")
+            at = np.linspace(0.25, 6.5, 400)
+            curves.append(np.interp(at, found["trace_time"], found["trace_mu"]))
     found = np.array(curves).reshape(-1, lines, 400)
     return np.sqrt(np.mean((found[:-1] - found[-1]) ** 2, axis=2) / np.mean(found[-1] ** 2, axis=1))
 

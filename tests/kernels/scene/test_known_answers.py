@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.lines.line import Line
-from elastomer_friction.kernels.motion.programme import Hold, Oscillation
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus, relaxation_modulus
-from elastomer_friction.kernels.scene import run_scene, trace_stamps
+from elastomer_friction.kernels.scene import run_scene
 from tests.convergence import observed_order
 from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, a_scene
 from tests.sizes import size
@@ -24,9 +24,9 @@ def response(spectrum, omega, m, cycles, samples=0.03):
     line = Line.from_samples(np.cos(Q * x), -Q * np.sin(Q * x), m)
     programme = (Oscillation(0.0, amplitude, omega / (2.0 * math.pi), cycles),)
     scene = a_scene(programme, spectrum, m, start="relaxed", indentation=30.0)
-    found, stamps = run_scene(line, scene), trace_stamps(scene, m)
+    found = run_scene(line, scene)
     last = slice(-16 * m, None)
-    waves = np.stack([f(omega * stamps["time"][last]) for f in (np.sin, np.cos)], axis=1)
+    waves = np.stack([f(omega * found["trace_time"][last]) for f in (np.sin, np.cos)], axis=1)
     measured, *_ = np.linalg.lstsq(waves, found["trace_friction_force"][last], rcond=None)
     return complex(*measured) / amplitude
 
@@ -52,10 +52,10 @@ def relaxation_errors(spectrum, refinements):
     for m in refinements:
         line = a_line(8, 0.7, m, 1)
         scene = a_scene((Hold(5.0),), spectrum, m, start="fresh", indentation=20.0)
-        times = trace_stamps(scene, m)["time"]
-        force = run_scene(line, scene)["trace_normal_force"]
-        expected = (20.0 - (line.z.mean() + line.datum)) * relaxation_modulus(spectrum, times)
-        errors.append([np.abs(force / expected - 1.0).max()])
+        found = run_scene(line, scene)
+        modulus = relaxation_modulus(spectrum, found["trace_time"])
+        expected = (20.0 - (line.z.mean() + line.datum)) * modulus
+        errors.append([np.abs(found["trace_normal_force"] / expected - 1.0).max()])
     return np.array(errors)
 
 

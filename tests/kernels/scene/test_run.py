@@ -1,14 +1,188 @@
-"""Runs of scenes: cut and resumed to the bit, and every recorder by itself."""
+"""Scenes: their start, their steps, what is kept of a step, cut and resumed to the bit."""
+
+import itertools
+import math
+import re
 
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.motion.programme import Slide
-from elastomer_friction.kernels.scene import ASKED, Saved, run_scene, scene_steps
-from tests.kernels.scene.given import EVERY, MATERIALS, PRONY, a_line, a_scene
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.law import law_of, predict
+from elastomer_friction.kernels.scene import ASKED, MOTION, TRACES, Saved, run_scene, scene_steps
+from elastomer_friction.kernels.scene.begin import fresh, relaxed
+from elastomer_friction.kernels.scene.records import (
+    Film,
+    Lengths,
+    Trace,
+    count_lengths,
+    keep_frame,
+    keep_trace,
+)
+from elastomer_friction.kernels.scene.scene_case import indentation_at
+from tests.kernels.scene.given import DAMPED, EVERY, MATERIALS, PRONY, SOLID, a_line, a_scene
+
+M = 4
+
+
+@pytest.mark.parametrize("scheme", FORMS)
+def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
+    found = run_scene(a_line(), a_scene(EVERY, DAMPED, M, scheme=scheme))
+    time, distance, velocity = (found[name] for name in MOTION)
+    steps = steps_of(EVERY, M)
+    lag = np.array([law_of(FORMS[scheme](DAMPED), dt).lag for dt in steps.dt])
+    place = np.append(0.0, steps.position) / M
+    np.testing.assert_allclose(time[1:], np.cumsum(steps.dt) - lag * steps.dt)
+    acting = (1.0 - lag) * place[1:] + lag * place[:-1]
+    np.testing.assert_allclose(distance[1:], acting, atol=1e-12)
+    np.testing.assert_allclose(velocity[1:], np.diff(place) / steps.dt, atol=1e-12)
+    assert (time[0], distance[0], velocity[0]) == (0.0, 0.0, 0.5)
+
+
+def test_some_kept_steps_are_when_and_where_they_are_among_all():
+    every = a_scene(EVERY, SOLID, M)
+    some = every._replace(kept=np.array([0, 3, 17, 40]))
+    whole, part = (run_scene(a_line(), scene) for scene in (every, some))
+    for name in MOTION:
+        np.testing.assert_array_equal(part[name], whole[name][some.kept])
+
+
+def test_steps_at_rest_end_where_the_indentation_history_has_its_times():
+    times = (0.0, 0.3, 2.7, 9.0)
+    scene = a_scene((Slide(1.0, 1.0), Hold(5.0)), SOLID, M, indentation=(times, (1.0,) * 4))
+    steps, plain = scene_steps(scene, M), steps_of(scene.programme, M)
+    end = np.cumsum(steps.dt)
+    assert np.abs(end - 2.7).min() < 1e-12
+    assert end.size == plain.dt.size + 1  # 0.3 lies within the slide, 9 beyond the end
+    np.testing.assert_allclose(end[[3, -1]], np.cumsum(plain.dt)[[3, -1]], rtol=1e-13)
+    np.testing.assert_array_equal(steps.position[:4], plain.position[:4])
+    np.testing.assert_array_equal(steps.dt[:4], plain.dt[:4])
+
+
+def test_the_prescribed_indentation_is_over_the_mean_line():
+    scene = a_scene((Hold(1.0),), SOLID, M, indentation=((0.0, 2.0), (1.0, 3.0)), start="relaxed")
+    np.testing.assert_allclose(indentation_at(scene, np.array([1.0, 5.0]), -0.5), [2.5, 3.5])
+    constant = scene._replace(indentation=1.0)
+    np.testing.assert_allclose(indentation_at(constant, np.arange(3.0), -0.5), [1.5] * 3)
+
+
+SLIDE = (Slide(1.0, 1.0),)
+REFUSED = [
+    ({"start": "now"}, "start = 'now': use one of"),
+    ({"asked": ("heat",)}, "asked = ['heat']: use some of"),
+    ({"asked": ("energy",), "scheme": "implicit-euler"}, "energy is that of the scheme"),
+    ({"asked": ("contact_lengths",), "edges": np.array([2.0, 1.0])}, "edges must increase"),
+    ({"kept": np.array([0, 5])}, "kept must hold increasing numbers of steps, 0 to 4"),
+    ({"kept": np.array([2, 1])}, "kept must hold increasing numbers of steps"),
+    ({"frames": np.array([-1])}, "frames must hold increasing numbers of steps"),
+    ({"load": 0.0}, "load = 0: must lie between"),
+    ({"load": math.nan}, "load = nan: must lie between"),
+    ({"load": 1.0, "indentation": 1.0}, "load and indentation are both given"),
+    ({"programme": (Hold(1.0),)}, "first speed = 0: must lie between"),
+    ({"programme": (Oscillation(0.0, 1.0, 1.0, 1),)}, "first speed = 0: must lie between"),
+    ({"spectrum": DAMPED, "start": "fresh"}, 'start = "fresh": a dashpot carries any load'),
+]
+
+
+@pytest.mark.parametrize(("changes", "message"), REFUSED, ids=[text for _, text in REFUSED])
+def test_scenes_without_meaning_are_refused(changes, message):
+    scene = a_scene(**{"programme": SLIDE, "m": M} | changes)
+    with pytest.raises(ValueError, match=re.escape(message)):
+        run_scene(a_line(10), scene)
+
+
+@pytest.mark.parametrize("programme", [(), (Hold(0.0),)])
+def test_a_programme_without_a_step_is_refused(programme):
+    with pytest.raises(ValueError, match="programme: its legs take no time"):
+        a_scene(programme, m=M)
+
 
 LINE = a_line()
-M = LINE.steps_per_spacing
+TOTAL = 0.3 * LINE.z.size
+
+
+@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("name", MATERIALS)
+def test_relaxed_elements_stay_where_they_are(scheme, name):
+    form = FORMS[scheme](MATERIALS[name])
+    elements = relaxed(form, LINE.z, TOTAL, np.nan)
+    np.testing.assert_allclose(elements.p, np.maximum(0.0, elements.d - LINE.z), atol=1e-12)
+    assert elements.p.sum() == pytest.approx(TOTAL, rel=1e-12)
+    law, w = law_of(form, 0.3), np.empty(LINE.z.size)
+    predict(law, elements.memory, elements.p, w)
+    again = law.stiffness * np.maximum(0.0, elements.d - (LINE.z - w))
+    np.testing.assert_allclose(again, elements.p, atol=1e-11)
+
+
+@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("spectrum", [SOLID, PRONY], ids=["solid", "prony"])
+def test_fresh_elements_are_glassy_and_keep_their_force_for_a_moment(scheme, spectrum):
+    form = FORMS[scheme](spectrum)
+    stiffness = 1.0 + sum(spectrum.moduli)
+    elements = fresh(form, spectrum, LINE.z, TOTAL, np.nan)
+    np.testing.assert_allclose(
+        elements.p, stiffness * np.maximum(0.0, elements.d - LINE.z), rtol=1e-9
+    )
+    assert elements.p.sum() == pytest.approx(TOTAL, rel=1e-12)
+    law, w = law_of(form, 1e-7), np.empty(LINE.z.size)
+    predict(law, elements.memory, elements.p, w)
+    again = law.stiffness * np.maximum(0.0, elements.d - (LINE.z - w))
+    np.testing.assert_allclose(again, elements.p, rtol=1e-3, atol=1e-6)
+
+
+RNG = np.random.default_rng(4)
+
+
+def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
+    before, now = RNG.normal(size=(2, 40))
+    p = np.maximum(0.0, RNG.normal(size=40))
+    trace = Trace(*np.zeros((8, 3)))
+    keep_trace(trace, 1, 0.3, before, now, 2.0, 1.0, p)
+    acting = 0.7 * now + 0.3 * before
+    assert trace.mu[1] == pytest.approx(p @ acting / p.sum())
+    assert trace.friction_force[1] == pytest.approx(np.mean(p * acting))
+    assert trace.normal_force[1] == pytest.approx(p.mean())
+    assert trace.contact_fraction[1] == np.mean(p > 0.0)
+    assert trace.indentation[1] == pytest.approx(1.3)
+    for values in trace:
+        assert values[0] == values[2] == 0.0
+
+
+def test_friction_is_not_a_number_where_nothing_touches():
+    trace = Trace(*np.zeros((8, 1)))
+    keep_trace(trace, 0, 0.3, np.ones(4), np.ones(4), 1.0, 1.0, np.zeros(4))
+    assert np.isnan(trace.mu[0])
+    assert trace.friction_force[0] == trace.normal_force[0] == trace.contact_fraction[0] == 0.0
+
+
+@pytest.mark.parametrize("share", [0.1, 0.5, 0.9])
+def test_lengths_are_those_of_runs_round_the_period(share):
+    pressed = RNG.random(200) < share
+    free = int(np.argmin(pressed))
+    turned = np.roll(pressed, -free)
+    runs = [len(list(run)) for touching, run in itertools.groupby(turned) if touching]
+    for shift in (0, 1, 57):
+        lengths = Lengths(np.array([1.0, 2.0, 4.0, 8.0, 300.0]), np.zeros(4))
+        count_lengths(lengths, np.roll(pressed, shift).astype(float))
+        np.testing.assert_array_equal(lengths.counts, np.histogram(runs, lengths.edges)[0])
+
+
+def test_full_contact_is_one_and_none_is_none():
+    lengths = Lengths(np.array([0.0, 9.5, 20.0]), np.zeros(2))
+    count_lengths(lengths, np.ones(10))
+    count_lengths(lengths, np.zeros(10))
+    np.testing.assert_array_equal(lengths.counts, [0.0, 1.0])
+
+
+def test_a_frame_is_the_line_over_the_foundation_and_the_elements():
+    film = Film(*np.zeros((2, 2, 5)))
+    z, u = RNG.normal(size=(2, 5))
+    keep_frame(film, 1, z, 0.5, u)
+    np.testing.assert_array_equal(film.height, [np.zeros(5), z - 0.5])
+    np.testing.assert_array_equal(film.displacement, [np.zeros(5), u])
+
+
 ALL = {"asked": ASKED, "edges": np.array([0.0, 1.0, 2.0, 4.0, 100.0])}
 
 
@@ -27,9 +201,9 @@ def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
     two = whole._replace(programme=EVERY[cut:])
     two = two._replace(kept=np.arange(1, scene_steps(two, M, saved(first).origin).dt.size + 1))
     second, found = run_scene(LINE, two, saved(first)), run_scene(LINE, whole)
-    for key in ("mu", "indentation", "normal_force", "friction_force", "contact_fraction"):
-        joined = np.append(first[f"trace_{key}"], second[f"trace_{key}"])
-        np.testing.assert_array_equal(joined, found[f"trace_{key}"])
+    for key in TRACES:
+        joined = np.append(first[key], second[key])
+        np.testing.assert_array_equal(joined, found[key])
     for key in Saved._fields:
         np.testing.assert_array_equal(second[f"state_{key}"], found[f"state_{key}"])
     np.testing.assert_array_equal(

@@ -14,9 +14,9 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.quick.contacts.steady_friction import Grounds
-from elastomer_friction.kernels.quick.march.setting import Setting
+from elastomer_friction.kernels.quick.march.given import March
 from elastomer_friction.kernels.rheology.kelvin import SCHEMES
-from tests.kernels.quick.march.given import passing_of
+from tests.kernels.quick.march.given import steady_state_of
 from tests.tools.rivals.rows import RATIO, Row
 
 
@@ -39,9 +39,9 @@ class Problem:
         spans = Grounds.of([line], marched=True).each[0].spans
         laws = self.before, self.law
         states = (self.before, self.one), (self.law, self.two)
-        ends = (passing_of(line.z, law, state) for law, state in states)
+        ends = (steady_state_of(line.z, law, state) for law, state in states)
         rates = [
             quadrature(*line[:2], *self.one, self.speed, speed, self.load)[1]
             for speed in (self.speed, RATIO * self.speed)
         ]
-        self.setting = Setting(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])
+        self.setting = March(line.z, line.slope, spans, *laws, *ends, rates[1] - rates[0])

@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import subprocess
 import sys
 
@@ -9,17 +10,17 @@ import pytest
 
 from elastomer_friction.workflow.cli import commands as cli
 from elastomer_friction.workflow.cli import main
-from tests.support.commands import output, refusal
-from tests.support.runs import PATIENCE, ROOT, start
+from elastomer_friction.workflow.cli import run_options as run_command
+from elastomer_friction.workflow.cli.commands import KINDS
+from elastomer_friction.workflow.cli.run_options import paced_plan, resume_line
+from elastomer_friction.workflow.plan import TYPICAL, Pace
+from elastomer_friction.workflow.plan.cost.machine import Machine
+from elastomer_friction.workflow.plan.cost.work import PARTS
+from elastomer_friction.workflow.study.study import AnyStudy
+from tests.support.commands import facts, output, refusal
+from tests.support.runs import PATIENCE, ROOT
+from tests.support.small import small_study
 from tests.support.sweeps import mostly_exhaustive
-
-
-@pytest.mark.exhaustive  # in this process every refusal is asked for
-def test_bad_input_is_one_line_in_a_process_of_its_own(study):
-    process = start("plan", study, "--set", "grid.hurst=1.2")
-    out, err = process.communicate(timeout=PATIENCE)
-    assert (process.returncode, out) == (2, "")
-    assert err == "error: grid.hurst = 1.2: must lie between 0 and 1\n"
 
 
 @pytest.mark.parametrize("command", ["plan", "run", "status", "figure", "table", "report"])
@@ -128,3 +129,99 @@ def test_a_shell_completes_commands_and_names_of_studies(tmp_path, typed, expect
     assert done.returncode == 0
     found = (tmp_path / "found").read_text().replace("\013", " ").split()
     assert {word.strip() for word in found} == expected
+
+
+def test_run_reports_what_it_did(capsys, study, tmp_path):
+    arguments = ["run", study, "--out", str(tmp_path / "mine.nc")]
+    assert main(arguments) == 0
+    out, err = capsys.readouterr()
+    assert out.splitlines()[-1] == str(tmp_path / "mine.nc")
+    assert "batches computed" in out
+    assert "0 records reused" in out
+    assert "core time used" in out
+    assert any(line.startswith("fitting: 100%") for line in err.splitlines())
+    assert (tmp_path / "mine.nc").is_file()
+
+
+BAD = "workers=0 workers=-2 max-failures=-1"
+BAD += " batch-seconds=0.0 batch-seconds=-1.0 batch-seconds=nan batch-seconds=inf"
+
+
+@pytest.mark.parametrize("option", BAD.split())
+def test_bad_option_of_run_names_it(capsys, study, tmp_path, option):
+    message = refusal(capsys, "run", study, f"--{option}", "--out", str(tmp_path))
+    assert message.startswith(f"error: --{option.replace('=', ' ')}: must ")
+
+
+def test_a_scheduler_and_a_batch_system_are_one_too_many(capsys, study):
+    said = refusal(capsys, "run", study, "--slurm", "--scheduler", "tcp://127.0.0.1:1")
+    assert said == "error: --scheduler and --slurm: only one of them\n"
+
+
+@pytest.mark.parametrize("option", ["--workers=2", "--batch-seconds=1", "--scheduler=tcp://x:1"])
+def test_options_of_the_cluster_are_refused_where_there_is_none(powers, capsys, option):
+    assert "is measured in one process" in refusal(capsys, "run", "powers", option)
+
+
+def test_how_to_go_on_can_be_typed_again(monkeypatch):
+    monkeypatch.setattr("sys.argv", ["workflow", "run", "fig7", "--set", "grid.hurst=[0.3, 0.7]"])
+    assert resume_line("interrupted").endswith("run fig7 --set 'grid.hurst=[0.3, 0.7]'")
+
+
+@pytest.mark.parametrize(
+    ("realizations", "known", "measured"), [(4, 0, 0), (10**5, 0, 1), (10**5, 1, 0)]
+)
+def test_a_machine_is_measured_for_what_takes_longer_than_that(
+    monkeypatch, realizations, known, measured
+):
+    """Unless it is known."""
+    asked, fast = [], Machine(Pace(dict.fromkeys(PARTS, (0.5, 1.1))), "fast")
+    monkeypatch.setattr(run_command, "known_machine", lambda: fast if known else None)
+    monkeypatch.setattr(run_command, "this_machine", lambda: asked.append(1) or fast)
+    plan = paced_plan(small_study(f"study.realizations={realizations}"))
+    assert len(asked) == measured
+    assert plan.pace == (fast.pace if known or measured else TYPICAL)
+
+
+def test_status_before_a_run(capsys, study, tmp_path):
+    found = facts(output(capsys, "status", study, "--out", str(tmp_path / "out")))
+    assert found["done"] == "done        0 of 64 records (problem x block)"
+    assert "core-hours, predicted" in found["remaining"]
+    assert found["run"] == "run         not running"
+    assert found["result"].endswith("small.nc (not written yet)")
+    assert not (tmp_path / "out").exists()
+
+
+def test_status_after_a_run(capsys, study, finished):
+    found = facts(output(capsys, "status", study, "--out", str(finished.path)))
+    assert found["done"].startswith("done        64 of 64 records")
+    assert found["failed"] == "failed      0 problems"
+    assert found["remaining"].startswith("remaining   0 core-hours")
+    assert found["run"].startswith("run         finished, 20")
+    assert found["result"] == f"result      {finished.path}"
+
+
+def test_a_measured_study_is_planned_run_and_shown_by_the_same_commands(capsys, powers):
+    results = powers.parents[1] / "results"
+    planned = output(capsys, "plan", "powers")
+    assert "powers: Powers of two\n" in planned
+    assert "powers      3\n" in planned
+    assert re.search(r"^predicted   about [\d.]+ to [\d.]+ core-seconds$", planned, re.MULTILINE)
+    assert "not written yet" in output(capsys, "status", "powers")
+    for command in ("figure", "table"):
+        assert "powers.nc: not found" in refusal(capsys, command, "powers")
+    assert main(["run", "powers"]) == 0
+    out, err = capsys.readouterr()
+    assert (out.splitlines()[0], out.splitlines()[-1]) == ("largest 4", "results/powers.nc")
+    assert "measuring: 100%" in err
+    assert "not written yet" not in output(capsys, "status", "powers")
+    drawn = output(capsys, "figure", "powers").split()
+    assert drawn == ["results/powers.png", "results/powers.pdf"]
+    output(capsys, "table", "powers")
+    assert (results / "powers.csv").read_text() == "found\n1\n2\n4\n"
+
+
+def test_every_kind_of_study_can_be_told_every_command():
+    kinds = {kind.kind for kind in AnyStudy.__subclasses__()}
+    assert kinds == set(KINDS)
+    assert all(callable(command) for kind in KINDS.values() for command in kind.values())

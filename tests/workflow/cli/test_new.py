@@ -1,14 +1,20 @@
-"""The commands ``studies`` and ``new``: what can be named, and a study to start from."""
+"""Commands beside those of a run: studies, new, schema, verify, merge, animate."""
 
 import json
 import re
+from pathlib import Path
 
 import pytest
+from PIL import Image
 
+from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.cli.commands import TEMPLATE
+from elastomer_friction.workflow.store.store import Store
+from elastomer_friction.workflow.study import read_scene
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from elastomer_friction.workflow.study.tables import TABLES
-from tests.support.commands import output, refusal
+from tests.support.commands import facts, output, refusal
+from tests.support.shards import WORK, filled, shard_of
 
 
 def test_studies_are_listed_with_their_titles(capsys, tmp_path, monkeypatch):
@@ -70,3 +76,76 @@ def _usual(found: re.Match) -> str:
 def test_the_schema_is_printed_as_json(capsys):
     schema = json.loads(output(capsys, "schema"))
     assert schema["properties"]["grid"]["properties"]["hurst"]["description"]
+
+
+@pytest.fixture
+def results(tmp_path, monkeypatch):
+    """Return a folder of results, in the working folder, with a store of three shards."""
+    monkeypatch.chdir(tmp_path)
+    filled(tmp_path / "results" / "store", WORK[:3])
+    return tmp_path / "results"
+
+
+def test_a_store_is_verified_by_folder_and_by_study(capsys, results, study):
+    said = output(capsys, "verify")
+    assert facts(said)["shards"].split() == ["shards", "3", "of", "3", "sound"]
+    for what in (("results",), ("results/store",), (study,), (study, "--out", "results/small.nc")):
+        assert facts(output(capsys, "verify", *what))["shards"] == facts(said)["shards"]
+
+
+def test_a_fault_is_printed_and_is_exit_status_three(capsys, results):
+    path = shard_of(Store(results / "store"), WORK[1])
+    path.write_bytes(b"")
+    assert main(["verify", "results"]) == 3
+    out, err = capsys.readouterr()
+    assert err == ""
+    assert f"fault       {path.name}: damaged" in out
+
+
+def test_stores_are_merged_by_folder(capsys, results, tmp_path):
+    said = output(capsys, "merge", "results", "other")
+    assert said == "taken over  3 of 3 shards, 3 records that are new\n"
+    assert len(list((tmp_path / "other" / "store").glob("*.nc"))) == 3
+    assert "0 of 3 shards" in output(capsys, "merge", "other/store", "results/store")
+
+
+def test_what_holds_no_store_is_refused(capsys, results):
+    (results / "empty").mkdir()
+    for command in (("verify", "results/empty"), ("merge", "results/empty", "results")):
+        assert "holds no store of finished work" in refusal(capsys, *command)
+
+
+CREEP = str(Path(__file__).parents[3] / "docs" / "creep.toml")
+SMALL = ["--set", "numerics.samples=8", "--set", "surface.rolloff=5e-4", "--set"]
+SMALL += ["grid.spacing=2e-5", "--set", "surface.cutoff=5e-5"]
+
+
+@pytest.mark.exhaustive  # compiles kernels of its own; what is drawn, report/test_animation.py asks
+def test_the_scene_of_the_readme_is_drawn(capsys, tmp_path):
+    path = tmp_path / "made" / "creep.gif"
+    assert output(capsys, "animate", CREEP, *SMALL, "--out", str(path)).strip() == str(path)
+    with Image.open(path) as animation:
+        assert animation.n_frames == 8
+
+
+def test_a_study_is_animated_without_its_comparisons(tmp_path):
+    text = Path(CREEP).read_text(encoding="utf-8")
+    path = tmp_path / "study.toml"
+    path.write_text(f"{text}\n[compare.coarse]\nsteps_per_spacing = 1\n", encoding="utf-8")
+    study = read_scene(str(path), None, [], ["trace", "snapshots"])
+    assert list(study.variants) == [""]
+    assert study.realizations == 1
+    assert study.scene.quantities == ("trace", "snapshots")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ([CREEP, "--out", "creep.avi"], "creep.avi: must end in .gif or .mp4"),
+        ([CREEP, "--set", "grid.normal_force=[0.1, 0.2]"], "a scene has one value of it"),
+        (["fig7"], '"trace": there is no [[scene.programme]]'),
+        (["scaling"], "scaling: measures the program itself"),
+    ],
+)
+def test_what_is_no_scene_is_refused_before_anything_is_computed(capsys, arguments, words):
+    assert words in refusal(capsys, "animate", *arguments)

@@ -1,10 +1,11 @@
 """Where batches run: a scheduler that is there, or single-threaded processes of our own."""
 
-import asyncio
 import contextlib
 import os
 import signal
 import socket
+import ssl
+import struct
 import urllib.error
 import urllib.request
 from pathlib import Path
@@ -16,22 +17,13 @@ from distributed import Client, SpecCluster
 
 from elastomer_friction.workflow.cluster import client as module
 from elastomer_friction.workflow.cluster.client import open_client
-from elastomer_friction.workflow.cluster.watch import BEAT_SECONDS, QUIET_SECONDS
 from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system import Interrupt
 from tests.support.own_workers import facts, processes, started_again, starting
+from tests.support.runs import PATIENCE
 from tests.support.small import small_plan
-
-
-def written(security, folder):
-    """Write certificate and key of a cluster into files; return the keys of [cluster] for them."""
-    certificate, key = folder / "certificate.pem", folder / "key.pem"
-    certificate.write_text(security.tls_client_cert)
-    key.write_text(security.tls_client_key)
-    files = (certificate, certificate, key)
-    return dict(zip(("tls_ca_file", "tls_cert", "tls_key"), map(str, files), strict=True))
 
 
 def listening(pids):
@@ -88,10 +80,23 @@ def test_workers_of_our_own_are_processes_of_one_thread_that_do_not_hear_ctrl_c(
 
 def status_of(port, path):
     """Return the status with which a port answers who asks for a page."""
+    context = ssl.create_default_context()
+    context.check_hostname, context.verify_mode = False, ssl.CERT_NONE
+    address = f"https://127.0.0.1:{port}{path}"
     with pytest.raises(urllib.error.HTTPError) as refused:
-        urllib.request.urlopen(f"http://127.0.0.1:{port}{path}", timeout=10.0)
+        urllib.request.urlopen(address, timeout=10.0, context=context)
     refused.value.close()
     return refused.value.code
+
+
+def closes(port):
+    """Return whether a port closes at once on who speaks no TLS, as a stranger's client of dask."""
+    with socket.create_connection(("127.0.0.1", port), PATIENCE) as end:
+        end.sendall(struct.pack("<QQ", 1, 8) + bytes(8))
+        try:
+            return end.recv(1) == b""
+        except ConnectionResetError:
+            return True
 
 
 def test_every_port_of_our_own_processes_asks_for_a_certificate_or_has_no_page(own):
@@ -106,10 +111,12 @@ def test_every_port_of_our_own_processes_asks_for_a_certificate_or_has_no_page(o
     assert len(pages) == 2  # of the scheduler and the worker
     paths = ("/", "/status", "/info/main/workers.html", "/json/counts.json", "/health", "/metrics")
     assert {status_of(port, path) for port in pages for path in paths} == {404}
+    assert all(closes(port) for port in pages | ports)
 
 
 def test_workers_of_our_own_give_the_same_bytes_to_who_has_a_certificate(own, finished, tmp_path):
-    where = Cluster(own.client.scheduler.address, **written(own.client.security, tmp_path))
+    files = dict.fromkeys(("tls_ca_file", "tls_cert", "tls_key"), own.client.security.tls_ca_file)
+    where = Cluster(own.client.scheduler.address, **files)
     path = tmp_path / "small.nc"
     run_plan(small_plan(), path, RunOptions(where, batch_seconds=3.0))
     assert path.read_bytes() == finished.path.read_bytes()
@@ -143,9 +150,9 @@ def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
 
 @pytest.mark.exhaustive  # seven processes, one after the other
 def test_a_worker_that_is_killed_while_it_starts_again_is_replaced(monkeypatch):
-    monkeypatch.setattr(module, "LOST_SECONDS", 1.0)
-    monkeypatch.setattr(module, "AGAIN_SECONDS", 0.5)
-    with open_client(Cluster(), 1) as client:
+    monkeypatch.setattr(module, "AGAIN_SECONDS", "500ms")
+    timeout = dask.config.set({"distributed.deploy.lost-worker-timeout": 1.0})
+    with timeout, open_client(Cluster(), 1) as client:
         ((pid, *_),) = client.run(facts).values()
         known = processes()  # other tests have workers too
         os.kill(pid, signal.SIGKILL)
@@ -160,37 +167,3 @@ def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(sched
         assert len(client.nthreads()) == 2
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"warning: --scheduler {scheduler}: neither encrypted nor authentic")
-
-
-def test_after_ctrl_c_ten_seconds_are_never_waited():
-    """One look to learn of it, some for who is quiet, then they are left behind."""
-    quiet = BEAT_SECONDS + QUIET_SECONDS + BEAT_SECONDS
-    assert quiet + module.CLOSE_SECONDS <= 8.0  # two are left for work
-
-
-class Deaf:
-    """Stands in for a process that does not end by itself."""
-
-    async def kill(self, timeout, reason):
-        self.timeout, self.reason = timeout, reason
-
-
-def test_a_worker_process_of_our_own_is_not_waited_for_long():
-    nanny = object.__new__(module.PromptNanny)
-    nanny.process = Deaf()
-    asyncio.run(nanny.kill(timeout=30.0, reason="test"))
-    assert (nanny.process.timeout, nanny.process.reason) == (module.CLOSE_SECONDS, "test")
-
-
-def test_a_thread_of_dask_may_begin_late():
-    late = iter([AssertionError, AssertionError])
-
-    def begin():
-        for error in late:
-            raise error
-        return "begun"
-
-    assert module.begun(begin) == "begun"
-    late = iter([AssertionError] * module.TRIES)
-    with pytest.raises(AssertionError):
-        module.begun(begin)

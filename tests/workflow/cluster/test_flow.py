@@ -9,14 +9,15 @@ import pytest
 from distributed import Client, get_worker
 
 from elastomer_friction.workflow.cluster.flow import stream
-from elastomer_friction.workflow.cluster.watch import Watch
+from elastomer_friction.workflow.cluster.pool import Pool
 from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system.watch import Watch
 from tests.support.runs import PATIENCE, standing
 
 
 @pytest.mark.parametrize("items", [range(100), [4, 4, 4], []], ids=["many", "equal", "none"])
 def test_each_item_comes_back_once_with_its_result(client, items):
-    found = list(stream(client, math.sqrt, items))
+    found = list(stream(Pool(client, math.sqrt), items))
     assert sorted(found) == [(i, math.sqrt(i)) for i in items]
 
 
@@ -35,7 +36,9 @@ def counted():
 
 def test_few_items_are_in_flight(client, counted):
     items, drawn = counted
-    ahead = [len(drawn) - count for count, _ in enumerate(stream(client, abs, items), start=1)]
+    ahead = [
+        len(drawn) - count for count, _ in enumerate(stream(Pool(client, abs), items), start=1)
+    ]
     assert len(ahead) == len(drawn) == 100
     assert max(ahead) <= 16  # eight in flight for two workers, eight being handed over
 
@@ -43,19 +46,19 @@ def test_few_items_are_in_flight(client, counted):
 def test_after_a_stop_only_what_is_running_is_awaited(client, counted):
     items, drawn = counted
     found = []
-    for item, _ in stream(client, abs, items, Watch(lambda: bool(found))):
+    for item, _ in stream(Pool(client, abs), items, Watch(lambda: bool(found))):
         found.append(item)
     assert 1 <= len(set(found)) == len(found) <= len(drawn) <= 24
 
 
 def test_an_error_on_a_worker_is_raised_here(client):
     with pytest.raises(ValueError, match=r"math domain error|nonnegative"):
-        list(stream(client, math.sqrt, [1.0, -1.0]))
+        list(stream(Pool(client, math.sqrt), [1.0, -1.0]))
 
 
 def test_what_failed_is_replaced_and_the_rest_goes_on(client):
     twice = {"retry": lambda item, error, alone: [abs(item) / 2.0] * 2}
-    found = list(stream(client, math.sqrt, [4.0, -2.0, 9.0], **twice))
+    found = list(stream(Pool(client, math.sqrt), [4.0, -2.0, 9.0], **twice))
     assert sorted(found) == [(1.0, 1.0), (1.0, 1.0), (4.0, 2.0), (9.0, 3.0)]
 
 
@@ -70,7 +73,7 @@ def sick(item):
 
 def test_one_sick_worker_fails_nothing_and_is_left_out_and_named(client, capsys):
     workers = tuple(client.nthreads())
-    done = [result for _, result in stream(client, sick, [workers] * 40)]
+    done = [result for _, result in stream(Pool(client, sick), [workers] * 40)]
     assert done == [max(workers)] * 40
     (line,) = capsys.readouterr().err.splitlines()
     assert line.startswith(f"worker {min(workers)}: 3 batches in a row failed there")
@@ -82,7 +85,7 @@ def test_while_the_sound_worker_is_busy_dask_hands_nothing_back_to_the_sick_one(
     FAILED.clear()
     DONE.clear()
     items = [(*workers, number) for number in range(8)]
-    assert len(list(stream(client, sick_beside_a_busy_one, items))) == 8
+    assert len(list(stream(Pool(client, sick_beside_a_busy_one), items))) == 8
     assert {*Counter(FAILED).values()} == {1}
 
 
@@ -112,7 +115,7 @@ def test_what_fails_everywhere_is_tried_on_two_workers_before_it_is_given_up(cli
         assert isinstance(error, ArithmeticError)
         return []
 
-    assert list(stream(client, nowhere, [7], retry=note)) == []
+    assert list(stream(Pool(client, nowhere), [7], retry=note)) == []
     assert tried == [(7, False)]
     assert set(PLACES) == set(client.nthreads())
 
@@ -141,7 +144,7 @@ def test_a_scheduler_that_dies_is_no_end_of_the_work():
         standing(SCHEDULER) as (process, address),
         Client(address, timeout=PATIENCE) as client,
     ):
-        results = stream(client, time.sleep, [0.01] + [600.0] * 15)
+        results = stream(Pool(client, time.sleep), [0.01] + [600.0] * 15)
         assert next(results) == (0.01, None)
         process.kill()
         with pytest.raises(UserError, match="the scheduler was lost; run again to resume"):

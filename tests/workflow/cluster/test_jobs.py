@@ -19,7 +19,7 @@ LINES = (
     "export OMP_NUM_THREADS=1",
     "export NUMBA_NUM_THREADS=1",
     "module load python",
-    "export DASK_DISTRIBUTED__WORKER__HTTP__ROUTES='[]'",
+    "export DASK_DISTRIBUTED__A__B='[]'",
     "export PYTHONSAFEPATH=1",
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
 )
@@ -28,7 +28,6 @@ OPTIONS = (
     "--nworkers 4",
     "--interface ib0",
     "--lifetime 6480s --lifetime-stagger 648s",
-    "--preload elastomer_friction.workflow.cluster.worker",
     "--no-dashboard",
     "--protocol tls://",
     "--tls-ca-file a --tls-cert c --tls-key k",
@@ -38,9 +37,8 @@ OPTIONS = (
 def test_jobs_are_asked_for_as_the_table_says():
     from dask_jobqueue.slurm import SLURMJob
 
-    settings = slurm._settings(read_cluster(CLUSTER), False, "keys")
-    for name in ("scheduler_options", "shared_temp_directory"):
-        settings.pop(name)  # of the cluster, not of its jobs
+    settings = slurm._settings(read_cluster(CLUSTER), False, {"distributed.a.b": []})
+    settings.pop("scheduler_options")  # of the cluster, not of its jobs
     settings["security"] = Security(tls_ca_file="a", tls_worker_cert="c", tls_worker_key="k")
     script = SLURMJob("tls://here:1", "name", **settings).job_script()
     assert set(LINES) <= set(script.splitlines())

@@ -1,14 +1,16 @@
 """Who may connect: certificates of ours or of the user, or a warning."""
 
+import ssl
 from datetime import UTC, datetime, timedelta
+from pathlib import Path
 
 import dask
 import pytest
 from cryptography import x509
 
 from elastomer_friction.workflow.cluster.security import (
+    no_pages,
     own_security,
-    routes,
     scheduler_options,
     security_of,
 )
@@ -20,29 +22,27 @@ THERE = "tls://127.0.0.1:8786"
 
 @pytest.fixture
 def files(tmp_path):
-    """Return the keys of [cluster] for certificate and key in files."""
-    security = own_security()
-    (tmp_path / "certificate.pem").write_text(security.tls_client_cert)
-    (tmp_path / "key.pem").write_text(security.tls_client_key)
-    certificate = str(tmp_path / "certificate.pem")
-    return {
-        "tls_ca_file": certificate,
-        "tls_cert": certificate,
-        "tls_key": str(tmp_path / "key.pem"),
-    }
+    """Return the keys of [cluster] for a certificate and its key, which are in one file."""
+    security = own_security(str(tmp_path))
+    (name,) = {security.tls_ca_file, security.tls_client_cert, security.tls_client_key}
+    return dict.fromkeys(("tls_ca_file", "tls_cert", "tls_key"), name)
 
 
-def test_no_page_is_served_unless_it_is_asked_for():
-    pages = {"distributed.worker.http.routes", "distributed.scheduler.http.routes"}
-    assert routes(False) == {name: [] for name in pages}
-    assert routes(True) == {"distributed.worker.http.routes": []}
+def test_no_page_is_served_unless_it_is_asked_for(tmp_path):
+    security = own_security(str(tmp_path))
+    workers = {"distributed.worker.http.routes": []}
+    assert no_pages(security, True) == workers
+    settings = no_pages(security, False)
+    context = ssl.create_default_context(purpose=ssl.Purpose.CLIENT_AUTH)
+    context.load_cert_chain(settings.pop("distributed.scheduler.dashboard.tls.cert"))
+    assert settings == workers | {"distributed.scheduler.http.routes": []}
     for dashboard in (False, True):
         options = scheduler_options(dashboard)
         assert options == {"dashboard": dashboard, "dashboard_address": "127.0.0.1:0"}
 
 
-def test_a_clock_that_is_set_back_leaves_our_certificate_valid():
-    certificate = x509.load_pem_x509_certificate(own_security().tls_ca_file.encode())
+def test_a_clock_that_is_set_back_leaves_our_certificate_valid(files):
+    certificate = x509.load_pem_x509_certificate(Path(files["tls_cert"]).read_bytes())
     day = timedelta(days=1)
     assert certificate.not_valid_before_utc < datetime.now(UTC) - day
     assert certificate.not_valid_after_utc > datetime.now(UTC) + 300 * day

@@ -5,11 +5,11 @@ import asyncio
 import pytest
 
 from elastomer_friction.workflow.cluster.client import open_client
-from elastomer_friction.workflow.cluster.versions import own_versions
 from elastomer_friction.workflow.cluster.worker import run_batch
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
+from elastomer_friction.workflow.system.versions import own_versions
 from tests.support.runs import PATIENCE
 from tests.support.small import cut_batches, small_plan
 

@@ -1,1 +1,0 @@
-"""Fits to measured velocity steps."""

@@ -108,12 +108,6 @@ def test_predicted_time_of_realizations_adds_up():
     assert total_seconds(missing_work(BLOCKED, set())) == pytest.approx(seconds(BLOCKED))
 
 
-def test_less_is_predicted_where_less_is_asked():
-    steady = small_plan(*GRID, 'scene.quantities=["steady"]')
-    jump = small_plan(*GRID, 'scene.quantities=["steady", "jump"]')
-    assert seconds(steady) < seconds(jump)
-
-
 @pytest.mark.parametrize(("work", "target"), [(1.0, 1.0), (600.0, 3.0), (1e9, 10.0)])
 def test_batches_grow_with_the_work_within_limits(work, target):
     assert batch_target(work) == pytest.approx(target)

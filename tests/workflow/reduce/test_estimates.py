@@ -1,13 +1,50 @@
-"""Reduction of block means to estimates, against the formulas written out with numpy."""
+"""Block means become estimates with errors, biases and marks, each task by itself."""
 
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.plan import LAWS
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
+from elastomer_friction.workflow.reduce.blocks import blocks_of, enter
+from elastomer_friction.workflow.reduce.complete import (
+    COARSE,
+    RESOLVED,
+    UNRESOLVED,
+    completed,
+    resolution,
+    resolution_status,
+)
 from elastomer_friction.workflow.reduce.estimates import reduce_blocks
 from elastomer_friction.workflow.reduce.fits import FITTED
+from elastomer_friction.workflow.simulate import Problem, Task
 from elastomer_friction.workflow.simulate.tasks import SCALARS
+from elastomer_friction.workflow.study import Numerics
 from tests.support.curves import RATE, exponential_blocks
+from tests.support.small import HOLDING, PROGRAMME, small_plan
+
+PLAN = small_plan(PROGRAMME, "material.temperature=20.0", "grid.velocity=0.03", text=HOLDING)
+VARIANT = PLAN.variants[0]
+
+
+def test_traces_of_tasks_are_filled_up_to_the_longest():
+    tasks = VARIANT.tasks
+    rows = np.ones((len(tasks), 4, PLAN.widest_row(VARIANT)))
+    found = blocks_of(PLAN, VARIANT, tasks, np.ones((len(tasks), 4, len(SCALARS))), rows)
+    assert found.values["trace_mu"].shape == (2, 4, VARIANT.events)
+    for row in range(2):
+        kept = np.isfinite(found.legs[row])
+        assert np.array_equal(kept, np.isfinite(found.values["trace_mu"][row, 0]))
+        assert set(np.diff(found.legs[row][kept])) == {0.0, 1.0}
+    assert found.programmes == tuple(task.problem.programme for task in tasks)
+    assert not found.jumps
+
+
+def test_an_estimate_of_one_block_has_no_error():
+    estimates = {}
+    enter(estimates, "mu_1", np.array([[2.0], [3.0]]))
+    assert estimates["mu_1"].tolist() == [2.0, 3.0]
+    assert np.isnan(estimates["mu_1_error"]).all()
+
 
 BLOCKS = exponential_blocks()
 FOUND = reduce_blocks(BLOCKS)
@@ -57,30 +94,6 @@ def test_replicates_of_the_rate_are_handed_on():
     assert np.array_equal(FOUND["rate_replicates"][:, 0], FOUND["relaxation_rate"])
 
 
-NAMES = {
-    "steady": {"mu_1", "mu_2", "indentation", "contact_fraction"},
-    "jump": {"jump"},
-    "relaxation": {"mu", "deviation", "relaxation_rate", "relaxation_rate_free", "amplitude"},
-    "models": {
-        *("stretched_rate", "stretched_exponent", "fast_rate", "slow_rate", "fast_share"),
-        *("gain_stretched", "gain_two_exponentials"),
-    },
-}
-WITHOUT_ERROR = {"time", "fit_status", "fit_window", "fit_quality", "rate_replicates"}
-SCENES = [("steady",), ("jump",), ("relaxation",), ("steady", "jump"), tuple(NAMES)]
-
-
-@pytest.mark.parametrize("asked", SCENES)
-def test_only_what_was_asked_for_is_there(asked):
-    names = {"samples_per_contact"}.union(*(NAMES[quantity] for quantity in asked))
-    expected = names | {f"{name}_error" for name in names} | {"degrees_of_freedom"}
-    if "relaxation" in asked:
-        expected |= WITHOUT_ERROR
-    if "models" in asked:
-        expected |= {"best_model"}
-    assert set(reduce_blocks(exponential_blocks(quantities=asked))) == expected
-
-
 def test_reduction_does_not_depend_on_the_company_of_a_task():
     alone = reduce_blocks(
         BLOCKS._replace(
@@ -92,3 +105,107 @@ def test_reduction_does_not_depend_on_the_company_of_a_task():
     )
     for name, values in alone.items():
         assert values.tobytes() == FOUND[name][1:2].tobytes()
+
+
+STEADY_PLAN = small_plan('scene.quantities=["steady"]')
+STEADY_VARIANT = STEADY_PLAN.variants[0]
+
+
+def test_failed_tasks_are_marked_and_others_keep_their_values():
+    count = len(STEADY_VARIANT.tasks)
+    sound = np.arange(1, count)
+    estimates = {
+        "mu_1": np.ones(count - 1),
+        "samples_per_contact": np.full(count - 1, 9.0),
+        "flag": np.zeros(count - 1, np.int8),
+    }
+    counts = np.full(count, 4, np.int32)
+    found = completed(STEADY_PLAN, STEADY_VARIANT, estimates, sound, counts)
+    assert np.isnan(found["mu_1"][0])
+    assert found["flag"][0] == -1
+    assert (found["mu_1"][1:] == 1.0).all()
+    assert (found["rms_slope"] > 0.0).all()
+    assert found["realizations"] is counts
+
+
+JUDGED = ("mu_1", "jump", "relaxation_rate")
+PROBLEM = Problem(0.7, 1000, 0.1, 1.0, 1.2)
+AUTO = Numerics()
+
+
+def resolved(steps=8, numerics=AUTO, samples=12.0, problem=PROBLEM, names=JUDGED):
+    """Return the resolution of one task whose contacts have so many samples and whose b is 2."""
+    estimates = {"samples_per_contact": np.array([samples]), "relaxation_rate": np.array([2.0])}
+    return resolution([Task(problem, steps, 100, "key")], estimates, names, numerics)
+
+
+def test_status_follows_the_samples_per_contact():
+    status = resolution_status(np.array([0.5, 1.0, 1.5, 3.9, 4.0, 1e3, np.nan]))
+    assert status.tolist() == [UNRESOLVED] * 2 + [COARSE] * 2 + [RESOLVED] * 2 + [-1]
+
+
+def test_biases_follow_the_laws_and_fall_with_finer_steps():
+    coarse, fine = resolved(8), resolved(64)
+    for name in JUDGED[:2]:
+        assert coarse[f"{name}_bias"] == LAWS[name].error(PROBLEM, 8)
+    for name in JUDGED:
+        assert 0.0 < fine[f"{name}_bias"] < coarse[f"{name}_bias"]
+        assert coarse["bias_bound"] >= coarse[f"{name}_bias"]
+
+
+def test_each_task_has_a_bound_of_its_own():
+    tasks = [Task(PROBLEM, steps, 100, "key") for steps in (8, 64)]
+    estimates = {"samples_per_contact": np.full(2, 12.0), "relaxation_rate": np.full(2, 2.0)}
+    both = resolution(tasks, estimates, JUDGED, AUTO)
+    expected = [resolved(steps)["bias_bound"].item() for steps in (8, 64)]
+    assert both["bias_bound"].tolist() == expected
+
+
+def test_rate_is_judged_by_the_contacts_that_were_found():
+    assert (
+        resolved(samples=2.0)["relaxation_rate_bias"]
+        > resolved(samples=50.0)["relaxation_rate_bias"]
+    )
+
+
+@pytest.mark.parametrize("name", JUDGED)
+def test_first_order_has_a_larger_bias(name):
+    first_order = resolved(numerics=Numerics("implicit-euler"))
+    assert first_order[f"{name}_bias"] > resolved()[f"{name}_bias"]
+
+
+def test_steps_that_are_given_have_the_bias_of_their_own_samples():
+    light = PROBLEM._replace(load=1e-3, speed=100.0)
+    given, chosen = (
+        resolved(4, Numerics(steps_per_spacing=4), problem=light),
+        resolved(4, problem=light),
+    )
+    for name in ("mu_1", "jump"):
+        assert given[f"{name}_bias"] > 10.0 * chosen[f"{name}_bias"]
+    assert given["relaxation_rate_bias"] == chosen["relaxation_rate_bias"]
+
+
+def test_no_bias_is_beyond_the_value_itself():
+    assert resolved(1, samples=0.5)["bias_bound"] == 1.0
+
+
+def test_no_law_is_known_for_lines_that_were_measured():
+    measured = PROBLEM._replace(surface=PROBLEM.surface._replace(measured="lines"))
+    assert np.isnan(resolved(problem=measured)["mu_1_bias"]).all()
+
+
+def test_nothing_is_said_where_nothing_steady_is_asked_for():
+    assert resolved(names=()) == {}
+
+
+def test_when_a_trace_is_kept_has_an_error_only_where_it_differs_from_line_to_line():
+    count = len(STEADY_VARIANT.tasks)
+    estimates = {"mu_1": np.ones(count), "samples_per_contact": np.full(count, 9.0)}
+    estimates |= dict.fromkeys(("trace_time", "trace_velocity"), np.ones((count, 3)))
+    estimates["trace_time_error"] = np.full((count, 3), [0.0, 0.0, np.nan])
+    estimates["trace_velocity_error"] = np.full((count, 3), [0.0, 0.1, np.nan])
+    found = completed(
+        STEADY_PLAN, STEADY_VARIANT, estimates, np.arange(count), np.full(count, 4, np.int32)
+    )
+    assert "trace_time_error" not in found
+    assert found["trace_velocity_error"] is estimates["trace_velocity_error"]

@@ -125,3 +125,9 @@ def test_the_error_of_a_sum_knows_the_blocks_that_its_parts_have_in_common():
 
 def test_of_one_block_nothing_is_padded():
     assert padded(np.ones((2, 1)), 32).shape == (2, 1)
+
+
+@pytest.mark.parametrize("count", [32, 40, 64, 96])
+def test_what_is_equal_in_all_blocks_is_so_in_all_groups(count):
+    found = grouped_means(np.full((count, 2), [0.1, np.nan]), 32)
+    np.testing.assert_array_equal(found, np.full((32, 2), [0.1, np.nan]))

@@ -1,15 +1,118 @@
-"""What a programme was asked for, from block means that are known."""
+"""What a programme was asked for: peaks, healing, loops and balances of traces that are known."""
+
+import math
 
 import numpy as np
 import pytest
+from hypothesis import example, given
+from hypothesis import strategies as st
 
-from elastomer_friction.kernels import Hold, Oscillation, Slide
+from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide
 from elastomer_friction.workflow.reduce.blocks import Blocks
-from elastomer_friction.workflow.reduce.traces import reduce_programmes, reduce_steps
+from elastomer_friction.workflow.reduce.traces import (
+    extremum,
+    healing,
+    last_hold,
+    leg_duration,
+    loop,
+    reduce_programmes,
+    reduce_steps,
+)
+
+
+@given(st.floats(0.06, 0.94), st.floats(-3.0, 3.0), st.sampled_from([1.0, -1.0]))
+@example(0.08, 1.0, 1.0)  # the largest sample is the second
+@example(0.92, 1.0, 1.0)  # the last but one
+def test_the_peak_of_a_parabola_is_found_on_any_samples(place, height, sign):
+    x = np.array([0.0, 0.1, 0.15, 0.4, 0.7, 0.9, 1.0])
+    curves = height - sign * (x - place) ** 2 + np.zeros((3, 1))
+    value, where = extremum(x, curves, sign)
+    assert value == pytest.approx(np.full(3, height), abs=1e-12)
+    assert where == pytest.approx(np.full(3, place), abs=1e-12)
+
+
+def test_at_an_end_the_sample_is_the_peak_and_nan_stays_nan():
+    curves = np.array([[3.0, 2.0, 1.0], [1.0, 2.0, 3.0], [1.0, np.nan, 2.0], [2.0, 2.0, 2.0]])
+    value, where = extremum(np.arange(3.0), curves, 1.0)
+    assert value.tolist()[:2] == [3.0, 3.0]
+    assert where.tolist()[:2] == [0.0, 2.0]
+    assert np.isnan([value[2], where[2]]).all()
+    assert value[3] == 2.0
+
+
+HOLDING = (Slide(-2.0, 3.0), Hold(5.0), Slide(-2.0, 4.0))
+HOLD_TRACES = (  # leg, distance and friction of the samples
+    np.array([[0.0, 0, 1, 1, 2, 2, 2, 2]]),
+    np.array([[0.0, -3, -3, -3, -4, -5, -6, -7]]),
+    -np.array([[0.4, 0.5, 0.3, 0.2, 0.6, 0.8, 0.7, 0.5]]),
+)
+
+
+def test_peak_and_end_of_the_hold_have_the_sign_of_the_motion():
+    found = healing(HOLDING, *HOLD_TRACES)
+    assert found.mu_end_of_hold.tolist() == [-0.2]
+    assert found.static_peak[0] == pytest.approx(-0.8, abs=0.01)
+    assert found.healing[0] == found.static_peak[0] + 0.5
+    assert found.peak_distance[0] == pytest.approx(2.2, abs=0.1)
+
+
+def test_the_last_hold_that_is_slid_after_counts():
+    twice = (*HOLDING, Hold(1.0), Slide(3.0, 1.0), Hold(1.0))
+    assert last_hold(HOLDING) == (1, -2.0)
+    assert last_hold(twice) == (3, 3.0)
+
+
+@pytest.mark.parametrize("programme", [(Slide(1.0, 1.0),), (Hold(1.0), Hold(1.0))])
+def test_without_such_a_hold_there_is_nothing(programme):
+    assert np.isnan(healing(programme, *HOLD_TRACES)).all()
+
+
+SWINGING = (Slide(2.0, 3.0), Hold(0.7), Oscillation(0.0, 0.4, 0.5, 3))
+START, PERIOD = 2.2, 2.0
+
+
+def cycles(count, mean=0.0):
+    """Return times, phases and the displacement of three cycles, ``count`` samples each."""
+    time = START + PERIOD * np.arange(1, 3 * count + 1) / count
+    phase = math.pi * (time - START)
+    return time, phase
+
+
+@pytest.mark.parametrize("count", [16, 64])
+def test_the_response_in_the_last_cycle_is_found(count):
+    time, phase = cycles(count)
+    decay = np.where(time < START + 2.0 * PERIOD, 3.0, 1.0)  # earlier cycles do not count
+    mu = decay * (0.3 * np.sin(phase) + 0.2 * np.cos(phase) + 0.05 * np.sin(3.0 * phase) + 0.7)
+    found = loop(SWINGING, time[None], mu[None], mu[None])
+    assert found.mu_in_phase[0] == pytest.approx(0.3, rel=1e-9)
+    assert found.mu_quadrature[0] == pytest.approx(0.2, rel=1e-9)
+    assert found.loop_work[0] == pytest.approx(math.pi * 0.4 * 0.2, rel=1e-9)
+
+
+def test_work_is_that_of_a_force_along_the_whole_way():
+    programme = (Oscillation(1.5, 0.1, 2.0, 2),)
+    time = np.arange(1, 33) / 32.0
+    found = loop(programme, time[None], np.ones((2, 32)), np.ones((2, 32)))
+    assert found.loop_work == pytest.approx([0.75, 0.75])  # force times mean speed times period
+
+
+def test_without_an_oscillation_or_samples_there_is_nothing():
+    time, phase = cycles(16)
+    assert np.isnan(loop(SWINGING[:2], time[None], phase[None], phase[None])).all()
+    assert np.isnan(loop(SWINGING, time[None, :5], phase[None, :5], phase[None, :5])).all()
+
+
+def test_every_leg_takes_its_time():
+    legs = (Slide(-2.0, 3.0), Hold(4.0), Ramp(0.0, 1.0, 5.0), Oscillation(0, 1, 0.5, 3))
+    assert [leg_duration(leg) for leg in legs] == [1.5, 4.0, 5.0, 6.0]
+    assert leg_duration(Sampled((0.0, 2.0, 7.0), (1.0, 1.0, 0.0))) == 7.0
+
 
 EVENTS = 5
 TIME = np.array([[0.0, 1.0, 2.0, 3.0, np.nan]])
-STAMPS = {"time": TIME, "distance": 2.0 * TIME, "speed": 0.0 * TIME + 2.0, "leg": 0.0 * TIME}
+ALIKE = np.repeat(TIME[:, None, :], 3, axis=1)  # in every block
+MOVED = {"trace_time": ALIKE, "trace_distance": 0.7 * ALIKE, "trace_velocity": 0.0 * ALIKE + 0.7}
+LEGS = 0.0 * TIME
 
 
 def blocks(quantities, **values):
@@ -18,8 +121,8 @@ def blocks(quantities, **values):
     made = {name: value + 0.01 * rng.standard_normal((1, 3, 1)) for name, value in values.items()}
     speeds, programmes = np.array([[1.0, 2.0]]), ((Slide(2.0, 6.0),),)
     slopes, scalars = np.ones(1), np.zeros((1, 3, 6))
-    how = quantities, False, speeds, programmes, STAMPS
-    return Blocks(scalars, made, TIME[:, 1:], slopes, *how)
+    how = quantities, False, speeds, programmes, LEGS
+    return Blocks(scalars, MOVED | made, TIME[:, 1:], slopes, *how)
 
 
 def test_the_balance_is_taken_at_the_last_sample_that_is_there():
@@ -32,7 +135,8 @@ def test_the_balance_is_taken_at_the_last_sample_that_is_there():
     }
     estimates = {}
     found = blocks(("energy",), **energies)
-    found = found._replace(values={name: v + np.zeros((1, 3, 1)) for name, v in energies.items()})
+    made = {name: v + np.zeros((1, 3, 1)) for name, v in energies.items()}
+    found = found._replace(values=MOVED | made)
     reduce_programmes(estimates, found)
     assert estimates["balance_residual"] == pytest.approx([(9.9 - 3.0 - 6.0 - 0.3) / 6.0])
     assert estimates["trace_segment"].tolist() == [[0, 0, 0, 0, -1]]
@@ -50,12 +154,27 @@ def test_traces_are_means_with_errors_and_nothing_else_is_there():
     assert (estimates["trace_mu_error"][0, :4] > 0.0).all()
 
 
+def test_when_and_where_is_exact_where_all_lines_move_alike_and_else_a_mean_with_its_error():
+    trace = np.zeros((1, 3, EVENTS))
+    others = ("mu", "indentation", "normal_force", "friction_force", "contact_fraction")
+    parts = {f"trace_{name}": trace for name in others}
+    slower = MOVED["trace_velocity"] - np.array([0.0, 0.1, 0.2])[:, None]
+    estimates = {}
+    found = blocks(("trace",), **parts, trace_velocity=slower)
+    reduce_programmes(estimates, found._replace(values=MOVED | parts | {"trace_velocity": slower}))
+    for name in ("trace_time", "trace_distance"):
+        np.testing.assert_array_equal(estimates[name], MOVED[name][:, 0])
+        assert (estimates[f"{name}_error"][0, :4] == 0.0).all()
+    assert estimates["trace_velocity"][0, :4] == pytest.approx([0.6] * 4)
+    assert estimates["trace_velocity_error"][0, :4] == pytest.approx([0.1 / np.sqrt(3.0)] * 4)
+
+
 def test_a_change_counts_from_the_leg_before_and_its_error_is_that_of_the_difference():
     trace = np.array([1.0, 2.0, 5.0, 7.0, np.nan]) + np.arange(3.0)[None, :, None]
     parts = dict.fromkeys(("trace_normal_force", "trace_friction_force"), trace)
     parts |= dict.fromkeys(("trace_mu", "trace_indentation", "trace_contact_fraction"), trace)
-    legs = STAMPS | {"leg": np.array([[0.0, 0.0, 1.0, 1.0, np.nan]])}
-    found = blocks(("trace",), **parts)._replace(values=parts, stamps=legs)
+    legs = np.array([[0.0, 0.0, 1.0, 1.0, np.nan]])
+    found = blocks(("trace",), **parts)._replace(values=MOVED | parts, legs=legs)
     estimates = {}
     reduce_programmes(estimates, found)
     for name in ("trace_mu", "trace_indentation"):
@@ -98,10 +217,9 @@ def test_a_minus_b_is_the_slope_of_steady_friction(before, after, expected):
 
 def of_blocks(programme, leg, **values):
     """Return blocks of one task that took a programme, and what is asked of its legs."""
-    stamps = STAMPS | {"leg": np.array([leg])}
-    made = {name: np.array([each]) for name, each in values.items()}
+    made = MOVED | {name: np.array([each]) for name, each in values.items()}
     return blocks(("healing", "loop", "contact_lengths"))._replace(
-        values=made, stamps=stamps, programmes=(programme,)
+        values=made, legs=np.array([leg]), programmes=(programme,)
     )
 
 

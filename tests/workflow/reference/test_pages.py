@@ -4,9 +4,10 @@ from pathlib import Path
 
 import pytest
 
+from elastomer_friction.workflow.cli import command_parser
 from elastomer_friction.workflow.reference import PAGES, write_pages
 from elastomer_friction.workflow.result import VARIABLES
-from elastomer_friction.workflow.study import EVERY_TABLE, described_measures
+from elastomer_friction.workflow.study import EVERY_TABLE, QUANTITIES, described_measures
 
 FOLDER = Path(__file__).resolve().parents[3] / "docs" / "reference"
 
@@ -23,20 +24,30 @@ def test_the_pages_in_the_repository_are_up_to_date(written, name):
     assert (FOLDER / name).read_text(encoding="utf-8") == written[name]
 
 
-def test_every_key_and_every_variable_has_its_heading(written):
+def test_every_command_has_its_heading_and_its_usage(written):
+    (commands,) = (action for action in command_parser()._actions if action.dest == "command")
+    for name in commands.choices:
+        assert f"\n## {name}\n\n`elastomer-friction {name}" in written["commands.md"]
+
+
+def test_every_key_quantity_and_variable_has_its_place(written):
     for table, keys in EVERY_TABLE.items():
         assert f"\n## The table [{table}]\n" in written["keys.md"]
         for key in keys:
             assert f"\n### {table}.{key}\n" in written["keys.md"]
     for study, keys in described_measures().items():
-        assert f"\n## The table [measure] of {study}\n" in written["keys.md"]
+        assert f"\n## The table [measure] of {study}\n" in written["measures.md"]
         for key in keys:
-            assert f"\n### {study}: measure.{key}\n" in written["keys.md"]
+            assert f"\n### {study}: measure.{key}\n" in written["measures.md"]
+    for name in QUANTITIES:
+        assert f"\n| `{name}` | " in written["keys.md"]
     for name in VARIABLES:
         assert f"\n### {name}\n" in written["results.md"]
 
 
-def test_a_flag_has_its_row_and_what_the_file_says_of_it(written):
-    page = written["results.md"]
-    assert "| −1 | `failed` |" in page
-    assert "| 2 | `not_exponential`: eq. 6 leaves over a fifth of the sum of squares |" in page
+def test_an_entry_says_values_unit_and_default(written):
+    assert (
+        "\n*A number from 1 to 100. Default: 4; 6 where `accuracy` is below 1 %.*"
+        in written["keys.md"]
+    )
+    assert "\n*A number above 0, in Pa. Required.*" in written["keys.md"]

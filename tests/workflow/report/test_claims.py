@@ -1,7 +1,11 @@
-"""Verdicts: a deviation, its error and a tolerance become plain words."""
+"""Verdicts in plain words, of points whose contacts are resolved; and the table of all points."""
 
 import numpy as np
+import pandas as pd
+import pytest
+import xarray as xr
 
+from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
 from elastomer_friction.workflow.report.claims import (
     evaluate,
@@ -10,6 +14,10 @@ from elastomer_friction.workflow.report.claims import (
     known_claims,
     mean_error,
 )
+from elastomer_friction.workflow.report.csv_tables import write_table
+from elastomer_friction.workflow.report.unresolved import Resolved, not_resolved, without_unresolved
+from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.read import read_study
 from tests.support.synthetic import result, with_alpha, with_rates
 
 CLAIMS = known_claims()
@@ -55,3 +63,97 @@ def test_errors_of_points_on_the_same_lines_do_not_average_out():
     error = result().speed_ratio * 0.0 + 0.1  # 2 H, one spacing, 14 points each
     np.testing.assert_allclose(mean_error(error), 0.1 / np.sqrt(2.0))
     np.testing.assert_allclose(mean_error(error.isel(hurst=[0])), 0.1)
+
+
+COARSE = 1
+
+
+@pytest.fixture
+def partly():
+    """Return a result of two Hurst exponents and four velocities."""
+    status = np.array([[UNRESOLVED, COARSE, RESOLVED, -1], [RESOLVED] * 4], np.int8)
+    over = ("hurst", "velocity")
+    return xr.Dataset(
+        {
+            "resolution_status": (over, status),
+            "realizations": (over, np.full((2, 4), 8, np.int32)),
+            "mu_1": (over, np.ones((2, 4))),
+            "fit_status": (over, np.zeros((2, 4), np.int8)),
+            "alpha": ("hurst", np.ones(2)),
+        }
+    )
+
+
+def test_points_that_are_coarse_or_unresolved_are_found(partly):
+    assert not_resolved(partly).tolist() == [[True, True, False, False], [False] * 4]
+
+
+def test_nothing_is_found_where_a_result_does_not_say(partly):
+    assert not not_resolved(partly.drop_vars("resolution_status")).any()
+    assert not_resolved(xr.Dataset()).shape == ()
+
+
+def test_unresolved_points_are_as_if_they_had_failed(partly):
+    kept, count = without_unresolved(partly)
+    assert count == 1
+    assert np.isnan(kept.mu_1.values[0, 0])
+    assert (kept.fit_status.values[0, 0], kept.realizations.values[0, 0]) == (-1, -1)
+    assert np.isfinite(kept.mu_1.values).sum() == 7
+    assert {name: v.dtype for name, v in kept.items()} == {n: v.dtype for n, v in partly.items()}
+    assert kept.alpha.values.tolist() == [1.0, 1.0]  # of all velocities
+
+
+def test_a_result_that_is_resolved_or_does_not_say_is_left_as_it_is(partly):
+    for same in (partly.drop_vars("resolution_status"), partly.isel(hurst=[1])):
+        assert without_unresolved(same) == (same, 0)
+
+
+def test_claims_see_resolved_points_and_know_how_many_were_left_out(partly):
+    results = Resolved({"fig7": partly, "fig8": partly.isel(hurst=[1])})
+    assert (len(results), list(results)) == (2, ["fig7", "fig8"])
+    assert results.left_out == {}
+    assert np.isnan(results["fig7"].mu_1.values).sum() == 1
+    assert results.left_out == {"fig7": 1}
+
+
+def test_every_point_is_a_row_of_the_estimates_of_the_result(shown, finished):
+    dataset, study = finished.load(), finished.plan.study
+    paths = write_table(study, shown / "small.nc")
+    assert [path.name for path in paths] == [
+        "small.csv",
+        "small-exponents.csv",
+        "small-columns.csv",
+    ]
+    both = pd.read_csv(paths[0])
+    assert set(both.variant) == {"study", "coarse"}
+    table = both[both.variant == "study"]
+    assert len(table) == len(both) / 2 == finished.plan.points
+    names = {name for name in dataset.variables if dataset[name].dims == AXES}
+    assert set(table.columns) >= names | set(AXES)
+
+    for _, row in table.iterrows():
+        point = dataset.sel({axis: row[axis] for axis in AXES}, method="nearest")
+        for name in ("mu_1", "jump", "indentation", "relaxation_rate_error"):
+            assert row[name] == pytest.approx(point[name].item(), rel=1e-9, nan_ok=True)
+    coarse, row = finished.load("coarse").stack(point=AXES), both[both.variant == "coarse"]
+    assert row.mu_1.to_numpy() == pytest.approx(coarse.mu_1.values, rel=1e-9)
+
+
+def test_exponents_and_the_units_of_columns_are_tables_of_their_own(shown, finished):
+    dataset = finished.load()
+    table, exponents, columns = map(
+        pd.read_csv, write_table(finished.plan.study, shown / "small.nc")
+    )
+    assert list(exponents.hurst) == [*dataset.hurst.values] * 2
+    assert exponents.alpha[:2].to_numpy() == pytest.approx(dataset.alpha.values, nan_ok=True)
+    assert set(columns.column) == set(table.columns) | set(exponents.columns)
+    said = columns.set_index("column")
+    assert said.unit["indentation"] == "m"
+    assert said.meaning["jump"] == "instantaneous jump of the coefficient of friction"
+
+
+def test_a_measured_study_without_a_table_says_so(powers, tmp_path):
+    measure = powers / "measure.py"
+    measure.write_text(measure.read_text().partition("def table")[0])
+    with pytest.raises(UserError, match=r"^study 'powers': has no table$"):
+        write_table(read_study("powers"), tmp_path / "powers.nc")

@@ -1,13 +1,32 @@
-"""How figures look: bars, hollow markers and what a legend says of them, the foot."""
+"""How figures look and how they are drawn: the same result gives the same files."""
 
+import matplotlib as mpl
 import numpy as np
 import pytest
+import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
 from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
-from elastomer_friction.workflow.report.panels import error_bars, foot_line, log_bars
-from tests.support.synthetic import result
+from elastomer_friction.workflow.report.figure import write_figure
+from elastomer_friction.workflow.report.panels import (
+    STYLE,
+    error_band,
+    error_bars,
+    foot_line,
+    log_bars,
+    remembered,
+)
+from elastomer_friction.workflow.report.usual_figure import draw
+from tests.support.results import assert_refused, call
+from tests.support.synthetic import add, result, with_rates
+
+
+@pytest.fixture(autouse=True)
+def _style():
+    with mpl.rc_context(STYLE):
+        yield
+    plt.close("all")
 
 
 def test_bars_are_symmetric_in_the_logarithm_and_at_most_a_decade():
@@ -55,7 +74,6 @@ def test_points_that_are_not_resolved_are_drawn_as_rings_of_their_colour():
     _, filled = plt.subplots()
     error_bars(filled, points.isel(point=slice(2, None)), "rms_slope", "velocity", fmt="o")
     assert rings(filled) == []
-    plt.close("all")
 
 
 def test_a_legend_says_what_hollow_markers_are_and_how_many():
@@ -70,7 +88,6 @@ def test_a_legend_says_what_hollow_markers_are_and_how_many():
     error_bars(ax, points.isel(point=slice(2, None)), "rms_slope", "velocity", fmt="s")
     foot_line(plain, points)
     assert not plain.legends
-    plt.close("all")
 
 
 def test_a_bias_is_added_to_the_bars():
@@ -79,4 +96,169 @@ def test_a_bias_is_added_to_the_bars():
     error_bars(ax, points, "rms_slope", "velocity", bias=points.rms_slope, fmt="o")
     half = [np.ptp(bar[:, 1]) / 2.0 for bar in ax.collections[0].get_segments()]
     np.testing.assert_allclose(half, points.rms_slope_error + points.rms_slope, rtol=1e-12)
-    plt.close("all")
+
+
+@pytest.fixture
+def over_velocity():
+    """Return a result over velocity alone."""
+    dataset = result("fig7", hurst=[0.7], normal_force=[0.1])
+    return dataset.isel(hurst=0, normal_force=0, spacing=0, roughness=0, velocity_step=0)
+
+
+@pytest.fixture
+def ax():
+    """Return axes from 0 to 1 that fill the figure."""
+    figure = plt.figure()
+    return figure.add_axes((0.0, 0.0, 1.0, 1.0), xlim=(0.0, 1.0), ylim=(0.0, 1.0))
+
+
+def test_points_are_where_they_are_drawn_and_say_what_they_are(ax, over_velocity):
+    over_velocity = over_velocity.assign(
+        share=0.5 + 0.0 * over_velocity.rms_slope, share_error=0.1 + 0 * over_velocity.rms_slope
+    )
+    over_velocity = over_velocity.assign_coords(
+        velocity=("velocity", np.linspace(0.2, 1.4, 7), {"units": "m s-1"})
+    )
+    error_bars(ax, over_velocity, "share", "velocity", bias=0.05, aside=0.01, fmt="o")
+    ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
+    found = remembered(ax.figure)
+    assert len(found) == 4  # 0.21 ... 0.81; the others lie outside
+    assert [point.x for point in found] == pytest.approx([0.21, 0.41, 0.61, 0.81])
+    assert [point.y for point in found] == pytest.approx([0.5] * 4)
+    value, place = found[1].text.split("\n")
+    assert value == "share = 0.5 ± 0.15"
+    assert place.startswith("v₁ = 0.4 m s⁻¹, H = 0.7, F_N = 0.1 N, Δx = 2e-06 m, h = 1e-05 m")
+
+
+def test_a_number_that_is_not_known_is_no_point(ax, over_velocity):
+    over_velocity["rms_slope"][2] = np.nan
+    error_bars(ax, over_velocity, "rms_slope", "velocity", fmt="o")
+    ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
+    assert len(remembered(ax.figure)) == over_velocity.velocity.size - 1
+
+
+def test_of_a_curve_some_points_are_said(ax, over_velocity):
+    time = np.linspace(0.01, 0.99, 300)
+    curve = over_velocity.isel(velocity=0).assign(
+        mu=("sample", 0.5 * time), spread=("sample", 0.1 * time)
+    )
+    error_band(ax, curve.assign_coords(time=("sample", time)), "mu", "spread", color="C0")
+    ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
+    found = remembered(ax.figure)
+    assert 30 <= len(found) <= 40
+    assert found[0].text.startswith("µ = 0.005 ± 0.001\ntime = 0.01, H = 0.7")
+
+
+def estimates():
+    """Return a result with mu_1, jump and b over velocity, H and load."""
+    data = result("fig7", hurst=[0.3, 0.5, 0.7])
+    data = add(data, mu_1=data.velocity, jump=0.2 * data.velocity)
+    return with_rates(data, data.speed_ratio ** (1.0 - data.hurst))
+
+
+def with_curves(data):
+    """Return the result with relaxation curves; those of the first velocity are lost."""
+    time = xr.DataArray(np.linspace(0.0, 3.0, 9), dims="sample")
+    mu = (data.mu_1 * (1.0 + 0.1 * np.exp(-time))).where(data.velocity > 2e-4)
+    error = 0.01 * mu
+    return data.assign(time=time + 0.0 * mu, mu=mu, deviation_error=error)
+
+
+def test_estimates_are_drawn_over_the_longest_axis_with_a_colour_for_the_next():
+    figure = draw({"": estimates()})
+    labels = [ax.get_ylabel().partition("$")[0] for ax in figure.axes]
+    assert labels == ["steady friction ", "jump ", "relaxation rate "]
+    assert [ax.get_legend() is None for ax in figure.axes] == [False, True, True]
+    for ax in figure.axes:
+        assert ax.get_xlabel() == "$v_1$ (m/s)"
+        assert len(ax.containers) == 3
+        assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
+    texts = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+    assert texts == ["$H$ = 0.3", "$H$ = 0.5", "$H$ = 0.7"]
+    assert "normal force F_N 0.1" in figure._supxlabel.get_text()
+
+
+def test_curves_of_six_points_that_have_one_with_their_bands():
+    ax = draw({"": with_curves(estimates())}).axes[0]
+    assert len(ax.lines) == len(ax.collections) == 6
+    assert all(np.isfinite(line.get_ydata()).all() for line in ax.lines)
+
+
+def test_a_comparison_is_drawn_beside_the_study():
+    data = estimates()
+    figure = draw({"": data, "coarse": data})
+    assert len(figure.axes[0].containers) == 6
+    assert "coarse" in [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
+
+
+def test_a_single_point_and_other_quantities_have_a_figure_too():
+    one = result("fig7", hurst=[0.7], normal_force=[0.1], velocity=[0.1])
+    figure = draw({"": add(one, peak=0.1, healing=0.2)})
+    assert {"rms_slope", "peak"} & {ax.get_ylabel() for ax in figure.axes}
+
+
+def test_points_that_failed_leave_gaps():
+    data = estimates()
+    figure = draw({"": data.assign(mu_1=data.mu_1 * np.nan)})
+    figure.canvas.draw()
+    assert len(figure.axes) == 3
+
+
+BROKEN = """
+from matplotlib import pyplot as plt
+
+def draw(groups):
+    plt.figure()
+    return groups["there is no such group"]
+"""
+
+
+def test_the_same_result_gives_the_same_figure_as_png_and_pdf(capsys, shown):
+    drawn = []
+    for _ in range(2):
+        status, out, err = call(capsys, "figure", shown)
+        assert (status, err) == (0, "")
+        assert out.split() == [str(shown / f"small.{kind}") for kind in ("png", "pdf")]
+        drawn.append([(shown / f"small.{kind}").read_bytes() for kind in ("png", "pdf")])
+    assert drawn[0] == drawn[1]
+    assert drawn[0][0].startswith(b"\x89PNG")
+    assert drawn[0][1].startswith(b"%PDF")
+
+
+@pytest.mark.parametrize(
+    ("script", "said"),
+    [
+        ("x = 1\n", "figure.py: has no function draw(groups)"),
+        (BROKEN, "small.nc: cannot be used by small ('there is no such group')"),
+    ],
+    ids=["without draw", "broken"],
+)
+def test_a_script_that_cannot_draw_says_why_and_leaves_no_figure_open(capsys, shown, script, said):
+    (shown / "figure.py").write_text(script)
+    assert f"{shown}/{said}" in assert_refused(capsys, "figure", shown)
+    assert plt.get_fignums() == []
+
+
+def test_a_study_without_a_script_has_the_usual_figure(capsys, shown):
+    (shown / "figure.py").unlink()
+    status, out, err = call(capsys, "figure", shown)
+    assert (status, err) == (0, "")
+    assert out.split() == [str(shown / f"small.{kind}") for kind in ("png", "pdf")]
+
+
+def test_a_script_that_is_asked_for_draws_instead(capsys, shown, tmp_path):
+    script = tmp_path / "mine.py"
+    script.write_text((shown / "figure.py").read_text().replace(".plot(", ".hist("))
+    call(capsys, "figure", shown)
+    usual = (shown / "small.png").read_bytes()
+    assert call(capsys, "figure", shown, "--script", str(script))[0] == 0
+    assert (shown / "small.png").read_bytes() != usual
+    said = assert_refused(capsys, "figure", shown, "--script", str(tmp_path / "none.py"))
+    assert f"{tmp_path}/none.py: not found" in said
+
+
+def test_several_figures_go_by_their_names(tmp_path):
+    files = write_figure(lambda: {"": Figure(), "more": Figure()}, tmp_path / "a.nc")
+    names = ["a.png", "a.pdf", "a-more.png", "a-more.pdf"]
+    assert [file.name for file in files] == names
+    assert all(file.is_file() for file in files)

@@ -84,12 +84,6 @@ def test_a_variable_may_scale_with_any_axes(made, monkeypatch):
         np.testing.assert_allclose(found[name], expected)
 
 
-def test_speed_ratio_is_that_of_the_point(dataset):
-    velocity, spacing = dataset.velocity, dataset.spacing
-    expected = np.pi * velocity * 1e-3 / spacing
-    np.testing.assert_allclose(dataset.speed_ratio, expected.broadcast_like(dataset.speed_ratio))
-
-
 def test_power_law_uses_fitted_points_beyond_one_only(made, dataset):
     x = dataset.speed_ratio.values[0]
     fitted = dataset.fit_status.values[0] == FITTED

@@ -1,7 +1,10 @@
-"""Writing a result file: whole or not at all, the same bytes for the same numbers."""
+"""Result files: whole or not at all, the same bytes for the same numbers, while others read."""
 
 import errno
 import os
+import shutil
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
@@ -10,7 +13,8 @@ import xarray as xr
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.result.netcdf import result_file, write_datasets
-from tests.support.disks import fill, mounted
+from tests.support.disks import fill, make_read_only, mounted
+from tests.support.results import FILES, OLD, WRITTEN, assert_refused, call
 from tests.support.small import small_study
 
 
@@ -83,3 +87,99 @@ def test_a_place_that_cannot_be_written_is_reported(tmp_path, dataset, place):
     with pytest.raises(UserError, match="cannot be written"):
         write_datasets(tmp_path / place, {"": dataset})
     assert list(tmp_path.iterdir()) == [tmp_path / "folder"]
+
+
+# Says on every line it gets: two numbers of the file it opened first, read only now, and the
+# largest mu_1 of the study and of its comparison in the file that is there now.
+READER = """
+import sys, dask, xarray as xr
+with dask.config.set(scheduler="synchronous"), xr.open_dataset(sys.argv[1], chunks={}) as data:
+    lazy = (data.mu - data.mu_2).sum()
+    for _ in sys.stdin:
+        groups = xr.open_groups(sys.argv[1])
+        now = [float(abs(groups[g].mu_1).max()) for g in ("/", "/coarse")]
+        print(float(lazy.compute()), float(data.mu_1.max()), *now, flush=True)
+        for group in groups.values():
+            group.close()
+"""
+
+
+@pytest.fixture
+def few(dataset):
+    """Return a result of few variables, which is quick to write."""
+    return dataset[["mu", "mu_1", "mu_2"]]
+
+
+@pytest.fixture
+def ask(tmp_path, few):
+    """Return a function that asks a reader in another process, which opened the result of run 1."""
+    write_datasets(tmp_path / "small.nc", numbered(few, 1))
+    words = [sys.executable, "-c", READER, str(tmp_path / "small.nc")]
+    with subprocess.Popen(
+        words, stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True
+    ) as reader:
+
+        def answer():
+            reader.stdin.write("\n")
+            reader.stdin.flush()
+            return [float(word) for word in reader.stdout.readline().split()]
+
+        yield answer
+        reader.stdin.close()
+    assert reader.returncode == 0
+
+
+def numbered(dataset, number):
+    """Return the result of a run that differs from all others."""
+    return {"": dataset * float(number), "coarse": dataset * -float(number)}
+
+
+def test_a_reader_keeps_the_file_it_opened_and_sees_one_run_whole(tmp_path, few, ask, monkeypatch):
+    largest = float(abs(few.mu_1).max())
+    first = [float((few.mu - few.mu_2).sum()), float(few.mu_1.max())]
+    seen = []
+
+    def look(_):
+        """Ask the reader when the file is written, and again when it has got its name."""
+        *lazy, study, coarse = ask()
+        np.testing.assert_allclose(lazy, first, rtol=1e-12)
+        assert study == coarse  # of one and the same run
+        seen.append(study / largest)
+
+    monkeypatch.setattr(os, "fsync", look)
+    for number in (2, 3):
+        write_datasets(tmp_path / "small.nc", numbered(few, number))
+    np.testing.assert_allclose(seen, [1.0, 2.0, 2.0, 3.0], rtol=1e-12)
+    with xr.open_dataset(tmp_path / "small.nc") as last:
+        xr.testing.assert_equal(last.load(), numbered(few, 3)[""])
+
+
+@pytest.fixture
+def disk(shown, tmp_path):
+    """Return a disk with the small study and its finished result."""
+    with mounted(tmp_path / "disk", "2m") as disk:
+        for name in FILES:
+            shutil.copy(shown / name, disk)
+        yield disk
+
+
+def test_a_full_disk_is_one_line_and_what_was_there_stays(capsys, disk):
+    for kind in WRITTEN:
+        (disk / f"small.{kind}").write_bytes(OLD)
+    fill(disk)
+    assert "cannot be written: No space left" in assert_refused(capsys, "figure", disk)
+    before = (disk / "small.nc").read_bytes()
+    waiting = "cluster.patience=0.5"  # s, for a disk that stays full
+    status, _, err = call(capsys, "run", disk, "--set", waiting)
+    assert status == 2
+    assert "No space left" in err
+    assert "Traceback" not in err
+    assert (disk / "small.nc").read_bytes() == before
+
+
+def test_a_read_only_disk_is_one_line(capsys, disk):
+    make_read_only(disk)
+    for command, *more in (("table",), ("run",)):
+        assert "Read-only file system" in assert_refused(capsys, command, disk, *more)
+    for reading in ("status", "plan"):
+        assert call(capsys, reading, disk)[0] == 0

@@ -1,11 +1,13 @@
-"""Every variable of a result: declared, described, its error beside it."""
+"""Every variable of a result: declared, described, in the unit of its scale, with its error."""
 
 import re
 
 import numpy as np
+import pytest
 
 from elastomer_friction.workflow.reduce.fits import NEGLIGIBLE
 from elastomer_friction.workflow.reduce.jackknife import errors_needed
+from elastomer_friction.workflow.result.reference.of_tables import described_variables
 from elastomer_friction.workflow.result.variables import (
     AUXILIARY,
     FLAGS,
@@ -68,3 +70,32 @@ def test_coordinates_are_in_si_units(with_models):
 
 def test_every_flag_says_what_its_values_mean():
     assert set(FLAGS) == {name for name, each in VARIABLES.items() if each.dtype == "int8"}
+
+
+# Metres, seconds and newtons of a unit, of h, dx, tau and 4 G L.
+UNITS = {(1, 0, 0): "m", (0, 1, 0): "s", (1, -1, 0): "m s-1", (0, -1, 0): "s-1", (0, 0, 0): "1"}
+UNITS |= {(0, 0, 1): "N", (1, 0, 1): "J"}
+SCALED = {name: variable for name, variable in SCENES.items() if variable.scaling}
+
+
+@pytest.mark.parametrize("name", SCALED)
+def test_units_are_those_of_the_scaling(name):
+    powers = dict(SCALED[name].scaling)
+    newtons = powers.pop("stiffness", 0)
+    metres = powers.pop("roughness", 0) + powers.pop("spacing", 0) - newtons
+    seconds = powers.pop("tau", 0)
+    assert not powers
+    assert SCALED[name].units == UNITS[metres, seconds, newtons]
+
+
+ALL = [variable for section in described_variables().values() for variable in section]
+
+
+def test_every_variable_is_described_once():
+    assert sorted(variable.name for variable in ALL) == sorted(VARIABLES)
+
+
+@pytest.mark.parametrize("variable", ALL, ids=lambda variable: variable.name)
+def test_a_variable_is_described_in_sentences(variable):
+    assert variable.text.endswith(".")
+    assert bool(variable.flags) == (variable.name in FLAGS)

@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.cluster.watch import Watch
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
 from elastomer_friction.workflow.run import collect
@@ -13,6 +12,7 @@ from elastomer_friction.workflow.run.workers import Workers, stream_here
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store.store import Store
+from elastomer_friction.workflow.system.watch import Watch
 from tests.support.small import cut_batches, random_result, small_plan
 
 PLAN = small_plan()
@@ -68,15 +68,6 @@ def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector, monkeypatc
     assert collector.fitted[""].at(rows)["rate_replicates"].shape == (2, JACKKNIFE_GROUPS + 1)
     monkeypatch.setattr(collector, "_load", pytest.fail)
     assert collector.fit(VARIANT, rows, BLOCKS, "fitting")
-
-
-def test_estimates_of_all_tasks_are_handed_out_without_a_copy():
-    fitted, count = Fitted(PLAN.variants[0]), len(PLAN.variants[0].tasks)
-    fitted.enter([*range(count)], {"mu": np.arange(2.0 * count).reshape(count, 2)}, [1] * count)
-    assert fitted.at([*range(count)])["mu"] is fitted.arrays["mu"]
-    rows = [*range(count - 1, -1, -1)]
-    assert np.array_equal(fitted.at(rows)["mu"], fitted.arrays["mu"][rows])
-    assert np.array_equal(fitted.at([1])["mu"], [[2.0, 3.0]])
 
 
 def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):

@@ -10,16 +10,14 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import QUARTET
 from elastomer_friction.workflow.plan.batches import missing_work
-from elastomer_friction.workflow.plan.cost import PARTS, Pace
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
-from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.reduce.attainment import MISSED
 from elastomer_friction.workflow.reduce.fits import FITTED, NEGLIGIBLE
 from elastomer_friction.workflow.run.collect import next_blocks
 from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.run.store_key import is_unchanged
 from elastomer_friction.workflow.store.store import Store, store_folder
-from tests.support.runs import run, shards
+from tests.support.runs import run
 
 WANTED = 0.03
 SETTINGS = (
@@ -79,26 +77,12 @@ def test_other_batches_and_a_store_that_holds_more_or_less_give_the_same_bytes(r
     assert again.path.read_bytes() == reached.path.read_bytes()
 
 
-def test_a_second_run_computes_nothing_and_leaves_the_result(reached):
-    before, written = shards(reached.path.parent), reached.path.stat().st_mtime_ns
-    again = run(reached.path.parent, *SETTINGS)
-    assert (again.summary.batches, shards(reached.path.parent)) == (0, before)
-    assert again.path.stat().st_mtime_ns == written
-
-
 def test_a_result_stays_where_the_records_are_that_it_is_made_of_whatever_was_expected(reached):
     plan, store = reached.plan, Store(store_folder(reached.path))
     assert plan.first != plan.expected
     stored = Failures(store, plan, 0)
     assert is_unchanged(plan, store, stored, reached.path, missing_work(plan, ()))
     assert not is_unchanged(plan, store, (), reached.path, [])
-
-
-def test_the_speed_of_the_machine_plays_no_part(reached):
-    slow = Pace(dict.fromkeys(PARTS, (100.0, 3.0)))
-    plan = make_plan(reached.plan.study, slow)
-    assert (plan.first, plan.expected) == (reached.plan.first, reached.plan.expected)
-    assert [v.tasks for v in plan.variants] == [v.tasks for v in reached.plan.variants]
 
 
 @given(st.integers(2, 600), st.floats(0.0, 1e9) | st.just(math.inf), st.integers(2, 10_000))

@@ -8,60 +8,28 @@ from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.simulate import block_means
 from elastomer_friction.workflow.store.store import Store, store_folder
 from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
+from tests.support.documents import without
 from tests.support.runs import Run, shards
 from tests.support.shards import held
 from tests.support.small import all_records, small_plan
 
-TEXT = """
-[study]
-title = "scenes"
-seed = 1
-realizations = 4
-
-[material]
-shear_modulus = 1e7
-branches = [[1e8, 1e-4], [2e7, 1e-3]]
-
-[surface]
-length = 0.01
-
-[grid]
-hurst = [0.3, 0.7]
-normal_force = [0.04, 0.4]
-spacing = 2e-4
-roughness = 1e-5
-velocity = [0.03, 0.1]
-
-[scene]
-quantities = ["steady", "trace", "peak", "healing"]
-
-[[scene.programme]]
-slide = { ratio = 1, distance = 1e-3 }
-
-[[scene.programme]]
-hold = { duration = 1e-2 }
-
-[[scene.programme]]
-slide = { ratio = 1, distance = 4e-4 }
-
-[[scene.programme]]
-slide = { ratio = 1.2, distance = 4e-4 }
-
-[numerics]
-steps_per_spacing = 2
-samples = 16
-
-[compare.solid]
-branches = [[8e7, 1e-3]]
-
-[compare.other_scheme]
-scheme = "implicit-euler"
-"""
+TEXT = without("material.relaxation_time", "grid.velocity_step", "compare.coarse", "scales.wide")
+SCENES = (
+    "study.realizations=4",
+    "material.branches=[[1e8, 1e-4], [2e7, 1e-3]]",
+    "grid.spacing=2e-4",
+    'scene.quantities=["steady", "trace", "peak", "healing"]',
+    "scene.programme=[{slide={ratio=1, distance=1e-3}}, {hold={duration=1e-2}}, "
+    "{slide={ratio=1, distance=4e-4}}, {slide={ratio=1.2, distance=4e-4}}]",
+    "numerics.steps_per_spacing=2",
+    "compare.solid.branches=[[8e7, 1e-3]]",
+    "compare.other_scheme.scheme=implicit-euler",
+)
 
 
 def run(folder, *settings, scheduler=LOCAL, batch_seconds=0.2, **how):
     """Run the scenes, in this process unless a scheduler is given."""
-    plan, path = small_plan(*settings, text=TEXT), folder / "small.nc"
+    plan, path = small_plan(*SCENES, *settings, text=TEXT), folder / "small.nc"
     how = RunOptions(Cluster(scheduler), batch_seconds=batch_seconds, **how)
     return Run(plan, run_plan(plan, path, how), path)
 

@@ -83,9 +83,3 @@ def test_what_was_used_is_compared_with_what_was_predicted_for_it():
     assert begun.lines(PLAN)[0].endswith("predicted for them (factor 1.50), of 2.0 h for the whole")
     done = dataclasses.replace(begun, written=True)
     assert done.lines(PLAN)[0].endswith("predicted for them (factor 1.50)")
-
-
-def test_a_summary_begins_with_nothing_done_by_one_worker():
-    begun = dict(vars(Summary()))
-    assert begun.pop("workers") == 1
-    assert not any(begun.values())

@@ -1,9 +1,10 @@
-"""A scene from Python: its physics, its units, its dataset."""
+"""A scene from Python: its physics, its units, its dataset, and a programme that goes on."""
 
 import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.scene.call import toml_value
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, N, heights, run, slide
 
 EVERYTHING = ["steady", "trace", "peak", "relaxation", "rate_state", "energy", "contact_lengths"]
@@ -118,3 +119,61 @@ def test_what_cannot_be_meant_is_refused_in_one_line(changed, words):
         run(slide(), **changed)
     assert words in str(error.value)
     assert "\n" not in str(error.value)
+
+
+def test_the_dataset_has_no_grid_and_its_provenance():
+    found = run(
+        slide(), quantities=["steady", "relaxation", "peak"], programme=[slide(), slide(0.2)]
+    )
+    assert "hurst" not in found.coords  # a measured line has none
+    assert found.normal_force.dims == ()
+    assert found.attrs["lines"].startswith("given from Python")
+    assert {"code", "commit", "versions", "study"} <= found.attrs.keys()
+    assert found.relaxation_rate.attrs["units"] == "s-1"
+    assert "alpha" not in found
+    assert "power_spectrum" in found
+
+
+def test_arrays_tuples_and_numbers_of_numpy_become_plain():
+    given = {"a": (np.float64(1.5), np.int64(2)), "b": np.array([[1.0, 2.0]]), "c": {"d": "e"}}
+    found = toml_value(given)
+    assert found == {"a": [1.5, 2], "b": [[1.0, 2.0]], "c": {"d": "e"}}
+    assert type(found["a"][1]) is int
+
+
+STEPS = {"trace": 1}
+ASKED = {"quantities": ["trace", "state"], "numerics": STEPS}
+
+
+@pytest.fixture(scope="module")
+def first():
+    """Return the first half of a programme."""
+    return run(slide(0.1, 32), **ASKED)
+
+
+def test_two_halves_are_the_whole_to_the_bit(first):
+    second = run(slide(0.1, 32), **ASKED, state=first)
+    whole = run(slide(0.1, 32), slide(0.1, 32), **ASKED)
+    for name in ("trace_mu", "trace_indentation", "trace_contact_fraction"):
+        assert np.array_equal(second[name].values[1:], whole[name].values[33:]), name
+    for name in ("state_memory", "state_p", "state_d", "state_position"):
+        assert np.array_equal(second[name].values, whole[name].values), name
+    assert second.trace_time.values[1:] == pytest.approx(whole.trace_time.values[33:], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [
+        ({"profile": 1.1 * heights()}, "belongs to another line"),
+        ({"material": {"shear_modulus": 2e6, "relaxation_time": 1e-3}}, "another line, material"),
+        ({"seed": 3}, "seed"),
+    ],
+)
+def test_a_state_of_another_scene_is_refused(first, changed, words):
+    with pytest.raises(UserError, match=words):
+        run(slide(), **ASKED, state=first, **changed)
+
+
+def test_a_dataset_without_state_is_refused():
+    with pytest.raises(UserError, match='state: holds no state_memory; ask for the quantity "sta'):
+        run(slide(), **ASKED, state=run(slide()))

@@ -1,14 +1,14 @@
-"""The key of stored numbers covers all that they depend on, and nothing else."""
+"""The key of stored numbers covers all that they depend on; machine code is there beforehand."""
 
 import ast
 import shutil
+import subprocess
+import sys
 from pathlib import Path
-from types import FunctionType, ModuleType
 
+import numba
 import pytest
 
-from elastomer_friction.kernels.rheology.law import reach
-from elastomer_friction.workflow.simulate import realizations as work
 from elastomer_friction.workflow.simulate.code import CODE, FOLDERS, code_hash, known_hash
 from tests.support.imports import module_of
 
@@ -39,38 +39,6 @@ def imported(path):
 def test_hashed_files_import_of_ours_only_what_is_hashed(path):
     ours = {name for name in imported(path) if name.startswith(BEYOND)}
     assert {n for n in ours if not n.startswith(f"{WORKFLOW}.simulate.")} <= NO_NUMBERS
-
-
-def reachable(function, found):
-    """Add the files of all functions of ours that a function can reach by names it uses."""
-    if isinstance(function, FunctionType) and function not in found:
-        found.add(function)
-        names = set(function.__code__.co_names)
-        for constant in function.__code__.co_consts:
-            names |= set(getattr(constant, "co_names", ()))
-        for name in names:
-            value = function.__globals__.get(name)
-            members = vars(value).values() if isinstance(value, type) else [value]
-            if isinstance(value, ModuleType) and value.__name__.startswith("elastomer_friction"):
-                members = vars(value).values()
-            for member in members:
-                plain = getattr(member, "__func__", member)
-                reachable(getattr(plain, "__wrapped__", getattr(plain, "py_func", plain)), found)
-                for body in getattr(plain, "bodies", {}).values():  # chosen by type
-                    reachable(body, found)
-    return found
-
-
-def test_every_function_that_block_means_reaches_is_hashed():
-    found = reachable(work.block_means, set())
-    assert {work.record_steps, work.lines_of, *reach.bodies.values()} <= found
-    files = {Path(function.__code__.co_filename) for function in found}
-    root = FOLDERS[0].parent
-    strangers = {root / ".venv", root / "tests"}  # a test may have made a law of its own known
-    ours = {path for path in files if root in path.parents and strangers.isdisjoint(path.parents)}
-    outside = {path.relative_to(root).as_posix() for path in ours - set(HASHED)}
-    assert outside <= {"workflow/system/process.py", "workflow/system/packages.py"}
-    assert len(ours) > 12  # contact, force, friction, kelvin, line, march, slide, steady ...
 
 
 EDITS = {
@@ -177,3 +145,38 @@ def test_the_hash_is_kept_until_a_byte_changes_and_made_anew_where_it_is_damaged
         "elastomer_friction.kernels.compile.cache.FOLDER", str(tmp_path / "nowhere")
     )
     assert known_hash((folder,)) == code_hash((folder,))
+
+
+NOTHING_NEW = """
+import sys, types
+from numba.core.dispatcher import Dispatcher
+from tests.support.small import cut_batches, small_plan
+from elastomer_friction.workflow.simulate.realizations import block_means, load_kernels
+
+def compiled():
+    found = {}
+    for name, module in list(sys.modules.items()):
+        if name.startswith("elastomer_friction.kernels"):
+            for own in vars(module).values():
+                if isinstance(own, Dispatcher):
+                    found[own.py_func.__qualname__] = len(own.signatures)
+    return found
+
+wide = ["grid.hurst=[0.0, 0.7]", "grid.normal_force=[0.004, 0.04, 0.4, 40.0]",
+        "grid.velocity=[0.03, 0.3, 3.0, 30.0]", "study.realizations=8"]
+for batch in cut_batches(small_plan(*wide), set(), 1e9):
+    load_kernels(batch.scheme, batch.quantities)
+    before = compiled()
+    block_means(batch)
+    after = compiled()
+    assert len(before) > 20
+    new = {name for name in after if after[name] != before.get(name)}
+    assert not new, new
+"""
+
+
+@pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="nothing is compiled")
+def test_a_batch_needs_no_machine_code_but_what_was_loaded_before_it():
+    """Or else the time to compile it would count as that of the work."""
+    done = subprocess.run([sys.executable, "-c", NOTHING_NEW], capture_output=True, text=True)
+    assert done.returncode == 0, done.stderr

@@ -1,42 +1,219 @@
-"""Programmes in batches: the same bits whatever the cut, and steady values of their own slides."""
+"""Programmes in batches: which steps are kept, where they lie, the same bits whatever the cut."""
+
+from dataclasses import replace
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
-from elastomer_friction.kernels import QUARTET, Line, amplitudes, draw_phases, run_scene
+from elastomer_friction.kernels import (
+    MOTION,
+    QUARTET,
+    SCHEMES,
+    Case,
+    Hold,
+    Line,
+    Oscillation,
+    Quantities,
+    Slide,
+    Spectrum,
+    amplitudes,
+    draw_phases,
+    run_case,
+    run_scene,
+)
 from elastomer_friction.workflow.simulate import realizations
 from elastomer_friction.workflow.simulate.drawing import line_generator
-from elastomer_friction.workflow.simulate.kept import kept_steps
-from elastomer_friction.workflow.simulate.layout import row_layout, unpack
+from elastomer_friction.workflow.simulate.kept import (
+    kept_steps,
+    programme_steps,
+    record_steps,
+    record_times,
+)
+from elastomer_friction.workflow.simulate.layout import BINS, EDGES, row_layout, row_width, unpack
 from elastomer_friction.workflow.simulate.programmes import scene_of
 from elastomer_friction.workflow.simulate.realizations import block_means
-from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS
-from tests.support.small import cut_batches, small_plan
-from tests.workflow.plan.test_motion import PROGRAMME, TEXT
+from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, Problem, Recording, Task
+from tests.support.small import HOLDING, PROGRAMME, cut_batches, small_plan
+
+
+@given(st.integers(8, 10**6), st.integers(8, 600))
+def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
+    recorded = record_steps(march, samples)
+    assert (recorded[0], recorded[-1]) == (1, march)
+    assert np.all(np.diff(recorded) >= 1)
+    assert recorded.size <= samples - 1
+    assert recorded.size == samples - 1 or march < 2 * samples
+
+
+def test_every_step_is_recorded_where_there_are_few():
+    assert record_steps(10, 64).tolist() == list(range(1, 11))
+
+
+def deviation(moments, steps, lag=None):
+    """Return mu - mu_2 of 8 lines at moments of slow creep after a jump, with m = ``steps``.
+
+    lag : where within a step friction acts, other than by the scheme.
+    """
+    speed, total = 0.3, 0.0
+    steps_per_tau = 1.2 * speed * steps
+    recorded = np.arange(1, int(3 * steps_per_tau))
+    times = record_times(recorded, steps_per_tau, "exponential")
+    if lag is not None:
+        times = (recorded - lag) / steps_per_tau
+    for seed in range(8):
+        phases = draw_phases(np.random.default_rng(seed), 200)
+        line = Line.self_affine(amplitudes(0.0, 200), phases, 200, steps)
+        found = run_case(line, Case(0.1, speed, (1.2,), (recorded,), "exponential"), Quantities())
+        total += np.interp(moments, times, found.curves[0] - found.mu_2[0])
+    return total
+
+
+def test_recorded_friction_belongs_to_its_times():
+    moments = np.linspace(0.5, 2.0, 12)
+    limit = deviation(moments, 256)
+    error = {m: np.abs(deviation(moments, m) / limit - 1.0).max() for m in (16, 64)}
+    at_the_end = np.abs(deviation(moments, 16, lag=0.0) / limit - 1.0).max()
+    assert error[16] < 0.02
+    assert error[64] < 0.002
+    assert at_the_end > 0.08  # of first order
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_recorded_times_lie_within_their_steps(scheme):
+    recorded = np.array([1, 2, 7])
+    for steps_per_tau in (0.1, 1.0, 30.0):
+        times = record_times(recorded, steps_per_tau, scheme) * steps_per_tau
+        assert np.all((times <= recorded) & (times > recorded - 1))
+
+
+def test_friction_of_branches_belongs_to_the_end_of_its_step():
+    """Their displacement grows evenly over a step; that of a Kelvin element under one force."""
+    branches = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)
+    times = record_times(np.array([1, 2, 7]), 4.0, "exponential", branches)
+    np.testing.assert_allclose(times, np.array([0.25, 0.5, 1.75]), rtol=1e-15)
+
+
+SWING = (Slide(1.0, 6.0), Hold(50.0), Slide(1.0, 6.0), Oscillation(0.0, 2.0, 0.1, 2))
+PROBLEM = Problem(0.7, 64, 0.1, 1.0, 1.0, programme=SWING)
+
+
+@pytest.mark.parametrize("record", ["time", "distance", "log"])
+@pytest.mark.parametrize("dense", [(), ("healing", "loop")])
+def test_a_trace_is_kept_from_the_start_to_the_end(record, dense):
+    march = programme_steps(PROBLEM, 4)
+    kept = kept_steps(PROBLEM, 4, Recording(40, record, dense=dense))
+    assert (kept[0], kept[-1]) == (0, march.time.size)
+    assert (np.diff(kept) > 0).all()
+    legs = set(march.leg[kept[1:] - 1])
+    assert legs >= ({0, 2, 3} if record == "distance" else {0, 1, 2, 3})
+    if record == "log":  # the first and the last step of every leg
+        ends = np.flatnonzero(np.diff(march.leg, prepend=-1, append=9)) + 1
+        assert set(ends[:-1]) | set(ends[1:] - 1) <= set(kept)
+    if not dense:
+        assert 30 <= kept.size <= 42
+
+
+@pytest.mark.parametrize("record", ["time", "log"])
+def test_a_hold_of_no_time_has_no_steps_to_keep(record):
+    plain = PROBLEM._replace(programme=(Slide(1.0, 6.0), Slide(1.0, 6.0)))
+    held = PROBLEM._replace(programme=(Slide(1.0, 6.0), Hold(0.0), Slide(1.0, 6.0)))
+    found = (
+        kept_steps(each, 4, Recording(60, record, dense=("healing",))) for each in (plain, held)
+    )
+    first, second = (steps.tolist() for steps in found)
+    assert (
+        (first[0], first[-1]) == (second[0], second[-1]) == (0, programme_steps(held, 4).time.size)
+    )
+
+
+def test_every_kth_step_is_kept_where_that_is_asked_for():
+    steps = programme_steps(PROBLEM, 4).time.size
+    assert kept_steps(PROBLEM, 4, Recording(40, every=1)).size == 1 + steps
+    third = kept_steps(PROBLEM, 4, Recording(40, every=3))
+    assert (third[:-1] % 3 == 0).all()
+
+
+def test_samples_over_time_and_distance_are_even():
+    march = programme_steps(PROBLEM, 16)
+    time = np.append(0.0, march.time)[kept_steps(PROBLEM, 16, Recording(20, "time"))]
+    assert np.diff(time).max() < 2.5 * time[-1] / 19
+    way = np.append(0.0, np.cumsum(march.moved))
+    distance = way[kept_steps(PROBLEM, 16, Recording(20, "distance"))]
+    assert np.diff(distance).max() < 2.5 * distance[-1] / 19
+
+
+@pytest.mark.parametrize("record", ["time", "distance"])
+def test_samples_that_fall_on_steps_are_those_steps(record):
+    """Whatever the last bit of a sum of steps says."""
+    even = PROBLEM._replace(programme=(Slide(1.0, 30.0),))
+    assert programme_steps(even, 8).time.size == 240
+    for each in (2, 3, 5):
+        kept = kept_steps(even, 8, Recording(240 // each + 1, record))
+        assert kept.tolist() == list(range(0, 241, each))
+
+
+def test_the_leg_after_a_hold_is_dense_at_its_beginning():
+    march = programme_steps(PROBLEM, 16)
+    kept = kept_steps(PROBLEM, 16, Recording(8, dense=("healing",)))
+    first = int(np.searchsorted(march.leg, 2))
+    assert {first, first + 1, first + 2, first + 3} <= set(kept.tolist())
+
+
+@pytest.mark.parametrize("m", [2, 4, 64])
+def test_the_last_cycle_of_an_oscillation_is_a_closed_loop(m):
+    """Of 256 samples at most, from one period before the end on: of all steps if they are fewer."""
+    time = np.append(0.0, programme_steps(PROBLEM, m).time)
+    first = int(np.abs(time - (time[-1] - 1.0 / SWING[-1].frequency)).argmin())
+    kept = kept_steps(PROBLEM, m, Recording(2, dense=("loop",)))
+    loop = kept[1:]  # 0 is the start
+    assert (loop[0], loop[-1]) == (first, time.size - 1)
+    assert loop.size == min(256, time.size - first)
+
+
+def test_recorded_steps_of_many_times_grow_by_a_factor():
+    recorded = record_steps(10_000, 64, Spectrum((1.0,), (1.0,), 0.0))
+    assert recorded[:3].tolist() == [1, 2, 3]
+    assert recorded[-1] / recorded[-2] == pytest.approx(recorded[-2] / recorded[-3], rel=0.01)
+
+
+SPECTRUM = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)
+HELD = (Slide(1.0, 4.0), Hold(2.0), Slide(1.0, 4.0))
+BRANCHED = Problem(0.7, 16, 0.1, 1.0, 1.0, spectrum=SPECTRUM, programme=HELD)
+TASK = Task(BRANCHED, 2, 8, "")
+ASKED = ("trace", "energy", "contact_lengths", "snapshots", "state")
+
+
+@pytest.mark.parametrize("count", range(6))
+def test_parts_follow_each_other_without_gaps_and_unpack_to_their_shapes(count):
+    recording = Recording(20, asked=ASKED[:count])
+    quantities = Quantities(initial_rate=True)
+    places = row_layout(TASK, quantities, "exponential", recording)
+    width = row_width(places)
+    rows = np.arange(3.0 * width).reshape(3, width)
+    parts = unpack(rows, places)
+    blocks = unpack(np.stack([rows, -rows], axis=1), places)  # of tasks and blocks
+    assert all(np.array_equal(blocks[name][:, 1], -parts[name]) for name in parts)
+    joined = np.concatenate([part.reshape(3, -1) for part in parts.values()], axis=1)
+    assert np.array_equal(joined, rows)
+    assert parts["curve"].shape == (3, 19)
+    assert parts["initial_rate"].shape == (3,)
+
+
+def test_without_a_march_a_row_is_empty():
+    asked = Quantities(relaxation=False)
+    assert row_width(row_layout(TASK, asked, "exponential", Recording(64))) == 0
+
+
+def test_contact_lengths_are_counted_from_a_sixteenth_of_a_spacing_on():
+    assert EDGES.size == BINS + 1
+    assert EDGES[:5].tolist()[::2] == [0.0625, 0.125, 0.25]
+    np.testing.assert_allclose(EDGES[1:] / EDGES[:-1], np.sqrt(2.0), rtol=1e-15)
+
 
 SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
-PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=TEXT)
-
-
-def records(target):
-    """Return (key, block) -> scalars and row of all records, in batches of a length."""
-    found = {}
-    for batch in cut_batches(PLAN, set(), target):
-        done = block_means(batch)
-        for row, task in enumerate(batch.tasks):
-            for block in range(batch.blocks):
-                width = PLAN.widest_row(PLAN.variants[0])
-                values = np.full(width, np.nan)
-                values[: done.curves.shape[2]] = done.curves[row, block]
-                place = task.key, batch.first_block + block
-                found[place] = done.scalars[row, block].tobytes(), values.tobytes()
-    return found
-
-
-def test_no_batching_shows():
-    whole = records(1e9)
-    assert len(whole) == 2 * 2
-    assert records(1e-9) == whole
+PLAN = small_plan(PROGRAMME, *SMALL, "numerics.steps_per_spacing=1", text=HOLDING)
 
 
 def test_mu_1_and_mu_2_belong_to_the_first_and_the_last_slide():
@@ -47,7 +224,7 @@ def test_mu_1_and_mu_2_belong_to_the_first_and_the_last_slide():
         "scene.programme=[{slide={ratio=2.0, distance=1e-3}}]",
         *SMALL,
         "numerics.steps_per_spacing=1",
-        text=TEXT,
+        text=HOLDING,
     )
     other = next(cut_batches(fast, set(), 1e9))
     expected = dict(zip(SCALARS, block_means(other).scalars[0, 0], strict=True))
@@ -69,6 +246,23 @@ def test_a_trace_is_the_mean_over_the_lines_of_its_block():
         lines = Line.quartet(amplitudes(hurst, elements), phases, elements, 1)
         expected = np.mean([run_scene(line, scene)["trace_mu"] for line in lines], axis=0)
         np.testing.assert_allclose(found[block], expected, rtol=1e-12, equal_nan=True)
+
+
+def test_when_and_where_is_that_of_the_lines_to_the_bit_whatever_their_number():
+    batch = next(cut_batches(PLAN, set(), 1e9))
+    batch = replace(batch, realizations_per_block=12)
+    done = block_means(batch)
+    task = batch.tasks[-1]
+    places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
+    found = unpack(done.curves[-1], places)
+    scene = scene_of(task, batch.scheme, batch.recording)
+    hurst, elements = task.problem.hurst, task.problem.elements
+    phases = draw_phases(line_generator(batch.seed, hurst, elements, 0), elements)
+    line = next(iter(Line.quartet(amplitudes(hurst, elements), phases, elements, 1)))
+    expected = run_scene(line, scene)
+    for name in MOTION:
+        for block in found[name]:
+            np.testing.assert_array_equal(block, expected[name])
 
 
 def test_the_time_of_a_programme_is_booked_to_marching(monkeypatch):

@@ -7,10 +7,21 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import QUARTET, run_prepared
-from elastomer_friction.workflow.simulate import realizations as module
+from elastomer_friction.kernels import (
+    QUARTET,
+    Case,
+    Line,
+    Quantities,
+    amplitudes,
+    draw_phases,
+    run_case,
+    run_prepared,
+)
+from elastomer_friction.workflow.simulate import drawing, realizations
+from elastomer_friction.workflow.simulate.drawing import line_generator
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS
+from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from tests.support.small import cut_batches, small_plan
 
 PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")
@@ -105,10 +116,10 @@ def test_short_lines_are_run_together_and_long_ones_one_by_one(monkeypatch):
         taken.append(len(lines))
         return run_prepared(lines, prepared)
 
-    monkeypatch.setattr(module, "run_prepared", spy)
+    monkeypatch.setattr(realizations, "run_prepared", spy)
     batch = one_batch("study.realizations_per_block=4")
     together = by_record([batch])
-    monkeypatch.setattr(module, "SHORT", 1)
+    monkeypatch.setattr(realizations, "SHORT", 1)
     assert by_record([batch]) == together
     lines = batch.blocks * batch.realizations_per_block
     assert lines > QUARTET
@@ -139,3 +150,91 @@ def test_every_task_pays_its_part():
     assert (done.spent > 0.0).all()
     assert done.spent.sum() <= done.seconds
     assert len(np.unique(done.spent[:, 0])) == 1  # of the lines all share
+
+
+BATCH = next(cut_batches(small_plan("study.realizations=2"), set(), 1e9))
+
+
+def test_block_means_are_named_as_the_outcome_of_the_kernels():
+    """By field, not by position: each column is the mean of what the kernels call so."""
+    task = BATCH.tasks[0]
+    hurst, elements, load, speed, ratio = task.problem[:5]
+    phases = draw_phases(line_generator(BATCH.seed, hurst, elements, 0), elements)
+    lines = Line.quartet(amplitudes(hurst, elements), phases, elements, task.steps_per_spacing)
+    case = Case(load, speed, (ratio,), (np.array([1]),), BATCH.scheme)
+    outcomes = [run_case(line, case, Quantities()) for line in lines]
+    found = block_means(BATCH).scalars[0, 0]
+    for name, value in zip(SCALARS, found, strict=True):
+        expected = np.mean([np.ravel(getattr(outcome, name)) for outcome in outcomes])
+        assert value == pytest.approx(expected, rel=1e-12), name
+
+
+def test_every_estimate_of_a_scene_is_a_block_mean():
+    asked = {name for quantity in QUANTITIES.values() for name in quantity.means}
+    assert asked | {"samples_per_contact"} == set(SCALARS)
+
+
+def numbers(seed=1, hurst=0.3, elements=100, index=0):
+    """Return the first random numbers of a line."""
+    return line_generator(seed, hurst, elements, index).random(4).tolist()
+
+
+@pytest.mark.parametrize("other", [{"seed": 2}, {"hurst": 0.7}, {"elements": 101}, {"index": 1}])
+def test_each_line_has_random_numbers_of_its_own(other):
+    assert numbers() == numbers()
+    assert set(numbers()).isdisjoint(numbers(**other))
+
+
+@pytest.fixture
+def drawn(monkeypatch):
+    """Return what quartets are drawn from: (samples per spacing, phases) in order."""
+    found = []
+
+    class Spy:
+        @staticmethod
+        def quartet(amplitude, phases, elements, steps_per_spacing):
+            found.append((steps_per_spacing, phases.tolist()))
+            return Line.quartet(amplitude, phases, elements, steps_per_spacing)
+
+    monkeypatch.setattr(drawing, "Line", Spy)
+    monkeypatch.setattr(realizations, "load_kernels", lambda *_: None)  # draws a line of its own
+    return found
+
+
+def test_every_resolution_samples_the_same_lines(drawn):
+    for variant in ("4", "16"):
+        block_means(one_batch(f"numerics.steps_per_spacing={variant}"))
+    assert [steps for steps, _ in drawn] == [4] * 4 + [16] * 4
+    assert [phases for _, phases in drawn[:4]] == [phases for _, phases in drawn[4:]]
+
+
+@pytest.mark.parametrize(
+    "setting",
+    ["numerics.scheme=implicit-euler", "grid.normal_force=3.0", 'scene.quantities=["jump"]'],
+)
+def test_load_scheme_and_scene_play_no_part_in_the_lines(drawn, setting):
+    block_means(one_batch())
+    before = [phases for _, phases in drawn]
+    drawn.clear()
+    block_means(one_batch(setting))
+    assert {tuple(p) for _, p in drawn} == {tuple(p) for p in before}
+
+
+def test_tasks_of_one_resolution_share_the_line(drawn):
+    batch = one_batch("numerics.steps_per_spacing=4")
+    assert len(batch.tasks) == 4
+    block_means(batch)
+    assert len(drawn) * QUARTET == batch.blocks * batch.realizations_per_block
+
+
+@pytest.mark.parametrize("count", [1, 2, 3])
+def test_a_quartet_lies_in_one_block_and_a_single_line_is_its_first(drawn, count):
+    """A block of a scene of one line is that line; of several lines whole quartets."""
+    batch = one_batch("study.realizations=8", "numerics.steps_per_spacing=2")
+    whole = block_means(dataclasses.replace(batch, blocks=1, realizations_per_block=4 * count))
+    phases = [found for _, found in drawn]
+    assert len(phases) == len({tuple(found) for found in phases}) == count
+    drawn.clear()
+    single = block_means(dataclasses.replace(batch, blocks=1, realizations_per_block=1))
+    assert [found for _, found in drawn] == phases[:1]
+    assert not np.array_equal(single.scalars, whole.scalars, equal_nan=True)

@@ -1,14 +1,16 @@
-"""The store: what goes in comes out bit for bit, and a disk that refuses is reported."""
+"""The store, its shards, its journal: what goes in comes out bit for bit, whatever a crash did."""
 
 import dataclasses
 
+import netCDF4
 import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.simulate.tasks import SCALARS
+from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import Store
-from tests.support.shards import BATCH, SAMPLES, WORK, filled, held, records, reopened
+from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import random_result
 
 
@@ -58,3 +60,113 @@ def test_folder_that_vanished_is_reported(tmp_path):
     store = Store(tmp_path / "store")
     with pytest.raises(UserError, match="cannot be written: No such file or directory"):
         store.add([(BATCH, random_result(BATCH))])
+
+
+def test_one_shard_holds_many_batches(tmp_path):
+    store = Store(tmp_path)
+    work = [(batch, random_result(batch, seed)) for seed, batch in enumerate(WORK[:9])]
+    store.add(work)
+    assert len(list(tmp_path.glob("*.nc"))) == 1
+    for again in (store, Store(tmp_path)):
+        for batch, result in work:
+            assert_holds(again, batch, result)
+
+
+def test_batches_of_different_length_share_a_shard(tmp_path):
+    longer = dataclasses.replace(WORK[1], recording=WORK[1].recording._replace(samples=40))
+    work = [(batch, random_result(batch)) for batch in (WORK[0], longer)]
+    store = Store(tmp_path)
+    store.add(work)
+    assert_holds(store, *work[0])
+    _, curves = store.read(records(longer), 39)
+    assert curves.tobytes() == work[1][1].curves.tobytes()
+
+
+def test_numbers_that_netcdf_takes_for_missing_ones_come_back_bit_for_bit(tmp_path):
+    result = random_result(WORK[0])
+    result.scalars[..., 0] = result.curves[..., 0] = netCDF4.default_fillvals["f8"]
+    result.scalars[..., 1] = np.nan
+    store = Store(tmp_path)
+    store.add([(WORK[0], result)])
+    assert_holds(store, WORK[0], result)
+    assert type(store.read(records(WORK[0]), 1)[0]) is np.ndarray
+
+
+ENTRIES = [{"part": "ab", "keys": "00" * 16}, {"shard": "x\n", "bytes": 17}, {"dropped": "ü"}]
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """Return a folder with a journal of three entries."""
+    for entry in ENTRIES:
+        journal.append(tmp_path, [entry])
+    return tmp_path
+
+
+def read(folder, offset=0):
+    """Return the entries of a journal."""
+    return [entry for entry, _ in journal.entries(folder, offset)]
+
+
+def test_no_journal_has_no_entries(tmp_path):
+    assert read(tmp_path) == []
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_one_can_go_on_reading_where_one_stopped(folder):
+    offsets = [offset for _, offset in journal.entries(folder)]
+    assert offsets[-1] == (folder / journal.NAME).stat().st_size
+    assert [read(folder, offset) for offset in (0, *offsets)] == [ENTRIES[i:] for i in range(4)]
+
+
+def test_any_prefix_is_read_up_to_its_last_whole_line(folder):
+    content = (folder / journal.NAME).read_bytes()
+    for length in range(len(content)):
+        (folder / journal.NAME).write_bytes(content[:length])
+        assert read(folder) == ENTRIES[: content[:length].count(b"\n")]
+
+
+def test_any_flipped_bit_spoils_at_most_the_lines_it_touches(folder):
+    content = (folder / journal.NAME).read_bytes()
+    for place in range(len(content)):
+        damaged = bytearray(content)
+        damaged[place] ^= 1
+        (folder / journal.NAME).write_bytes(damaged)
+        found = read(folder)
+        assert 1 <= len(found) <= 2
+        assert all(entry in ENTRIES for entry in found)
+
+
+def test_entries_after_a_torn_line_are_read(folder):
+    path = folder / journal.NAME
+    path.write_bytes(path.read_bytes()[:-3])
+    journal.append(folder, [{"dropped": "y"}])
+    assert read(folder) == [*ENTRIES[:2], {"dropped": "y"}]
+
+
+def test_the_keys_of_tasks_that_stay_together_are_written_once(tmp_path):
+    later = [dataclasses.replace(BATCH, first_block=4 * i) for i in range(5)]
+    filled(tmp_path, later)
+    for kind, count in (("part", 1), ("shard", 5)):
+        assert sum(kind in entry for entry in read(tmp_path)) == count
+
+
+def test_the_journal_tells_records_and_core_time(tmp_path):
+    filled(tmp_path, [BATCH])
+    (shard,) = [entry for entry in read(tmp_path) if "shard" in entry]
+    assert shard["records"] == 16
+    assert shard["used"] == 0.1  # of random_result
+    assert shard["predicted"] == round(BATCH.seconds, 3)
+
+
+def test_the_journal_tells_with_what_a_run_computes(tmp_path):
+    Store(tmp_path).begin("a study", "numpy 2.4", "a processor")
+    (run,) = read(tmp_path)
+    assert run.items() >= {"run": "a study", "versions": "numpy 2.4"}.items()
+    assert run["processor"] == "a processor"
+
+
+def test_a_new_journal_begins_with_its_format_and_tells_it_once(tmp_path):
+    for _ in range(2):
+        Store(tmp_path).prepare()
+    assert read(tmp_path) == [{"format": journal.FORMAT}]

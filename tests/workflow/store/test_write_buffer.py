@@ -62,13 +62,6 @@ def test_a_long_run_writes_a_shard_every_thousandth_of_its_time(store, clock):
         assert len(held(store)) == 3
 
 
-def test_much_is_stored_at_once(store, clock, monkeypatch):
-    monkeypatch.setattr(module, "MOST_BYTES", 1000)
-    with buffer_of(store, clock) as buffer:
-        put(buffer, *range(10))
-        assert len(held(store)) >= 6
-
-
 def test_shards_are_of_sixteen_mebibytes_and_of_two_minutes_at_most(store, clock, monkeypatch):
     assert (module.MOST_BYTES, module.LONGEST_SECONDS) == (2**24, 120.0)
     each = random_result(WORK[0]).scalars.nbytes + random_result(WORK[0]).curves.nbytes

@@ -1,4 +1,4 @@
-"""A study of a grid: values of the file, defaults, shape, elements."""
+"""A study of a grid: values of the file, defaults, comparisons, elements, where it is computed."""
 
 import copy
 import json
@@ -10,9 +10,14 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.cluster import CLUSTER as KEYS
+from elastomer_friction.workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
+from elastomer_friction.workflow.study.effects.material import Material
 from elastomer_friction.workflow.study.numerics import Numerics
+from elastomer_friction.workflow.study.settings import checked
 from elastomer_friction.workflow.study.study import read_grid_study
-from tests.support.small import TEXT, small_study
+from tests.support.documents import CLUSTER, without
+from tests.support.small import TEXT, complaint, small_study
 
 
 def test_values_of_the_file_reach_the_study():
@@ -26,14 +31,6 @@ def test_values_of_the_file_reach_the_study():
     )
     assert study.grid["normal_force"] == (0.04, 0.4)
     assert study.shape == (2, 2, 1, 1, 2, 1)
-
-
-def test_what_is_left_out_takes_its_default():
-    study = small_study(text=TEXT.replace("seed = 1", "").replace('title = "small"', ""))
-    assert (study.seed, study.title, study.surface.normalisation) == (0, "small", "modal")
-    assert study.scene.quantities == ("steady", "jump", "relaxation")
-    assert study.scene.indentation_rate
-    assert study.variants[""] == Numerics(curve_samples=16)
 
 
 def test_steady_states_alone_need_no_velocity_step():
@@ -117,3 +114,103 @@ def test_random_lines_are_counted_in_whole_quartets_and_blocks(asked, block, fou
     study = small_study(f"study.realizations={asked}", f"study.realizations_per_block={block}")
     assert (study.realizations, study.realizations_per_block) == found
     assert study.realizations_asked == asked
+
+
+def test_below_one_percent_the_march_is_longer_unless_a_horizon_is_given():
+    settings = (), ("numerics.accuracy=0.01",), ("numerics.accuracy=0.005",)
+    horizons = [small_study(*some).variants[""].horizon for some in settings]
+    assert horizons == [4.0, 4.0, 6.0]
+    given = small_study("numerics.accuracy=0.005", "numerics.horizon=3")
+    assert given.variants[""].horizon == 3.0
+
+
+def test_comparison_inherits_the_numerics_it_does_not_name():
+    coarse = small_study("numerics.horizon=7.0").variants["coarse"]
+    assert coarse == Numerics("implicit-euler", 1, 16, 7.0)
+
+
+def test_automatic_steps_are_kept_as_a_question():
+    assert small_study("numerics.steps_per_spacing=auto").variants[""].steps_per_spacing is None
+
+
+BRANCHED = "compare.glassy={branches=[[5e6, 1e-2]], relaxation_time=0}"
+
+
+def test_a_comparison_has_the_material_of_the_study_but_for_its_keys():
+    study = small_study(BRANCHED, 'scene.quantities=["steady"]')
+    assert study.materials[""] == study.material == Material(1e7, 1e-3)
+    assert study.materials["coarse"] == study.material
+    assert study.materials["glassy"] == Material(1e7, 0.0, ((5e6, 1e-2),))
+    assert study.variants["glassy"] == study.variants[""]
+    assert list(study.materials) == list(study.variants)
+
+
+def test_branches_and_a_file_of_them_take_each_others_place():
+    own = 'material.branches_file="branches.csv"'
+    study = small_study(own, "compare.glassy.branches=[[5e6, 1e-2]]")
+    assert len(study.material.branches) == 2
+    assert len(study.materials["glassy"].branches) == 1
+    study = small_study("material.branches=[[5e6, 1e-2]]", f"compare.two.{own[9:]}")
+    assert len(study.materials["two"].branches) == 2
+    study = small_study(own, "compare.kelvin.branches=[]")
+    assert study.materials["kelvin"] == Material(1e7, 1e-3)
+
+
+def test_a_comparison_shifts_with_constants_of_its_own():
+    wlf = "{{c1={}, c2=101.6, reference=20}}"
+    study = small_study(
+        f"material.wlf={wlf.format(8.86)}",
+        "material.temperature=[20, 50]",
+        f"compare.other.wlf={wlf.format(17.4)}",
+    )
+    assert study.materials["other"].temperatures == (20.0, 50.0)
+    assert study.materials["other"].tau_at(50.0) < study.material.tau_at(50.0)
+
+
+MEASURED = without("surface.length", "grid.hurst", "grid.spacing", "grid.roughness")
+OWN_LINE = ('surface.file="two.csv"', "surface.columns=[0, 1, 2]", "study.realizations=2")
+
+
+def test_a_comparison_has_lines_like_the_measured_ones():
+    study = small_study(
+        *OWN_LINE,
+        'compare.spectrum.lines="random-phase"',
+        'compare.fractal={lines="self-affine", hurst=0.9}',
+        text=MEASURED,
+    )
+    assert study.surfaces[""] == study.surface
+    assert study.surfaces["coarse"].lines == study.surface.lines == "measured"
+    assert study.surfaces["spectrum"] == study.surface._replace(lines="random-phase")
+    assert study.surfaces["fractal"] == study.surface._replace(lines="self-affine", hurst=0.9)
+    assert list(study.surfaces) == list(study.variants)
+
+
+def test_measured_lines_limit_the_realizations_of_all():
+    settings = (*OWN_LINE, 'surface.lines="random-phase"', 'compare.own.lines="measured"')
+    answer = complaint(*settings, "study.realizations=4", text=MEASURED)
+    assert answer == "study.realizations = 4: only 2 lines were measured"
+    lines = OWN_LINE[:2]
+    assert complaint(*lines, "study.realizations=4", text=MEASURED) == answer
+
+
+def test_walltimes_are_those_of_slurm():
+    known = {"90": 5400, "00:02:30": 150, "30:15": 1815, "1-00": 86400, "2-01:30": 178200}
+    known["1-02:03:04"] = 93784
+    assert {text: walltime_seconds(text) for text in known} == known
+
+
+def test_a_study_is_computed_here_unless_it_says_otherwise():
+    assert read_cluster({}) == HERE == Cluster(where="local")
+    assert HERE.longest_batch == float("inf")
+
+
+def test_every_key_arrives():
+    assert read_cluster(checked("cluster", CLUSTER, KEYS)) == Cluster(
+        **CLUSTER | {"prologue": ("module load python",)}
+    )
+
+
+def test_batches_are_far_shorter_than_the_life_of_a_worker():
+    place = read_cluster(CLUSTER)
+    assert place.lifetime == pytest.approx(6480.0)
+    assert place.longest_batch == pytest.approx(324.0)

@@ -1,7 +1,11 @@
-"""Files are written whole or not at all, and a disk that refuses is reported."""
+"""Files are written whole or not at all, locked by one, and a disk that refuses is waited for."""
 
 import errno
+import fcntl
 import os
+import re
+import signal
+import threading
 
 import pytest
 
@@ -9,8 +13,12 @@ from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.system.durable import (
     append_durably,
     clear_leftovers,
+    refused,
     write_durably,
 )
+from elastomer_friction.workflow.system.lock import LOCK, hold, holder
+from elastomer_friction.workflow.system.patience import GRACE_SECONDS, Patience
+from tests.support.runs import PATIENCE, standing
 
 
 def full_disk(*_):
@@ -57,3 +65,181 @@ def test_leftovers_of_one_file_are_removed_and_nothing_else(tmp_path):
         path.touch()
     clear_leftovers(tmp_path / "a.nc")
     assert sorted(tmp_path.iterdir()) == sorted(kept)
+
+
+PASSING = ["EIO", "ESTALE", "EMFILE", "ENFILE", "ENOSPC", "EDQUOT", "ETIMEDOUT"]
+
+
+class Disk:
+    """A disk that refuses until a time of the clock, by an error."""
+
+    def __init__(self, clock, path, until, error):
+        self.clock, self.path, self.until, self.error = clock, path, until, error
+        self.tried = []
+
+    def __call__(self):
+        self.tried.append(self.clock[0])
+        with refused(self.path, "cannot be written:"):
+            if self.clock[0] < self.until:
+                raise self.error
+        return "done"
+
+
+def patience(clock, seconds, stop=lambda: False):
+    """Return a patience whose waiting takes no time but that of the clock."""
+
+    def sleep(duration):
+        clock[0] += duration
+
+    return Patience(seconds, stop, sleep)
+
+
+def disk_error(name):
+    """Return an error of the disk."""
+    number = getattr(errno, name)
+    return OSError(number, os.strerror(number))
+
+
+@pytest.mark.parametrize("name", PASSING)
+def test_what_passes_is_tried_again_and_said_at_once(tmp_path, clock, capsys, name):
+    disk = Disk(clock, tmp_path, clock[0] + 20.0, disk_error(name))
+    assert patience(clock, 600.0)(disk) == "done"
+    said = capsys.readouterr().err
+    words = f"cannot be written: {disk_error(name).strerror}; tried again for 10.0 min at most"
+    assert said == f"warning: {tmp_path}: {words}\n"
+    gaps = [later - earlier for earlier, later in zip(disk.tried, disk.tried[1:], strict=False)]
+    assert gaps[:4] == pytest.approx([0.1, 0.2, 0.4, 0.8])
+    assert max(gaps) <= 10.0 + 1e-9
+
+
+def test_hdf5_which_gives_no_reason_is_tried_again(tmp_path, clock):
+    disk = Disk(clock, tmp_path, clock[0] + 1.0, RuntimeError("NetCDF: HDF error"))
+    assert patience(clock, 60.0)(disk) == "done"
+
+
+@pytest.mark.parametrize("name", ["EACCES", "EROFS", "ENOENT", "ENOTDIR"])
+def test_what_does_not_pass_is_refused_at_once(tmp_path, clock, capsys, name):
+    disk = Disk(clock, tmp_path, clock[0] + 1.0, disk_error(name))
+    with pytest.raises(UserError, match=f"cannot be written: {disk_error(name).strerror}$"):
+        patience(clock, 600.0)(disk)
+    assert len(disk.tried) == 1
+    assert capsys.readouterr().err == ""
+
+
+def test_without_patience_nothing_is_tried_twice(tmp_path, clock):
+    disk = Disk(clock, tmp_path, clock[0] + 1.0, disk_error("EIO"))
+    with pytest.raises(UserError, match=r"cannot be written: Input/output error$"):
+        Patience()(disk)
+    assert len(disk.tried) == 1
+
+
+def test_it_ends_and_what_follows_is_tried_once_until_the_disk_is_back(tmp_path, clock, capsys):
+    began, waiting = clock[0], patience(clock, 300.0)
+    with pytest.raises(UserError, match=r"No space left on device; given up after 5\.0 min$"):
+        waiting(Disk(clock, tmp_path, began + 1e6, disk_error("ENOSPC")))
+    assert clock[0] - began == pytest.approx(300.0)
+    assert capsys.readouterr().err.count("\n") == 5  # at once, after 30, 60, 120 and 240 s
+    disk = Disk(clock, tmp_path, began + 1e6, disk_error("ENOSPC"))
+    with pytest.raises(UserError):
+        waiting(disk)
+    assert len(disk.tried) == 1
+    assert waiting(lambda: "done") == "done"
+    assert waiting(Disk(clock, tmp_path, clock[0] + 20.0, disk_error("ENOSPC"))) == "done"
+
+
+def test_who_is_to_stop_waits_for_a_moment_longer(tmp_path, clock):
+    began = clock[0]
+    waiting = patience(clock, 600.0, lambda: clock[0] > began + 40.0)
+    with pytest.raises(UserError, match="given up after"):
+        waiting(Disk(clock, tmp_path, began + 1e6, disk_error("EIO")))
+    assert clock[0] - began < 40.0 + GRACE_SECONDS + 1.0
+
+
+HOLDER = """
+import sys, time
+from pathlib import Path
+from elastomer_friction.workflow.system.lock import hold
+with hold(Path(sys.argv[1])):
+    print("held", flush=True)
+    time.sleep(600)
+"""
+
+
+@pytest.fixture
+def other(tmp_path):
+    """Return another process that holds the lock of tmp_path."""
+    with standing(HOLDER, str(tmp_path)) as (process, said):
+        assert said == "held"
+        yield process
+
+
+def test_a_second_holder_is_refused_and_told_who_has_it(tmp_path, other, monkeypatch):
+    monkeypatch.setattr("elastomer_friction.workflow.system.lock.GLANCE_SECONDS", 0.1)
+    who = rf"process {other.pid} on \S+ since \d{{4}}-\d\d-\d\d \d\d:\d\d:\d\d\S+"
+    line = rf"{re.escape(str(tmp_path))}: in use by {who}; one run at a time"
+    with pytest.raises(UserError) as error, hold(tmp_path):
+        pass
+    assert re.fullmatch(line, str(error.value))
+    assert re.fullmatch(who, holder(tmp_path))
+
+
+def test_the_lock_dies_with_its_holder_and_is_free_after_an_error(tmp_path, other):
+    other.send_signal(signal.SIGKILL)
+    other.wait(timeout=PATIENCE)
+    assert holder(tmp_path) is None
+    with hold(tmp_path):
+        assert f"process {os.getpid()} on " in holder(tmp_path)
+    with pytest.raises(KeyError), hold(tmp_path):
+        raise KeyError
+    assert holder(tmp_path) is None
+
+
+def test_a_file_system_without_locks_is_refused_unless_one_does_without(tmp_path, monkeypatch):
+    def no_locks(*_):
+        raise OSError(errno.ENOLCK, "No locks available")
+
+    monkeypatch.setattr(fcntl, "flock", no_locks)
+    with pytest.raises(UserError) as error, hold(tmp_path):
+        pass
+    assert str(error.value) == (
+        f"{tmp_path}: cannot be locked (No locks available); see to it that no other run uses it, "
+        "then go on with --no-lock"
+    )
+    assert holder(tmp_path) is None
+    with hold(tmp_path, without=True):
+        assert f"process {os.getpid()} on " in holder(tmp_path)  # it lives
+
+
+def test_a_folder_that_cannot_be_flushed_is_said_once(tmp_path, monkeypatch, capsys):
+    def refuse(_):
+        raise OSError(errno.EINVAL, "Invalid argument")
+
+    monkeypatch.setattr(os, "fsync", refuse)
+    with hold(tmp_path):
+        pass
+    said = capsys.readouterr().err
+    assert said.startswith(f"note: {tmp_path}: the file system flushes no folder")
+    assert said.count("\n") == 1
+
+
+def test_who_looks_at_the_lock_keeps_nobody_from_it(tmp_path):
+    with hold(tmp_path):
+        pass
+    with (tmp_path / LOCK).open() as file:
+        fcntl.flock(file, fcntl.LOCK_SH)
+        leave = threading.Timer(0.3, file.close)
+        leave.start()
+        with hold(tmp_path):
+            leave.join()
+
+
+def test_asking_who_holds_it_makes_nothing(tmp_path):
+    assert holder(tmp_path / "store") is None
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_folder_that_cannot_be_made_is_reported(tmp_path):
+    (tmp_path / "file").write_text("")
+    expected = pytest.raises(UserError, match=r"cannot be used for results: Not a directory$")
+    with expected, hold(tmp_path / "file" / "store"):
+        pass

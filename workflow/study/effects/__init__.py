@@ -11,17 +11,17 @@ if TYPE_CHECKING:
     from .material import MATERIAL, WLF, Material, read_material
     from .programme import (
         FromFile,
-        Hold,
+        HoldSegment,
         Oscillate,
-        Ramp,
+        RampSegment,
         Segment,
-        Slide,
+        SlideSegment,
         Velocity,
         velocity_steps,
         with_hold,
     )
     from .quantities import QUANTITIES, judged
-    from .scene import SCENE, Scene, check_quantities, read_scene, why_not
+    from .scene import SCENE, Scene, check_quantities, read_scene_table, why_not
     from .segments import FILE, HOLD, OSCILLATE, RAMP, SLIDE
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -48,9 +48,9 @@ WLF = {
     ),
     "reference": Key(
         number,
-        "The temperature at which the relaxation times are those that are given.",
-        "Raised by ten degrees, all curves are those that were found ten degrees lower. "
-        "Doubling degrees Celsius has no meaning of its own.",
+        "The temperature at which relaxation times are those that are given.",
+        "Raised by ten degrees, all curves are those that were found ten degrees lower; to double "
+        "degrees Celsius means nothing.",
         "°C",
     ),
 }
@@ -219,34 +219,29 @@ MATERIAL = {
     "shear_modulus": Key(
         positive,
         "The relaxed (static, long-time) shear modulus G of the elastomer.",
-        "Doubled, the same force presses the line in half as far as long as the contact stays the "
-        "same. For a Kelvin element it is exactly as if all normal forces were halved, because "
-        "they enter as F̄ = F_N/(4GLh) alone.",
+        "Doubled, a Kelvin element behaves exactly as under half the normal force, since the two "
+        "enter as F̄ alone.",
         "Pa",
     ),
     "relaxation_time": Key(
         partial(within, least=0.0, most=TIMES[1]),
-        "The relaxation time τ = η/G of the dashpot of viscosity η beside the springs. Without "
-        "branches the material is the Kelvin element of the paper, and τ is its only time. "
-        "0 means that there is no dashpot, and needs branches.",
-        "Doubled, a Kelvin element at the velocity v rubs exactly as it did at 2v, and relaxation "
-        "takes twice the time.",
+        "The relaxation time τ = η/G of the dashpot of viscosity η beside the springs, the only "
+        "time of a material without branches. 0 means no dashpot, and needs branches.",
+        "Doubled, a Kelvin element at v rubs exactly as it did at 2v, and relaxes in twice the "
+        "time.",
         "s",
         default=None,
         usual="0 where there are branches, else required",
     ),
     "branches": Key(
         _branches,
-        "A Prony series: Maxwell elements of modulus g_b and relaxation time t_b beside the "
-        "spring G, so that the relaxation modulus is G(t) = G + Σ g_b exp(−t/t_b). The order does "
-        "not matter.",
-        "With all g_b doubled, what the branches dissipate in a given motion doubles, and so do "
-        "instantaneous forces. With all t_b doubled (and no dashpot), friction at v is what it "
-        "was at 2v.",
-        "Pa, s",
+        "A Prony series: Maxwell elements of modulus g_b (Pa) and relaxation time t_b (s), in any "
+        "order, so that G(t) = G + Σ g_b exp(−t/t_b).",
+        "With all g_b doubled, their instantaneous forces and what they dissipate in a given "
+        "motion double. With all t_b doubled and no dashpot, friction at v is what it was at 2v.",
         default=(),
-        values="a list of `[g_b, t_b]`, 200 at most, with g_b from 1e-9 to 1e9 times "
-        "`shear_modulus` and t_b from 1e-30 to 1e30 s",
+        values="a list of `[g_b, t_b]`, 200 at most, g_b from 1e-9 to 1e9 times `shear_modulus`, "
+        "t_b from 1e-30 to 1e30",
         usual="none",
         schema={
             "type": "array",
@@ -256,10 +251,8 @@ MATERIAL = {
     ),
     "branches_file": Key(
         as_text,
-        "A text file beside `study.toml` with the two columns g_b and t_b, in place of `branches`. "
-        "The command `prony` writes such a file from measured moduli.",
-        "Another file is another material.",
-        "Pa, s",
+        "A text file beside `study.toml` with columns g_b (Pa) and t_b (s), in place of "
+        "`branches`. The command `prony` writes one from measured moduli.",
         default="",
         values="the name of a file",
         usual="none",
@@ -269,19 +262,18 @@ MATERIAL = {
         "The constants of the shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − "
         "reference)/(c2 + T − reference). All relaxation times are multiplied by a_T. It goes "
         "together with `temperature`.",
-        "With c1 doubled, the shift doubles in decades at every temperature.",
         default=None,
         values="`{c1 = …, c2 = …, reference = …}`",
-        usual="none: times are as they are given",
+        usual="none",
     ),
     "temperature": Key(
         _temperature,
-        "The temperature of the elastomer, with `wlf`. A list makes it a dimension of the result.",
-        "A higher temperature shortens all times: friction at v is what it was at a_T v. "
-        "Doubling degrees Celsius has no meaning of its own.",
+        "The temperature of the elastomer, with `wlf`. A list is a dimension of the result.",
+        "A higher temperature shortens all times: friction at v is what it was at a_T v. To "
+        "double degrees Celsius means nothing.",
         "°C",
         default=None,
-        values="a number above `reference` − c2, or a list or range of them",
+        values="a number above `reference` − c2, or a list or range",
         usual="none",
         schema=values_of_axis(NUMBER),
     ),

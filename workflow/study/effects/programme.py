@@ -16,7 +16,7 @@ class Velocity(NamedTuple):
         return self.value * reference if self.relative else self.value
 
 
-class Slide(NamedTuple):
+class SlideSegment(NamedTuple):
     """Slide at constant velocity, over a distance or for a duration."""
 
     velocity: Velocity
@@ -30,14 +30,14 @@ class Slide(NamedTuple):
         return self.distance / abs(self.velocity.at(reference))
 
 
-class Hold(NamedTuple):
+class HoldSegment(NamedTuple):
     """Stay where it is; several durations make one programme each."""
 
     durations: tuple[float, ...]  # s
     several: bool = False  # given as a list: a dimension of the result
 
 
-class Ramp(NamedTuple):
+class RampSegment(NamedTuple):
     """Change the velocity linearly in time."""
 
     first: Velocity
@@ -61,16 +61,16 @@ class FromFile(NamedTuple):
     velocities: tuple[float, ...]  # m/s
 
 
-Segment = Slide | Hold | Ramp | Oscillate | FromFile
+Segment = SlideSegment | HoldSegment | RampSegment | Oscillate | FromFile
 Programme = tuple[Segment, ...]
 
 
 def velocities_of(segment: Segment) -> tuple[Velocity, ...]:
     """Return the velocities at the beginning and at the end of a segment; none of a hold."""
     match segment:
-        case Slide() | Oscillate():
+        case SlideSegment() | Oscillate():
             return (segment.velocity, segment.velocity)
-        case Ramp():
+        case RampSegment():
             return (segment.first, segment.last)
         case FromFile():
             return tuple(Velocity(v) for v in (segment.velocities[0], segment.velocities[-1]))
@@ -87,8 +87,8 @@ def velocity_steps(programme: Programme) -> list[int]:
     return [
         i
         for i, (before, after) in enumerate(pairwise(programme))
-        if isinstance(before, Slide)
-        and isinstance(after, Slide)
+        if isinstance(before, SlideSegment)
+        and isinstance(after, SlideSegment)
         and before.velocity != after.velocity
         and math.copysign(1.0, before.velocity.value) == math.copysign(1.0, after.velocity.value)
     ]
@@ -99,20 +99,23 @@ def holds(programme: Programme) -> list[int]:
     return [
         i
         for i in range(1, len(programme) - 1)
-        if isinstance(programme[i], Hold)
-        and isinstance(programme[i - 1], Slide)
-        and isinstance(programme[i + 1], Slide)
+        if isinstance(programme[i], HoldSegment)
+        and isinstance(programme[i - 1], SlideSegment)
+        and isinstance(programme[i + 1], SlideSegment)
     ]
 
 
 def hold_durations(programme: Programme) -> tuple[float, ...]:
     """Return the durations (s) of the hold that was given a list of them; none without it."""
-    return next((s.durations for s in programme if isinstance(s, Hold) and s.several), ())
+    return next((s.durations for s in programme if isinstance(s, HoldSegment) and s.several), ())
 
 
 def with_hold(programme: Programme, duration: float) -> Programme:
     """Return the programme in which the hold of several durations has one of them (s)."""
-    return tuple(Hold((duration,)) if isinstance(s, Hold) and s.several else s for s in programme)
+    return tuple(
+        HoldSegment((duration,)) if isinstance(s, HoldSegment) and s.several else s
+        for s in programme
+    )
 
 
 def first_velocity(programme: Programme) -> Velocity | None:

@@ -10,7 +10,7 @@ from ...errors import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer
 from .material import Material
 from .programme import (
-    Hold,
+    HoldSegment,
     Oscillate,
     Programme,
     Segment,
@@ -62,7 +62,11 @@ class Scene(NamedTuple):
     @property
     def slid_before(self) -> bool:
         """Return whether it begins at rest after steady sliding at the velocity of the grid."""
-        return self.start == STEADY and bool(self.programme) and isinstance(self.programme[0], Hold)
+        return (
+            self.start == STEADY
+            and bool(self.programme)
+            and isinstance(self.programme[0], HoldSegment)
+        )
 
     @property
     def takes_velocity(self) -> bool:
@@ -90,7 +94,7 @@ class Scene(NamedTuple):
         return found.at(reference) if found else reference
 
 
-def read_scene(own: Mapping[str, Any], folder: Path, materials: Iterable[Material]) -> Scene:
+def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[Material]) -> Scene:
     """Return the scene of the checked values of a table. Raises UserError.
 
     own : the programme in it as it is written. Files are found from ``folder``.
@@ -156,9 +160,8 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
 SCENE = {
     "quantities": Key(
         asked_for,
-        "What is computed. What is not named is neither computed nor in the result file; the "
-        "list of names is in the table of quantities below.",
-        "Each further name costs what it takes; steady states and jumps need no time marching.",
+        "What is computed, by the names of the table below. What is not named is not in the "
+        "result either. Steady states and jumps need no time marching.",
         default=None,
         values="a list of names of quantities",
         usual='`["steady", "jump", "relaxation"]`; without a dashpot `["steady", "relaxation", '
@@ -169,23 +172,20 @@ SCENE = {
     "indentation_rate": Key(
         flag,
         "Whether the rate ḋ of the indentation enters the force of an element. `false` is eq. 3 "
-        "of the paper as it is printed, for one velocity step of Kelvin elements alone.",
-        "Without it the velocity step has no physical relaxation; it is there for comparison.",
+        "as the paper prints it, without physical relaxation; it is there for comparison, for one "
+        "velocity step of Kelvin elements alone.",
         default=True,
     ),
     "control": Key(
         partial(choice, known=(FORCE, INDENTATION)),
-        "What presses line and elastomer together: a constant normal force, or with "
-        '`"indentation"` a given indentation, from which the force follows.',
-        "A programme is needed for control by indentation.",
+        "What presses line and elastomer together: a constant normal force, or in a programme a "
+        "given indentation, from which the force follows.",
         default=FORCE,
     ),
     "indentation_file": Key(
         as_text,
-        "A text file beside `study.toml` with the columns time (s) and indentation (m). The "
-        "indentation is linear between the times and constant beyond them. It takes the place of "
-        "`grid.prescribed_indentation`.",
-        "Another file is another history of the indentation.",
+        "A text file beside `study.toml` with columns time (s) and indentation (m), linear "
+        "between the times and constant beyond them, in place of `grid.prescribed_indentation`.",
         default="",
         values="the name of a file",
         usual="none",
@@ -193,10 +193,8 @@ SCENE = {
     "start": Key(
         partial(choice, known=(STEADY, RELAXED, FRESH)),
         "How a programme begins: in steady sliding at its first velocity, at rest with the "
-        "elastomer fully relaxed under the load, or just pressed on. The last needs a material "
-        "without a dashpot.",
-        "It changes the beginning of a trace; after a few relaxation times nothing is remembered "
-        "of it.",
+        "elastomer fully relaxed under the load, or just pressed on, which needs a material "
+        "without a dashpot. After a few relaxation times nothing is remembered of it.",
         default=STEADY,
     ),
     "repeat": Key(
@@ -207,9 +205,8 @@ SCENE = {
     ),
     "programme": Key(
         lambda _, value: value,
-        "The motion of the line, as a list of segments `[[scene.programme]]` that follow one "
-        "another. Without it there is one velocity step from v₁ to v₂.",
-        "With a programme `grid.velocity_step` is left out.",
+        "The motion of the line, as segments `[[scene.programme]]` that follow one another, in "
+        "place of `grid.velocity_step`. Without it there is one velocity step from v₁ to v₂.",
         default=None,
         values="a list of up to 1000 segments: `slide`, `hold`, `ramp`, `oscillate` or `file`",
         usual="none",

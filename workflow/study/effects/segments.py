@@ -24,7 +24,16 @@ from ..settings import (
     read_columns,
     read_table,
 )
-from .programme import FromFile, Hold, Oscillate, Programme, Ramp, Segment, Slide, Velocity
+from .programme import (
+    FromFile,
+    HoldSegment,
+    Oscillate,
+    Programme,
+    RampSegment,
+    Segment,
+    SlideSegment,
+    Velocity,
+)
 
 MOST_SEGMENTS = 1000
 MOST_SAMPLES = 100_000  # of a file
@@ -43,12 +52,10 @@ def _pair(key: str, value: object) -> tuple[float, float]:
     return number(f"{key}[0]", value[0]), number(f"{key}[1]", value[1])
 
 
-ONE_OF_VELOCITY = "Give either `velocity` or `ratio`. "
-ONE_OF_LENGTH = "Give either `distance` or `duration`. "
 SLIDE = {
     "velocity": Key(
         _not_zero,
-        ONE_OF_VELOCITY + "The velocity of sliding; a negative one slides back.",
+        "The velocity, backwards if negative. Give it or `ratio`.",
         "Doubled, x doubles, and the same distance takes half the time.",
         "m/s",
         default=None,
@@ -58,8 +65,8 @@ SLIDE = {
     ),
     "ratio": Key(
         _not_zero,
-        ONE_OF_VELOCITY + "The velocity of sliding as a multiple of `grid.velocity`.",
-        "Doubled, the segment slides twice as fast.",
+        "The velocity as a multiple of `grid.velocity`.",
+        "Doubled, the line slides twice as fast.",
         default=None,
         values="a number other than 0",
         usual="none",
@@ -67,7 +74,7 @@ SLIDE = {
     ),
     "distance": Key(
         positive,
-        ONE_OF_LENGTH + "The distance of sliding.",
+        "The distance of sliding. Give it or `duration`.",
         "Doubled, the march of this segment takes twice as long.",
         "m",
         default=None,
@@ -75,7 +82,7 @@ SLIDE = {
     ),
     "duration": Key(
         positive,
-        ONE_OF_LENGTH + "The duration of sliding.",
+        "The duration of sliding.",
         "Doubled, the march of this segment takes twice as long.",
         "s",
         default=None,
@@ -85,8 +92,8 @@ SLIDE = {
 RAMP = {
     "velocity": Key(
         _pair,
-        ONE_OF_VELOCITY + "The velocities at the beginning and at the end; between them the "
-        "velocity is linear in time.",
+        "The velocities at the beginning and at the end, linear in time between them. Give them "
+        "or `ratio`.",
         "Doubled, the line moves twice as far in the same time, in twice as many steps.",
         "m/s",
         default=None,
@@ -96,7 +103,7 @@ RAMP = {
     ),
     "ratio": Key(
         _pair,
-        ONE_OF_VELOCITY + "Both velocities as multiples of `grid.velocity`.",
+        "Both velocities as multiples of `grid.velocity`.",
         "Doubled, the line moves twice as far in the same time.",
         default=None,
         values="two numbers, `[first, last]`",
@@ -113,7 +120,7 @@ RAMP = {
 OSCILLATE = {
     "velocity": Key(
         number,
-        ONE_OF_VELOCITY + "The mean velocity, on which the oscillation is superposed.",
+        "The mean velocity, on which the oscillation is superposed. Give it or `ratio`.",
         "Doubled, the mean motion is twice as fast.",
         "m/s",
         default=None,
@@ -121,14 +128,14 @@ OSCILLATE = {
     ),
     "ratio": Key(
         number,
-        ONE_OF_VELOCITY + "The mean velocity as a multiple of `grid.velocity`.",
+        "The mean velocity as a multiple of `grid.velocity`.",
         "Doubled, the mean motion is twice as fast.",
         default=None,
         usual="none",
     ),
     "amplitude": Key(
         positive,
-        "The amplitude of the displacement, a sine. Give either this or `velocity_amplitude`.",
+        "The amplitude of the displacement, a sine. Give it or `velocity_amplitude`.",
         "Doubled, a loop of small amplitude dissipates four times the work.",
         "m",
         default=None,
@@ -151,7 +158,7 @@ OSCILLATE = {
     "cycles": Key(
         partial(integer, least=1),
         "The number of cycles. The loop is evaluated in the last one.",
-        "Doubled, the march takes twice as long and starts are forgotten better.",
+        "Doubled, the march takes twice as long and the start is forgotten better.",
     ),
 }
 HOLD = {
@@ -159,18 +166,15 @@ HOLD = {
         partial(checked_values, positive),
         "How long the line stays where it is. A list or range makes one programme for each value, "
         "and the dimension `hold` of the result; one hold of a programme may have it.",
-        "Doubled, the contact ages twice as long; steps of a hold grow with its age, so the cost "
-        "grows by a few steps only.",
+        "Doubled, the contact ages twice as long, for a few steps more: steps grow with the age.",
         "s",
     ),
 }
 FILE = {  # the one segment that is no table
     "file": Key(
         as_text,
-        "The name of a text file with the columns time (s, increasing) and velocity (m/s), linear "
-        "between the rows. Times count from the first row.",
-        "Another file is another motion.",
-        "s, m/s",
+        "A text file with columns time (s, increasing) and velocity (m/s), linear between the "
+        "rows. Times count from the first row.",
         values="the name of a file with 2 to 100000 rows",
         usual="none",
     ),
@@ -185,24 +189,24 @@ def _one_of(where: str, given: dict[str, Any], *names: str) -> str:
     return found[0]
 
 
-def _slide(where: str, table: Any, _: Path) -> Slide:
+def _slide(where: str, table: Any, _: Path) -> SlideSegment:
     given = read_table(where, table, SLIDE)
     kind = _one_of(where, given, "velocity", "ratio")
     _one_of(where, given, "distance", "duration")
     velocity = Velocity(given[kind], kind == "ratio")
-    return Slide(velocity, given["distance"], given["duration"])
+    return SlideSegment(velocity, given["distance"], given["duration"])
 
 
-def _hold(where: str, table: Any, _: Path) -> Hold:
+def _hold(where: str, table: Any, _: Path) -> HoldSegment:
     durations = read_table(where, table, HOLD)["duration"]
-    return Hold(durations, isinstance(table["duration"], list | dict))
+    return HoldSegment(durations, isinstance(table["duration"], list | dict))
 
 
-def _ramp(where: str, table: Any, _: Path) -> Ramp:
+def _ramp(where: str, table: Any, _: Path) -> RampSegment:
     given = read_table(where, table, RAMP)
     kind = _one_of(where, given, "velocity", "ratio")
     first, last = (Velocity(value, kind == "ratio") for value in given[kind])
-    return Ramp(first, last, given["duration"])
+    return RampSegment(first, last, given["duration"])
 
 
 def _oscillate(where: str, table: Any, _: Path) -> Oscillate:
@@ -259,13 +263,13 @@ def read_programme(key: str, value: object, folder: Path) -> Programme:
     if not isinstance(value, list) or not 1 <= len(value) <= MOST_SEGMENTS:
         raise UserError(f"{key} = {value!r:.60}: must be a list of 1 to {MOST_SEGMENTS} segments")
     programme = tuple(_segment(f"{key}[{i}]", entry, folder) for i, entry in enumerate(value))
-    lists = [i for i, s in enumerate(programme) if isinstance(s, Hold) and s.several]
+    lists = [i for i, s in enumerate(programme) if isinstance(s, HoldSegment) and s.several]
     if len(lists) > 1:
         raise UserError(
             f"{key}[{lists[1]}].hold: only one hold of a programme may have a list of durations"
         )
     for i, (before, after) in enumerate(pairwise(programme), 1):
-        if isinstance(before, Ramp) and isinstance(after, Oscillate):
+        if isinstance(before, RampSegment) and isinstance(after, Oscillate):
             _check_mean(f"{key}[{i}].oscillate", before.last, after.velocity)
     return programme
 

@@ -32,7 +32,14 @@ if TYPE_CHECKING:
         table_of,
         values_of_axis,
     )
-    from .text import BrokenRowError, Rows, named_unit, read_columns, read_rows, rows_of_file
+    from .rows_of_numbers import (
+        BrokenRowError,
+        Rows,
+        named_unit,
+        read_columns,
+        read_rows,
+        rows_of_file,
+    )
     from .words import as_toml, default_of, values_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -24,7 +24,7 @@ class Key:
 
     check: Callable[[str, object], Any]
     means: str = ""  # what the key says
-    doubled: str = ""  # what changes when it is doubled, or, where it is no number, is another
+    doubled: str = ""  # of a number: what changes when it is doubled
     unit: str = ""
     default: Any = REQUIRED  # where the key is left out
     values: str = ""  # what it may be, in words

@@ -40,14 +40,14 @@ def _taken(check: Callable[..., Any]) -> str:
         return f"a number from {given['least']:g} to {given['most']:g}"
     if check.func is integer:
         most = given.get("most", UNBOUNDED)
-        return f"a whole number, at least {given['least']}" + (
-            "" if most == UNBOUNDED else f" and at most {most}"
-        )
+        if most == UNBOUNDED:
+            return f"a whole number, at least {given['least']}"
+        return f"a whole number from {given['least']} to {most}"
     if check.func is choice:
         *others, last = (f'`"{known}"`' for known in given["known"])
         return f"{', '.join(others)} or {last}"
     if check.func is checked_values:
-        return f"{_taken(check.args[0])}, or a list or range of such numbers"
+        return f"{_taken(check.args[0])}, or a list or range"
     return ""
 
 

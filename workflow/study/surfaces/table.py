@@ -48,32 +48,27 @@ def _units(key: str, value: object) -> tuple[str, ...]:
     return units
 
 
-WITH_THE_FILE = "With `surface.file` alone. "
 RANDOM = {
     "length": Key(
         positive,
         "The length L of the periodic line.",
-        "Doubled at the same spacing, the line has twice as many elements and takes twice the "
-        "time, its longest wave doubles, F̄ = F_N/(4GLh) halves, and at the same roughness its "
-        "rms slope falls by about 2^H.",
+        "Doubled at the same spacing, elements and computing time double, the longest wave "
+        "doubles, F̄ halves, and at the same roughness the rms slope falls by about 2^H.",
         "m",
-        usual="required for random lines, left out with `file`",
+        usual="required for random lines alone",
     ),
     "normalisation": Key(
         partial(choice, known=NORMALISATIONS),
-        'What the roughness h of the grid is: with `"modal"` every line has exactly this rms '
-        'height; with `"integral"` it is the integral of the spectral density as the paper '
-        "defines it, which differs from that by a factor of 1.04 (H = 0) to 1.55 (H = 1) at 5000 "
-        "elements.",
-        "It scales heights, and with them slopes, friction and F̄.",
+        'What the roughness h is: with `"modal"` the rms height of every line; with `"integral"` '
+        "the integral of the spectral density as the paper defines it, which differs by a factor "
+        "from 1.04 (H = 0) to 1.55 (H = 1) at 5000 elements.",
         default="modal",
     ),
     "snap_spacing": Key(
         flag,
-        "Whether each spacing is moved to the nearest one that divides the length into a number "
-        "of elements 2^a 3^b 5^c, which are quick for the Fourier transform. Otherwise a spacing "
-        "must divide the length.",
-        "The result holds the spacings that were used.",
+        "Whether each spacing is moved to the nearest that divides the length into 2^a 3^b 5^c "
+        "elements, which are quick for the Fourier transform. Otherwise it must divide the "
+        "length.",
         default=False,
     ),
     "rolloff": Key(
@@ -83,14 +78,13 @@ RANDOM = {
         "about 2^H.",
         "m",
         default=0.0,
-        usual="none: the power law goes on to the length of the line, as in the paper",
+        usual="none: the power law goes on to the length, as in the paper",
     ),
     "cutoff": Key(
         positive,
         "The shortest wavelength of the line, at least two spacings. It makes the roughness "
-        "independent of the spacing of elements.",
-        "Doubled, q_max = 2π/cutoff and x = v₁ τ q_max halve, and the rms slope falls by about "
-        "2^(1−H).",
+        "independent of the spacing.",
+        "Doubled, q_max = 2π/cutoff and x halve, and the rms slope falls by about 2^(1−H).",
         "m",
         default=0.0,
         usual="twice the spacing, as in the paper",
@@ -99,17 +93,16 @@ RANDOM = {
 MEASURED = {
     "file": Key(
         as_text,
-        "A file of measured lines beside `study.toml`: text (`.txt`, `.csv`), `.npy`, `.nc`, or "
-        "what the optional reader of instruments' files knows.",
-        "Another file is another surface. H, spacing and roughness are then those of the file.",
+        "A file of measured lines beside `study.toml`: `.txt`, `.csv`, `.npy`, `.nc`, or what the "
+        "optional reader of instruments' files knows. H, spacing and roughness are then those of "
+        "the file. The next keys need it.",
         values="the name of a file",
-        usual="none: lines are random and self-affine",
+        usual="none: lines are random",
     ),
     "columns": Key(
         _columns,
-        WITH_THE_FILE + "The columns of positions and of the heights of one line or more, counted "
-        "from 0, or in a netCDF file the names of the two variables.",
-        "Other columns are other lines.",
+        "The columns of positions and of the heights of one line or more, from 0, or in netCDF "
+        "the names of the two variables.",
         default=(),
         values='whole numbers as `[0, 1]`, or two names as `["x", "height"]`',
         usual="the first two columns, or the only variable of heights",
@@ -117,45 +110,38 @@ MEASURED = {
     ),
     "units": Key(
         _units,
-        WITH_THE_FILE + "The units of positions and heights.",
-        "They scale the line; they are never guessed.",
+        "The units of positions and heights. They are never guessed.",
         default=(),
         values='two units of length as `["mm", "um"]`',
-        usual="those that the file names; required where it names none",
+        usual="those that the file names, else required",
         schema=pair(TEXT, TEXT),
     ),
     "detrend": Key(
         partial(choice, known=DETRENDS),
-        WITH_THE_FILE
-        + "What is subtracted from each line: nothing, its mean, a straight line (tilt) "
-        "or a parabola (tilt and bow).",
-        "A higher degree removes longer waves, and with them roughness.",
+        "What is subtracted from each line: nothing, its mean, a straight line (tilt) or a "
+        "parabola (tilt and bow). A higher degree removes longer waves, and roughness with them.",
         default="line",
     ),
     "periodic": Key(
         partial(choice, known=PERIODICS),
-        WITH_THE_FILE
-        + "How a measured line becomes periodic: `mirror` appends it reversed, `taper` "
-        "brings both ends to the mean height over a tenth of the length, `none` takes it as one "
-        "period.",
-        "`mirror` doubles the period and loses the direction of a texture; `none` leaves a step "
-        "where the ends do not meet.",
+        "How a measured line becomes periodic: `mirror` appends it reversed, which loses the "
+        "direction of a texture; `taper` brings both ends to the mean height over a tenth of the "
+        "length; `none` takes it as one period, with a step where the ends do not meet.",
         default="mirror",
     ),
 }
 LIKE = {  # which a comparison may set as well
     "lines": Key(
         partial(choice, known=LINES),
-        WITH_THE_FILE + "Whether the measured lines slide, random lines of the same mean power "
-        "spectrum, or self-affine lines of the same rms height and slope.",
-        "What the three differ in is what a spectrum, or height and slope, leave out.",
+        "Whether the measured lines slide, random lines of the same mean power spectrum, or "
+        "self-affine lines of the same rms height and slope.",
         default="measured",
     ),
     "hurst": Key(
         partial(within, least=0.0, most=1.0),
-        'With `lines = "self-affine"` alone: the Hurst exponent H of those lines.',
-        "A larger exponent puts more of the roughness into long waves. Doubling is possible up "
-        "to H = 1.",
+        'The Hurst exponent of lines that are `"self-affine"`.',
+        "A larger one puts more of the roughness into long waves; doubling is possible up to H = "
+        "1.",
         default=1.0,
     ),
 }

@@ -1,9 +1,12 @@
 """Narrow contacts on refined lines: the parabola's closed form, finer lines, never a wrong sign."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
+from hypothesis.extra import numpy as hnp
 
 from elastomer_friction.kernels import (
     SCHEMES,
@@ -24,9 +27,58 @@ from elastomer_friction.kernels.quick.contacts.refined import (
     refined,
 )
 from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
+from elastomer_friction.kernels.quick.contacts.steady_friction import (
+    AtSpeed,
+    Grounds,
+    refine,
+    steady_friction,
+)
 from elastomer_friction.kernels.quick.steady.stack import stack_of
-from tests.kernels.quick.contacts.one_load import one_load
 from tests.sizes import size
+
+
+def one_load(line, speed, scheme, load, others=()):
+    """Return what is found under a load; ``seen`` is None where the samples of the line will do."""
+    pace = AtSpeed.of(scheme, line.steps_per_spacing, speed, others)
+    found = steady_friction(Grounds.of([line]), pace, np.array([load]))
+    refine(found, 0, 0)
+    names = ("d", "mu", "contact", "indentation", "updates", "full", "samples")
+    return SimpleNamespace(
+        **{name: getattr(found, name)[0, 0] for name in names},
+        jumps=found.found.jumps[0, 0],
+        state=found.state(0, 0),
+        seen=found.seen.get((0, 0)),
+        samples_seen=found.samples_seen(0, 0),
+    )
+
+
+FORCES = hnp.arrays(float, st.integers(1, 40), elements=st.floats(-1.0, 1.0))
+
+
+@pytest.mark.parametrize(
+    ("force", "samples"),
+    [
+        ([0.0, 0.0], 0.0),
+        ([1.0, 2.0, 3.0], 3.0),  # full contact
+        ([-1.0, 5.0, -1.0, 1.0, 1.0, 0.0], 1.0),  # the narrow one carries more than half
+        ([-1.0, 1.0, -1.0, 2.0, 2.0, 0.0], 2.0),
+        ([1.0, 0.0, 0.0, 1.0], 2.0),  # one patch round the end of the line
+    ],
+)
+def test_the_median_over_the_load(force, samples):
+    assert samples_per_contact(np.array(force)) == samples
+
+
+@given(FORCES, st.integers(0, 39))
+def test_where_the_line_begins_plays_no_part(force, shift):
+    assert samples_per_contact(np.roll(force, shift)) == samples_per_contact(force)
+
+
+@given(FORCES, st.integers(2, 4))
+def test_finer_samples_are_so_many_times_as_many(force, fold):
+    finer = samples_per_contact(np.repeat(force, fold))
+    assert finer == fold * samples_per_contact(force)
+
 
 HURST, ELEMENTS, LOAD = 0.7, 500, 1e-3  # the light load of figures 5, 6 and grid6d
 
@@ -170,3 +222,48 @@ def test_where_the_samples_fall_plays_no_part():
     shifted = phases + np.pi * mode_numbers(ELEMENTS) / ELEMENTS / 4
     one, other = (slide(line_of(4, phases=p), 1e3).mu for p in (phases, shifted))
     assert one == pytest.approx(other, rel=2e-3)
+
+
+def slide_with_jumps(speed, load, steps=8, scheme="exponential"):
+    """Return a random line and steady sliding on it, at vbar and Fbar, with three jumps."""
+    line, others = line_of(steps, 4, elements=200), (1.2 * speed, 0.8 * speed, speed)
+    return line, one_load(line, speed, scheme, load * line.z.size, others)
+
+
+def test_wide_contacts_are_seen_on_the_line_itself():
+    _, found = slide_with_jumps(0.1, 3.0)
+    assert found.samples == found.samples_seen >= NARROW
+    assert found.seen is None
+
+
+def test_narrow_contacts_are_seen_on_finer_samples_of_a_part_of_the_line():
+    line, found = slide_with_jumps(100.0, 1e-3)
+    assert found.seen.fold > 1
+    assert found.samples_seen == found.seen.samples == found.seen.fold * found.samples
+    assert found.samples < NARROW
+    assert found.updates > line.z.size
+    assert found.seen.updates < 0.1 * line.z.size * found.seen.fold
+    assert 0.0 < found.contact < 0.01
+
+
+@pytest.mark.parametrize(("speed", "load"), [(0.1, 3.0), (100.0, 1e-3)])
+def test_jump_has_the_sign_of_the_step_and_vanishes_with_it(speed, load):
+    _, found = slide_with_jumps(speed, load)
+    faster, slower, same = found.jumps
+    assert faster > 0.0 > slower
+    assert same == pytest.approx(0.0, abs=1e-12)
+
+
+def test_few_samples_that_are_refined_agree_with_many():
+    few, many = slide_with_jumps(30.0, 1e-2, 4)[1], slide_with_jumps(30.0, 1e-2, 64)[1]
+    assert few.mu == pytest.approx(many.mu, rel=0.02)
+    assert few.indentation == pytest.approx(many.indentation, rel=0.02)
+    assert few.contact == pytest.approx(many.contact, rel=0.05)
+
+
+def test_rigid_shapes_of_samples_alone_are_never_refined():
+    z = np.abs(np.linspace(-1.0, 1.0, 64, endpoint=False))
+    slope = np.sign(np.linspace(-1.0, 1.0, 64, endpoint=False)) / 32.0
+    line = Line.from_samples(z, slope, 8)
+    assert not line.band_limited
+    assert one_load(line, 10.0, "exponential", 1e-3 * z.size).seen is None

@@ -1,1 +1,0 @@
-"""Tests of kernels/control, one module per module."""

@@ -14,7 +14,7 @@ from elastomer_friction.kernels import (
     step_average,
 )
 from elastomer_friction.kernels.model.steady import sweep
-from elastomer_friction.kernels.quick.march.setting import Passing, Setting
+from elastomer_friction.kernels.quick.march.given import March, SteadyState
 from elastomer_friction.kernels.quick.steady.carry import decay_of
 from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises, spans_of
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
@@ -39,15 +39,15 @@ def setting_of(jump, elements, seed=1, line=None):
     load = jump.load * z.size
     laws = [SCHEMES[jump.scheme](np.pi / (jump.m * jump.x * r)) for r in (1.0, jump.ratio)]
     states = [steady_sliding(law, z, load)[0] for law in laws]
-    passing = (passing_of(z, law, state) for law, state in zip(laws, states, strict=True))
+    passing = (steady_state_of(z, law, state) for law, state in zip(laws, states, strict=True))
     v = jump.x / np.pi
     before, after = (quadrature(z, slope, *states[0], v, r * v, load)[1] for r in (1.0, jump.ratio))
     spans = spans_of(z, slope)
     add_rises(spans.rows, z, slope)
-    return Setting(z, slope, spans, *laws, *passing, after - before), load
+    return March(z, slope, spans, *laws, *passing, after - before), load
 
 
-def passing_of(z, law, state):
+def steady_state_of(z, law, state):
     """Return a steady state as elements pass the spans of a line."""
     w, d = state
     u = np.minimum(w, z - d)
@@ -55,7 +55,7 @@ def passing_of(z, law, state):
     entered = np.full(z.size // SPAN + 1, np.nan)
     entered[: above.size] = u[above]
     # No pressure is asked for: any speed.
-    return Passing(decay_of(law), thresholds_of(z, z, 1.0, law.stiffness).stay, entered, d)
+    return SteadyState(decay_of(law), thresholds_of(z, z, 1.0, law.stiffness).stay, entered, d)
 
 
 def states_of(setting):

@@ -1,6 +1,7 @@
 """Lines, laws and what spans know of them, over the regimes of steady sliding."""
 
 import numpy as np
+import pytest
 
 from elastomer_friction.kernels import SCHEMES, Line, steady_sliding
 from elastomer_friction.kernels.model.steady import sweep
@@ -21,6 +22,10 @@ LINES = [
     (0.7, 64, 1, 2e-3),  # e^-500 is nothing: the elastic contact
 ]
 LOADS = (1e-6, 1e-3, 0.03, 0.3, 2.0, 40.0)  # Fbar, from a sample to full contact
+on_every_line = pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
+everywhere = pytest.mark.parametrize(
+    "given", [(*point, load) for point in LINES for load in LOADS], ids=str
+)
 
 
 def line_of(hurst, elements, m, seed=3):

@@ -1,8 +1,9 @@
-"""Spans against the samples themselves."""
+"""Spans and their thresholds against the samples themselves; a stacked line is as if alone."""
 
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels import steady_sliding
 from elastomer_friction.kernels.quick.steady.spans import (
     FIRST,
     HEIGHT,
@@ -16,10 +17,10 @@ from elastomer_friction.kernels.quick.steady.spans import (
     add_rises,
     spans_of,
 )
-from tests.kernels.quick.steady.given import LINES, known, line_of
+from tests.kernels.quick.steady.given import LOADS, known, line_of, on_every_line, touching
 
 
-@pytest.mark.parametrize(("hurst", "elements", "m", "speed"), LINES)
+@on_every_line
 def test_sums_are_those_of_the_samples(hurst, elements, m, speed):
     line = line_of(hurst, elements, m)
     _, spans, _ = known(line, speed)
@@ -59,3 +60,34 @@ def test_the_deepest_sample_is_the_first_of_the_lowest(samples):
     for seed in range(20):
         z = np.random.default_rng(seed).integers(0, 4, samples).astype(float)
         assert spans_of(z, z).deepest == np.argmin(z)
+
+
+@pytest.mark.parametrize("scheme", ["exponential", "implicit-euler"])
+@on_every_line
+def test_thresholds_tell_where_contact_lasts_and_presses(hurst, elements, m, speed, scheme):
+    line = line_of(hurst, elements, m)
+    law, _, found = known(line, speed, scheme)
+    z = line.z
+    stay = (z - law.decay * np.roll(z, -1)) / (1.0 - law.decay)
+    press = z - speed * line.slope
+    count = z.size // SPAN
+    for largest, whole, each in [
+        (found.stay, found.stay_all, stay),
+        (found.press, found.press_all, press),
+    ]:
+        scale = 1e-12 * np.abs(each).max()
+        spans = each[: count * SPAN].reshape(count, SPAN).max(axis=1, initial=-np.inf)
+        np.testing.assert_allclose(largest, spans, atol=scale)
+        assert whole == pytest.approx(each.max(), abs=scale)
+
+
+@pytest.mark.parametrize("load", LOADS)
+@on_every_line
+def test_the_criterion_of_full_contact_is_exact(hurst, elements, m, speed, load):
+    line = line_of(hurst, elements, m)
+    law, _, found = known(line, speed)
+    (w, d), _ = steady_sliding(law, line.z, load * line.z.size)
+    full = load + line.z.mean() > found.stay_all
+    assert touching(line.z, w, d).all() == full
+    if full:
+        assert d == pytest.approx(load + line.z.mean(), rel=1e-12)

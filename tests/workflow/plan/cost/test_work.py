@@ -1,20 +1,53 @@
 """The cost model: additive, increasing, and true in what does not depend on a machine."""
 
+import math
+
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import KELVIN, Quantities, Slide, Spectrum
+from elastomer_friction.kernels import (
+    KELVIN,
+    Line,
+    Quantities,
+    Slide,
+    Spectrum,
+    amplitudes,
+    draw_phases,
+    rms_slope,
+)
+from elastomer_friction.kernels.model.steady import steady_sliding
+from elastomer_friction.kernels.motion.stretches import touchable
+from elastomer_friction.kernels.quick.contacts.refined import MOST_SAMPLES
+from elastomer_friction.kernels.rheology.kelvin import SCHEMES
+from elastomer_friction.workflow.plan.cost.timing import PROBES, batch, factors, typical
 from elastomer_friction.workflow.plan.cost.work import (
+    DRAW,
     DRAWING,
     PARTS,
+    STEP,
+    SWEEP,
+    SecondsBySize,
     Work,
+    begun_anew,
+    fine_samples,
     kind_of,
+    touchable_share,
     typical_seconds,
 )
 from elastomer_friction.workflow.simulate.tasks import Problem, Recording
-from tests.workflow.plan.cost.problems import PROBLEMS
+
+# H, N, Fbar, vbar, r = v2/v1
+PROBLEMS = st.builds(
+    lambda *numbers: Problem(*numbers),
+    st.floats(0.0, 1.0),
+    st.integers(100, 100_000),
+    st.floats(1e-4, 100.0),
+    st.floats(1e-3, 1e4),
+    st.floats(0.1, 10.0),
+)
+
 
 ALL = Quantities()
 BRANCH = Spectrum((1.0,), (1.0,), 1.0)
@@ -128,3 +161,71 @@ def test_narrow_contacts_are_dear_where_they_are_refined():
     at = Problem(0.2, 10_000, 0.1, 30.0, 1.2)
     refined, plain = (parts_of(at, m, 20, loads=20)["steady"] for m in (8, 2))
     assert refined > 5.0 * plain > 0.0
+
+
+LINES = 1000, 1_000_000
+
+
+def test_what_would_take_too_many_fine_samples_is_not_refined():
+    few, many = (fine_samples(Problem(0.2, n, 0.1, 30.0, 1.2), 8.0 * n, 0.5, 3.0) for n in LINES)
+    assert 8.0 * LINES[0] < few
+    assert many < 0.1 * MOST_SAMPLES
+
+
+def states(count=40, elements=1000, steps=4):
+    """Yield (H, Fbar, viscous pressure, touchable share) of random problems."""
+    rng = np.random.default_rng(8)
+    for _ in range(count):
+        hurst, load, speed = rng.uniform(0, 1), 10 ** rng.uniform(-3, 0.5), 10 ** rng.uniform(0, 2)
+        amplitude = amplitudes(hurst, elements)
+        line = Line.self_affine(amplitude, draw_phases(rng, elements), elements, steps)
+        law = SCHEMES["exponential"](1.0 / (steps * speed))
+        (_, d), _ = steady_sliding(law, line.z, load * line.z.size)
+        start, stop = touchable(line.z, 1.02 * d)
+        share = np.sum(stop - start) / line.z.size
+        yield hurst, load, speed * rms_slope(amplitude, elements), share
+
+
+def test_shares_are_those_of_the_kernels():
+    share = [np.log(row[3] / touchable_share(*row[:3])) for row in states()]
+    assert np.median(np.abs(share)) < np.log(1.5)
+    assert abs(np.mean(share)) < np.log(1.3)
+
+
+@given(PROBLEMS, st.sampled_from([1, 4, 6, 64]))
+def test_fine_samples_are_never_more_than_are_taken(problem, m):
+    assert 0.0 <= fine_samples(problem, m * problem.elements, 0.5, 3.0) <= MOST_SAMPLES
+
+
+def test_marches_begin_anew_near_h_of_one_at_high_speed():
+    often, seldom = (begun_anew(Problem(h, 1e4, 1.0, 1e6, 1.2)) for h in (1.0, 0.5))
+    assert often > 2.4 > 1.01 > max(seldom, begun_anew(Problem(1.0, 1e4, 1.0, 9.0, 1.2)))
+
+
+CURVE = SecondsBySize((10.0, 100.0, 1000.0), (2.0, 8.0, 80.0))
+
+
+def test_a_curve_passes_through_what_was_measured():
+    assert [CURVE(size) for size in CURVE.sizes] == pytest.approx(CURVE.seconds)
+    assert CURVE(math.sqrt(1000.0)) == pytest.approx(4.0)  # a power law in between
+    assert CURVE(1.0) == pytest.approx(2.0)  # what a call takes at least
+    assert CURVE(2000.0) == pytest.approx(160.0)
+
+
+@given(st.sampled_from([CURVE, DRAW, STEP, SWEEP]), st.floats(1.0, 1e7), st.floats(1.0, 4.0))
+def test_more_samples_never_take_less_time(curve, size, factor):
+    assert curve(size * factor) >= curve(size) * (1.0 - 1e-12)
+
+
+@pytest.mark.exhaustive  # computes all probes
+def test_every_part_is_timed():
+    found = factors(rounds=2)
+    assert set(found) == set(PARTS)
+    for factor, worst in found.values():
+        assert factor > 0.0
+        assert worst >= 1.0
+
+
+def test_probes_have_work_in_every_part():
+    for probe in PROBES:
+        assert (typical(batch(*probe)) > 0.0).all()

@@ -6,12 +6,20 @@ import shutil
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan import TYPICAL
 from elastomer_friction.workflow.report.claims import known_claims
-from elastomer_friction.workflow.report.page import study_names, write_report
+from elastomer_friction.workflow.report.figure import caption
+from elastomer_friction.workflow.report.page import (
+    formula,
+    section,
+    study_names,
+    verdict_class,
+    write_report,
+)
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from elastomer_friction.workflow.run.measurement import run_measured
-from elastomer_friction.workflow.study.read import read_study
+from elastomer_friction.workflow.study.read import known_studies, read_study
 from tests.support.commands import output, refusal
 from tests.support.synthetic import add, result
 
@@ -77,8 +85,8 @@ def test_a_heading_says_at_which_scale_and_how_large_a_study_was(page):
 def test_a_caption_is_two_sentences_and_says_how_to_read_a_point(page):
     captions = re.findall(r"<figcaption>(.*?)</figcaption>", page, re.DOTALL)
     assert len(captions) == len(REPORTED)
-    for caption in captions:
-        assert re.fullmatch(r"([A-Z].+?\.\s+){2}Rest a pointer on a point, .*", caption, re.DOTALL)
+    for words in captions:
+        assert re.fullmatch(r"([A-Z].+?\.\s+){2}Rest a pointer on a point, .*", words, re.DOTALL)
 
 
 def test_results_of_a_scale_have_a_page_of_their_own(capsys, tmp_path):
@@ -184,3 +192,78 @@ def test_text_of_a_result_is_escaped_and_other_code_and_settings_are_pointed_out
     assert "computed by 2 versions of the numerical code" in page
     assert "Not as in study.toml" in page
     assert "study.seed" in page
+
+
+SENTENCE = r"[A-Z][^.]*(?:(?:eqs?\.|\d\.\d)[^.]*)*\."
+
+
+@pytest.mark.parametrize("name", known_studies())
+def test_every_study_has_a_caption_of_two_sentences(name):
+    assert re.fullmatch(f"{SENTENCE} {SENTENCE}", caption(read_study(name)))
+
+
+def test_a_study_without_a_script_has_the_caption_of_the_usual_figure(tmp_path):
+    path = tmp_path / "mine.toml"
+    path.write_text(known_studies()["fig6"].read_text(encoding="utf-8"), encoding="utf-8")
+    assert caption(read_study(str(path))).startswith("The first panel shows")
+
+
+@pytest.mark.parametrize("name", known_studies())
+def test_titles_count_nothing_that_differs_between_scales(name):
+    title = re.sub(r"([Ff]igure|eq\.) \d+", "", read_study(name).title)
+    assert not re.search(r"(?<!= )\b\d", title)
+
+
+def test_realizations_that_differ_are_a_range(tmp_path):
+    data = result("fig6")
+    data["realizations"][{"velocity": 0}] = 4.0
+    write_datasets(tmp_path / "fig6.nc", {"": data})
+    shown = section(read_study("fig6"), {"": data}, tmp_path)
+    assert shown["extent"] == "default scale, 4 to 10 realizations"
+    assert shown["images"] == []
+    (said,) = shown["troubles"]
+    assert said.startswith(f"No figure: {tmp_path}/fig6.nc: cannot be used by fig6")
+    assert shown["files"] == ["fig6.nc", "fig6.csv", "fig6-columns.csv"]
+
+
+def test_a_study_whose_table_cannot_be_made_says_so(tmp_path, monkeypatch):
+    def refuse(*_):
+        raise UserError("there is no disk")
+
+    monkeypatch.setattr("elastomer_friction.workflow.report.page.write_tables", refuse)
+    shown = section(read_study("fig6"), {"": result("fig6")}, tmp_path)
+    assert shown["troubles"][1:] == ["No table: there is no disk"]
+    assert shown["files"] == ["fig6.nc"]
+
+
+@pytest.mark.parametrize(
+    ("text", "html"),
+    [
+        ("q_max, F_N, D_c", "q<sub>max</sub>, F<sub>N</sub>, D<sub>c</sub>"),
+        ("(v q)^(H−1), x^-0.10", "(v q)<sup>H−1</sup>, x<sup>−0.10</sup>"),
+        ("1.7e-06, 1e+07", "1.7·10<sup>−6</sup>, 1·10<sup>7</sup>"),
+        ("x < 1 & 2 %", "x\u00a0&lt;\u00a01 &amp; 2\u00a0%"),
+        ("paper_step, a-1, -1", "paper_step, a-1, −1"),
+    ],
+)
+def test_formulas(text, html):
+    assert formula(text) == html
+
+
+@pytest.mark.parametrize(
+    ("verdict", "colour"),
+    [
+        ("holds", "holds"),
+        ("holds within 5 %", "holds"),
+        ("holds within 0.05", "holds"),
+        ("holds within a factor 1.3", "holds"),
+        ("holds within 20 % (rms), 43 % at worst", "only"),
+        ("holds if dx = 5.9 µm", "only"),
+        ("holds for 60 % of the points", "only"),
+        ("only with one implicit Euler step per dx", "only"),
+        ("not found", "not"),
+        ("cannot be told: the error is too large", "cannot"),
+    ],
+)
+def test_a_verdict_on_a_condition_is_amber(verdict, colour):
+    assert verdict_class(verdict) == colour

@@ -1,11 +1,18 @@
-"""The table [scene]: defaults by material and programme, what of the grid it takes."""
+"""The table [scene]: its defaults, what of the grid it takes, what it can be asked for."""
 
 import math
 
 import pytest
 
 from elastomer_friction.workflow.study.effects.material import Material
-from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene
+from elastomer_friction.workflow.study.effects.programme import (
+    HoldSegment,
+    Oscillate,
+    SlideSegment,
+    Velocity,
+)
+from elastomer_friction.workflow.study.effects.quantities import QUANTITIES, judged
+from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene_table, why_not
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import small_study
 
@@ -17,7 +24,7 @@ HOLD = {"hold": {"duration": 1.0}}
 
 
 def read(*materials, **table):
-    return read_scene(checked("scene", table, SCENE), None, materials or (KELVIN,))
+    return read_scene_table(checked("scene", table, SCENE), None, materials or (KELVIN,))
 
 
 def test_without_keys_it_is_the_scene_of_the_paper():
@@ -56,7 +63,7 @@ def test_fresh_without_a_dashpot():
 def test_an_indentation_over_time(tmp_path):
     (tmp_path / "d.csv").write_text("0, 1e-5\n1, 2e-5\n")
     table = {"programme": [SLIDE], "control": "indentation", "indentation_file": "d.csv"}
-    scene = read_scene(table, tmp_path, (KELVIN,))
+    scene = read_scene_table(table, tmp_path, (KELVIN,))
     assert scene.indentation_history == ((0.0, 1.0), (1e-5, 2e-5))
     assert not scene.takes_indentation
 
@@ -86,3 +93,47 @@ study.realizations = 4
 material = {shear_modulus = 1e7, relaxation_time = 1e-3}
 surface.length = 0.01
 """
+
+
+SLOW, FAST = SlideSegment(Velocity(0.1), 1e-3), SlideSegment(Velocity(0.2), 1e-3)
+EVERYTHING = (SLOW, FAST, HoldSegment((1.0,)), SLOW, Oscillate(Velocity(0.1), 1e-4, 10.0, 3))
+
+
+@pytest.mark.parametrize("name", QUANTITIES)
+def test_a_full_programme_of_one_line_can_be_asked_for_everything(name):
+    assert why_not(name, Scene(programme=EVERYTHING), {"": KELVIN}, alone=True) == ""
+
+
+def reasons(scene, material=KELVIN, alone=False):
+    return {name for name in QUANTITIES if why_not(name, scene, {"": material}, alone)}
+
+
+def test_the_scene_of_the_paper_has_no_programme():
+    of_programmes = {"trace", "loop", "healing", "energy", "contact_lengths"}
+    assert reasons(Scene()) == of_programmes | {"snapshots", "state"}
+
+
+def test_without_a_dashpot_nothing_jumps():
+    assert reasons(Scene(programme=EVERYTHING), GLASSY, alone=True) == {"jump"}
+
+
+def test_what_is_defined_at_a_normal_force():
+    scene = Scene(programme=EVERYTHING, control="indentation")
+    left = set(QUANTITIES) - reasons(scene, alone=True)
+    assert left == {"models", "trace", "loop", "energy", "contact_lengths", "snapshots", "state"}
+
+
+def test_a_repeated_list_meets_itself():
+    once, twice = (Scene(programme=(SLOW, HoldSegment((1.0,))), repeat=n) for n in (1, 2))
+    assert "healing" in reasons(once)
+    assert "healing" not in reasons(twice)
+
+
+def test_quantities_come_in_their_own_order():
+    study = small_study('scene.quantities=["relaxation","steady"]')
+    assert study.scene.quantities == ("steady", "relaxation")
+
+
+def test_what_is_asked_for_is_judged():
+    assert judged(("steady", "jump", "relaxation", "models")) == ("mu_1", "jump", "relaxation_rate")
+    assert judged(("jump",)) == ("jump",)

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.grid import snapped_spacing
 from elastomer_friction.workflow.study.settings.checks import axis_values
 
 
@@ -36,28 +36,19 @@ def test_geomspace_keeps_its_ends(first, last, count):
     assert (values[0], values[-1]) == pytest.approx((first, last), rel=1e-11)
 
 
-# Beside those of tests/refusals.md, which test_limits.py tries.
-BAD = [
-    (True, " = True: must be a finite number"),
-    ("0.3", " = '0.3': must be a finite number"),
-    (10**400, f" = {10**39}: must be a finite number"),
-    ([1.0, 2.0, 1], " = [1.0, 2.0, 1]: holds a value twice"),
-    ({"linspace": [1.0, 1.0, 2]}, " = {'linspace': [1.0, 1.0, 2]}: holds a value twice"),
-    ({}, " = {}: use {linspace"),
-    ({"linspace": 1, "geomspace": 1}, " = {'linspace': 1, 'geomspace': 1}: use {linspace"),
-    ([1.0, False], "[1] = False"),
-    ([[1.0]], "[0] = [1.0]"),
-    ({"linspace": 3}, ".linspace = 3"),
-    ({"linspace": ["0", 1, 2]}, ".linspace[0] = '0'"),
-    ({"linspace": [0, math.inf, 2]}, ".linspace[1] = inf"),
-    ({"linspace": [0, 1, 2.0]}, ".linspace[2] = 2.0: must be a whole number"),
-    ({"linspace": [0, 1, 0]}, ".linspace[2] = 0: must be a whole number, from 1 to 10000"),
-    ({"geomspace": [0, 1, 3]}, ".geomspace = [0, 1, 3]: both ends must be of one sign"),
-]
+EVEN_SMOOTH = [2**a * 3**b * 5**c for a in range(1, 23) for b in range(15) for c in range(10)]
 
 
-@pytest.mark.parametrize(("spec", "complaint"), BAD)
-def test_what_is_wrong_is_named_with_its_place(spec, complaint):
-    with pytest.raises(UserError) as error:
-        axis_values("grid.a", spec)
-    assert str(error.value).startswith(f"grid.a{complaint}")
+@given(st.floats(4.0, 1e6))
+def test_snapped_spacing_is_the_nearest_that_gives_an_even_number_quick_for_the_fft(target):
+    (spacing,) = snapped_spacing(0.01, (0.01 / target,))
+    elements = round(0.01 / spacing)
+    assert elements * spacing == pytest.approx(0.01, rel=1e-14)
+    assert elements in EVEN_SMOOTH
+    distance = min(abs(math.log(number / target)) for number in EVEN_SMOOTH)
+    assert abs(math.log(elements / target)) == pytest.approx(distance, abs=1e-12)
+    assert distance < 0.035 or target < 1000  # fine spacings move by few percent
+
+
+def test_spacings_that_snap_to_one_are_one():
+    assert snapped_spacing(1.0, (1 / 1000, 1 / 1001, 1 / 500)) == (1 / 1000, 1 / 500)

@@ -20,21 +20,6 @@ def read(path, columns=(), units=()):
     return read_lines(Asked(path, path.name, columns, units))
 
 
-def test_a_stylus_line_is_read_with_its_mean_step():
-    """Its positions are rounded to 0.1 um; the instrument says 0.156 um a sample, 1500 um."""
-    lines = read(ROOT / "tests" / "resources" / "stylus-line.csv")
-    assert lines.heights.shape == (1, 9600)
-    assert lines.step == pytest.approx(1500e-6 / 9600, rel=1e-6)
-    assert lines.heights[0, -1] == pytest.approx(16.58112e-6, rel=1e-12)
-
-
-def test_scan_lines_of_a_microscope_are_an_ensemble():
-    lines = read(ROOT / "studies" / "measured_line" / "afm-lines.nc")
-    assert lines.heights.shape == (64, 512)
-    assert lines.step * 512 == pytest.approx(10e-6, rel=1e-12)  # n steps, not n - 1
-    assert lines.heights.std() == pytest.approx(6.2e-8, rel=0.02)
-
-
 @pytest.mark.parametrize("suffix", [".txt", ".CSV"])
 def test_several_columns_of_text_are_several_lines(tmp_path, suffix):
     path = tmp_path / f"line{suffix}"

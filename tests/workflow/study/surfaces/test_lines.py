@@ -64,11 +64,6 @@ def test_gaps_are_refused():
         lines(x=x)
 
 
-def test_too_few_samples_are_refused():
-    with pytest.raises(UserError, match=r"'f': 7 samples per line: needs at least 8"):
-        lines(x=X[:7], z=Z[:, :7])
-
-
 @pytest.mark.parametrize("kind", [np.float32, np.float64, np.int16])
 def test_positions_in_any_type_of_number_are_uniform(kind):
     x = (1000 + X if kind == np.int16 else (1.0 + X / 3e3)).astype(kind)

@@ -1,11 +1,13 @@
-"""The table [surface]: random lines with roll-off and cut-off, or measured ones."""
+"""The table [surface], and what the lines of a surface are."""
 
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels import amplitudes, rms_height, rms_slope
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.settings import checked
 from elastomer_friction.workflow.study.surfaces import table
+from elastomer_friction.workflow.study.surfaces.profile import given_profile
 from elastomer_friction.workflow.study.surfaces.surface import Surface
 from elastomer_friction.workflow.study.surfaces.table import SURFACE, check_cutoff
 
@@ -53,59 +55,6 @@ def test_settings_of_a_measured_line(folder):
     assert surface.lines == "random-phase"
 
 
-def test_a_hurst_exponent_that_no_line_of_this_slope_has_is_refused(folder):
-    answer = refused(HERE | {"lines": "self-affine", "hurst": 0.0}, folder)
-    assert answer.startswith("surface.hurst = 0.0: rms slope = ")
-    assert "h/dx: lines of H = 0 have " in answer
-
-
-@pytest.mark.parametrize(
-    ("key", "value"),
-    [
-        ("length", 1.0),
-        ("normalisation", "modal"),
-        ("snap_spacing", True),
-        ("rolloff", 1.0),
-        ("cutoff", 1.0),
-    ],
-)
-def test_keys_of_random_lines_are_refused_with_a_file(folder, key, value):
-    answer = refused(HERE | {key: value}, folder)
-    assert answer == f"surface.{key} = {value!r}: leave it out with surface.file, measured lines"
-
-
-@pytest.mark.parametrize(
-    ("key", "value"),
-    [
-        ("columns", [0, 1]),
-        ("units", ["mm", "um"]),
-        ("detrend", "line"),
-        ("periodic", "taper"),
-        ("lines", "random-phase"),
-        ("hurst", 0.5),
-    ],
-)
-def test_keys_of_measured_lines_are_refused_without_one(folder, key, value):
-    answer = refused({"length": 1.0, key: value}, folder)
-    assert answer == f"surface.{key} = {value!r}: goes with surface.file alone"
-
-
-@pytest.mark.parametrize("columns", ["x", [0], [0, -1], [0, 1.0], [True, 1], ["x", "y", "z"]])
-def test_columns_that_are_none_are_refused(folder, columns):
-    assert refused(HERE | {"columns": columns}, folder).startswith("surface.columns = ")
-
-
-@pytest.mark.parametrize("units", ["um", ["um"], ["um", "V"], ["um", 1], ["um", "um", "um"]])
-def test_units_that_are_none_are_refused(folder, units):
-    assert refused(HERE | {"units": units}, folder).endswith("two out of m, cm, mm, um, nm, å, pm")
-
-
-@pytest.mark.parametrize("rolloff", [1e-3, 1e-4])
-def test_a_roll_off_is_longer_than_the_cut_off(folder, rolloff):
-    answer = refused({"length": 0.01, "cutoff": 1e-3, "rolloff": rolloff}, folder)
-    assert answer == f"surface.rolloff = {rolloff}: must be longer than surface.cutoff = 0.001"
-
-
 @pytest.mark.parametrize("key", ["rolloff", "cutoff"])
 def test_no_wavelength_is_longer_than_the_line(folder, key):
     answer = refused({"length": 0.01, key: 0.011}, folder)
@@ -119,3 +68,46 @@ def test_elements_resolve_what_lines_are_made_of():
         with pytest.raises(UserError, match=r"must be two spacings or more: 0.0004 at grid.sp"):
             check_cutoff(surface, (1e-4, 2e-4))
     check_cutoff(Surface(0.01), (1e-4,))
+
+
+Z = 1e-8 * np.random.default_rng(3).normal(size=(3, 64)).cumsum(axis=1)
+PROFILE = given_profile(np.hstack([Z, Z[:, ::-1]]), 1e-5)
+MEASURED = Surface(1e-5, profile=PROFILE)
+
+
+def test_roll_off_and_cut_off_are_modes_of_the_line():
+    surface = Surface(0.01, rolloff=2e-3, cutoff=4e-4)
+    rolloff, cutoff = surface.modes(1000)
+    assert rolloff == pytest.approx(5.0)
+    assert cutoff == 25  # rounding of 0.01/4e-4 aside
+    assert surface.modes(50) == (rolloff, 0)  # two spacings: none
+    assert amplitudes(0.7, 1000, "modal", rolloff, cutoff).size == 500
+
+
+def test_random_phase_lines_have_the_power_spectrum_of_the_measured_ones():
+    like = MEASURED._replace(lines="random-phase")
+    assert MEASURED.amplitudes is None  # those lines are taken as they are
+    np.testing.assert_array_equal(like.amplitudes, PROFILE.amplitudes)
+
+
+def test_self_affine_lines_have_the_rms_height_and_slope_of_the_measured_ones():
+    like = MEASURED._replace(lines="self-affine", hurst=0.9).amplitudes
+    assert rms_height(like) == pytest.approx(PROFILE.roughness, rel=1e-12)
+    assert rms_slope(like, 128) / PROFILE.spacing == pytest.approx(PROFILE.slope, rel=1e-12)
+    assert like[59] / like[29] == pytest.approx(2.0**-1.4, rel=1e-12)
+
+
+def test_every_kind_of_lines_has_its_identity_and_its_words():
+    kinds = [{}, {"lines": "random-phase"}, {"lines": "self-affine"}]
+    kinds += [{"lines": "self-affine", "hurst": 0.9}]
+    surfaces = [MEASURED._replace(**kind) for kind in kinds]
+    surfaces.append(Surface(1e-5, profile=given_profile(Z, 1e-5)))
+    assert len({surface.identity for surface in surfaces}) == len(surfaces)
+    assert len({surface.told for surface in surfaces}) == len(surfaces)
+    assert surfaces[1].told == f"random lines of the power spectrum of {PROFILE.notes}"
+
+
+def test_random_lines_without_a_file_have_none_of_it():
+    surface = Surface(0.01)
+    assert (surface.identity, surface.told) == ("", "")
+    assert surface.amplitudes is None

@@ -1,4 +1,4 @@
-"""Text files of instruments: headers, delimiters, decimal commas, encodings, rounded numbers."""
+"""Text files of instruments: headers, units, delimiters, encodings, rounded numbers."""
 
 from pathlib import Path
 
@@ -7,8 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.files import precision, read_text
+from elastomer_friction.workflow.study.surfaces.files import metres, precision, read_text, units_in
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 
@@ -62,25 +61,6 @@ def test_columns_are_chosen():
     assert table.written == ("2", "5")
 
 
-@pytest.mark.parametrize(
-    ("text", "answer"),
-    [
-        ("x,z\n", "surface.file = 'f.txt': holds no line with numbers in columns [0, 1]"),
-        ("0\n1\n", "surface.file = 'f.txt': holds no line with numbers in columns [0, 1]"),
-        ("x\n0,1\n1,---\n", "line 3 reads '1,---': must hold finite numbers in columns [0, 1]"),
-        ("0,1\n1,nan\n", "line 2 reads '1,nan'"),
-        ("0,1\n1\n", "line 2 reads '1'"),
-        ("0,1\n1,inf\n", "line 2 reads '1,inf'"),
-        ("0,1\n1,2\nend of scan\n", "line 3 reads 'end of scan'"),
-    ],
-)
-def test_what_is_no_table_is_refused_with_its_line(text, answer):
-    with pytest.raises(UserError) as error:
-        read(text)
-    assert answer in str(error.value)
-    assert str(error.value).startswith("surface.file = 'f.txt': ")
-
-
 def test_the_stylus_line_is_read_as_it_is():
     data = (RESOURCES / "stylus-line.csv").read_bytes()
     table = read_text("surface.file", "stylus-line.csv", data, (0, 1))
@@ -103,3 +83,37 @@ def test_numbers_are_within_half_their_precision(numbers, form):
 def test_precision_counts_zeros_that_were_left_out():
     np.testing.assert_allclose(precision(["0", "0.2", "3", "1499.8"]), 0.1)
     np.testing.assert_allclose(precision(["1.25e-3", "1.25", "12500"]), [1e-5, 1e-4, 1.0])
+
+
+MICRO = ("um", "µm", "μm", "UM", "Micrometer", "micrometres", "micron", "Microns", " um ")
+
+
+@pytest.mark.parametrize("unit", MICRO)
+def test_spellings_of_a_micrometre(unit):
+    assert metres(unit) == 1e-6
+
+
+@pytest.mark.parametrize(
+    ("unit", "factor"),
+    [("m", 1.0), ("mm", 1e-3), ("nm", 1e-9), ("\u00c5", 1e-10), ("\u212b", 1e-10)],
+)
+def test_other_units(unit, factor):
+    assert metres(unit) == factor
+
+
+@pytest.mark.parametrize("word", ["M", "", "Raw", "s", "V", "a", "inch", "Lateral"])
+def test_other_words_are_no_units(word):
+    assert metres(word) is None
+
+
+@pytest.mark.parametrize(
+    ("header", "units"),
+    [
+        ("Lateral um,Raw Micrometer,", ["um", "Micrometer"]),
+        ("x [µm]\tz (nm)", ["µm", "nm"]),
+        ("position/mm;height_um", ["mm", "um"]),
+        ("R. Cursor, M 3", []),
+    ],
+)
+def test_units_within_a_header(header, units):
+    assert units_in(header) == units

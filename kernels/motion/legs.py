@@ -1,0 +1,179 @@
+"""A programme of motion: legs one after the other, and the time steps that march through them.
+
+Lengths along the line are in units of the element spacing dx, times in units of tau, speeds are
+v tau / dx and positive towards +x. Positions of steps count samples, m to a spacing: a step ends
+at a whole sample wherever it can, and at a fraction of one where a leg ends, where the line turns
+and in oscillations of a few samples (fourier.py).
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ..rheology.spectrum import SHORTEST
+from .path import along, crossed, fewest_steps, geometric, growth, oscillating, piecewise
+
+FIRST_OF_HOLD = 1e-6  # of a hold, where no speed before it tells how soon something happens
+
+
+class Slide(NamedTuple):
+    """Slide a distance at one speed. A velocity jump is two of them."""
+
+    speed: float  # signed, not zero
+    distance: float  # > 0
+
+
+class Hold(NamedTuple):
+    """Stand still."""
+
+    duration: float  # >= 0
+
+
+class Ramp(NamedTuple):
+    """Change the speed linearly in time."""
+
+    first: float
+    last: float
+    duration: float  # > 0
+
+
+class Oscillation(NamedTuple):
+    """Move by X(t) = speed t + amplitude sin(2 pi frequency t) for whole cycles."""
+
+    speed: float  # mean speed, may be zero
+    amplitude: float  # > 0, of the superposed motion
+    frequency: float  # > 0
+    cycles: int  # >= 1
+
+
+class Sampled(NamedTuple):
+    """Follow a speed that is linear between samples in time."""
+
+    times: tuple[float, ...]  # from 0, increasing
+    speeds: tuple[float, ...]
+
+
+Leg = Slide | Hold | Ramp | Oscillation | Sampled
+Programme = tuple[Leg, ...]
+
+
+class Steps(NamedTuple):
+    """The time steps of a programme, all arrays of shape (S,)."""
+
+    position: np.ndarray  # of the line at the end of each step, in samples, not wrapped
+    dt: np.ndarray  # in tau
+    leg: np.ndarray  # number of the leg that each belongs to, int64
+
+
+def steps_of(
+    programme: Programme,
+    steps_per_spacing: int,
+    position: float = 0.0,
+    speed: float = 0.0,
+    shortest: float = SHORTEST,
+) -> Steps:
+    """Return the steps of a programme.
+
+    steps_per_spacing : m, samples (and steps of constant sliding) to a spacing. It also sets how
+    finely holds, ramps and oscillations are stepped through.
+    position, speed : of the line before the first leg, in samples and in dx/tau; the speed before
+    a hold sets its first steps. shortest : step, in tau; shorter ones are lost in rounding.
+    Raises ValueError for a leg without meaning, and for shorter steps.
+    """
+    places, times, legs = [np.empty(0)], [np.empty(0)], [np.empty(0, np.int64)]
+    for number, leg in enumerate(programme):
+        _check(leg)
+        place, dt = _steps(leg, steps_per_spacing, position, speed, shortest)
+        if place.size:
+            if dt.min() < shortest:
+                raise ValueError(f"{leg}: steps of {dt.min():g} tau are lost in rounding")
+            position, speed = float(place[-1]), last_speed(leg)
+        places.append(place)
+        times.append(dt)
+        legs.append(np.full(place.size, number))
+    return Steps(np.concatenate(places), np.concatenate(times), np.concatenate(legs))
+
+
+def last_speed(leg: Leg) -> float:
+    """Return the speed at which a leg ends, in dx/tau."""
+    if isinstance(leg, Slide):
+        return leg.speed
+    if isinstance(leg, Hold):
+        return 0.0
+    if isinstance(leg, Ramp):
+        return leg.last
+    if isinstance(leg, Sampled):
+        return leg.speeds[-1]
+    return leg.speed + 2.0 * math.pi * leg.frequency * leg.amplitude
+
+
+def speed_at_start(programme: Programme) -> float:
+    """Return the speed at which a programme begins, in dx/tau: 0 if it begins with a hold.
+
+    Of an oscillation it is the mean speed: that of the steady state before it.
+    """
+    leg = programme[0]
+    if isinstance(leg, Slide | Oscillation):
+        return leg.speed
+    if isinstance(leg, Ramp):
+        return leg.first
+    return leg.speeds[0] if isinstance(leg, Sampled) else 0.0
+
+
+def _check(leg: Leg) -> None:
+    """Raise ValueError for a leg without meaning."""
+    numbers = np.concatenate([np.atleast_1d(np.asarray(value, float)) for value in leg])
+    if not np.isfinite(numbers).all():
+        raise ValueError(f"{leg}: every number must be finite")
+    if isinstance(leg, Slide):
+        sound = leg.speed != 0.0 and leg.distance > 0.0
+    elif isinstance(leg, Hold):
+        sound = leg.duration >= 0.0
+    elif isinstance(leg, Ramp):
+        sound = leg.duration > 0.0
+    elif isinstance(leg, Oscillation):
+        sound = leg.amplitude > 0.0 and leg.frequency > 0.0 and leg.cycles >= 1
+        sound = sound and leg.cycles == int(leg.cycles)
+    else:
+        times = np.asarray(leg.times)
+        sound = times.size > 1 and times.size == len(leg.speeds) and times[0] == 0.0
+        sound = bool(sound and np.all(np.diff(times) > 0.0))
+    if not sound:
+        raise ValueError(f"{leg}: a leg like this has no meaning")
+
+
+def _steps(
+    leg: Leg, m: int, position: float, speed: float, shortest: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return (positions, dt) of one leg."""
+    if isinstance(leg, Slide):
+        end = position + math.copysign(leg.distance * m, leg.speed)
+        place = np.concatenate([[position], crossed(position, end)])
+        return place[1:], np.abs(np.diff(place)) / (m * abs(leg.speed))
+    if isinstance(leg, Hold):
+        first = 0.25 / (m * abs(speed)) if speed else FIRST_OF_HOLD * leg.duration
+        dt = geometric(leg.duration, max(first, shortest), growth(m))
+        return np.full(dt.size, position), dt
+    if isinstance(leg, Oscillation):
+        path = oscillating(leg.speed, leg.amplitude, leg.frequency, leg.cycles, m)
+        fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
+        count = fewest_steps(m)
+        if fastest * m <= leg.frequency * count:  # no step of more than a sample
+            return _equal_steps(leg, m, position, count)
+    elif isinstance(leg, Ramp):
+        path = piecewise((0.0, leg.duration), (leg.first, leg.last), m)
+    else:
+        path = piecewise(leg.times, leg.speeds, m)
+    return along(path, m, position)
+
+
+def _equal_steps(
+    leg: Oscillation, m: int, position: float, count: int
+) -> tuple[np.ndarray, np.ndarray]:
+    """Return (positions, dt) of an oscillation in equal time steps, the same in every cycle."""
+    number = np.arange(1, count * leg.cycles + 1)
+    phase = 2.0 * math.pi * (number % count) / count
+    dt = 1.0 / (leg.frequency * count)
+    place = position + m * (leg.speed * dt * number + leg.amplitude * np.sin(phase))
+    return place, np.full(number.size, dt)

@@ -1,0 +1,126 @@
+"""The balance of one step: listed samples and those in sums carry the load together."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...compile.jit import by_type, kernel
+from ...model.contact import excess_at, indentation_under, lowest_of, overlap
+from .given import advance
+
+STRIP = 32  # samples, and partial sums
+NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
+
+
+@kernel
+def foresee(control, march):
+    """Return d after the first step, or a little beyond.
+
+    d follows d' as an element in contact does, by 1 - E = 1 / K in a step. Under next to no load
+    the rate is rounding, but one element could carry all of it.
+    """
+    law, d = march.law, march.start.d
+    new = max(d + FARTHER * march.rate / law.stiffness, NEARER * d)
+    return min(new, law.decay * d + control.load / law.stiffness)
+
+
+class NothingElse(NamedTuple):
+    """Listed samples and those in sums are all that touches. A layer may know of others."""
+
+    samples: float  # none
+
+
+NOTHING_ELSE = NothingElse(0.0)
+
+
+@by_type
+def beside(others, step, d, row):
+    """Return (how many others touch, the sum over them) at the indentation d in a step.
+
+    Of their overlaps (row 0), or of those times lagged slopes (row 1).
+    """
+
+
+@by_type
+def keep_past(others, step, d):
+    """Keep the indentation at the end of a step, if the others depend on it."""
+
+
+@beside.of(NothingElse)
+def _nothing_beside(others, step, d, row):
+    return others.samples, 0.0
+
+
+@keep_past.of(NothingElse)
+def _nothing_to_remember(others, step, d):
+    pass
+
+
+class PartlyListed(NamedTuple):
+    """What touches in a step: listed samples one by one, the others by what they carry at ``old``.
+
+    All in units of the stiffness of the law.
+    """
+
+    c: np.ndarray  # thresholds of the listed samples
+    old: float  # an indentation
+    carried: float  # at it, by the others
+    samples: float  # how many these are
+
+
+@excess_at.of(PartlyListed)
+def _excess_of_partly_listed(contact, load, d):
+    force, count = overlap_of(contact.c, d)
+    more = contact.samples * (d - contact.old)
+    slope = count + contact.samples
+    return force + more + (contact.carried - load), slope, slope
+
+
+@lowest_of.of(PartlyListed)
+def _lowest_listed(contact, load):
+    lowest = contact.c.min() if contact.c.size > 0 else np.inf
+    return lowest, lowest + load
+
+
+@kernel
+def next_indentation(control, law, lists, sums, more, d, guess):
+    """Return (d, advanced, passes): the new indentation, D of the samples in sums, passes over c.
+
+    Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
+    more : how many samples touch beside both, and their overlap were d to stay (beside). d : the
+    old indentation. guess : of the new one. d is infinite where nothing can carry the load.
+    """
+    load = control.load / law.stiffness - more[1]
+    carried = sums.samples * (d / law.stiffness - sums.level) + sums.depth
+    contact = PartlyListed(lists.c, d, carried, sums.samples + more[0])
+    new, passes = indentation_under(contact, load, guess)
+    return new, advance(law, new, d), passes
+
+
+@kernel
+def overlap_of(c, d):
+    """Return (sum of d - c_i, number) over the touching elements c_i < d, as overlap does.
+
+    That one is faster for few elements.
+    """
+    if c.size < 4 * STRIP:
+        return overlap(c, d)
+    depth, count = np.zeros(STRIP), np.zeros(STRIP)
+    strips = c.size // STRIP
+    for s in range(strips):
+        part = c[s * STRIP : (s + 1) * STRIP]
+        for i in range(STRIP):
+            p = d - part[i]
+            depth[i] += p if p > 0.0 else 0.0
+            count[i] += 1.0 if p > 0.0 else 0.0
+    total, touching = overlap(c[strips * STRIP :], d)
+    return total + in_order(depth), touching + in_order(count)
+
+
+@kernel
+def in_order(parts):
+    """Return the sum of partial sums, from the first to the last."""
+    total = 0.0
+    for part in parts:
+        total += part
+    return total

@@ -1,0 +1,100 @@
+"""What dask's workers come to: with the worker that did it, and never waited for without end."""
+
+import asyncio
+import time
+from operator import truediv
+
+import pytest
+from distributed.comm import CommClosedError
+
+from elastomer_friction.workflow.cluster import pool as module
+from elastomer_friction.workflow.cluster.pool import Pool, ResultLost
+from elastomer_friction.workflow.errors import UserError
+from tests.support.runs import PATIENCE
+
+
+def outcome(pool):
+    """Return what comes next."""
+    (found,) = pool.take(PATIENCE)
+    return found
+
+
+def test_results_and_errors_come_with_the_worker_that_they_come_from(client):
+    pool = Pool(client, reciprocal)
+    (key,) = pool.submit([4.0])
+    good = outcome(pool)
+    assert (good.key, good.value, good.error) == (key, 0.25, None)
+    pool.submit([0.0])
+    bad = outcome(pool)
+    assert isinstance(bad.error, ZeroDivisionError)
+    assert {good.address, bad.address} <= {*client.nthreads()}
+
+
+def reciprocal(value):
+    """Divide by a value."""
+    return truediv(1.0, value)
+
+
+def test_what_is_for_one_worker_is_computed_there_and_what_is_dropped_does_not_come(client):
+    pool, (first, _) = Pool(client, reciprocal), client.nthreads()
+    keys = pool.submit([1.0, 2.0, 3.0], [first])
+    pool.drop(keys[:1])
+    found = []
+    while len(found) < 2:
+        found += pool.take(PATIENCE)
+    assert {one.key: one.address for one in found} == dict.fromkeys(keys[1:], first)
+    assert pool.take(0.05) == []
+
+
+def change(status, address, dask_scheduler):
+    """Let a scheduler take a worker for paused, or running; run there."""
+    dask_scheduler.handle_worker_status_change(status, address, "test")
+
+
+def test_a_snapshot_tells_who_is_there_who_takes_up_work_and_what_has_begun(client):
+    first, second = client.nthreads()
+    pool = Pool(client, time.sleep)
+    client.run_on_scheduler(change, "paused", first)
+    try:
+        found = pool.ask().result(PATIENCE)
+        assert (found.threads, [*found.ready], {*found.begun}) == (
+            client.nthreads(),
+            [second],
+            set(),
+        )
+        begun, waiting = (*pool.submit([0.5], [second]), *pool.submit([0.0], [first]))
+        while not (found := pool.ask().result(PATIENCE)).begun:
+            time.sleep(0.01)
+    finally:
+        client.run_on_scheduler(change, "running", first)
+    assert {*found.begun} == {begun}
+    assert pool.pending(begun)
+    assert pool.pending(waiting)
+    pool.drop([begun, waiting])
+
+
+def test_a_result_that_does_not_come_is_lost(client, monkeypatch):
+    """As that of a worker that was stopped when it was done."""
+
+    async def never(*_, **__):
+        await asyncio.sleep(PATIENCE)
+
+    monkeypatch.setattr(module, "FETCH_SECONDS", 0.05)
+    monkeypatch.setattr(client, "_gather", never)
+    pool = Pool(client, reciprocal)
+    (key,) = pool.submit([4.0])
+    lost = outcome(pool)
+    assert (lost.key, lost.address) == (key, "")
+    assert isinstance(lost.error, ResultLost)
+
+
+def test_a_scheduler_that_is_lost_while_it_is_asked_is_reported(client, monkeypatch):
+    class Lost:
+        async def ncores(self):
+            raise CommClosedError
+
+        ncores_running = processing = ncores
+
+    monkeypatch.setattr(client, "scheduler", Lost())
+    with pytest.raises(UserError, match="the scheduler was lost; run again to resume"):
+        Pool(client, abs).ask().result(PATIENCE)

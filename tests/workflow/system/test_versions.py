@@ -1,0 +1,41 @@
+"""Whoever computes must run what the driver runs; whoever does not is named in a table."""
+
+import pytest
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.system import packages
+from elastomer_friction.workflow.system import versions as module
+from elastomer_friction.workflow.system.versions import own_versions, require
+
+
+def other(name, value):
+    """Return our versions with one changed."""
+    return own_versions() | {name: value}
+
+
+def test_same_versions_of_packages_python_and_our_own_sources_are_accepted():
+    require(own_versions())
+    assert set(own_versions()) == {*module.DEPENDED_ON, "python", "our sources"}
+    assert all("not installed" not in value for value in own_versions().values())
+
+
+def test_an_edit_is_another_version(tmp_path, monkeypatch):
+    for name in packages.FOLDERS:
+        (tmp_path / name / "room").mkdir(parents=True)
+        (tmp_path / name / "room" / "a.py").write_text("x = 1\n")
+    monkeypatch.setattr(packages, "ROOT", tmp_path)
+    monkeypatch.setattr(module, "our_sources", packages.our_sources.__wrapped__)
+    before = own_versions.__wrapped__()
+    (tmp_path / "kernels" / "room" / "a.py").write_text("x = 2\n")
+    after = own_versions.__wrapped__()
+    assert {name for name in before if before[name] != after[name]} == {"our sources"}
+
+
+@pytest.mark.parametrize("name", ["numba", "our sources"])
+def test_a_worker_that_differs_refuses_with_a_table(name):
+    with pytest.raises(UserError) as error:
+        require(other(name, "0.1"))
+    (line,) = str(error.value).splitlines()[2:]
+    assert name in line
+    assert line.endswith("0.1")
+    assert own_versions()[name] in line

@@ -1,0 +1,98 @@
+"""Meanings of what programmes of motion give: traces, energies, peaks, holds, loops, states."""
+
+TRACE = {
+    "trace_time": "The time since the start to which friction and forces belong.",
+    "trace_distance": "The position X of the line since the start, growing as it slides forwards.",
+    "trace_velocity": "The velocity v = dX/dt of the line.",
+    "trace_segment": (
+        "The number of the segment of the programme, from 0; repetitions count on. −1 is beyond "
+        "the end of a programme that has fewer kept samples than another."
+    ),
+    "trace_mu": (
+        "µ(t) = F_x/F_N, the mean over the lines. It is positive where the force on the line "
+        "points backwards, so negative in sliding back."
+    ),
+    "trace_mu_change": (
+        "µ(t) less its value at the last kept sample of the segment before. Its error is smaller "
+        "than that of either."
+    ),
+    "trace_indentation_change": "The same of the indentation.",
+    "trace_indentation": "d(t), with the sign of `indentation`.",
+    "trace_normal_force": "F_N(t) = Σ f over the elements.",
+    "trace_friction_force": "F_x(t) = Σ f z′ (eq. 5), with the sign of `trace_mu`.",
+    "trace_contact_fraction": "The share of the line whose elements carry a force.",
+}
+EVENTS = {
+    "peak": (
+        "The largest µ − µ₁ in the direction of the change after the last velocity step: the "
+        "direct effect of an experiment where nothing jumps. It is negative after a step to a "
+        "lower velocity."
+    ),
+    "peak_time": "The time from the velocity step to that peak.",
+    "initial_rate": (
+        "dµ/dt at t₀⁺ where there is no dashpot, so that µ itself is continuous. It is positive "
+        "where the velocity grows."
+    ),
+    "static_peak": "The largest µ on sliding again after the last hold.",
+    "healing": "That peak less µ before the last hold.",
+    "mu_end_of_hold": (
+        "µ at the end of the last hold, in which friction decays at a fixed position."
+    ),
+    "peak_distance": "The distance slid from the end of the hold to the static peak.",
+    "loop_work": "∮ F_x dX over the last cycle of the last oscillation.",
+    "mu_in_phase": (
+        "µ′ of µ = … + µ′ sin 2πft + µ″ cos 2πft in that cycle: the elastic response, in phase "
+        "with the displacement and proportional to G′ − G at small amplitudes."
+    ),
+    "mu_quadrature": (
+        "µ″ of the same: the viscous response, in phase with the velocity and proportional to G″."
+    ),
+}
+ENERGY = {
+    "stored_energy": "The elastic energy of all elements, free ones too.",
+    "dissipated_energy": "What dashpots and branches have dissipated since the start.",
+    "work": "∫ F_x dX + ∫ F_N dd since the start.",
+    "closing_work": (
+        "The work, since the start, of pressing over gaps that close within a time step. It is an "
+        "error of discretisation, of first order in the step for Kelvin elements, else of second."
+    ),
+    "balance_residual": (
+        "(work − change of stored energy − dissipated energy − closing work)/dissipated energy at "
+        "the end: 0 but for rounding and discretisation."
+    ),
+    "contact_length": (
+        "How many patches of contact per line have a length within the bin, in multiples of Δx."
+    ),
+}
+RATE_STATE = {
+    "rate_state_a": (
+        "a of µ = µ* + a ln(v/v*) + b ln(v* θ/D_c), by the law of the state θ that the coordinate "
+        "`law` names, from b and (µ₂ − µ₁)/ln(v₂/v₁) = a − b."
+    ),
+    "rate_state_b": (
+        "b of the same, which is not that of eq. 6. It is fitted to µ − µ₂ over the distance s "
+        "since the step, from the largest value until 5 % of it, with r = v₂/v₁: b ln r "
+        "exp(−s/D_c) by Ruina, b ln(1 + (r − 1) exp(−s/D_c)) by Dieterich. It is positive where "
+        "friction falls back after its direct effect."
+    ),
+    "rate_state_a_minus_b": (
+        "(µ₂ − µ₁)/ln(v₂/v₁), whatever the law. It is negative where steady friction falls with "
+        "velocity."
+    ),
+    "rate_state_dc": "The critical distance D_c of the same fit.",
+    "rate_state_residual": "Its rms residual over |b ln r|.",
+    "rate_state_status": "Whether the law could be fitted, and if not, why.",
+}
+ALONE = {
+    "snapshot_height": "z − d of the line, over the undeformed surface of the elastomer.",
+    "snapshot_displacement": (
+        "u of the elements, negative where they are pressed down; equal to `snapshot_height` in "
+        "contact."
+    ),
+    "state_memory": "Internal variables of the elements, from which a run can go on.",
+    "state_p": "Their dimensionless pressures.",
+    "state_d": "The indentation over the lowest point of the line, over h.",
+    "state_position": "The position of the line, in samples.",
+    "state_time": "The time at which the run ended, in τ.",
+    "state_speed": "The dimensionless speed v τ/Δx before the next segment.",
+}
