@@ -44,7 +44,7 @@ def draw(groups: Groups) -> Figure:
     assert isinstance(study, Study)
     materials = study.materials
     figure, axes = plt.subplots(2, 3, figsize=(7.4, 4.9))
-    _moduli(axes[0, 0], {name: materials[name] for name in known})
+    _moduli(axes[0, 0], {name: materials[name].at_reference for name in known})
     slope = float(known[RUBBER].rms_slope.max())
     _over_speed(axes[0, 1], known, "mu_1", (1e-5, 3.0 * slope))
     axes[0, 1].axhline(slope, color="0.4", lw=0.7, ls=":")

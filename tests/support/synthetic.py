@@ -7,7 +7,7 @@ from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from elastomer_friction.workflow.result.provenance import provenance
 from elastomer_friction.workflow.result.variables import AXIS_ATTRIBUTES
-from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.axes import AXES
 from elastomer_friction.workflow.study.read import read_study
 
 RELAXATION_TIME, SLOPE = 1e-3, 0.02

@@ -20,6 +20,7 @@ from ..study import (
     RampSegment,
     SlideSegment,
     Study,
+    axes_of,
     judged,
     why_not,
 )
@@ -196,12 +197,14 @@ def effect_lines(study: Study) -> list[str]:
 
 
 def _materials(study: Study) -> Iterator[tuple[bool, str]]:
+    axes = axes_of(study.grid, "material")
     for label, material in study.materials.items():
         if not label or material != study.material:
-            yield True, f"rheology{f' of {label}' if label else ''}: {_rheology(material)}"
+            each = [parts.material for parts in study.parts(label, axes)]
+            yield True, f"rheology{f' of {label}' if label else ''}: {_rheology(each)}"
     if not any(material.branches for material in study.materials.values()):
         yield False, "branches of relaxation: material.branches is not given"
-    count = len(study.material.temperatures)
+    count = len(study.grid.get("temperature", ()))
     if count:
         yield True, f"{count} temperatures: all times shifted by WLF"
     elif study.material.wlf:
@@ -210,15 +213,20 @@ def _materials(study: Study) -> Iterator[tuple[bool, str]]:
         yield False, "temperature: material.temperature and wlf are not given"
 
 
-def _rheology(material: Material) -> str:
-    tau = f"tau = {material.tau:.4g} s"
+def _rheology(each: list[Material]) -> str:
+    """Return what a material is; each : with every value of the axes that change it."""
+    material = each[0]
+    scales = [own.tau for own in each]
+    ends = dict.fromkeys(f"{scale:.4g}" for scale in (min(scales), max(scales)))
+    tau = f"tau = {' ... '.join(ends)} s"
     if not material.branches:
         return f"Kelvin element, {tau}"
     number = len(material.branches)
     kind = "standard linear solid" if number == 1 else f"Prony series of {number} branches"
     dashpot = "with a dashpot" if material.jumps else "without a dashpot"
-    times = f"times {material.branches[0][1]:.3g} ... {material.branches[-1][1]:.3g} s"
-    return f"{kind} {dashpot}, {times}, {tau}"
+    times = [own.own_shift * time for own in each for _, time in own.branches]
+    spread = f"times {min(times):.3g} ... {max(times):.3g} s"
+    return f"{kind} {dashpot}, {spread}, {tau}"
 
 
 def _surface(study: Study) -> Iterator[tuple[bool, str]]:

@@ -3,13 +3,12 @@
 Lengths along x are in dx, heights in h, times in tau, speeds in dx/tau.
 """
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 
 from ... import kernels
-from ...kernels import Quantities, rms_slope
+from ...kernels import Programme, Quantities, Spectrum, rms_slope
 from ..errors import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory
 from ..study import (
@@ -18,13 +17,13 @@ from ..study import (
     Numerics,
     Oscillate,
     RampSegment,
+    Scene,
     Segment,
     SlideSegment,
     Study,
     Surface,
     Velocity,
     velocity_steps,
-    with_hold,
 )
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
@@ -50,17 +49,42 @@ class Scale(NamedTuple):
     reference: float  # m/s
 
 
-def setting(study: Study, surface: LineShape, scale: Scale, hold: float, depth: float) -> Problem:
-    """Return what the scene of a study adds at a point: a problem without the numbers of the grid.
+class Setting(NamedTuple):
+    """The fields of a problem that follow from material, lines and scene, not from the grid."""
 
-    surface : of the lines there. hold : duration of the hold that has several, s. depth :
-    prescribed indentation, m. Either is NaN where the study has none.
+    spectrum: Spectrum
+    surface: LineShape
+    programme: Programme = ()
+    speeds: tuple[float, float] | None = None  # speed and ratio; None: those of the grid
+    start: str = "steady"
+    indentation: float | ScaledHistory | None = None
+
+    def problem(
+        self, hurst: float, elements: int, load: float, speed: float, ratio: float
+    ) -> Problem:
+        """Return the problem of a point of the grid."""
+        speed, ratio = self.speeds or (speed, ratio)
+        return Problem(
+            hurst,
+            elements,
+            load,
+            speed,
+            ratio,
+            self.spectrum,
+            surface=self.surface,
+            programme=self.programme,
+            start=self.start,
+            indentation=self.indentation,
+        )
+
+
+def setting(own: Setting, scene: Scene, scale: Scale, depth: float) -> Setting:
+    """Return a setting with what a scene adds to it at a point.
+
+    depth : prescribed indentation, m; NaN where the study has none.
     """
-    scene = study.scene
-    problem = Problem(math.nan, 0, math.nan, math.nan, math.nan, surface=surface)
     if not scene.programme:
-        return problem
-    segments = with_hold(scene.segments, hold)
+        return own
     indentation: float | ScaledHistory | None = None
     if scene.indentation_history is not None:
         times, depths = scene.indentation_history
@@ -70,18 +94,29 @@ def setting(study: Study, surface: LineShape, scale: Scale, hold: float, depth: 
         )
     elif scene.control == "indentation":
         indentation = rounded(depth / scale.roughness)
-    programme = tuple(_leg(segment, scale) for segment in segments)
-    steps, ratio = velocity_steps(segments), 1.0
+    programme = tuple(_leg(segment, scale) for segment in scene.segments)
+    return own._replace(
+        programme=programme,
+        speeds=_speeds(scene, scale),
+        start=scene.start,
+        indentation=indentation,
+    )
+
+
+def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
+    """Return the speed before the first velocity step, and that after it over it.
+
+    Without a step the speed is that at which the programme begins, or, where it begins at rest,
+    the first that it has.
+    """
+    segments = scene.segments
+    steps = velocity_steps(segments)
     if steps:
         pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, SlideSegment)]
-        speed, after = (slide.velocity.at(scale.reference) for slide in pair)
-        ratio = after / speed
-    else:  # that at which the programme begins or, where it begins at rest, the first that it has
-        speed = scene.start_velocity(scale.reference) or scene.typical_speed
-    speed = rounded(speed * scale.tau / scale.spacing)
-    return problem._replace(
-        speed=speed, ratio=ratio, programme=programme, start=scene.start, indentation=indentation
-    )
+        before, after = (slide.velocity.at(scale.reference) for slide in pair)
+        return rounded(before * scale.tau / scale.spacing), after / before
+    speed = scene.start_velocity(scale.reference) or scene.typical_speed
+    return rounded(speed * scale.tau / scale.spacing), 1.0
 
 
 def line_modes(surface: Surface, elements: int) -> LineShape:

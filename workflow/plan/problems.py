@@ -2,7 +2,8 @@
 
 mu/grad z, d/h and t/tau depend on H, N = L/dx, Fbar = F_N/(4 G L h), vbar = v1 tau/dx and
 r = v2/v1 alone; h and F_N enter only as F_N/h. A scene adds the spectrum of the material over G
-and tau, the modes of the lines and its programme; a temperature changes tau alone.
+and tau, the modes of the lines and its programme. Axes that change material, lines or scene
+(study/axes.py) make each of those anew; all else follows from them.
 """
 
 import math
@@ -17,8 +18,8 @@ from ...kernels.quick.prepared import LEAST_STEP
 from ..errors import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
-from ..study import Material, Study, check_load
-from .motion import Scale, canonical, line_modes, rounded, setting
+from ..study import Material, Parts, Study, axes_of, check_load
+from .motion import Scale, Setting, canonical, line_modes, rounded, setting
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
 TYPICAL_HURST = 0.8  # of measured lines, for predictions of cost alone
@@ -32,27 +33,22 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     The index array has the shape of the grid (study.axes). Raises UserError for loads and speeds
     that the kernels refuse (kernels/quick/cases.py).
     """
-    material = study.materials[label]
-    axes = [np.array(values) for values in study.grid.values()]
-    points = dict(zip(study.axes, np.meshgrid(*axes, indexing="ij"), strict=True))
+    numbers = axes_of(study.grid, "grid")
+    axes = [np.array(study.grid[axis]) for axis in numbers]
+    points = dict(zip(numbers, np.meshgrid(*axes, indexing="ij"), strict=True))
     length = study.surface.profile.length if study.surface.profile else study.surface.length
     points["elements"] = np.round(length / points["spacing"]).astype(int)
     points["dx"] = length / points["elements"]
-    points["tau"] = _times(material, points)
-    settings, which = _settings(study, label, points)
+    others = study.parts(label, axes_of(study.grid, *Parts._fields))
+    settings: dict[Setting, int] = {}
+    which = np.stack([_settings(parts, points, settings) for parts in others], axis=-1)
     hurst = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
-    numbers = _numbers(study, material, points)
-    rows = [a.ravel().tolist() for a in (hurst, points["elements"], *numbers, which)]
+    columns = hurst[..., None], points["elements"][..., None], *_numbers(study, others, points)
+    rows = [np.broadcast_to(own, which.shape).ravel().tolist() for own in (*columns, which)]
     found: dict[tuple, int] = {}
     index = [found.setdefault(row, len(found)) for row in zip(*rows, strict=True)]
-    spectrum = _rounded_spectrum(material)
-    problems = []
-    for row in found:
-        own: list[Any] = list(row[:-1])
-        added = settings[row[-1]]
-        if added.programme:  # which says the speeds
-            own[3:] = added.speed, added.ratio
-        problems.append(Problem._make((*own, spectrum, *added[6:])))
+    every = list(settings)
+    problems = [every[row[-1]].problem(*row[:-1]) for row in found]
     return problems, np.array(index).reshape(study.shape)
 
 
@@ -95,40 +91,38 @@ def _numbered(*columns: Numbers) -> np.ndarray:
     return np.unique(found, return_inverse=True)[1]
 
 
-def _times(material: Material, points: Points) -> np.ndarray:
-    """Return tau (s) at every point."""
-    if "temperature" not in points:
-        return np.full(points["spacing"].shape, material.tau)
-    values, inverse = np.unique(points["temperature"], return_inverse=True)
-    return np.array([material.tau_at(value) for value in values])[inverse].reshape(inverse.shape)
-
-
-def _settings(study: Study, label: str, points: Points) -> tuple[list[Problem], np.ndarray]:
-    """Return the distinct settings of a scene and, per point, the index of its own."""
+def _settings(parts: Parts, points: Points, found: dict[Setting, int]) -> np.ndarray:
+    """Return per point the index of its setting among those found, and find those that lack."""
     names = ["elements"]
-    if study.scene.programme:
-        names += ["dx", "tau", "velocity", "roughness"]
-        names += [name for name in ("hold", "prescribed_indentation") if name in points]
+    if parts.scene.programme:
+        names += ["dx", "velocity", "roughness"]
+        names += ["prescribed_indentation"] if "prescribed_indentation" in points else []
     rows = np.stack([points[name].ravel() for name in names], axis=1)
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
-    found: dict[Problem, int] = {}
+    spectrum, tau, nan = _rounded_spectrum(parts.material), parts.material.tau, math.nan
+    plain = {
+        count: Setting(spectrum, line_modes(parts.surface, count))
+        for count in {int(row[0]) for row in different}
+    }
     index = []
-    modes = {int(row[0]): line_modes(study.surfaces[label], int(row[0])) for row in different}
     for row in different.tolist():
-        at = dict(zip(names, row, strict=True))
-        scale = Scale(*(at.get(name, math.nan) for name in ("dx", "tau", "roughness", "velocity")))
-        depth = at.get("prescribed_indentation", math.nan)
-        own = setting(study, modes[int(row[0])], scale, at.get("hold", math.nan), depth)
+        at = dict(zip(names, row, strict=True)).get
+        scale = Scale(at("dx", nan), tau, at("roughness", nan), at("velocity", nan))
+        depth = at("prescribed_indentation", nan)
+        own = setting(plain[int(row[0])], parts.scene, scale, depth)
         index.append(found.setdefault(own, len(found)))
-    return list(found), np.array(index)[inverse].ravel()
+    return np.array(index)[inverse].reshape(points["elements"].shape)
 
 
-def _numbers(study: Study, material: Material, points: Points) -> list[np.ndarray]:
-    """Return load, speed and ratio at every point, without a programme."""
+def _numbers(study: Study, others: list[Parts], points: Points) -> list[np.ndarray]:
+    """Return load, speed and ratio at every point, without a programme; the last axis : others."""
+    modulus = np.array([parts.material.shear_modulus for parts in others])
+    tau = np.array([parts.material.tau for parts in others])
+    at = {axis: values[..., None] for axis, values in points.items()}
     with np.errstate(over="ignore", under="ignore", divide="ignore", invalid="ignore"):
-        whole = 4.0 * material.shear_modulus * study.surface.length * points["roughness"]
-        load = points["normal_force"] / whole
-        speed = points["velocity"] * points["tau"] / points["dx"]
+        whole = 4.0 * modulus * study.surface.length * at["roughness"]
+        load = at["normal_force"] / whole
+        speed = at["velocity"] * tau / at["dx"]
     if study.scene.control == "indentation":
         load = np.zeros_like(load)
     else:
@@ -139,7 +133,7 @@ def _numbers(study: Study, material: Material, points: Points) -> list[np.ndarra
     if study.scene.programme:  # which says the speeds
         speed, step = np.zeros_like(speed), np.zeros_like(speed)
     else:
-        step = points["velocity_step"]
+        step = np.broadcast_to(at["velocity_step"], speed.shape)
         _check_steps(step, speed)
     # A ratio follows from no other value; rounding would make a small step another one.
     return [canonical(load), canonical(speed), 1.0 + step]

@@ -1,7 +1,7 @@
 """The page of every variable of a result."""
 
 from ..result import AXIS_ATTRIBUTES, DescribedVariable, described_variables
-from ..study import AXES
+from ..study import AXES, EVERY_AXIS
 
 HEAD = """# Every variable of a result
 
@@ -12,7 +12,7 @@ the number of the equation in [the paper](https://doi.org/10.1038/srep05795), an
 flag says. Symbols are in the [glossary](../glossary.md).
 
 **Dimensions.** "Grid" stands for the six dimensions {axes}, each of length 1 at least, and for
-those of `prescribed_indentation`, `temperature` and `hold` that the study has.
+those of {others} that the study has.
 
 **Errors.** Every estimate `NAME` has its standard error `NAME_error`, by a jackknife over blocks of
 lines: the error of chance alone, by which lines were drawn. `NAME_bias` is the bound of the
@@ -28,8 +28,11 @@ of program and packages, the commit, the processor and the scheme.
 
 def results_page() -> str:
     """Return the page of variables as Markdown."""
-    axes = ", ".join(f"`{axis}`" for axis in AXES)
-    lines = [HEAD.replace("{axes}", axes), "## Coordinates\n"]
+    names = [f"`{axis}`" for axis in EVERY_AXIS]
+    *others, last = names[len(AXES) :]
+    head = HEAD.replace("{axes}", ", ".join(names[: len(AXES)]))
+    head = head.replace("{others}", f"{', '.join(others)} and {last}")
+    lines = [head, "## Coordinates\n"]
     lines += ["| name | meaning | unit |", "|---|---|---|"]
     lines += [f"| `{n}` | {said} | {unit} |" for n, (unit, said) in AXIS_ATTRIBUTES.items()]
     lines.append("")

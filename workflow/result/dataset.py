@@ -1,6 +1,7 @@
 """Assemble estimates of tasks into one labelled xarray Dataset."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -9,7 +10,7 @@ from ...kernels import power_spectrum
 from ..plan import Plan, Variant
 from ..reduce import LAWS, Estimates
 from ..simulate import EDGES
-from ..study import AXES
+from ..study import AXES, axes_of
 from .provenance import provenance
 from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 
@@ -69,15 +70,15 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
 
 def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataArray]:
     """Return what turns a result into the paper's units: tau, G, L and q_max, in SI."""
-    spacing = np.array(plan.study.grid["spacing"])
-    cutoff = plan.study.surface.cutoff
-    q_max = np.full(spacing.size, 2.0 * np.pi / cutoff) if cutoff else np.pi / spacing
-    return {
+    cutoff = _over(plan, variant, "surface", lambda lines: lines.cutoff)
+    shortest = xr.where(cutoff > 0.0, cutoff, 2.0 * units["spacing"])
+    found = {
         "tau": units["tau"],
         "shear_modulus": xr.DataArray(variant.material.shear_modulus),
         "length": xr.DataArray(plan.study.surface.length),
-        "q_max": xr.DataArray(q_max, dims="spacing"),
+        "q_max": (2.0 * np.pi / shortest).transpose("spacing", ...),
     }
+    return {name: values for name, values in found.items() if name not in plan.study.axes}
 
 
 def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
@@ -91,15 +92,19 @@ def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
 
 def _units(plan: Plan, variant: Variant) -> Units:
     """Return the units that dimensionless values are multiplied by, in SI."""
-    grid, material = plan.study.grid, variant.material
+    grid = plan.study.grid
     units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in AXES}
-    stiffness = 4.0 * material.shear_modulus * plan.study.surface.length
-    units["stiffness"] = xr.DataArray(stiffness)  # 4 G L, N/m
-    units["tau"] = xr.DataArray(material.tau)
-    if "temperature" in grid:
-        shifted = [material.tau_at(value) for value in grid["temperature"]]
-        units["tau"] = xr.DataArray(shifted, dims="temperature")
+    modulus = _over(plan, variant, "material", lambda solid: solid.shear_modulus)
+    units["stiffness"] = 4.0 * modulus * plan.study.surface.length  # 4 G L, N/m
+    units["tau"] = _over(plan, variant, "material", lambda solid: solid.tau)
     return units
+
+
+def _over(plan: Plan, variant: Variant, part: str, value: Callable[[Any], float]) -> xr.DataArray:
+    """Return a number of a part of the study over the axes that change that part."""
+    axes = axes_of(plan.study.grid, part)
+    each = [value(getattr(own, part)) for own in plan.study.parts(variant.label, axes)]
+    return xr.DataArray(np.reshape(each, [len(plan.study.grid[axis]) for axis in axes]), dims=axes)
 
 
 def _factor(scaling: Powers, units: Units) -> xr.DataArray:

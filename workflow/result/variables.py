@@ -12,7 +12,7 @@ from ..reduce import (
     STATUS_COMMENT,
     STATUS_MEANINGS,
 )
-from ..study import AXES
+from ..study import AXES, EVERY_AXIS
 
 GRID = AXES
 CURVE = (*AXES, "sample")
@@ -49,16 +49,7 @@ class Variable(NamedTuple):
     dtype: str = "float64"
 
 
-AXIS_ATTRIBUTES = {
-    "hurst": ("1", "Hurst exponent H"),
-    "normal_force": ("N", "normal force F_N"),
-    "spacing": ("m", "element spacing dx"),
-    "roughness": ("m", "rms roughness h"),
-    "velocity": ("m s-1", "sliding velocity v1 before the jump"),
-    "velocity_step": ("1", "relative velocity jump dv/v1"),
-    "temperature": ("degree_Celsius", "temperature of the elastomer"),
-    "hold": ("s", "duration of the hold"),
-    "prescribed_indentation": ("m", "prescribed indentation d over the mean line"),
+AXIS_ATTRIBUTES = {row.name: (row.unit, row.long_name) for row in EVERY_AXIS.values()} | {
     "event": ("1", "sample of a trace; 0 is the start"),
     "bin": ("1", "lower edge of a bin of contact lengths, in spacings"),
     "law": ("1", "law of the state"),

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ..lazy import public_names
 
 if TYPE_CHECKING:
+    from .axes import AXES, EVERY_AXIS, Parts, axes_of
     from .cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
     from .effects import (
         QUANTITIES,
@@ -23,9 +24,7 @@ if TYPE_CHECKING:
         judged,
         velocity_steps,
         why_not,
-        with_hold,
     )
-    from .grid import AXES
     from .measured import Measured
     from .moduli import FREQUENCIES, MODULI, Moduli, read_moduli
     from .numerics import Numerics

@@ -7,7 +7,8 @@ from functools import partial
 from typing import Any
 
 from ..errors import UserError
-from .effects import Material, Scene
+from .axes import EVERY_AXIS, Grid, Parts, axes_of, parts_at
+from .effects import Scene
 from .settings import (
     Key,
     checked_values,
@@ -18,8 +19,6 @@ from .settings import (
     within,
 )
 from .surfaces import Surface, check_cutoff
-
-Grid = dict[str, tuple[float, ...]]
 
 MOST_ELEMENTS = 1e8
 LEAST_ELEMENTS = 4
@@ -109,22 +108,21 @@ GRID = {
         usual="left out with control by force",
     ),
 }
-AXES = tuple(GRID)[:6]  # that every result has
 
 
 def read_grid(
     given: Mapping[str, Any],
     written: Mapping[str, Any],
-    surface: Surface,
-    scene: Scene,
-    material: Material,
+    parts: Parts,
+    several: Grid,
 ) -> Grid:
-    """Return axis -> values of the table [grid], and those of temperatures and holds.
+    """Return axis -> values of the table [grid], and those of all other axes.
 
     given : its checked values. written : the same as the user wrote them, for messages.
-    What the scene has no use for is left out of the table; it has one value then, NaN where there
-    is none. Raises UserError.
+    several : values of the axes that stand in other tables. What the scene has no use for is left
+    out of the table; it has one value then, NaN where there is none. Raises UserError.
     """
+    _, surface, scene = parts
     left_out = _left_out(surface, scene)
     for axis, (_, reason) in left_out.items():
         if axis in given:
@@ -143,9 +141,10 @@ def read_grid(
     grid: Grid = filled("grid", given, keys)
     if surface.profile is None:
         grid["spacing"] = _spacings(grid["spacing"], surface)
-        check_cutoff(surface, grid["spacing"])
-    more = {"temperature": material.temperatures, "hold": scene.holds}
-    found = {axis: values for axis, values in (grid | more).items() if values}
+        for each in parts_at(parts, several, axes_of(several, "surface")):
+            check_cutoff(each.surface, grid["spacing"])
+    grid |= several | {"hold": scene.holds}
+    found = {axis: grid[axis] for axis in EVERY_AXIS if grid.get(axis)}
     points = math.prod(map(len, found.values()))
     if points > MOST_POINTS:
         raise UserError(

@@ -87,8 +87,8 @@ NUMERICS = {
     "accuracy": Key(
         ACCURACY,
         "The wanted relative error of µ₁, Δµ₀ and b, as far as they are asked for: standard error "
-        "plus bound of the discretisation error. It decides m and the number of lines, in place "
-        "of `study.realizations`.",
+        "plus bound of the discretisation error. The program chooses m and the number of lines "
+        "for it, in place of `study.realizations`.",
         "Doubled, it takes a quarter of the lines, and often fewer steps.",
         default=None,
         usual="none",

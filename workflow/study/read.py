@@ -12,7 +12,7 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError, did_you_mean
-from .grid import AXES
+from .axes import AXES
 from .measured import read_measured
 from .settings import as_table
 from .study import AnyStudy, Study, read_grid_study

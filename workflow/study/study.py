@@ -2,16 +2,17 @@
 
 import json
 import math
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any, ClassVar
 
 from ...kernels import QUARTET
 from ..errors import UserError
+from .axes import EVERY_AXIS, Grid, Parts, parts_at, separated, with_value
 from .cluster import HERE, Cluster, read_cluster
 from .effects import Material, Scene, check_quantities, read_scene_table
-from .grid import Grid, read_grid
+from .grid import read_grid
 from .numerics import Numerics
 from .settings import filled
 from .surfaces import Profile, Surface, read_surface
@@ -69,6 +70,14 @@ class Study(AnyStudy):
         """The dimensions of the grid: those that every result has, then those of this scene."""
         return tuple(self.grid)
 
+    def parts(self, label: str, axes: Iterable[str]) -> list[Parts]:
+        """Return what a variant is made of at every point of some axes, the last one fastest.
+
+        At the first value of the others.
+        """
+        own = Parts(self.materials[label], self.surfaces[label], self.scene)
+        return parts_at(own, self.grid, axes)
+
     @property
     def blocks(self) -> int:
         """Number of blocks of realizations, the units of the jackknife."""
@@ -102,14 +111,17 @@ def read_grid_study(
     cluster = read_cluster(given["cluster"])
     written = {name: table for name, table in tables.items() if name != "cluster"}
     head = study_head(name, folder, written, filled("study", given["study"], head_keys))
+    given, several = separated(given)
     surface = (
         read_surface(given["surface"], folder)
         if profile is None
         else Surface(profile.measured_length, profile=profile)
     )
     variants, materials, surfaces = read_variants(given, folder, surface)
+    _check_each(given, several, folder, surface)
     scene = read_scene_table(given["scene"], folder, materials.values())
-    grid = read_grid(given["grid"], written.get("grid", {}), surface, scene, materials[""])
+    parts = Parts(materials[""], surface, scene)
+    grid = read_grid(given["grid"], written.get("grid", {}), parts, several)
     head["realizations"] = _realizations(head["realizations"], surfaces)
     head["realizations_asked"] = head["realizations"]
     single = one_point and head["realizations"] == 1
@@ -136,6 +148,18 @@ def _one_point(grid: Grid) -> None:
     for axis, values in grid.items():
         if len(values) > 1 and axis != "hold":
             raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
+
+
+def _check_each(
+    tables: dict[str, dict[str, Any]], several: Grid, folder: Path, surface: Surface
+) -> None:
+    """Raise UserError where a value of an axis is refused; tables : with the first of them."""
+    for axis, (_, *others) in several.items():
+        row = EVERY_AXIS[axis]
+        for value in others:
+            each = with_value(tables, row, value)
+            own = read_surface(each["surface"], folder) if row.table == "surface" else surface
+            read_variants(each, folder, own)
 
 
 def _realizations(given: int | None, surfaces: dict[str, Surface]) -> int:

@@ -6,6 +6,7 @@ from functools import partial
 from typing import Any
 
 from ..errors import Complaints
+from .axes import with_lists
 from .cluster import CLUSTER
 from .effects import FILE, HOLD, MATERIAL, OSCILLATE, RAMP, SCENE, SLIDE, WLF
 from .grid import GRID
@@ -56,8 +57,8 @@ ONE_LINE = replace(STUDY["realizations"], check=partial(integer, least=1), defau
 ONE_POINT = STUDY | {"realizations": ONE_LINE}
 TABLES = {
     "study": STUDY,
-    "material": MATERIAL,
-    "surface": SURFACE,
+    "material": with_lists("material", MATERIAL),
+    "surface": with_lists("surface", SURFACE),
     "grid": GRID,
     "scene": SCENE,
     "numerics": NUMERICS,

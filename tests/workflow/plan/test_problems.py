@@ -18,7 +18,7 @@ from elastomer_friction.workflow.plan.problems import (
     viscous_pressure,
 )
 from elastomer_friction.workflow.simulate.tasks import Problem
-from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.axes import AXES
 from tests.support.small import HOLDING, PROGRAMME, complaint, keys, small_plan, small_study
 
 ONE_POINT = "grid.hurst=0.5", "grid.normal_force=0.04", "grid.velocity=0.03"

@@ -16,7 +16,7 @@ from elastomer_friction.workflow.report.claims import (
 )
 from elastomer_friction.workflow.report.csv_tables import write_table
 from elastomer_friction.workflow.report.unresolved import Resolved, not_resolved, without_unresolved
-from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.axes import AXES
 from elastomer_friction.workflow.study.read import read_study
 from tests.support.synthetic import result, with_alpha, with_rates
 

@@ -9,7 +9,7 @@ from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.result.dataset import build_dataset
 from elastomer_friction.workflow.result.provenance import provenance
 from elastomer_friction.workflow.result.variables import VARIABLES
-from elastomer_friction.workflow.study.grid import AXES
+from elastomer_friction.workflow.study.axes import AXES
 from tests.support.curves import assembled
 
 ALWAYS = {"rms_slope", "speed_ratio", "realizations", "steps_per_spacing", "degrees_of_freedom"}

@@ -67,6 +67,14 @@ def test_a_shard_that_vanished_is_named(tmp_path, capsys):
     assert f"{shard_of(store, WORK[0])} is damaged (missing)" in capsys.readouterr().err
 
 
+def test_a_shard_that_was_cut_is_set_aside_when_the_store_is_opened(tmp_path, capsys):
+    store, _ = filled(tmp_path, WORK[:2])
+    cut = shard_of(store, WORK[0])
+    cut.write_bytes(cut.read_bytes()[:100])
+    assert held(reopened(tmp_path)) == set(records(WORK[1]))
+    assert f"{cut} is damaged (100 bytes instead of " in capsys.readouterr().err
+
+
 def test_a_shard_that_vanishes_while_the_store_is_open_can_be_computed_again(tmp_path, capsys):
     store, _ = filled(tmp_path, WORK[:2])
     shard_of(store, WORK[0]).unlink()

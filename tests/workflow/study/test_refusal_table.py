@@ -16,7 +16,7 @@ from tests.support.documents import without
 from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[3]
-STUDY = ("cluster", "grid", "numerics", "read", "study", "tables", "variants")
+STUDY = ("axes", "cluster", "grid", "numerics", "read", "study", "tables", "variants")
 SETTINGS = ("checks", "key", "rows_of_numbers")
 EFFECTS = ("material", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "tests" / "refusals.md"

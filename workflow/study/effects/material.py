@@ -14,18 +14,15 @@ from typing import Any, NamedTuple
 from ....kernels.rheology.spectrum import Spectrum
 from ...errors import UserError
 from ..settings import (
-    NUMBER,
     POSITIVE,
     Key,
     as_text,
-    axis_values,
     filled,
     number,
     pair,
     positive,
     read_columns,
     read_table,
-    values_of_axis,
     within,
 )
 
@@ -72,23 +69,29 @@ class Wlf(NamedTuple):
 
 
 class Material(NamedTuple):
-    """The elastomer, in SI units; times are those at the given or the reference temperature."""
+    """The elastomer, in SI units; times of dashpot and branches are those at the reference."""
 
     shear_modulus: float  # Pa, relaxed
     relaxation_time: float = 0.0  # s, of the dashpot beside it; 0: no dashpot
     branches: tuple[Branch, ...] = ()  # times ascending, each once
     wlf: Wlf | None = None
-    temperatures: tuple[float, ...] = ()  # °C, of a list: a dimension of the result
+    temperature: float | None = None  # °C, with wlf
 
     @property
     def tau(self) -> float:
-        """Return the time scale (s): relaxation_time + sum_b g_b t_b / G."""
-        return self.relaxation_time + sum(g * t for g, t in self.branches) / self.shear_modulus
+        """Return the time scale (s): relaxation_time + sum_b g_b t_b / G, times shifted."""
+        branches = sum(g * t for g, t in self.branches) / self.shear_modulus
+        return (self.relaxation_time + branches) * self.own_shift
+
+    @property
+    def at_reference(self) -> "Material":
+        """Return the material at the temperature at which its times are given."""
+        return self._replace(temperature=None)
 
     @property
     def longest_time(self) -> float:
         """Return the longest of the times of branches and dashpot (s): how far memory reaches."""
-        return max([self.relaxation_time, *(time for _, time in self.branches)])
+        return self.own_shift * max([self.relaxation_time, *(time for _, time in self.branches)])
 
     @property
     def jumps(self) -> bool:
@@ -99,24 +102,18 @@ class Material(NamedTuple):
         """Return a_T, by which all times are longer at a temperature (°C); 1 without WLF."""
         return 10.0 ** self.wlf.decades(temperature) if self.wlf else 1.0
 
-    def tau_at(self, temperature: float) -> float:
-        """Return tau (s) at a temperature (°C)."""
-        return self.tau * self.shift(temperature)
+    @property
+    def own_shift(self) -> float:
+        """Return a_T at its own temperature."""
+        return 1.0 if self.temperature is None else self.shift(self.temperature)
 
     def spectrum(self) -> Spectrum:
         """Return the material in units of G and tau: the same at all temperatures."""
-        tau = self.tau
+        tau = self.at_reference.tau
         return Spectrum(
             moduli=tuple(modulus / self.shear_modulus for modulus, _ in self.branches),
             times=tuple(time / tau for _, time in self.branches),
             viscosity=self.relaxation_time / tau,
-        )
-
-    def shifted(self, factor: float) -> "Material":
-        """Return the material with all times longer by a factor."""
-        return self._replace(
-            relaxation_time=factor * self.relaxation_time,
-            branches=tuple((modulus, factor * time) for modulus, time in self.branches),
         )
 
 
@@ -142,28 +139,18 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
                 f"{where}.branches: the modulus {g!r} must lie between {RATIOS[0]:g} and "
                 f"{RATIOS[1]:g} of shear_modulus = {modulus!r}"
             )
-    found = Material(modulus, time or 0.0, _merged(branches), given["wlf"])
-    return _tempered(where, found, given["temperature"])
+    wlf, temperature = given["wlf"], given["temperature"]
+    _check_temperature(where, wlf, temperature)
+    return Material(modulus, time or 0.0, _merged(branches), wlf, temperature)
 
 
-def _tempered(where: str, material: Material, temperature: float | tuple | None) -> Material:
-    """Return the material at one temperature, or with the list of them."""
-    if (temperature is None) != (material.wlf is None):
-        missing, other = "temperature", "wlf"
-        if material.wlf is None:
-            missing, other = other, missing
-        raise UserError(f"{where}.{missing}: missing; {where}.{other} needs it")
-    if temperature is None or material.wlf is None:
-        return material
-    several = (temperature,) if isinstance(temperature, float) else temperature
-    for value in several:
-        _check_temperature(where, material.wlf, value)
-    if isinstance(temperature, float):
-        return material.shifted(material.shift(temperature))
-    return material._replace(temperatures=several)
-
-
-def _check_temperature(where: str, wlf: Wlf, value: float) -> None:
+def _check_temperature(where: str, wlf: Wlf | None, value: float | None) -> None:
+    """Raise UserError for a temperature that has no shift, and for one without the other."""
+    if wlf is None or value is None:
+        if wlf is not None or value is not None:
+            missing, other = ("temperature", "wlf") if value is None else ("wlf", "temperature")
+            raise UserError(f"{where}.{missing}: missing; {where}.{other} needs it")
+        return
     least = wlf.reference - wlf.c2
     if value <= least:
         raise UserError(
@@ -209,10 +196,6 @@ def _merged(branches: tuple[Branch, ...]) -> tuple[Branch, ...]:
 
 def _wlf(key: str, value: object) -> Wlf:
     return Wlf(**read_table(key, value, WLF))
-
-
-def _temperature(key: str, value: object) -> float | tuple[float, ...]:
-    return axis_values(key, value) if isinstance(value, list | dict) else number(key, value)
 
 
 MATERIAL = {
@@ -267,14 +250,13 @@ MATERIAL = {
         usual="none",
     ),
     "temperature": Key(
-        _temperature,
+        number,
         "The temperature of the elastomer, with `wlf`. A list is a dimension of the result.",
         "A higher temperature shortens all times: friction at v is what it was at a_T v. To "
         "double degrees Celsius means nothing.",
         "°C",
         default=None,
-        values="a number above `reference` − c2, or a list or range",
+        values="a number above `reference` − c2",
         usual="none",
-        schema=values_of_axis(NUMBER),
     ),
 }

@@ -17,6 +17,7 @@ if TYPE_CHECKING:
         flag,
         integer,
         number,
+        one_or_several,
         positive,
         within,
     )

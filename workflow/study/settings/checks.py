@@ -105,6 +105,13 @@ def checked_values(
     return tuple(check(key, value) for value in axis_values(key, spec))
 
 
+def one_or_several(
+    check: Callable[[str, object], float], key: str, spec: object
+) -> float | tuple[float, ...]:
+    """Return a number, or the values of a list or range, each of which ``check`` has passed."""
+    return checked_values(check, key, spec) if isinstance(spec, list | dict) else check(key, spec)
+
+
 def _spaced(key: str, spec: dict[str, Any]) -> tuple[float, ...]:
     kind = next(iter(spec)) if len(spec) == 1 else ""
     if kind not in SPACES:

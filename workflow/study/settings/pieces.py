@@ -14,6 +14,7 @@ from .checks import (
     flag,
     integer,
     number,
+    one_or_several,
     positive,
     within,
 )
@@ -74,4 +75,5 @@ def _taken(check: Callable[..., Any]) -> Schema:
         return {"type": "integer", "minimum": given["least"], **most}
     if check.func is choice:
         return {"enum": list(given["known"])}
-    return {checked_values: values_of_axis}[check.func](_taken(check.args[0]))
+    several = {checked_values: values_of_axis, one_or_several: values_of_axis}
+    return several[check.func](_taken(check.args[0]))

@@ -13,6 +13,7 @@ from .checks import (
     flag,
     integer,
     number,
+    one_or_several,
     positive,
     within,
 )
@@ -46,7 +47,7 @@ def _taken(check: Callable[..., Any]) -> str:
     if check.func is choice:
         *others, last = (f'`"{known}"`' for known in given["known"])
         return f"{', '.join(others)} or {last}"
-    if check.func is checked_values:
+    if check.func in (checked_values, one_or_several):
         return f"{_taken(check.args[0])}, or a list or range"
     return ""
 
