@@ -29,7 +29,7 @@ from elastomer_friction.kernels.rheology.spectrum import complex_modulus
 from elastomer_friction.studies.style import computed_study
 from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
 from elastomer_friction.workflow.result import Groups
-from elastomer_friction.workflow.study import Hold, Oscillate
+from elastomer_friction.workflow.study import Oscillate
 
 CAPTION = (
     "A line oscillates about a place of rest, and friction is shown over the velocity in loops, "

@@ -144,7 +144,7 @@ def test_a_study_is_animated_without_its_comparisons(tmp_path):
         ([CREEP, "--out", "creep.avi"], "creep.avi: must end in .gif or .mp4"),
         ([CREEP, "--set", "grid.normal_force=[0.1, 0.2]"], "a scene has one value of it"),
         (["fig7"], '"trace": there is no [[scene.programme]]'),
-        (["scaling"], "scaling: measures the program itself"),
+        (["stability"], "stability: measures the program itself"),
     ],
 )
 def test_what_is_no_scene_is_refused_before_anything_is_computed(capsys, arguments, words):

@@ -204,7 +204,6 @@ def test_points_that_failed_leave_gaps():
     assert len(figure.axes) == 3
 
 
-OLD_FORM = "def draw(result):\n    raise AssertionError('is not called')\n"
 BROKEN = """
 from matplotlib import pyplot as plt
 
@@ -229,11 +228,10 @@ def test_the_same_result_gives_the_same_figure_as_png_and_pdf(capsys, shown):
 @pytest.mark.parametrize(
     ("script", "said"),
     [
-        (OLD_FORM, "figure.py: draw takes the path of a result; write draw(groups) instead"),
         ("x = 1\n", "figure.py: has no function draw(groups)"),
         (BROKEN, "small.nc: cannot be used by small ('there is no such group')"),
     ],
-    ids=["of the old form", "without draw", "broken"],
+    ids=["without draw", "broken"],
 )
 def test_a_script_that_cannot_draw_says_why_and_leaves_no_figure_open(capsys, shown, script, said):
     (shown / "figure.py").write_text(script)

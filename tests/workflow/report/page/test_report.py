@@ -230,7 +230,7 @@ def test_a_study_whose_table_cannot_be_made_says_so(tmp_path, monkeypatch):
     def refuse(*_):
         raise UserError("there is no disk")
 
-    monkeypatch.setattr("elastomer_friction.workflow.report.page.report.write_tables", refuse)
+    monkeypatch.setattr("elastomer_friction.workflow.report.page.write_tables", refuse)
     shown = section(read_study("fig6"), {"": result("fig6")}, tmp_path)
     assert shown["troubles"][1:] == ["No table: there is no disk"]
     assert shown["files"] == ["fig6.nc"]
