@@ -29,7 +29,7 @@ from elastomer_friction.kernels.rheology.spectrum import complex_modulus
 from elastomer_friction.studies.style import computed_study
 from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
 from elastomer_friction.workflow.result import Groups
-from elastomer_friction.workflow.study import Oscillate
+from elastomer_friction.workflow.study import HoldSegment, Oscillate
 
 CAPTION = (
     "A line oscillates about a place of rest, and friction is shown over the velocity in loops, "
@@ -132,7 +132,7 @@ def motions(data: xr.Dataset) -> list[Swing]:
     found: list[Swing] = []
     time = 0.0
     for number, segment in enumerate(computed_study(data).scene.programme):
-        if isinstance(segment, Hold):
+        if isinstance(segment, HoldSegment):
             time += segment.durations[0]
         elif isinstance(segment, Oscillate):
             time += segment.cycles / segment.frequency
