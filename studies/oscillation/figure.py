@@ -147,7 +147,7 @@ def shift_factors(data: xr.Dataset) -> np.ndarray:
 
 def modulus(data: xr.Dataset, name: str, omega: np.ndarray) -> np.ndarray:
     """Return G*/G - 1 of a variant at angular frequencies (rad/s) and the reference temperature."""
-    material = computed_study(data).materials[name]
+    material = computed_study(data).materials[name].at_reference
     return complex_modulus(material.spectrum(), omega * material.tau) - 1.0
 
 
