@@ -1,5 +1,6 @@
 """Processes that are stopped (SIGSTOP): said, waited for with patience, done without."""
 
+import contextlib
 import os
 import re
 import signal
@@ -76,7 +77,8 @@ def cluster(folder):
     standing = Standing(folder / "standing")
     yield standing
     for process in standing.processes.values():
-        os.killpg(process.pid, signal.SIGCONT)
+        with contextlib.suppress(ProcessLookupError):  # given up meanwhile, it may have ended
+            os.killpg(process.pid, signal.SIGCONT)
     standing.stop()
 
 

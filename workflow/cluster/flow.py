@@ -156,11 +156,14 @@ class _Stream:
         if self.answer is not None and self.answer.done():
             self._note(self.answer.result(), now)
             self.answer = None
-        if now - self.looked < BEAT_SECONDS:
+        due = now - self.looked >= BEAT_SECONDS
+        if self.answer is None and (
+            due or self.asked < self.stopped <= now
+        ):  # soon after a stop
+            self.answer, self.asked = self.pool.ask(), now
+        if not due:
             return
         self.looked = now
-        if self.answer is None:
-            self.answer, self.asked = self.pool.ask(), now
         silent = now - self.asked >= QUIET_SECONDS
         if self.in_flight and (now - self.stopped >= STOP_SECONDS or (stopping and silent)):
             say(f"left behind: {len(self.in_flight)} batches that were not done in time")
