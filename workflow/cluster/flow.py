@@ -157,9 +157,7 @@ class _Stream:
             self._note(self.answer.result(), now)
             self.answer = None
         due = now - self.looked >= BEAT_SECONDS
-        if self.answer is None and (
-            due or self.asked < self.stopped <= now
-        ):  # soon after a stop
+        if self.answer is None and (due or self.asked < self.stopped <= now):  # soon after a stop
             self.answer, self.asked = self.pool.ask(), now
         if not due:
             return
