@@ -1,4 +1,4 @@
-"""SteadyMemory sliding of elements with internal variables, without time marching.
+"""Steady sliding of elements with internal variables, without time marching.
 
 At constant indentation the line carries its field of states along. One turn of an element round
 the period, from the deepest sample, is a piecewise linear map of its state there and of d. It

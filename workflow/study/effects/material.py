@@ -251,7 +251,7 @@ MATERIAL = {
     ),
     "temperature": Key(
         number,
-        "The temperature of the elastomer, with `wlf`. A list is a dimension of the result.",
+        "The temperature of the elastomer, with `wlf`.",
         "A higher temperature shortens all times: friction at v is what it was at a_T v. To "
         "double degrees Celsius means nothing.",
         "°C",
