@@ -52,7 +52,7 @@ class Cluster(Workers):
         """Return what has come, once something has, within so many seconds."""
         self.pass_by(seconds)
         ended, self.ended = self.ended, []
-        return [outcome for outcome in ended if self.tasks.pop(outcome.key, None)]
+        return [arrival for arrival in ended if self.tasks.pop(arrival.key, None)]
 
     def drop(self, keys: Collection[str]) -> None:
         """Wait for some no more."""
@@ -61,7 +61,7 @@ class Cluster(Workers):
 
     def pending(self, key: str) -> bool:
         """Return whether nobody has done an item yet."""
-        return all(outcome.key != key for outcome in self.ended)
+        return all(arrival.key != key for arrival in self.ended)
 
     def ask(self) -> "Future[Snapshot]":
         """Return who is there."""

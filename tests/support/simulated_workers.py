@@ -177,8 +177,8 @@ class Workers:
             how = {"error": value} if failed else {"value": value}
             self._end(Arrival(task.key, worker.address, **how))
 
-    def _end(self, outcome: Arrival) -> None:
-        self.ended.append(outcome)
+    def _end(self, arrival: Arrival) -> None:
+        self.ended.append(arrival)
 
 
 def at(name: str) -> str:

@@ -22,13 +22,13 @@ from tornado.ioloop import IOLoop
 from ..errors import UserError
 from ..study import BATCH_SYSTEMS, LOCAL, Cluster
 from ..system import THREADS, Watch, say
-from .jobs import job_cluster
+from .jobs import ADAPT_SECONDS, job_cluster
 from .security import ENCRYPTED, no_pages, own_security, scheduler_options, security_of
 
-CONNECT_SECONDS, MUTE_SECONDS = 10, 30
+CONNECT_SECONDS = 10
+MUTE_SECONDS = 30  # for a scheduler that takes connections and says nothing
 CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye
 SILENT_WORKER = "30s"  # after which dask starts a worker anew; it looks so often
-AGAIN_SECONDS = "5s"  # between looks at whether one has to be replaced
 HERE = "127.0.0.1"
 
 
@@ -95,7 +95,7 @@ def _local_cluster(loop: IOLoop, workers: int | None, dashboard: bool) -> Iterat
         pages = dask.config.set(no_pages(security, dashboard))
         with pages, SpecCluster(**parts, **how_run) as local:
             # A nanny whose worker process is killed while it starts again gives it up.
-            local.adapt(minimum=count, maximum=count, interval=AGAIN_SECONDS)
+            local.adapt(minimum=count, maximum=count, interval=ADAPT_SECONDS)
             yield local
 
 

@@ -12,7 +12,7 @@ from distributed.scheduler import KilledWorker
 from ..errors import UserError
 from ..system import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 from .blame import Blame
-from .pool import Arrival, ResultLost, Snapshot
+from .pool import ResultLost, Snapshot
 
 PER_THREAD, LEAST = 4, 8  # items in flight
 FEW_PER_THREAD = 2  # where each item is for some workers alone, so that others may still have it
@@ -125,24 +125,23 @@ class _Stream:
     def _take(self) -> list[tuple[Any, Any]]:
         """Return (item, result) of what has come, and note what to do instead of what failed."""
         done: list[tuple[Any, Any]] = []
-        for outcome in self.pool.take(POLL_SECONDS):
-            work = self.in_flight.pop(outcome.key)
-            if outcome.error:
-                self._fail(work, outcome)
+        for arrival in self.pool.take(POLL_SECONDS):
+            work = self.in_flight.pop(arrival.key)
+            if arrival.error:
+                self._fail(work, arrival.error, arrival.address)
             else:
-                self.blame.succeeded(outcome.address, work.failed)
-                done.append((work.item, outcome.value))
+                self.blame.succeeded(arrival.address, work.failed)
+                done.append((work.item, arrival.value))
         return done
 
-    def _fail(self, work: _Work, outcome: Arrival) -> None:
+    def _fail(self, work: _Work, error: Exception, address: str = "") -> None:
         """Note what to do instead of an item that failed, or whose worker died."""
-        error = outcome.error
         if isinstance(error, KilledWorker):
             work.deaths = max(work.deaths, error.allowed_failures) + 1
         elif not isinstance(error, ResultLost):
-            work.failed.append(outcome.address)
+            work.failed.append(address)
         given_up = work.deaths > DEATHS or self.blame.to_be_given_up(work.failed)
-        if error and (given_up or isinstance(error, UserError)):
+        if given_up or isinstance(error, UserError):
             instead = map(_Work, self.retry(work.item, error, self.isolated))
             (self.alone if isinstance(error, KilledWorker) else self.again).extend(instead)
         else:
@@ -182,8 +181,7 @@ class _Stream:
             if work.workers and snapshot.threads.keys().isdisjoint(work.workers):
                 self._drop([key])
                 last = cast(Any, SimpleNamespace(address=" or ".join(work.workers)))
-                died = KilledWorker(key, last, work.deaths)
-                self._fail(work, Arrival(key, error=died))
+                self._fail(work, KilledWorker(key, last, work.deaths))
         if self.asked >= self.stopped:
             fresh = self.in_flight.keys() - snapshot.begun
             self._drop([key for key in fresh if self.pool.pending(key)])

@@ -25,7 +25,7 @@ PRIVATE = (
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
     "trap 'rm -rf \"$DASK_TEMPORARY_DIRECTORY\"' EXIT",
 )
-ADAPT_SECONDS = "5s"  # between looks at whether jobs have to be replaced
+ADAPT_SECONDS = "5s"  # between looks at whether workers have to be replaced
 STAGGER = 0.1  # of the lifetime, so that workers do not all retire at once
 
 

@@ -54,7 +54,7 @@ class Pool:
         self._client, self._loop = client, cast(Any, client.loop).asyncio_loop
         self._function, self._name = partial(with_address, function=function), funcname(function)
         self._futures: dict[str, Future] = {}  # that are waited for
-        self._outcomes: SimpleQueue[Arrival] = SimpleQueue()
+        self._arrivals: SimpleQueue[Arrival] = SimpleQueue()
 
     def submit(self, items: Iterable[Any], workers: Collection[str] = ()) -> list[str]:
         """Give out items, to some workers alone if any are named; return their keys."""
@@ -70,10 +70,10 @@ class Pool:
         """Return what has come, as soon as something has, or nothing after so many seconds."""
         found = []
         with contextlib.suppress(Empty):
-            found.append(self._outcomes.get(timeout=seconds))
+            found.append(self._arrivals.get(timeout=seconds))
             while True:
-                found.append(self._outcomes.get_nowait())
-        return [outcome for outcome in found if self._futures.pop(outcome.key, None)]
+                found.append(self._arrivals.get_nowait())
+        return [arrival for arrival in found if self._futures.pop(arrival.key, None)]
 
     def drop(self, keys: Iterable[str]) -> None:
         """Wait for some items no more; what no worker has begun is not computed."""
@@ -105,13 +105,13 @@ class Pool:
 
     async def _fetch(self, future: Future) -> None:
         key = str(future.key)
-        outcome = Arrival(key, error=ResultLost())
+        arrival = Arrival(key, error=ResultLost())
         try:
-            outcome = Arrival(key, *await asyncio.wait_for(future, FETCH_SECONDS))
+            arrival = Arrival(key, *await asyncio.wait_for(future, FETCH_SECONDS))
         except FutureCancelledError:
-            outcome = Arrival(key, error=UserError(LOST))
+            arrival = Arrival(key, error=UserError(LOST))
         except Exception as error:
             if future.status == "error" or not isinstance(error, OSError):
-                outcome = Arrival(key, getattr(error, PLACE, ""), error=error)
+                arrival = Arrival(key, getattr(error, PLACE, ""), error=error)
         finally:
-            self._outcomes.put(outcome)
+            self._arrivals.put(arrival)

@@ -70,8 +70,10 @@ def open_workers(how: RunOptions, seconds: float, watch: Watch) -> Iterator[Work
         work = partial(cluster.run_batch, expected=own_versions(), work=how.work)
         through = partial(cluster.stream, blame=cluster.Blame())
 
-        def stream(function: Callable, *how: Any) -> Iterator[tuple[Any, Any]]:
-            return through(cluster.Pool(client, function), *how)
+        def stream(
+            function: Callable, items: Iterable[Any], *watch_and_retry: Any
+        ) -> Iterator[tuple[Any, Any]]:
+            return through(cluster.Pool(client, function), items, *watch_and_retry)
 
         yield Workers(stream, work)
 

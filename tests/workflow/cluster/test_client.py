@@ -150,7 +150,7 @@ def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
 
 @pytest.mark.exhaustive  # seven processes, one after the other
 def test_a_worker_that_is_killed_while_it_starts_again_is_replaced(monkeypatch):
-    monkeypatch.setattr(module, "AGAIN_SECONDS", "500ms")
+    monkeypatch.setattr(module, "ADAPT_SECONDS", "500ms")
     timeout = dask.config.set({"distributed.deploy.lost-worker-timeout": 1.0})
     with timeout, open_client(Cluster(), 1) as client:
         ((pid, *_),) = client.run(facts).values()

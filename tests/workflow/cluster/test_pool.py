@@ -13,7 +13,7 @@ from elastomer_friction.workflow.errors import UserError
 from tests.support.runs import PATIENCE
 
 
-def outcome(pool):
+def arrival(pool):
     """Return what comes next."""
     (found,) = pool.take(PATIENCE)
     return found
@@ -22,10 +22,10 @@ def outcome(pool):
 def test_results_and_errors_come_with_the_worker_that_they_come_from(client):
     pool = Pool(client, reciprocal)
     (key,) = pool.submit([4.0])
-    good = outcome(pool)
+    good = arrival(pool)
     assert (good.key, good.value, good.error) == (key, 0.25, None)
     pool.submit([0.0])
-    bad = outcome(pool)
+    bad = arrival(pool)
     assert isinstance(bad.error, ZeroDivisionError)
     assert {good.address, bad.address} <= {*client.nthreads()}
 
@@ -83,7 +83,7 @@ def test_a_result_that_does_not_come_is_lost(client, monkeypatch):
     monkeypatch.setattr(client, "_gather", never)
     pool = Pool(client, reciprocal)
     (key,) = pool.submit([4.0])
-    lost = outcome(pool)
+    lost = arrival(pool)
     assert (lost.key, lost.address) == (key, "")
     assert isinstance(lost.error, ResultLost)
 
