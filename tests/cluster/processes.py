@@ -39,7 +39,7 @@ def start(log: Path, *arguments: str, cwd: Path = ROOT, **environment: str) -> s
 def start_scheduler(log: Path, port: int) -> subprocess.Popen:
     """Start a scheduler that gives up workers as docs/cluster.md advises."""
     options = ("--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
-    ttl = {"DASK_DISTRIBUTED__SCHEDULER__WORKER_TTL": "30s"}
+    ttl = {"DASK_DISTRIBUTED__SCHEDULER__WORKER_TTL": "25s"}
     return start(log, "distributed.cli.dask_scheduler", *options, **ttl)
 
 

@@ -129,7 +129,7 @@ def test_a_scheduler_that_is_stopped_during_a_run_is_said_to_be_and_waited_for(
 
 
 def test_where_all_workers_are_stopped_others_take_their_place(folder, cluster, expected):
-    """Dask looks every 30 s of whom nothing was heard for 30 s, and starts it anew."""
+    """Dask looks every 25 s of whom nothing was heard for 25 s, and starts it anew."""
     trial = Trial(folder / "workers", "--scheduler", cluster.address)
     stopped = []
     try:

@@ -28,7 +28,7 @@ from .security import ENCRYPTED, no_pages, own_security, scheduler_options, secu
 CONNECT_SECONDS = 10
 MUTE_SECONDS = 30  # for a scheduler that takes connections and says nothing
 CLOSE_SECONDS = 2.0  # for a scheduler to say goodbye
-SILENT_WORKER = "30s"  # after which dask starts a worker anew; it looks so often
+SILENT_WORKER = "25s"  # after which dask starts a worker anew; it looks so often, and needs 5 s
 HERE = "127.0.0.1"
 
 
