@@ -43,7 +43,11 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     settings: dict[Setting, int] = {}
     which = np.stack([_settings(parts, points, settings) for parts in others], axis=-1)
     hurst = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
-    columns = hurst[..., None], points["elements"][..., None], *_numbers(study, others, points)
+    columns = (
+        hurst[..., None],
+        points["elements"][..., None],
+        *_numbers(study, label, others, points),
+    )
     rows = [np.broadcast_to(own, which.shape).ravel().tolist() for own in (*columns, which)]
     found: dict[tuple, int] = {}
     index = [found.setdefault(row, len(found)) for row in zip(*rows, strict=True)]
@@ -114,14 +118,14 @@ def _settings(parts: Parts, points: Points, found: dict[Setting, int]) -> np.nda
     return np.array(index)[inverse].reshape(points["elements"].shape)
 
 
-def _numbers(study: Study, others: list[Parts], points: Points) -> list[np.ndarray]:
+def _numbers(study: Study, label: str, others: list[Parts], points: Points) -> list[np.ndarray]:
     """Return load, speed and ratio at every point, without a programme; the last axis : others."""
-    modulus = np.array([parts.material.shear_modulus for parts in others])
+    modulus = np.array([parts.material.contact_modulus for parts in others])
     tau = np.array([parts.material.tau for parts in others])
     at = {axis: values[..., None] for axis, values in points.items()}
     with np.errstate(over="ignore", under="ignore", divide="ignore", invalid="ignore"):
-        whole = 4.0 * modulus * study.surface.length * at["roughness"]
-        load = at["normal_force"] / whole
+        whole = modulus * study.surface.length * at["roughness"]
+        load = study.force_share(label) * at["normal_force"] / whole
         speed = at["velocity"] * tau / at["dx"]
     if study.scene.control == "indentation":
         load = np.zeros_like(load)

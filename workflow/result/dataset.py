@@ -41,7 +41,10 @@ def build_dataset(
     if "time" in data:  # in single precision, half as large: in tau it is there to all digits
         seconds = (data["time"] * units["tau"]).transpose(*data["time"].dims)
         data["time_s"] = seconds.astype(np.float32)
-    coords: dict[str, object] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
+    coords: dict[str, Any] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
+    if plan.study.pressures:
+        coords["normal_force"] = plan.study.force_share(variant.label) * coords["normal_force"]
+        coords["normal_pressure"] = "normal_force", np.array(plan.study.pressures)
     coords |= _coordinates(plan, variant, {str(dim) for each in data.values() for dim in each.dims})
     said = provenance(plan.study, variant.numerics)
     if variant.lines.profile is not None:
@@ -94,8 +97,8 @@ def _units(plan: Plan, variant: Variant) -> Units:
     """Return the units that dimensionless values are multiplied by, in SI."""
     grid = plan.study.grid
     units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in AXES}
-    modulus = _over(plan, variant, "material", lambda solid: solid.shear_modulus)
-    units["stiffness"] = 4.0 * modulus * plan.study.surface.length  # 4 G L, N/m
+    modulus = _over(plan, variant, "material", lambda solid: solid.contact_modulus)
+    units["stiffness"] = modulus * plan.study.surface.length  # E* L, N/m
     units["tau"] = _over(plan, variant, "material", lambda solid: solid.tau)
     return units
 

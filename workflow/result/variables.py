@@ -50,6 +50,7 @@ class Variable(NamedTuple):
 
 
 AXIS_ATTRIBUTES = {row.name: (row.unit, row.long_name) for row in EVERY_AXIS.values()} | {
+    "normal_pressure": ("Pa", "nominal pressure that the normal force stands for"),
     "event": ("1", "sample of a trace; 0 is the start"),
     "bin": ("1", "lower edge of a bin of contact lengths, in spacings"),
     "law": ("1", "law of the state"),

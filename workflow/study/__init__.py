@@ -11,6 +11,8 @@ if TYPE_CHECKING:
     from .axes import AXES, EVERY_AXIS, Parts, axes_of
     from .cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
     from .effects import (
+        FOUNDATION,
+        HALF_SPACE,
         QUANTITIES,
         FromFile,
         HoldSegment,

@@ -17,7 +17,7 @@ from .numerics import Numerics
 from .settings import filled
 from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
-from .variants import check_accuracy, read_variants
+from .variants import check_accuracy, check_bodies, read_variants
 
 MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
 
@@ -53,6 +53,7 @@ class Study(AnyStudy):
     variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
     materials: dict[str, Material]  # of the same labels
     surfaces: dict[str, Surface]  # likewise; all of one length, spacing and roughness
+    pressures: tuple[float, ...] = ()  # Pa, nominal, where they are given in place of forces
     cluster: Cluster = HERE  # no part of the results' identity
 
     @property
@@ -77,6 +78,12 @@ class Study(AnyStudy):
         """
         own = Parts(self.materials[label], self.surfaces[label], self.scene)
         return parts_at(own, self.grid, axes)
+
+    def force_share(self, label: str) -> float:
+        """Return the normal force on a variant over that of the study: 1 unless pressures count."""
+        if not self.pressures:
+            return 1.0
+        return self.surfaces[label].pressed_area / self.surface.pressed_area
 
     @property
     def blocks(self) -> int:
@@ -118,6 +125,7 @@ def read_grid_study(
         else Surface(profile.measured_length, profile=profile)
     )
     variants, materials, surfaces = read_variants(given, folder, surface)
+    surface = surfaces[""]
     _check_each(given, several, folder, surface)
     scene = read_scene_table(given["scene"], folder, materials.values())
     parts = Parts(materials[""], surface, scene)
@@ -130,6 +138,7 @@ def read_grid_study(
         head |= _blocks(head["realizations"], head["realizations_per_block"], drawn)
     alone = single and not scene.holds
     check_quantities(scene, materials, alone)
+    check_bodies(scene, surfaces)
     check_accuracy(variants, materials, scene, surface)
     if one_point:
         _one_point(grid)
@@ -140,6 +149,7 @@ def read_grid_study(
         variants=variants,
         materials=materials,
         surfaces=surfaces,
+        pressures=given["grid"].get("normal_pressure", ()),
         cluster=cluster,
     )
 

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ....kernels import amplitudes, matching_rolloff
+from ..effects.body import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
 LINES = ("measured", "random-phase", "self-affine")
@@ -22,6 +23,17 @@ class Surface(NamedTuple):
     profile: Profile | None = None  # what was measured
     lines: str = "measured"  # with a profile: its lines, or random ones like them (LINES)
     hurst: float = 1.0  # of lines that are self-affine like the measured ones
+    body: str = FOUNDATION  # what is behind it
+
+    @property
+    def pressed_area(self) -> float:
+        """Return the area (m^2) that a nominal pressure acts on to make up the normal force.
+
+        A half-space is a square of side L. Of a line of elements each length lambda_r, the longest
+        wave of its roughness, stands for a square of that side, so that F_N = sigma_0 lambda_r L.
+        """
+        longest = self.length if self.body == HALF_SPACE else self.rolloff or self.length
+        return longest * self.length
 
     def modes(self, elements: int) -> tuple[float, int]:
         """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 where there is none.
