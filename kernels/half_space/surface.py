@@ -69,20 +69,10 @@ class Surface(NamedTuple):
         """
         flat = np.zeros_like(heights, float)
         cls.from_samples(np.asarray(heights, float), flat, 1)  # checks it
-        rows, columns = heights.shape
+        columns = heights.shape[1]
         if columns < LEAST_SAMPLES:
             raise ValueError(f"a map of {columns} samples along x: needs {LEAST_SAMPLES} or more")
-        # What the samples tell of a wave of two samples is shared by its two signs.
-        spectrum = np.fft.rfft2(heights) / heights.size
-        if columns % 2 == 0:
-            spectrum[:, -1] *= 0.5
-        half = rows // 2
-        modes = np.empty((2 * half + 1, columns // 2 + 1), complex)
-        modes[: half + 1] = spectrum[: half + 1]
-        modes[half + 1 :] = spectrum[rows - half :]
-        if rows % 2 == 0:
-            modes[half : half + 2] *= 0.5
-        fields = _sampled(modes, columns, steps_per_spacing)
+        fields = _sampled(_modes(heights), columns, steps_per_spacing)
         return cls.from_samples(*fields, steps_per_spacing, band_limited=True)
 
 
@@ -131,6 +121,32 @@ def rms_slope_of(amplitudes: np.ndarray, elements: int) -> float:
     most = amplitudes.shape[1] - 1
     q = 2.0 * np.pi / elements * np.hypot(*_numbers(amplitudes.shape[0], most))
     return float(np.sqrt(np.sum(_multiplicity(most) * (amplitudes * q) ** 2)))
+
+
+def map_amplitudes(heights: np.ndarray) -> np.ndarray:
+    """Return the amplitudes |h_q| of the modes of a periodic map, as of ring_amplitudes.
+
+    heights : shape (N, N), or (1, N) of a line contact; their mean does not count.
+    """
+    found = np.abs(_modes(heights))
+    found[0, 0] = 0.0
+    return found
+
+
+def _modes(heights: np.ndarray) -> np.ndarray:
+    """Return the modes of a periodic map, in the order of ring_amplitudes."""
+    rows, columns = heights.shape
+    # What the samples tell of a wave of two samples is shared by its two signs.
+    spectrum = np.fft.rfft2(heights) / heights.size
+    if columns % 2 == 0:
+        spectrum[:, -1] *= 0.5
+    half = rows // 2
+    modes = np.empty((2 * half + 1, columns // 2 + 1), complex)
+    modes[: half + 1] = spectrum[: half + 1]
+    modes[half + 1 :] = spectrum[rows - half :]
+    if rows % 2 == 0:
+        modes[half : half + 2] *= 0.5
+    return modes
 
 
 def _numbers(rows: int, most: int) -> tuple[np.ndarray, np.ndarray]:

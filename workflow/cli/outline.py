@@ -11,6 +11,7 @@ import numpy as np
 from ..plan import WHOLE, Pace, Plan, Prediction, Variant, make_plan, prediction, this_machine
 from ..simulate import programme_steps
 from ..study import (
+    HALF_SPACE,
     QUANTITIES,
     FromFile,
     HoldSegment,
@@ -231,10 +232,18 @@ def _rheology(each: list[Material]) -> str:
 
 def _surface(study: Study) -> Iterator[tuple[bool, str]]:
     surface = study.surface
+    behind = {label or "study": own.body for label, own in study.surfaces.items()}
+    if HALF_SPACE in behind.values():
+        which = ", ".join(f"{label}: {body}" for label, body in behind.items())
+        yield True, f"the surface as a map on a half-space ({which})"
+    else:
+        yield False, 'a half-space: scene.body is "foundation", a row of elements'
     if surface.profile is not None:
-        lines, samples = surface.profile.heights.shape
-        how = "as they are" if surface.lines == "measured" else f"{surface.lines} lines like them"
-        yield True, f"measured lines: {lines} of {samples} samples, {how}"
+        lines, *samples = surface.profile.heights.shape
+        what = "maps" if surface.body == HALF_SPACE else "lines"
+        how = "as they are" if surface.lines == "measured" else f"{surface.lines} {what} like them"
+        size = " x ".join(map(str, samples))
+        yield True, f"measured {what}: {lines} of {size} samples, {how}"
         return
     yield False, "measured lines: surface.file is not given; lines are random and self-affine"
     for name, value in (("rolloff", surface.rolloff), ("cutoff", surface.cutoff)):

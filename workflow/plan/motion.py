@@ -9,9 +9,11 @@ import numpy as np
 
 from ... import kernels
 from ...kernels import Programme, Quantities, Spectrum, rms_slope
+from ...kernels.half_space.surface import rms_slope_of
 from ..errors import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory
 from ..study import (
+    HALF_SPACE,
     FromFile,
     HoldSegment,
     Numerics,
@@ -123,9 +125,10 @@ def line_modes(surface: Surface, elements: int) -> LineShape:
     """Return what lines of so many elements are."""
     profile, own = surface.profile, surface.spectrum
     if profile is None or own is None:
-        return LineShape(*surface.modes(elements))
-    slope = rms_slope(own / profile.roughness, elements)
-    return LineShape(measured=surface.identity, slope=slope)
+        return LineShape(*surface.modes(elements), body=surface.body)
+    of_modes = rms_slope_of if surface.body == HALF_SPACE else rms_slope
+    slope = of_modes(own / profile.roughness, elements)
+    return LineShape(measured=surface.identity, slope=slope, body=surface.body)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:

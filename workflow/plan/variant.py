@@ -148,7 +148,7 @@ def variant_of(
     by_line = [sorted(one, key=lambda t: (*sharing(t), t.problem[:5])) for one in lines.values()]
     keys = [task.key for task in tasks]
     sizes = {samples_of(task) for task in tasks}
-    kind = kind_of(tasks[0].problem.spectrum, recording)
+    kind = kind_of(tasks[0].problem, recording)
     factors = np.array([pace.rate(kind, part).factor for part in PARTS])
     material = study.materials[label]
     events = 0
@@ -183,5 +183,5 @@ def sharing(task: Task) -> tuple[int, float]:
 
 
 def samples_of(task: Task) -> int:
-    """Return the number of samples of the lines of a task."""
-    return task.problem.elements * task.steps_per_spacing
+    """Return the number of samples of the lines, or maps, of a task."""
+    return int(task.problem.samples(task.steps_per_spacing))

@@ -7,17 +7,16 @@ import numpy as np
 from ...kernels import MOTION
 from ..plan import (
     FIRST_ORDER,
-    LAWS,
     Plan,
     Variant,
     first_order_rate_error,
-    known,
+    laws_of,
     line_slope,
     rate_error,
     speed_ratio,
 )
 from ..simulate import Task
-from ..study import Numerics, judged
+from ..study import HALF_SPACE, Numerics, judged
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
 
@@ -105,12 +104,13 @@ def resolution(
         bias = np.empty(len(tasks))
         for row, task in enumerate(tasks):
             problem, steps = task.problem, task.steps_per_spacing
-            if not known(problem):
+            laws = laws_of(problem)
+            if not laws:
                 bias[row] = np.nan
                 continue
-            if name != "relaxation_rate":
+            if name != "relaxation_rate" or problem.surface.body == HALF_SPACE:
                 worth = steps / FIRST_ORDER if first_order else steps
-                bias[row] = LAWS[name].error(problem, worth, numerics.refines)
+                bias[row] = laws[name].error(problem, worth, numerics.refines)
                 continue
             bias[row] = rate_error(problem, steps, samples[row], rates[row])
             if first_order:

@@ -10,7 +10,7 @@ from ...kernels import power_spectrum
 from ..plan import Plan, Variant
 from ..reduce import LAWS, Estimates
 from ..simulate import EDGES
-from ..study import AXES, axes_of
+from ..study import AXES, HALF_SPACE, axes_of
 from .provenance import provenance
 from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 
@@ -43,10 +43,12 @@ def build_dataset(
         data["time_s"] = seconds.astype(np.float32)
     coords: dict[str, Any] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
     if plan.study.pressures:
-        coords["normal_force"] = plan.study.force_share(variant.label) * coords["normal_force"]
         coords["normal_pressure"] = "normal_force", np.array(plan.study.pressures)
     coords |= _coordinates(plan, variant, {str(dim) for each in data.values() for dim in each.dims})
-    said = provenance(plan.study, variant.numerics)
+    said = provenance(plan.study, variant.numerics) | {"body": variant.lines.body}
+    share = plan.study.force_share(variant.label)
+    if share != 1.0:  # coordinates of a comparison are those of the study
+        said["normal_force_share"] = share
     if variant.lines.profile is not None:
         said |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
     dataset = xr.Dataset(data, coords, said)
@@ -87,7 +89,7 @@ def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataAr
 def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
     """Return the power spectrum of measured lines, or of random ones like them."""
     profile, own = variant.lines.profile, variant.lines.spectrum
-    if profile is None or own is None:
+    if profile is None or own is None or variant.lines.body == HALF_SPACE:
         return {}
     q, density = power_spectrum(own, profile.length)
     return {"power_spectrum": xr.DataArray(density, {"wave_number": q}, "wave_number")}

@@ -111,7 +111,7 @@ class _Run:
         """Load or compile what is needed, once for all processes of this machine."""
         if self.missing and self.how.cluster.where == LOCAL:  # others compile for themselves
             for variant in self.plan.variants:
-                load_kernels(variant.numerics.scheme, self.plan.asked)
+                load_kernels(variant.lines.body, variant.numerics.scheme, self.plan.asked)
 
     def finish(self, workers: Workers) -> None:
         """Compute, collect and write; the status says how it ended, whatever happens."""

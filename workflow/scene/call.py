@@ -15,7 +15,16 @@ from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
 from ..reduce import Estimates, blocks_of, completed, reduce_blocks
 from ..result import build_dataset
 from ..simulate import block_means
-from ..study import FOUNDATION, Profile, Study, given_profile, positive, read_grid_study
+from ..study import (
+    FOUNDATION,
+    HALF_SPACE,
+    Profile,
+    Study,
+    given_map,
+    given_profile,
+    positive,
+    read_grid_study,
+)
 
 NAME = "scene"
 OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study has in [grid]
@@ -78,7 +87,8 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
         return None
     if length is None:
         raise UserError("length: missing; it is that of the profile, one period, in m")
-    return given_profile(profile, positive("length", toml_value(length)))
+    given = given_map if arguments["body"] == HALF_SPACE else given_profile
+    return given(profile, positive("length", toml_value(length)))
 
 
 def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]:
@@ -209,7 +219,8 @@ def run(
     """Take a rigid line through a programme of motion over an elastomer; all in SI units.
 
     profile : heights in m, shape (n,) or (lines, n): one period as it is given, one element per
-        sample, one step per sample. length : of that period, m.
+        sample, one step per sample. On a half-space a map (n, n), the last axis along x, or (n,)
+        of a line contact. length : of that period, m.
     surface : in place of a profile, random lines: the keys of the table [surface], and hurst,
         roughness and spacing as in [grid].
     material : the keys of [material]. numerics : those of [numerics].

@@ -44,7 +44,7 @@ if TYPE_CHECKING:
         values_of,
     )
     from .study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
-    from .surfaces import Profile, Surface, check_load, given_profile
+    from .surfaces import Profile, Surface, check_load, given_map, given_profile
     from .tables import EVERY_TABLE
     from .variants import COMPARE
 

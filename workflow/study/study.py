@@ -11,7 +11,7 @@ from ...kernels import QUARTET
 from ..errors import UserError
 from .axes import EVERY_AXIS, Grid, Parts, parts_at, separated, with_value
 from .cluster import HERE, Cluster, read_cluster
-from .effects import Material, Scene, check_quantities, read_scene_table
+from .effects import FOUNDATION, Material, Scene, check_quantities, read_scene_table
 from .grid import read_grid
 from .numerics import Numerics
 from .settings import filled
@@ -134,7 +134,7 @@ def read_grid_study(
     head["realizations_asked"] = head["realizations"]
     single = one_point and head["realizations"] == 1
     if not single:
-        drawn = not any(surface.profile for surface in surfaces.values())
+        drawn = any(own.profile is None and own.body == FOUNDATION for own in surfaces.values())
         head |= _blocks(head["realizations"], head["realizations_per_block"], drawn)
     alone = single and not scene.holds
     check_quantities(scene, materials, alone)
@@ -188,7 +188,8 @@ def _realizations(given: int | None, surfaces: dict[str, Surface]) -> int:
 def _blocks(realizations: int, block: int, drawn: bool) -> dict[str, int]:
     """Return the counts of realizations, in all and per block. Raises UserError.
 
-    drawn : whether lines are drawn: then both are rounded up, and quartets lie in one block.
+    drawn : whether lines are drawn: then both are rounded up, and quartets lie in one block. Maps
+    come one by one.
     """
     given = f"study.realizations_per_block = {block}"
     if realizations % block or realizations // block < 2:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from .body import BODY, FOUNDATION, HALF_SPACE
+    from .body_key import BODY, FOUNDATION, HALF_SPACE
     from .material import MATERIAL, WLF, Material, read_material
     from .programme import (
         FromFile,

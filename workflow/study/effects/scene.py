@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from ...errors import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer
-from .body import BODY
+from .body_key import BODY
 from .material import Material
 from .programme import (
     HoldSegment,

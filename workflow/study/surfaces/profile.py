@@ -25,7 +25,7 @@ class Profile(NamedTuple):
     @property
     def spacing(self) -> float:
         """Return the distance of samples, and of elements (m)."""
-        return self.length / self.heights.shape[1]
+        return self.length / self.heights.shape[-1]
 
     @property
     def amplitudes(self) -> np.ndarray:
@@ -55,7 +55,7 @@ def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
     if found := spikes(levelled):
         notes += f"; {found} samples stand out as spikes, kept"
     profile = _profile(make_periodic(levelled, periodic), length, copies, notes)
-    _check_slope(what, "check surface.units", profile)
+    check_slope(what, "check surface.units", profile)
     return profile
 
 
@@ -83,7 +83,7 @@ def given_profile(heights: object, length: float) -> Profile:
     check_not_flat("profile", lines, lines)
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
     profile = _profile(lines, length, 1, notes)
-    _check_slope("profile", "give heights and length both in m", profile)
+    check_slope("profile", "give heights and length both in m", profile)
     return profile
 
 
@@ -101,7 +101,8 @@ def check_load(key: str, profile: Profile, load: np.ndarray) -> None:
         )
 
 
-def _check_slope(what: str, hint: str, profile: Profile) -> None:
+def check_slope(what: str, hint: str, profile: Profile) -> None:
+    """Raise UserError for a slope that no surface in one unit has."""
     if not SLOPES[0] <= profile.slope <= SLOPES[1]:
         raise UserError(
             f"{what}: the rms slope of the heights is {profile.slope:.3g}, but must lie between "

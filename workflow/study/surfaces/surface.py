@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ....kernels import amplitudes, matching_rolloff
-from ..effects.body import FOUNDATION, HALF_SPACE
+from ..effects.body_key import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
 LINES = ("measured", "random-phase", "self-affine")
@@ -24,6 +24,17 @@ class Surface(NamedTuple):
     lines: str = "measured"  # with a profile: its lines, or random ones like them (LINES)
     hurst: float = 1.0  # of lines that are self-affine like the measured ones
     body: str = FOUNDATION  # what is behind it
+
+    @property
+    def copies(self) -> float:
+        """Return how much longer than the measured one the period of a half-space's map is.
+
+        Mirrored both ways it carries four times the force on twice the length, so that F_N/L
+        doubles. On a line both double.
+        """
+        if self.profile is None or self.body == FOUNDATION:
+            return 1.0
+        return self.profile.length / self.profile.measured_length
 
     @property
     def pressed_area(self) -> float:
@@ -56,7 +67,7 @@ class Surface(NamedTuple):
             return None
         if self.lines == "random-phase":
             return profile.amplitudes
-        elements = profile.heights.shape[1]
+        elements = profile.heights.shape[-1]
         slope = profile.slope * profile.spacing / profile.roughness
         return profile.roughness * _like(self.hurst, elements, slope)
 
