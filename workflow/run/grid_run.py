@@ -122,6 +122,7 @@ class _Run:
             if datasets:
                 with self.summary.filing():
                     self.patience(partial(results.write_datasets, self.result, datasets))
+                    self.store.enter_result(self.result)
                 self.summary.written = True
                 self.summary.say_accuracy(self.plan, self.result)
             state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"

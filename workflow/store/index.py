@@ -27,6 +27,7 @@ class Index:
         self.rows: dict[str, list[tuple[str, int]]] = {}  # key -> parts it is in, row in each
         self.makers: dict[str, Maker] = {}  # by checksum
         self.made: dict[str, list[str]] = {}  # name of each shard -> its makers
+        self.results: dict[str, str] = {}  # digest of each result that a run wrote -> file name
         # (part, block) -> shard, position of row 0 there, positions from a row to the next
         self.found: dict[tuple[str, int], tuple[str, int, int]] = {}
 
@@ -91,6 +92,8 @@ class Index:
             self.failed[entry["failed"]] = entry["why"]
         elif "retry" in entry:
             self.failed.pop(entry["retry"], None)
+        elif "result" in entry:
+            self.results[entry["digest"]] = entry["result"]
         elif "dropped" in entry:
             self.sizes.pop(entry["dropped"], None)
             self.made.pop(entry["dropped"], None)

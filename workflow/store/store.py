@@ -18,7 +18,15 @@ import numpy as np
 
 from ..errors import UserError
 from ..simulate import SCALARS, Record
-from ..system import Maker, Patience, clear_leftovers, read_whole, sizes_in, write_durably
+from ..system import (
+    Maker,
+    Patience,
+    clear_leftovers,
+    digest_of,
+    read_whole,
+    sizes_in,
+    write_durably,
+)
 from . import journal, shard
 from .index import indexed
 from .journal import Entry
@@ -29,6 +37,18 @@ CACHED_SHARDS = 4
 def store_folder(result: Path) -> Path:
     """Return the folder of finished batches beside a result file; studies share it."""
     return result.parent / "store"
+
+
+def is_edited(result: Path) -> bool:
+    """Return whether the store beside a result tells of a file of this name, but not as it is.
+
+    Nothing is known of a result without a store, or beside one that cannot be read.
+    """
+    with contextlib.suppress(UserError):
+        entries = journal.entries(store_folder(result))
+        written = {entry["digest"] for entry, _ in entries if entry.get("result") == result.name}
+        return bool(written) and digest_of(result) not in written
+    return False
 
 
 class DamagedShard(Exception):
@@ -89,6 +109,16 @@ class Store:
         """Note durably that a run of a study begins, and with what it will compute."""
         process = {"pid": os.getpid(), "host": socket.gethostname()}
         self._write([{"run": study, **process, "versions": versions, "processor": processor}])
+
+    def enter_result(self, result: Path) -> None:
+        """Note durably that a run has written a result file, as it is now."""
+        self._write([{"result": result.name, "digest": digest_of(result)}])
+
+    def wrote(self, result: Path) -> bool:
+        """Return whether a result file is as a run has written it."""
+        with contextlib.suppress(UserError):
+            return digest_of(result) in self.index.results
+        return False
 
     def record_failure(self, key: str, why: str) -> None:
         """Note durably that a task failed for good."""
