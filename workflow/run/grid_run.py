@@ -31,8 +31,6 @@ from ..system import (
     check_place,
     clear_leftovers,
     hold,
-    package_versions,
-    processor,
     saying_what_compiles,
 )
 from .collect import Collector, Rounds
@@ -85,7 +83,7 @@ class _Run:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
         self.watch = Watch(self._stops, how.cluster.patience)
         name = study_digest(plan.study)
-        store.begin(name, package_versions(), processor())
+        store.begin(name)
         self.missing = missing_work(plan, self.failures)
         done, left = self._extent(self.missing)
         self.summary = Summary(reused=done, predicted=left)

@@ -61,7 +61,7 @@ class Index:
         size: int,
         batches: list[StoredBatch],
         makers: list[Maker],
-        times: dict[str, float],
+        predicted: float,
     ) -> list[Entry]:
         """Return what the journal is to say of a shard, after what it is the first to have."""
         first: dict[str, Entry] = {}
@@ -77,8 +77,8 @@ class Index:
                 first[part] = {"part": part, "keys": keys}
             table.append([part, batch.first_block, batch.blocks])
             count += len(batch.keys) * batch.blocks
-        shard = {"shard": name, "bytes": size, "records": count, "chunks": table, "by": by, **times}
-        return [*first.values(), shard]
+        shard = {"shard": name, "bytes": size, "records": count, "predicted": predicted}
+        return [*first.values(), shard | {"chunks": table, "by": by}]
 
     def replay(self, entry: Entry) -> None:
         """Take one entry of the journal into the index."""

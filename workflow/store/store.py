@@ -7,8 +7,6 @@ folder's lock; any number may read. Every read compares keys in the shard with t
 """
 
 import contextlib
-import os
-import socket
 import sys
 from functools import lru_cache, partial
 from pathlib import Path
@@ -98,17 +96,14 @@ class Store:
         content = shard.encode(finished)
         name = shard.digest(content)
         self.patience(partial(write_durably, self._path(name), content))
-        used = sum(result.seconds for _, result in finished)
-        predicted = sum(batch.seconds for batch, _ in finished)
-        times = {"used": round(used, 3), "predicted": round(predicted, 3)}
+        predicted = round(sum(batch.seconds for batch, _ in finished), 3)
         makers = sorted({result.maker for _, result in finished})
         batches = [shard.stored_batch(batch) for batch, _ in finished]
-        self.enter(name, len(content), batches, makers, times)
+        self.enter(name, len(content), batches, makers, predicted)
 
-    def begin(self, study: str, versions: str, processor: str) -> None:
-        """Note durably that a run of a study begins, and with what it will compute."""
-        process = {"pid": os.getpid(), "host": socket.gethostname()}
-        self._write([{"run": study, **process, "versions": versions, "processor": processor}])
+    def begin(self, what: str) -> None:
+        """Note durably that a run begins: shards from here on may belong to another study."""
+        self._write([{"run": what}])
 
     def enter_result(self, result: Path) -> None:
         """Note durably that a run has written a result file, as it is now."""
@@ -201,10 +196,10 @@ class Store:
         size: int,
         batches: list[shard.StoredBatch],
         makers: list[Maker],
-        times: dict | None = None,
+        predicted: float = 0.0,
     ) -> None:
-        """Enter a durable shard into the journal."""
-        self._write(self.index.entries_of(name, size, batches, makers, times or {}))
+        """Enter a durable shard, of batches of so many predicted seconds, into the journal."""
+        self._write(self.index.entries_of(name, size, batches, makers, predicted))
 
     def _write(self, entries: list[Entry]) -> None:
         self.patience(partial(journal.append, self.folder, entries))
