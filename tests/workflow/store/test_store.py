@@ -92,7 +92,8 @@ def test_numbers_that_netcdf_takes_for_missing_ones_come_back_bit_for_bit(tmp_pa
     assert type(store.read(records(WORK[0]), 1)[0]) is np.ndarray
 
 
-ENTRIES = [{"part": "ab", "keys": "00" * 16}, {"shard": "x\n", "bytes": 17}, {"dropped": "ü"}]
+SHARD = {"shard": "x\n", "bytes": 17, "records": 0, "chunks": []}
+ENTRIES = [{"part": "ab", "keys": "00" * 16}, SHARD, {"dropped": "ü"}]
 
 
 @pytest.fixture
