@@ -31,8 +31,6 @@ from ..system import (
     check_place,
     clear_leftovers,
     hold,
-    package_versions,
-    processor,
     saying_what_compiles,
 )
 from .collect import Collector, Rounds
@@ -85,7 +83,7 @@ class _Run:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
         self.watch = Watch(self._stops, how.cluster.patience)
         name = study_digest(plan.study)
-        store.begin(name, package_versions(), processor())
+        store.begin(name)
         self.missing = missing_work(plan, self.failures)
         done, left = self._extent(self.missing)
         self.summary = Summary(reused=done, predicted=left)
@@ -122,6 +120,7 @@ class _Run:
             if datasets:
                 with self.summary.filing():
                     self.patience(partial(results.write_datasets, self.result, datasets))
+                    self.store.enter_result(self.result)
                 self.summary.written = True
                 self.summary.say_accuracy(self.plan, self.result)
             state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"

@@ -54,7 +54,7 @@ class Status:
                 self.left = max(0.0, left) if self.done < self.total else 0.0
             elif "failed" in entry:
                 self.failed += 1
-            elif not entry.keys() & {"part", "maker", "format"}:  # another run, a damaged shard
+            elif entry.keys() & {"run", "retry", "dropped"}:  # another run, a damaged shard
                 return False
         return True
 

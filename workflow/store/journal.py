@@ -19,11 +19,27 @@ FORMAT = "elastomer-friction journal 2"
 
 Entry = dict[str, Any]
 
+TOLD: dict[str, dict[str, type]] = {  # kind of entry -> what is asked of it beside its name
+    "format": {},
+    "run": {},
+    "part": {"keys": str},
+    "maker": {"versions": str, "processor": str},
+    "shard": {"bytes": int, "records": int, "chunks": list},
+    "failed": {"why": str},
+    "retry": {},
+    "result": {"digest": str},
+    "dropped": {},
+}
+
 
 def encoded(entries: list[Entry]) -> bytes:
-    """Return entries as lines of the journal: checksum, blank, JSON."""
-    texts = [json.dumps(entry, separators=(",", ":")).encode() for entry in entries]
-    return b"".join(b"%08x %s\n" % (zlib.crc32(text), text) for text in texts)
+    """Return entries as lines of the journal, in JSON."""
+    return b"".join(line(json.dumps(each, separators=(",", ":")).encode()) for each in entries)
+
+
+def line(text: bytes) -> bytes:
+    """Return a line of the journal: the checksum of a text, a blank, the text."""
+    return b"%08x %s\n" % (zlib.crc32(text), text)
 
 
 def append(folder: Path, entries: list[Entry]) -> None:
@@ -36,8 +52,17 @@ def entry_in(line: bytes) -> Entry | None:
     checksum, _, text = line.rstrip(b"\n").partition(b" ")
     if not line.endswith(b"\n") or checksum != b"%08x" % zlib.crc32(text):
         return None
-    entry = json.loads(text)
-    return entry if isinstance(entry, dict) else None
+    try:
+        entry = json.loads(text)
+    except (ValueError, RecursionError):
+        return None
+    return entry if isinstance(entry, dict) and _is_sound(entry) else None
+
+
+def _is_sound(entry: Entry) -> bool:
+    """Return whether an entry tells what is asked of its kind, in the right types."""
+    asked = [{kind: str, **more} for kind, more in TOLD.items() if kind in entry]
+    return all(isinstance(entry.get(name), of) for each in asked for name, of in each.items())
 
 
 def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:

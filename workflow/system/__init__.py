@@ -13,6 +13,7 @@ if TYPE_CHECKING:
         append_durably,
         check_place,
         clear_leftovers,
+        digest_of,
         make_folder,
         read_whole,
         refused,

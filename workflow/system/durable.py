@@ -2,6 +2,7 @@
 
 import contextlib
 import errno
+import hashlib
 import os
 from collections.abc import Iterator
 from pathlib import Path
@@ -75,6 +76,12 @@ def read_whole(path: Path) -> bytes:
     """Return the content of a file. Raises UserError where the disk refuses it, or has none."""
     with refused(path, "cannot be read:"):
         return path.read_bytes()
+
+
+def digest_of(path: Path) -> str:
+    """Return the checksum (hexadecimal) of a file. Raises UserError as ``read_whole``."""
+    with refused(path, "cannot be read:"), path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()[:32]
 
 
 def sizes_in(folder: Path) -> dict[str, int]:
