@@ -28,7 +28,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
-from .cells import UnevenRowError, Cells, cells_of, is_comment
+from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
 from .titles import Title, remarks_of, titles_of
 from .units import Unit, unit_of
