@@ -109,6 +109,7 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
         f"variants    {', '.join(v.label or 'study' for v in plan.variants)}",
         *_realizations(plan),
     ]
+    lines += read_lines_of(study)
     lines += effect_lines(study)
     for variant in plan.variants:
         lines += march_lines(variant)
@@ -120,6 +121,12 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
         f"longest line {plan.longest_line()} samples",
     ]
+
+
+def read_lines_of(study: Study) -> list[str]:
+    """Return what was read of files of lines, a line for each kind of lines made of them."""
+    told = dict.fromkeys(surface.told for surface in study.surfaces.values())
+    return [f"lines       {each}" for each in told if each]
 
 
 def march_lines(variant: Variant) -> list[str]:

@@ -20,7 +20,7 @@ STUDY = ("axes", "cluster", "grid", "numerics", "read", "study", "tables", "vari
 SETTINGS = ("checks", "key", "rows_of_numbers")
 EFFECTS = ("material", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "tests" / "refusals.md"
-SURFACES = ("files", "profile", "table")
+SURFACES = ("as_read", "files", "gaps", "positions", "profile", "table", "text_lines")
 ROOMS = {
     "study": STUDY,
     "study/settings": SETTINGS,
@@ -36,7 +36,7 @@ CHECKED = (
 ELSEWHERE = {"find_study", "_one_point", "_realizations"}
 # Of arrays and netCDF, of profiles from Python, and where a package is not installed
 # (tests/workflow/study/surfaces); their words are among the other refusals.
-ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography", "_check_finite"}
+ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography"}
 ELSEWHERE |= {"given_profile", "check_load", "read_scene"}
 # Of files for prony and fit (settings/test_columns.py, tests/workflow/laboratory/test_record.py).
 ELSEWHERE |= {"named_unit"}
