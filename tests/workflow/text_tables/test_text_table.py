@@ -1,0 +1,218 @@
+"""Text tables of instruments and people: rows, titles, units, and which column is what."""
+
+import math
+
+import numpy as np
+import pytest
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.text_tables import (
+    Wanted,
+    decoded,
+    picked,
+    picked_by_name,
+    read_text_table,
+    table_of_text,
+    told,
+)
+
+RNG = np.random.default_rng(7)
+
+
+def table(text):
+    return table_of_text("key", "f.txt", decoded(text.encode()))
+
+
+def columns(text):
+    found = table(text)
+    return [found.values(n).tolist() for n in found.numeric]
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "0.5,1.5\n2,-3e-1\n",
+        "0.5 1.5\n\n2 -3e-1",
+        "0.5\t1.5\r\n2\t-0.3\r\n",
+        "0,5;1,5\n2;-0,3\n",
+        "0,5\t1,5\n2\t-0,3\n",
+        "0,5 1,5\n2 -0,3\n",
+        "0.5 1.5\n2 \u22120.3\n",
+        '"0,5","1,5"\n"2","-0,3"\n',
+        "# a comment\n0.5, 1.5,,\n% another\n  // and one\n2.0,-0.3,,\n! the last\n",
+        "Scan\r\r\nID,0\r\r\n\r\r\nx,z\r\r\n0.5,1.5,,\r\n2,-0.3,,\r\n",
+        "\ufeff0.5,1.5\n2,-0.3\n",
+        "# all in SI\ntime, velocity\n0.5, 1.5  # here\n2, -0.3\n",
+        "point\tone\ntwo words\t0.5\t1.5\nand two\t2\t-0.3\n",
+        "0.5 1.5\n2 -0.3\nend of file\n",
+    ],
+)
+def test_rows_however_they_are_written(text):
+    assert columns(text) == [[0.5, 2.0], [1.5, -0.3]]
+
+
+def test_one_column_with_decimal_commas():
+    assert columns("0,05\n1,5\n") == [[0.05, 1.5]]
+    assert columns("0,5\n1,5\n") == [[0.0, 1.0], [5.0, 5.0]]  # nothing shows that it is one
+
+
+@pytest.mark.parametrize("cell", ["", "nan", "N/A", "--", "#N/A", "inf"])
+def test_missing_values_are_nan(cell):
+    first, second = columns(f"x,z\n0,1\n1,{cell}\n2,3\n")
+    assert first == [0.0, 1.0, 2.0]
+    assert math.isnan(second[1])
+
+
+@pytest.mark.parametrize("text", ["0 1\n2 3\n4", "0 1\n2 3\n4 5 6"])
+def test_a_row_of_another_length_is_named(text):
+    with pytest.raises(UserError, match=r"^key: line 3 of 'f\.txt' reads '4.*must hold 2 entries"):
+        table(text)
+
+
+def test_a_word_is_refused_in_a_column_that_is_read():
+    found = table("0 1 5\n2 x 6\n3 1 7")
+    assert found.values(2).tolist() == [5.0, 6.0, 7.0]
+    with pytest.raises(UserError, match=r"line 2 of 'f\.txt' reads '2 x 6': .* in column 1"):
+        found.values(1)
+
+
+@pytest.mark.parametrize(
+    ("text", "units"),
+    [
+        ("Lateral um,Raw Micrometer,\n0,1\n1,2\n", ["um", "Micrometer"]),
+        ("# x [um] z [nm]\n0 1\n1 2\n", ["um", "nm"]),
+        ("x,z\num,nm\n0,1\n1,2\n", ["um", "nm"]),
+        ("units: um, nm\n0 1\n1 2\n", ["um", "nm"]),
+        ("x (mm),height\n0,1\n1,2\n", ["mm", ""]),
+        ("x / mm; z / µm\n0;1\n1;2\n", ["mm", "µm"]),
+        ("x in mm, z in µm\n0,1\n1,2\n", ["mm", "µm"]),
+        ("x_mm,z_um\n0,1\n1,2\n", ["mm", "um"]),
+        ("time_s velocity_mm_s\n0 1\n1 2\n", ["s", "mm/s"]),
+        ("t / s\tv / mm·s⁻¹\n0\t1\n1\t2\n", ["s", "mm·s⁻¹"]),
+        ("Lateral position [um] Raw height [nm]\n0 1\n1 2\n", ["um", "nm"]),
+        ("position/mm;height_um\n0;1\n1;2\n", ["mm", "um"]),
+        ("E(t) [Pa],t [s]\n0,1\n1,2\n", ["Pa", "s"]),
+    ],
+)
+def test_units_of_columns(text, units):
+    assert [title.unit for title in table(text).titles] == units
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "Cutoff 0.8 mm, stylus 2 µm",
+        "Start 02:10 PM, end 02:12 PM",
+        "far, um, nm\n\n1\n2\n3\n4",
+        "T = 25 K; L = 3 mm",
+        "",
+    ],
+)
+def test_units_of_other_things_are_not_those_of_columns(header):
+    assert not any(title.unit for title in table(f"{header}\n0 1\n1 2\n2 3\n").titles)
+
+
+def test_remarks_blocks_and_what_is_passed_over():
+    rows = "1 2\n2 3\n3 4\n"
+    found = table(f"pitch = 0.5 um\n# Width: 96 µm\n\n{rows}\nT = 40 °C\n{rows}")
+    assert found.remarks == {"pitch": "0.5 um", "width": "96 µm"}
+    assert [(block.start, block.stop) for block in found.blocks] == [(0, 3), (3, 6)]
+    assert found.block_header(1) == ("", "T = 40 °C")
+    assert found.passed_over == ("T = 40 °C",)
+    assert len(table("1 2\n\n2 3\n\n3 4\n\n4 5\n").blocks) == 1  # every other line is empty
+
+
+OMEGA = Wanted("a frequency", "frequency", r"freq|omega|^f$", "rad/s", "--frequency")
+STORAGE = Wanted("a storage modulus", "pressure", r"stor|^[GE]'$", "Pa", "--modulus")
+LOSS = Wanted("a loss modulus", "pressure", r"loss|^[GE]''$", "Pa", "--modulus")
+MODULI = (OMEGA, STORAGE, LOSS)
+
+
+@pytest.mark.parametrize(
+    ("text", "numbers", "factor"),
+    [
+        ("1 2 3\n2 3 4\n", [0, 1, 2], 1.0),
+        ("a b c\n1 2 3\n2 3 4\n", [0, 1, 2], 1.0),
+        ("freq_hz,G_storage_MPa,G_loss_MPa\n1,2,3\n2,3,4\n", [0, 1, 2], 1e6),
+        ("G' (kPa),G'' (kPa),f (Hz)\n1,2,3\n2,3,4\n", [2, 0, 1], 1e3),
+        ("#;T;f;G'';G'\n-;°C;Hz;Pa;kPa\n1;2;3;4;5\n2;3;4;5;6\n", [2, 4, 3], 1e3),
+        ("A (MPa),B (MPa),C (kHz)\n1,2,3\n2,3,4\n", [2, 0, 1], 1e6),
+    ],
+)
+def test_columns_by_names_by_units_and_by_their_order(text, numbers, factor):
+    found = picked(table(text), MODULI)
+    assert [one.number for one in found] == numbers
+    np.testing.assert_allclose(found[1].values, table(text).values(numbers[1]) * factor)
+
+
+def test_columns_and_units_that_are_given():
+    text = "A (Hz),B (Pa),C (Pa),D (Pa)\n1,2,3,4\n2,3,4,5\n"
+    wanted = (OMEGA, STORAGE._replace(unit="kPa"), LOSS)
+    found = picked(table(text), wanted, (0, 3, 1))
+    assert [one.whose for one in found] == ["of the file", "given", "of the file"]
+    np.testing.assert_allclose(found[0].values, [2.0 * math.pi, 4.0 * math.pi])
+    np.testing.assert_allclose(found[1].values, [4e3, 5e3])
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("1 2 3 4\n2 3 4 5\n", "not clear which holds a frequency and a storage .*give --columns"),
+        (
+            "f [Hz],G' [V],G'' [V]\n1,2,3\n2,3,4\n",
+            "'V' of a storage modulus is not known; give --m",
+        ),
+        ("t [s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "in 's', which is no unit of a frequency"),
+        ("f [1/s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "'1/s' may be Hz or rad/s; give --frequency"),
+        ("freq,omega,G',G''\n1,2,3,4\n2,3,4,5\n", "not clear"),
+    ],
+)
+def test_what_the_file_does_not_say_is_refused(text, words):
+    with pytest.raises(UserError, match=rf"^key.*{words}"):
+        picked(table(text), MODULI)
+
+
+def test_columns_that_are_not_there():
+    with pytest.raises(UserError, match=r"--columns asks for column 7 of 'f\.txt': it holds 3 col"):
+        picked(table("1 2 3\n2 3 4\n"), MODULI, (0, 1, 7))
+
+
+def test_a_column_that_may_be_missing():
+    phase = Wanted("tan delta", "number", "tan", "1")
+    assert picked_by_name(table("f,G'\n1,2\n2,3\n"), phase) is None
+    found = picked_by_name(table("f,G',tan delta (-)\n1,2,0.5\n2,3,0.6\n"), phase)
+    assert found is not None
+    assert found.values.tolist() == [0.5, 0.6]
+
+
+def test_what_was_read_is_one_line():
+    found = table("f (Hz),G' (MPa),G''\n1,2,3\n2,nan,4\n")
+    assert told(found, picked(found, MODULI)) == (
+        "f.txt: 2 rows; column 0 f as a frequency in Hz, column 1 G' as a storage modulus in MPa, "
+        "column 2 G'' as a loss modulus in Pa (assumed); 1 values missing"
+    )
+
+
+@pytest.mark.parametrize(
+    ("data", "words"),
+    [
+        (b"PK\x03\x04 no more", "is a zip archive: unpack it and name one file"),
+        (b"\x89HDF\r\n\x1a\n no more", "it is no text"),
+        (b"words alone", "holds no row of numbers"),
+        (b"\xff\xfe\x00", "holds no row of numbers"),
+        (None, "cannot be read: No such file"),
+    ],
+)
+def test_files_that_are_no_table(tmp_path, data, words):
+    path = tmp_path / "f.txt"
+    if data is not None:
+        path.write_bytes(data)
+    with pytest.raises(UserError, match=rf"^key = '.*f\.txt': .*{words}"):
+        read_text_table("key", path)
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16"])
+def test_the_micro_sign_in_any_encoding(tmp_path, encoding):
+    path = tmp_path / "f.txt"
+    path.write_bytes("x (µm),z (µm)\n0,1\n1,2\n".encode(encoding))
+    assert [title.unit for title in read_text_table("key", path).titles] == ["µm", "µm"]

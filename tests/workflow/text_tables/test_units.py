@@ -1,0 +1,52 @@
+"""Units as people write them, and words that are none."""
+
+import math
+
+import numpy as np
+import pytest
+
+from elastomer_friction.workflow.text_tables import unit_of
+
+
+@pytest.mark.parametrize(
+    ("written", "family", "factor"),
+    [
+        *((unit, "length", 1e-6) for unit in ("um", "µm", "μm", "UM", "micrometres", "Microns")),
+        *((unit, "length", 0.0254) for unit in ("in", "inch", "Inches")),
+        *((unit, "length", 2.54e-5) for unit in ("mil", "mils", "thou")),
+        *((unit, "length", 1e-10) for unit in ("\u00c5", "\u212b", "Angstrom")),
+        *((unit, "velocity", 1e-3) for unit in ("mm/s", "mm·s⁻¹", "mm s^-1", "MM/S", "mm per sec")),
+        *((unit, "velocity", 1e-3 / 60.0) for unit in ("mm/min", "mm min-1")),
+        ("microns/s", "velocity", 1e-6),
+        ("km/h", "velocity", 1.0 / 3.6),
+        ("kHz", "frequency", 2e3 * math.pi),
+        ("HZ", "frequency", 2.0 * math.pi),
+        ("rad/s", "frequency", 1.0),
+        ("rad s⁻¹", "frequency", 1.0),
+        ("1/s", "rate", 1.0),
+        *((unit, "pressure", 1e6) for unit in ("MPa", "MPA", "N/mm2", "N/mm²", "N mm^-2", "MN/m2")),
+        ("mPa", "pressure", 1e-3),
+        ("dyn/cm2", "pressure", 0.1),
+        ("psi", "pressure", 6894.757),
+        ("ms", "time", 1e-3),
+        ("%", "number", 0.01),
+        ("-", "number", 1.0),
+        ("[ mN ]", "force", 1e-3),
+    ],
+)
+def test_units(written, family, factor):
+    unit = unit_of(written)
+    assert unit is not None
+    assert (unit.family, unit.factor) == (family, pytest.approx(factor))
+
+
+@pytest.mark.parametrize(("written", "kelvin"), [("°C", 293.15), ("degF", 266.483), ("K", 20.0)])
+def test_temperatures_have_an_origin(written, kelvin):
+    unit = unit_of(written)
+    assert unit is not None
+    np.testing.assert_allclose(unit.si(np.array([20.0])), kelvin, atol=1e-3)
+
+
+@pytest.mark.parametrize("word", ["", "M", "PM", "Raw", "V", "a", "Lateral", "mm/V", "mm*s", "x/y"])
+def test_other_words_are_no_units(word):
+    assert unit_of(word) is None

@@ -1,0 +1,26 @@
+"""The one reader of text tables, for every door: rows, names and units, columns by what they hold.
+
+Knows the errors of users, and no table of a study.
+"""
+
+from typing import TYPE_CHECKING
+
+from ..lazy import public_names
+
+if TYPE_CHECKING:
+    from .codes import missing_code
+    from .numerals import archive_kind, decoded, is_text
+    from .text_table import (
+        Picked,
+        TextTable,
+        Wanted,
+        picked,
+        picked_by_name,
+        read_text_table,
+        table_of_text,
+        told,
+    )
+    from .titles import Title, quantity_of
+    from .units import FAMILIES, Unit, unit_of
+
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

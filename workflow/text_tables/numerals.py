@@ -1,0 +1,109 @@
+"""Numbers as they are written, in any encoding: decimal commas, thousands marks, missing values."""
+
+import re
+from collections.abc import Iterable
+from typing import NamedTuple
+
+WORDS = (
+    "nan na n/a #n/a - -- --- ---- * ** *** null none bad inf +inf -inf infinity #num! #div/0! "
+    "#value! err error invalid missing ?"
+)
+MISSING = {"", *WORDS.split()}
+NUMERAL = re.compile(r"[+-]?(?:\d+(?:[.,]\d+)*\.?|[.,]\d+)(?:[eEdD][+-]?\d+)?")
+BY_COMMAS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")  # 1,234,567.8
+BY_POINTS = re.compile(r"[+-]?[1-9]\d{0,2}(?:\.\d{3})+(?:,\d*)?")  # 1.234.567,8
+ARCHIVES = {
+    b"PK\x03\x04": "a zip archive",
+    b"\x1f\x8b": "a gzip archive",
+    b"BZh": "a bzip2 archive",
+    b"\xfd7zXZ": "an xz archive",
+    b"7z\xbc\xaf": "a 7z archive",
+    b"Rar!": "a rar archive",
+}
+
+
+class Marks(NamedTuple):
+    """What stands before decimals, and between thousands ("" where nothing does)."""
+
+    decimal: str = "."
+    thousands: str = ""
+
+    def number(self, word: str) -> float:
+        """Return the number that a word is. Raises ValueError for a word that is none."""
+        if self.thousands:
+            word = word.replace(self.thousands, "")
+        word = word.replace(self.decimal, ".")
+        return float(word.replace("D", "e").replace("d", "e"))
+
+
+def marks_of(words: Iterable[str]) -> Marks:
+    """Return how numbers are written, all of a table.
+
+    Raises ValueError where that cannot be told: 600,362 may be 600.362 or 600362, unless another
+    number shows which, as 0,5 does, or 0.5.
+    """
+    commas, points = set(), set()
+    for word in words:
+        mantissa = re.split("[eEdD]", word, maxsplit=1)[0]
+        if "," in mantissa:
+            commas.add(mantissa)
+        if "." in mantissa:
+            points.add(mantissa)
+    if not commas:
+        many = any(word.count(".") > 1 for word in points)
+        return Marks("," if many else ".", "." if many else "")
+    if all(map(BY_COMMAS.fullmatch, commas)):  # each may be a whole number in groups of three
+        if points or any(word.count(",") > 1 for word in commas):
+            return Marks(".", ",")
+        word = min(commas)
+        raise ValueError(
+            f"{word} may be {word.replace(',', '.')} or {word.replace(',', '')}: write decimal "
+            "points and no marks between thousands"
+        )
+    if all(map(BY_POINTS.fullmatch, points)):
+        return Marks(",", "." if points else "")
+    raise ValueError(
+        f"holds both {min(commas)} and {min(points)}: write decimal points and no marks between "
+        "thousands"
+    )
+
+
+def is_numeral(word: str) -> bool:
+    """Return whether a word is a number, with whatever marks."""
+    if not NUMERAL.fullmatch(word):
+        return False
+    several = word.count(".") > 1 or word.count(",") > 1  # grouped, or a date
+    mantissa = re.split("[eEdD]", word, maxsplit=1)[0]
+    return not several or bool(BY_COMMAS.fullmatch(mantissa) or BY_POINTS.fullmatch(mantissa))
+
+
+def is_missing(word: str) -> bool:
+    """Return whether a word says that a value is missing; an empty one does."""
+    return word.lower() in MISSING
+
+
+def archive_kind(data: bytes) -> str:
+    """Return which archive the first bytes of a file begin, in words; "" where they do not."""
+    if data[257:262] == b"ustar":
+        return "a tar archive"
+    return next((kind for begin, kind in ARCHIVES.items() if data.startswith(begin)), "")
+
+
+def is_text(data: bytes) -> bool:
+    """Return whether a file is text, by its first bytes: no control characters but blanks."""
+    head = data.rstrip(b"\x1a\0")[:4096]  # with which old systems end a text
+    if head.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return True
+    return not any(byte < 32 and byte not in b"\t\n\r\f\v" for byte in head)
+
+
+def decoded(data: bytes) -> str:
+    """Return the text of a file; instruments seldom say which encoding they write."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        text = data.decode("utf-16", errors="replace")
+    else:
+        try:
+            text = data.decode("utf-8-sig")
+        except UnicodeDecodeError:
+            text = data.decode("latin-1")  # knows every byte, and the micro sign
+    return text.replace("\u2212", "-")

@@ -1,0 +1,168 @@
+"""Units as people and instruments write them: mm/min, microns/s, N/mm2, mm·s⁻¹, KHZ, inches."""
+
+import math
+import re
+import unicodedata
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+Dimension = tuple[int, int, int, int, int]  # of length, mass, time, temperature, angle
+
+FAMILIES: dict[Dimension, str] = {
+    (1, 0, 0, 0, 0): "length",  # in m
+    (0, 0, 1, 0, 0): "time",  # in s
+    (1, 0, -1, 0, 0): "velocity",  # in m/s
+    (0, 0, -1, 0, 1): "frequency",  # in rad/s
+    (0, 0, -1, 0, 0): "rate",  # in 1/s, where nobody says whether of cycles or of radians
+    (-1, 1, -2, 0, 0): "pressure",  # in Pa
+    (1, 1, -2, 0, 0): "force",  # in N
+    (0, 0, 0, 1, 0): "temperature",  # in K
+    (0, 0, 0, 0, 1): "angle",  # in rad
+    (0, 0, 0, 0, 0): "number",  # of no dimension
+}
+LENGTH, TIME, FREQUENCY, PRESSURE = (
+    (1, 0, 0, 0, 0),
+    (0, 0, 1, 0, 0),
+    (0, 0, -1, 0, 1),
+    (-1, 1, -2, 0, 0),
+)
+FORCE, ANGLE, NONE, KELVIN = (1, 1, -2, 0, 0), (0, 0, 0, 0, 1), (0, 0, 0, 0, 0), (0, 0, 0, 1, 0)
+PREFIXES = {"p": 1e-12, "n": 1e-9, "u": 1e-6, "m": 1e-3, "c": 1e-2, "d": 1e-1, "": 1.0}
+PREFIXES |= {"h": 1e2, "k": 1e3, "M": 1e6, "G": 1e9}
+SPELLED = {"pico": 1e-12, "nano": 1e-9, "micro": 1e-6, "milli": 1e-3, "centi": 1e-2, "": 1.0}
+SPELLED |= {"kilo": 1e3, "mega": 1e6, "giga": 1e9}
+INCH = 0.0254
+POUND = 4.4482216152605  # N
+KILOPOND = 9.80665  # N
+
+
+def _prefixed(symbol: str, prefixes: str, factor: float, dimension: Dimension) -> dict:
+    each = ("", *prefixes)
+    return {f"{prefix}{symbol}": (PREFIXES[prefix] * factor, dimension) for prefix in each}
+
+
+def _spelled(words: str, factor: float, dimension: Dimension) -> dict:
+    return {
+        f"{prefix}{word}{end}": (own * factor, dimension)
+        for prefix, own in SPELLED.items()
+        for word in words.split()
+        for end in ("", "s")
+    }
+
+
+def _words(words: str, factor: float, dimension: Dimension) -> dict:
+    return dict.fromkeys(words.split(), (factor, dimension))
+
+
+KNOWN: dict[str, tuple[float, Dimension]] = {
+    **_prefixed("m", "pnumcdk", 1.0, LENGTH),
+    **_spelled("meter metre", 1.0, LENGTH),
+    **_words("micron microns", 1e-6, LENGTH),
+    **_words("Å å angstrom angstroms ångström ångstrom", 1e-10, LENGTH),
+    **_words("in inch inches", INCH, LENGTH),
+    **_words("mil mils thou", 1e-3 * INCH, LENGTH),
+    **_words("uin microinch microinches", 1e-6 * INCH, LENGTH),
+    **_words("ft foot feet", 12.0 * INCH, LENGTH),
+    **_prefixed("s", "num", 1.0, TIME),
+    **_prefixed("sec", "num", 1.0, TIME),
+    **_words("secs", 1.0, TIME),
+    **_spelled("second", 1.0, TIME),
+    **_words("min mins minute minutes", 60.0, TIME),
+    **_words("h hr hrs hour hours", 3600.0, TIME),
+    **_words("d day days", 86400.0, TIME),
+    **_prefixed("Hz", "mkM", 2.0 * math.pi, FREQUENCY),
+    **_spelled("hertz", 2.0 * math.pi, FREQUENCY),
+    **_words("rpm", 2.0 * math.pi / 60.0, FREQUENCY),
+    **_prefixed("rad", "m", 1.0, ANGLE),
+    **_words("radian radians", 1.0, ANGLE),
+    **_words("deg ° degree degrees", math.pi / 180.0, ANGLE),
+    **_words("cycle cycles rev revs turn turns", 2.0 * math.pi, ANGLE),
+    **_prefixed("Pa", "umhkMG", 1.0, PRESSURE),
+    **_spelled("pascal", 1.0, PRESSURE),
+    **_prefixed("bar", "mk", 1e5, PRESSURE),
+    **_words("psi", POUND / INCH**2, PRESSURE),
+    **_words("ksi", 1e3 * POUND / INCH**2, PRESSURE),
+    **_words("dyn dyne dynes", 1e-5, FORCE),
+    **_prefixed("N", "numkM", 1.0, FORCE),
+    **_spelled("newton", 1.0, FORCE),
+    **_words("kgf kp", KILOPOND, FORCE),
+    **_words("gf", 1e-3 * KILOPOND, FORCE),
+    **_words("lbf lb lbs", POUND, FORCE),
+    **_words("kmh kph", 1.0 / 3.6, (1, 0, -1, 0, 0)),
+    **_words("mph", 0.44704, (1, 0, -1, 0, 0)),
+    **_words("K kelvin", 1.0, KELVIN),
+    **_words("1 - \u2013 \u2014 # none dimensionless unitless", 1.0, NONE),
+    **_words("%", 0.01, NONE),
+}
+FOLDED = {word.lower(): own for word, own in reversed(KNOWN.items()) if len(word) > 1} | {
+    name.lower(): KNOWN[name] for name in ("MPa", "MHz", "s")
+}
+CELSIUS = ("°c", "c", "degc", "deg c", "deg. c", "celsius", "degrees celsius", "ºc", "oc")
+FAHRENHEIT = ("°f", "degf", "deg f", "fahrenheit")
+CLOCK = ("PM", "AM")  # of a time of day, and not picometres
+FACTOR = re.compile(r"([^\W\d_]+|[%°#–—-]|1(?!\d))\^?\(?([+-]?\d+)?\)?")  # noqa: RUF001
+
+
+class Unit(NamedTuple):
+    """A unit that is known: value * factor + offset is in SI units, frequencies in rad/s."""
+
+    text: str  # as it is written
+    family: str  # one of FAMILIES: length, time, velocity, frequency, rate, pressure …
+    factor: float
+    offset: float = 0.0
+
+    def si(self, values: np.ndarray) -> np.ndarray:
+        """Return values in SI units; angular frequencies in rad/s, temperatures in K."""
+        return values * self.factor + self.offset if self.offset else values * self.factor
+
+
+@lru_cache(maxsize=1000)
+def unit_of(text: str) -> Unit | None:
+    """Return the unit that a text is, or None where it is none that is known.
+
+    Products and quotients of known units are known where they are of one of FAMILIES. The case
+    of letters counts where it tells units apart, as mPa from MPa; else MM/S and HZ are known.
+    """
+    plain = _plain(text)
+    if plain.lower() in CELSIUS:
+        return Unit(text, "temperature", 1.0, 273.15)
+    if plain.lower() in FAHRENHEIT:
+        return Unit(text, "temperature", 5.0 / 9.0, 459.67 * 5.0 / 9.0)
+    if not plain or plain in CLOCK:
+        return None
+    if plain in KNOWN:
+        found = KNOWN[plain]
+        return Unit(text, FAMILIES[found[1]], found[0])
+    factor, dimension, single = 1.0, np.zeros(5, int), "/" not in plain and "*" not in plain
+    for number, part in enumerate(plain.split("/")):
+        for word in filter(None, part.split("*")):
+            match = FACTOR.fullmatch(word)
+            known = match and _known(match[1], single)
+            if not match or not known:
+                return None
+            power = int(match[2] or 1) * (1 if number == 0 else -1)
+            factor *= known[0] ** power
+            dimension += power * np.array(known[1])
+    family = FAMILIES.get(tuple(dimension.tolist()))
+    return Unit(text, family, factor) if family else None
+
+
+def _known(word: str, single: bool) -> tuple[float, Dimension] | None:
+    """Return factor and dimension of a word; a single M is no metre, while M/S is m/s."""
+    if word in KNOWN:
+        return KNOWN[word]
+    if word == "M" and not single:
+        return KNOWN["m"]
+    return FOLDED.get(word.lower())
+
+
+def _plain(text: str) -> str:
+    """Return a unit in one way of writing it: u for micro, * between factors, / for per."""
+    word = unicodedata.normalize("NFKC", text.strip().strip("[](){}<>").strip())
+    word = word.replace("μ", "u").replace("\u2212", "-").replace("**", "^")
+    word = re.sub(r"\s+per\s+|\s*/\s*", "/", word)
+    if word.lower() in CELSIUS or word.lower() in FAHRENHEIT:
+        return word
+    return re.sub(r"\s*[·⋅×*•]\s*|\s+|(?<=[a-z])\.(?=[a-z])", "*", word)
