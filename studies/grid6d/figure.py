@@ -8,7 +8,11 @@ from matplotlib.figure import Figure
 from matplotlib.transforms import Bbox
 
 from elastomer_friction.studies.style import DOTS, X_LABEL, by_hurst, normalised
-from elastomer_friction.workflow.kinetic_law import normalised_jump, relaxation_rate
+from elastomer_friction.workflow.kinetic_law import (
+    jump_between,
+    normalised_jump,
+    relaxation_rate,
+)
 from elastomer_friction.workflow.reduce import FITTED
 from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, without_unresolved
 from elastomer_friction.workflow.result import Groups
@@ -16,7 +20,8 @@ from elastomer_friction.workflow.result import Groups
 CAPTION = (
     "Panels (a) to (c) show steady friction, jump and relaxation rate at points spread over the "
     "ranges of all six parameters, in the scaled variables of the paper. Panels (d) to (f) show by "
-    "how much the kinetic law, eqs. 14 and 15, misses the simulated friction at these points."
+    "how much the kinetic law, eqs. 14 and 15 with the rate at v2, misses the simulated friction at "
+    "these points."
 )
 NOISY = 0.5  # relative standard error above which points are crosses, without bars
 PANELS = (  # x label, y label, title
@@ -111,13 +116,14 @@ def _table(ax: Axes, dataset: xr.Dataset) -> None:
 def law_curve(dataset: xr.Dataset, time_below_one: bool = False) -> xr.DataArray:
     """Return mu(t) of eqs. 14 and 15 at the samples of a result, from its mu_1, mu_2, grad z.
 
-    mu_2 stands for the linearised mu_1 + mu'(v1) dv. ``time_below_one`` : see kinetic_law.py.
+    mu_2 stands for the linearised mu_1 + mu'(v1) dv, the jump is the sum of small ones, and the
+    rate that at v2. ``time_below_one`` : see kinetic_law.py.
     """
-    slope = dataset.rms_slope
-    jump = slope * normalised_jump(dataset.mu_1 / slope) * dataset.velocity_step
+    ratio, friction = 1.0 + dataset.velocity_step, (dataset.mu_1, dataset.mu_2)
+    jump = xr.apply_ufunc(jump_between, *friction, np.log(ratio), dataset.rms_slope)
     rate = xr.apply_ufunc(
         relaxation_rate,
-        dataset.speed_ratio,
+        ratio * dataset.speed_ratio,
         dataset.hurst,
         kwargs={"time_below_one": time_below_one},
     )

@@ -5,7 +5,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.studies.grid6d.figure import law_curve, law_error, shares_within
-from elastomer_friction.workflow.kinetic_law import normalised_jump
+from elastomer_friction.workflow.kinetic_law import jump_between
 
 
 def result(x):
@@ -13,9 +13,10 @@ def result(x):
     x = np.array(x)
     hurst, slope, step, mu_1 = 0.4, 0.1, 0.2, np.array([0.03, 0.08])
     mu_2 = 1.1 * mu_1
-    rate = np.where(x < 1.0, x, x ** (1.0 - hurst))
+    after = (1.0 + step) * x
+    rate = np.where(after < 1.0, after, after ** (1.0 - hurst))
     time = np.linspace(0.0, 5.0, 20) / rate[:, None]
-    start = mu_1 + slope * normalised_jump(mu_1 / slope) * step
+    start = mu_1 + jump_between(mu_1, mu_2, np.log(1.0 + step), slope)
     mu = mu_2[:, None] + (start - mu_2)[:, None] * np.exp(-rate[:, None] * time)
     return xr.Dataset(
         {

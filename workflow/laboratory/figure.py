@@ -11,7 +11,7 @@ from matplotlib.figure import Figure
 from ..kinetic_law import relaxation_rate
 from ..report import COLOURS, write_below, write_figure
 from .step_fit import StepFit
-from .together import Fit, Rates, predicted_jump
+from .together import Fit, Rates, friction_after, predicted_jump
 
 ACROSS = 3  # steps beside each other
 MOST_STEPS = 12  # that are drawn
@@ -76,9 +76,9 @@ def _step(upper: Axes, lower: Axes, fit: StepFit, ageing: StepFit) -> None:
 
 
 def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
-    """Draw k over v1, the power law, and eq. 13 where all of it is determined."""
+    """Draw k over v2, the power law, and eq. 13 where all of it is determined."""
     known = [each for each in fit.steps if each.rate.known]
-    v = np.array([each.step.v1 for each in known])
+    v = np.array([each.step.v2 for each in known])
     k, error = np.array([each.rate for each in known]).T
     ax.set_xlim(0.5 * v.min(), 2.0 * v.max())  # also of steps that are all at one speed
     ax.errorbar(v, k, error, fmt="o", color="k", ms=3)
@@ -90,17 +90,17 @@ def _rates(ax: Axes, fit: Fit, rates: Rates) -> None:
     if tau.known and hurst.known and q_max.known:
         b = relaxation_rate(span * tau.value * q_max.value, hurst.value, rates.time_below_one)
         ax.plot(span, b / tau.value, "-", color=EQ_6, label="eq. 13")
-    ax.set(xscale="log", yscale="log", xlabel="$v_1$ (m/s)", ylabel="rate $b/\\tau$ (1/s)")
+    ax.set(xscale="log", yscale="log", xlabel="$v_2$ (m/s)", ylabel="rate $b/\\tau$ (1/s)")
     if ax.get_legend_handles_labels()[0]:
         ax.legend(loc="upper left")
 
 
 def _jumps(ax: Axes, fit: Fit) -> None:
-    """Draw the jump over the friction before it, and eq. 12 where grad z is determined."""
+    """Draw the jump over the friction meanwhile, and eq. 12 where grad z is determined."""
     known = [each for each in fit.steps if each.jump.known]
-    mu = np.array([each.mu_1.value for each in known])
+    mu = np.array([math.sqrt(max(each.mu_1.value * friction_after(each), 0.0)) for each in known])
     jump, error = (
-        np.array([each.jump.times(1.0 / (each.step.ratio - 1.0)) for each in known])
+        np.array([each.jump.times(1.0 / math.log(each.step.ratio)) for each in known])
         .reshape(-1, 2)
         .T
     )
@@ -110,5 +110,5 @@ def _jumps(ax: Axes, fit: Fit) -> None:
         label = f"eq. 12, $\\nabla z = {fit.slope.value:.3g}$"
         ax.plot(span, predicted_jump(span, fit.slope.value), "-", color=EQ_6, label=label)
         ax.legend(loc="upper left")
-    ax.set(xlabel="$\\mu_1$", ylabel="$\\Delta\\mu_0/(\\Delta v/v_1)$")
+    ax.set(xlabel="$\\sqrt{\\mu_1\\mu_2}$", ylabel="$\\Delta\\mu_0/\\ln(v_2/v_1)$")
     ax.set_xlim(0.0, 1.1 * mu.max() if mu.size else 1.0)

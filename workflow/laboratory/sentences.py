@@ -1,10 +1,11 @@
 """Say what was fitted; what the data do not determine is named, and no number is given for it."""
 
 import math
+from statistics import fmean
 
 from .estimate import DEVIATIONS, Estimate
 from .step_fit import StepFit
-from .together import Fit, Rates
+from .together import APART, Fit, Rates
 
 OPTIONS = {"tau": "--relaxation-time", "H": "--hurst", "q_max": "--q-max"}
 NAMES = {"mu_2": "friction after, mu_2", "amplitude": "amplitude", "jump": "jump", "rate": "rate"}
@@ -87,7 +88,7 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
             why = "one speed determines one rate; measure at several, or give what is known"
         else:
             why = "other values describe these rates as well; measure at lower and higher speeds, "
-            why += "on both sides of v tau q_max = 1, or give what is known"
+            why += "on both sides of v_2 tau q_max = 1, or give what is known"
         options = ", ".join(OPTIONS[name] for name in names)
         lines.append(_line("not determined", f"{_listed(names)}: {why} ({options})"))
     if not fit.slope.known:
@@ -99,9 +100,9 @@ def _open(fit: Fit, rates: Rates, names: list[str]) -> list[str]:
 def _whole(fit: Fit, rates: Rates) -> list[str]:
     """Return which branch of eq. 13 was found, how well, and the law as Python takes it."""
     branch = "is 1: contacts creep with tau" if rates.time_below_one else "is x, as eq. 13 has it"
-    lines = [_line("below v tau q_max = 1", f"b {branch}; sum of squares {rates.squares:.2g}")]
-    if fit.slope.known:
-        table = sorted({each.step.v1: each.mu_1.value for each in fit.steps}.items())
+    lines = [_line("below v_2 tau q_max = 1", f"b {branch}; sum of squares {rates.squares:.2g}")]
+    table = _steady(fit)
+    if fit.slope.known and len(table) > 1:
         lines.append(
             "KineticLaw("
             f"relaxation_time={rates.relaxation_time.value:.4g}, hurst={rates.hurst.value:.3g}, "
@@ -111,6 +112,19 @@ def _whole(fit: Fit, rates: Rates) -> list[str]:
             f"time_below_one={rates.time_below_one})"
         )
     return lines
+
+
+def _steady(fit: Fit) -> list[tuple[float, float]]:
+    """Return speeds and steady friction, means over speeds that are one; where it is positive."""
+    both = [(each.step.v1, each.mu_1) for each in fit.steps]
+    both += [(each.step.v2, each.mu_2) for each in fit.steps]
+    groups: list[list[tuple[float, float]]] = []
+    for v, mu in sorted((v, mu.value) for v, mu in both if mu.known and mu.value > 0.0):
+        if groups and math.log(v / groups[-1][0][0]) < APART:
+            groups[-1].append((v, mu))
+        else:
+            groups.append([(v, mu)])
+    return [(fmean(v for v, _ in group), fmean(mu for _, mu in group)) for group in groups]
 
 
 def _listed(names: list[str]) -> str:

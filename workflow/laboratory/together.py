@@ -1,7 +1,8 @@
 """What all steps determine together: tau, H and q_max from their rates, grad z from their jumps.
 
-The rates at several speeds (eq. 13): with s = log v1, y = log k, Q = log q_max, T = log tau they
-are a line with a kink at s_c = -Q - T, where x = v1 tau q_max = 1:
+The rates at several speeds (eq. 13), those after the steps, at which friction relaxes: with
+s = log v2, y = log k, Q = log q_max, T = log tau they are a line with a kink at s_c = -Q - T, where
+x = v2 tau q_max = 1:
 
     y = s + Q - H max(0, s - s_c)                  as printed: b = x below x = 1
     y = max(s, s_c) + Q - H max(0, s - s_c)        b = 1 below x = 1, see KineticLaw
@@ -17,7 +18,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..kinetic_law import normalised_jump
+from ..kinetic_law import jump_between, normalised_jump
 from .estimate import DEVIATIONS, Estimate
 from .record import Record, measured_steps
 from .step_fit import LARGEST_SHARE, StepFit, fit_step
@@ -46,7 +47,7 @@ class Rates(NamedTuple):
     relaxation_time: Estimate  # s
     hurst: Estimate
     q_max: Estimate  # 1/m
-    exponent: Estimate  # of k over v1: a power law through all speeds
+    exponent: Estimate  # of k over v2: a power law through all speeds
     at: float  # m/s, the speed at which ...
     rate: Estimate  # ... this is the rate by the power law, 1/s
     time_below_one: bool  # the second of the two laws fits better
@@ -73,7 +74,7 @@ def fit_rates(fits: list[StepFit], known: Known) -> Rates | None:
     found = [fit for fit in fits if fit.rate.known]
     if not found:
         return None
-    s = np.log([fit.step.v1 for fit in found])
+    s = np.log([fit.step.v2 for fit in found])
     y = np.log([fit.rate.value for fit in found])
     share = [max(fit.rate.error / fit.rate.value, LEAST_ERROR) for fit in found]
     w = np.array(share) ** -2.0
@@ -154,7 +155,7 @@ def _within(law: _Kinks, most: float, known: Known) -> np.ndarray:
 
 
 def _power_law(s: np.ndarray, y: np.ndarray, w: np.ndarray) -> tuple[Estimate, float, Estimate]:
-    """Return the exponent of k over v1, and k at the weighted mean of log v1.
+    """Return the exponent of k over v2, and k at the weighted mean of log v2.
 
     Errors are enlarged where the rates scatter more about the power law than they are known to.
     """
@@ -180,18 +181,18 @@ def _exp(logarithm: Estimate, given: float | None = None) -> Estimate:
 def fit_slope(fits: list[StepFit]) -> Estimate:
     """Return grad z from the jumps of steps; NaN where they do not determine it.
 
-    At low speed the jump is in proportion to friction alone, whatever the slope (eq. 10).
+    At low speed the jump is as large as the change of friction, whatever the slope (eq. 10).
     """
-    found = [fit for fit in fits if fit.jump.known]
+    found = [fit for fit in fits if fit.jump.known and fit.mu_1.value > 0.0]
     if not found:
         return Estimate()
-    step = np.array([fit.step.ratio - 1.0 for fit in found])
-    mu = np.array([fit.mu_1.value for fit in found])
-    jump = np.array([fit.jump.value for fit in found]) / step
-    error = np.array([fit.jump.error for fit in found]) / np.abs(step)
+    log_ratio = np.log([fit.step.ratio for fit in found])
+    mu, after = np.array([(fit.mu_1.value, friction_after(fit)) for fit in found]).T
+    jump, error = np.array([fit.jump for fit in found]).T
     error = np.maximum(error, LEAST_ERROR * np.abs(jump))
-    slopes = SLOPES * np.max(np.abs(mu))
-    squares = np.sum(((predicted_jump(mu, slopes[:, None]) - jump) / error) ** 2, axis=1)
+    slopes = SLOPES * np.max(mu)
+    predicted = jump_between(mu, after, log_ratio, slopes[:, None])
+    squares = np.sum(((predicted - jump) / error) ** 2, axis=1)
     least = squares.min()
     scatter = max(1.0, least / max(mu.size - 1, 1))
     inside = np.log(slopes[squares <= least + DEVIATIONS**2 * scatter])
@@ -200,9 +201,15 @@ def fit_slope(fits: list[StepFit]) -> Estimate:
     return Estimate(value, value * share).if_below(LARGEST_SHARE * value)
 
 
-def predicted_jump(mu_1: np.ndarray, slope: np.ndarray | float) -> np.ndarray:
-    """Return the jump over the relative step dv/v1, for friction before the step (eq. 12)."""
-    return slope * normalised_jump(mu_1 / slope)
+def friction_after(fit: StepFit) -> float:
+    """Return mu_2 where a step determines it above zero, else mu_1, to which it is near."""
+    known = fit.mu_2.known and fit.mu_2.value > 0.0
+    return fit.mu_2.value if known else fit.mu_1.value
+
+
+def predicted_jump(mu: np.ndarray, slope: float) -> np.ndarray:
+    """Return the jump over ln(v2/v1) of a small step at the friction mu (eq. 12)."""
+    return slope * normalised_jump(mu / slope)
 
 
 class Fit(NamedTuple):

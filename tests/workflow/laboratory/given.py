@@ -44,7 +44,7 @@ def records(speeds, seed=0, size=2e-5, **changes):
     found = []
     for i, v in enumerate(speeds):
         mu = float(known.steady(v)), float(known.steady(1.2 * v))
-        jump, rate = float(known.jump(v, 1.2 * v)), float(1.0 / known.relaxation_times(v))
+        jump, rate = float(known.jump(v, 1.2 * v)), float(1.0 / known.relaxation_times(1.2 * v))
         one = record(
             100 * seed + i, mu=mu, jump=jump, rate=rate, v=(v, 1.2 * v), size=size, correlation=0.5,
             span=8.0 / rate, n=200,

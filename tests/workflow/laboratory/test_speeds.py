@@ -20,14 +20,14 @@ NAMES = ("relaxation_time", "hurst", "q_max")
 
 
 def rates(speeds, known=Known(), share=0.02, seed=None, **changes):  # noqa: B008
-    """Return what rates with relative errors determine; seed: of their scatter, None for none."""
+    """Return what rates at speeds after steps determine; seed: of their scatter, None for none."""
     off = 0.0 * np.array(speeds)
     if seed is not None:
         off = share * np.random.default_rng(seed).standard_normal(len(speeds))
     fits = []
     for v, more in zip(speeds, off, strict=True):
         rate = float(np.exp(more) / law(**changes).relaxation_times(v))
-        step = STEP.step._replace(v1=v, v2=1.2 * v)
+        step = STEP.step._replace(v1=v / 1.2, v2=v)
         fits.append(STEP._replace(step=step, rate=Estimate(rate, share * rate)))
     return fit_rates(fits, known)
 
@@ -87,6 +87,15 @@ def test_rates_that_scatter_more_than_their_errors_enlarge_them():
     assert all(each.hurst.error > 2.0 * wild.hurst.error for each in scattered)
 
 
+def test_rate_belongs_to_the_velocity_after_the_step():
+    """Steps up and down between the same two speeds, with rates in proportion to that after."""
+    fits = []
+    for v1, v2 in ((0.1, 0.3), (0.3, 0.1), (0.1, 0.2), (0.2, 0.1)):
+        step = STEP.step._replace(v1=v1, v2=v2)
+        fits.append(STEP._replace(step=step, rate=Estimate(80.0 * v2, 0.8 * v2)))
+    assert fit_rates(fits, Known()).exponent.value == pytest.approx(1.0)
+
+
 def test_no_rate_no_result():
     assert fit_rates([STEP._replace(rate=Estimate())], Known()) is None
 
@@ -99,14 +108,15 @@ def slope(speeds, share=0.02, seed=None, ratio=1.2):
         off = share * rng.standard_normal() if seed is not None else 0.0
         jump = float(law().jump(v, ratio * v)) * (1.0 + off)
         step = STEP.step._replace(v1=v, v2=ratio * v)
-        mu = Estimate(float(law().steady(v)), 0.0)
-        fits.append(STEP._replace(step=step, mu_1=mu, jump=Estimate(jump, share * abs(jump))))
+        mu_1, mu_2 = (Estimate(float(law().steady(each)), 0.0) for each in (v, ratio * v))
+        jump = Estimate(jump, share * abs(jump))
+        fits.append(STEP._replace(step=step, mu_1=mu_1, mu_2=mu_2, jump=jump))
     return fit_slope(fits)
 
 
-@pytest.mark.parametrize("ratio", [0.8, 1.2])
+@pytest.mark.parametrize("ratio", [0.8, 1.2, 3.0])
 def test_the_slope_of_the_law_is_found(ratio):
-    assert slope([0.05, 0.1, 1.0], ratio=ratio).value == pytest.approx(SLOPE, rel=1e-3)
+    assert slope([0.05, 0.1, 1.0], ratio=ratio).value == pytest.approx(SLOPE, rel=2e-3)
 
 
 def test_stated_errors_of_the_slope_hold_two_thirds_of_them():
@@ -124,4 +134,4 @@ def test_jumps_in_proportion_to_friction_say_nothing():
 def test_the_jump_is_that_of_equation_12():
     for v in (1e-3, 0.1):
         jump = predicted_jump(np.array([float(law().steady(v))]), SLOPE)
-        assert 0.2 * jump[0] == pytest.approx(float(law().jump(v, 1.2 * v)))
+        assert 1e-3 * jump[0] == pytest.approx(float(law().jump(v, 1.001 * v)), rel=1e-3)
