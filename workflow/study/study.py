@@ -120,7 +120,7 @@ def read_grid_study(
     head = study_head(name, folder, written, filled("study", given["study"], head_keys))
     given, several = separated(given)
     surface = (
-        read_surface(given["surface"], folder)
+        read_surface(given["surface"], folder, given["scene"].get("body", FOUNDATION))
         if profile is None
         else Surface(profile.measured_length, profile=profile)
     )

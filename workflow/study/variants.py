@@ -49,7 +49,13 @@ def read_variants(
         made_of = {key: given[key] for key in given if key in MATERIAL}
         materials[label] = read_material(where, {**kept, **made_of}, folder)
         like = {key: given[key] for key in given if key in LIKE}
-        surfaces[label] = lines_like(where, surface, like)._replace(body=given.get("body", body))
+        own = given.get("body", body)
+        if own != body and surface.profile is not None:
+            raise UserError(
+                f"{where}.body = {own!r}: measured lines or maps are read for one body; give the "
+                "other in a study of its own"
+            )
+        surfaces[label] = lines_like(where, surface, like)._replace(body=own)
     return variants, materials, surfaces
 
 

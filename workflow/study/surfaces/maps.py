@@ -6,8 +6,16 @@ import numpy as np
 
 from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...errors import UserError
-from .files import LEAST_SAMPLES
-from .profile import Profile, check_slope
+from .as_read import KEY, LEAST_SAMPLES, Asked
+from .files import read_lines
+from .profile import (
+    DETRENDS,
+    PERIODICS,
+    Profile,
+    check_not_flat,
+    check_slope,
+    make_periodic,
+)
 
 
 class MapProfile(Profile):
@@ -27,6 +35,54 @@ class MapProfile(Profile):
     def slope(self) -> float:
         """Return the rms of the full gradient over all maps."""
         return rms_slope_of(self.amplitudes, self.heights.shape[-1]) / self.spacing
+
+
+def read_map(asked: Asked, detrend: str, periodic: str) -> MapProfile:
+    """Return the prepared map of a file, the largest square in its middle. Raises UserError.
+
+    Its rows are taken to be as far apart as the samples of a row.
+    """
+    what = f"{KEY} = {asked.name!r}"
+    if asked.gaps == "drop":
+        raise UserError('surface.gaps = "drop": leaves rows out of a map; use "fill"')
+    lines = read_lines(asked)
+    rows, samples = lines.heights.shape
+    if rows < LEAST_SAMPLES:
+        raise UserError(
+            f"{what}: {rows} rows of {samples} samples are no map, which a half-space needs; use "
+            'scene.body = "foundation", or scene.run with a line contact'
+        )
+    side = min(rows, samples)
+    top, left = (rows - side) // 2, (samples - side) // 2
+    square = lines.heights[top : top + side, left : left + side]
+    levelled = _levelled(square, detrend)
+    check_not_flat(what, levelled, square)
+    copies = PERIODICS[periodic]
+    whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
+    cut = "" if rows == samples else f"; the middle {side} x {side} of {rows} x {samples}"
+    notes = (
+        f"{lines.notes}; a map, rows as far apart as samples{cut}; {detrend} removed, {periodic}"
+    )
+    found = map_profile(whole[None], copies * lines.step * side, copies, notes)
+    check_slope(what, "check surface.units", found)
+    said = f"; h = {found.roughness:.4g} m, rms slope {found.slope:.4g}"
+    return found._replace(notes=found.notes + said)
+
+
+def _levelled(heights: np.ndarray, detrend: str) -> np.ndarray:
+    """Return a map less the polynomial in x and y that is fitted to it: mean, plane, parabola."""
+    degree = DETRENDS[detrend]
+    if degree is None:
+        return heights
+    t = np.linspace(-1.0, 1.0, len(heights))
+    terms = [
+        (t[:, None] ** i * t[None, :] ** j).ravel()
+        for i in range(degree + 1)
+        for j in range(degree + 1 - i)
+    ]
+    basis = np.stack(terms, axis=1)
+    fitted = np.linalg.lstsq(basis, heights.ravel(), rcond=None)[0]
+    return heights - (basis @ fitted).reshape(heights.shape)
 
 
 def given_map(heights: object, length: float) -> MapProfile:

@@ -1,12 +1,13 @@
 """The table [surface]: random self-affine lines, or lines that were measured."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from ....kernels.lines.self_affine import NORMALISATIONS
 from ...errors import UserError
+from ..effects.body_key import FOUNDATION, HALF_SPACE
 from ..settings import (
     TEXT,
     Key,
@@ -20,7 +21,8 @@ from ..settings import (
 )
 from .as_read import Asked, metres
 from .gaps import GAPS
-from .profile import DETRENDS, PERIODICS, read_profile
+from .maps import read_map
+from .profile import DETRENDS, PERIODICS, Profile, read_profile
 from .surface import LINES, Surface
 
 
@@ -168,10 +170,10 @@ WITH_FILE = MEASURED | LIKE
 SURFACE = RANDOM | WITH_FILE
 
 
-def read_surface(given: Mapping[str, Any], folder: Path) -> Surface:
+def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION) -> Surface:
     """Return the surface of the checked values of a table. Raises UserError.
 
-    Files are found from ``folder``.
+    Files are found from ``folder``; ``body`` takes their lines one by one, or all as a map.
     """
     if "file" in given:
         settings = filled("surface", given, MEASURED)
@@ -188,7 +190,8 @@ def read_surface(given: Mapping[str, Any], folder: Path) -> Surface:
                 "those of heights, as [0, 1]; of heights alone with surface.step"
             )
         asked = Asked(folder / name, name, *how)
-        profile = read_profile(asked, settings["detrend"], settings["periodic"])
+        read: Callable[..., Profile] = read_map if body == HALF_SPACE else read_profile
+        profile = read(asked, settings["detrend"], settings["periodic"])
         like = {key: value for key, value in given.items() if key in LIKE}
         return lines_like("surface", Surface(profile.measured_length, profile=profile), like)
     for key in filter(WITH_FILE.__contains__, given):
