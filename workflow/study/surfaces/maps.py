@@ -6,7 +6,7 @@ import numpy as np
 
 from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...errors import UserError
-from .as_read import KEY, LEAST_SAMPLES, Asked
+from .as_read import KEY, LEAST_SAMPLES, Asked, plain
 from .files import read_lines
 from .profile import (
     DETRENDS,
@@ -92,7 +92,7 @@ def given_map(heights: object, length: float) -> MapProfile:
     argument, ``profile``.
     """
     try:
-        own = np.atleast_2d(np.asarray(heights, dtype=float))
+        own = np.atleast_2d(plain(heights))
     except (TypeError, ValueError):
         raise UserError("profile: must be an array of heights in m") from None
     if own.ndim != 2 or own.shape[0] not in (1, own.shape[1]) or own.shape[1] < LEAST_SAMPLES:

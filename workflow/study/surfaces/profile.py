@@ -7,6 +7,7 @@ import numpy as np
 
 from ....kernels import measured_amplitudes, rms_slope
 from ...errors import UserError
+from .alike import Alike, alike
 from .as_read import KEY, LEAST_SAMPLES, Asked, plain
 from .files import read_lines
 
@@ -22,6 +23,7 @@ class Profile(NamedTuple):
     measured_length: float  # m, of a line as it was measured: half the period if mirrored
     notes: str  # where the lines come from and what was done to them
     digest: str  # of the heights: what a stored result depends on
+    alike: Alike | None = None  # what neighbouring lines have in common; None: independent
 
     @property
     def spacing(self) -> float:
@@ -62,7 +64,7 @@ def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
         profile,
     )
     said = f"; h = {profile.roughness:.4g} m, rms slope {profile.slope:.4g}"
-    return profile._replace(notes=profile.notes + said)
+    return profile._replace(notes=profile.notes + said, alike=alike(levelled))
 
 
 def given_profile(heights: object, length: float) -> Profile:
@@ -92,7 +94,7 @@ def given_profile(heights: object, length: float) -> Profile:
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
     profile = _profile(lines, length, 1, notes)
     check_slope("profile", "give heights and length both in m", profile)
-    return profile
+    return profile._replace(alike=alike(level(lines, "mean")))
 
 
 def check_load(key: str, profile: Profile, load: np.ndarray) -> None:
