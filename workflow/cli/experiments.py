@@ -1,29 +1,34 @@
 """The commands ``prony`` and ``fit``: what measurements determine of a material and of the law."""
 
 import argparse
+from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from .. import laboratory  # slow to import, all but the units: other commands do without
 from ..errors import UserError
 from ..laboratory import TIMES, VELOCITIES
-from ..study import FREQUENCIES, MODULI, read_moduli
+from ..study import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
 from ..system import make_folder, write_durably
 from .run_options import DONE
 
 if TYPE_CHECKING:
-    pass
+    from ..reduce import PronyFit
 
 LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
+LARGEST_RESIDUAL = 0.15  # rms of G*, of a material
 
 
 def add_prony_options(command: argparse.ArgumentParser) -> None:
     """Add what the command ``prony`` is told."""
     add = command.add_argument
-    add("file", help="text file with the columns frequency, G' and G''")
+    add("file", help="text file with frequency, G' and G'' or tan delta, or E' and E''")
+    add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
     add("--frequency", choices=FREQUENCIES, help="unit of frequencies (header, else rad/s)")
     add("--modulus", choices=MODULI, help="unit of moduli (header, else Pa)")
+    add("--poisson", type=float, default=INCOMPRESSIBLE, help="ratio, for moduli E (0.5)")
     add("--branches", type=int, help="branches at most (as few as describe the data as well)")
+    add("--write", choices=FORMS, default="study", help="for whom it is printed (study)")
     add("--out", help="CSV file for the branches, to be named as material.branches_file")
 
 
@@ -31,36 +36,104 @@ def run_prony(options: argparse.Namespace) -> int:
     """Fit, print a table [material], write the branches if asked to; return the exit status."""
     if options.branches is not None and options.branches < 1:
         raise UserError(f"--branches {options.branches}: must be at least 1")
-    measured = read_moduli(Path(options.file), options.frequency, options.modulus)
+    if not -1.0 < options.poisson <= INCOMPRESSIBLE:
+        raise UserError(f"--poisson {options.poisson:g}: must lie between -1 and 0.5")
+    source, out = Path(options.file), Path(options.out) if options.out else None
+    if out and out.exists() and source.exists() and out.samefile(source):
+        raise UserError(f"--out {options.out}: is the measurement itself; name another file")
+    units = options.frequency, options.modulus
+    columns = columns_of(options.columns) if options.columns else None
+    measured = read_moduli(source, *units, columns, options.poisson)
     from ..reduce import fit_prony
 
     fit = fit_prony(measured.omega, measured.values, options.branches)
+    _check_fit(options, measured, fit)
+    said = [f"# {line}" for line in (*measured.told, *_described(measured, fit, options.branches))]
+    rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
+    modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
+    table = ["[material]", modulus, "branches = [", *(f"    [{row}]," for row in rows), "]"]
+    if out:
+        lines = [*said, f"# {modulus}", "modulus [Pa], time [s]", *rows, ""]
+        write_durably(out, "\n".join(lines).encode())
+        beside = (out.parent / "study.toml").is_file()
+        table[2:] = [f'branches_file = "{out.name if beside else out.resolve().as_posix()}"']
+    print(*said, *(table if options.write == "study" else FORMS[options.write](fit)), sep="\n")
+    return DONE
+
+
+def _check_fit(options: argparse.Namespace, measured: Moduli, fit: "PronyFit") -> None:
+    """Raise UserError where a fit is none, or is of no foundation that carries a load."""
+    where = f"prony {options.file}"
     stiffest = max((modulus for modulus, _ in fit.branches), default=0.0)
-    if not fit.branches or fit.shear_modulus < LEAST_SHARE * stiffest:
+    if fit.dense > LARGEST_RESIDUAL:
+        raise UserError(
+            f"{where}: no Prony series describes it: {100 * fit.dense:.2g} % of G* are left over, "
+            f"more than {100 * LARGEST_RESIDUAL:g} %; {measured.told[0]}; give other --columns or "
+            "units, and one temperature"
+        )
+    if fit.rms > LARGEST_RESIDUAL:
+        raise UserError(
+            f"{where}: {options.branches} branches are too few: {100 * fit.rms:.2g} % of G* are "
+            f"left over, by as many as are wanted {100 * fit.dense:.2g} %; give more --branches"
+        )
+    liquid = measured.values[0].imag > measured.values[0].real
+    if not fit.branches or (liquid and fit.shear_modulus < LEAST_SHARE * stiffest):
         lacking = "relaxed modulus" if fit.branches else "branches"
-        raise UserError(f"prony {options.file}: the best fit has no {lacking}; is it a rubber?")
+        raise UserError(f"{where}: the best fit has no {lacking}; is it a rubber?")
+
+
+def _described(measured: Moduli, fit: "PronyFit", asked: int | None) -> list[str]:
+    """Return what was fitted and how well, in sentences."""
     omega = measured.omega
     said = [
-        f"# {options.file}: {omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s, "
-        f"read as {' and '.join(measured.units)}",
-        f"# {len(fit.branches)} branches; residual of G* {100 * fit.rms:.2g} % rms, "
-        f"{100 * fit.worst:.2g} % at most",
+        f"{omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s",
+        f"{len(fit.branches)} branches; residual of G* {100 * fit.rms:.2g} % rms, "
+        f"{100 * fit.worst:.2g} % at most; what is slower than {fit.slowest:.3g} s counts as "
+        "relaxed",
     ]
+    if asked is not None and fit.rms > 2.0 * fit.dense:
+        said.append(f"{asked} branches are too few: more of them leave {100 * fit.dense:.2g} % rms")
     if not fit.determined:
         said.append(
-            f"# the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} "
+            f"the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} "
             f"Pa do as well; it wants frequencies below {omega[0]:.3g} rad/s"
         )
-    modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
-    rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
-    if options.out:
-        lines = [*said, f"# {modulus}", "modulus [Pa], time [s]", *rows, ""]
-        write_durably(Path(options.out), "\n".join(lines).encode())
-        branches = [f'branches_file = "{options.out}"']
-    else:
-        branches = ["branches = [", *(f"    [{row}]," for row in rows), "]"]
-    print(*said, "[material]", modulus, *branches, sep="\n")
-    return DONE
+    return said
+
+
+def _shares(fit: "PronyFit") -> tuple[float, list[tuple[float, float]]]:
+    """Return G_0 (Pa) at once after a step, and the branches as shares of it."""
+    whole = fit.shear_modulus + sum(modulus for modulus, _ in fit.branches)
+    return whole, [(modulus / whole, time) for modulus, time in fit.branches]
+
+
+def _for_abaqus(fit: "PronyFit") -> list[str]:
+    whole, shares = _shares(fit)
+    head = f"** shares of the instantaneous G_0 = {whole:.6g} Pa; g_i, k_i, tau_i in s"
+    rows = [f"{share:.6g}, 0, {time:.6g}" for share, time in shares]
+    return [head, "*VISCOELASTIC, TIME=PRONY", *rows]
+
+
+def _for_ansys(fit: "PronyFit") -> list[str]:
+    whole, shares = _shares(fit)
+    head = f"! shares of the instantaneous G_0 = {whole:.6g} Pa; alpha_i, tau_i in s"
+    values = [f"TBDATA,{2 * i + 1},{a:.6g},{t:.6g}" for i, (a, t) in enumerate(shares)]
+    return [head, f"TB,PRONY,1,1,{len(shares)},SHEAR", *values]
+
+
+FORMS: dict[str, Callable[["PronyFit"], list[str]]] = {
+    "study": lambda _: [],
+    "abaqus": _for_abaqus,
+    "ansys": _for_ansys,
+}
+
+
+def columns_of(words: str) -> tuple[int, ...]:
+    """Return three numbers of columns that are given as 0,1,2. Raises UserError."""
+    each = words.split(",")
+    if len(each) != 3 or not all(word.strip().isdecimal() for word in each):
+        raise UserError(f"--columns {words}: must be three numbers from 0, as 0,1,2")
+    return tuple(map(int, each))
 
 
 def add_fit_options(command: argparse.ArgumentParser) -> None:
@@ -87,10 +160,7 @@ def run_fit(options: argparse.Namespace) -> int:
             raise UserError(f"{name} {value:g}: must be greater than zero")
     if known.hurst is not None and not 0.0 <= known.hurst <= 1.0:
         raise UserError(f"--hurst {known.hurst:g}: must lie between 0 and 1")
-    words = options.columns.split(",")
-    if len(words) != 3 or not all(word.strip().isdecimal() for word in words):
-        raise UserError(f"--columns {options.columns}: must be three numbers from 0, as 0,1,2")
-    columns = tuple(map(int, words))
+    columns = columns_of(options.columns)
     units = options.time, options.velocity
     records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
     fit = laboratory.fit_records(records, known, options.window)

@@ -4,6 +4,10 @@ G* = G + sum_b g_b i omega t_b/(1 + i omega t_b), all moduli >= 0: for given tim
 problem with bounds (Lawson & Hanson 1974, chapter 23), whose solution on a dense grid of times is
 sparse. Neighbours are then merged, times are moved, and branches are joined as long as the
 residual stays what the data allow. Residuals are relative, (model - data)/|data|.
+
+Branches may be ten times slower than the lowest frequency; what is slower counts as relaxed. Where
+the data leave the relaxed modulus open it may be as low as branches a hundred times slower allow,
+and where the best fit has none at all, half of the most that does as well is taken.
 """
 
 from typing import NamedTuple
@@ -18,6 +22,7 @@ SMALL = 1e-2  # rms residual that needs no improvement
 DEVIATIONS = 3.0  # standard errors
 ROUNDING = 1e-4  # of the rms residual: what the spacing of the grid of times costs
 LIKE = 1.1  # bounds of the relaxed modulus that are as good as one value
+NONE = 1e-6  # share of the most that the relaxed modulus can be: less is none
 SCAN = np.linspace(0.0, 1.0, 41)  # of the relaxed modulus, as a share of the most it can be
 
 
@@ -28,6 +33,8 @@ class PronyFit(NamedTuple):
     branches: tuple[tuple[float, float], ...]  # (modulus, time), times ascending
     rms: float  # of the relative residual of G*
     worst: float  # the largest one
+    dense: float  # rms with as many branches as wanted
+    slowest: float  # time, s, beyond which all counts as relaxed
     least: float  # relaxed moduli with which the data can be described as well
     most: float
 
@@ -49,28 +56,51 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     if omega.size < 4 or not np.all(good):
         raise ValueError("needs four frequencies or more, all of them and G' above 0, no G'' below")
     unit = float(np.abs(moduli).max())
-    moduli = moduli / unit
-    first, last = 1.0 / (BEYOND * omega.max()), BEYOND / omega.min()
-    count = int(np.ceil(PER_DECADE * np.log10(last / first))) + 1
-    grid = np.geomspace(first, last, count)
-    full, best = _solved(omega, moduli, grid)
-    reach = np.log([first, last])
-    times = _moved(omega, moduli, _merged(grid, full[1:]), reach)
-    times = _joined(omega, moduli, times, reach, max(LOSS * best, SMALL), branches)
-    times = _moved(omega, moduli, times, reach)
-    found, rms = _solved(omega, moduli, times)
+    data = _Measured(omega, moduli / unit, np.abs(moduli) / unit)
+    grid = _grid(omega, BEYOND)
+    full, best = _solved(data, grid)
+    least, most = _bounds(data, grid, best)
+    if most > LIKE * least:
+        least, most = _bounds(data, _grid(omega, BEYOND**2), best)
+    taken = 0.0
+    if full[0] <= NONE * most:
+        taken = 0.5 * most
+        data = data._replace(moduli=data.moduli - taken)
+        full, _ = _solved(data, grid)
+    reach = np.log(grid[[0, -1]])
+    times = _moved(data, _merged(grid, full[1:]), reach)
+    times = _joined(data, times, reach, max(LOSS * best, SMALL), branches)
+    times = _moved(data, times, reach)
+    found, rms = _solved(data, times)
     kept = found[1:] > 0.0
-    worst = np.max(np.abs(_model(omega, times) @ found - moduli) / np.abs(moduli))
-    least, most = _bounds(omega, moduli, grid, best)
+    worst = np.max(np.abs(_model(omega, times) @ found - data.moduli) / data.size)
     pairs = zip((unit * found[1:][kept]).tolist(), times[kept].tolist(), strict=True)
+    relaxed = taken + float(found[0])
+    within = rms <= max(LOSS * best, SMALL)  # a fit of too few branches says nothing of it
     return PronyFit(
-        shear_modulus=unit * float(found[0]),
+        shear_modulus=unit * relaxed,
         branches=tuple(pairs),
         rms=rms,
         worst=float(worst),
-        least=unit * min(least, float(found[0])),
-        most=unit * max(most, float(found[0])),
+        dense=best,
+        slowest=float(grid[-1]),
+        least=unit * (min(least, relaxed) if within else least),
+        most=unit * (max(most, relaxed) if within else most),
     )
+
+
+class _Measured(NamedTuple):
+    """What is fitted, and what residuals are relative to; arrays of shape (n,)."""
+
+    omega: np.ndarray  # rad/s
+    moduli: np.ndarray  # G*, less what is taken as relaxed beforehand
+    size: np.ndarray  # |G*|
+
+
+def _grid(omega: np.ndarray, beyond: float) -> np.ndarray:
+    """Return the dense grid of times, to ``beyond`` over the lowest frequency."""
+    first, last = 1.0 / (BEYOND * omega.max()), beyond / omega.min()
+    return np.geomspace(first, last, int(np.ceil(PER_DECADE * np.log10(last / first))) + 1)
 
 
 def _model(omega: np.ndarray, times: np.ndarray) -> np.ndarray:
@@ -84,15 +114,14 @@ def _parts(values: np.ndarray) -> np.ndarray:
 
 
 def _solved(
-    omega: np.ndarray, moduli: np.ndarray, times: np.ndarray, relaxed: float | None = None
+    data: _Measured, times: np.ndarray, relaxed: float | None = None
 ) -> tuple[np.ndarray, float]:
     """Return the moduli, shape (1 + branches,), and the rms of the residual of G*.
 
     relaxed : the relaxed modulus where it is given.
     """
-    size = np.abs(moduli)
-    columns = _parts(_model(omega, times) / size[:, None])
-    wanted = _parts(moduli / size)
+    columns = _parts(_model(data.omega, times) / data.size[:, None])
+    wanted = _parts(data.moduli / data.size)
     fixed = np.zeros(0)
     if relaxed is not None:
         wanted = wanted - relaxed * columns[:, 0]
@@ -105,7 +134,7 @@ def _solved(
         turned = basis.T @ wanted
     found, _ = nnls(square, turned, maxiter=100 * scale.size)
     residual = np.linalg.norm(columns @ found - wanted)
-    return np.concatenate([fixed, found / scale]), float(residual / np.sqrt(omega.size))
+    return np.concatenate([fixed, found / scale]), float(residual / np.sqrt(data.size.size))
 
 
 def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
@@ -120,23 +149,21 @@ def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
     return np.exp(np.array(means))
 
 
-def _moved(
-    omega: np.ndarray, moduli: np.ndarray, times: np.ndarray, reach: np.ndarray
-) -> np.ndarray:
+def _moved(data: _Measured, times: np.ndarray, reach: np.ndarray) -> np.ndarray:
     """Return times that fit best, near those given; the moduli follow from them.
 
     reach : logarithms of the shortest and the longest time.
     """
-    found, _ = _solved(omega, moduli, times)
+    found, _ = _solved(data, times)
     some = np.concatenate([[True], found[1:] > 0.0])
     found, times = np.maximum(found[some], 1e-12), times[some[1:]]
     if not times.size:
         return times
-    size = np.abs(moduli)[:, None]
+    omega, size = data.omega, data.size[:, None]
 
     def residual(logs: np.ndarray) -> np.ndarray:
         model = _model(omega, np.exp(logs[found.size :]))
-        return _parts((model @ np.exp(logs[: found.size]) - moduli) / size[:, 0])
+        return _parts((model @ np.exp(logs[: found.size]) - data.moduli) / size[:, 0])
 
     def slopes(logs: np.ndarray) -> np.ndarray:
         values = np.exp(logs[: found.size])
@@ -157,12 +184,7 @@ def _moved(
 
 
 def _joined(
-    omega: np.ndarray,
-    moduli: np.ndarray,
-    times: np.ndarray,
-    reach: np.ndarray,
-    allowed: float,
-    most: int | None,
+    data: _Measured, times: np.ndarray, reach: np.ndarray, allowed: float, most: int | None
 ) -> np.ndarray:
     """Return fewer times: neighbours are joined while the rms stays below what is allowed.
 
@@ -172,27 +194,25 @@ def _joined(
         middles = np.sqrt(times[1:] * times[:-1])
         trials = [np.delete(times, i) for i in (0, times.size - 1)]
         trials += [np.insert(np.delete(times, [i, i + 1]), i, t) for i, t in enumerate(middles)]
-        nearest = sorted(trials, key=lambda trial: _solved(omega, moduli, trial)[1])
+        nearest = sorted(trials, key=lambda trial: _solved(data, trial)[1])
         found = nearest[0]
-        if _solved(omega, moduli, found)[1] > allowed:
-            moved = [_moved(omega, moduli, trial, reach) for trial in nearest[:2]]
-            found = min(moved, key=lambda trial: _solved(omega, moduli, trial)[1])
+        if _solved(data, found)[1] > allowed:
+            moved = [_moved(data, trial, reach) for trial in nearest[:2]]
+            found = min(moved, key=lambda trial: _solved(data, trial)[1])
         too_many = most is not None and times.size > most
-        if not too_many and _solved(omega, moduli, found)[1] > allowed:
+        if not too_many and _solved(data, found)[1] > allowed:
             break
         times = found
     return times
 
 
-def _bounds(
-    omega: np.ndarray, moduli: np.ndarray, grid: np.ndarray, best: float
-) -> tuple[float, float]:
+def _bounds(data: _Measured, grid: np.ndarray, best: float) -> tuple[float, float]:
     """Return the least and the largest relaxed modulus within three standard errors.
 
     They are where the sum of squares has grown by nine mean squares.
     """
-    allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / (2 * omega.size)) + ROUNDING
-    top = 1.05 * float(np.min(np.abs(moduli)))
+    allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / (2 * data.size.size)) + ROUNDING
+    top = 1.05 * float(np.min(data.size))
     tried = top * SCAN
-    fits = [relaxed for relaxed in tried if _solved(omega, moduli, grid, relaxed)[1] <= allowed]
+    fits = [relaxed for relaxed in tried if _solved(data, grid, relaxed)[1] <= allowed]
     return (float(min(fits)), float(max(fits))) if fits else (np.inf, 0.0)

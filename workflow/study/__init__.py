@@ -28,7 +28,7 @@ if TYPE_CHECKING:
         why_not,
     )
     from .measured import Measured
-    from .moduli import FREQUENCIES, MODULI, Moduli, read_moduli
+    from .moduli import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
     from .numerics import Numerics
     from .read import find_study, known_scales, known_studies, read_scene, read_study
     from .schema import described_measures, study_schema

@@ -39,8 +39,9 @@ class Marks(NamedTuple):
 def marks_of(words: Iterable[str]) -> Marks:
     """Return how numbers are written, all of a table.
 
-    Raises ValueError where that cannot be told: 600,362 may be 600.362 or 600362, unless another
-    number shows which, as 0,5 does, or 0.5.
+    Raises ValueError where that cannot be told: 600,362 may be 600.362 or 600362, unless a number
+    shows which, as 0,5 does, or 1,234.5. A point in another number alone does not: that may be
+    written otherwise.
     """
     commas, points = set(), set()
     for word in words:
@@ -53,7 +54,7 @@ def marks_of(words: Iterable[str]) -> Marks:
         many = any(word.count(".") > 1 for word in points)
         return Marks("," if many else ".", "." if many else "")
     if all(map(BY_COMMAS.fullmatch, commas)):  # each may be a whole number in groups of three
-        if points or any(word.count(",") > 1 for word in commas):
+        if any("." in word or word.count(",") > 1 for word in commas):
             return Marks(".", ",")
         word = min(commas)
         raise ValueError(

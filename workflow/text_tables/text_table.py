@@ -231,7 +231,8 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
             places[index] = own[0]
             free.remove(own[0])
     missing = [index for index in range(len(wanted)) if index not in places]
-    if missing and len(missing) != len(free):
+    unknown = any(table.title(n).name and not table.title(n).stated for n in free)
+    if missing and (len(missing) != len(free) or (unknown and places)):
         raise _unclear(table, wanted, option)
     places |= dict(zip(missing, free, strict=False))
     return [places[index] for index in range(len(wanted))]

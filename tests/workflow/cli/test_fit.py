@@ -52,7 +52,9 @@ def measured(tmp_path, omega=OMEGA, relaxed=1e6):
     """Write moduli of two branches and return the path."""
     values = relaxed + sum(g * 1j * omega * t / (1 + 1j * omega * t) for g, t in BRANCHES)
     path = tmp_path / "moduli.txt"
-    np.savetxt(path, np.c_[omega, values.real, values.imag], header="omega [rad/s] G' [Pa]")
+    np.savetxt(
+        path, np.c_[omega, values.real, values.imag], header="omega [rad/s] G' [Pa] G'' [Pa]"
+    )
     return str(path)
 
 
@@ -65,7 +67,9 @@ def test_the_printed_table_is_a_material(capsys, tmp_path):
     material = read_material("material", table, tmp_path)
     assert material.shear_modulus == pytest.approx(1e6)
     np.testing.assert_allclose(material.branches, BRANCHES, rtol=1e-5)
-    assert "40 frequencies, 0.01 ... 1e+04 rad/s, read as rad/s and Pa" in text
+    assert "# 40 frequencies, 0.01 ... 1e+04 rad/s\n" in text
+    assert "column 1 G' as a storage modulus G' in Pa," in text
+    assert "what is slower than 1e+03 s counts as relaxed" in text
     assert "2 branches; residual of G*" in text
     assert "do not determine" not in text
 
@@ -76,6 +80,53 @@ def test_the_written_branches_are_read_by_a_study(capsys, tmp_path):
     assert f'branches_file = "{out}"' in text
     study = small_study(f'material.branches_file="{out}"')
     np.testing.assert_allclose(study.material.branches, BRANCHES, rtol=1e-5)
+    (tmp_path / "study.toml").touch()
+    assert 'branches_file = "branches.csv"' in output(
+        capsys, "prony", str(tmp_path / "moduli.txt"), "--out", str(out)
+    )
+
+
+def test_the_measurement_is_never_overwritten(capsys, tmp_path):
+    path = measured(tmp_path)
+    before = (tmp_path / "moduli.txt").read_bytes()
+    (tmp_path / "link.txt").symlink_to(path)
+    for out in (path, str(tmp_path / "link.txt")):
+        assert "is the measurement itself" in refusal(capsys, "prony", path, "--out", out)
+    assert (tmp_path / "moduli.txt").read_bytes() == before
+
+
+def test_what_no_series_describes_is_no_material(capsys, tmp_path):
+    path = tmp_path / "modes.txt"
+    path.write_text("1 2e5 2e-8\n2 1e4 3e2\n3 6e2 1.5e5\n4 30 1e6\n5 2 9e6\n6 0.3 9e6\n")
+    text = refusal(capsys, "prony", str(path))
+    assert "no Prony series describes it" in text
+    assert "more than 15 %" in text
+    assert "column 0 as a frequency in rad/s (assumed)" in text
+
+
+def test_too_few_branches_are_not_what_the_data_leave_open(capsys, tmp_path):
+    text = refusal(capsys, "prony", measured(tmp_path), "--branches", "1")
+    assert "1 branches are too few" in text
+
+
+def test_a_flat_loss_has_a_range_and_a_material_within_it(capsys, tmp_path):
+    """Branches go on for decades below the lowest frequency, where data end."""
+    omega, times = np.geomspace(1e-2, 1e3, 16), np.geomspace(1e-4, 1e4, 17)
+    values = 3e5 + np.sum(1e5 * 1j * omega[:, None] * times / (1 + 1j * omega[:, None] * times), 1)
+    np.savetxt(tmp_path / "f.txt", np.c_[omega, values.real, values.imag])
+    text = output(capsys, "prony", str(tmp_path / "f.txt"))
+    low, high = (float(part.split()[0]) for part in text.split("modulus: ")[1].split("...")[:2])
+    assert low <= 3e5 <= high
+    assert low <= tomllib.loads(text)["material"]["shear_modulus"] <= high
+
+
+@pytest.mark.parametrize("form", ["abaqus", "ansys"])
+def test_shares_of_the_instantaneous_modulus(capsys, tmp_path, form):
+    text = output(capsys, "prony", measured(tmp_path), "--write", form)
+    assert "G_0 = 1.6e+07 Pa" in text
+    wanted = {"abaqus": "\n0.3125, 0, 0.1\n", "ansys": "\nTB,PRONY,1,1,2,SHEAR\n"}
+    assert wanted[form] in text
+    assert "[material]" not in text
 
 
 def test_it_says_what_the_data_leave_open(capsys, tmp_path):
@@ -88,6 +139,7 @@ def test_it_says_what_the_data_leave_open(capsys, tmp_path):
     ("arguments", "answer"),
     [
         (["--branches", "0"], "error: --branches 0: must be at least 1\n"),
+        (["--poisson", "0.6"], "error: --poisson 0.6: must lie between -1 and 0.5\n"),
         (["--out", "/dev/null/x.csv"], "cannot be written"),
     ],
 )

@@ -1,0 +1,117 @@
+"""Moduli over frequency as instruments write them come in right, or are refused with the way on."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.moduli import read_moduli
+
+ROWS = "1e-1 1.0 0.1\n1e1 3.0 0.5\n1e0 2.0 0.3\n1e2 4.0 0.2\n"
+VALUES = np.array([1 + 0.1j, 2 + 0.3j, 3 + 0.5j, 4 + 0.2j])
+
+
+def read(tmp_path, text, *units, **settings):
+    path = tmp_path / "moduli.txt"
+    path.write_text(text, encoding="utf-8")
+    return read_moduli(path, *units, **settings)
+
+
+def test_without_a_header_they_are_rad_per_second_and_pascal(tmp_path):
+    found = read(tmp_path, ROWS)
+    np.testing.assert_array_equal(found.omega, [0.1, 1.0, 10.0, 100.0])
+    np.testing.assert_array_equal(found.values, VALUES)
+    assert "in rad/s (assumed)" in found.told[0]
+    assert found.told[0].count("in Pa (assumed)") == 2
+
+
+@pytest.mark.parametrize(
+    ("header", "frequency", "storage", "loss"),
+    [
+        ("# f (Hz)  G' (MPa)  G'' (MPa)", 2.0 * np.pi, 1e6, 1e6),
+        ("omega [rad/s], G' [kPa], G'' [kPa]", 1.0, 1e3, 1e3),
+        ("T=25;Mw=100\n\nf[Hz] G' G''", 2.0 * np.pi, 1.0, 1.0),
+        ("Hz MPa kPa", 2.0 * np.pi, 1e6, 1e3),
+        ("f [Hz]  G' [MPa]  G''", 2.0 * np.pi, 1e6, 1e6),
+        ("w  storage (psi)  loss (psi)", 1.0, 6894.757, 6894.757),
+        ("freq_kHz G_storage_GPa G_loss_GPa", 2e3 * np.pi, 1e9, 1e9),
+        ("preload 3 MPa, 5 Hz\nf (rad/s)  G′ (kPa)  G″ (kPa)", 1.0, 1e3, 1e3),
+    ],
+)
+def test_units_of_the_header_column_by_column(tmp_path, header, frequency, storage, loss):
+    found = read(tmp_path, f"{header}\n{ROWS}")
+    assert found.omega[0] == pytest.approx(0.1 * frequency)
+    expected = storage * VALUES.real + 1j * loss * VALUES.imag
+    np.testing.assert_allclose(found.values, expected, rtol=1e-6)
+
+
+def test_what_is_asked_for_goes_before_the_header(tmp_path):
+    found = read(tmp_path, f"f (Hz)  G' (MPa)  G'' (kPa)\n{ROWS}", "rad/s", "GPa")
+    np.testing.assert_allclose(found.values, 1e9 * VALUES)
+    assert found.omega[0] == 0.1
+
+
+def columns(*numbers):
+    """Return columns in another order, and one of words before them."""
+    rows = [row.split() for row in ROWS.splitlines()]
+    return "\n".join(" ".join(["point", *(row[n] for n in numbers)]) for row in rows)
+
+
+@pytest.mark.parametrize("header", ["no loss(Pa) freq(rad/s) storage(Pa)", "a A B C"])
+def test_columns_by_their_names_or_as_they_are_given(tmp_path, header):
+    given = None if "loss" in header else (2, 3, 1)
+    found = read(tmp_path, f"{header}\n{columns(2, 0, 1)}\n", columns=given)
+    np.testing.assert_array_equal(found.values, VALUES)
+
+
+@pytest.mark.parametrize("name", ["tan delta", "tan(delta)", "loss factor", "tanD", "damping"])
+def test_a_loss_factor_is_the_ratio_of_the_moduli(tmp_path, name):
+    rows = "".join(
+        f"{w};{v.real};{v.imag / v.real}\n" for w, v in zip((0.1, 1, 10, 100), VALUES, strict=True)
+    )
+    found = read(tmp_path, f"f (Hz);storage modulus (MPa);{name}\n{rows}")
+    np.testing.assert_allclose(found.values, 1e6 * VALUES)
+    assert "G'' = G' tan delta" in found.told
+
+
+@pytest.mark.parametrize("names", ["E' (MPa);E'' (MPa)", "Young storage (MPa);Young loss (MPa)"])
+def test_young_s_moduli_are_divided_and_that_is_said(tmp_path, names):
+    text = f"f (Hz);{names}\n{ROWS.replace(' ', ';')}"
+    np.testing.assert_allclose(read(tmp_path, text).values, 1e6 * VALUES / 3.0)
+    found = read(tmp_path, text, poisson=0.25)
+    np.testing.assert_allclose(found.values, 1e6 * VALUES / 2.5)
+    assert "divided by 2 (1 + nu) = 2.5" in found.told[1]
+
+
+def test_rows_in_which_a_value_is_missing_are_passed_over_and_counted(tmp_path):
+    found = read(tmp_path, ROWS + "1e3 5.0 nan\n")
+    np.testing.assert_array_equal(found.values, VALUES)
+    assert "1 values missing" in found.told[0]
+
+
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        ("1 1 1\n2 1 1\n", "holds 2 rows; a fit needs 4"),
+        (ROWS + "0 1 1\n", "line 5 holds 0 as a frequency; must be greater than zero"),
+        (ROWS + "9 -1 1\n", "line 5 holds -1 as a storage modulus G'; must be greater than zero"),
+        (ROWS + "9 1 -1\n", "line 5 holds -1 as a loss modulus G''; must not be negative"),
+        ("1 2\n2 1\n3 1\n", "two columns are a relaxation test, a modulus over time"),
+        (f"w G* (Pa) G'' (Pa)\n{ROWS}", "'G*' is not a storage modulus G': give G' ="),
+        (f"f (Hz) G* (MPa) delta\n{ROWS}", "not clear which holds a frequency and"),
+        (f"t (s) G' (MPa) G'' (MPa)\n{ROWS}", "is in 's', which is no unit of a frequency"),
+        (f"f (furlong) G' (MPa) G'' (MPa)\n{ROWS}", "'furlong' of a frequency is not known"),
+        (ROWS + "1 2.5 0.3\n", "1 rad/s has several moduli, |G*| from 2.02 to 2.52 Pa"),
+        (
+            "T (°C) f (Hz) G' (Pa) G'' (Pa)\n20 1 1 1\n20 2 1 1\n60 3 1 1\n60 4 1 1\n",
+            "several temperatures, column 0 T from 20 to 60 °C: shift the sweeps",
+        ),
+    ],
+)
+def test_what_is_no_material_or_unclear_is_refused(tmp_path, text, answer):
+    with pytest.raises(UserError, match=r"^prony .*moduli\.txt") as error:
+        read(tmp_path, text)
+    assert answer in str(error.value)
+
+
+def test_a_sweep_that_was_repeated_is_one_material(tmp_path):
+    assert read(tmp_path, ROWS + ROWS.replace("2.0", "2.05")).omega.size == 8
