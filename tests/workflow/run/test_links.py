@@ -38,7 +38,7 @@ def test_a_run_refuses_a_link_and_leaves_what_it_leads_to(folder, place, there):
     ours = linked(folder / place)
     if not there:
         ours.unlink()  # a link may also make a file elsewhere
-    with pytest.raises(UserError, match="it is a link$"):
+    with pytest.raises(UserError, match=r"it is a link$"):
         run(folder)
     assert not there or ours.read_bytes() == OURS
     assert ours.exists() is there
