@@ -92,6 +92,8 @@ def open_result(
 
     Raises UserError where the file is missing, damaged, or no result of such a study.
     """
+    if path.is_symlink():
+        raise UserError(f"{path}: is a link, which is not opened; name the file itself by --out")
     if not path.is_file():
         of = f" --scale {study.scale}" if study.scale else ""
         raise UserError(f"{path}: not found; first run: {program()} run {study.name}{of}")

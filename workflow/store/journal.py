@@ -12,9 +12,10 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError
-from ..system import append_durably, refused
+from ..system import append_durably, open_plain, refused
 
 NAME = "journal"
+LONGEST = 2**26  # bytes of a line: a longer one is spoilt
 FORMAT = "elastomer-friction journal 2"
 
 Entry = dict[str, Any]
@@ -65,30 +66,39 @@ def _is_sound(entry: Entry) -> bool:
     return all(isinstance(entry.get(name), of) for each in asked for name, of in each.items())
 
 
-def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
-    """Yield (entry, offset of the line after it) of every sound line from ``offset`` on.
+def lines(folder: Path, offset: int = 0) -> Iterator[bytes]:
+    """Yield the lines of a journal from ``offset`` on, none where there is no journal.
 
-    Raises UserError where the disk refuses, and for a journal of another version of the format.
+    Raises UserError where the disk refuses.
     """
     path = folder / NAME
     with refused(path, "cannot be read:"):
         try:
-            file = path.open("rb")
+            file = open_plain(path)
         except FileNotFoundError:
             return
         with file:
             file.seek(offset)
-            for line in file:
-                offset += len(line)
-                entry = entry_in(line)
-                if entry is None:
-                    continue
-                if entry.get("format", FORMAT) != FORMAT:
-                    raise UserError(
-                        f"{path}: is of another version of the format ({entry['format']}, not "
-                        f"{FORMAT}) and left as it is; choose another folder with --out"
-                    )
-                yield entry, offset
+            while text := file.readline(LONGEST):
+                yield text
+
+
+def entries(folder: Path, offset: int = 0) -> Iterator[tuple[Entry, int]]:
+    """Yield (entry, offset of the line after it) of every sound line from ``offset`` on.
+
+    Raises UserError as ``lines``, and for a journal of another version of the format.
+    """
+    for text in lines(folder, offset):
+        offset += len(text)
+        entry = entry_in(text)
+        if entry is None:
+            continue
+        if entry.get("format", FORMAT) != FORMAT:
+            raise UserError(
+                f"{folder / NAME}: is of another version of the format ({entry['format']}, not "
+                f"{FORMAT}) and left as it is; choose another folder with --out"
+            )
+        yield entry, offset
 
 
 def size(folder: Path) -> int:

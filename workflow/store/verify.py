@@ -4,7 +4,7 @@ from collections import defaultdict
 from pathlib import Path
 
 from ..errors import UserError
-from ..system import LOCK, digest_of, read_whole, refused, sizes_in
+from ..system import LOCK, digest_of, read_whole, sizes_in
 from . import journal
 from .index import Index
 from .shard import Contents, NoShard, decode, shard_sizes
@@ -61,14 +61,10 @@ class Verified:
         ]
 
     def _read_journal(self) -> None:
-        path = self.folder / journal.NAME
         for _ in journal.entries(self.folder):
             pass  # a journal of another version, or none that can be read, is refused
-        with refused(path, "cannot be read:"):
-            lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
-        if not lines:
-            self.notes.append("there is no journal, or it is empty")
-        for number, line in enumerate(lines, 1):
+        for number, line in enumerate(journal.lines(self.folder), 1):
+            self.lines_of_journal = number
             entry = journal.entry_in(line)
             if entry is None:
                 self.faults.append(f"{journal.NAME}, line {number}: spoilt")
@@ -77,7 +73,8 @@ class Verified:
                 self.index.replay(entry)
             except (TypeError, ValueError) as error:
                 self.faults.append(f"{journal.NAME}, line {number}: not understood ({error!r})")
-        self.lines_of_journal = len(lines)
+        if not self.lines_of_journal:
+            self.notes.append("there is no journal, or it is empty")
 
     def _is_sound(self, name: str) -> bool:
         """Return whether a shard holds what it says and what the journal tells; note what not."""

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
         clear_leftovers,
         digest_of,
         make_folder,
+        open_plain,
         read_whole,
         refused,
         replacing,
