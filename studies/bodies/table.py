@@ -1,9 +1,9 @@
-"""Write workflow/plan/model_ratio.csv from a result of this study.
+"""Write workflow/plan/ratio_of_bodies.csv from a result of this study.
 
     python -m elastomer_friction.studies.bodies.table RESULT.nc
 
-A row for each point: what it is (plan/model_ratio.py), the ratio, and its standard error with the
-bias of the discretisation of both bodies.
+A row for each point: what it is (plan/ratio_of_bodies.py), the ratio, and its standard error with
+the bias of the discretisation of both bodies.
 """
 
 import csv
@@ -15,7 +15,7 @@ import xarray as xr
 from elastomer_friction.studies.bodies.figure import PAIRS
 from elastomer_friction.studies.style import computed_study
 from elastomer_friction.workflow.plan import make_plan
-from elastomer_friction.workflow.plan.model_ratio import KINDS, TABLE, Place, place_of
+from elastomer_friction.workflow.plan.ratio_of_bodies import KINDS, TABLE, Place, place_of
 
 LEAST_RATIO = 3.0  # of a ratio to its error, below which it says nothing
 

@@ -8,7 +8,17 @@ from typing import Any
 
 import numpy as np
 
-from ..plan import WHOLE, Pace, Plan, Prediction, Variant, make_plan, prediction, this_machine
+from ..plan import (
+    WHOLE,
+    Pace,
+    Plan,
+    Prediction,
+    Variant,
+    make_plan,
+    model_ratio,
+    prediction,
+    this_machine,
+)
 from ..simulate import programme_steps
 from ..study import (
     HALF_SPACE,
@@ -115,6 +125,7 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
         lines += march_lines(variant)
     return [
         *lines,
+        *_model(plan),
         f"predicted   {core_time(cost.low, cost.high)}",
         f"speed       as measured on {speed}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
@@ -151,9 +162,28 @@ def march_lines(variant: Variant) -> list[str]:
     ]
 
 
-def _span(values: np.ndarray) -> str:
+def _model(plan: Plan) -> list[str]:
+    """Return what the choice of the body does to mu_1, where that is known."""
+    found = []
+    for variant in plan.variants[:1] if "steady" in plan.study.scene.quantities else ():
+        problems = [task.problem for task in variant.tasks]
+        ratios = np.array([model_ratio(one, variant.lines.normalisation)[0] for one in problems])
+        known = ratios[~np.isnan(ratios)]
+        if known.size:
+            some = (
+                "" if known.size == ratios.size else f" at {known.size} of {ratios.size} problems"
+            )
+            found = [
+                f"model       the foundation gives {_span(known, 2)} of a half-space here{some}"
+            ]
+        else:
+            found = ["model       foundation over half-space: not known here (docs/bodies.md)"]
+    return found
+
+
+def _span(values: np.ndarray, digits: int = 4) -> str:
     """Return the least and the largest of some numbers."""
-    low, high = f"{values.min():.4g}", f"{values.max():.4g}"
+    low, high = f"{values.min():.{digits}g}", f"{values.max():.{digits}g}"
     return low if low == high else f"{low} ... {high}"
 
 

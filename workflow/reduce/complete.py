@@ -12,6 +12,7 @@ from ..plan import (
     first_order_rate_error,
     laws_of,
     line_slope,
+    model_ratio,
     rate_error,
     speed_ratio,
 )
@@ -45,6 +46,7 @@ def completed(
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
     same = {f"{name}_error" for name in MOTION if not _differs(estimates, name)}
     spread = {n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in same}
+    spread |= _of_model(tasks, variant.lines.normalisation) if "mu_1" in names else {}
     slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
     return spread | {
         "realizations": counts,
@@ -52,6 +54,14 @@ def completed(
         "speed_ratio": np.array([speed_ratio(task.problem) for task in tasks]),
         "steps_per_spacing": np.array([t.steps_per_spacing for t in tasks], np.int32),
     }
+
+
+def _of_model(tasks: list[Task], normalisation: str) -> Estimates:
+    """Return what the foundation's mu_1 is of a half-space's, where that is known of any task."""
+    found = np.array([model_ratio(task.problem, normalisation) for task in tasks])
+    if np.isnan(found).all():
+        return {}
+    return {"model_ratio": found[:, 0], "model_ratio_error": found[:, 1]}
 
 
 def _differs(estimates: Estimates, name: str) -> bool:

@@ -1,8 +1,8 @@
 """The error of the model: friction of the foundation over that of a half-space, as measured.
 
-model_ratio.csv is made by the study `bodies` (studies/bodies/table.py) under one nominal pressure,
-F_N = sigma_0 lambda_r L on the foundation. Between its points the logarithm of the ratio is linear
-in H and in the logarithms of waves, load and x; outside it nothing is said.
+ratio_of_bodies.csv is made by the study `bodies` (studies/bodies/table.py) under one nominal
+pressure, F_N = sigma_0 lambda_r L on the foundation. Between its points the logarithm of the ratio
+is linear in H and in the logarithms of waves, load and x; outside it nothing is said.
 """
 
 import csv
@@ -19,7 +19,7 @@ from ..simulate import Problem
 from ..study import HALF_SPACE
 from .problems import line_slope, speed_ratio
 
-TABLE = Path(__file__).with_name("model_ratio.csv")
+TABLE = Path(__file__).with_name("ratio_of_bodies.csv")
 KINDS = ("kelvin", "broad")  # one relaxation time, or many
 UNKNOWN = math.nan, math.nan
 ROUNDING = 1e-6  # relative, by which a point may lie outside
@@ -53,7 +53,10 @@ def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, 
     place = place_of(problem, normalisation)
     table = _table().get(place.kind, {})
     found = _between(table, place.waves, lambda own: _of_hurst(own, place), np.log)
-    return (math.exp(found[0]), math.exp(found[0]) * found[1]) if found else UNKNOWN
+    if found is None:
+        return UNKNOWN
+    ratio = math.exp(found[0])
+    return ratio, ratio * float(found[1])
 
 
 def _of_hurst(table: dict, place: Place) -> np.ndarray | None:
