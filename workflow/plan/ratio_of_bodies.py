@@ -1,6 +1,6 @@
 """The error of the model: friction of the foundation over that of a half-space, as measured.
 
-ratio_of_bodies.csv is made by the study `bodies` (studies/bodies/table.py) under one nominal
+ratio_of_bodies.csv is made by the study `bodies` (studies/bodies/ratio_table.py) under one nominal
 pressure, F_N = sigma_0 lambda_r L on the foundation. Between its points the logarithm of the ratio
 is linear in H and in the logarithms of waves, load and x; outside it nothing is said.
 """
@@ -25,7 +25,7 @@ UNKNOWN = math.nan, math.nan
 ROUNDING = 1e-6  # relative, by which a point may lie outside
 
 
-class Place(NamedTuple):
+class InTable(NamedTuple):
     """Where a problem stands in the table."""
 
     kind: str
@@ -35,7 +35,7 @@ class Place(NamedTuple):
     speed_ratio: float  # x = v1 tau q_max
 
 
-def place_of(problem: Problem, normalisation: str = "modal") -> Place:
+def place_of(problem: Problem, normalisation: str = "modal") -> InTable:
     """Return where a problem stands, on either body."""
     longest = max(problem.surface.rolloff, 1.0)  # its wave number in 2 pi/L
     last = problem.surface.cutoff or problem.elements // 2
@@ -43,7 +43,7 @@ def place_of(problem: Problem, normalisation: str = "modal") -> Place:
     pressure = problem.load * shared / problem.elements  # in E* h/dx
     kind = KINDS[problem.spectrum != KELVIN]
     load = pressure / line_slope(problem, normalisation)
-    return Place(kind, last / longest, problem.hurst, load, float(speed_ratio(problem)))
+    return InTable(kind, last / longest, problem.hurst, load, float(speed_ratio(problem)))
 
 
 def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, float]:
@@ -59,11 +59,11 @@ def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, 
     return ratio, ratio * float(found[1])
 
 
-def _of_hurst(table: dict, place: Place) -> np.ndarray | None:
+def _of_hurst(table: dict, place: InTable) -> np.ndarray | None:
     return _between(table, place.hurst, lambda own: _of_point(own, place), lambda value: value)
 
 
-def _of_point(own: dict[str, np.ndarray], place: Place) -> np.ndarray | None:
+def _of_point(own: dict[str, np.ndarray], place: InTable) -> np.ndarray | None:
     """Return (ln ratio, relative error) at a load and speed, between four points of a grid."""
     found = []
     for name in ("ratio", "error"):

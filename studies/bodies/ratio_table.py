@@ -1,6 +1,6 @@
 """Write workflow/plan/ratio_of_bodies.csv from a result of this study.
 
-    python -m elastomer_friction.studies.bodies.table RESULT.nc
+    python -m elastomer_friction.studies.bodies.ratio_table RESULT.nc
 
 A row for each point: what it is (plan/ratio_of_bodies.py), the ratio, and its standard error with
 the bias of the discretisation of both bodies.
@@ -15,7 +15,7 @@ import xarray as xr
 from elastomer_friction.studies.bodies.figure import PAIRS
 from elastomer_friction.studies.style import computed_study
 from elastomer_friction.workflow.plan import make_plan
-from elastomer_friction.workflow.plan.ratio_of_bodies import KINDS, TABLE, Place, place_of
+from elastomer_friction.workflow.plan.ratio_of_bodies import KINDS, TABLE, InTable, place_of
 
 LEAST_RATIO = 3.0  # of a ratio to its error, below which it says nothing
 
@@ -45,15 +45,15 @@ def rows_of(tree: xr.DataTree) -> list[tuple]:
 NEEDED = ("mu_1", "mu_1_error", "mu_1_bias")
 
 
-def main() -> None:
+def _main() -> None:
     """Write the table."""
     with xr.open_datatree(sys.argv[1]) as tree, TABLE.open("w", encoding="utf-8") as file:
         writer = csv.writer(file, lineterminator="\n")
-        writer.writerow((*Place._fields, "ratio", "error"))
+        writer.writerow((*InTable._fields, "ratio", "error"))
         for kind, *numbers in rows_of(tree):
             assert kind in KINDS
             writer.writerow((kind, *(f"{number:.6g}" for number in numbers)))
 
 
 if __name__ == "__main__":
-    main()
+    _main()
