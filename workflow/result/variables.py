@@ -65,6 +65,8 @@ VARIABLES = {
     "mu_2": Variable("steady coefficient of friction at v2", SLOPE),
     "indentation": Variable("steady indentation d at v1", HEIGHT, "m", comment=SIGN_OF_D),
     "contact_fraction": Variable("share of the line in contact at v1"),
+    "mu_persson": Variable("coefficient of friction at v1 by Persson's theory", SLOPE),
+    "area_persson": Variable("real contact area at v1 by Persson's theory, over the nominal one"),
     "model_ratio": Variable(
         "mu_1 of the foundation over that of a half-space",
         comment="at one nominal pressure, from a table that the study bodies makes; the error of "
