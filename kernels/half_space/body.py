@@ -71,13 +71,19 @@ class Step(NamedTuple):
 def take_step(space: HalfSpace, body: Body, step: Step) -> tuple[Body, int]:
     """Take a body over a step, its memory in place; return it and the passes of the operator."""
     z = space.surface.z
-    offset = (body.offset + step.way) % z.shape[1]
+    return move_on(space, body, step.law, z, (body.offset + step.way) % z.shape[1])
+
+
+def move_on(
+    space: HalfSpace, body: Body, law: NamedTuple, z: np.ndarray, offset: int
+) -> tuple[Body, int]:
+    """Take a body over a step of a law, its memory in place; z, offset : surface at its end."""
     w, gap = np.empty(body.depth.size), np.empty_like(z)
-    stiffness = step.law.stiffness  # type: ignore[attr-defined]
-    open_gap(step.law, body.memory, body.depth, z, offset, w, gap)
+    stiffness = law.stiffness  # type: ignore[attr-defined]
+    open_gap(law, body.memory, body.depth, z, offset, w, gap)
     found = press(gap, space.pressure, space.compliance, body.p, TOLERANCE)
     new = at_elements(found.depth, offset)
-    take(step.law, body.memory, w, body.depth, new)
+    take(law, body.memory, w, body.depth, new)
     return Body(body.memory, new, found.p, found.d / stiffness, offset), found.passes
 
 

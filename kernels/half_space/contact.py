@@ -82,11 +82,13 @@ def press(
             return ElasticContact(p, depth, d, passes)
         if passes >= MOST_PASSES:
             raise ValueError(f"no contact was found in {MOST_PASSES} passes")
-        along = _turn(gap, depth, p, d, keep * square / before, t)
+        along = _turn(gap, depth, p, d, keep * square / before if before > 0.0 else 0.0, t)
         before = square
         pushed = _displaced(t, compliance)
         passes += 1
-        step = along / _curvature(pushed, t, p)
+        curvature = _curvature(pushed, t, p)
+        # A single sample that touches has no direction: others begin as softly as one alone is.
+        step = along / curvature if curvature > 0.0 else p.size / (2.0 * compliance.sum())
         changed, total = _advance(gap, depth, p, t, pushed, allowed, d, step)
         factor = mean_pressure * p.size / total
         p *= factor
