@@ -29,6 +29,7 @@ if TYPE_CHECKING:
     )
     from .error_laws import first_order_rate_error, rate_error
     from .goal import (
+        BIAS,
         FIRST_ORDER,
         JACKKNIFE_GROUPS,
         Goal,

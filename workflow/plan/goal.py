@@ -188,6 +188,13 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     return steps
 
 
+def may_have(problem: Problem, steps: int) -> bool:
+    """Return whether a line of so many steps per spacing fits into a worker, and none is lost."""
+    fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
+    fits = problem.elements * steps <= MAX_SAMPLES_PER_LINE
+    return fits and steps * fastest * shortest_step(problem.spectrum) <= 1.0
+
+
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
     """Raise UserError where a line does not fit into a worker, or rounding would show.
 

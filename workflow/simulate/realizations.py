@@ -14,6 +14,7 @@ from ...kernels.compile.clock import working_time
 from ..system import keep_memory, peak_bytes, this_maker
 from .bodies import BODIES, body_of
 from .drawing import Draw
+from .finer import HALVED, add_finer
 from .kept import record_steps
 from .layout import Layout, row_layout, row_width
 from .programmes import add_programme, steady_ends
@@ -61,6 +62,8 @@ def block_means(batch: Batch) -> BatchResult:
             block, before = divmod(number, batch.realizations_per_block)
             some.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
         _add_realizations(batch, layouts, cases, some, spent)
+    if batch.recording.finer > batch.first_block:
+        add_finer(batch, layouts, cases, _cases(batch, HALVED), curves)
     for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
         for name, (first, shape) in places.items():
@@ -132,8 +135,11 @@ def _add_case(
         spent[row, -1] += add_programme(batch, line, task, places, record.curves, record.lines)
 
 
-def _cases(batch: Batch) -> Cases:
-    """Return what is run on every line; tasks that share a steady state at v1 are one case."""
+def _cases(batch: Batch, times: int = 1) -> Cases:
+    """Return what is run on every line; tasks that share a steady state at v1 are one case.
+
+    times : as many steps per spacing as the tasks say.
+    """
     shared: dict[tuple, list[int]] = {}
     for row, task in enumerate(batch.tasks):
         problem = task.problem
@@ -142,17 +148,18 @@ def _cases(batch: Batch) -> Cases:
     found: Cases = []
     for steps, keys in groupby(sorted(shared), itemgetter(0)):
         rows = [shared[key] for key in keys]
-        given = [_case(batch, some) for some in rows] if batch.quantities.anything else ()
-        found.append((body_of(batch).prepare(given, steps, batch.quantities), rows))
+        given = [_case(batch, some, times) for some in rows] if batch.quantities.anything else ()
+        found.append((body_of(batch).prepare(given, times * steps, batch.quantities), rows))
     return found
 
 
-def _case(batch: Batch, rows: list[int]) -> Case:
+def _case(batch: Batch, rows: list[int], times: int) -> Case:
     tasks = [batch.tasks[row] for row in rows]
     kept: tuple[np.ndarray, ...] = ()
     if batch.quantities.relaxation:
         samples = batch.recording.samples
-        kept = tuple(record_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks)
+        steps = (record_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks)
+        kept = tuple(times * own for own in steps)
     return Case(
         load=tasks[0].problem.load,
         speed=tasks[0].problem.speed,

@@ -79,6 +79,7 @@ class Recording(NamedTuple):
     asked: tuple[str, ...] = ()  # what of a programme is asked for (kernels/scene)
     dense: tuple[str, ...] = ()  # "healing", "loop": what needs samples of its own
     origin: Origin = START  # where a programme begins that is resumed
+    finer: int = 0  # blocks whose first line is run with halved steps too (finer.py)
 
 
 class Task(NamedTuple):

@@ -14,6 +14,7 @@ LEAST = 0.2  # correlation of neighbours below which lines count as independent
 CHANCE = 5.0  # standard deviations of the correlation of independent lines
 GONE = 0.05  # correlation from which on lines have nothing more in common
 LONG = 1.4  # blocks, in lengths of the correlation: they hold nine tenths of a standard error
+FEWEST = 4  # blocks
 SPARE = 1.25  # blocks may be so much longer to leave out fewer lines
 
 
@@ -29,16 +30,18 @@ class Alike(NamedTuple):
         return math.ceil(LONG * self.lines)
 
     def whole_blocks(self, lines: int, every: bool) -> tuple[int, int]:
-        """Return how many of some lines are taken, and how many make a block: two blocks at least.
+        """Return how many of some lines are taken, and how many make a block.
+
+        There are two blocks at least, and four where lines are so many.
 
         every : whether all of them must be; else a few are left out that fill no block.
         """
-        half = max(lines // 2, 1)
-        least = min(self.block, half)
+        longest = max(lines // FEWEST if lines >= 2 * FEWEST else lines // 2, 1)
+        least = min(self.block, longest)
         if every:
-            whole = [size for size in range(1, half + 1) if lines % size == 0]
+            whole = [size for size in range(1, longest + 1) if lines % size == 0]
             return lines, min((size for size in whole if size >= least), default=whole[-1])
-        sizes = range(least, min(int(SPARE * least), half) + 1)
+        sizes = range(least, min(int(SPARE * least), longest) + 1)
         block = max(sizes, key=lambda size: (lines // size * size, -size))
         return lines // block * block, block
 

@@ -64,7 +64,8 @@ def test_independent_lines_are_not_alike(hurst, lines):
         (128, False, 128, 16),
         (101, False, 100, 20),
         (126, True, 126, 18),
-        (20, False, 20, 10),  # two blocks, shorter than they should be
+        (20, False, 20, 5),  # four blocks, shorter than they should be
+        (6, False, 6, 3),
         (7, True, 7, 1),  # nothing else divides it
     ],
 )
