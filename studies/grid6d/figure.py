@@ -20,8 +20,8 @@ from elastomer_friction.workflow.result import Groups
 CAPTION = (
     "Panels (a) to (c) show steady friction, jump and relaxation rate at points spread over the "
     "ranges of all six parameters, in the scaled variables of the paper. Panels (d) to (f) show by "
-    "how much the kinetic law, eqs. 14 and 15 with the rate at v2, misses the simulated friction at "
-    "these points."
+    "how much the kinetic law, eqs. 14 and 15 with the rate at v2, misses the simulated friction "
+    "at these points."
 )
 NOISY = 0.5  # relative standard error above which points are crosses, without bars
 PANELS = (  # x label, y label, title

@@ -1,6 +1,5 @@
 """Columns of numbers in text: separators, headers; and what is refused."""
 
-
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
