@@ -5,9 +5,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
-from .. import laboratory  # slow to import, all but the units: other commands do without
+from .. import laboratory  # slow to import: other commands do without
 from ..errors import UserError
-from ..laboratory import TIMES, VELOCITIES
 from ..study import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
 from ..system import make_folder, write_durably
 from .run_options import DONE
@@ -140,9 +139,10 @@ def add_fit_options(command: argparse.ArgumentParser) -> None:
     """Add what the command ``fit`` is told."""
     add = command.add_argument
     add("files", nargs="+", metavar="FILE", help="text file with time, velocity and friction")
-    add("--columns", default="0,1,2", help="columns of time, velocity, friction, from 0 (0,1,2)")
-    add("--time", choices=TIMES, help="unit of times (header, else s)")
-    add("--velocity", choices=VELOCITIES, help="unit of velocities (header, else m/s)")
+    add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
+    add("--time", metavar="UNIT", help="unit of times, as ms (header, else s)")
+    add("--velocity", metavar="UNIT", help="unit of velocities, as mm/min (header, else m/s)")
+    add("--displacement", metavar="UNIT", help="unit of displacements in place of velocities")
     add("--window", type=float, help="seconds after each step that are fitted, at most (all)")
     add("--relaxation-time", type=float, help="tau in s, where it is known from elsewhere")
     add("--hurst", type=float, help="H, where it is known from elsewhere")
@@ -160,8 +160,8 @@ def run_fit(options: argparse.Namespace) -> int:
             raise UserError(f"{name} {value:g}: must be greater than zero")
     if known.hurst is not None and not 0.0 <= known.hurst <= 1.0:
         raise UserError(f"--hurst {known.hurst:g}: must lie between 0 and 1")
-    columns = columns_of(options.columns)
-    units = options.time, options.velocity
+    columns = columns_of(options.columns) if options.columns else None
+    units = options.time, options.velocity, options.displacement
     records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
     fit = laboratory.fit_records(records, known, options.window)
     print(*laboratory.describe(fit), sep="\n")

@@ -242,6 +242,9 @@ def _materials(study: Study) -> Iterator[tuple[bool, str]]:
             yield True, f"rheology{f' of {label}' if label else ''}: {_rheology(each)}"
     if not any(material.branches for material in study.materials.values()):
         yield False, "branches of relaxation: material.branches is not given"
+    for label, material in study.materials.items():
+        if material.told:
+            yield True, f"branches{f' of {label}' if label else ''}: {material.told}"
     count = len(study.grid.get("temperature", ()))
     if count:
         yield True, f"{count} temperatures: all times shifted by WLF"
@@ -295,6 +298,9 @@ def _motion(study: Study) -> Iterator[tuple[bool, str]]:
         shown = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
         again = f", {scene.repeat} times" if scene.repeat > 1 else ""
         yield True, f"programme from {scene.start}: {shown}{again}"
+        for each in scene.programme:
+            if isinstance(each, FromFile):
+                yield True, f"programme sampled: {each.told}"
     else:
         yield False, "programme: there is no [[scene.programme]]; v1 steps to v2"
     if scene.control == "force":

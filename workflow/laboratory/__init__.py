@@ -9,7 +9,7 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .figure import draw_fit
-    from .record import TIMES, VELOCITIES, read_record
+    from .record import read_record
     from .sentences import describe
     from .together import Known, fit_records
 

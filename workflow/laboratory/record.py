@@ -1,26 +1,26 @@
-"""Read one measured record, and part it into stretches of constant velocity and the steps between.
+"""Read one measured record: time, velocity or displacement, and friction, from a text table.
 
-A record is a text file with the columns time, velocity and coefficient of friction.
+Columns are known by their names and units, else by their order.
 """
 
 import re
-from itertools import pairwise
+from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from ..errors import UserError
-from ..study import Rows, named_unit, rows_of_file
+from ..text_tables import TextTable, Wanted, picked, picked_by_name, read_text_table, told, unit_of
 
-TIMES = {"s": 1.0, "ms": 1e-3, "min": 60.0}  # in s
-VELOCITIES = {"m/s": 1.0, "mm/s": 1e-3, "um/s": 1e-6}  # in m/s
-COLUMNS = ("a time", "a velocity", "a coefficient of friction")
-OF_TIME = re.compile(r"[\[(]\s*(s|ms|min)\s*[\])]")
-OF_VELOCITY = re.compile(r"(?<![\w/])([mu]?m/s)(?![\w²^])")
-LEAST_CHANGE = 0.02  # of log velocity: the smallest step that is looked for
-LEAST_SAMPLES = 12  # of a stretch
-CHANCE = 5.0  # standard errors by which the means of two stretches must differ
+TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", "--time")
+VELOCITY = Wanted("a velocity", "velocity", r"vel|speed|^v([_ ]|$)", "m/s", "--velocity")
+PLACE = Wanted("a displacement", "length", r"disp|posit|slip|dist|^[xs]$", "m", "--displacement")
+FRICTION = Wanted(
+    "a coefficient of friction", "number", r"fric|^(mu|\u03bc|\u00b5)([_ ]|$)|coef|cof", "1"
+)
+LARGEST_NOISE = 0.05  # of a velocity that is a difference of displacements, as a share of it
+WIDEST = 12  # samples over which displacements are differenced
 
 
 class Record(NamedTuple):
@@ -28,141 +28,93 @@ class Record(NamedTuple):
 
     name: str  # of the file
     time: np.ndarray  # s, increasing
-    velocity: np.ndarray  # m/s, positive
-    friction: np.ndarray  # coefficient of friction
-    units: tuple[str, str]  # of times and velocities in the file
+    velocity: np.ndarray  # m/s, of any sign
+    friction: np.ndarray  # coefficient of friction, of any sign
+    told: tuple[str, ...] = ()  # what the file was read as, in sentences
 
 
 def read_record(
     path: Path,
-    columns: tuple[int, ...] = (0, 1, 2),
+    columns: Sequence[int] | None = None,
     time: str | None = None,
     velocity: str | None = None,
+    displacement: str | None = None,
 ) -> Record:
     """Return the record of a text file.
 
-    columns : numbers, from 0, of time, velocity and friction. time, velocity : units; where they
-    are not given the lines before the first row say them, and without that they are s and m/s.
+    columns : numbers, from 0, of time, velocity or displacement, and friction. time, velocity :
+    units, which go before those that the file states; s and m/s where neither does. displacement :
+    its unit, where it stands in place of the velocity and the file does not say so.
 
-    Raises UserError, naming file and line, for what is no number, for times that do not increase
-    and for velocities that are not positive.
+    Rows in which a value is missing are passed over; samples of one time are spread to the next.
+    Raises UserError for a file that does not say which columns are meant, for an unknown unit, for
+    times that go back, and for displacements too noisy to be differenced.
     """
-    rows = rows_of_file("fit", path, columns, COLUMNS)
-    header = " ".join(rows.header).replace("µ", "u").replace("μ", "u")
-    units = (
-        time or named_unit(f"fit {path}", "--time", OF_TIME, header) or "s",
-        velocity or named_unit(f"fit {path}", "--velocity", OF_VELOCITY, header) or "m/s",
-    )
-    t, v, mu = rows.values
-    back = np.flatnonzero(np.diff(t) <= 0.0)
+    table = read_text_table("fit", path)
+    second = _second(table, columns, displacement)._replace(unit=displacement or velocity)
+    found = picked(table, (TIME._replace(unit=time), second, FRICTION), columns)
+    said = [told(table, found)]
+    values = np.array([one.values for one in found])
+    there = np.isfinite(values).all(axis=0)
+    t, moved, mu = values[:, there]
+    if not t.size:
+        raise UserError(f"fit {path}: holds no row of 3 finite numbers")
+    back = np.flatnonzero(np.diff(t) < 0.0)
     if back.size:
-        i = int(back[0]) + 1
-        raise _refused(path, rows, i, f"time {t[i]:g} does not come after {t[i - 1]:g}", "increase")
-    still = np.flatnonzero(v <= 0.0)
-    if still.size:
-        i = int(still[0])
-        raise _refused(path, rows, i, f"holds the velocity {v[i]:g}", "be greater than zero")
-    return Record(path.name, t * TIMES[units[0]], v * VELOCITIES[units[1]], mu, units)
-
-
-def _refused(path: Path, rows: Rows, index: int, found: str, must: str) -> UserError:
-    return UserError(f"fit: line {rows.lines[index]} of {str(path)!r}: {found}; must {must}")
-
-
-class MeasuredStep(NamedTuple):
-    """One velocity step as it was measured."""
-
-    name: str  # of the file, and which step of it
-    v1: float  # m/s
-    v2: float
-    change: float  # s: between the last sample at v1 and the first at v2
-    before: np.ndarray  # friction: the later half of sliding at v1, shape (samples,)
-    time: np.ndarray  # s since the middle of the change, at v2, shape (n,)
-    after: np.ndarray  # friction at these times
-
-    @property
-    def ratio(self) -> float:
-        """Return v2/v1."""
-        return self.v2 / self.v1
-
-
-def measured_steps(record: Record, window: float | None = None) -> list[MeasuredStep]:
-    """Return the velocity steps of a record, in order.
-
-    window : seconds after each step that are looked at, at most; all by default. Raises UserError
-    where there is no step.
-    """
-    stretches = constant_stretches(np.log(record.velocity))
-    if len(stretches) < 2:
+        line = np.array(table.lines)[there][back[0] + 1]
         raise UserError(
-            f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
-            f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart"
+            f"fit: line {line} of {str(path)!r}: time {t[back[0] + 1]:g} s comes before "
+            f"{t[back[0]]:g} s of the row above; must increase: part the file there, or sort it"
         )
-    found, t = [], record.time
-    for number, (one, two) in enumerate(pairwise(stretches), 1):
-        name = f"{record.name}, step {number}" if len(stretches) > 2 else record.name
-        last, first = t[one.stop - 1], t[two.start]
-        start, end = 0.5 * (last + first), two.stop
-        if window is not None:
-            end = min(end, int(np.searchsorted(t, start + window, side="right")))
-        if end - two.start < LEAST_SAMPLES:
-            raise UserError(
-                f"fit {name}: {max(end - two.start, 0)} samples within {window:g} s of the step; a "
-                f"fit needs {LEAST_SAMPLES}: give a longer --window"
-            )
-        step = MeasuredStep(
-            name=name,
-            v1=float(record.velocity[one].mean()),
-            v2=float(record.velocity[two].mean()),
-            change=float(first - last),
-            before=record.friction[(one.start + one.stop) // 2 : one.stop],
-            time=t[two.start : end] - start,
-            after=record.friction[two.start : end],
-        )
-        found.append(step)
-    return found
+    if np.any(np.diff(t) == 0.0):
+        said.append(f"{np.sum(np.diff(t) == 0.0)} samples have the time of the one before; spread")
+        t = _spread(t)
+    if second.family == PLACE.family:
+        moved, width = _differenced(path, t, moved)
+        said.append(f"velocity is the difference of displacements over {width} samples")
+    return Record(path.name, t, moved, mu, tuple(said))
 
 
-def constant_stretches(values: np.ndarray) -> list[slice]:
-    """Return where values are constant but for noise, in order; what lies between is left out.
+def _second(table: TextTable, columns: Sequence[int] | None, displacement: str | None) -> Wanted:
+    """Return whether the second column is a velocity or a displacement, by its name and unit."""
+    if displacement:
+        return PLACE
+    if columns is not None:
+        title = table.title(columns[1]) if columns[1] < table.width else table.title(0)
+        unit, name = unit_of(title.unit), title.name
+        placed = re.search(PLACE.names, name, re.I) and not re.search(VELOCITY.names, name, re.I)
+        family = unit.family if unit and title.stated else ""
+        return PLACE if family == PLACE.family or (placed and family == "") else VELOCITY
+    units = [unit_of(title.unit) for title in table.titles]
+    families = [unit.family for unit in units if unit]
+    if picked_by_name(table, VELOCITY) is not None or VELOCITY.family in families:
+        return VELOCITY
+    placed = picked_by_name(table, PLACE) is not None or PLACE.family in families
+    return PLACE if placed else VELOCITY
 
-    The values are cut in two where that reduces their scatter most, and the parts again, as long
-    as the means of the parts differ; parts that are short, or in which they go up or down, are a
-    change of velocity that takes its time. Neighbours of one mean are one stretch.
+
+def _spread(t: np.ndarray) -> np.ndarray:
+    """Return times, those of one stamp spread evenly to the next stamp."""
+    stamps, first, counts = np.unique(t, return_index=True, return_counts=True)
+    if stamps.size < 2:
+        raise UserError(f"fit: all samples have one time stamp, {stamps[0]:g} s; must increase")
+    steps = np.append(np.diff(stamps), np.diff(stamps)[-1])
+    within = np.arange(t.size) - np.repeat(first, counts)
+    return t + within * np.repeat(steps / counts, counts)
+
+
+def _differenced(path: Path, t: np.ndarray, place: np.ndarray) -> tuple[np.ndarray, int]:
+    """Return velocities from displacements, and over how many samples they are differences.
+
+    So many that the noise of displacements, from their second differences, is a small share.
     """
-    noise = float(np.median(np.abs(np.diff(values)))) / (0.6745 * np.sqrt(2.0))
-    open_parts, done = [(0, values.size)], []
-    while open_parts:
-        start, stop = open_parts.pop()
-        cut = _cut(values[start:stop], noise)
-        if cut is None:
-            done.append(slice(start, stop))
-        else:
-            open_parts += [(start, start + cut), (start + cut, stop)]
-    parts = []
-    for part in sorted(done, key=lambda part: part.start):
-        own = values[part]
-        place = np.linspace(-0.5, 0.5, own.size)
-        if own.size >= LEAST_SAMPLES and abs(place @ own / (place @ place)) < LEAST_CHANGE:
-            parts.append(part)
-    joined: list[slice] = []
-    for part in parts:
-        if joined and abs(values[part].mean() - values[joined[-1]].mean()) < LEAST_CHANGE:
-            joined[-1] = slice(joined[-1].start, part.stop)
-        else:
-            joined.append(part)
-    return joined
-
-
-def _cut(values: np.ndarray, noise: float) -> int | None:
-    """Return after how many values their mean changes most; None where it does not."""
-    n = values.size
-    if n < 2:
-        return None
-    left = np.arange(1, n)
-    sums = np.cumsum(values)
-    difference = (sums[-1] - sums[:-1]) / (n - left) - sums[:-1] / left
-    weight = left * (n - left) / n
-    best = int(np.argmax(weight * difference**2))
-    least = max(LEAST_CHANGE, CHANCE * noise / np.sqrt(weight[best]))
-    return best + 1 if abs(difference[best]) > least else None
+    step = float(np.median(np.abs(np.diff(place))))
+    noise = float(np.median(np.abs(np.diff(place, 2)))) / (0.6745 * np.sqrt(6.0))
+    width = max(int(np.ceil(np.sqrt(2.0) * noise / (LARGEST_NOISE * step))), 1) if step else 1
+    if width > WIDEST:
+        raise UserError(
+            f"fit {path}: displacements scatter by {noise:.2g} m, beside {step:.2g} m from sample "
+            "to sample: smooth them, or give the commanded velocity"
+        )
+    velocity = (place[width:] - place[:-width]) / (t[width:] - t[:-width])
+    return np.concatenate([np.full(width, velocity[0]), velocity]), width

@@ -3,20 +3,19 @@
 import math
 from statistics import fmean
 
-from .estimate import DEVIATIONS, Estimate
-from .step_fit import StepFit
+from .estimate import Estimate
+from .step_fit import NEITHER, NOTHING, POOR, StepFit
 from .together import APART, Fit, Rates
 
 OPTIONS = {"tau": "--relaxation-time", "H": "--hurst", "q_max": "--q-max"}
 NAMES = {"mu_2": "friction after, mu_2", "amplitude": "amplitude", "jump": "jump", "rate": "rate"}
-STEADY = 0.1  # of the largest change after a step: drift before it that is spoken of
 
 
 def describe(fit: Fit) -> list[str]:
     """Return lines for a terminal: each step, then what all determine together."""
-    lines = []
+    lines = [*fit.told, ""] if fit.told else []
     for step, ageing in zip(fit.steps, fit.ageing, strict=True):
-        lines += _step(step)
+        lines += _step(step, min(step.rms, ageing.rms))
         for law, label in ((step, "Ruina's law (eq. 6)"), (ageing, "Dieterich's law")):
             values = zip(("a", "b", "D_c"), law.state(), ("", "", " m"), strict=True)
             known = [f"{name} = {shown(each)}{unit}" for name, each, unit in values if each.known]
@@ -26,8 +25,9 @@ def describe(fit: Fit) -> list[str]:
     return [*lines, *_together(fit)]
 
 
-def _step(fit: StepFit) -> list[str]:
-    step = fit.step
+def _step(fit: StepFit, least: float) -> list[str]:
+    """Return what one step determines; least : residual of the better law."""
+    step, times = fit.step, least / fit.noise if fit.noise else 1.0
     lines = [f"{step.name}: from {step.v1:.4g} to {step.v2:.4g} m/s"]
     levels = (("friction before, mu_1", fit.mu_1), ("jump", fit.jump))
     for name, level in (*levels, ("friction after, mu_2", fit.mu_2)):
@@ -44,13 +44,19 @@ def _step(fit: StepFit) -> list[str]:
     if fit.factor > 1.5:
         said = f"errors are {math.sqrt(fit.factor):.2g} times those of independent samples"
         lines.append(_line("noise", f"is correlated; {said}"))
-    size = max(abs(fit.curve - fit.mu_1.value))
-    if abs(fit.drift.value) > max(DEVIATIONS * fit.drift.error, STEADY * size):
+    if fit.drifts:
         said = f"friction still changes, by {fit.drift.value:.2g} over {step.before.size} samples"
-        lines.append(_line("before the step", f"{said}; mu_1 is a mean of them"))
+        then = "mu_1 is a mean of them"
+        if fit.levelled:
+            then = "this drift is taken off, before the step and after it"
+        lines.append(_line("before the step", f"{said}; {then}"))
+    poor = f"the residual is {times:.2g} times the noise: {NEITHER}" if times > POOR else ""
     for why in dict.fromkeys(fit.why.values()):
         names = [NAMES[name] for name in fit.why if fit.why[name] == why]
-        lines.append(_line("not determined", f"{_listed(names)}: {why}"))
+        reason = poor if poor and why == NOTHING else why
+        lines.append(_line("not determined", f"{_listed(names)}: {reason}"))
+    if poor and NOTHING not in fit.why.values():
+        lines.append(_line("beware", poor))
     return lines
 
 

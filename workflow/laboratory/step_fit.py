@@ -22,11 +22,13 @@ from scipy.optimize import least_squares
 
 from ..reduce import step_law
 from .estimate import DEVIATIONS, Estimate, correlation_factor, mean
-from .record import MeasuredStep
+from .parting import MeasuredStep
 
 RATES = 80  # tried
 SLOWEST = 0.1  # rate times the whole time: slower is a straight line
 FASTEST = 1.0  # rate times the first interval of samples: faster is part of the jump
+STEADY = 0.1  # of the largest change after a step: drift before it that counts
+POOR = 5.0  # times the noise: a residual that no noise is
 SMALL = 1e-12  # of a coefficient of friction: less is rounding
 LARGEST_SHARE = 1.0 / DEVIATIONS  # of a number that its standard error may be
 
@@ -41,6 +43,10 @@ OPEN_WITH = {
     TOO_COARSE: ("jump", "amplitude", "rate"),
     TOO_NOISY: ("rate",),
 }
+NEITHER = (
+    "neither law describes it: the machine is soft, or took long to reach the velocity; a stiffer "
+    "one shows the step itself"
+)
 UNSURE = "its standard error is more than a third of all that happens"
 
 Shape = Callable[[np.ndarray, np.ndarray], tuple[np.ndarray, np.ndarray]]
@@ -154,9 +160,17 @@ class StepFit(NamedTuple):
     rate: Estimate  # k, 1/s
     why: dict[str, str]  # of estimates that are not determined, why
     drift: Estimate  # change of friction over ``step.before``, by a straight line
+    levelled: bool  # that drift is taken off, before the step and after it
+    noise: float  # of friction, from sample to sample
     rms: float  # of the residual
     factor: float  # on the variances, as the noise is correlated
     curve: np.ndarray  # friction by the fit at ``step.time``
+
+    @property
+    def drifts(self) -> bool:
+        """Return whether friction changes before the step, beside what happens after it."""
+        size = max(abs(self.curve - self.mu_1.value))
+        return abs(self.drift.value) > max(DEVIATIONS * self.drift.error, STEADY * size)
 
     def state(self) -> tuple[Estimate, Estimate, Estimate]:
         """Return a, b and D_c (m) of the law."""
@@ -168,15 +182,53 @@ class StepFit(NamedTuple):
 
 
 def fit_step(step: MeasuredStep, law: str = "ruina") -> StepFit:
-    """Fit one step; law : "ruina", which is eq. 6, or "dieterich"."""
+    """Fit one step; law : "ruina", which is eq. 6, or "dieterich".
+
+    Where friction drifts before the step, and goes on to do so after it, the drift is taken off:
+    where that leaves less residual. Its error is part of those of the estimates.
+    """
+    plain = _fitted(step, law)
+    if not plain.drifts:
+        return plain
+    span = float(np.ptp(step.before_time)) * step.before.size / (step.before.size - 1)
+    per_second = plain.drift.times(1.0 / span)
+    level = _fitted(_levelled(step, per_second.value), law)
+    if level.rms >= plain.rms:
+        return plain
+    other = _fitted(_levelled(step, per_second.value + per_second.error), law)
+    return level._replace(
+        step=step,
+        drift=plain.drift,
+        levelled=True,
+        curve=level.curve + per_second.value * step.time,
+        mu_1=_with_drift(level.mu_1, other.mu_1),
+        mu_2=_with_drift(level.mu_2, other.mu_2),
+        jump=_with_drift(level.jump, other.jump),
+        amplitude=_with_drift(level.amplitude, other.amplitude),
+        rate=_with_drift(level.rate, other.rate),
+    )
+
+
+def _levelled(step: MeasuredStep, drift: float) -> MeasuredStep:
+    """Return a step without a drift, per second."""
+    return step._replace(
+        before=step.before - drift * step.before_time, after=step.after - drift * step.time
+    )
+
+
+def _with_drift(own: Estimate, off: Estimate) -> Estimate:
+    """Return an estimate with the error of the drift in it; off : that of a drift one error off."""
+    more = off.value - own.value if off.known else own.error
+    return Estimate(own.value, math.hypot(own.error, more))
+
+
+def _fitted(step: MeasuredStep, law: str) -> "StepFit":
+    """Return the fit of one step as it is."""
+    if np.ptp(step.after) <= SMALL:
+        return _nothing_happens(step, law)
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
     mu_1 = mean(step.before)
-    place = np.linspace(-0.5, 0.5, step.before.size)  # of a straight line through what was before
-    weight = place @ place
-    rise = float(place @ step.before / weight)
-    rest = step.before - step.before.mean() - rise * place
-    variance = rest @ rest / (rest.size - 2) * correlation_factor(rest)
     rate, why = _rate(fit)
     found, reasons = _levels(step, fit, mu_1, curve, bool(why))
     reasons |= dict.fromkeys(OPEN_WITH.get(why, ()), why)
@@ -187,11 +239,50 @@ def fit_step(step: MeasuredStep, law: str = "ruina") -> StepFit:
         mu_1=mu_1,
         rate=rate,
         why=reasons,
-        drift=Estimate(rise, math.sqrt(variance / weight)),
+        drift=_drift(step.before),
+        levelled=False,
+        noise=_noise(step.after),
         rms=float(np.sqrt(np.mean(fit.residual**2))),
         factor=fit.factor,
         curve=curve,
         **found,
+    )
+
+
+def _drift(values: np.ndarray) -> Estimate:
+    """Return the change over a stretch of samples, by a straight line through them."""
+    place = np.linspace(-0.5, 0.5, values.size)
+    weight = place @ place
+    rise = float(place @ values / weight)
+    rest = values - values.mean() - rise * place
+    variance = rest @ rest / (rest.size - 2) * correlation_factor(rest)
+    return Estimate(rise, math.sqrt(variance / weight))
+
+
+def _noise(values: np.ndarray) -> float:
+    """Return the standard deviation of noise, from the differences of neighbours."""
+    changes = np.abs(np.diff(values))
+    return float(np.median(changes)) / (0.6745 * math.sqrt(2.0))
+
+
+def _nothing_happens(step: MeasuredStep, law: str) -> StepFit:
+    """Return the fit of a step after which friction is constant to rounding."""
+    mu_1, mu_2 = mean(step.before), Estimate(float(step.after.mean()), 0.0)
+    return StepFit(
+        step=step,
+        law=law,
+        mu_1=mu_1,
+        mu_2=mu_2,
+        jump=Estimate(mu_2.value - mu_1.value, mu_1.error),
+        amplitude=Estimate(),
+        rate=Estimate(),
+        why={"amplitude": NOTHING, "rate": NOTHING},
+        drift=_drift(step.before),
+        levelled=False,
+        noise=0.0,
+        rms=0.0,
+        factor=1.0,
+        curve=np.full_like(step.after, mu_2.value),
     )
 
 

@@ -20,7 +20,8 @@ import numpy as np
 
 from ..kinetic_law import jump_between, normalised_jump
 from .estimate import DEVIATIONS, Estimate
-from .record import Record, measured_steps
+from .parting import left_out, measured_steps
+from .record import Record
 from .step_fit import LARGEST_SHARE, StepFit, fit_step
 
 LEAST_ERROR = 1e-3  # of the logarithm of a rate or jump: nothing is measured better
@@ -183,7 +184,7 @@ def fit_slope(fits: list[StepFit]) -> Estimate:
 
     At low speed the jump is as large as the change of friction, whatever the slope (eq. 10).
     """
-    found = [fit for fit in fits if fit.jump.known and fit.mu_1.value > 0.0]
+    found = [fit for fit in fits if fit.jump.known and fit.jump.error > 0.0 < fit.mu_1.value]
     if not found:
         return Estimate()
     log_ratio = np.log([fit.step.ratio for fit in found])
@@ -220,6 +221,7 @@ class Fit(NamedTuple):
     rates: Rates | None  # None where no step determines its rate
     slope: Estimate  # grad z
     known: Known
+    told: tuple[str, ...] = ()  # what the files were read as, in sentences
 
 
 def fit_records(records: list[Record], known: Known, window: float | None = None) -> Fit:
@@ -237,4 +239,5 @@ def fit_records(records: list[Record], known: Known, window: float | None = None
         rates=fit_rates(fits, known),
         slope=fit_slope(fits),
         known=known,
+        told=tuple(line for one in records for line in (*one.told, *left_out(one))),
     )

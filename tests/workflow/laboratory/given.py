@@ -28,7 +28,7 @@ def record(
     decay = np.exp(-rate * np.clip(t, 0.0, None))
     friction = np.where(t < 0.0, mu[0], mu[1] + (mu[0] + jump - mu[1]) * decay)
     friction = friction + noise(seed, 2 * n, size, correlation)
-    return Record(f"r{seed}.txt", t, np.where(t < 0.0, *v), friction, ("s", "m/s"))
+    return Record(f"r{seed}.txt", t, np.where(t < 0.0, *v), friction)
 
 
 def law(**changes):

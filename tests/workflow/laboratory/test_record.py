@@ -15,45 +15,94 @@ def read(tmp_path, text, *arguments, **options):
 
 def test_columns_and_units_of_the_header(tmp_path):
     text = "t (ms)\tload\tv [mm/s]\tmu\n0\t9\t100\t0.3\n10\t9\t120\t0.4\n"
-    found = read(tmp_path, text, (0, 2, 3))
-    np.testing.assert_allclose(found.time, [0.0, 0.01])
-    np.testing.assert_allclose(found.velocity, [0.1, 0.12])
-    assert found.friction.tolist() == [0.3, 0.4]
-    assert (found.units, found.name) == (("ms", "mm/s"), "r.txt")
+    for columns in ((0, 2, 3), None):
+        found = read(tmp_path, text, columns)
+        np.testing.assert_allclose(found.time, [0.0, 0.01])
+        np.testing.assert_allclose(found.velocity, [0.1, 0.12])
+        assert found.friction.tolist() == [0.3, 0.4]
+        assert found.name == "r.txt"
+    assert "column 2 v as a velocity in mm/s" in found.told[0]
 
 
 @pytest.mark.parametrize(
-    ("header", "units"),
+    ("header", "time", "velocity"),
     [
-        ("", ("s", "m/s")),
-        ("Zeit [min]; v [µm/s]; a [m/s²]", ("min", "um/s")),
-        ("t (s) v (m/s)", ("s", "m/s")),
+        ("", 1.0, 1.0),
+        ("Zeit [min]; v [µm/s]; mu", 60.0, 1e-6),
+        ("t (s) v (m/s) mu", 1.0, 1.0),
+        ("time_ms, velocity_mm_s, friction", 1e-3, 1e-3),
+        ("t (us)\tv / mm·s⁻¹\tµ", 1e-6, 1e-3),
+        ("Time (h), Speed (km/h), COF", 3600.0, 1.0 / 3.6),
+        ("t [s] v [mm/min] mu", 1.0, 1e-3 / 60.0),
+        ("t [s], velocity (microns/s), friction coefficient", 1.0, 1e-6),
     ],
 )
-def test_units_without_a_word(tmp_path, header, units):
-    assert read(tmp_path, f"{header}\n0;0,1;1\n1;0,2;1\n").units == units
+def test_units_in_any_form(tmp_path, header, time, velocity):
+    found = read(tmp_path, f"{header}\n0;0,1;1,5\n1;0,2;1,5\n")
+    assert found.time[1] == pytest.approx(time)
+    np.testing.assert_allclose(found.velocity, [0.1 * velocity, 0.2 * velocity])
+
+
+def test_order_is_that_of_the_header(tmp_path):
+    found = read(tmp_path, "mu v(mm/s) t(s)\n0.3 1 0\n0.4 2 1\n")
+    assert (found.friction.tolist(), found.time.tolist()) == ([0.3, 0.4], [0.0, 1.0])
 
 
 def test_options_go_before_the_header(tmp_path):
-    found = read(tmp_path, "t (s) v (m/s)\n0 1 1\n2 1 1", time="min", velocity="um/s")
+    found = read(tmp_path, "t (s) v (m/s) mu\n0 1 1\n2 1 1", time="min", velocity="um/s")
     assert (found.time[1], found.velocity[0]) == (120.0, pytest.approx(1e-6))
 
 
+def test_missing_samples_are_passed_over_and_equal_stamps_spread(tmp_path):
+    found = read(tmp_path, "0 1 0.3\n0 1 0.3\n1 1 nan\n1 1 0.3\n2 1 0.3\n2 1 0.3\n")
+    np.testing.assert_allclose(found.time, [0.0, 0.5, 1.0, 2.0, 2.5])
+    assert "1 values missing" in found.told[0]
+    assert found.told[1] == "2 samples have the time of the one before; spread"
+
+
 @pytest.mark.parametrize(
-    ("text", "line", "answer"),
-    [
-        ("0 1 0.3\n1 1 x\n", "line 2 of '", "reads '1 1 x': must hold 3 finite numbers in columns"),
-        ("# t\n0 1 0.3\n\n0 1 0.3\n", "line 4 of '", "time 0 does not come after 0; must increase"),
-        ("0 1 0.3\n1 0 0.3\n", "line 2 of '", "holds the velocity 0; must be greater than zero"),
-        ("mm/s um/s\n0 1 1\n", "", "names the units mm/s and um/s; choose by --velocity"),
-        ("nothing\n", "", "holds no row of 3 numbers in columns [0, 1, 2]"),
-    ],
-    ids=["a word", "time", "velocity", "units", "no rows"],
+    ("header", "unit"),
+    [("t(s) displacement(um) mu\n", None), ("", "um"), ("t(s) x(um) mu\n", None)],
 )
-def test_refusals_name_file_and_line(tmp_path, text, line, answer):
-    with pytest.raises(UserError, match=r"^fit.*r\.txt") as error:
+def test_displacements_are_differenced(tmp_path, header, unit):
+    rows = "".join(f"{t} {1000 + 3 * t} 0.3\n" for t in range(20))
+    found = read(tmp_path, header + rows, displacement=unit)
+    np.testing.assert_allclose(found.velocity, 3e-6, rtol=1e-6)
+    assert found.velocity.shape == found.time.shape
+
+
+def test_noise_of_displacements_widens_the_differences_and_is_refused_at_last(tmp_path):
+    t = np.arange(200)
+    noise = np.random.default_rng(1).standard_normal(200)
+    for size, widths in ((0.1, range(2, 6)), (1.0, ())):
+        rows = "".join(f"{k} {k + size * n:.4f} 0.3\n" for k, n in zip(t, noise, strict=True))
+        if not widths:
+            with pytest.raises(UserError, match="smooth them, or give the commanded velocity"):
+                read(tmp_path, rows, displacement="um")
+            continue
+        found = read(tmp_path, rows, displacement="um")
+        assert int(found.told[-1].split()[-2]) in widths
+        assert found.velocity.std() < 0.1e-6
+
+
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        ("0 1 0.3\n1 1 0.3\n2 1 x\n", "line 3 of '"),
+        ("# t\n1 1 0.3\n\n0 1 0.3\n", "line 4 of '"),
+        (
+            "t [s] v [furlong/s] mu\n0 1 1\n1 1 1\n",
+            "the unit 'furlong/s' of a velocity is not known",
+        ),
+        ("t v1(m/s) v2(m/s) mu\n0 1 1 1\n1 1 1 1\n", "it is not clear which holds"),
+        ("1 1 1\n1 1 1\n", "one time stamp, 1 s; must increase"),
+        ("nothing\n", "holds no row of numbers"),
+    ],
+    ids=["a word", "time", "unit", "several", "one time", "no rows"],
+)
+def test_refusals_name_file_and_line(tmp_path, text, answer):
+    with pytest.raises(UserError, match=r"^fit") as error:
         read(tmp_path, text)
-    assert line in str(error.value)
     assert answer in str(error.value)
 
 

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.laboratory.estimate import Estimate
-from elastomer_friction.workflow.laboratory.record import measured_steps
+from elastomer_friction.workflow.laboratory.parting import measured_steps
 from elastomer_friction.workflow.laboratory.step_fit import fit_step
 from elastomer_friction.workflow.laboratory.together import (
     Known,

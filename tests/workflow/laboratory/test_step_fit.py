@@ -8,7 +8,7 @@ import pytest
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.laboratory.estimate import correlation_factor, mean
-from elastomer_friction.workflow.laboratory.record import constant_stretches, measured_steps
+from elastomer_friction.workflow.laboratory.parting import constant_stretches, measured_steps
 from elastomer_friction.workflow.laboratory.step_fit import (
     NOTHING,
     TOO_COARSE,

@@ -21,10 +21,10 @@ from ..settings import (
     number,
     pair,
     positive,
-    read_columns,
     read_table,
     within,
 )
+from .branches import read_branches
 
 MOST_BRANCHES = 200
 RATIOS = (1e-9, 1e9)  # of the modulus of a branch to the relaxed one
@@ -77,6 +77,7 @@ class Material(NamedTuple):
     wlf: Wlf | None = None
     temperature: float | None = None  # °C, with wlf
     poisson: float = 0.5  # Poisson's ratio, the same at all times
+    told: str = ""  # what its branches were read from
 
     @property
     def contact_modulus(self) -> float:
@@ -129,11 +130,13 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
     where : the name of the table, for messages. Files are found from ``folder``.
     """
     given = filled(where, table, MATERIAL)
-    branches = given["branches"]
+    branches, told = given["branches"], ""
     if given["branches_file"]:
         if "branches" in table:
             raise UserError(f"{where}.branches_file: give it or {where}.branches, not both")
-        branches = _branches_of_file(f"{where}.branches_file", folder / given["branches_file"])
+        key, path = f"{where}.branches_file", folder / given["branches_file"]
+        rows, told = read_branches(key, path, given["shear_modulus"])
+        branches = _branches(key, rows)
     modulus, time = given["shear_modulus"], given["relaxation_time"]
     if not branches and time is None:
         raise UserError(f"{where}.relaxation_time: missing")
@@ -148,7 +151,7 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
     wlf, temperature = given["wlf"], given["temperature"]
     _check_temperature(where, wlf, temperature)
     every = modulus, time or 0.0, _merged(branches), wlf, temperature
-    return Material(*every, given["poisson"])
+    return Material(*every, given["poisson"], told)
 
 
 def _check_temperature(where: str, wlf: Wlf | None, value: float | None) -> None:
@@ -183,11 +186,6 @@ def _branch(key: str, entry: object) -> Branch:
     if not isinstance(entry, list) or len(entry) != 2:
         raise UserError(f"{key} = {entry!r:.60}: must be [modulus in Pa, time in s]")
     return positive(f"{key}[0]", entry[0]), within(f"{key}[1]", entry[1], *TIMES)
-
-
-def _branches_of_file(key: str, path: Path) -> tuple[Branch, ...]:
-    columns = read_columns(key, path, ("a modulus in Pa", "a time in s")).values
-    return _branches(key, columns.T.tolist())
 
 
 def _merged(branches: tuple[Branch, ...]) -> tuple[Branch, ...]:
@@ -241,8 +239,9 @@ MATERIAL = {
     ),
     "branches_file": Key(
         as_text,
-        "A text file beside `study.toml` with columns g_b (Pa) and t_b (s), in place of "
-        "`branches`. The command `prony` writes one from measured moduli.",
+        "A text file beside `study.toml` with columns g_b (Pa) and t_b (s), or in the order and "
+        "units that its header names, in place of `branches`; shares of G₀ (`alpha`, or below "
+        "`*VISCOELASTIC`) are read too. The command `prony` writes one from measured moduli.",
         default="",
         values="the name of a file",
         usual="none",

@@ -59,6 +59,7 @@ class FromFile(NamedTuple):
 
     times: tuple[float, ...]  # s, ascending
     velocities: tuple[float, ...]  # m/s
+    told: str = ""  # what it was read as
 
 
 Segment = SlideSegment | HoldSegment | RampSegment | Oscillate | FromFile

@@ -37,7 +37,7 @@ from .quantities import (
     WITHOUT_DASHPOT,
     asked_for,
 )
-from .segments import MOST_SEGMENTS, read_programme, sampled
+from .segments import INDENTED, MOST_SEGMENTS, read_programme, read_sampled
 
 INDENTATION = "indentation"  # a control; the other is by FORCE
 STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
@@ -108,7 +108,7 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
     times = None
     if history:
         key = "scene.indentation_file"
-        columns = sampled(key, folder / history, "an indentation in m")
+        columns, _ = read_sampled(key, folder / history, INDENTED)
         times = (tuple(columns[0].tolist()), tuple(columns[1].tolist()))
     asked = given.pop("quantities") or _usual(programme, given["control"], materials)
     scene = Scene(quantities=asked, programme=programme, indentation_history=times, **given)

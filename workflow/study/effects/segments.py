@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import UserError
+from ...text_tables import Wanted, picked, read_text_table, told
 from ..settings import (
     NOT_ZERO,
     NUMBER,
@@ -21,7 +22,6 @@ from ..settings import (
     number,
     pair,
     positive,
-    read_columns,
     read_table,
 )
 from .programme import (
@@ -37,6 +37,10 @@ from .programme import (
 
 MOST_SEGMENTS = 1000
 MOST_SAMPLES = 100_000  # of a file
+UNITS = "a header that names the units"
+TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", UNITS)
+VELOCITY = Wanted("a velocity", "velocity", r"vel|speed|^v([_ ]|$)", "m/s", UNITS)
+INDENTED = Wanted("an indentation", "length", r"ind|depth|^d([_ ]|$)", "m", UNITS)
 
 
 def _not_zero(key: str, value: object) -> float:
@@ -173,8 +177,9 @@ HOLD = {
 FILE = {  # the one segment that is no table
     "file": Key(
         as_text,
-        "A text file with columns time (s, increasing) and velocity (m/s), linear between the "
-        "rows. Times count from the first row.",
+        "A text file with columns time (s, increasing) and velocity (m/s), or in the units and "
+        "the order that its header names, linear between the rows. Times count from the first "
+        'row. From Python, `{"time": …, "velocity": …}` takes two arrays in its place.',
         values="the name of a file with 2 to 100000 rows",
         usual="none",
     ),
@@ -221,29 +226,67 @@ def _oscillate(where: str, table: Any, _: Path) -> Oscillate:
 
 
 def _file(where: str, name: Any, folder: Path) -> FromFile:
-    times, velocities = sampled(where, folder / as_text(where, name), "a velocity in m/s")
+    columns, said = read_sampled(where, folder / as_text(where, name), VELOCITY)
+    return _driven(where, columns, said)
+
+
+def _driven(where: str, columns: np.ndarray, said: str) -> FromFile:
+    """Return the segment of times (s) and velocities (m/s), shape (2, samples)."""
+    times, velocities = columns
     if not np.any(velocities):
-        raise UserError(f"{where} = {name!r}: never moves; use hold")
-    return FromFile(tuple((times - times[0]).tolist()), tuple(velocities.tolist()))
+        raise UserError(f"{where}: never moves; use hold")
+    said = (
+        f"{times.size} samples over {times[-1] - times[0]:g} s, {velocities.min():g} to "
+        f"{velocities.max():g} m/s{said}"
+    )
+    return FromFile(tuple((times - times[0]).tolist()), tuple(velocities.tolist()), said)
 
 
-def sampled(key: str, path: Path, what: str) -> np.ndarray:
-    """Return times and values of a file, shape (2, samples). Raises UserError.
+def read_sampled(key: str, path: Path, wanted: Wanted) -> tuple[np.ndarray, str]:
+    """Return times and values of a file, shape (2, samples), in SI units, and how it was read.
 
-    Times must be increasing. what : the name of the second column, for messages.
+    Times must be increasing. wanted : the second column. Raises UserError.
     """
-    columns = read_columns(key, path, ("a time in s", what)).values
+    table = read_text_table(key, path, path.name)
+    found = picked(table, (TIME, wanted), None, "a header such as time [s], velocity [m/s]")
+    columns = np.array([one.values for one in found])
+    _check_sampled(f"{key} = {path.name!r}", columns)
+    return columns, f"; read {told(table, found)}"
+
+
+def _check_sampled(key: str, columns: np.ndarray) -> None:
+    """Raise UserError for times that do not increase, and for what is not finite."""
     if not 2 <= columns.shape[1] <= MOST_SAMPLES:
+        raise UserError(f"{key}: holds {columns.shape[1]} rows; must be 2 to {MOST_SAMPLES}")
+    if not np.isfinite(columns).all():
+        raise UserError(f"{key}: a value is missing in row {_first(~np.isfinite(columns)) + 1}")
+    back = np.diff(columns[0]) <= 0.0
+    if back.any():
+        row = _first(back[None])
         raise UserError(
-            f"{key} = {str(path)!r}: holds {columns.shape[1]} rows; must be 2 to {MOST_SAMPLES}"
+            f"{key}: time {columns[0, row + 1]:g} s does not come after {columns[0, row]:g} s; "
+            "times must increase"
         )
-    back = np.flatnonzero(np.diff(columns[0]) <= 0.0)
-    if back.size:
+
+
+def _first(rows: np.ndarray) -> int:
+    return int(np.argmax(rows.any(axis=0)))
+
+
+def _arrays(where: str, table: dict[str, Any]) -> FromFile:
+    """Return the segment of {"time": ..., "velocity": ...}, arrays in s and m/s."""
+    lists = [table["time"], table["velocity"]]
+    for name, values in zip(("time", "velocity"), lists, strict=True):
+        if not isinstance(values, list):
+            raise UserError(f"{where}.{name} = {values!r:.60}: must be a list of numbers")
+    if len(lists[0]) != len(lists[1]):
         raise UserError(
-            f"{key} = {str(path)!r}: time {columns[0, back[0] + 1]:g} s does not come after "
-            f"{columns[0, back[0]]:g} s; times must increase"
+            f"{where}: holds {len(lists[0])} times and {len(lists[1])} velocities; must be as many"
         )
-    return columns
+    numbers = [[number(where, value) for value in values] for values in lists]
+    columns = np.array(numbers)
+    _check_sampled(where, columns)
+    return _driven(where, columns, "")
 
 
 KINDS: dict[str, Callable[[str, Any, Path], Segment]] = {
@@ -286,6 +329,8 @@ def _check_mean(where: str, ended: Velocity, mean: Velocity) -> None:
 def _segment(where: str, entry: object, folder: Path) -> Segment:
     table = as_table(where, entry)
     kinds = list(table)
+    if set(kinds) == {"time", "velocity"}:
+        return _arrays(where, table)
     if len(kinds) != 1 or kinds[0] not in KINDS:
         found = ", ".join(kinds) or "nothing"
         raise UserError(f"{where} holds {found:.60}: must hold one out of {', '.join(KINDS)}")

@@ -1,0 +1,133 @@
+"""Records as machines write them: rest, reversal, backwards, noise below zero, drift, softness."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.laboratory.parting import left_out, measured_steps
+from elastomer_friction.workflow.laboratory.record import Record
+from elastomer_friction.workflow.laboratory.sentences import describe
+from elastomer_friction.workflow.laboratory.step_fit import NEITHER, fit_step
+from elastomer_friction.workflow.laboratory.together import Known, fit_records
+from tests.workflow.laboratory.given import record
+
+RATE, N = 8.0, 200
+
+
+def driven(velocities, seed=0, size=3e-4):
+    """Return a record of stretches of 2 s; friction jumps and relaxes after each change."""
+    t = 2.0 * np.arange(N * len(velocities)) / N
+    v = np.repeat(np.asarray(velocities, float), N)
+    since = np.tile(2.0 * np.arange(N) / N, len(velocities))
+    mu = np.sign(v) * (0.3 + 0.05 * np.exp(-RATE * since))
+    return Record("r", t, v, mu + size * np.random.default_rng(seed).standard_normal(t.size))
+
+
+def test_rest_and_reversal_are_left_out_and_said():
+    one = driven([0.1, 0.3, 0.0, 0.1, 0.3, -0.3, 0.1, 0.3])
+    steps = measured_steps(one)
+    assert [step.v1 for step in steps] == pytest.approx([0.1] * 3)
+    assert [step.v2 for step in steps] == pytest.approx([0.3] * 3)
+    assert left_out(one) == [
+        "left out: 1 stretches at rest and 2 reversals, which are no velocity steps",
+        "1 stretches slide backwards; they are turned round",
+    ]
+    for step in steps:
+        assert fit_step(step).rate.value == pytest.approx(RATE, rel=0.1)
+
+
+def test_sliding_backwards_gives_the_same_step():
+    one = driven([0.1, 0.3])
+    back = one._replace(velocity=-one.velocity, friction=-one.friction)
+    (forth,), (turned,) = measured_steps(one), measured_steps(back)
+    np.testing.assert_array_equal(forth.after, turned.after)
+    assert (forth.v1, forth.v2) == (turned.v1, turned.v2)
+    (unsigned,) = measured_steps(one._replace(velocity=-one.velocity))  # of friction as a size
+    np.testing.assert_array_equal(forth.after, unsigned.after)
+
+
+@pytest.mark.parametrize("scatter", [0.0, 0.03, 0.06])
+def test_noise_that_goes_below_zero_leaves_the_steps(scatter):
+    one = driven([0.1, 0.3, 0.1])
+    noise = scatter * np.random.default_rng(2).standard_normal(one.time.size)
+    steps = measured_steps(one._replace(velocity=one.velocity + noise))
+    assert [step.v2 for step in steps] == pytest.approx([0.3, 0.1], rel=0.15)
+    assert [abs(step.change) < 0.1 for step in steps] == [True, True]
+
+
+def test_velocity_that_is_lost_in_noise_is_refused():
+    one = driven([0.1, 0.3])
+    noise = 0.15 * np.random.default_rng(2).standard_normal(one.time.size)
+    with pytest.raises(UserError, match="too much noise to know it: smooth it, or give the comm"):
+        measured_steps(one._replace(velocity=one.velocity + noise))
+
+
+def test_a_displacement_that_is_taken_for_a_velocity_is_told_of():
+    one = driven([0.1, 0.3])
+    place = np.cumsum(one.velocity)
+    with pytest.raises(UserError, match="as a displacement does: give --displacement"):
+        measured_steps(one._replace(velocity=place))
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_a_drift_that_goes_on_is_taken_off(seed):
+    one = record(seed, size=3e-4, span=2.0)
+    drifting = one._replace(friction=one.friction + 0.02 * one.time)
+    fit = fit_step(*measured_steps(drifting))
+    assert fit.levelled
+    assert abs(fit.rate.value - 8.0) < 3.0 * fit.rate.error < 2.0
+    assert abs(fit.jump.value - 0.05) < 3.0 * fit.jump.error
+    np.testing.assert_allclose(fit.curve, drifting.friction[one.time > 0.0], atol=2e-3)
+
+
+def test_a_drift_that_ends_with_the_step_is_not():
+    one = record(size=3e-4)
+    ended = one._replace(friction=one.friction + 0.02 * np.minimum(one.time, 0.0))
+    fit = fit_step(*measured_steps(ended))
+    assert fit.drifts
+    assert not fit.levelled
+    assert abs(fit.rate.value - 8.0) < 3.0 * fit.rate.error
+
+
+def soft(stiffness, n=400):
+    """Return a step of a machine of this stiffness (1/m), of mu = mu_0 + a ln v, b = 0.03."""
+    a, b, length, v1, v2 = 0.02, 0.015, 1e-5, 1e-6, 1e-5
+    t = np.linspace(-10.0, 15.0, 2 * n)
+    dt, parts = t[1] - t[0], 400
+    mu, theta, found = 0.6, length / v1, []
+    for now in t:
+        found.append(mu)
+        for _ in range(parts):
+            v = v1 * np.exp((mu - 0.6 - b * np.log(theta * v1 / length)) / a)
+            drive = v1 if now < 0.0 else v2
+            mu += dt / parts * stiffness * (drive - v)
+            theta += dt / parts * (1.0 - v * theta / length)
+    noise = 2e-5 * np.random.default_rng(3).standard_normal(t.size)
+    return Record("r", t, np.where(t < 0.0, v1, v2), np.array(found) + noise)
+
+
+def test_a_soft_machine_is_told_from_one_in_which_nothing_relaxes():
+    text = "\n".join(describe(fit_records([soft(600.0)], Known())))
+    assert NEITHER in text
+    assert "nothing relaxes" not in text
+
+
+def test_friction_that_is_constant_is_fitted_without_a_warning(recwarn):
+    one = driven([0.1, 0.3])
+    text = "\n".join(describe(fit_records([one._replace(friction=0.0 * one.time + 0.5)], Known())))
+    assert "amplitude and rate: nothing relaxes" in text
+    assert not recwarn.list
+
+
+def test_steps_up_and_down_have_the_exponent_of_the_velocity_after():
+    """Rates in proportion to the velocity after the step."""
+    t = np.arange(0.0, 50.0, 0.05)
+    phase = np.floor(t / 10.0).astype(int)
+    v = np.where(phase % 2 == 0, 1e-3, 3e-3)
+    mu = np.where(phase % 2 == 0, 0.5, 0.45)
+    jump = np.where(phase % 2 == 0, -0.03, 0.03) * (phase > 0)
+    before = np.where(phase > 0, np.where(phase % 2 == 0, 0.45, 0.5), 0.5)
+    mu = mu + (before + jump - mu) * np.exp(-800.0 * v * (t - 10.0 * phase))
+    mu = mu + 2e-4 * np.random.default_rng(0).standard_normal(t.size)
+    fit = fit_records([Record("r", t, v, mu)], Known())
+    assert fit.rates.exponent.value == pytest.approx(1.0, abs=0.03)

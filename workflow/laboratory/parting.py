@@ -1,0 +1,195 @@
+"""Part a record into stretches of constant velocity, and take the velocity steps between them.
+
+Velocities may be noisy, zero or negative: what is parted is asinh(v/s), the logarithm far above a
+speed s of the noise and linear below it.
+"""
+
+from itertools import pairwise
+from typing import NamedTuple
+
+import numpy as np
+
+from ..errors import UserError
+from .estimate import DEVIATIONS
+from .record import Record
+
+LEAST_CHANGE = 0.02  # of log velocity: the smallest step that is looked for
+LEAST_SAMPLES = 12  # of a stretch
+CHANCE = 5.0  # standard errors by which the means of two stretches must differ
+LARGEST_SHARE_OF_NOISE = 0.05  # of a velocity that its standard error may be
+SMOOTH = 3.0  # times the noise: the speed below which velocities are parted linearly
+SLOWEST = 1e-9  # share of the fastest: what is slower is parted linearly without noise, too
+
+
+class MeasuredStep(NamedTuple):
+    """One velocity step as it was measured."""
+
+    name: str  # of the file, and which step of it
+    v1: float  # m/s
+    v2: float
+    change: float  # s: between the last sample at v1 and the first at v2
+    before: np.ndarray  # friction: the later half of sliding at v1, shape (samples,)
+    before_time: np.ndarray  # s at these samples, since the middle of the change
+    time: np.ndarray  # s since the middle of the change, at v2, shape (n,)
+    after: np.ndarray  # friction at these times
+
+    @property
+    def ratio(self) -> float:
+        """Return v2/v1."""
+        return self.v2 / self.v1
+
+
+def measured_steps(record: Record, window: float | None = None) -> list[MeasuredStep]:
+    """Return the velocity steps of a record, in order.
+
+    window : seconds after each step that are looked at, at most; all by default. A change to or
+    from rest is none, nor one of direction. Raises UserError where there is no step, and for
+    velocities that are not known for their noise.
+    """
+    stretches = _sliding(record)
+    pairs = [(one, two) for one, two in pairwise(stretches) if one.sign * two.sign > 0.0]
+    if not pairs:
+        raise UserError(_no_step(record))
+    names = [f"{record.name}, step {number}" for number in range(1, len(pairs) + 1)]
+    names = names if len(pairs) > 1 else [record.name]
+    return [
+        _step_between(record, name, *pair, window) for name, pair in zip(names, pairs, strict=True)
+    ]
+
+
+def left_out(record: Record) -> list[str]:
+    """Return in sentences which changes of velocity are no steps, and what was turned round."""
+    stretches = _sliding(record)
+    rests = sum(each.sign == 0.0 for each in stretches)
+    reversals = sum(one.sign * two.sign < 0.0 for one, two in pairwise(stretches))
+    backwards = sum(each.sign < 0.0 for each in stretches)
+    named = ((rests, "stretches at rest"), (reversals, "reversals"))
+    counts = [f"{count} {what}" for count, what in named if count]
+    said = [f"left out: {' and '.join(counts)}, which are no velocity steps"] if counts else []
+    if backwards:
+        said.append(f"{backwards} stretches slide backwards; they are turned round")
+    return said
+
+
+class _Stretch(NamedTuple):
+    """Where velocity is constant, and its sign; 0 at rest."""
+
+    where: slice
+    sign: float
+
+
+def _sliding(record: Record) -> list[_Stretch]:
+    """Return the stretches of constant velocity. Raises UserError for velocities lost in noise."""
+    v, found = record.velocity, []
+    stretches = constant_stretches(_even(v))
+    fastest = max((abs(float(v[where].mean())) for where in stretches), default=0.0)
+    for where in stretches:
+        mean, scatter = float(v[where].mean()), float(v[where].std(ddof=1))
+        error = scatter / np.sqrt(v[where].size)
+        known = mean != 0.0 and error <= LARGEST_SHARE_OF_NOISE * abs(mean)
+        still = abs(mean) <= DEVIATIONS * error and error <= LARGEST_SHARE_OF_NOISE * fastest
+        if not known and not still:
+            raise UserError(
+                f"fit {record.name}: the velocity scatters by {scatter:.2g} m/s about {mean:.3g} "
+                "m/s, too much noise to know it: smooth it, or give the commanded velocity"
+            )
+        found.append(_Stretch(where, float(np.sign(mean)) if known else 0.0))
+    return found
+
+
+def _even(v: np.ndarray) -> np.ndarray:
+    """Return asinh(v/s), of even noise: s is above the noise of the slower half of the samples."""
+    moving = np.abs(v[v != 0.0])
+    if not moving.size:
+        return v
+    slow = np.flatnonzero((np.abs(v) <= np.median(moving)) & (v != 0.0))
+    changes = np.abs(np.diff(v[slow]))[np.diff(slow) == 1]
+    noise = float(np.median(changes)) / (0.6745 * np.sqrt(2.0)) if changes.size else 0.0
+    return np.arcsinh(v / max(SMOOTH * noise, SLOWEST * float(moving.max())))
+
+
+def _step_between(
+    record: Record, name: str, one: _Stretch, two: _Stretch, window: float | None
+) -> MeasuredStep:
+    """Return the step from one stretch to the next, turned round where they slide backwards."""
+    before, after = one.where, two.where
+    t, friction = record.time, record.friction
+    last, first = t[before.stop - 1], t[after.start]
+    start, end = 0.5 * (last + first), after.stop
+    if window is not None:
+        end = min(end, int(np.searchsorted(t, start + window, side="right")))
+    if end - after.start < LEAST_SAMPLES:
+        raise UserError(
+            f"fit {name}: {max(end - after.start, 0)} samples within {window:g} s of the step; a "
+            f"fit needs {LEAST_SAMPLES}: give a longer --window"
+        )
+    half = slice((before.start + before.stop) // 2, before.stop)
+    turned = one.sign < 0.0 and friction[before].mean() < 0.0 and friction[after].mean() < 0.0
+    friction = -friction if turned else friction
+    return MeasuredStep(
+        name=name,
+        v1=abs(float(record.velocity[before].mean())),
+        v2=abs(float(record.velocity[after].mean())),
+        change=float(first - last),
+        before=friction[half],
+        before_time=t[half] - start,
+        time=t[after.start : end] - start,
+        after=friction[after.start : end],
+    )
+
+
+def _no_step(record: Record) -> str:
+    said = (
+        f"fit {record.name}: holds no velocity step: no two stretches of {LEAST_SAMPLES} "
+        f"samples or more at velocities {100 * LEAST_CHANGE:g} % apart"
+    )
+    v = record.velocity
+    if np.all(np.diff(v) >= 0.0) or np.all(np.diff(v) <= 0.0):
+        said += "; its column changes one way only, as a displacement does: give --displacement"
+    return said
+
+
+def constant_stretches(values: np.ndarray) -> list[slice]:
+    """Return where values are constant but for noise, in order; what lies between is left out.
+
+    The values are cut in two where that reduces their scatter most, and the parts again, as long
+    as the means of the parts differ; parts that are short, or in which they go up or down, are a
+    change of velocity that takes its time. Neighbours of one mean are one stretch.
+    """
+    noise = float(np.median(np.abs(np.diff(values)))) / (0.6745 * np.sqrt(2.0))
+    open_parts, done = [(0, values.size)], []
+    while open_parts:
+        start, stop = open_parts.pop()
+        cut = _cut(values[start:stop], noise)
+        if cut is None:
+            done.append(slice(start, stop))
+        else:
+            open_parts += [(start, start + cut), (start + cut, stop)]
+    parts = []
+    for part in sorted(done, key=lambda part: part.start):
+        own = values[part]
+        place = np.linspace(-0.5, 0.5, own.size)
+        most = max(LEAST_CHANGE, DEVIATIONS * noise / np.sqrt(place @ place))
+        if own.size >= LEAST_SAMPLES and abs(place @ own / (place @ place)) < most:
+            parts.append(part)
+    joined: list[slice] = []
+    for part in parts:
+        if joined and abs(values[part].mean() - values[joined[-1]].mean()) < LEAST_CHANGE:
+            joined[-1] = slice(joined[-1].start, part.stop)
+        else:
+            joined.append(part)
+    return joined
+
+
+def _cut(values: np.ndarray, noise: float) -> int | None:
+    """Return after how many values their mean changes most; None where it does not."""
+    n = values.size
+    if n < 2:
+        return None
+    left = np.arange(1, n)
+    sums = np.cumsum(values)
+    difference = (sums[-1] - sums[:-1]) / (n - left) - sums[:-1] / left
+    weight = left * (n - left) / n
+    best = int(np.argmax(weight * difference**2))
+    least = max(LEAST_CHANGE, CHANCE * noise / np.sqrt(weight[best]))
+    return best + 1 if abs(difference[best]) > least else None
