@@ -34,8 +34,8 @@ def read_branches(key: str, path: Path, relaxed: float) -> tuple[list[list[float
         return _of_shares(key, found, relaxed), said
     if len(table.numeric) == 3 and not table.titles:
         raise UserError(
-            f"{key} = {path.name!r}: holds three columns, as Abaqus writes shares g_i, k_i and tau_i "
-            f"below *VISCOELASTIC; put that line above them, or give two columns with {HEADER}"
+            f"{key} = {path.name!r}: holds three columns, as Abaqus writes shares g_i, k_i and "
+            f"tau_i below *VISCOELASTIC; put that line above them, or give two columns with {HEADER}"
         )
     if _of_share(table):
         found = picked(table, (SHARE, TIME), None, HEADER)
@@ -45,8 +45,8 @@ def read_branches(key: str, path: Path, relaxed: float) -> tuple[list[list[float
     _check_finite(key, path, found)
     if found[0].whose == "assumed" and moduli.sum() < 1.0:
         raise UserError(
-            f"{key} = {path.name!r}: the moduli sum up to {moduli.sum():.3g}: for shares of G_0 name "
-            f"the column alpha; for moduli give {HEADER}, with their unit"
+            f"{key} = {path.name!r}: the moduli sum up to {moduli.sum():.3g}: for shares of G_0 "
+            f"name the column alpha; for moduli give {HEADER}, with their unit"
         )
     if OF_YOUNG.search(found[0].title.name):
         moduli, said = moduli / YOUNG, f"{said}; Young's moduli divided by 2 (1 + nu) = {YOUNG:g}"
