@@ -202,7 +202,7 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
     """
     elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
     if problem.surface.body == HALF_SPACE:
-        _check_map(elements, steps)
+        _check_map(elements, steps, problem.samples(steps))
     long = elements * steps > MAX_SAMPLES_PER_LINE
     if long.any():
         raise UserError(
@@ -222,10 +222,10 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
         )
 
 
-def _check_map(elements: np.ndarray, steps: np.ndarray) -> None:
+def _check_map(elements: np.ndarray, steps: np.ndarray, samples: Numbers) -> None:
     """Raise UserError where a map does not fit into a worker."""
     side = elements * steps
-    if (side**2 > MOST_SAMPLES).any():
+    if np.any(samples > MOST_SAMPLES):
         most = int(MOST_SAMPLES**0.5)
         raise UserError(
             f"grid.spacing: a half-space of {elements.max()} x {elements.max()} elements needs "

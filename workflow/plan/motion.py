@@ -129,7 +129,8 @@ def line_modes(surface: Surface, elements: int) -> LineShape:
         return LineShape(*surface.modes(elements), body=surface.body)
     of_modes = rms_slope_of if surface.body == HALF_SPACE else rms_slope
     slope = of_modes(own / profile.roughness, elements)
-    return LineShape(measured=surface.identity, slope=slope, body=surface.body)
+    flat = surface.body == HALF_SPACE and profile.heights.shape[1] == 1
+    return LineShape(measured=surface.identity, slope=slope, body=surface.body, flat=flat)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:

@@ -35,7 +35,8 @@ def read_branches(key: str, path: Path, relaxed: float) -> tuple[list[list[float
     if len(table.numeric) == 3 and not table.titles:
         raise UserError(
             f"{key} = {path.name!r}: holds three columns, as Abaqus writes shares g_i, k_i and "
-            f"tau_i below *VISCOELASTIC; put that line above them, or give two columns with {HEADER}"
+            "tau_i below *VISCOELASTIC; put that line above them, or give two columns with "
+            f"{HEADER}"
         )
     if _of_share(table):
         found = picked(table, (SHARE, TIME), None, HEADER)
