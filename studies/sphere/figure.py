@@ -31,6 +31,6 @@ def draw(groups: Groups) -> Figure:
         own = groups["published"]
         axes[1].plot(own.speed, own.published, "kx", label="Carbone and Putignano")
     axes[1].set(title="(b) standard linear solid", xlabel="$v \\cdot 10$ ms$/a$")
-    for ax in axes:
+    for ax in axes[: len(groups)]:
         ax.legend(loc="best")
     return figure
