@@ -141,7 +141,7 @@ def _begin(space: HalfSpace, scene: SceneCase) -> tuple[Body, int, float]:
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
         one = slide_steadily(space, scene.spectrum, speed)
-        lag = math.copysign(one.step.law.lag, speed)  # type: ignore[attr-defined]
+        lag = math.copysign(one.step.law.lag, speed)
         body = one.body._replace(offset=one.body.offset % z.shape[1])
         return _turned_back(body), one.passes, lag
     stiffness = 1.0
@@ -149,7 +149,7 @@ def _begin(space: HalfSpace, scene: SceneCase) -> tuple[Body, int, float]:
         if scene.spectrum.viscosity > 0.0:
             raise ValueError('start = "fresh": a dashpot carries any load at first')
         stiffness += sum(scene.spectrum.moduli)
-    found = press(stiffness * z, space.pressure, space.compliance, None, TOLERANCE)
+    found = press(stiffness * z, space.pressure, space.operator, None, TOLERANCE)
     depth = at_elements(found.depth, 0)
     memory = rested(space.form, depth / stiffness)
     if scene.start == "fresh" and isinstance(space.form, RelaxationForm):
