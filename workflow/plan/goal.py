@@ -209,7 +209,7 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
             f"numerics.steps_per_spacing = {numerics.steps_per_spacing or 'auto'}: "
             f"{elements[long][0]} elements at v tau/dx = {speed[long][0]:.3g} need "
             f"{steps[long][0]} steps per spacing, more than {MAX_SAMPLES_PER_LINE} samples per "
-            "line; set a smaller number, a higher velocity or a larger spacing"
+            f"line; {_shorter(problem, int(elements[long][0]))}"
         )
     speeds = np.sort(np.abs([speed, speed * ratio]), axis=0)
     most = np.minimum(SPEEDS[1], 1.0 / shortest_step(problem.spectrum) / steps)
@@ -220,6 +220,18 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
             f"{speeds[1][odd][0]:.3g}, but must lie between {SPEEDS[0]:g} and {most[odd][0]:.3g}, "
             "where rounding shows"
         )
+
+
+def _shorter(problem: Problem, elements: int) -> str:
+    """Return in words what makes fewer samples of a line."""
+    if not problem.surface.measured:
+        return "set a smaller number, a higher velocity or a larger spacing"
+    most = MAX_SAMPLES_PER_LINE // elements
+    fewer = f"set numerics.steps_per_spacing = {most} or less, " if most else ""
+    return (
+        f'{fewer}surface.periodic = "taper", which has half as many elements as "mirror", or thin '
+        "the measured line"
+    )
 
 
 def _check_map(elements: np.ndarray, steps: np.ndarray, samples: Numbers) -> None:
