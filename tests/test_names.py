@@ -14,12 +14,17 @@ CONTRACT_FILES = {
     "figure": "a study's figure.py is found by its name",
     "claims": "a study's claims.py is found by its name",
     "measure": "a study's measure.py is found by its name",
+    "cases": "every body has its cases, in a file of this name",
+    "contact": "every body has its contact, in a file of this name",
+    "surface": "a rough surface, as a study gives it and as a kernel samples it",
 }
 CONTRACT_NAMES = {
     "draw": "what figure.py of every study defines",
     "measure": "what measure.py of a study defines",
     "outline": "what measure.py of a study may define",
     "table": "what measure.py of a study may define",
+    "run_case": "every body takes the same case, in its own cases.py",
+    "Surface": "a rough surface, as a study gives it and as a kernel samples it",
 }
 
 

@@ -53,7 +53,7 @@ def _cache_folder() -> str:
     try:
         return str(_own_folder(Path(base)))
     except OSError as error:  # read-only, as on some batch nodes, or open to others
-        private = tempfile.mkdtemp(prefix=f"{NAME}-")
+        private = tempfile.mkdtemp(prefix=f"{NAME}-", dir=_place_for_a_while())
         atexit.register(shutil.rmtree, private, ignore_errors=True)
         os.environ["NUMBA_CACHE_DIR"] = private  # for the processes that this one starts
         if sys.stderr:
@@ -67,8 +67,7 @@ def _own_folder(base: Path) -> Path:
     """Return our folder in ``base``, made if need be. Raises OSError where it would not be safe."""
     base.mkdir(mode=0o700, parents=True, exist_ok=True)
     folder = Path(base, NAME).resolve()
-    for parent in folder.parents:
-        _check_parent(parent)
+    _check_parents(folder)
     with contextlib.suppress(FileExistsError):
         folder.mkdir(mode=0o700)
     found = folder.stat()
@@ -85,18 +84,26 @@ def _own_folder(base: Path) -> Path:
         return own
 
 
-def _check_parent(folder: Path) -> None:
-    """Raise PermissionError where others can exchange what lies in a folder.
+def _place_for_a_while() -> str | None:
+    """Return where a private folder is safe; None for the usual place, where none is."""
+    for place in (tempfile.gettempdir(), "/tmp", "/var/tmp"):
+        with contextlib.suppress(OSError), tempfile.TemporaryDirectory(dir=place) as found:
+            _check_parents(Path(found).resolve())
+            return place
+    return None
+
+
+def _check_parents(path: Path) -> None:
+    """Raise PermissionError where others can exchange what lies at a path.
 
     The group may write to folders of our own (umask 002, where the group is the user's alone).
     """
-    found = folder.stat()
-    if found.st_mode & stat.S_ISVTX:  # sticky: each user moves their own entries alone
-        return
-    if found.st_uid not in (0, os.getuid()):
-        raise PermissionError(errno.EPERM, "belongs to another user", str(folder))
-    if found.st_mode & stat.S_IWOTH:
-        raise PermissionError(errno.EPERM, "can be written to by anyone", str(folder))
+    for folder in path.parents:
+        found = folder.stat()
+        if found.st_uid not in (0, os.getuid()):  # who may rename what lies there, sticky or not
+            raise PermissionError(errno.EPERM, "belongs to another user", str(folder))
+        if found.st_mode & stat.S_IWOTH and not found.st_mode & stat.S_ISVTX:
+            raise PermissionError(errno.EPERM, "can be written to by anyone", str(folder))
 
 
 class _CheckedFile(IndexDataCacheFile):

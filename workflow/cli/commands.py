@@ -324,7 +324,7 @@ COMMANDS = {
         run_fit,
     ),
     "verify": Command(
-        "check every line of a journal, every shard and every key in it; change nothing",
+        "check every line of a journal, every shard and key, and the results; change nothing",
         _verify_options,
         _verify,
     ),

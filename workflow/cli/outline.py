@@ -8,9 +8,20 @@ from typing import Any
 
 import numpy as np
 
-from ..plan import WHOLE, Pace, Plan, Prediction, Variant, make_plan, prediction, this_machine
+from ..plan import (
+    WHOLE,
+    Pace,
+    Plan,
+    Prediction,
+    Variant,
+    make_plan,
+    model_ratio,
+    prediction,
+    this_machine,
+)
 from ..simulate import programme_steps
 from ..study import (
+    HALF_SPACE,
     QUANTITIES,
     FromFile,
     HoldSegment,
@@ -108,17 +119,25 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
         f"variants    {', '.join(v.label or 'study' for v in plan.variants)}",
         *_realizations(plan),
     ]
+    lines += read_lines_of(study)
     lines += effect_lines(study)
     for variant in plan.variants:
         lines += march_lines(variant)
     return [
         *lines,
+        *_model(plan),
         f"predicted   {core_time(cost.low, cost.high)}",
         f"speed       as measured on {speed}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
         f"longest line {plan.longest_line()} samples",
     ]
+
+
+def read_lines_of(study: Study) -> list[str]:
+    """Return what was read of files of lines, a line for each kind of lines made of them."""
+    told = dict.fromkeys(surface.told for surface in study.surfaces.values())
+    return [f"lines       {each}" for each in told if each]
 
 
 def march_lines(variant: Variant) -> list[str]:
@@ -143,9 +162,28 @@ def march_lines(variant: Variant) -> list[str]:
     ]
 
 
-def _span(values: np.ndarray) -> str:
+def _model(plan: Plan) -> list[str]:
+    """Return what the choice of the body does to mu_1, where that is known."""
+    found = []
+    for variant in plan.variants[:1] if "steady" in plan.study.scene.quantities else ():
+        problems = [task.problem for task in variant.tasks]
+        ratios = np.array([model_ratio(one, variant.lines.normalisation)[0] for one in problems])
+        known = ratios[~np.isnan(ratios)]
+        if known.size:
+            some = (
+                "" if known.size == ratios.size else f" at {known.size} of {ratios.size} problems"
+            )
+            found = [
+                f"model       the foundation gives {_span(known, 2)} of a half-space here{some}"
+            ]
+        else:
+            found = ["model       foundation over half-space: not known here (docs/bodies.md)"]
+    return found
+
+
+def _span(values: np.ndarray, digits: int = 4) -> str:
     """Return the least and the largest of some numbers."""
-    low, high = f"{values.min():.4g}", f"{values.max():.4g}"
+    low, high = f"{values.min():.{digits}g}", f"{values.max():.{digits}g}"
     return low if low == high else f"{low} ... {high}"
 
 
@@ -234,10 +272,18 @@ def _rheology(each: list[Material]) -> str:
 
 def _surface(study: Study) -> Iterator[tuple[bool, str]]:
     surface = study.surface
+    behind = {label or "study": own.body for label, own in study.surfaces.items()}
+    if HALF_SPACE in behind.values():
+        which = ", ".join(f"{label}: {body}" for label, body in behind.items())
+        yield True, f"the surface as a map on a half-space ({which})"
+    else:
+        yield False, 'a half-space: scene.body is "foundation", a row of elements'
     if surface.profile is not None:
-        lines, samples = surface.profile.heights.shape
-        how = "as they are" if surface.lines == "measured" else f"{surface.lines} lines like them"
-        yield True, f"measured lines: {lines} of {samples} samples, {how}"
+        lines, *samples = surface.profile.heights.shape
+        what = "maps" if surface.body == HALF_SPACE else "lines"
+        how = "as they are" if surface.lines == "measured" else f"{surface.lines} {what} like them"
+        size = " x ".join(map(str, samples))
+        yield True, f"measured {what}: {lines} of {size} samples, {how}"
         return
     yield False, "measured lines: surface.file is not given; lines are random and self-affine"
     for name, value in (("rolloff", surface.rolloff), ("cutoff", surface.cutoff)):

@@ -27,8 +27,9 @@ if TYPE_CHECKING:
         prediction,
         this_machine,
     )
-    from .error_laws import LAWS, first_order_rate_error, known, rate_error
+    from .error_laws import first_order_rate_error, rate_error
     from .goal import (
+        BIAS,
         FIRST_ORDER,
         JACKKNIFE_GROUPS,
         Goal,
@@ -37,8 +38,10 @@ if TYPE_CHECKING:
         most_blocks,
         steps_per_spacing,
     )
+    from .half_space import laws_of
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
+    from .ratio_of_bodies import model_ratio
     from .variant import Variant
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -14,9 +14,10 @@ from ...kernels.quick.contacts.refined import LEAST_STEPS
 from ...kernels.rheology.spectrum import shortest_step
 from ..errors import UserError
 from ..simulate import Problem
-from ..study import MOST_BLOCKS, Numerics, Scene, Study, judged
+from ..study import HALF_SPACE, MOST_BLOCKS, Numerics, Scene, Study, judged
 from .cost import touchable_share
 from .error_laws import LAWS, allowed_share, contact_width, rate_error, relaxing_share, window_rate
+from .half_space import MOST_SAMPLES, steps_for
 from .problems import Numbers, expected_rate, viscous_pressure
 
 JACKKNIFE_GROUPS = 32  # of the jackknife at most; fewer blocks are groups of their own
@@ -164,7 +165,9 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     schemes take FIRST_ORDER times as many.
     """
     steps: Numbers = numerics.steps_per_spacing
-    if steps is None and problem.surface.measured:
+    if steps is None and problem.surface.body == HALF_SPACE:
+        steps = steps_for(problem, BIAS)
+    elif steps is None and problem.surface.measured:
         steps = LEAST_STEPS  # no law tells more of lines whose spectrum is their own
     elif steps is None and (problem.programme or problem.spectrum != KELVIN):
         steps = GENERAL_STEPS
@@ -185,12 +188,21 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     return steps
 
 
+def may_have(problem: Problem, steps: int) -> bool:
+    """Return whether a line of so many steps per spacing fits into a worker, and none is lost."""
+    fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
+    fits = problem.elements * steps <= MAX_SAMPLES_PER_LINE
+    return fits and steps * fastest * shortest_step(problem.spectrum) <= 1.0
+
+
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:
     """Raise UserError where a line does not fit into a worker, or rounding would show.
 
     The kernels refuse the same speeds (kernels/quick/cases.py).
     """
     elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
+    if problem.surface.body == HALF_SPACE:
+        _check_map(elements, steps)
     long = elements * steps > MAX_SAMPLES_PER_LINE
     if long.any():
         raise UserError(
@@ -207,6 +219,18 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
             f"grid.velocity: v tau/dx runs from {speeds[0][odd][0]:.3g} to "
             f"{speeds[1][odd][0]:.3g}, but must lie between {SPEEDS[0]:g} and {most[odd][0]:.3g}, "
             "where rounding shows"
+        )
+
+
+def _check_map(elements: np.ndarray, steps: np.ndarray) -> None:
+    """Raise UserError where a map does not fit into a worker."""
+    side = elements * steps
+    if (side**2 > MOST_SAMPLES).any():
+        most = int(MOST_SAMPLES**0.5)
+        raise UserError(
+            f"grid.spacing: a half-space of {elements.max()} x {elements.max()} elements needs "
+            f"{side.max()} x {side.max()} samples, more than {most} x {most}; take a larger "
+            "spacing, a shorter surface.length or fewer numerics.steps_per_spacing"
         )
 
 

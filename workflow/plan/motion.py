@@ -9,12 +9,14 @@ import numpy as np
 
 from ... import kernels
 from ...kernels import Programme, Quantities, Spectrum, rms_slope
+from ...kernels.half_space.surface import rms_slope_of
 from ..errors import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory
 from ..study import (
+    FOUNDATION,
+    HALF_SPACE,
     FromFile,
     HoldSegment,
-    Numerics,
     Oscillate,
     RampSegment,
     Scene,
@@ -23,6 +25,7 @@ from ..study import (
     Study,
     Surface,
     Velocity,
+    judged,
     velocity_steps,
 )
 
@@ -123,9 +126,10 @@ def line_modes(surface: Surface, elements: int) -> LineShape:
     """Return what lines of so many elements are."""
     profile, own = surface.profile, surface.spectrum
     if profile is None or own is None:
-        return LineShape(*surface.modes(elements))
-    slope = rms_slope(own / profile.roughness, elements)
-    return LineShape(measured=surface.identity, slope=slope)
+        return LineShape(*surface.modes(elements), body=surface.body)
+    of_modes = rms_slope_of if surface.body == HALF_SPACE else rms_slope
+    slope = of_modes(own / profile.roughness, elements)
+    return LineShape(measured=surface.identity, slope=slope, body=surface.body)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
@@ -169,9 +173,17 @@ def asked_of(study: Study) -> Quantities:
     )
 
 
-def recording_of(study: Study, numerics: Numerics) -> Recording:
-    """Return what is kept of the marches of a variant."""
-    asked = study.scene.quantities
+FINER = 4  # lines that are run with halved steps too
+
+
+def recording_of(study: Study, label: str) -> Recording:
+    """Return what is kept of the marches of a variant.
+
+    Of measured lines, and of those like them, no law tells the discretisation error: where "auto"
+    chooses the steps, it is read from what halved steps change on a few of them.
+    """
+    asked, numerics, surface = study.scene.quantities, study.variants[label], study.surfaces[label]
+    lawless = surface.profile is not None and surface.body == FOUNDATION
     traced = any(name in asked for name in ("trace", "loop", "healing", "energy"))
     names = [name for name in ("energy", "contact_lengths", "snapshots", "state") if name in asked]
     return Recording(
@@ -180,4 +192,5 @@ def recording_of(study: Study, numerics: Numerics) -> Recording:
         every=numerics.trace or 0,
         asked=("trace", *names) if traced else tuple(names),
         dense=tuple(name for name in ("loop", "healing") if name in asked),
+        finer=FINER if lawless and numerics.refines and judged(asked) else 0,
     )

@@ -9,7 +9,7 @@ import numpy as np
 from ...kernels import START, Origin, Quantities
 from ...kernels.compile.garbage import nothing_collected
 from ..errors import UserError
-from ..simulate import Batch, Task, row_layout, row_width
+from ..simulate import HALVED, Batch, Task, row_layout, row_width
 from ..study import Study
 from .cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from .goal import FIRST_SHARE, whole_blocks
@@ -65,7 +65,8 @@ class Plan(NamedTuple):
 
     def predicted_worker_bytes(self) -> float:
         """Return the predicted peak memory of a worker."""
-        return WORKER_BYTES + BYTES_PER_SAMPLE * self.longest_line()
+        finer = HALVED if any(variant.recording.finer for variant in self.variants) else 1
+        return WORKER_BYTES + BYTES_PER_SAMPLE * finer * self.longest_line()
 
     def predicted_driver_bytes(self) -> float:
         """Return the predicted peak memory of the process that plans, stores and collects."""

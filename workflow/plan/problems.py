@@ -13,12 +13,13 @@ from typing import Any
 import numpy as np
 
 from ...kernels import Spectrum, amplitudes, rms_slope
+from ...kernels.half_space.surface import ring_amplitudes, rms_slope_of
 from ...kernels.model.limits import LOADS, SPEEDS
 from ...kernels.quick.prepared import LEAST_STEP
 from ..errors import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
-from ..study import Material, Parts, Study, axes_of, check_load
+from ..study import HALF_SPACE, Material, Parts, Study, axes_of, check_load
 from .motion import Scale, Setting, canonical, line_modes, rounded, setting
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
@@ -43,7 +44,11 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     settings: dict[Setting, int] = {}
     which = np.stack([_settings(parts, points, settings) for parts in others], axis=-1)
     hurst = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
-    columns = hurst[..., None], points["elements"][..., None], *_numbers(study, others, points)
+    columns = (
+        hurst[..., None],
+        points["elements"][..., None],
+        *_numbers(study, label, others, points),
+    )
     rows = [np.broadcast_to(own, which.shape).ravel().tolist() for own in (*columns, which)]
     found: dict[tuple, int] = {}
     index = [found.setdefault(row, len(found)) for row in zip(*rows, strict=True)]
@@ -114,14 +119,15 @@ def _settings(parts: Parts, points: Points, found: dict[Setting, int]) -> np.nda
     return np.array(index)[inverse].reshape(points["elements"].shape)
 
 
-def _numbers(study: Study, others: list[Parts], points: Points) -> list[np.ndarray]:
+def _numbers(study: Study, label: str, others: list[Parts], points: Points) -> list[np.ndarray]:
     """Return load, speed and ratio at every point, without a programme; the last axis : others."""
-    modulus = np.array([parts.material.shear_modulus for parts in others])
+    modulus = np.array([parts.material.contact_modulus for parts in others])
     tau = np.array([parts.material.tau for parts in others])
     at = {axis: values[..., None] for axis, values in points.items()}
     with np.errstate(over="ignore", under="ignore", divide="ignore", invalid="ignore"):
-        whole = 4.0 * modulus * study.surface.length * at["roughness"]
-        load = at["normal_force"] / whole
+        whole = modulus * study.surface.length * at["roughness"]
+        load = study.force_share(label) * at["normal_force"] / whole
+        load *= study.surfaces[label].copies
         speed = at["velocity"] * tau / at["dx"]
     if study.scene.control == "indentation":
         load = np.zeros_like(load)
@@ -164,14 +170,19 @@ def viscous_pressure(problem: Problem) -> Numbers:
 
 def line_slope(problem: Problem, normalisation: str = "modal") -> Numbers:
     """Return the spectral rms slope of the lines of a problem, in h/dx."""
-    rolloff, cutoff, measured, slope = problem.surface
+    rolloff, cutoff, measured, slope, body = problem.surface
     if measured or np.ndim(slope):  # of many problems together
         return slope
-    return _slope(problem.hurst, problem.elements, normalisation, rolloff, cutoff)
+    return _slope(body, problem.hurst, problem.elements, normalisation, rolloff, cutoff)
 
 
 @cache
-def _slope(hurst: float, elements: int, normalisation: str, rolloff: float, cutoff: int) -> float:
+def _slope(
+    body: str, hurst: float, elements: int, normalisation: str, rolloff: float, cutoff: int
+) -> float:
+    if body == HALF_SPACE:
+        of_ring = ring_amplitudes(hurst, elements, rolloff, cutoff, normalisation)
+        return rms_slope_of(of_ring, elements)
     return rms_slope(amplitudes(hurst, elements, normalisation, rolloff, cutoff), elements)
 
 

@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import Origin, Quantities
-from ..simulate import CODE, LineShape, Problem, Recording, Task, kept_steps
+from ..simulate import CODE, HALVED, LineShape, Problem, Recording, Task, kept_steps
 from ..study import Material, Numerics, Study, Surface
 from .cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
-from .goal import Goal, goal_of, horizon_steps, steps_per_spacing
+from .goal import Goal, goal_of, horizon_steps, may_have, steps_per_spacing
 from .motion import recording_of
 from .problems import distinct_problems, sharers, together
 
@@ -96,7 +96,8 @@ def problems_of(study: Study) -> dict[str, Problems]:
 
 def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _Sizes:
     """Return what the laws say, of problems that are alike at once."""
-    numerics, recording = study.variants[label], recording_of(study, study.variants[label])
+    numerics, recording = study.variants[label], recording_of(study, label)
+    extra = min(recording.finer, study.blocks) / study.realizations  # lines with halved steps too
     count = len(problems.each)
     found = np.zeros((2, count), np.int64), np.zeros((count, len(PARTS)))
     goals: list[Goal] = []
@@ -109,6 +110,12 @@ def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _
         shared = sharers(many, steps)
         work = Work(many, steps, march_steps, numerics.refines, *shared)
         parts = typical_seconds(asked, work, recording)
+        if recording.finer:
+            halved = work._replace(steps=HALVED * steps, march_steps=HALVED * march_steps)
+            alone = recording._replace(asked=())
+            for each in (work, halved):
+                more = typical_seconds(asked, each, alone)
+                parts = {part: parts[part] + extra * more[part] for part in PARTS}
         for column, part in enumerate(PARTS):
             found[1][rows, column] = parts[part]
         if goal:
@@ -129,8 +136,11 @@ def variant_of(
 ) -> Variant:
     """Return a variant of a study; ``problems`` are its own, ``origin`` as for ``make_plan``."""
     numerics = study.variants[label]
-    recording = recording_of(study, numerics)._replace(origin=origin)
+    recording = recording_of(study, label)._replace(origin=origin)
     said = _sizes(study, asked, label, problems)
+    pairs = zip(problems.each, said.steps, strict=True)
+    if recording.finer and not all(may_have(own, HALVED * steps) for own, steps in pairs):
+        recording = recording._replace(finer=0)
     # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
     shared = repr((CODE, study.seed, study.surfaces[label].normalisation, numerics.scheme))
     shared += repr((recording, asked, study.realizations_per_block, numerics.refines))
@@ -148,7 +158,7 @@ def variant_of(
     by_line = [sorted(one, key=lambda t: (*sharing(t), t.problem[:5])) for one in lines.values()]
     keys = [task.key for task in tasks]
     sizes = {samples_of(task) for task in tasks}
-    kind = kind_of(tasks[0].problem.spectrum, recording)
+    kind = kind_of(tasks[0].problem, recording)
     factors = np.array([pace.rate(kind, part).factor for part in PARTS])
     material = study.materials[label]
     events = 0
@@ -183,5 +193,5 @@ def sharing(task: Task) -> tuple[int, float]:
 
 
 def samples_of(task: Task) -> int:
-    """Return the number of samples of the lines of a task."""
-    return task.problem.elements * task.steps_per_spacing
+    """Return the number of samples of the lines, or maps, of a task."""
+    return int(task.problem.samples(task.steps_per_spacing))

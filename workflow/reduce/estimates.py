@@ -3,13 +3,15 @@
 import numpy as np
 
 from ..plan import JACKKNIFE_GROUPS
-from ..simulate import SCALARS
+from ..simulate import CHANGED, SCALARS
 from ..study import QUANTITIES
 from .blocks import Blocks, Estimates, columns, enter
-from .fits import NEGLIGIBLE, RelaxationFit, fit_relaxation
+from .fits import FITTED, NEGLIGIBLE, RelaxationFit, fit_exponential, fit_relaxation
 from .jackknife import errors_needed, padded, replicates
 from .models import COEFFICIENTS, GAINS, Comparison, compare_models
 from .traces import reduce_programmes, reduce_steps
+
+WHOLE_ERROR = 2.0  # times what halved steps change
 
 
 def reduce_blocks(blocks: Blocks) -> Estimates:
@@ -40,7 +42,44 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
             _relaxations(estimates, blocks, deviation[:, :, 1:])
         reduce_steps(estimates, blocks, time, curves, values)
     reduce_programmes(estimates, blocks)
+    if "finer" in blocks.values:
+        _halved(estimates, blocks)
     return estimates
+
+
+def _halved(estimates: Estimates, blocks: Blocks) -> None:
+    """Enter the biases of estimates from what halved steps changed on a few lines.
+
+    The whole error is a third more than the change where it falls with the square of the step,
+    and as much again where it falls with the step itself, which is what is stated.
+    """
+    sums = blocks.values["finer"].mean(axis=1)
+    with np.errstate(all="ignore"):
+        change = dict(zip(CHANGED, (sums[:, 1:] / sums[:, :1]).T, strict=True))
+        for name in ("mu_1", "jump"):
+            if name in estimates:
+                bias = WHOLE_ERROR * np.abs(change[name] / estimates[name])
+                estimates[f"{name}_bias"] = bias
+        if "relaxation" in blocks.quantities:
+            curves = blocks.values["finer_curve"].mean(axis=1) / sums[:, :1]
+            after = curves - change["mu_2"][:, None]
+            estimates["relaxation_rate_bias"] = WHOLE_ERROR * np.array(
+                [_rate_changes(estimates, blocks, task, own) for task, own in enumerate(after)]
+            )
+
+
+def _rate_changes(estimates: Estimates, blocks: Blocks, task: int, change: np.ndarray) -> float:
+    """Return by which share b of a mean curve changes with a change of it; NaN without b."""
+    if estimates["fit_status"][task] != FITTED:
+        return np.nan
+    time, deviation = blocks.time[task], estimates["deviation"][task, 1:]
+    kept = np.isfinite(time)
+    if not blocks.jumps:
+        kept &= np.arange(kept.size) >= np.nanargmax(np.abs(deviation))
+    before, after = (
+        fit_exponential(time[kept], curve[kept])[1] for curve in (deviation, deviation + change)
+    )
+    return float(abs(after / before - 1.0))
 
 
 def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None:

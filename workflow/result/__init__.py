@@ -15,6 +15,7 @@ if TYPE_CHECKING:
         broken,
         check_result,
         differing_settings,
+        edited,
         listed,
         open_result,
         open_tree,

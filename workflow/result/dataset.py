@@ -10,7 +10,7 @@ from ...kernels import power_spectrum
 from ..plan import Plan, Variant
 from ..reduce import LAWS, Estimates
 from ..simulate import EDGES
-from ..study import AXES, axes_of
+from ..study import AXES, HALF_SPACE, axes_of
 from .provenance import provenance
 from .variables import AUXILIARY, AXIS_ATTRIBUTES, Powers, attributes, declared
 
@@ -41,9 +41,14 @@ def build_dataset(
     if "time" in data:  # in single precision, half as large: in tau it is there to all digits
         seconds = (data["time"] * units["tau"]).transpose(*data["time"].dims)
         data["time_s"] = seconds.astype(np.float32)
-    coords: dict[str, object] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
+    coords: dict[str, Any] = {axis: np.array(plan.study.grid[axis]) for axis in axes}
+    if plan.study.pressures:
+        coords["normal_pressure"] = "normal_force", np.array(plan.study.pressures)
     coords |= _coordinates(plan, variant, {str(dim) for each in data.values() for dim in each.dims})
-    said = provenance(plan.study, variant.numerics)
+    said = provenance(plan.study, variant.numerics) | {"body": variant.lines.body}
+    share = plan.study.force_share(variant.label)
+    if share != 1.0:  # coordinates of a comparison are those of the study
+        said["normal_force_share"] = share
     if variant.lines.profile is not None:
         said |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
     dataset = xr.Dataset(data, coords, said)
@@ -84,7 +89,7 @@ def _settings(plan: Plan, variant: Variant, units: Units) -> dict[str, xr.DataAr
 def _spectrum(variant: Variant) -> dict[str, xr.DataArray]:
     """Return the power spectrum of measured lines, or of random ones like them."""
     profile, own = variant.lines.profile, variant.lines.spectrum
-    if profile is None or own is None:
+    if profile is None or own is None or variant.lines.body == HALF_SPACE:
         return {}
     q, density = power_spectrum(own, profile.length)
     return {"power_spectrum": xr.DataArray(density, {"wave_number": q}, "wave_number")}
@@ -94,8 +99,8 @@ def _units(plan: Plan, variant: Variant) -> Units:
     """Return the units that dimensionless values are multiplied by, in SI."""
     grid = plan.study.grid
     units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in AXES}
-    modulus = _over(plan, variant, "material", lambda solid: solid.shear_modulus)
-    units["stiffness"] = 4.0 * modulus * plan.study.surface.length  # 4 G L, N/m
+    modulus = _over(plan, variant, "material", lambda solid: solid.contact_modulus)
+    units["stiffness"] = modulus * plan.study.surface.length  # E* L, N/m
     units["tau"] = _over(plan, variant, "material", lambda solid: solid.tau)
     return units
 

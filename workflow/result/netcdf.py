@@ -15,6 +15,7 @@ import numpy as np
 
 from ..errors import UserError
 from ..simulate import CODE
+from ..store import is_edited
 from ..study import AnyStudy
 from ..system import program, replacing
 
@@ -91,6 +92,8 @@ def open_result(
 
     Raises UserError where the file is missing, damaged, or no result of such a study.
     """
+    if path.is_symlink():
+        raise UserError(f"{path}: is a link, which is not opened; name the file itself by --out")
     if not path.is_file():
         of = f" --scale {study.scale}" if study.scale else ""
         raise UserError(f"{path}: not found; first run: {program()} run {study.name}{of}")
@@ -135,10 +138,7 @@ class Peek(NamedTuple):
 
 
 def peek(path: Path) -> Peek | None:
-    """Return what a result says of itself, or None where it is none or any number is damaged.
-
-    All of it is read, as every variable carries a checksum, but nothing is made of it.
-    """
+    """Return what a result says of itself, or None where it is none."""
     import netCDF4
 
     found = {}
@@ -147,8 +147,7 @@ def peek(path: Path) -> Peek | None:
             file.set_auto_mask(False)
             attributes = {name: file.getncattr(name) for name in file.ncattrs()}
             for label, group in {ROOT: file, **file.groups}.items():
-                values = {name: variable[:] for name, variable in group.variables.items()}
-                found[label] = values["realizations"]
+                found[label] = group["realizations"][:]
     except (AttributeError, LookupError, OSError, RuntimeError):
         return None
     return Peek(attributes, found)
@@ -163,6 +162,8 @@ def check_result(study: AnyStudy, path: Path, *, asked: bool) -> None:
         attributes = open_result(study, path, stack)[ROOT].attrs
         settings = differing_settings(study, attributes)
         code = attributes["code"]
+    if said := edited(path):
+        print(f"note: {path}: {said}", file=sys.stderr)
     if settings:
         text = f"{path}: was computed with other settings than asked for: {listed(settings)}"
         if asked:
@@ -170,6 +171,12 @@ def check_result(study: AnyStudy, path: Path, *, asked: bool) -> None:
         print(f"note: {text}; shown is the file", file=sys.stderr)
     if code != CODE:
         print(f"note: {path}: was computed by another version of the program", file=sys.stderr)
+
+
+def edited(path: Path) -> str:
+    """Return what is to be said of a result that is not as a run wrote it, or nothing."""
+    said = "is not as a run wrote it: it was changed or replaced since; run the study again"
+    return said if is_edited(path) else ""
 
 
 def broken(study: AnyStudy, path: Path, error: Exception) -> UserError:

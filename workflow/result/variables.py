@@ -50,6 +50,7 @@ class Variable(NamedTuple):
 
 
 AXIS_ATTRIBUTES = {row.name: (row.unit, row.long_name) for row in EVERY_AXIS.values()} | {
+    "normal_pressure": ("Pa", "nominal pressure that the normal force stands for"),
     "event": ("1", "sample of a trace; 0 is the start"),
     "bin": ("1", "lower edge of a bin of contact lengths, in spacings"),
     "law": ("1", "law of the state"),
@@ -64,6 +65,11 @@ VARIABLES = {
     "mu_2": Variable("steady coefficient of friction at v2", SLOPE),
     "indentation": Variable("steady indentation d at v1", HEIGHT, "m", comment=SIGN_OF_D),
     "contact_fraction": Variable("share of the line in contact at v1"),
+    "model_ratio": Variable(
+        "mu_1 of the foundation over that of a half-space",
+        comment="at one nominal pressure, from a table that the study bodies makes; the error of "
+        "the model. NaN outside the table",
+    ),
     "jump": Variable("instantaneous jump of the coefficient of friction", SLOPE),
     "relaxation_rate": Variable(
         "relaxation rate b of eq. 6, per tau", comment="fit with mu_2 known"

@@ -31,8 +31,6 @@ from ..system import (
     check_place,
     clear_leftovers,
     hold,
-    package_versions,
-    processor,
     saying_what_compiles,
 )
 from .collect import Collector, Rounds
@@ -85,7 +83,7 @@ class _Run:
             store.forget_failures({task.key for _, task in self.failures.tasks()})
         self.watch = Watch(self._stops, how.cluster.patience)
         name = study_digest(plan.study)
-        store.begin(name, package_versions(), processor())
+        store.begin(name)
         self.missing = missing_work(plan, self.failures)
         done, left = self._extent(self.missing)
         self.summary = Summary(reused=done, predicted=left)
@@ -111,7 +109,7 @@ class _Run:
         """Load or compile what is needed, once for all processes of this machine."""
         if self.missing and self.how.cluster.where == LOCAL:  # others compile for themselves
             for variant in self.plan.variants:
-                load_kernels(variant.numerics.scheme, self.plan.asked)
+                load_kernels(variant.lines.body, variant.numerics.scheme, self.plan.asked)
 
     def finish(self, workers: Workers) -> None:
         """Compute, collect and write; the status says how it ended, whatever happens."""
@@ -122,6 +120,7 @@ class _Run:
             if datasets:
                 with self.summary.filing():
                     self.patience(partial(results.write_datasets, self.result, datasets))
+                    self.store.enter_result(self.result)
                 self.summary.written = True
                 self.summary.say_accuracy(self.plan, self.result)
             state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"

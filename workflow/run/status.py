@@ -20,9 +20,10 @@ from ..plan import make_plan, missing_work, this_machine, total_records, total_s
 from ..simulate import CODE
 from ..store import Store, journal
 from ..study import Study
-from ..system import holder, write_durably
+from ..system import holder, open_plain, write_durably
 
 WRITE_SECONDS = 5.0
+LONGEST = 2**16  # bytes of a status
 
 
 @dataclass
@@ -54,7 +55,7 @@ class Status:
                 self.left = max(0.0, left) if self.done < self.total else 0.0
             elif "failed" in entry:
                 self.failed += 1
-            elif not entry.keys() & {"part", "maker", "format"}:  # another run, a damaged shard
+            elif entry.keys() & {"run", "retry", "dropped"}:  # another run, a damaged shard
                 return False
         return True
 
@@ -144,10 +145,14 @@ class StatusWriter:
 def read_status(study: Study, result: Path, folder: Path) -> Status:
     """Return how far a study is: as its last run left it, up to now, or counted anew."""
     try:
-        status = Status(**json.loads(status_file(result).read_text()))
-        if status.study == study_digest(study) and status.advance(folder):
+        with open_plain(status_file(result)) as file:
+            told = json.loads(file.read(LONGEST))
+        status = Status(**told)
+        types = Status.__annotations__.items()
+        sound = all(isinstance(getattr(status, name), (of, int)) for name, of in types)
+        if sound and status.study == study_digest(study) and status.advance(folder):
             return status
-    except (OSError, ValueError, TypeError):
+    except (OSError, ValueError, TypeError, RecursionError):
         pass
     return _counted(study, folder)
 

@@ -43,7 +43,7 @@ def is_unchanged(
     rounds = plan.first != plan.expected
     if missing and not rounds:
         return False
-    found = peek(result)
+    found = peek(result) if store.wrote(result) else None
     blocks = found and _blocks(plan, found.realizations)
     if not (found and blocks) or found.attributes.get(KEY) != result_key(plan, store, blocks):
         return False

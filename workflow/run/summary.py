@@ -90,6 +90,9 @@ class Summary:
             f"reused; {duration(self.used)} of core time used, {duration(self.foreseen)} predicted "
             f"for them{factor}{whole}"
         ]
+        found += [
+            f"lines: {told}" for told in dict.fromkeys(v.lines.told for v in plan.variants) if told
+        ]
         if self.unchanged:
             found.append("the result is there already, of the same study, program and records")
         if self.batches:

@@ -15,12 +15,22 @@ from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
 from ..reduce import Estimates, blocks_of, completed, reduce_blocks
 from ..result import build_dataset
 from ..simulate import block_means
-from ..study import Profile, Study, given_profile, positive, read_grid_study
+from ..study import (
+    FOUNDATION,
+    HALF_SPACE,
+    Profile,
+    Study,
+    given_map,
+    given_profile,
+    positive,
+    read_grid_study,
+)
 
 NAME = "scene"
 OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study has in [grid]
 USUAL = ("steady", "trace")
 SAMPLES = 200  # of a trace
+PRESSING = ("normal_force", "normal_pressure", "prescribed_indentation")
 FIELDS = {name: f"state_{name}" for name in Saved._fields}
 MARK = "scene"  # attribute that tells of which line and material a state is
 
@@ -77,28 +87,26 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
         return None
     if length is None:
         raise UserError("length: missing; it is that of the profile, one period, in m")
-    return given_profile(profile, positive("length", toml_value(length)))
+    given = given_map if arguments["body"] == HALF_SPACE else given_profile
+    return given(profile, positive("length", toml_value(length)))
 
 
 def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]:
     """Return the table [scene]; what presses line and elastomer together goes into the grid."""
-    force, depth = (
-        toml_value(arguments["normal_force"]),
-        toml_value(arguments["prescribed_indentation"]),
-    )
-    if (force is None) == (depth is None):
-        raise UserError("normal_force: give either normal_force or prescribed_indentation")
-    names = ("quantities", "start", "repeat", "programme")
+    pressing = {key: toml_value(arguments[key]) for key in PRESSING if arguments[key] is not None}
+    if len(pressing) != 1:
+        raise UserError(f"normal_force: give one of {', '.join(PRESSING)}")
+    depth = pressing.get("prescribed_indentation")
+    names = ("quantities", "start", "repeat", "programme", "body")
     found = {name: toml_value(arguments[name]) for name in names}
     if depth is not None and tuple(found["quantities"]) == USUAL:
         found["quantities"] = ["trace"]  # there is no steady sliding under a given force
-    if force is not None:
-        grid["normal_force"] = force
-    elif isinstance(depth, str):
-        found |= {"control": "indentation", "indentation_file": depth}
-    else:
+    if depth is not None:
         found["control"] = "indentation"
-        grid["prescribed_indentation"] = depth
+    if isinstance(depth, str):
+        found["indentation_file"] = depth
+    else:
+        grid |= pressing
     return found
 
 
@@ -196,8 +204,10 @@ def run(
     surface: Mapping[str, Any] | None = None,
     material: Mapping[str, Any],
     normal_force: float | None = None,
+    normal_pressure: float | None = None,
     prescribed_indentation: float | str | None = None,
     programme: Sequence[Mapping[str, Any]],
+    body: str = FOUNDATION,
     start: str = "steady",
     repeat: int = 1,
     quantities: Sequence[str] = USUAL,
@@ -209,12 +219,14 @@ def run(
     """Take a rigid line through a programme of motion over an elastomer; all in SI units.
 
     profile : heights in m, shape (n,) or (lines, n): one period as it is given, one element per
-        sample, one step per sample. length : of that period, m.
+        sample, one step per sample. On a half-space a map (n, n), the last axis along x, or (n,)
+        of a line contact. length : of that period, m.
     surface : in place of a profile, random lines: the keys of the table [surface], and hurst,
         roughness and spacing as in [grid].
     material : the keys of [material]. numerics : those of [numerics].
-    normal_force : N, or prescribed_indentation : m over the mean line, or the name of a file of
-        times in s and indentations in m.
+    normal_force : N, or normal_pressure : Pa, or prescribed_indentation : m over the mean line, or
+        the name of a file of times in s and indentations in m.
+    body : "foundation" or "half-space", as in [scene].
     programme : segments, each as in [[scene.programme]]; start, repeat and quantities : as in
         [scene].
     realizations : lines; with several, every mean has its standard error. seed : of random lines.

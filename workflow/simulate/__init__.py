@@ -10,6 +10,7 @@ from ..lazy import public_names
 if TYPE_CHECKING:
     from .code import CODE
     from .drawing import line_generator
+    from .finer import CHANGED, HALVED
     from .kept import kept_steps, programme_steps, record_steps, record_times
     from .layout import EDGES, Layout, row_layout, row_width, unpack
     from .programmes import scene_of

@@ -1,4 +1,4 @@
-"""The lines of a batch: random ones, which are drawn, or measured ones."""
+"""The lines or maps of a batch: random ones, which are drawn, or measured ones."""
 
 from collections.abc import Callable, Iterable
 from itertools import islice
@@ -6,13 +6,14 @@ from itertools import islice
 import numpy as np
 
 from ...kernels import QUARTET, Line, amplitudes, draw_phases
+from ...kernels.half_space.surface import Surface, ring_amplitudes
 from .tasks import Batch
 
-# Steps per spacing -> the lines of realizations in a row that one drawing gives.
-Draw = Callable[[int], Iterable[Line]]
+# Steps per spacing -> the lines, or maps, of realizations in a row that one drawing gives.
+Draw = Callable[[int], Iterable]
 
 
-def drawing_of(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
+def drawn_lines(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
     """Return how many realizations one drawing is for, and what draws them from a number on.
 
     Random self-affine lines come in quartets, those of a block together. Lines that were measured
@@ -36,6 +37,27 @@ def drawing_of(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
         return lambda steps: islice(Line.quartet(amplitude, phases, elements, steps), size)
 
     return size, draw
+
+
+def drawn_maps(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
+    """Return that one drawing is for one realization, and what draws its map."""
+    if batch.heights is not None:
+        heights = batch.heights
+        return 1, lambda number: lambda steps: (Surface.measured(heights[number], steps),)
+    problem = batch.tasks[0].problem
+    hurst, elements, surface = problem.hurst, problem.elements, problem.surface
+    modes = surface.rolloff, surface.cutoff
+    amplitude = ring_amplitudes(hurst, elements, *modes, batch.normalisation)
+    first = batch.first_block * batch.realizations_per_block
+
+    def draw(number: int) -> Draw:
+        def drawn(steps: int) -> Iterable[Surface]:
+            generator = line_generator(batch.seed, hurst, elements, first + number)
+            return (Surface.drawn(generator, amplitude, elements, steps),)
+
+        return drawn
+
+    return 1, draw
 
 
 def line_generator(seed: int, hurst: float, elements: int, index: int) -> np.random.Generator:

@@ -26,6 +26,10 @@ def row_layout(task: Task, quantities: Quantities, scheme: str, recording: Recor
         shapes["curve"] = (recording.samples - 1,)
     if quantities.initial_rate:
         shapes["initial_rate"] = ()
+    if recording.finer:
+        shapes["finer"] = (4,)  # the number of lines, and the changes of CHANGED in finer.py
+        if quantities.relaxation:
+            shapes["finer_curve"] = (recording.samples - 1,)
     if recording.asked:
         shapes |= _programme_shapes(task, scheme, recording)
     places: Layout = {}

@@ -1,11 +1,13 @@
 """What a programme of motion adds to the record of a realization."""
 
 import math
+from typing import Any
 
 import numpy as np
 
-from ...kernels import MOTION, Case, Line, Quantities, SceneCase, run_case, run_scene
+from ...kernels import MOTION, Case, Quantities, SceneCase
 from ...kernels.compile.clock import working_time
+from .bodies import body_of
 from .kept import kept_steps
 from .layout import EDGES, Layout
 from .tasks import SCALARS, Batch, Recording, Task
@@ -14,7 +16,7 @@ STEADY = Quantities(steady=True, jump=False, relaxation=False)
 
 
 def add_programme(
-    batch: Batch, line: Line, task: Task, places: Layout, values: np.ndarray, lines: int
+    batch: Batch, line: Any, task: Task, places: Layout, values: np.ndarray, lines: int
 ) -> float:
     """Add one realization of a task to the sums of its row, laid out as ``places`` say.
 
@@ -25,7 +27,8 @@ def add_programme(
     seconds = 0.0
     if batch.recording.asked:
         began = working_time()
-        found = run_scene(line, scene_of(task, batch.scheme, batch.recording), batch.resumed)
+        scene = scene_of(task, batch.scheme, batch.recording)
+        found = body_of(batch).run_scene(line, scene, batch.resumed)
         for name, (first, shape) in places.items():
             if name not in found:
                 continue
@@ -54,7 +57,7 @@ def scene_of(task: Task, scheme: str, recording: Recording) -> SceneCase:
     )
 
 
-def steady_ends(batch: Batch, line: Line, task: Task) -> dict[str, float]:
+def steady_ends(batch: Batch, line: Any, task: Task) -> dict[str, float]:
     """Return steady values at the first and the last slide of a programme, by name of the scalar.
 
     Empty where they are those before and after the velocity step, which the case gives.
@@ -66,6 +69,7 @@ def steady_ends(batch: Batch, line: Line, task: Task) -> dict[str, float]:
     if (first, last) == (problem.speed, problem.ratio * problem.speed):
         return {}
     case = Case(problem.load, first, (last / first,), (), batch.scheme, problem.spectrum)
-    found = run_case(line, case, STEADY)
+    body = body_of(batch)
+    ((found,),) = body.run([line], body.prepare([case], task.steps_per_spacing, STEADY))
     values = {name: getattr(found, name) for name in SCALARS if name not in ("mu_2", "jump")}
     return values | {"mu_2": float(found.mu_2[0])}

@@ -9,11 +9,12 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION, Case, Line, Outcome, Prepared, Quantities, prepare, run_prepared
+from ...kernels import MOTION, Case, Outcome, Quantities
 from ...kernels.compile.clock import working_time
-from ...kernels.loading import load
 from ..system import keep_memory, peak_bytes, this_maker
-from .drawing import Draw, drawing_of
+from .bodies import BODIES, body_of
+from .drawing import Draw
+from .finer import HALVED, add_finer
 from .kept import record_steps
 from .layout import Layout, row_layout, row_width
 from .programmes import add_programme, steady_ends
@@ -23,7 +24,7 @@ scalars_of = attrgetter(*SCALARS)
 SHORT = 8192  # samples of a line on which a call from Python takes longer than what is computed
 TOGETHER = 4 * SHORT  # samples of lines that are short, at most, in one call
 # All cases on a line of some steps per spacing, and of each the rows of its tasks.
-Cases = list[tuple[Prepared, list[list[int]]]]
+Cases = list[tuple[Any, list[list[int]]]]
 
 
 class BlockSums(NamedTuple):
@@ -35,16 +36,16 @@ class BlockSums(NamedTuple):
 
 
 @lru_cache
-def load_kernels(scheme: str, asked: Quantities) -> None:
-    """Compile the kernels, or load them from the cache, once per process (kernels/loading.py)."""
-    load(scheme, asked)
+def load_kernels(body: str, scheme: str, asked: Quantities) -> None:
+    """Compile the kernels of a body, or load them from the cache, once per process."""
+    BODIES[body].load(scheme, asked)
 
 
 def block_means(batch: Batch) -> BatchResult:
     """Run the batch, on one thread of any process."""
     keep_memory()
     if batch.quantities.anything:
-        load_kernels(batch.scheme, batch.quantities)
+        load_kernels(batch.tasks[0].problem.surface.body, batch.scheme, batch.quantities)
     began = working_time()
     layouts = [row_layout(t, batch.quantities, batch.scheme, batch.recording) for t in batch.tasks]
     widths = [row_width(own) for own in layouts]
@@ -52,7 +53,7 @@ def block_means(batch: Batch) -> BatchResult:
     curves = np.zeros((len(batch.tasks), batch.blocks, max(1, *widths)))  # no empty rows in netCDF
     spent = np.zeros((len(batch.tasks), len(PHASES)))
     cases = _cases(batch)
-    size, draw = drawing_of(batch)
+    size, draw = body_of(batch).drawing(batch)
     numbers = range(0, batch.blocks * batch.realizations_per_block, size)
     several = max(1, TOGETHER // (size * batch.tasks[0].problem.elements))  # drawings
     for first in range(0, len(numbers), several):
@@ -61,6 +62,8 @@ def block_means(batch: Batch) -> BatchResult:
             block, before = divmod(number, batch.realizations_per_block)
             some.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
         _add_realizations(batch, layouts, cases, some, spent)
+    if batch.recording.finer > batch.first_block:
+        add_finer(batch, layouts, cases, _cases(batch, HALVED), curves)
     for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
         for name, (first, shape) in places.items():
@@ -96,7 +99,7 @@ def _add_realizations(
                 break
             found: Iterable = repeat([None] * len(shared))
             if batch.quantities.anything:
-                found = run_prepared([line for line, _ in some], prepared)
+                found = body_of(batch).run([line for line, _ in some], prepared)
             for (line, sums), outcomes in zip(some, found, strict=False):
                 for rows, outcome in zip(shared, outcomes, strict=True):
                     _add_case(batch, layouts, line, (rows, outcome), sums, spent)
@@ -114,7 +117,7 @@ def lines_at_once(samples: Any) -> Any:
 def _add_case(
     batch: Batch,
     layouts: list[Layout],
-    line: Line,
+    line: Any,
     case: tuple[list[int], Outcome | None],
     sums: BlockSums,
     spent: np.ndarray,
@@ -132,8 +135,11 @@ def _add_case(
         spent[row, -1] += add_programme(batch, line, task, places, record.curves, record.lines)
 
 
-def _cases(batch: Batch) -> Cases:
-    """Return what is run on every line; tasks that share a steady state at v1 are one case."""
+def _cases(batch: Batch, times: int = 1) -> Cases:
+    """Return what is run on every line; tasks that share a steady state at v1 are one case.
+
+    times : as many steps per spacing as the tasks say.
+    """
     shared: dict[tuple, list[int]] = {}
     for row, task in enumerate(batch.tasks):
         problem = task.problem
@@ -142,17 +148,18 @@ def _cases(batch: Batch) -> Cases:
     found: Cases = []
     for steps, keys in groupby(sorted(shared), itemgetter(0)):
         rows = [shared[key] for key in keys]
-        given = [_case(batch, some) for some in rows] if batch.quantities.anything else ()
-        found.append((prepare(given, steps, batch.quantities), rows))
+        given = [_case(batch, some, times) for some in rows] if batch.quantities.anything else ()
+        found.append((body_of(batch).prepare(given, times * steps, batch.quantities), rows))
     return found
 
 
-def _case(batch: Batch, rows: list[int]) -> Case:
+def _case(batch: Batch, rows: list[int], times: int) -> Case:
     tasks = [batch.tasks[row] for row in rows]
     kept: tuple[np.ndarray, ...] = ()
     if batch.quantities.relaxation:
         samples = batch.recording.samples
-        kept = tuple(record_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks)
+        steps = (record_steps(t.march_steps, samples, t.problem.spectrum) for t in tasks)
+        kept = tuple(times * own for own in steps)
     return Case(
         load=tasks[0].problem.load,
         speed=tasks[0].problem.speed,

@@ -1,7 +1,7 @@
 """What a worker is given and gives back: problems, tasks, batches, block means. Plain data."""
 
 from dataclasses import dataclass, field
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -23,12 +23,13 @@ ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, ind
 
 
 class LineShape(NamedTuple):
-    """What lines are, but for H and N: random with these modes, or measured."""
+    """What lines, or maps, are but for H and N: random with these modes, or measured."""
 
     rolloff: float = 0.0  # wave number below which the spectrum is flat, in 2 pi/L; 0: none
     cutoff: int = 0  # number of the last mode; 0: N/2
     measured: str = ""  # what measured lines, or random ones like them, are known by
     slope: float = 0.0  # their rms slope, in h/dx
+    body: str = "foundation"  # what is behind them; a half-space has maps (bodies.py)
 
 
 class Problem(NamedTuple):
@@ -44,6 +45,14 @@ class Problem(NamedTuple):
     programme: Programme = ()  # empty: only steady states and the step from v1 to v2
     start: str = "steady"
     indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a load
+
+    def samples(self, steps_per_spacing: Any) -> Any:
+        """Return the number of samples of its surface: of a line, or of a square map.
+
+        steps_per_spacing : one number, or an array for many problems together.
+        """
+        along = self.elements * steps_per_spacing
+        return along * along if self.surface.body == "half-space" else along
 
     @property
     def ends(self) -> tuple[float, float]:
@@ -70,6 +79,7 @@ class Recording(NamedTuple):
     asked: tuple[str, ...] = ()  # what of a programme is asked for (kernels/scene)
     dense: tuple[str, ...] = ()  # "healing", "loop": what needs samples of its own
     origin: Origin = START  # where a programme begins that is resumed
+    finer: int = 0  # blocks whose first line is run with halved steps too (finer.py)
 
 
 class Task(NamedTuple):

@@ -6,15 +6,16 @@ their checksum, and so is what computed records, their maker: what a line means 
 but the line itself, so that lines told twice, as by two joined journals, change nothing.
 """
 
+import contextlib
 from collections.abc import Mapping
 from pathlib import Path
 
-from ..simulate import Record
+from ..simulate import SCALARS, Record
 from ..system import Maker
 from .journal import Entry, entries
-from .shard import KEY_BYTES, StoredBatch, digest
+from .shard import KEY_LENGTH, StoredBatch, digest
 
-KEY_LENGTH = 2 * KEY_BYTES
+LEAST_BYTES = 8 * len(SCALARS)  # of a record
 
 
 class Index:
@@ -27,6 +28,7 @@ class Index:
         self.rows: dict[str, list[tuple[str, int]]] = {}  # key -> parts it is in, row in each
         self.makers: dict[str, Maker] = {}  # by checksum
         self.made: dict[str, list[str]] = {}  # name of each shard -> its makers
+        self.results: dict[str, str] = {}  # digest of each result that a run wrote -> file name
         # (part, block) -> shard, position of row 0 there, positions from a row to the next
         self.found: dict[tuple[str, int], tuple[str, int, int]] = {}
 
@@ -60,7 +62,7 @@ class Index:
         size: int,
         batches: list[StoredBatch],
         makers: list[Maker],
-        times: dict[str, float],
+        predicted: float,
     ) -> list[Entry]:
         """Return what the journal is to say of a shard, after what it is the first to have."""
         first: dict[str, Entry] = {}
@@ -76,8 +78,8 @@ class Index:
                 first[part] = {"part": part, "keys": keys}
             table.append([part, batch.first_block, batch.blocks])
             count += len(batch.keys) * batch.blocks
-        shard = {"shard": name, "bytes": size, "records": count, "chunks": table, "by": by, **times}
-        return [*first.values(), shard]
+        shard = {"shard": name, "bytes": size, "records": count, "predicted": predicted}
+        return [*first.values(), shard | {"chunks": table, "by": by}]
 
     def replay(self, entry: Entry) -> None:
         """Take one entry of the journal into the index."""
@@ -91,6 +93,8 @@ class Index:
             self.failed[entry["failed"]] = entry["why"]
         elif "retry" in entry:
             self.failed.pop(entry["retry"], None)
+        elif "result" in entry:
+            self.results[entry["digest"]] = entry["result"]
         elif "dropped" in entry:
             self.sizes.pop(entry["dropped"], None)
             self.made.pop(entry["dropped"], None)
@@ -107,9 +111,17 @@ class Index:
             self.rows.setdefault(key, []).append((part, row))
 
     def _add_shard(self, entry: Entry) -> None:
+        """Take in what a line tells of a shard. Raises ValueError, or TypeError, for nonsense."""
         name, batches, by = entry["shard"], entry["chunks"], entry.get("by", [])
+        if any(first_block < 0 or blocks < 1 for _, first_block, blocks in batches):
+            raise ValueError("no such blocks")
         if any(part not in self.parts for part, *_ in batches) or not self.makers.keys() >= set(by):
             return  # the line of a part or a maker is spoilt: the shard itself tells them
+        records = sum(self.parts[part] * blocks for part, _, blocks in batches)
+        if records != entry["records"] or records * LEAST_BYTES > entry["bytes"]:
+            raise ValueError(
+                f"{records} records, not {entry['records']}, in {entry['bytes']} bytes"
+            )
         self.sizes[name], self.made[name] = entry["bytes"], by
         first = 0
         for part, first_block, blocks in batches:
@@ -122,5 +134,6 @@ def indexed(folder: Path) -> Index:
     """Return what the journal of a folder tells. Raises UserError as ``journal.entries``."""
     index = Index()
     for entry, _ in entries(folder):
-        index.replay(entry)
+        with contextlib.suppress(TypeError, ValueError):  # as a line that is spoilt
+            index.replay(entry)
     return index

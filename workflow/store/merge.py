@@ -24,6 +24,7 @@ def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str
     with hold(target, without=no_lock):
         into = Store(target)
         into.prepare()
+        into.begin("merge")
         said, taken, records, differing = [], 0, 0, 0
         names = sorted(shard_sizes(sizes_in(source)))
         for name in names:

@@ -7,8 +7,6 @@ folder's lock; any number may read. Every read compares keys in the shard with t
 """
 
 import contextlib
-import os
-import socket
 import sys
 from functools import lru_cache, partial
 from pathlib import Path
@@ -18,7 +16,15 @@ import numpy as np
 
 from ..errors import UserError
 from ..simulate import SCALARS, Record
-from ..system import Maker, Patience, clear_leftovers, read_whole, sizes_in, write_durably
+from ..system import (
+    Maker,
+    Patience,
+    clear_leftovers,
+    digest_of,
+    read_whole,
+    sizes_in,
+    write_durably,
+)
 from . import journal, shard
 from .index import indexed
 from .journal import Entry
@@ -29,6 +35,18 @@ CACHED_SHARDS = 4
 def store_folder(result: Path) -> Path:
     """Return the folder of finished batches beside a result file; studies share it."""
     return result.parent / "store"
+
+
+def is_edited(result: Path) -> bool:
+    """Return whether the store beside a result tells of a file of this name, but not as it is.
+
+    Nothing is known of a result without a store, or beside one that cannot be read.
+    """
+    with contextlib.suppress(UserError):
+        entries = journal.entries(store_folder(result))
+        written = {entry["digest"] for entry, _ in entries if entry.get("result") == result.name}
+        return bool(written) and digest_of(result) not in written
+    return False
 
 
 class DamagedShard(Exception):
@@ -78,17 +96,24 @@ class Store:
         content = shard.encode(finished)
         name = shard.digest(content)
         self.patience(partial(write_durably, self._path(name), content))
-        used = sum(result.seconds for _, result in finished)
-        predicted = sum(batch.seconds for batch, _ in finished)
-        times = {"used": round(used, 3), "predicted": round(predicted, 3)}
+        predicted = round(sum(batch.seconds for batch, _ in finished), 3)
         makers = sorted({result.maker for _, result in finished})
         batches = [shard.stored_batch(batch) for batch, _ in finished]
-        self.enter(name, len(content), batches, makers, times)
+        self.enter(name, len(content), batches, makers, predicted)
 
-    def begin(self, study: str, versions: str, processor: str) -> None:
-        """Note durably that a run of a study begins, and with what it will compute."""
-        process = {"pid": os.getpid(), "host": socket.gethostname()}
-        self._write([{"run": study, **process, "versions": versions, "processor": processor}])
+    def begin(self, what: str) -> None:
+        """Note durably that a run begins: shards from here on may belong to another study."""
+        self._write([{"run": what}])
+
+    def enter_result(self, result: Path) -> None:
+        """Note durably that a run has written a result file, as it is now."""
+        self._write([{"result": result.name, "digest": digest_of(result)}])
+
+    def wrote(self, result: Path) -> bool:
+        """Return whether a result file is as a run has written it."""
+        with contextlib.suppress(UserError):
+            return digest_of(result) in self.index.results
+        return False
 
     def record_failure(self, key: str, why: str) -> None:
         """Note durably that a task failed for good."""
@@ -171,10 +196,10 @@ class Store:
         size: int,
         batches: list[shard.StoredBatch],
         makers: list[Maker],
-        times: dict | None = None,
+        predicted: float = 0.0,
     ) -> None:
-        """Enter a durable shard into the journal."""
-        self._write(self.index.entries_of(name, size, batches, makers, times or {}))
+        """Enter a durable shard, of batches of so many predicted seconds, into the journal."""
+        self._write(self.index.entries_of(name, size, batches, makers, predicted))
 
     def _write(self, entries: list[Entry]) -> None:
         self.patience(partial(journal.append, self.folder, entries))

@@ -4,7 +4,7 @@ from collections import defaultdict
 from pathlib import Path
 
 from ..errors import UserError
-from ..system import LOCK, read_whole, refused, sizes_in
+from ..system import LOCK, digest_of, read_whole, sizes_in
 from . import journal
 from .index import Index
 from .shard import Contents, NoShard, decode, shard_sizes
@@ -31,6 +31,14 @@ class Verified:
         shards = shard_sizes(sizes)
         self.shards = len(shards)
         self.sound = sum(self._is_sound(name) for name in sorted(shards))
+        results = {name: folder.parent / name for name in self.index.results.values()}
+        self.results = {name: path for name, path in results.items() if path.is_file()}
+        edited = {
+            n for n, path in self.results.items() if digest_of(path) not in self.index.results
+        }
+        self.faults += [
+            f"{self.results[name]}: is not as a run wrote it" for name in sorted(edited)
+        ]
         missing = sorted(self.index.sizes.keys() - shards.keys())
         self.faults += [f"{name}.nc: missing, but told by the journal" for name in missing]
         ours = {f"{name}.nc" for name in shards} | {journal.NAME, LOCK}
@@ -46,29 +54,27 @@ class Verified:
             f"records     {self.records} of {len(self.keys)} problems",
             *(f"computed    with {maker.versions}, on {maker.processor}" for maker in makers),
             f"failed      {len(self.index.failed)} problems",
+            f"results     {len(self.results)}",
             *(f"note        {note}" for note in self.notes),
             *(f"fault       {fault}" for fault in self.faults),
             f"verified    {len(self.faults) or 'no'} faults",
         ]
 
     def _read_journal(self) -> None:
-        path = self.folder / journal.NAME
         for _ in journal.entries(self.folder):
             pass  # a journal of another version, or none that can be read, is refused
-        with refused(path, "cannot be read:"):
-            lines = path.read_bytes().splitlines(keepends=True) if path.exists() else []
-        if not lines:
-            self.notes.append("there is no journal, or it is empty")
-        for number, line in enumerate(lines, 1):
+        for number, line in enumerate(journal.lines(self.folder), 1):
+            self.lines_of_journal = number
             entry = journal.entry_in(line)
             if entry is None:
                 self.faults.append(f"{journal.NAME}, line {number}: spoilt")
                 continue
             try:
                 self.index.replay(entry)
-            except (KeyError, TypeError, ValueError) as error:
+            except (TypeError, ValueError) as error:
                 self.faults.append(f"{journal.NAME}, line {number}: not understood ({error!r})")
-        self.lines_of_journal = len(lines)
+        if not self.lines_of_journal:
+            self.notes.append("there is no journal, or it is empty")
 
     def _is_sound(self, name: str) -> bool:
         """Return whether a shard holds what it says and what the journal tells; note what not."""
@@ -90,8 +96,6 @@ class Verified:
 
     def _contradiction(self, name: str, contents: Contents) -> str:
         """Return in what a shard is not what the journal tells of it, or nothing."""
-        if not len(contents.records) == len(contents.scalars) == len(contents.curves):
-            return "holds another number of keys than of records"
         if name not in self.index.sizes:
             self.notes.append(f"{name}.nc: not told by the journal; the next run enters it")
             return ""

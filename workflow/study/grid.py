@@ -64,7 +64,17 @@ GRID = {
         "Doubled, F̄ doubles and more of the line touches. In full contact µ halves; in partial "
         "contact it changes less.",
         "N",
-        usual="required where the indentation is not prescribed",
+        usual="required where neither `normal_pressure` nor the indentation is given",
+    ),
+    "normal_pressure": Key(
+        partial(checked_values, positive),
+        "The nominal pressure σ₀, in place of `normal_force`. On a half-space F_N = σ₀L². On the "
+        "foundation F_N = σ₀ λ_r L, with λ_r = `surface.rolloff`, or L without it, so that "
+        "friction does not depend on how long the line is.",
+        "Doubled, F_N doubles.",
+        "Pa",
+        default=(),
+        usual="none",
     ),
     "spacing": Key(
         partial(checked_values, positive),
@@ -132,6 +142,8 @@ def read_grid(
             'scene.start = "steady": the programme begins with a hold; give grid.velocity, at '
             'which it slid before, or use "relaxed"'
         )
+    if given.get("normal_pressure"):
+        given = _pressed(given, written, surface)
     keys = {
         axis: replace(key, default=left_out.get(axis, (key.default,))[0])
         for axis, key in GRID.items()
@@ -153,6 +165,17 @@ def read_grid(
     return found
 
 
+def _pressed(given: Mapping[str, Any], written: Mapping[str, Any], surface: Surface) -> Grid:
+    """Return the values of a grid with normal forces in place of pressures. Raises UserError."""
+    if "normal_force" in given:
+        raise UserError(
+            f"grid.normal_pressure = {written['normal_pressure']!r:.40}: give it or "
+            "grid.normal_force, not both"
+        )
+    forces = tuple(surface.pressed_area * pressure for pressure in given["normal_pressure"])
+    return {**given, "normal_force": forces}
+
+
 def _left_out(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ...], str]]:
     """Return axis -> (values, why) of what the table [grid] must not hold."""
     found: dict[str, tuple[tuple[float, ...], str]] = {}
@@ -162,7 +185,8 @@ def _left_out(surface: Surface, scene: Scene) -> dict[str, tuple[tuple[float, ..
         found["spacing"] = (surface.profile.spacing,), why
         found["roughness"] = (surface.profile.roughness,), why
     if scene.control == "indentation":
-        found["normal_force"] = (math.nan,), 'scene.control = "indentation" leaves it free'
+        free = 'scene.control = "indentation" leaves it free'
+        found |= {"normal_force": ((math.nan,), free), "normal_pressure": ((), free)}
     if not scene.takes_indentation:
         found["prescribed_indentation"] = (
             (),

@@ -15,7 +15,7 @@ def study_schema() -> Schema:
     """Return the schema of a study.toml, JSON schema draft 7."""
     tables = {name: _table(name) for name in EVERY_TABLE if "." not in name}
     both = {**tables["material"]["properties"], **tables["surface"]["properties"]}
-    both |= tables["numerics"]["properties"]
+    both |= tables["numerics"]["properties"] | tables["scene"]["properties"]
     compared = table_of({key: both[key] for key in COMPARE})
     tables["compare"] = _by_name(compared, "^[A-Za-z]\\w*$")
     tables["measure"] = {"type": "object"}

@@ -11,13 +11,13 @@ from ...kernels import QUARTET
 from ..errors import UserError
 from .axes import EVERY_AXIS, Grid, Parts, parts_at, separated, with_value
 from .cluster import HERE, Cluster, read_cluster
-from .effects import Material, Scene, check_quantities, read_scene_table
+from .effects import FOUNDATION, Material, Scene, check_quantities, read_scene_table
 from .grid import read_grid
 from .numerics import Numerics
 from .settings import filled
 from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
-from .variants import check_accuracy, read_variants
+from .variants import check_accuracy, check_bodies, read_variants
 
 MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
 
@@ -53,6 +53,7 @@ class Study(AnyStudy):
     variants: dict[str, Numerics]  # "" is the study itself, the others are its comparisons
     materials: dict[str, Material]  # of the same labels
     surfaces: dict[str, Surface]  # likewise; all of one length, spacing and roughness
+    pressures: tuple[float, ...] = ()  # Pa, nominal, where they are given in place of forces
     cluster: Cluster = HERE  # no part of the results' identity
 
     @property
@@ -77,6 +78,12 @@ class Study(AnyStudy):
         """
         own = Parts(self.materials[label], self.surfaces[label], self.scene)
         return parts_at(own, self.grid, axes)
+
+    def force_share(self, label: str) -> float:
+        """Return the normal force on a variant over that of the study: 1 unless pressures count."""
+        if not self.pressures:
+            return 1.0
+        return self.surfaces[label].pressed_area / self.surface.pressed_area
 
     @property
     def blocks(self) -> int:
@@ -113,23 +120,25 @@ def read_grid_study(
     head = study_head(name, folder, written, filled("study", given["study"], head_keys))
     given, several = separated(given)
     surface = (
-        read_surface(given["surface"], folder)
+        read_surface(given["surface"], folder, given["scene"].get("body", FOUNDATION))
         if profile is None
         else Surface(profile.measured_length, profile=profile)
     )
     variants, materials, surfaces = read_variants(given, folder, surface)
+    surface = surfaces[""]
     _check_each(given, several, folder, surface)
     scene = read_scene_table(given["scene"], folder, materials.values())
     parts = Parts(materials[""], surface, scene)
     grid = read_grid(given["grid"], written.get("grid", {}), parts, several)
-    head["realizations"] = _realizations(head["realizations"], surfaces)
-    head["realizations_asked"] = head["realizations"]
-    single = one_point and head["realizations"] == 1
-    if not single:
-        drawn = not any(surface.profile for surface in surfaces.values())
-        head |= _blocks(head["realizations"], head["realizations_per_block"], drawn)
-    alone = single and not scene.holds
+    asked, block = given["study"].get("realizations"), given["study"].get("realizations_per_block")
+    if one_point and asked is None:
+        asked = head["realizations"]
+    head |= _lines_in_blocks(asked, block, surfaces)
+    single = head["realizations"] == 1
+    surfaces = {label: _told_of_blocks(own, head) for label, own in surfaces.items()}
+    alone = one_point and single and not scene.holds
     check_quantities(scene, materials, alone)
+    check_bodies(scene, surfaces)
     check_accuracy(variants, materials, scene, surface)
     if one_point:
         _one_point(grid)
@@ -140,6 +149,7 @@ def read_grid_study(
         variants=variants,
         materials=materials,
         surfaces=surfaces,
+        pressures=given["grid"].get("normal_pressure", ()),
         cluster=cluster,
     )
 
@@ -162,23 +172,69 @@ def _check_each(
             read_variants(each, folder, own)
 
 
-def _realizations(given: int | None, surfaces: dict[str, Surface]) -> int:
-    """Return how many lines there are; as many as were measured where nothing is said."""
-    lines = None
-    for surface in surfaces.values():
-        if surface.profile is not None and surface.lines == "measured":
-            lines = len(surface.profile.heights)
-    if given is None and lines is None:
+def _lines_in_blocks(
+    asked: int | None, block: int | None, surfaces: dict[str, Surface]
+) -> dict[str, int]:
+    """Return the counts of lines: as asked for, in all, and per block. Raises UserError.
+
+    asked, block : as the study gives them. Without them there are as many lines as were measured,
+    in blocks of those that are alike; a line alone is its own block.
+    """
+    profile = _measured_lines(surfaces)
+    lines = None if profile is None else len(profile.heights)
+    if asked is None and lines is None:
         raise UserError("study.realizations: missing")
-    if lines is not None and given is not None and given > lines:
-        raise UserError(f"study.realizations = {given}: only {lines} lines were measured")
-    return given or lines or 1
+    if lines is not None and asked is not None and asked > lines:
+        only = "1 line was" if lines == 1 else f"{lines} lines were"
+        raise UserError(
+            f"study.realizations = {asked}: only {only} measured; of random lines like them, "
+            'surface.lines = "random-phase", there may be more'
+        )
+    realizations = asked or lines or 1
+    found = {"realizations_asked": realizations}
+    if realizations == 1:
+        return found | {"realizations": 1, "realizations_per_block": 1}
+    if block is None and profile is not None and profile.alike is not None:
+        taken, size = profile.alike.whole_blocks(realizations, every=asked is not None)
+        return found | {"realizations": taken, "realizations_per_block": size}
+    drawn = any(own.profile is None and own.body == FOUNDATION for own in surfaces.values())
+    return found | _blocks(realizations, block or 1, drawn)
+
+
+def _measured_lines(surfaces: dict[str, Surface]) -> Profile | None:
+    """Return the lines of the first surface whose measured lines slide; None without one."""
+    own = (each.profile for each in surfaces.values() if each.lines == "measured")
+    return next((profile for profile in own if profile is not None), None)
+
+
+def _told_of_blocks(surface: Surface, head: Mapping[str, Any]) -> Surface:
+    """Return a surface that tells what its standard errors rest on."""
+    profile = surface.profile
+    if profile is None or surface.lines != "measured":
+        return surface
+    block, lines = head["realizations_per_block"], head["realizations"]
+    if lines == 1:
+        said = "one line, of which no standard error is known: errors are NaN"
+    elif profile.alike is None:
+        return surface
+    else:
+        said = (
+            f"neighbouring lines are alike (correlation {profile.alike.correlation:.2f}; "
+            f"{profile.alike.lines:.3g} are worth one): {lines} in blocks of {block}"
+        )
+        if block < profile.alike.lines:
+            said += (
+                ", too short for standard errors, which are too small: take "
+                f"study.realizations_per_block = {profile.alike.block}"
+            )
+    return surface._replace(profile=profile._replace(notes=f"{profile.notes}; {said}"))
 
 
 def _blocks(realizations: int, block: int, drawn: bool) -> dict[str, int]:
     """Return the counts of realizations, in all and per block. Raises UserError.
 
-    drawn : whether lines are drawn: then both are rounded up, and quartets lie in one block.
+    drawn : whether lines are drawn: then both are rounded up, and quartets lie in one block. Maps
+    come one by one.
     """
     given = f"study.realizations_per_block = {block}"
     if realizations % block or realizations // block < 2:

@@ -6,13 +6,22 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError
-from .effects import MATERIAL, Material, Scene, read_material
+from .effects import (
+    BODY,
+    FORCE,
+    FOUNDATION,
+    MATERIAL,
+    OF_ELEMENTS,
+    Material,
+    Scene,
+    read_material,
+)
 from .numerics import NUMERICS, Numerics, read_numerics
 from .surfaces import LIKE, Surface, lines_like
 
 # All of a comparison are points of one grid, to which temperatures belong.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
-COMPARE |= LIKE
+COMPARE |= LIKE | {"body": BODY}
 EITHER = {"branches": "branches_file", "branches_file": "branches"}  # one takes the other's place
 
 
@@ -27,7 +36,8 @@ def read_variants(
     numerics, material = tables["numerics"], tables["material"]
     variants = {"": read_numerics("numerics", numerics)}
     materials = {"": read_material("material", material, folder)}
-    surfaces = {"": surface}
+    body = tables["scene"].get("body", FOUNDATION)
+    surfaces = {"": surface._replace(body=body)}
     for label, given in tables["compare"].items():
         where = f"compare.{label}"
         if not re.fullmatch(r"[A-Za-z]\w*", label):
@@ -39,8 +49,38 @@ def read_variants(
         made_of = {key: given[key] for key in given if key in MATERIAL}
         materials[label] = read_material(where, {**kept, **made_of}, folder)
         like = {key: given[key] for key in given if key in LIKE}
-        surfaces[label] = lines_like(where, surface, like)
+        own = given.get("body", body)
+        if own != body and surface.profile is not None:
+            raise UserError(
+                f"{where}.body = {own!r}: measured lines or maps are read for one body; give the "
+                "other in a study of its own"
+            )
+        surfaces[label] = lines_like(where, surface, like)._replace(body=own)
     return variants, materials, surfaces
+
+
+def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
+    """Raise UserError where a scene is asked for what a half-space does not have."""
+    if all(surface.body == FOUNDATION for surface in surfaces.values()):
+        return
+    if scene.control != FORCE:
+        raise UserError(
+            f"scene.control = {scene.control!r}: the indentation of an infinite half-space has no "
+            f'meaning; use "{FORCE}", or scene.body = "{FOUNDATION}"'
+        )
+    if not scene.indentation_rate:
+        raise UserError(
+            "scene.indentation_rate = false: eq. 3 as printed is defined for the foundation alone"
+        )
+    for name in scene.quantities:
+        if name in OF_ELEMENTS:
+            raise UserError(
+                f'scene.quantities: "{name}": belongs to single elements; a half-space has none'
+            )
+    if scene.programme:
+        raise UserError(
+            f'scene.programme: a half-space takes one velocity step so far; use "{FOUNDATION}"'
+        )
 
 
 def check_accuracy(

@@ -2,14 +2,18 @@
 
 import contextlib
 import errno
+import hashlib
 import os
+import stat
 from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 from ..errors import UserError
 
 # What fsync says of a folder where the file system does not offer it.
 _REFUSALS = "EINVAL ENOTSUP EOPNOTSUPP ENOSYS EBADF EACCES EPERM EISDIR ENOTTY"
+MOST_BYTES = 2**32  # of a file that is read as a whole: a shard has some 2**24
 NOT_OFFERED = frozenset(getattr(errno, name) for name in _REFUSALS.split())
 
 
@@ -26,6 +30,28 @@ def refused(path: Path, what: str) -> Iterator[None]:
         raise UserError(f"{path}: {what} {reason}") from error
 
 
+def open_plain(path: Path, mode: str = "rb", *, linked: bool = False) -> Any:
+    """Open a file as ``open`` does, but no pipe or device, and a link only where that is said.
+
+    Whoever may write to a folder could have put a link there to any file of ours. Raises OSError.
+    """
+
+    def opener(name: str, flags: int) -> int:
+        flags |= os.O_NONBLOCK | (0 if linked else os.O_NOFOLLOW)
+        try:
+            descriptor = os.open(name, flags, 0o666)
+        except OSError as error:
+            if error.errno == errno.ELOOP:
+                raise OSError(errno.ELOOP, "it is a link", name) from None
+            raise
+        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
+            os.close(descriptor)
+            raise OSError(errno.EINVAL, "it is no file", name)
+        return descriptor
+
+    return open(path, mode, opener=opener, buffering=0 if "a" in mode else -1)
+
+
 @contextlib.contextmanager
 def replacing(path: Path) -> Iterator[Path]:
     """Yield a hidden name beside ``path`` to write to; then flush it, rename it, flush the folder.
@@ -35,6 +61,7 @@ def replacing(path: Path) -> Iterator[Path]:
     """
     aside = path.with_name(f".{path.name}.{os.getpid()}.tmp")
     with refused(path, "cannot be written:"):
+        _remove(aside)
         try:
             yield aside
             with aside.open("rb+") as file:
@@ -57,7 +84,7 @@ def append_durably(path: Path, content: bytes) -> None:
     A crash may leave part of ``content`` at the end. Raises UserError where the disk refuses,
     once what was appended is taken back, as far as the disk lets us.
     """
-    with refused(path, "cannot be written:"), path.open("ab", buffering=0) as file:
+    with refused(path, "cannot be written:"), open_plain(path, "ab") as file:
         size = file.seek(0, os.SEEK_END)
         try:
             left = memoryview(content if _ends_a_line(path, size) else b"\n" + content)
@@ -72,9 +99,21 @@ def append_durably(path: Path, content: bytes) -> None:
 
 
 def read_whole(path: Path) -> bytes:
-    """Return the content of a file. Raises UserError where the disk refuses it, or has none."""
-    with refused(path, "cannot be read:"):
-        return path.read_bytes()
+    """Return the content of a file of at most MOST_BYTES.
+
+    Raises UserError where the disk refuses it, or has none, and for what is larger or no file.
+    """
+    with refused(path, "cannot be read:"), open_plain(path, linked=True) as file:
+        if os.fstat(file.fileno()).st_size > MOST_BYTES:
+            raise OSError(errno.EFBIG, f"it is larger than {MOST_BYTES} bytes")
+        content: bytes = file.read()
+        return content
+
+
+def digest_of(path: Path) -> str:
+    """Return the checksum (hexadecimal) of a file. Raises UserError as ``read_whole``."""
+    with refused(path, "cannot be read:"), open_plain(path) as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()[:32]
 
 
 def sizes_in(folder: Path) -> dict[str, int]:
@@ -97,11 +136,11 @@ def sizes_in(folder: Path) -> dict[str, int]:
 def check_place(path: Path) -> None:
     """Raise UserError where a file could not be written in the end: try beside it, now."""
     with refused(path, "cannot be written:"):
-        if path.is_dir():
-            raise IsADirectoryError(errno.EISDIR, os.strerror(errno.EISDIR))
+        if path.is_symlink() or (path.exists() and not path.is_file()):
+            raise OSError(errno.EINVAL, f"it is {'a link' if path.is_symlink() else 'no file'}")
         probe = path.with_name(f".{path.name}.{os.getpid()}.tmp")
         try:
-            probe.touch()
+            probe.touch(exist_ok=False)
         finally:
             _remove(probe)
 

@@ -13,10 +13,11 @@ from pathlib import Path
 from typing import IO, Any
 
 from ..errors import UserError
-from .durable import flush_folder, refused
+from .durable import flush_folder, open_plain, refused
 
 LOCK = "lock"
 GLANCE_SECONDS = 2.0
+LONGEST = 4096  # bytes of who has signed
 
 
 @contextlib.contextmanager
@@ -27,7 +28,7 @@ def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
     """
     with refused(folder, "cannot be used for results:"):
         folder.mkdir(parents=True, exist_ok=True)
-        file = (folder / LOCK).open("a+")
+        file = open_plain(folder / LOCK, "ab+")
         flushed = flush_folder(folder)
     with file:
         _take(file, folder, without)
@@ -43,7 +44,7 @@ def hold(folder: Path, *, without: bool = False) -> Iterator[None]:
 
 def holder(folder: Path) -> str | None:
     """Return who holds the lock of a folder, in words, or None."""
-    with contextlib.suppress(OSError), (folder / LOCK).open() as file:
+    with contextlib.suppress(OSError), open_plain(folder / LOCK) as file:
         try:
             fcntl.flock(file, fcntl.LOCK_SH | fcntl.LOCK_NB)
         except BlockingIOError:
@@ -55,7 +56,7 @@ def holder(folder: Path) -> str | None:
     return None
 
 
-def _take(file: IO[str], folder: Path, without: bool) -> None:
+def _take(file: IO[bytes], folder: Path, without: bool) -> None:
     """Take the lock. Who only looks at it (``holder``) has it for a moment: wait for that."""
     end = time.monotonic() + GLANCE_SECONDS
     while True:
@@ -75,7 +76,7 @@ def _take(file: IO[str], folder: Path, without: bool) -> None:
             ) from error
 
 
-def _sign(file: IO[str]) -> None:
+def _sign(file: IO[bytes]) -> None:
     """Write into the lock who holds it; a full disk may prevent that, but not the lock."""
     with contextlib.suppress(OSError):
         since = datetime.now().astimezone().isoformat(" ", "seconds")
@@ -86,8 +87,9 @@ def _sign(file: IO[str]) -> None:
 
 def _signed(folder: Path) -> dict[str, Any]:
     """Return pid, host and since of who has signed the lock; nothing where that is damaged."""
-    with contextlib.suppress(OSError, ValueError, KeyError, TypeError):
-        signed = json.loads((folder / LOCK).read_text())
+    with contextlib.suppress(OSError, ValueError, KeyError, TypeError, RecursionError):
+        with open_plain(folder / LOCK) as file:
+            signed = json.loads(file.read(LONGEST))
         return {name: signed[name] for name in ("pid", "host", "since")}
     return {}
 

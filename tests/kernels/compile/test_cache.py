@@ -147,6 +147,13 @@ def of_another_user(home):
     os.chown(home, 54321, -1)
 
 
+def sticky_of_another_user(home):
+    """Let the home be sticky, and its owner someone else, who may rename our folder in it."""
+    home.mkdir()
+    home.chmod(0o1777)
+    os.chown(home, 54321, -1)
+
+
 def ours_of_another_user(home):
     """Let our own folder be made by someone else, where anyone may make one."""
     home.mkdir()
@@ -163,7 +170,8 @@ def linked_elsewhere(home):
     home.symlink_to(real)
 
 
-UNSAFE = [by_a_file, open_to_all, above, of_another_user, ours_of_another_user, linked_elsewhere]
+UNSAFE = [by_a_file, open_to_all, above, linked_elsewhere]
+UNSAFE += [of_another_user, sticky_of_another_user, ours_of_another_user]
 
 
 @pytest.mark.parametrize("spoil", UNSAFE)
@@ -183,6 +191,19 @@ def test_machine_code_of_others_is_not_run(home, monkeypatch, capsys, spoil):
     assert capsys.readouterr().err == ""
     os.environ.pop("NUMBA_CACHE_DIR")
     shutil.rmtree(private)
+
+
+@pytest.mark.skipif(os.getuid() != 0, reason="only root can give a folder away")
+def test_temporary_files_in_a_folder_of_another_user_are_no_place_for_it(
+    home, monkeypatch, tmp_path
+):
+    sticky_of_another_user(home)
+    monkeypatch.delenv("XDG_CACHE_HOME")
+    monkeypatch.setattr(cache.tempfile, "tempdir", str(home))
+    private = Path(cache._cache_folder()).parents[1]
+    assert home not in private.parents
+    assert list(home.glob(f"{cache.NAME}-[!0]*")) == []
+    os.environ.pop("NUMBA_CACHE_DIR")
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")

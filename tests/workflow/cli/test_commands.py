@@ -107,7 +107,7 @@ def test_a_value_that_a_plan_has_not_is_null(capsys, powers):
 
 @mostly_exhaustive(
     ("typed", "expected"),
-    [("plan fig", {f"fig{n}" for n in range(2, 9)})],
+    [("plan fig", {f"fig{n}" for n in range(2, 9)} | {"fig7_half_space"})],
     [("st", {"status", "studies"})],
 )
 def test_a_shell_completes_commands_and_names_of_studies(tmp_path, typed, expected):

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from elastomer_friction.workflow.plan import LAWS
+from elastomer_friction.workflow.plan.error_laws import LAWS
 from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.result.dataset import build_dataset
 from elastomer_friction.workflow.result.provenance import provenance

@@ -59,7 +59,7 @@ def test_kernels_are_loaded_beforehand_where_this_machine_is_to_compute(
     scheduler, tmp_path, monkeypatch
 ):
     loaded, few = [], ("grid.hurst=0.7", "grid.velocity=0.1")
-    monkeypatch.setattr(driver, "load_kernels", lambda scheme, _: loaded.append(scheme))
+    monkeypatch.setattr(driver, "load_kernels", lambda _, scheme, __: loaded.append(scheme))
     run(tmp_path / "there", *few, scheduler=scheduler)
     assert loaded == []
     found = run(tmp_path / "here", *few)

@@ -15,9 +15,10 @@ from elastomer_friction.workflow.run.status import (
     status_lines,
     study_digest,
 )
+from elastomer_friction.workflow.store.merge import merge_into
 from elastomer_friction.workflow.store.store import Store, store_folder
 from elastomer_friction.workflow.system.lock import hold
-from tests.support.shards import BATCH
+from tests.support.shards import BATCH, filled
 from tests.support.small import cut_batches, random_result, small_plan, small_study
 
 STUDY = small_study()
@@ -31,7 +32,7 @@ def place(tmp_path):
     folder = store_folder(result)
     folder.mkdir()
     store = Store(folder)
-    store.begin(study_digest(STUDY), "numpy 2", "a processor")
+    store.begin(study_digest(STUDY))
     status = Status(study_digest(STUDY), PLAN.records, 0, 7200.0)
     return result, store, StatusWriter(result, folder, status, lambda: (5, 1800.0))
 
@@ -130,11 +131,18 @@ def test_a_damaged_shard_is_counted_by_the_writer_and_the_reader(place, capsys):
     assert written(place)["done"] == 5 + 16  # not counted anew
 
 
+def merge(result, store):
+    """Take over what is of no study that is known here."""
+    other, _ = filled(result.parent / "other", [dataclasses.replace(BATCH, first_block=99)])
+    merge_into(other.folder, store.folder)
+
+
 SPOILT = {
+    "a merge": merge,
     "no file": lambda result, store: status_file(result).unlink(),
     "half a file": lambda result, store: status_file(result).write_text('{"study": 1'),
     "another file": lambda result, store: status_file(result).write_text("{}"),
-    "another run": lambda result, store: store.begin("another study", "numpy 2", "a processor"),
+    "another run": lambda result, store: store.begin("another study"),
     "no journal": lambda result, store: (store.folder / "journal").write_bytes(b""),
 }
 

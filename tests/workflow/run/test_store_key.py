@@ -2,10 +2,13 @@
 
 import shutil
 
+import netCDF4
 import pytest
 import xarray as xr
 
+from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.result.netcdf import edited
 from elastomer_friction.workflow.run import store_key
 from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.run.grid_run import require_one
@@ -15,7 +18,7 @@ from elastomer_friction.workflow.system import Maker, this_maker
 from tests.support.faults import flipped
 from tests.support.runs import run
 from tests.support.shards import reopened
-from tests.support.small import MAKER, cut_batches, random_result, small_plan
+from tests.support.small import MAKER, cut_batches, random_result, small_plan, write_study
 
 PLAN = small_plan()
 BATCHES = list(cut_batches(PLAN, set(), 1e9))
@@ -52,6 +55,58 @@ def spoil(result):
 
 def of_another_program(result):
     result.write_bytes(b"not netCDF")
+
+
+def in_place(change):
+    """Return what edits an open result as netCDF4 does, with checksums that match again."""
+
+    def edit(result):
+        with netCDF4.Dataset(result, "a") as file:
+            change(file)
+
+    return edit
+
+
+def doubled(file):
+    """Double a number of the result."""
+    file["mu_1"][:] = 2.0 * file["mu_1"][:]
+
+
+EDITED = {
+    "a number": in_place(doubled),
+    "a comparison": in_place(lambda file: doubled(file["coarse"])),
+    "a name": in_place(lambda file: file.renameVariable("mu_1", "mu_one")),
+    "a unit": in_place(lambda file: file["mu_1"].setncattr("units", "%")),
+    "the commit": in_place(lambda file: file.setncattr("commit", "0123")),
+}
+
+
+@pytest.mark.parametrize("change", EDITED.values(), ids=EDITED)
+def test_an_edited_result_is_named_and_written_anew(copy, finished, change, capsys, tmp_path):
+    study = write_study(tmp_path)
+    commands = (["table", study, "--out", str(copy)], ["verify", str(copy.parent)])
+    said = "is not as a run wrote it"
+    assert [main(command) for command in commands] == [0, 0]
+    assert said not in "".join(capsys.readouterr())
+    change(copy)
+    assert [main(command) for command in commands] == [0, 3]
+    out, err = capsys.readouterr()
+    assert f"fault       {copy}: {said}" in out
+    assert f"note: {copy}: {said}" in err
+    assert not unchanged(copy)
+    assert run(copy.parent).path.read_bytes() == finished.path.read_bytes()
+    assert unchanged(copy)
+    assert [main(command) for command in commands] == [0, 0]
+
+
+def test_a_result_is_judged_by_a_store_beside_it_alone(copy, finished):
+    assert not edited(copy)
+    copy.with_name("another.nc").write_bytes(copy.read_bytes())
+    in_place(doubled)(copy.with_name("another.nc"))
+    assert not edited(copy.with_name("another.nc"))  # of a study that has no store
+    alone = copy.parent.parent / "alone.nc"
+    in_place(doubled)(shutil.copy(copy, alone))
+    assert not edited(alone)
 
 
 SPOILT = [lambda result: result.unlink(), cut_short, spoil, of_another_program]

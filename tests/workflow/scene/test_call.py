@@ -103,7 +103,7 @@ def test_colder_is_slower_exactly():
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
-        ({"normal_force": None}, "normal_force: give either"),
+        ({"normal_force": None}, "normal_force: give one of"),
         ({"surface": {"length": 1.0}}, "profile: give either profile"),
         ({"length": None}, "length: missing"),
         ({"length": -1.0}, "length = -1.0: must be greater than zero"),

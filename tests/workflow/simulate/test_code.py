@@ -165,7 +165,7 @@ def compiled():
 wide = ["grid.hurst=[0.0, 0.7]", "grid.normal_force=[0.004, 0.04, 0.4, 40.0]",
         "grid.velocity=[0.03, 0.3, 3.0, 30.0]", "study.realizations=8"]
 for batch in cut_batches(small_plan(*wide), set(), 1e9):
-    load_kernels(batch.scheme, batch.quantities)
+    load_kernels("foundation", batch.scheme, batch.quantities)
     before = compiled()
     block_means(batch)
     after = compiled()

@@ -18,6 +18,7 @@ from elastomer_friction.kernels import (
     run_prepared,
 )
 from elastomer_friction.workflow.simulate import drawing, realizations
+from elastomer_friction.workflow.simulate.bodies import BODIES
 from elastomer_friction.workflow.simulate.drawing import line_generator
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS
@@ -116,7 +117,7 @@ def test_short_lines_are_run_together_and_long_ones_one_by_one(monkeypatch):
         taken.append(len(lines))
         return run_prepared(lines, prepared)
 
-    monkeypatch.setattr(realizations, "run_prepared", spy)
+    monkeypatch.setitem(BODIES, "foundation", BODIES["foundation"]._replace(run=spy))
     batch = one_batch("study.realizations_per_block=4")
     together = by_record([batch])
     monkeypatch.setattr(realizations, "SHORT", 1)

@@ -64,11 +64,11 @@ def test_a_journal_that_is_wrong_about_a_sound_shard_is_mended(tmp_path, capsys)
     store, results = filled(tmp_path, COMPANIES)
     entries = [entry for entry, _ in journal.entries(tmp_path)]
     entries.sort(key=lambda entry: "part" not in entry)
-    tables = [entry["chunks"] for entry in entries if "shard" in entry]
+    tables = [(entry["chunks"], entry["records"]) for entry in entries if "shard" in entry]
     swapped = iter(tables[::-1])
     for entry in entries:
         if "shard" in entry:
-            entry["chunks"] = next(swapped)
+            entry["chunks"], entry["records"] = next(swapped)
     (tmp_path / journal.NAME).write_bytes(journal.encoded(entries))
     store = reopened(tmp_path)
     with pytest.raises(DamagedShard):
@@ -86,6 +86,7 @@ def test_what_a_shard_does_not_hold_is_no_longer_told_of_it_once_it_is_read(tmp_
     entries.sort(key=lambda entry: "shard" in entry)
     first, second = (entry for entry in entries if "shard" in entry)
     first["chunks"] += second["chunks"]
+    first["records"] += second["records"]
     (tmp_path / journal.NAME).write_bytes(journal.encoded(entries[:-1]))  # none tells the second
     (tmp_path / f"{second['shard']}.nc").unlink()
     store = Store(tmp_path)

@@ -17,10 +17,10 @@ from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[3]
 STUDY = ("axes", "cluster", "grid", "numerics", "read", "study", "tables", "variants")
-SETTINGS = ("checks", "key", "rows_of_numbers")
-EFFECTS = ("material", "quantities", "scene", "segments")
+SETTINGS = ("checks", "key")
+EFFECTS = ("branches", "material", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "tests" / "refusals.md"
-SURFACES = ("files", "profile", "table")
+SURFACES = ("as_read", "files", "gaps", "positions", "profile", "table", "text_lines")
 ROOMS = {
     "study": STUDY,
     "study/settings": SETTINGS,
@@ -33,13 +33,11 @@ CHECKED = (
 )
 # Of "find_study" the answers name all studies (test_refusals.py); the others are refusals of a
 # scene and of measured lines, which the small study is not (test_study.py).
-ELSEWHERE = {"find_study", "_one_point", "_realizations"}
+ELSEWHERE = {"find_study", "_one_point", "_lines_in_blocks"}
 # Of arrays and netCDF, of profiles from Python, and where a package is not installed
 # (tests/workflow/study/surfaces); their words are among the other refusals.
-ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography", "_check_finite"}
+ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography"}
 ELSEWHERE |= {"given_profile", "check_load", "read_scene"}
-# Of files for prony and fit (settings/test_columns.py, tests/workflow/laboratory/test_record.py).
-ELSEWHERE |= {"named_unit"}
 
 
 def _module(path):

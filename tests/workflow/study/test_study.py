@@ -72,8 +72,40 @@ def test_there_are_as_many_realizations_as_measured_lines(tmp_path):
     assert study.grid["roughness"] == (study.surface.profile.roughness,)
     assert math.isnan(study.grid["hurst"][0])
     assert measured_study(tmp_path, 4, "study.realizations = 2").realizations == 2
-    with pytest.raises(UserError, match=r"^study\.realizations = 5: only 4 lines were measured$"):
+    with pytest.raises(UserError, match=r"^study\.realizations = 5: only 4 lines were measured; "):
         measured_study(tmp_path, 4, "study.realizations = 5")
+
+
+def test_one_measured_line_is_a_study_without_standard_errors(tmp_path):
+    study = measured_study(tmp_path, 1)
+    assert (study.realizations, study.blocks) == (1, 1)
+    assert study.surface.told.endswith("no standard error is known: errors are NaN")
+    with pytest.raises(
+        UserError, match=r"only 1 line was measured; .* \"random-phase\", there may"
+    ):
+        measured_study(tmp_path, 1, "study.realizations = 4")
+
+
+def test_rows_of_a_map_that_are_alike_are_taken_in_blocks(tmp_path):
+    phase = np.arange(128)[:, None] / 40.0  # a wave that turns slowly from row to row
+    heights = np.zeros((40, 128))
+    for mode in range(1, 9):
+        wave = 2.0 * np.pi * mode * np.arange(128) / 128.0
+        heights += np.cos(wave + 2.0 * np.pi * np.sin(7.0 * mode + mode * phase[:40]))
+    np.save(tmp_path / "map.npy", np.c_[1e-6 * np.arange(128), 1e-7 * heights.T])
+    text = """
+        material = {shear_modulus = 1e7, relaxation_time = 1e-3}
+        grid = {normal_force = 0.04, velocity = 0.1, velocity_step = 0.2}
+        surface = {file = "map.npy", columns = COLUMNS, units = ["m", "m"]}
+    """.replace("COLUMNS", str(list(range(41))))
+    study = read_grid_study("map", tmp_path, tomllib.loads(text))
+    alike = study.surface.profile.alike
+    assert study.realizations_per_block >= alike.lines > 2.0
+    assert f"in blocks of {study.realizations_per_block}" in study.surface.told
+    own = "study = {realizations_per_block = 2}\n" + text
+    study = read_grid_study("map", tmp_path, tomllib.loads(own))
+    assert study.realizations_per_block == 2
+    assert f"take study.realizations_per_block = {alike.block}" in study.surface.told
 
 
 def test_a_scene_is_a_study_of_one_point():
@@ -189,7 +221,7 @@ def test_a_comparison_has_lines_like_the_measured_ones():
 def test_measured_lines_limit_the_realizations_of_all():
     settings = (*OWN_LINE, 'surface.lines="random-phase"', 'compare.own.lines="measured"')
     answer = complaint(*settings, "study.realizations=4", text=MEASURED)
-    assert answer == "study.realizations = 4: only 2 lines were measured"
+    assert answer.startswith("study.realizations = 4: only 2 lines were measured; of random lines")
     lines = OWN_LINE[:2]
     assert complaint(*lines, "study.realizations=4", text=MEASURED) == answer
 

@@ -147,7 +147,7 @@ def this_machine() -> Machine:
         return known
     how = "the numerical core", "20 to 60 s", cache.FOLDER, cache.WAITING
     with saying_what_compiles(*how):
-        load_kernels("exponential", Quantities())
+        load_kernels("foundation", "exponential", Quantities())
     print("Measuring the speed of this machine, about 3 s, once.", file=sys.stderr)
     data = _parsed(_measured())
     if data is None:

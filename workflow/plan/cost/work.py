@@ -9,16 +9,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ....kernels import KELVIN, Quantities, Spectrum
+from ....kernels import KELVIN, Quantities
 from ....kernels.quick.contacts.refined import FINE, LEAST_STEPS, MOST_SAMPLES, NARROW
 from ...simulate import PHASES, Problem, Recording, lines_at_once, programme_steps
+from ...study import HALF_SPACE
 from ..error_laws import contact_width
+from ..half_space import COLD, PASS, WARM, passes_of
 from ..problems import Numbers, speed_ratio, viscous_pressure
 
 PARTS = (*PHASES, "calls")  # of the time of a realization; the first is the drawing of its line
 DRAWING, STEADY, JUMP, MARCHING, CALLS = PARTS
 # Kinds of work that laws describe differently well; a variant is of one.
-PLAIN, BRANCHES, PROGRAMME = "plain", "branches", "programme"
+PLAIN, BRANCHES, PROGRAMME, MAPS = "plain", "branches", "programme", "maps"
 
 # Of elements with internal variables, in steps (of all samples) and sweeps of a Kelvin element.
 # Ratios of CPU times on one machine, H = 0.7, m = 4, Prony series without a dashpot. March at
@@ -47,8 +49,8 @@ class Work(NamedTuple):
 
     @property
     def samples(self) -> Numbers:
-        """Number of samples of the line."""
-        return self.problem.elements * self.steps
+        """Number of samples of the line, or of the map."""
+        return self.problem.samples(self.steps)
 
     @property
     def units(self) -> int:
@@ -56,16 +58,20 @@ class Work(NamedTuple):
         return len(self.problem.spectrum.moduli) + (self.problem.spectrum.viscosity > 0.0)
 
 
-def kind_of(spectrum: Spectrum, recording: Recording) -> str:
-    """Return of which kind work on problems of a spectrum is."""
+def kind_of(problem: Problem, recording: Recording) -> str:
+    """Return of which kind work on problems like this one is."""
+    if problem.surface.body == HALF_SPACE:
+        return MAPS
     if recording.asked:
         return PROGRAMME
-    return PLAIN if spectrum == KELVIN else BRANCHES
+    return PLAIN if problem.spectrum == KELVIN else BRANCHES
 
 
 def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict[str, Numbers]:
     """Return part -> time of one realization on a line that exists, of the typical machine."""
     found: dict[str, Numbers] = dict.fromkeys(PARTS, 0.0)
+    if work.problem.surface.body == HALF_SPACE:
+        return found | _half_space(asked, work, recording)
     found[CALLS] = CALL * (1 + bool(recording.asked))
     if asked.anything:
         if work.problem.spectrum == KELVIN:
@@ -82,6 +88,20 @@ def typical_seconds(asked: Quantities, work: Work, recording: Recording) -> dict
         others = (first != problem.speed) | (last != problem.ratio * problem.speed)
         found[CALLS] = found[CALLS] + asked.steady * others * found[STEADY]
     return found
+
+
+def _half_space(asked: Quantities, work: Work, recording: Recording) -> dict[str, Numbers]:
+    """Return the time of a case on a half-space, which goes with passes over its map."""
+    steady, march = passes_of(work.problem, work.steps, work.march_steps, asked)
+    if recording.asked:
+        counts = [programme_steps(work.problem, int(m)).moved.size for m in np.ravel(work.steps)]
+        march = march + WARM * np.array(counts).reshape(np.shape(work.steps))
+    each = PASS * work.samples
+    return {
+        STEADY: asked.anything * steady * each,
+        JUMP: asked.jump * COLD * each,
+        MARCHING: march * each,
+    }
 
 
 def _programme(work: Work) -> Numbers:

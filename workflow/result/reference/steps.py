@@ -14,6 +14,11 @@ STEADY = {
     "contact_fraction": (
         "The share of the line, from 0 to 1, whose elements carry a force in steady sliding at v₁."
     ),
+    "model_ratio": (
+        "µ₁ of the foundation over µ₁ of a half-space at the same nominal pressure, the error of "
+        "the model, from a table made by the study `bodies`; NaN outside it, and left out where "
+        "nothing is known of any point."
+    ),
 }
 JUMP = {
     "jump": (

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 from ...lazy import public_names
 
 if TYPE_CHECKING:
+    from .body_key import BODY, FOUNDATION, HALF_SPACE
     from .material import MATERIAL, WLF, Material, read_material
     from .programme import (
         FromFile,
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
         velocity_steps,
         with_hold,
     )
-    from .quantities import QUANTITIES, judged
+    from .quantities import FORCE, OF_ELEMENTS, QUANTITIES, judged
     from .scene import SCENE, Scene, check_quantities, read_scene_table, why_not
     from .segments import FILE, HOLD, OSCILLATE, RAMP, SLIDE
 

@@ -61,6 +61,7 @@ USUAL = ("steady", "jump", "relaxation")
 WITHOUT_DASHPOT = ("steady", "relaxation", "peak")
 OF_A_PROGRAMME = ("steady", "trace")
 AT_AN_INDENTATION = ("trace",)
+OF_ELEMENTS = ("energy", "contact_lengths", "state")
 
 
 def asked_for(key: str, value: object) -> tuple[str, ...]:

@@ -8,6 +8,7 @@ from typing import Any, NamedTuple
 
 from ...errors import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer
+from .body_key import BODY
 from .material import Material
 from .programme import (
     HoldSegment,
@@ -101,9 +102,12 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
     materials : of the study and its comparisons; what is asked for by default depends on them.
     """
     given = filled("scene", own, SCENE)
+    del given["body"]  # that of the surfaces (study/variants.py)
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
     times = None
+    if history and given["control"] != INDENTATION:
+        raise UserError('scene.indentation_file: needs scene.control = "indentation"')
     if history:
         key = "scene.indentation_file"
         columns, _ = read_sampled(key, folder / history, INDENTED)
@@ -131,8 +135,6 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
                 f"scene.{key} = {table[key]!r}: belongs to a programme, and there is no "
                 "[[scene.programme]]"
             )
-    if scene.indentation_history is not None and scene.control != INDENTATION:
-        raise UserError('scene.indentation_file: needs scene.control = "indentation"')
     if scene.repeat * len(scene.programme) > MOST_SEGMENTS:
         raise UserError(
             f"scene.repeat = {scene.repeat}: makes {scene.repeat * len(scene.programme)} segments, "
@@ -158,6 +160,7 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
 
 
 SCENE = {
+    "body": BODY,
     "quantities": Key(
         asked_for,
         "What is computed, by the names of the table below. What is not named is not in the "

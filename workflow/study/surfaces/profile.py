@@ -7,7 +7,9 @@ import numpy as np
 
 from ....kernels import measured_amplitudes, rms_slope
 from ...errors import UserError
-from .files import KEY, LEAST_SAMPLES, Asked, read_lines
+from .alike import Alike, alike
+from .as_read import KEY, LEAST_SAMPLES, Asked, plain
+from .files import read_lines
 
 SLOPES = 1e-5, 30.0  # of lines with heights and lengths in one unit
 LOADS = 1e-8, 1e6  # F_N/(4 G L h)
@@ -21,11 +23,12 @@ class Profile(NamedTuple):
     measured_length: float  # m, of a line as it was measured: half the period if mirrored
     notes: str  # where the lines come from and what was done to them
     digest: str  # of the heights: what a stored result depends on
+    alike: Alike | None = None  # what neighbouring lines have in common; None: independent
 
     @property
     def spacing(self) -> float:
         """Return the distance of samples, and of elements (m)."""
-        return self.length / self.heights.shape[1]
+        return self.length / self.heights.shape[-1]
 
     @property
     def amplitudes(self) -> np.ndarray:
@@ -55,8 +58,13 @@ def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
     if found := spikes(levelled):
         notes += f"; {found} samples stand out as spikes, kept"
     profile = _profile(make_periodic(levelled, periodic), length, copies, notes)
-    _check_slope(what, "check surface.units", profile)
-    return profile
+    check_slope(
+        what,
+        f"check surface.units{f'; {found} samples stand out as spikes' * bool(found)}",
+        profile,
+    )
+    said = f"; h = {profile.roughness:.4g} m, rms slope {profile.slope:.4g}"
+    return profile._replace(notes=profile.notes + said, alike=alike(levelled))
 
 
 def given_profile(heights: object, length: float) -> Profile:
@@ -66,7 +74,7 @@ def given_profile(heights: object, length: float) -> Profile:
     argument, ``profile``.
     """
     try:
-        lines = np.atleast_2d(np.asarray(heights, dtype=float))
+        lines = np.atleast_2d(plain(heights))
     except (TypeError, ValueError):
         raise UserError("profile: must be an array of heights in m") from None
     if lines.ndim != 2 or lines.shape[1] < LEAST_SAMPLES:
@@ -76,15 +84,17 @@ def given_profile(heights: object, length: float) -> Profile:
         )
     if not np.isfinite(lines).all():
         row, sample = np.argwhere(~np.isfinite(lines))[0]
+        masked = int(np.ma.count_masked(heights))
+        gone = f", {masked} of {lines.size} are masked" if masked else ""
         raise UserError(
             f"profile: sample {sample + 1} of line {row + 1} is {lines[row, sample]}: all must be "
-            "finite"
+            f"finite{gone}; fill gaps in first"
         )
     check_not_flat("profile", lines, lines)
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
     profile = _profile(lines, length, 1, notes)
-    _check_slope("profile", "give heights and length both in m", profile)
-    return profile
+    check_slope("profile", "give heights and length both in m", profile)
+    return profile._replace(alike=alike(level(lines, "mean")))
 
 
 def check_load(key: str, profile: Profile, load: np.ndarray) -> None:
@@ -101,7 +111,8 @@ def check_load(key: str, profile: Profile, load: np.ndarray) -> None:
         )
 
 
-def _check_slope(what: str, hint: str, profile: Profile) -> None:
+def check_slope(what: str, hint: str, profile: Profile) -> None:
+    """Raise UserError for a slope that no surface in one unit has."""
     if not SLOPES[0] <= profile.slope <= SLOPES[1]:
         raise UserError(
             f"{what}: the rms slope of the heights is {profile.slope:.3g}, but must lie between "

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ....kernels import amplitudes, matching_rolloff
+from ..effects.body_key import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
 LINES = ("measured", "random-phase", "self-affine")
@@ -22,6 +23,28 @@ class Surface(NamedTuple):
     profile: Profile | None = None  # what was measured
     lines: str = "measured"  # with a profile: its lines, or random ones like them (LINES)
     hurst: float = 1.0  # of lines that are self-affine like the measured ones
+    body: str = FOUNDATION  # what is behind it
+
+    @property
+    def copies(self) -> float:
+        """Return how much longer than the measured one the period of a half-space's map is.
+
+        Mirrored both ways it carries four times the force on twice the length, so that F_N/L
+        doubles. On a line both double.
+        """
+        if self.profile is None or self.body == FOUNDATION:
+            return 1.0
+        return self.profile.length / self.profile.measured_length
+
+    @property
+    def pressed_area(self) -> float:
+        """Return the area (m^2) that a nominal pressure acts on to make up the normal force.
+
+        A half-space is a square of side L. Of a line of elements each length lambda_r, the longest
+        wave of its roughness, stands for a square of that side, so that F_N = sigma_0 lambda_r L.
+        """
+        longest = self.length if self.body == HALF_SPACE else self.rolloff or self.length
+        return longest * self.length
 
     def modes(self, elements: int) -> tuple[float, int]:
         """Return the wave numbers of roll-off and cut-off, in 2 pi/L; 0 where there is none.
@@ -44,7 +67,7 @@ class Surface(NamedTuple):
             return None
         if self.lines == "random-phase":
             return profile.amplitudes
-        elements = profile.heights.shape[1]
+        elements = profile.heights.shape[-1]
         slope = profile.slope * profile.spacing / profile.roughness
         return profile.roughness * _like(self.hurst, elements, slope)
 

@@ -1,12 +1,13 @@
 """The table [surface]: random self-affine lines, or lines that were measured."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
 
 from ....kernels.lines.self_affine import NORMALISATIONS
 from ...errors import UserError
+from ..effects.body_key import FOUNDATION, HALF_SPACE
 from ..settings import (
     TEXT,
     Key,
@@ -18,8 +19,10 @@ from ..settings import (
     positive,
     within,
 )
-from .files import METRES, Asked, metres
-from .profile import DETRENDS, PERIODICS, read_profile
+from .as_read import Asked, metres
+from .gaps import GAPS
+from .maps import read_map
+from .profile import DETRENDS, PERIODICS, Profile, read_profile
 from .surface import LINES, Surface
 
 
@@ -28,7 +31,7 @@ def _columns(key: str, value: object) -> tuple:
     columns = tuple(value) if isinstance(value, list) else ()
     numbers = all(type(column) is int and column >= 0 for column in columns)
     names = len(columns) == 2 and all(isinstance(column, str) for column in columns)
-    if len(columns) < 2 or not (numbers or names):
+    if not columns or not (numbers or names):
         raise UserError(
             f"{key} = {value!r}: must be that of positions and those of heights, as [0, 1], or in "
             'netCDF two names, as ["x", "height"]'
@@ -43,7 +46,7 @@ def _units(key: str, value: object) -> tuple[str, ...]:
     if len(units) != 2 or not known:
         raise UserError(
             f"{key} = {value!r}: must be the units of positions and heights, two out of "
-            f"{', '.join(unit for unit in METRES if len(unit) < 3)}"
+            "m, cm, mm, um, nm, å, pm, in, mil"
         )
     return units
 
@@ -93,9 +96,9 @@ RANDOM = {
 MEASURED = {
     "file": Key(
         as_text,
-        "A file of measured lines beside `study.toml`: `.txt`, `.csv`, `.npy`, `.nc`, or what the "
-        "optional reader of instruments' files knows. H, spacing and roughness are then those of "
-        "the file. The next keys need it.",
+        "A file of measured lines beside `study.toml`: text of any suffix, `.npy`, `.nc`, or what "
+        "the optional reader of instruments' files knows. H, spacing and roughness are then those "
+        "of the file. The next keys need it.",
         values="the name of a file",
         usual="none: lines are random",
     ),
@@ -105,8 +108,9 @@ MEASURED = {
         "the names of the two variables.",
         default=(),
         values='whole numbers as `[0, 1]`, or two names as `["x", "height"]`',
-        usual="the first two columns, or the only variable of heights",
-        schema={"type": "array", "minItems": 2, "items": {"type": ["integer", "string"]}},
+        usual="those that the header names, the first two where it names none, or the only "
+        "variable of heights",
+        schema={"type": "array", "minItems": 1, "items": {"type": ["integer", "string"]}},
     ),
     "units": Key(
         _units,
@@ -115,6 +119,23 @@ MEASURED = {
         values='two units of length as `["mm", "um"]`',
         usual="those that the file names, else required",
         schema=pair(TEXT, TEXT),
+    ),
+    "step": Key(
+        positive,
+        "The distance of two samples along a line, of a file that holds heights without positions: "
+        "one column or several, or a matrix with a row for each line. `columns` are then those of "
+        "heights alone.",
+        "Doubled, lines are twice as long and slopes half as steep.",
+        "m",
+        default=None,
+        usual="positions are in the file, or it says the step",
+    ),
+    "gaps": Key(
+        partial(choice, known=GAPS),
+        "What becomes of samples that are missing, or hold a code such as −9999 far from all "
+        "others: `refuse` says how many there are, `fill` draws a straight line between the "
+        "samples on either side, `drop` leaves out the lines that have any.",
+        default="refuse",
     ),
     "detrend": Key(
         partial(choice, known=DETRENDS),
@@ -149,10 +170,10 @@ WITH_FILE = MEASURED | LIKE
 SURFACE = RANDOM | WITH_FILE
 
 
-def read_surface(given: Mapping[str, Any], folder: Path) -> Surface:
+def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION) -> Surface:
     """Return the surface of the checked values of a table. Raises UserError.
 
-    Files are found from ``folder``.
+    Files are found from ``folder``; ``body`` takes their lines one by one, or all as a map.
     """
     if "file" in given:
         settings = filled("surface", given, MEASURED)
@@ -162,8 +183,15 @@ def read_surface(given: Mapping[str, Any], folder: Path) -> Surface:
                 "measured lines"
             )
         name = settings["file"]
-        asked = Asked(folder / name, name, settings["columns"], settings["units"])
-        profile = read_profile(asked, settings["detrend"], settings["periodic"])
+        how = (settings[key] for key in ("columns", "units", "step", "gaps"))
+        if settings["step"] is None and len(settings["columns"]) == 1:
+            raise UserError(
+                f"surface.columns = {list(settings['columns'])!r}: must be that of positions and "
+                "those of heights, as [0, 1]; of heights alone with surface.step"
+            )
+        asked = Asked(folder / name, name, *how)
+        read: Callable[..., Profile] = read_map if body == HALF_SPACE else read_profile
+        profile = read(asked, settings["detrend"], settings["periodic"])
         like = {key: value for key, value in given.items() if key in LIKE}
         return lines_like("surface", Surface(profile.measured_length, profile=profile), like)
     for key in filter(WITH_FILE.__contains__, given):

@@ -36,7 +36,7 @@ from elastomer_friction.workflow.plan.cost.work import (
     touchable_share,
     typical_seconds,
 )
-from elastomer_friction.workflow.simulate.tasks import Problem, Recording
+from elastomer_friction.workflow.simulate.tasks import LineShape, Problem, Recording
 
 # H, N, Fbar, vbar, r = v2/v1
 PROBLEMS = st.builds(
@@ -106,9 +106,13 @@ def test_every_part_is_told_and_what_is_not_asked_for_takes_none():
 
 def test_branches_and_programmes_are_work_of_another_kind():
     marched = Recording(64, asked=("trace",))
-    kinds = [kind_of(*of) for of in ((KELVIN, Recording(64)), (BRANCH, Recording(64)))]
-    assert len({*kinds, kind_of(KELVIN, marched)}) == 3
-    assert kind_of(BRANCH, marched) == kind_of(KELVIN, marched)
+    plain, of_branches = (Problem(0.7, 100, 0.1, 1.0, 1.2, own) for own in (KELVIN, BRANCH))
+    kinds = [kind_of(one, Recording(64)) for one in (plain, of_branches)]
+    assert len({*kinds, kind_of(plain, marched)}) == 3
+    assert kind_of(of_branches, marched) == kind_of(plain, marched)
+    on_half_space = plain._replace(surface=LineShape(body="half-space"))
+    assert kind_of(on_half_space, marched) == kind_of(on_half_space, Recording(64))
+    assert kind_of(on_half_space, marched) not in {*kinds, kind_of(plain, marched)}
 
 
 def scene(*legs, speed=1.0, ratio=1.0, asked=ALL, start="steady"):

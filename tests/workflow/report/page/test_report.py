@@ -19,6 +19,7 @@ from elastomer_friction.workflow.report.page import (
 )
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from elastomer_friction.workflow.run.measurement import run_measured
+from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from tests.support.commands import output, refusal
 from tests.support.synthetic import add, result
@@ -234,6 +235,14 @@ def test_a_study_whose_table_cannot_be_made_says_so(tmp_path, monkeypatch):
     shown = section(read_study("fig6"), {"": result("fig6")}, tmp_path)
     assert shown["troubles"][1:] == ["No table: there is no disk"]
     assert shown["files"] == ["fig6.nc"]
+
+
+def test_a_result_that_is_not_as_a_run_wrote_it_says_so(tmp_path):
+    (tmp_path / "fig6.nc").write_bytes(b"edited")
+    (tmp_path / "store").mkdir()
+    journal.append(tmp_path / "store", [{"result": "fig6.nc", "digest": "0"}])
+    shown = section(read_study("fig6"), {"": result("fig6")}, tmp_path)
+    assert shown["troubles"][0].startswith("fig6.nc is not as a run wrote it: ")
 
 
 @pytest.mark.parametrize(

@@ -9,7 +9,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.files import Asked, read_lines
+from elastomer_friction.workflow.study.surfaces.as_read import Asked
+from elastomer_friction.workflow.study.surfaces.files import read_lines
 
 ROOT = Path(__file__).resolve().parents[4]
 X = np.arange(16) * 0.5
@@ -75,7 +76,9 @@ def test_a_missing_value_of_netcdf_is_named(tmp_path):
     path = netcdf(tmp_path / "l.nc")
     with netCDF4.Dataset(path, "a") as data:
         data["height"][2, 7] = -999.0  # its fill value
-    with pytest.raises(UserError, match=r"'l.nc': line 3 of 3: sample 8 is nan"):
+    with pytest.raises(
+        UserError, match=r"'l.nc': 1 of 48 samples are missing in 1 of 3 lines, .* sample 8"
+    ):
         read(path)
 
 
@@ -129,10 +132,17 @@ def test_names_of_columns_are_for_netcdf_alone(tmp_path):
         read(path, ("x", "z"))
 
 
+def instrument(tmp_path):
+    """Return the path of a file that is neither text nor known here."""
+    path = tmp_path / "scan.di"
+    path.write_bytes(b"\x00\x01 heights")
+    return path
+
+
 def test_other_files_need_surface_topography(tmp_path, monkeypatch):
     monkeypatch.setitem(sys.modules, "SurfaceTopography", None)  # as if not installed
-    with pytest.raises(UserError, match=r"pip install 'elastomer-friction\[measured\]'"):
-        read(tmp_path / "scan.di")
+    with pytest.raises(UserError, match="not installed: pip install SurfaceTopography"):
+        read(instrument(tmp_path))
 
 
 def topography(dim, unit="um"):
@@ -151,7 +161,7 @@ def topography(dim, unit="um"):
 def test_maps_and_lines_of_surface_topography(tmp_path, monkeypatch, dim, expected):
     module = SimpleNamespace(read_topography=lambda path: topography(dim))
     monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
-    lines = read(tmp_path / "scan.di")
+    lines = read(instrument(tmp_path))
     np.testing.assert_allclose(lines.heights, expected * 1e-6)
     assert lines.step == pytest.approx(0.5e-6)
 
@@ -162,17 +172,35 @@ def test_files_that_surface_topography_cannot_read_are_refused(tmp_path, monkeyp
 
     module = SimpleNamespace(read_topography=refuse)
     monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
-    with pytest.raises(UserError, match=r"surface.file = 'scan.di': cannot be read: 'no channel'"):
-        read(tmp_path / "scan.di")
+    with pytest.raises(
+        UserError, match=r"surface.file = 'scan.di': cannot be read: .*knows it \('no channel'\)"
+    ):
+        read(instrument(tmp_path))
 
 
 @pytest.mark.filterwarnings("ignore::ImportWarning")  # of its fallback without MPI
 def test_surface_topography_itself(tmp_path):
-    """Where it is installed: a text map as Gwyddion exports it."""
-    pytest.importorskip("SurfaceTopography")
-    path = tmp_path / "map.asc"
-    header = "Channel: Topography\nWidth: 8.0 µm\nHeight: 1.5 µm\nValue units: m"
-    np.savetxt(path, Z * 1e-9, header=header, encoding="utf-8")
-    lines = read(path)
-    np.testing.assert_allclose(np.sort(lines.heights, axis=0), np.sort(Z * 1e-9, axis=0))
-    assert lines.step == pytest.approx(0.5e-6)
+    """Where it is installed: a map in a format of its own."""
+    topography = pytest.importorskip("SurfaceTopography")
+    path = tmp_path / "map.nc"
+    topography.Topography(Z.T, (8.0, 1.5), unit="nm").to_netcdf(path)
+    path.rename(tmp_path / "map.map")
+    lines = read(tmp_path / "map.map")
+    np.testing.assert_allclose(lines.heights, Z * 1e-9)
+    assert lines.step == pytest.approx(0.5e-9)
+
+
+def test_an_archive_is_to_be_unpacked(tmp_path):
+    for name in ("lines.zip", "lines.txt"):
+        (tmp_path / name).write_bytes(b"PK\x03\x04 no more")
+        with pytest.raises(UserError, match="is a zip archive: unpack it and name one of its file"):
+            read(tmp_path / name)
+
+
+def test_heights_of_an_array_without_positions(tmp_path):
+    path = tmp_path / "l.npy"
+    np.save(path, Z[0])
+    asked = Asked(path, path.name, (), ("um", "nm"), 0.5e-6)
+    lines = read_lines(asked)
+    np.testing.assert_allclose(lines.heights, Z[:1] * 1e-9)
+    assert lines.step == 0.5e-6

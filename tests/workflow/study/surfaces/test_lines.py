@@ -6,23 +6,24 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.files import Asked, lines_of, rounding
+from elastomer_friction.workflow.study.surfaces.as_read import Asked, Raw, lines_of
+from elastomer_friction.workflow.study.surfaces.positions import rounding
 
 X = np.arange(10.0)
 Z = np.random.default_rng(2).normal(size=(2, 10))
 OWN = ("mm", "um")
 
 
-def lines(x=X, z=Z, own=OWN, units=(), known=0.0):
-    table = np.vstack([x, z])
-    return lines_of(Asked(Path("f"), "f", (), units), table, np.full(table.shape[1], known), own)
+def lines(x=X, z=Z, own=OWN, units=(), known=0.0, gaps="refuse"):
+    raw = Raw(np.asarray(z), np.asarray(x), np.full(np.shape(x), known), None, own)
+    return lines_of(Asked(Path("f"), "f", (), units, gaps=gaps), raw)
 
 
 def test_lines_are_in_metres():
     found = lines()
     np.testing.assert_array_equal(found.heights, Z * 1e-6)
     assert found.step == 1e-3
-    assert "f: 2 lines of 10 samples, 1 mm apart in the mean, heights in um" in found.notes
+    assert "f: 2 lines of 10 samples, 0.001 m apart in the mean, heights in um" in found.notes
 
 
 def test_units_given_go_before_those_of_the_file():
@@ -53,15 +54,54 @@ def test_units_that_nobody_names_are_refused(own, words):
     assert words in str(error.value)
 
 
-def test_gaps_are_refused():
+def gappy(at=((1, 4), (1, 5))):
     z = Z.copy()
-    z[1, 4] = np.nan
-    with pytest.raises(UserError, match=r"surface.file = 'f': line 2 of 2: sample 5 is nan"):
-        lines(z=z)
+    for place in at:
+        z[place] = np.nan
+    return z
+
+
+def test_gaps_are_refused_with_their_count_and_the_way_on():
+    with pytest.raises(
+        UserError, match=r"'f': 2 of 20 samples are missing in 1 of 2 lines, the fir"
+    ):
+        lines(z=gappy())
+    with pytest.raises(UserError, match=r"sample 5 of line 2: surface.gaps = \"fill\" .* \"drop\""):
+        lines(z=gappy())
     x = X.copy()
-    x[0] = np.inf
-    with pytest.raises(UserError, match=r"surface.file = 'f': positions: sample 1 is inf"):
+    x[0] = np.nan
+    with pytest.raises(UserError, match=r"'f': the position of sample 1 is missing"):
         lines(x=x)
+
+
+def test_gaps_are_filled_in_by_straight_lines():
+    found = lines(z=gappy(((0, 0), (1, 4), (1, 5))), gaps="fill")
+    expected = Z * 1e-6
+    expected[0, 0] = expected[0, 1]
+    expected[1, 4:6] = expected[1, 3] + np.array([1, 2]) / 3 * (expected[1, 6] - expected[1, 3])
+    np.testing.assert_allclose(found.heights, expected)
+    assert "3 of 20 samples were missing in 2 of 2 lines and were filled in" in found.notes
+    with pytest.raises(UserError, match="line 1 of 2 holds 4 of 10 samples, too few to fill in"):
+        lines(z=gappy([(0, i) for i in range(6)]), gaps="fill")
+
+
+def test_lines_with_gaps_are_dropped():
+    found = lines(z=gappy(), gaps="drop", own=("mm", "um", "um"))
+    np.testing.assert_allclose(found.heights, Z[:1] * 1e-6)
+    assert "in 1 of 2 lines, which were left out" in found.notes
+    with pytest.raises(UserError, match='"drop" leaves no line; "fill" fills'):
+        lines(z=gappy(((0, 1), (1, 4))), gaps="drop")
+
+
+@pytest.mark.parametrize("code", [-9999.0, -32768.0])
+def test_codes_for_missing_samples_are_gaps(code):
+    z = Z.copy()
+    z[0, [2, 7]] = code
+    with pytest.raises(UserError, match=rf"2 of 20 samples \(2 hold {code:g}, .* times the spread"):
+        lines(z=z)
+    np.testing.assert_allclose(
+        lines(z=z, gaps="fill").heights, lines(z=gappy(((0, 2), (0, 7))), gaps="fill").heights
+    )
 
 
 @pytest.mark.parametrize("kind", [np.float32, np.float64, np.int16])

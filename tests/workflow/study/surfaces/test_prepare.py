@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.surfaces.files import uniform_step
+from elastomer_friction.workflow.study.surfaces.positions import uniform_step
 from elastomer_friction.workflow.study.surfaces.profile import (
     DETRENDS,
     PERIODICS,

@@ -1,0 +1,144 @@
+"""A half-space that remembers, and one step of it under a surface that moves by one sample.
+
+Memory and laws belong to the elements (rheology/law.py), with A p in the place of an element's
+force: the displacement that the pressures would make of the relaxed body. Pressures belong to
+the surface, which touches the same elements again only after a period. A step is one elastic
+contact of the surface z - w with a body 1/K as compliant as the relaxed one, w being where the
+body would go without pressure.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..compile.jit import kernel
+from ..rheology.law import displacement, lasting, law_of, memories, predict, rest, settle
+from .contact import compliance_of, press
+from .surface import Surface
+from .waves import half_space_stiffness
+
+TOLERANCE = 1e-7  # of a step (contact.py), relative to what the pressures displace
+
+
+class HalfSpace(NamedTuple):
+    """A material, the surface that is pressed on it, and what does not change meanwhile."""
+
+    form: NamedTuple  # of the material (rheology/forms.py)
+    surface: Surface
+    compliance: np.ndarray  # A of the relaxed body over the modes (contact.py)
+    pressure: float  # mean, in E* h/dx
+
+    @classmethod
+    def under(
+        cls, form: NamedTuple, surface: Surface, load: float, stiffness: np.ndarray | None = None
+    ) -> "HalfSpace":
+        """Return a half-space under a load Fbar = F_N/(E* L h).
+
+        stiffness : over the modes, where it is not the |q|/2 of a half-space.
+        """
+        m, shape = surface.steps_per_spacing, surface.z.shape
+        if stiffness is None:
+            stiffness = half_space_stiffness(shape, m)
+        return cls(form, surface, compliance_of(stiffness), load * m / shape[1])
+
+
+class Body(NamedTuple):
+    """What a half-space remembers from one step to the next."""
+
+    memory: np.ndarray  # shape (M, rows n): internal variables of the elements
+    depth: np.ndarray  # shape (rows n,): A p of the last step at the elements, in h
+    p: np.ndarray  # shape (rows, n): its pressures, at the samples of the surface, in E* h/dx
+    d: float  # approach: height of the mean of the surface under the mean of the body, in h
+    offset: int  # of the surface: over element i lies sample i - offset, modulo n
+
+
+class Step(NamedTuple):
+    """What is the same in all steps of a march: the surface moves by one sample, either way."""
+
+    law: NamedTuple  # of the elastomer in a step (rheology)
+    way: int  # 1: towards +x, -1: towards -x
+    weight: np.ndarray  # shape (rows, n): dz/dx where the step's force acts, in h/dx
+
+    @classmethod
+    def of(cls, form: NamedTuple, surface: Surface, speed: float) -> "Step":
+        """Return the step of sliding at a signed speed, vbar."""
+        law = law_of(form, 1.0 / (surface.steps_per_spacing * abs(speed)))
+        way = 1 if speed > 0.0 else -1
+        earlier = np.roll(surface.slope, -way, axis=1)
+        return cls(law, way, surface.slope + law.lag * (earlier - surface.slope))
+
+
+def take_step(space: HalfSpace, body: Body, step: Step) -> tuple[Body, int]:
+    """Take a body over a step, its memory in place; return it and the passes of the operator."""
+    z = space.surface.z
+    offset = (body.offset + step.way) % z.shape[1]
+    w, gap = np.empty(body.depth.size), np.empty_like(z)
+    stiffness = step.law.stiffness  # type: ignore[attr-defined]
+    open_gap(step.law, body.memory, body.depth, z, offset, w, gap)
+    found = press(gap, space.pressure, space.compliance, body.p, TOLERANCE)
+    new = at_elements(found.depth, offset)
+    take(step.law, body.memory, w, body.depth, new)
+    return Body(body.memory, new, found.p, found.d / stiffness, offset), found.passes
+
+
+@kernel
+def open_gap(law, memory, depth, z, offset, w, gap):
+    """Fill w, and the gap K (z - w) at the samples of the surface."""
+    predict(law, memory, depth, w)
+    rows, n = z.shape
+    for y in range(rows):
+        for i in range(n):
+            j = i - offset if i >= offset else i - offset + n
+            gap[y, j] = law.stiffness * (z[y, j] - w[y * n + i])
+
+
+@kernel
+def at_elements(values, offset):
+    """Return values at the samples of the surface, shape (rows, n), element by element."""
+    rows, n = values.shape
+    moved = np.empty(rows * n)
+    for y in range(rows):
+        for i in range(n):
+            moved[y * n + i] = values[y, i - offset if i >= offset else i - offset + n]
+    return moved
+
+
+@kernel
+def at_samples(values, offset, shape):
+    """Return values of the elements at the samples of the surface."""
+    rows, n = shape
+    moved = np.empty(shape)
+    for y in range(rows):
+        for i in range(n):
+            moved[y, i - offset if i >= offset else i - offset + n] = values[y * n + i]
+    return moved
+
+
+@kernel
+def take(law, memory, w, depth, new):
+    """Settle the memory."""
+    settle(law, memory, w, depth, new)
+
+
+@kernel
+def rested(form, depth):
+    """Return the memory of elements that have been pressed like this for ever."""
+    return rest(form, depth)
+
+
+@kernel
+def displaced(form, memory, depth):
+    """Return the displacements of the elements, shape (rows n,), in h."""
+    return displacement(form, memory, depth)
+
+
+@kernel
+def lasting_depth(form, memory):
+    """Return (viscosity, A p without the dashpot's part at no rate)."""
+    return lasting(form, memory)
+
+
+@kernel
+def count_memories(form):
+    """Return M."""
+    return memories(form)

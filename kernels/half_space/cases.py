@@ -1,0 +1,70 @@
+"""One case on one surface: steady sliding, velocity jumps and relaxations, as for lines.
+
+Only what is asked for is computed.
+"""
+
+import numpy as np
+
+from ..model.friction import mean_slope
+from ..quick.case import Case, Outcome, PhaseClock, Quantities, Seconds
+from ..rheology.forms import form_of
+from .body import Body, HalfSpace, take_step
+from .instant import friction_jumps
+from .patches import samples_per_patch
+from .sliding_body import SlidingBody, slide_steadily
+from .surface import Surface
+
+
+def run_case(
+    surface: Surface, case: Case, asked: Quantities, stiffness: np.ndarray | None = None
+) -> Outcome:
+    """Compute one case on one surface; loads Fbar = F_N/(E* L h), speeds of either sign.
+
+    samples_per_contact : mean samples of a patch that is connected by sides. work : samples times
+    passes of the operator. Relaxation curves end at mu_2, as the march does by itself. refine of
+    a case has no meaning here. stiffness : over the modes, where it is not that of a half-space.
+    Raises ValueError where no steady state is found.
+    """
+    clock = PhaseClock()
+    space = HalfSpace.under(form_of(case.spectrum, case.scheme), surface, case.load, stiffness)
+    one = slide_steadily(space, case.spectrum, case.speed)
+    passes = one.passes
+    clock.lap("steady")
+    count = len(case.ratios)
+    jumps, rates, mu_2 = np.full((3, count), np.nan)
+    if asked.jump and case.ratios:
+        jumps, used = friction_jumps(space, one, case.speed, case.ratios)
+        passes += used
+        clock.lap("jump")
+    curves = []
+    for k, ratio in enumerate(case.ratios):
+        if not (asked.steady or asked.relaxation):
+            continue
+        two = slide_steadily(space, case.spectrum, ratio * case.speed, one.body)
+        passes, mu_2[k] = passes + two.passes, two.mu
+        clock.lap("steady")
+        if asked.relaxation:
+            curve, used = _relaxation(space, one.body, two, case.kept_steps[k])
+            curves.append(curve)
+            passes += used
+            clock.lap("marching")
+    p = one.body.p
+    area, samples, seconds = float(np.mean(p > 0.0)), samples_per_patch(p), Seconds(**clock.spent)
+    work = passes * surface.z.size
+    d = one.body.d
+    return Outcome(one.mu, d, area, samples, mu_2, jumps, curves, work, seconds, rates)
+
+
+def _relaxation(
+    space: HalfSpace, start: Body, two: SlidingBody, kept: np.ndarray
+) -> tuple[np.ndarray, int]:
+    """Return (mu at the kept steps after the jump to the speed of ``two``, passes)."""
+    body, passes = start._replace(memory=start.memory.copy()), 0
+    mu, at = np.empty(kept.size), 0
+    for number in range(1, int(kept[-1]) + 1):
+        body, used = take_step(space, body, two.step)
+        passes += used
+        if number == kept[at]:
+            mu[at] = mean_slope(body.p, two.step.weight)
+            at += 1
+    return mu, passes

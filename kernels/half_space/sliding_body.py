@@ -1,0 +1,122 @@
+"""Steady sliding: the state that a step of the march leaves as it is, found with or without it.
+
+Directly: in the frame of the surface a step's compliance for a wave is A J(zeta), complex
+(response.py), so that the contact is g = z + B p - d, B = A J. An elastic contact with
+M = A |J|^2/Re J is solved, and the rest B - M of the pressures before counts as height: every
+turn takes the error times |1 - B/M| = sin(phi) at most, phi the loss angle of a step. Both end
+at the same state, so that a march from it stands still.
+
+By marching, where phi is large: the body forgets its start as exp(-t/tau).
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ..model.friction import mean_slope
+from ..rheology.spectrum import KELVIN, Spectrum
+from .body import TOLERANCE, Body, HalfSpace, Step, at_elements, count_memories, rested, take_step
+from .contact import press
+from .response import steady_response
+from .waves import wave_numbers
+
+SETTLED = 1e-6  # change of mu, relative to it, in a turn or in a time tau, that ends the search
+LEAST = 1e-9  # the same, relative to the steepest slope: what the tolerance of a contact leaves
+TURNS = 500  # of the direct solution
+FLAT = 1.0  # tangent of the loss angle from which a dashpot is marched
+
+
+class SlidingBody(NamedTuple):
+    """A body under steady sliding."""
+
+    body: Body
+    step: Step
+    mu: float  # averaged over a step, in h/dx
+    passes: int
+
+
+def slide_steadily(
+    space: HalfSpace, spectrum: Spectrum, speed: float, start: Body | None = None
+) -> SlidingBody:
+    """Return the state of steady sliding at a signed speed (vbar).
+
+    start : of another speed, for its pressures. Raises ValueError where it is not found.
+    """
+    surface = space.surface
+    step = Step.of(space.form, surface, speed)
+    q = wave_numbers(surface.z.shape, surface.steps_per_spacing)[1][0]
+    zeta = np.exp(1j * step.way * q / surface.steps_per_spacing)
+    response, memory = steady_response(step.law, count_memories(space.form), zeta)
+    full = _everywhere(space, response)
+    if full.min() > 0.0:
+        return SlidingBody(
+            _carried(space, memory, full, 0.0), step, mean_slope(full, step.weight), 1
+        )
+    if spectrum == KELVIN and float(np.max(np.abs(response.imag) / response.real)) > FLAT:
+        return _marched(space, step, speed, start)
+    return _direct(space, step, response, memory, start)
+
+
+def _settled(change: float, mu: float) -> bool:
+    """Return whether friction stands still, both relative to the steepest slope."""
+    return change < max(SETTLED * abs(mu), LEAST)
+
+
+def _everywhere(space: HalfSpace, response: np.ndarray) -> np.ndarray:
+    """Return the pressures of steady sliding in full contact, negative where there is none."""
+    z = space.surface.z
+    inverse = np.zeros_like(space.compliance, complex)
+    inverse.ravel()[1:] = 1.0 / (space.compliance * response).ravel()[1:]
+    return space.pressure - np.fft.irfft2(np.fft.rfft2(z) * inverse, z.shape)
+
+
+def _carried(space: HalfSpace, memory: np.ndarray, p: np.ndarray, d: float) -> Body:
+    """Return the body that carries pressures along; memory : of steady_response."""
+    waves = np.fft.rfft2(p) * space.compliance
+    fields = [np.fft.irfft2(waves * each, p.shape).ravel() for each in memory]
+    return Body(np.array(fields), np.fft.irfft2(waves, p.shape).ravel(), p, d, 0)
+
+
+def _direct(
+    space: HalfSpace, step: Step, response: np.ndarray, memory: np.ndarray, start: Body | None
+) -> SlidingBody:
+    """Solve symmetric contacts in turn; response, memory : of steady_response for every q_x."""
+    z, shape, compliance = space.surface.z, space.surface.z.shape, space.compliance
+    symmetric = compliance * (np.abs(response) ** 2 / response.real)
+    rest = compliance * response - symmetric
+    passes, tolerance, mu, gap = 0, 1e-3, math.inf, z
+    p = None if start is None else start.p
+    steepest = float(np.abs(space.surface.slope).max())
+    for _ in range(TURNS):
+        if p is not None:
+            gap = z + np.fft.irfft2(np.fft.rfft2(p) * rest, shape)
+        found = press(gap, space.pressure, symmetric, p, tolerance)
+        passes += found.passes
+        new, p = mean_slope(found.p, step.weight), found.p
+        change, mu = abs(new - mu) / steepest, new
+        if _settled(change, mu / steepest) and tolerance == TOLERANCE:
+            return SlidingBody(_carried(space, memory, p, found.d), step, mu, passes)
+        tolerance = max(TOLERANCE, min(1e-3, 0.1 * change))
+    raise ValueError(f"no steady state was found in {TURNS} turns: mu still moves by {change:.1e}")
+
+
+def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> SlidingBody:
+    """March from rest until mu stands still: what is left falls by e in a time tau."""
+    surface, passes = space.surface, 0
+    steepest = float(np.abs(surface.slope).max())
+    if start is None:
+        found = press(surface.z, space.pressure, space.compliance, None, TOLERANCE)
+        depth = at_elements(found.depth, 0)
+        start = Body(rested(space.form, depth), depth, found.p, found.d, 0)
+        passes = found.passes
+    body = start._replace(memory=start.memory.copy())
+    block = max(4, math.ceil(surface.steps_per_spacing * abs(speed)))
+    mu, change = math.inf, math.inf
+    while not _settled(change, mu / steepest):
+        for _ in range(block):
+            body, used = take_step(space, body, step)
+            passes += used
+        new = mean_slope(body.p, step.weight)
+        change, mu = abs(new - mu) / steepest, new
+    return SlidingBody(body, step, mu, passes)

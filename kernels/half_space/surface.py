@@ -1,0 +1,194 @@
+"""Rough surfaces: one band-limited periodic function, sampled m times per element spacing.
+
+z(x, y) = sum_q h_q exp(i q r), two-sided, q = 2 pi k/L: self-affine with random phases, or the
+trigonometric polynomial through a measured map. Every m samples the same function.
+Source: C_2D ~ |q|^(-2(H+1)) is the spectrum whose equivalent line is that of Li et al. (2014),
+doi:10.1038/srep05795 (lines/equivalent.py).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+NORMALISATIONS = ("modal", "integral")
+LEAST_SAMPLES = 4  # of a measured map along x: below, there is no slope to speak of
+
+
+class Surface(NamedTuple):
+    """A sampled rigid surface; mean height zero unless it was measured otherwise."""
+
+    z: np.ndarray  # shape (N m, N m), or (1, N m) of a line contact, in h
+    slope: np.ndarray  # dz/dx, the same shape, in h/dx
+    steps_per_spacing: int
+    band_limited: bool = False  # whether it is a function without modes above q = pi/dx
+
+    @classmethod
+    def from_samples(
+        cls, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int, band_limited: bool = False
+    ) -> "Surface":
+        """Take heights (in h) and slopes (in h/dx) of a periodic map as they are.
+
+        Raises ValueError for maps that are neither square nor of one row, whose sides are no
+        multiples of m, or that hold anything but finite numbers.
+        """
+        if z.ndim != 2 or z.shape != slope.shape or z.shape[0] not in (1, z.shape[1]):
+            raise ValueError(f"a map of shape {z.shape}: must be square, or one row, with slopes")
+        if steps_per_spacing < 1 or z.size == 0 or z.shape[1] % steps_per_spacing:
+            raise ValueError(
+                f"steps_per_spacing = {steps_per_spacing}: must divide the {z.shape[1]} samples"
+            )
+        if not (np.isfinite(z).all() and np.isfinite(slope).all()):
+            raise ValueError("the map holds samples that are not finite numbers")
+        z, slope = (np.ascontiguousarray(values, float) for values in (z, slope))
+        return cls(z, slope, steps_per_spacing, band_limited)
+
+    @classmethod
+    def drawn(
+        cls,
+        generator: np.random.Generator,
+        amplitudes: np.ndarray,
+        elements: int,
+        steps_per_spacing: int,
+    ) -> "Surface":
+        """Draw a surface of random phases; they depend on N and the generator alone.
+
+        amplitudes : |h_q| as from ring_amplitudes. elements : N.
+        """
+        phases = generator.uniform(0.0, 2.0 * np.pi, amplitudes.shape)
+        modes = amplitudes * np.exp(1j * phases)
+        return cls.from_samples(
+            *_sampled(modes, elements, steps_per_spacing), steps_per_spacing, band_limited=True
+        )
+
+    @classmethod
+    def measured(cls, heights: np.ndarray, steps_per_spacing: int) -> "Surface":
+        """Sample the trigonometric polynomial through a periodic map m times as finely.
+
+        heights : shape (N, N), or (1, N) of a line contact, in h. Raises ValueError as
+        from_samples does, and for fewer than 4 samples along x.
+        """
+        flat = np.zeros_like(heights, float)
+        cls.from_samples(np.asarray(heights, float), flat, 1)  # checks it
+        columns = heights.shape[1]
+        if columns < LEAST_SAMPLES:
+            raise ValueError(f"a map of {columns} samples along x: needs {LEAST_SAMPLES} or more")
+        fields = _sampled(_modes(heights), columns, steps_per_spacing)
+        return cls.from_samples(*fields, steps_per_spacing, band_limited=True)
+
+
+def ring_amplitudes(
+    hurst: float,
+    elements: int,
+    rolloff: float = 0.0,
+    cutoff: int = 0,
+    normalisation: str = "modal",
+) -> np.ndarray:
+    """Return the amplitudes |h_q| of the modes of a self-affine surface, in h.
+
+    Two-sided: <z^2> = sum |h_q|^2 over all q, of which those with k_x >= 0 are returned, shape
+    (2 M + 1, M + 1) with M = floor(N/2): rows k_y = 0 ... M, -M ... -1, columns k_x = 0 ... M.
+    C_2D ~ |q|^(-2(H+1)) on the ring 1 <= |k| <= cutoff, k = q L/(2 pi); flat below rolloff.
+
+    rolloff, cutoff : wave numbers in 2 pi/L; zero stands for no roll-off and for floor(N/2).
+    normalisation : "modal" makes the sum over modes exact, sum |h_q|^2 = 1; "integral" makes the
+    integral of the spectrum over the ring 1 instead.
+    Raises ValueError as the amplitudes of lines do (lines/self_affine.py).
+    """
+    most = elements // 2
+    last = cutoff or most
+    if not (0.0 <= rolloff <= last <= most):
+        raise ValueError(
+            f"rolloff = {rolloff:g}, cutoff = {cutoff}: must ascend to N/2 = {most} or be zero"
+        )
+    k = np.hypot(*_numbers(2 * most + 1, most))
+    inside = (k >= 1.0) & (k <= last)
+    power = np.zeros_like(k)
+    power[inside] = np.maximum(k[inside], rolloff) ** (-2.0 * hurst - 2.0)
+    if normalisation == "modal":
+        total = float((_multiplicity(most) * power).sum())
+    elif normalisation == "integral":
+        total = _spectral_integral(hurst, max(rolloff, 1.0), float(last))
+    else:
+        raise ValueError(f"normalisation = {normalisation!r}: use one of {NORMALISATIONS}")
+    return np.sqrt(power / total)
+
+
+def rms_slope_of(amplitudes: np.ndarray, elements: int) -> float:
+    """Return the rms of the full gradient, (sum |h_q|^2 q^2)^(1/2), in h/dx.
+
+    amplitudes : as from ring_amplitudes. elements : N.
+    """
+    most = amplitudes.shape[1] - 1
+    q = 2.0 * np.pi / elements * np.hypot(*_numbers(amplitudes.shape[0], most))
+    return float(np.sqrt(np.sum(_multiplicity(most) * (amplitudes * q) ** 2)))
+
+
+def map_amplitudes(heights: np.ndarray) -> np.ndarray:
+    """Return the amplitudes |h_q| of the modes of a periodic map, as of ring_amplitudes.
+
+    heights : shape (N, N), or (1, N) of a line contact; their mean does not count.
+    """
+    found = np.abs(_modes(heights))
+    found[0, 0] = 0.0
+    return found
+
+
+def _modes(heights: np.ndarray) -> np.ndarray:
+    """Return the modes of a periodic map, in the order of ring_amplitudes."""
+    rows, columns = heights.shape
+    # What the samples tell of a wave of two samples is shared by its two signs.
+    spectrum = np.fft.rfft2(heights) / heights.size
+    if columns % 2 == 0:
+        spectrum[:, -1] *= 0.5
+    half = rows // 2
+    modes = np.empty((2 * half + 1, columns // 2 + 1), complex)
+    modes[: half + 1] = spectrum[: half + 1]
+    modes[half + 1 :] = spectrum[rows - half :]
+    if rows % 2 == 0:
+        modes[half : half + 2] *= 0.5
+    return modes
+
+
+def _numbers(rows: int, most: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return k_y as a column and k_x as a row, in the order of ring_amplitudes."""
+    k_y = np.fft.fftfreq(rows, 1.0 / rows)  # rows is odd: the signs come in pairs
+    return k_y[:, None], np.arange(most + 1.0)[None, :]
+
+
+def _multiplicity(most: int) -> np.ndarray:
+    """Return how many two-sided modes a column stands for: both signs of k_x, where it has any."""
+    return np.where(np.arange(most + 1) == 0, 1.0, 2.0)
+
+
+def _spectral_integral(hurst: float, k_flat: float, k_max: float) -> float:
+    """Return 2 pi int_1^k_max max(k, k_flat)^(-2H-2) k dk."""
+    flat = 0.5 * (k_flat**2 - 1.0) * k_flat ** (-2.0 * hurst - 2.0)
+    ratio = np.log(k_max / k_flat)
+    if hurst == 0.0:
+        return float(2.0 * np.pi * (flat + ratio))
+    tail = -np.expm1(-2.0 * hurst * ratio) / (2.0 * hurst)
+    return float(2.0 * np.pi * (flat + tail * k_flat ** (-2.0 * hurst)))
+
+
+def _sampled(modes: np.ndarray, elements: int, m: int) -> tuple[np.ndarray, np.ndarray]:
+    """Return heights and slopes of a function with these modes, in the order of ring_amplitudes.
+
+    Of the modes with k_x = 0 those with k_y > 0 count; the others are their conjugates.
+    """
+    rows, most = modes.shape[0], modes.shape[1] - 1
+    n = elements * m
+    tall = 1 if rows == 1 else n
+    k_y, k_x = _numbers(rows, most)
+    heights = modes.copy()
+    half = rows // 2
+    heights[rows - half :, 0] = np.conj(heights[1 : half + 1, 0])[::-1]
+    heights[0, 0] = heights[0, 0].real
+    at = k_y[:, 0].astype(np.int64) % tall
+    fields = []
+    for values in (heights, 2j * np.pi / elements * k_x * heights):
+        spectrum = np.zeros((tall, n // 2 + 1), complex)
+        np.add.at(spectrum[:, : most + 1], at, values)
+        if 2 * most == n:  # the two signs of this k_x fall on one coefficient
+            spectrum[:, -1] += np.conj(spectrum[-np.arange(tall), -1])
+        fields.append(np.fft.irfft2(spectrum * (tall * n), (tall, n)))
+    return fields[0], fields[1]

@@ -1,0 +1,105 @@
+"""The foundation over the half-space: over area, over speed, and beside what it costs."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from elastomer_friction.studies.style import X_LABEL, computed_study, shades
+from elastomer_friction.workflow.plan import make_plan
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
+
+CAPTION = (
+    "Friction of the foundation, and of Persson's theory, over that of a half-space at the same "
+    "nominal pressure: (a) over the real contact area of the half-space, for every Hurst exponent "
+    "and speed; (b) over the speed; (c) for a broad spectrum of relaxation times in place of one; "
+    "(d) the error of each model beside the time that one realization takes."
+)
+PAIRS = {"": "foundation", "broad": "broad_foundation"}  # half-space and foundation, by material
+RATIO = "$\\mu_1$ over the half-space's"
+
+
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    figure, axes = plt.subplots(2, 2, figsize=(7.2, 5.6))
+    for ax, half, title in (
+        (axes[0, 0], "", "(a) one relaxation time"),
+        (axes[1, 0], "broad", "(c) five times, a decade apart"),
+    ):
+        _over_area(ax, groups, half)
+        ax.set_title(title)
+    _over_speed(axes[0, 1], groups)
+    _over_cost(axes[1, 1], groups)
+    foot_line(figure, groups[""], "bars: of both bodies together")
+    return figure
+
+
+def ratios(groups: Groups, half: str, name: str = "mu_1") -> xr.Dataset:
+    """Return the foundation over the half-space at each point, with its error, load and area."""
+    whole, line = groups[half].squeeze(), groups[PAIRS[half]].squeeze()
+    ratio = line[name] / whole[name]
+    parts = (line[f"{name}_error"] / line[name], whole[f"{name}_error"] / whole[name])
+    error = np.abs(ratio) * np.hypot(*parts)
+    return xr.Dataset(
+        {"ratio": ratio, "ratio_error": error, "area": whole.contact_fraction}
+    ).assign_coords(speed_ratio=whole.speed_ratio)
+
+
+def _over_area(ax: Axes, groups: Groups, half: str) -> None:
+    found = ratios(groups, half)
+    colours = shades(*_ends(found.speed_ratio))
+    for velocity in found.velocity.values:
+        points = found.sel(velocity=velocity)
+        points = points.stack(point=points.ratio.dims).sortby("area")
+        x = float(np.ravel(points.speed_ratio)[0])
+        style: dict[str, Any] = {"fmt": "o", "ms": 3.0, "color": colours.to_rgba(np.array(x))}
+        error_bars(ax, points, "ratio", "area", label=f"$x = {x:.2g}$", **style)
+    _dress(ax, "real contact area of the half-space")
+    ax.legend(loc="lower left", ncols=2)
+
+
+def _over_speed(ax: Axes, groups: Groups) -> None:
+    found = ratios(groups, "")
+    middle = found.isel(hurst=found.sizes["hurst"] // 2) if "hurst" in found.dims else found
+    colours = shades(*_ends(middle.normal_pressure))
+    for row in range(middle.sizes["normal_force"]):
+        points = middle.isel(normal_force=row)
+        pressure = float(points.normal_pressure)
+        style: dict[str, Any] = {"fmt": "o-", "ms": 3.0, "lw": 0.7}
+        colour = colours.to_rgba(np.array(pressure))
+        label = f"{pressure / 1e3:.3g} kPa"
+        error_bars(ax, points, "ratio", "speed_ratio", label=label, color=colour, **style)
+    _dress(ax, X_LABEL)
+    ax.set_title("(b) nominal pressure")
+    ax.legend(loc="best")
+
+
+def _over_cost(ax: Axes, groups: Groups) -> None:
+    """Draw the error of the model over the predicted time of a realization of a point."""
+    plan = make_plan(computed_study(groups[""]))
+    seconds = {v.label: float(np.mean(v.typical.sum(axis=1))) for v in plan.variants}
+    for half, line in PAIRS.items():
+        off = np.abs(ratios(groups, half).ratio - 1.0).values
+        kind = "one time" if half == "" else "five times"
+        style: dict[str, Any] = {"color": COLOURS[half != ""], "ms": 5.0}
+        ax.plot(seconds[line], np.nanmedian(off), "o", label=f"foundation, {kind}", **style)
+        ax.plot([seconds[line]] * 2, np.nanpercentile(off, [10, 90]), "-", color=style["color"])
+        own = groups[half].mu_1_bias.mean()
+        error = max(float(own), 1e-3)
+        ax.plot(seconds[half], error, "s", label=f"half-space, {kind}", **style)
+    ax.set(xscale="log", yscale="log", xlabel="time of a realization of a point (s)")
+    ax.set(ylabel="relative error of $\\mu_1$", title="(d) error against cost")
+    ax.legend(loc="best")
+
+
+def _ends(values: xr.DataArray) -> tuple[float, float]:
+    return float(values.min()), float(values.max())
+
+
+def _dress(ax: Axes, label: str) -> None:
+    ax.axhline(1.0, color="0.4", lw=0.7, ls=":")
+    ax.set(xscale="log", yscale="log", xlabel=label, ylabel=RATIO)

@@ -1,0 +1,81 @@
+"""Figure 7 on a half-space: steady friction, jump and relaxation rate over x, beside elements."""
+
+from typing import Any
+
+import numpy as np
+import xarray as xr
+from matplotlib import pyplot as plt
+from matplotlib.axes import Axes
+from matplotlib.figure import Figure
+
+from elastomer_friction.studies.style import DOTS, X_LABEL, by_hurst, fitted, normalised
+from elastomer_friction.workflow.report import error_bars, foot_line
+from elastomer_friction.workflow.result import Groups
+
+CAPTION = (
+    "Velocity steps of 20 % on a half-space (full symbols) and on the foundation of the paper at "
+    "the same nominal pressure (open symbols): (a) steady friction over the rms slope, (b) the "
+    "jump over slope and relative step, which the paper gives as 0.4 on its plateau, (c) the "
+    "relaxation rate b with eq. 13 as lines, and (d) the exponent α of b = x^α for x > 1, which "
+    "the paper gives as 1 − H."
+)
+HALF_SPACE, FOUNDATION = "", "foundation"
+FACES = {HALF_SPACE: None, FOUNDATION: "white"}  # of symbols; None: filled
+
+
+def draw(groups: Groups) -> Figure:
+    """Return the figure of a result of this study."""
+    figure, axes = plt.subplots(2, 2, figsize=(7.2, 5.6))
+    for group, face in FACES.items():
+        data = middle_pressure(groups[group])
+        for hurst, points, colour in by_hurst(fitted(normalised(data))):
+            style = DOTS | {"color": colour, "markerfacecolor": face or colour}
+            label = f"$H = {hurst:g}$" if group == HALF_SPACE else None
+            _over_x(axes[0, 0], points, "mu_bar", style | {"label": label})
+            _over_x(axes[0, 1], points, "jump_bar", style)
+            _over_x(axes[1, 0], points, "relaxation_rate", style)
+    for hurst, points, colour in by_hurst(groups[HALF_SPACE]):
+        x = np.geomspace(1.0, max(2.0, float(points.speed_ratio.max())), 50)
+        axes[1, 0].plot(x, x ** (1.0 - hurst), color=colour, lw=0.8)
+    axes[0, 0].set(ylabel="$\\mu_1/\\nabla z$", title="(a) steady sliding", yscale="log")
+    axes[0, 0].legend(loc="lower right")
+    axes[0, 1].set(ylabel="$\\Delta\\mu_0/(\\nabla z\\,\\Delta v/v_1)$", title="(b) jump")
+    axes[0, 1].axhline(0.4, color="0.4", lw=0.7, ls=":")
+    axes[1, 0].set(ylabel="relaxation rate $b$ (per $\\tau$)", title="(c) relaxation", yscale="log")
+    _exponents(axes[1, 1], groups)
+    note = f"nominal pressure {_pressure(groups[HALF_SPACE]):.3g} Pa in (a) to (c), all in (d)"
+    foot_line(figure, groups[HALF_SPACE], note)
+    return figure
+
+
+def middle_pressure(data: xr.Dataset) -> xr.Dataset:
+    """Return the points at the middle one of the pressures."""
+    return data.isel(normal_force=[data.sizes["normal_force"] // 2])
+
+
+def _pressure(data: xr.Dataset) -> float:
+    return float(middle_pressure(data).normal_pressure[0])
+
+
+def _over_x(ax: Axes, points: xr.Dataset, name: str, style: dict) -> None:
+    error_bars(ax, points, name, "speed_ratio", **style)
+    ax.set(xscale="log", xlabel=X_LABEL)
+
+
+def _exponents(ax: Axes, groups: Groups) -> None:
+    """Draw the exponents of both bodies over H."""
+    for group, face in FACES.items():
+        data = groups[group]
+        style: dict[str, Any] = {
+            "color": "k",
+            "markerfacecolor": face or "k",
+            "fmt": "o",
+            "ms": 4.0,
+            "ls": "",
+        }
+        label = "half-space" if group == HALF_SPACE else "foundation"
+        error_bars(ax, data, "alpha", "hurst", bias=data.alpha_bias, label=label, **style)
+    ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")
+    ax.set(xlabel="Hurst exponent $H$", ylabel="$\\alpha$ of $b = x^\\alpha$, $x > 1$")
+    ax.set_title("(d) exponent")
+    ax.legend(loc="best")

@@ -1,0 +1,141 @@
+"""The half-space where its answer is known: full contact, the foundation, symmetries."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.kernels.half_space.cases import run_case
+from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes
+from elastomer_friction.kernels.half_space.waves import two_sided, wave_numbers
+from elastomer_friction.kernels.lines.line import Line
+from elastomer_friction.kernels.model.contact import solve_indentation
+from elastomer_friction.kernels.model.friction import lagged_slope, mean_slope, step_average
+from elastomer_friction.kernels.model.steady import steady_sliding as steady_line
+from elastomer_friction.kernels.quick.case import Case, Quantities
+from elastomer_friction.kernels.quick.cases import run_case as run_foundation
+from elastomer_friction.kernels.rheology.kelvin import exponential
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
+
+BRANCHES = Spectrum((2.0, 5.0), (0.5, 4.0), 0.0)
+BOTH = Spectrum((2.0, 5.0), (0.5, 4.0), 10.0)
+STEPS = np.array([1, 2, 5, 13])
+
+
+def rough(elements: int, m: int, cutoff: int = 0, seed: int = 1) -> Surface:
+    amplitudes = ring_amplitudes(0.7, elements, cutoff=cutoff)
+    return Surface.drawn(np.random.default_rng(seed), amplitudes, elements, m)
+
+
+def closed_friction(surface: Surface, spectrum: Spectrum, speed: float, load: float) -> float:
+    """Sum of (|q|/2) q_x E''(q_x v) |h_q|^2 over the mean pressure: full contact."""
+    m, shape = surface.steps_per_spacing, surface.z.shape
+    q_y, q_x = wave_numbers(shape, m)
+    power = np.abs(np.fft.rfft2(surface.z) / surface.z.size) ** 2 * two_sided(shape)
+    loss = complex_modulus(spectrum, q_x * speed).imag
+    return float(np.sum(0.5 * np.hypot(q_y, q_x) * q_x * loss * power)) / (load * m / shape[1])
+
+
+@pytest.mark.parametrize(
+    ("spectrum", "least"),
+    [(KELVIN, 1.9), (BRANCHES, 1.9), (BOTH, 1.6)],  # beside a dashpot branches order late (prony)
+    ids=["kelvin", "branches", "both"],
+)
+def test_friction_in_full_contact_is_the_closed_form_to_second_order(
+    spectrum: Spectrum, least: float
+) -> None:
+    errors = []
+    for m in (8, 16, 32):
+        surface, load = rough(8, m, cutoff=2), 100.0
+        found = run_case(surface, Case(load, 0.4, (), (), "exponential", spectrum), Quantities())
+        assert found.contact_fraction == 1.0
+        errors.append(found.mu_1 / closed_friction(surface, spectrum, 0.4, load) - 1.0)
+    orders = np.log2(np.abs(errors[:-1]) / np.abs(errors[1:]))
+    assert np.abs(errors[-1]) < 1e-3
+    assert orders[-1] > least
+
+
+def line_and_surfaces() -> tuple[Line, list[Surface]]:
+    """A line, and surfaces that are uniform across: of one row and of a square."""
+    amplitude = np.array([1.0, 0.5, 0.3, 0.2, 0.0, 0.0, 0.0, 0.0])
+    line = Line.self_affine(amplitude, np.arange(8.0), 16, 4)
+    fields = [(line.z + line.datum)[None], line.slope[None]]
+    return line, [
+        Surface.from_samples(*(np.tile(field, (rows, 1)) for field in fields), 4)
+        for rows in (1, 64)
+    ]
+
+
+def equal_stiffness(surface: Surface, elements: int = 16) -> np.ndarray:
+    """1/L for every wave, in place of |q|/2."""
+    rows, n = surface.z.shape
+    return np.full((rows, n // 2 + 1), 1.0 / elements)
+
+
+@pytest.mark.parametrize("spectrum", [BRANCHES, BOTH], ids=["branches", "both"])
+def test_a_stiffness_that_is_the_same_for_all_waves_is_the_foundation(spectrum: Spectrum) -> None:
+    """Friction, indentation and relaxation of a line, whose elements remember all branches."""
+    line, surfaces = line_and_surfaces()
+    case = Case(0.3, 0.7, (1.2, -0.8), (STEPS, STEPS), "exponential", spectrum, refine=False)
+    foundation = run_foundation(line, case, Quantities())
+    for surface in surfaces:
+        found = run_case(surface, case, Quantities(), equal_stiffness(surface))
+        assert found.contact_fraction == foundation.contact_fraction
+        assert found.indentation + case.load == pytest.approx(foundation.indentation, abs=1e-6)
+        for curve, two, expected, settled in zip(
+            found.curves, found.mu_2, foundation.curves, foundation.mu_2, strict=True
+        ):
+            assert np.allclose(curve - two, expected - settled, atol=1e-5)
+
+
+def test_kelvin_elements_of_the_same_stiffness_are_the_foundation() -> None:
+    """Steady pressures and the jump, summed sample by sample as the half-space does."""
+    line, surfaces = line_and_surfaces()
+    load, speed, ratio = 0.3, 0.7, 1.2
+    law = exponential(1.0 / (4 * speed))
+    state, _ = steady_line(law, line.z, load * 64)
+    mu = step_average(lagged_slope(line.slope, law.lag), line.z - state.w, state.d)
+    touching = line.z - state.w < state.d
+    instant = []
+    for v in (speed, ratio * speed):
+        threshold = line.z[touching] - v * line.slope[touching]
+        rate, _ = solve_indentation(threshold, load * 64, 0.0)
+        instant.append(mean_slope(np.maximum(rate - threshold, 0.0), line.slope[touching]))
+    case = Case(load, speed, (ratio,), (STEPS,), "exponential")
+    for surface in surfaces:
+        found = run_case(surface, case, Quantities(), equal_stiffness(surface))
+        assert found.mu_1 == pytest.approx(mu, abs=1e-6)
+        assert found.contact_fraction == np.mean(touching)
+        assert found.indentation + load == pytest.approx(state.d + line.datum, abs=1e-6)
+        assert found.jump[0] == pytest.approx(instant[1] - instant[0], abs=1e-6)
+
+
+def test_a_mirrored_surface_slides_the_other_way() -> None:
+    surface = rough(16, 4)
+    mirrored = Surface.from_samples(surface.z[:, ::-1], -surface.slope[:, ::-1], 4)
+    case = Case(0.5, 0.7, (1.2,), (STEPS,), "exponential")
+    one = run_case(surface, case, Quantities())
+    other = run_case(mirrored, case._replace(speed=-0.7), Quantities())
+    assert other.mu_1 == pytest.approx(-one.mu_1, abs=1e-7)
+    assert other.jump == pytest.approx(-one.jump, abs=1e-6)
+    assert other.curves[0] == pytest.approx(-one.curves[0], abs=1e-6)
+
+
+def test_a_shifted_surface_is_the_same() -> None:
+    surface = rough(16, 4)
+    shifted = Surface.from_samples(
+        *(np.roll(field, (5, 9), (0, 1)) for field in (surface.z, surface.slope)), 4
+    )
+    case = Case(0.5, 0.7, (1.2,), (STEPS,), "exponential", BRANCHES)
+    one, other = (run_case(each, case, Quantities()) for each in (surface, shifted))
+    assert other.mu_1 == pytest.approx(one.mu_1, abs=1e-7)
+    assert other.curves[0] == pytest.approx(one.curves[0], abs=1e-6)
+    assert other.samples_per_contact == one.samples_per_contact
+
+
+def test_what_is_not_asked_for_is_not_computed() -> None:
+    surface, case = rough(8, 4), Case(0.5, 0.7, (1.2,), (STEPS,), "exponential")
+    steady = run_case(surface, case, Quantities(jump=False, relaxation=False))
+    everything = run_case(surface, case, Quantities())
+    assert np.isnan(steady.jump).all()
+    assert steady.curves == []
+    assert steady.mu_1 == everything.mu_1
+    assert steady.work < everything.work

@@ -1,0 +1,67 @@
+"""A half-space goes through the workflow as lines do: same records, whatever the cut."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.kernels import Case, Quantities
+from elastomer_friction.kernels.half_space.cases import run_case
+from elastomer_friction.kernels.half_space.surface import (
+    Surface,
+    map_amplitudes,
+    ring_amplitudes,
+)
+from elastomer_friction.workflow.simulate.drawing import line_generator
+from elastomer_friction.workflow.simulate.realizations import block_means
+from elastomer_friction.workflow.simulate.tasks import SCALARS
+from tests.support.small import cut_batches, small_plan
+
+SMALL = (
+    "scene.body=half-space",
+    "grid.spacing=1e-3",  # 10 elements and 40 samples a side
+    "grid.hurst=0.7",
+    "numerics.steps_per_spacing=4",
+    "study.realizations=2",
+    "compare={}",
+)
+PLAN = small_plan(*SMALL)
+
+
+def by_record(work):
+    """Return the numbers of every record, as bytes."""
+    found = {}
+    for batch in work:
+        scalars, curves, *_ = block_means(batch)
+        for i, task in enumerate(batch.tasks):
+            for j in range(batch.blocks):
+                record = (task.key, batch.first_block + j)
+                found[record] = (scalars[i, j].tobytes(), curves[i, j].tobytes())
+    return found
+
+
+def test_numbers_do_not_depend_on_the_cut():
+    whole = by_record(cut_batches(PLAN, set(), 1e9))
+    assert len(whole) == PLAN.records
+    assert by_record(cut_batches(PLAN, set(), 1e-9)) == whole
+
+
+def test_a_record_is_the_case_of_the_kernels_on_the_map_of_its_seed():
+    batch = next(cut_batches(PLAN, set(), 1e9))
+    found = block_means(batch).scalars
+    task = batch.tasks[0]
+    problem = task.problem
+    generator = line_generator(batch.seed, problem.hurst, problem.elements, 1)
+    amplitude = ring_amplitudes(problem.hurst, problem.elements)
+    surface = Surface.drawn(generator, amplitude, problem.elements, task.steps_per_spacing)
+    case = Case(problem.load, problem.speed, (problem.ratio,), (), batch.scheme)
+    own = run_case(surface, case, Quantities(relaxation=False))
+    assert found[0, 1, SCALARS.index("mu_1")] == own.mu_1
+
+
+@pytest.mark.parametrize("samples", [9, 10])
+def test_amplitudes_of_a_map_are_those_that_it_was_drawn_with(samples):
+    """As long as every mode is below that of two samples, which shares its amplitude."""
+    cutoff = (samples - 1) // 2
+    amplitude = ring_amplitudes(0.5, samples, cutoff=cutoff)
+    surface = Surface.drawn(np.random.default_rng(1), amplitude, samples, 1)
+    found = map_amplitudes(surface.z)
+    np.testing.assert_allclose(found[:, 1:], amplitude[:, 1:], atol=1e-14)

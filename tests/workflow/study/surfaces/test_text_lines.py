@@ -1,0 +1,178 @@
+"""Lines in text files of every kind that people have: what is read, and what is refused."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.study.surfaces.as_read import Asked
+from elastomer_friction.workflow.study.surfaces.files import read_lines
+
+RESOURCES = Path(__file__).resolve().parents[3] / "resources"
+X = 0.5 * np.arange(24)
+Z = np.round(np.random.default_rng(9).normal(size=(12, 24)).cumsum(axis=1), 4)
+
+
+def read(tmp_path, text, name="f.dat", **how):
+    path = tmp_path / name
+    path.write_text(text, encoding="utf-8")
+    return read_lines(Asked(path, name, **how))
+
+
+def rows(*columns, separator=","):
+    return "\n".join(separator.join(map(str, row)) for row in zip(*columns, strict=True)) + "\n"
+
+
+@pytest.mark.parametrize("suffix", [".txt", ".CSV", ".dat", ".prn", ".asc", ".tsv", ".xyz", ""])
+def test_suffixes_mean_nothing(tmp_path, suffix):
+    lines = read(tmp_path, "x [um]\tz [nm]\n" + rows(X, Z[0], separator="\t"), f"f{suffix}")
+    np.testing.assert_allclose(lines.heights, Z[:1] * 1e-9)
+    assert lines.step == pytest.approx(0.5e-6)
+
+
+@pytest.mark.parametrize(
+    ("header", "columns"),
+    [
+        ("index,x in µm,z in µm", (range(24), X, Z[0])),
+        ("No.,position (um),height (um)", (range(24), X, Z[0])),
+        ("t (s),x (um),z (um)", (0.001 * np.arange(24), X, Z[0])),
+        ("z (um),x (um)", (Z[0], X)),
+        ("height (um),t (s),x (um)", (Z[0], X, X)),
+        ("n;x;z\n;um;um", (range(24), X, Z[0])),
+        ("x (um),z (um),friction (V)", (X, Z[0], Z[1])),
+        ("x (in),z (in)", (X / 25400, Z[0] / 25400)),
+        ("x (mil),z (mil)", (X / 25.4, Z[0] / 25.4)),
+    ],
+)
+def test_columns_are_those_that_the_header_names(tmp_path, header, columns):
+    separator = ";" if ";" in header else ","
+    lines = read(tmp_path, f"{header}\n{rows(*columns, separator=separator)}")
+    np.testing.assert_allclose(lines.heights, Z[:1] * 1e-6, rtol=1e-12)
+    assert lines.step == pytest.approx(0.5e-6)
+
+
+def test_the_stylus_line_is_read_as_it_is():
+    lines = read_lines(Asked(RESOURCES / "stylus-line.csv", "stylus-line.csv"))
+    assert lines.heights.shape == (1, 9600)
+    assert lines.step == pytest.approx(0.15625e-6, rel=1e-4)  # of positions to 0.1 um
+    np.testing.assert_allclose(lines.heights[0, [0, 1, -1]], [-9.33e-9, -7.6e-9, 1.658112e-5])
+
+
+def map_of_points(order="rows"):
+    x, y = np.meshgrid(X, np.arange(12.0))
+    if order == "columns":
+        x, y, z = x.T, y.T, Z.T
+    else:
+        z = Z
+    return rows(x.ravel(), y.ravel(), z.ravel())
+
+
+@pytest.mark.parametrize("header", ["x [um],y [um],z [um]\n", ""])
+@pytest.mark.parametrize("order", ["rows", "columns"])
+def test_points_of_a_map_become_lines_along_what_runs_first(tmp_path, order, header):
+    units = () if header else ("um", "um")
+    lines = read(tmp_path, header + map_of_points(order), units=units)
+    expected = Z if order == "rows" else Z.T
+    np.testing.assert_allclose(lines.heights, expected * 1e-6)
+    assert lines.step == pytest.approx(0.5e-6 if order == "rows" else 1e-6)
+    assert "a list of points of a map" in lines.notes
+
+
+def test_lines_of_a_map_run_along_the_column_that_is_asked_for(tmp_path):
+    text = "x [um],y [um],z [um]\n" + map_of_points("columns")
+    np.testing.assert_allclose(read(tmp_path, text, columns=(0, 2)).heights, Z * 1e-6)
+    np.testing.assert_allclose(read(tmp_path, text, columns=(1, 2)).heights, Z.T * 1e-6)
+
+
+def test_points_that_a_map_lacks_are_gaps(tmp_path):
+    text = "x [um],y [um],z [um]\n" + "".join(map_of_points().splitlines(True)[:-2])
+    with pytest.raises(UserError, match="2 of 288 samples are missing in 1 of 12 lines"):
+        read(tmp_path, text)
+
+
+def test_positions_that_repeat_without_a_grid_are_refused(tmp_path):
+    text = f"x [um],z [um]\n{rows(np.tile(X, 2), Z[:2].ravel())}"
+    with pytest.raises(UserError, match="repeat, as in a list of points of a map"):
+        read(tmp_path, text)
+
+
+def matrix(separator="\t"):
+    return "\n".join(separator.join(map(str, row)) for row in Z) + "\n"
+
+
+@pytest.mark.parametrize(
+    "header",
+    [
+        "# Channel: Height\n# Width: 12 µm\n# Height: 6 µm\n# Value units: nm\n",
+        "x-range [um]: 12\nz-unit: nm\n",
+        "dx = 0.5 um\nunit = nm\n",
+    ],
+)
+def test_a_matrix_of_heights(tmp_path, header):
+    lines = read(tmp_path, header + matrix())
+    np.testing.assert_allclose(lines.heights, Z * 1e-9)
+    assert lines.step == pytest.approx(0.5e-6)
+
+
+def test_a_matrix_without_a_step_says_how_to_give_it(tmp_path):
+    with pytest.raises(UserError, match=r"a matrix of heights, .*: give surface\.step"):
+        read(tmp_path, matrix())
+    lines = read(tmp_path, matrix(" "), step=1e-6, units=("um", "nm"))
+    np.testing.assert_allclose(lines.heights, Z * 1e-9)
+
+
+def test_heights_alone(tmp_path):
+    heights = rows(Z[0])
+    lines = read(tmp_path, f"# pitch = 0,5 um\n# unit = nm\n{heights}")
+    np.testing.assert_allclose(lines.heights, Z[:1] * 1e-9)
+    assert lines.step == pytest.approx(0.5e-6)
+    with pytest.raises(UserError, match=r"heights alone, .*: give surface\.step"):
+        read(tmp_path, f"z [um]\n{heights}")
+    assert read(tmp_path, f"z [um]\n{heights}", step=2e-6).step == 2e-6
+
+
+def test_a_step_goes_before_positions(tmp_path):
+    text = f"t [s],z [um]\n{rows(X, Z[0])}"
+    assert read(tmp_path, text, step=2e-6, columns=(1,)).step == 2e-6
+    with pytest.raises(UserError, match=r"give those of heights, as surface\.columns = \[1\]"):
+        read(tmp_path, text, step=2e-6)
+
+
+@pytest.mark.parametrize(
+    ("text", "how", "words"),
+    [
+        ("Cutoff 0.8 mm, stylus 2 µm\n{0}", {}, "surface.units: missing: 'f.dat' names none"),
+        ("Start 02:10 PM, end 02:12 PM\n{0}", {}, "surface.units: missing: 'f.dat' names none"),
+        ("x (mm),height\n{0}", {}, r"names \['mm', ''\]"),
+        (
+            "t (s),z (um)\n{0}",
+            {"columns": (0, 1)},
+            "the unit 's' of column 0 t is no unit of length: give surface.c",
+        ),
+        (
+            "x (furlong),z (um)\n{0}",
+            {},
+            "the unit 'furlong' of column 0 x is not known: give surfac",
+        ),
+        ("x (um),a (um),b (um)\n{1}", {}, "give those of positions and of heights"),
+        ("{2}", {}, "columns 0 and 1 both go in equal steps"),
+        (
+            "x (um),z (um)\n{0}",
+            {"columns": (0, 2)},
+            "holds the columns 0 x .um., 1 z .um., numbers",
+        ),
+        ("x (um),z (um)\n{0}", {"columns": ("x", "z")}, "has numbered columns, from 0"),
+        ("x (um),z (um)\n{0}7\n", {}, "line 26 of 'f.dat' reads '7': must hold 2 entries"),
+    ],
+)
+def test_what_a_file_does_not_say_is_asked_for(tmp_path, text, how, words):
+    kinds = rows(X, Z[0]), rows(X, Z[0], Z[1]), rows(range(24), X, Z[0])
+    with pytest.raises(UserError, match=words):
+        read(tmp_path, text.format(*kinds), **how)
+
+
+def test_units_that_are_given_go_before_what_the_file_says(tmp_path):
+    lines = read(tmp_path, f"x (furlong),z (V)\n{rows(X, Z[0])}", units=("mm", "nm"))
+    np.testing.assert_allclose(lines.heights, Z[:1] * 1e-9)
+    assert lines.step == pytest.approx(0.5e-3)

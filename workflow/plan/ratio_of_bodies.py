@@ -1,0 +1,129 @@
+"""The error of the model: friction of the foundation over that of a half-space, as measured.
+
+ratio_of_bodies.csv is made by the study `bodies` (studies/bodies/ratio_table.py) under one nominal
+pressure, F_N = sigma_0 lambda_r L on the foundation. Between its points the logarithm of the ratio
+is linear in H and in the logarithms of waves, load and x; outside it nothing is said.
+"""
+
+import csv
+import math
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...kernels import KELVIN
+from ..simulate import Problem
+from ..study import HALF_SPACE
+from .problems import line_slope, speed_ratio
+
+TABLE = Path(__file__).with_name("ratio_of_bodies.csv")
+KINDS = ("kelvin", "broad")  # one relaxation time, or many
+UNKNOWN = math.nan, math.nan
+ROUNDING = 1e-6  # relative, by which a point may lie outside
+
+
+class InTable(NamedTuple):
+    """Where a problem stands in the table."""
+
+    kind: str
+    waves: float  # lambda_r q_max/2 pi: shortest waves in the longest
+    hurst: float
+    load: float  # sigma_0/(E* grad z)
+    speed_ratio: float  # x = v1 tau q_max
+
+
+def place_of(problem: Problem, normalisation: str = "modal") -> InTable:
+    """Return where a problem stands, on either body."""
+    longest = max(problem.surface.rolloff, 1.0)  # its wave number in 2 pi/L
+    last = problem.surface.cutoff or problem.elements // 2
+    shared = 1.0 if problem.surface.body == HALF_SPACE else longest
+    pressure = problem.load * shared / problem.elements  # in E* h/dx
+    kind = KINDS[problem.spectrum != KELVIN]
+    load = pressure / line_slope(problem, normalisation)
+    return InTable(kind, last / longest, problem.hurst, load, float(speed_ratio(problem)))
+
+
+def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, float]:
+    """Return mu_1 of the foundation over that of a half-space, and its error; NaN where unknown."""
+    if problem.surface.measured or problem.programme or not TABLE.is_file():
+        return UNKNOWN
+    place = place_of(problem, normalisation)
+    table = _table().get(place.kind, {})
+    found = _between(table, place.waves, lambda own: _of_hurst(own, place), np.log)
+    if found is None:
+        return UNKNOWN
+    ratio = math.exp(found[0])
+    return ratio, ratio * float(found[1])
+
+
+def _of_hurst(table: dict, place: InTable) -> np.ndarray | None:
+    return _between(table, place.hurst, lambda own: _of_point(own, place), lambda value: value)
+
+
+def _of_point(own: dict[str, np.ndarray], place: InTable) -> np.ndarray | None:
+    """Return (ln ratio, relative error) at a load and speed, between four points of a grid."""
+    found = []
+    for name in ("ratio", "error"):
+        along = [
+            _inside(np.log(place.speed_ratio), np.log(own["speed_ratio"]), row) for row in own[name]
+        ]
+        found.append(_inside(np.log(place.load), np.log(own["load"]), np.array(along)))
+    return None if np.isnan(found).any() else np.array(found)
+
+
+def _inside(at: float, x: np.ndarray, values: np.ndarray) -> float:
+    """Return the value at a place between others, or NaN outside them."""
+    if not x[0] - ROUNDING <= at <= x[-1] + ROUNDING:
+        return math.nan
+    return float(np.interp(at, x, values))
+
+
+def _between(
+    table: dict[float, Any], at: float, value: Callable, scale: Callable
+) -> np.ndarray | None:
+    """Return the value between the two entries of a table next to a key, or None outside."""
+    below = [key for key in table if key <= at * (1.0 + ROUNDING) + 1e-12]
+    above = [key for key in table if key >= at * (1.0 - ROUNDING) - 1e-12]
+    if not (below and above):
+        return None
+    low, high = max(below), min(above)
+    first, last = value(table[low]), value(table[high])
+    if low >= high or first is None or last is None:
+        return first if last is not None else None
+    share = (scale(at) - scale(low)) / (scale(high) - scale(low))
+    return (1.0 - share) * first + share * last
+
+
+@cache
+def _table() -> dict[str, dict[float, dict[float, dict[str, np.ndarray]]]]:
+    """Return kind -> waves -> H -> columns, ratio and error over (load, speed_ratio)."""
+    with TABLE.open(encoding="utf-8") as file:
+        rows = list(csv.DictReader(file))
+    found: dict = {}
+    for row in rows:
+        of_waves = found.setdefault(row["kind"], {}).setdefault(float(row["waves"]), {})
+        of_waves.setdefault(float(row["hurst"]), []).append(row)
+    for of_waves in found.values():
+        for of_hurst in of_waves.values():
+            for hurst, own in of_hurst.items():
+                of_hurst[hurst] = _columns(own)
+    return found
+
+
+def _columns(rows: list[dict[str, str]]) -> dict[str, np.ndarray]:
+    speeds = sorted({float(row["speed_ratio"]) for row in rows})
+    loads = sorted({float(row["load"]) for row in rows})
+    grid = np.full((2, len(loads), len(speeds)), np.nan)
+    for row in rows:
+        at = loads.index(float(row["load"])), speeds.index(float(row["speed_ratio"]))
+        ratio = float(row["ratio"])
+        grid[(0, *at)], grid[(1, *at)] = math.log(ratio), float(row["error"]) / ratio
+    return {
+        "load": np.array(loads),
+        "speed_ratio": np.array(speeds),
+        "ratio": grid[0],
+        "error": grid[1],
+    }

@@ -1,0 +1,83 @@
+"""Steps of half the length on a few lines, from which a bias is read where no law tells it.
+
+What changes is added up beside the number of lines that it was found on, so that means over any
+blocks give the mean change.
+"""
+
+from typing import Any
+
+import numpy as np
+
+from ...kernels import Outcome
+from .bodies import body_of
+from .kept import record_steps, record_times
+from .layout import Layout
+from .programmes import steady_ends
+from .tasks import Batch, Task
+
+CHANGED = ("mu_1", "jump", "mu_2")  # as the row of a record has them, after the count of lines
+HALVED = 2  # times the steps per spacing
+
+
+def add_finer(
+    batch: Batch, layouts: list[Layout], cases: list, finer: list, curves: np.ndarray
+) -> None:
+    """Add to the first blocks of all what halved steps change on the first line of each.
+
+    cases, finer : what is run on every line, and the same with HALVED times the steps. curves :
+    sums over the lines of each block, shape (tasks, blocks, values).
+    """
+    body = body_of(batch)
+    _, draw = body.drawing(batch)
+    for block in range(min(batch.blocks, batch.recording.finer - batch.first_block)):
+        drawn = draw(block * batch.realizations_per_block)
+        for (prepared, shared), (halved, _) in zip(cases, finer, strict=True):
+            lines = [next(iter(drawn(own.steps_per_spacing))) for own in (prepared, halved)]
+            (before,), (after,) = (
+                body.run([line], own) for line, own in zip(lines, (prepared, halved), strict=True)
+            )
+            for rows, *pair in zip(shared, before, after, strict=True):
+                for k, row in enumerate(rows):
+                    _add(batch, lines, (k, row), pair, layouts[row], curves[row, block])
+
+
+def _add(
+    batch: Batch,
+    lines: list[Any],
+    place: tuple[int, int],
+    pair: list[Outcome],
+    places: Layout,
+    values: np.ndarray,
+) -> None:
+    """Add what differs between two outcomes to the row of one record.
+
+    place : number of the velocity jump in the case, and of the task in the batch.
+    """
+    k, row = place
+    task = batch.tasks[row]
+    tasks = task, task._replace(steps_per_spacing=HALVED * task.steps_per_spacing)
+    numbers = []
+    for outcome, line, own in zip(pair, lines, tasks, strict=True):
+        found = {"mu_1": outcome.mu_1, "jump": outcome.jump[k], "mu_2": outcome.mu_2[k]}
+        found |= steady_ends(batch, line, own)
+        numbers.append([found[name] for name in CHANGED])
+    first, (size,) = places["finer"]
+    values[first : first + size] += [1.0, *np.subtract(numbers[1], numbers[0])]
+    if "finer_curve" in places:
+        coarse, fine = (outcome.curves[k] for outcome in pair)
+        times, finer_times = _times(batch, task)
+        started = pair[1].mu_1 + pair[1].jump[k]
+        # Friction belongs to other times of a shorter step: read it at those of the longer.
+        fine = np.interp(times, [0.0, *finer_times], [started, *fine])
+        first, (size,) = places["finer_curve"]
+        values[first : first + coarse.size] += fine - coarse
+        values[first + coarse.size : first + size] = np.nan
+
+
+def _times(batch: Batch, task: Task) -> tuple[np.ndarray, np.ndarray]:
+    """Return the times of a curve, with the steps of the task and with those halved."""
+    problem, steps = task.problem, task.steps_per_spacing
+    kept = record_steps(task.march_steps, batch.recording.samples, problem.spectrum)
+    per_tau = abs(problem.speed * problem.ratio) * steps
+    how = batch.scheme, problem.spectrum
+    return record_times(kept, per_tau, *how), record_times(HALVED * kept, HALVED * per_tau, *how)

@@ -1,0 +1,112 @@
+"""Lines as a file holds them, and as they are in m: units, steps, gaps."""
+
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ...errors import UserError
+from ...text_tables import unit_of
+from .gaps import without_gaps
+from .positions import uniform_step
+
+KEY = "surface.file"
+LEAST_SAMPLES = 8
+
+
+class Asked(NamedTuple):
+    """How a file is to be read."""
+
+    path: Path
+    name: str  # of the file as the study gives it
+    columns: tuple = ()  # positions, then heights: numbers, or names of variables
+    units: tuple[str, ...] = ()  # of positions and heights; empty: the file names them
+    step: float | None = None  # m, of samples, in place of positions
+    gaps: str = "refuse"  # what becomes of missing samples
+
+
+class Raw(NamedTuple):
+    """Lines as a file holds them, and what it says of them."""
+
+    heights: np.ndarray  # shape (lines, n), NaN where a sample is missing
+    x: np.ndarray | None  # positions, shape (n,); None: the step is known
+    known: np.ndarray  # to how much each position is known, shape (n,)
+    step: float | None  # m, where there are no positions
+    units: tuple[str, ...]  # of positions and of each line, or of all lines; "" where none is
+    told: str = ""  # what was taken for what
+
+
+class Lines(NamedTuple):
+    """Lines of a file in m."""
+
+    heights: np.ndarray  # shape (lines, n)
+    step: float
+    notes: str
+
+
+def metres(unit: str) -> float | None:
+    """Return the metres of a unit of length, or None where the word is none: µm, UM, micron …."""
+    found = unit_of(unit)
+    return found.factor if found is not None and found.family == "length" else None
+
+
+def plain(values: Any) -> np.ndarray:
+    """Return floats, NaN where a value is masked."""
+    return np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
+
+
+def lines_of(asked: Asked, raw: Raw) -> Lines:
+    """Return lines in m: in equal steps, without gaps, with units that somebody names.
+
+    Raises UserError for missing samples, unless surface.gaps says what becomes of them, for units
+    that nobody names, for too few samples, and for positions that are not uniform.
+    """
+    what = f"{KEY} = {asked.name!r}"
+    samples = raw.heights.shape[1]
+    if raw.x is not None and not np.isfinite(raw.x).all():
+        sample = int(np.argmin(np.isfinite(raw.x)))
+        raise UserError(
+            f"{what}: the position of sample {sample + 1} is missing: give surface.step in place "
+            "of positions, or write it"
+        )
+    heights, mended = without_gaps(what, raw.heights, asked.gaps)
+    units = _units(asked, raw)
+    if samples < LEAST_SAMPLES:
+        raise UserError(f"{what}: {samples} samples per line: needs at least {LEAST_SAMPLES}")
+    step = raw.step
+    if raw.x is not None:
+        step = uniform_step(KEY, asked.name, raw.x, raw.known) * _factor(units[0])
+    assert step is not None
+    of_lines = units[1:] if len(units) == len(raw.heights) + 1 else units[1:2] * len(raw.heights)
+    if len(heights) < len(raw.heights):  # lines that were left out are of one file and unit
+        of_lines = of_lines[: len(heights)]
+    heights = heights * np.array([[_factor(unit)] for unit in of_lines])
+    if step < 0.0:
+        heights = heights[:, ::-1]
+    whose = "as given" if asked.units else "as the file names them"
+    count = f"{len(heights)} {'line' if len(heights) == 1 else 'lines'} of {samples} samples"
+    apart = f"{abs(step):.6g} m apart{' in the mean' if raw.x is not None else ''}"
+    parts = [
+        f"{asked.name}: {count}, {apart}, heights in {units[1]}, units {whose}",
+        *filter(None, (raw.told, mended)),
+    ]
+    return Lines(heights, abs(step), "; ".join(parts))
+
+
+def _units(asked: Asked, raw: Raw) -> tuple[str, ...]:
+    """Return the units of positions and of lines: as asked for, else as the file names them."""
+    units = asked.units or raw.units
+    needed = units if raw.x is not None else units[1:]
+    if len(units) < 2 or any(metres(unit) is None for unit in needed):
+        named = f"names {list(units)}" if any(units) else "names none"
+        raise UserError(
+            f"surface.units: missing: {asked.name!r} {named}; give those of positions and heights, "
+            'as units = ["mm", "um"]'
+        )
+    return units
+
+
+def _factor(unit: str) -> float:
+    factor = metres(unit)
+    assert factor is not None  # _units has looked
+    return factor
