@@ -108,6 +108,10 @@ FILES = {  # beside small.toml
     "back.csv": "0 0.1\n1 0.2\n1 0.1\n",
     "one.csv": "0 0.1\n",
     "three.csv": "1, 2, 3\n",
+    "torn.csv": "0 0.1\n1 nan\n2 0.1\n",
+    "shares.csv": "alpha, tau\n0.5, 1\n0.6, 2\n",
+    "tiny.csv": "0.1, 1\n0.2, 2\n",
+    "unknown_branch.csv": "modulus [Pa], time [s]\n5e6, nan\n1e7, 1\n",
     "words.csv": "time velocity\n",
 }
 

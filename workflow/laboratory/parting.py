@@ -57,7 +57,7 @@ def measured_steps(record: Record, window: float | None = None) -> list[Measured
     ]
 
 
-def left_out(record: Record) -> list[str]:
+def no_steps_of(record: Record) -> list[str]:
     """Return in sentences which changes of velocity are no steps, and what was turned round."""
     stretches = _sliding(record)
     rests = sum(each.sign == 0.0 for each in stretches)

@@ -20,7 +20,7 @@ import numpy as np
 
 from ..kinetic_law import jump_between, normalised_jump
 from .estimate import DEVIATIONS, Estimate
-from .parting import left_out, measured_steps
+from .parting import measured_steps, no_steps_of
 from .record import Record
 from .step_fit import LARGEST_SHARE, StepFit, fit_step
 
@@ -239,5 +239,5 @@ def fit_records(records: list[Record], known: Known, window: float | None = None
         rates=fit_rates(fits, known),
         slope=fit_slope(fits),
         known=known,
-        told=tuple(line for one in records for line in (*one.told, *left_out(one))),
+        told=tuple(line for one in records for line in (*one.told, *no_steps_of(one))),
     )

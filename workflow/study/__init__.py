@@ -33,16 +33,7 @@ if TYPE_CHECKING:
     from .read import find_study, known_scales, known_studies, read_scene, read_study
     from .schema import described_measures, study_schema
     from .scripts import load_script
-    from .settings import (
-        Key,
-        Rows,
-        default_of,
-        integer,
-        named_unit,
-        positive,
-        rows_of_file,
-        values_of,
-    )
+    from .settings import Key, default_of, integer, positive, values_of
     from .study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
     from .surfaces import Profile, Surface, check_load, given_map, given_profile
     from .tables import EVERY_TABLE

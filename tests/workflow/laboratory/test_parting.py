@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.laboratory.parting import left_out, measured_steps
+from elastomer_friction.workflow.laboratory.parting import measured_steps, no_steps_of
 from elastomer_friction.workflow.laboratory.record import Record
 from elastomer_friction.workflow.laboratory.sentences import describe
 from elastomer_friction.workflow.laboratory.step_fit import NEITHER, fit_step
@@ -28,7 +28,7 @@ def test_rest_and_reversal_are_left_out_and_said():
     steps = measured_steps(one)
     assert [step.v1 for step in steps] == pytest.approx([0.1] * 3)
     assert [step.v2 for step in steps] == pytest.approx([0.3] * 3)
-    assert left_out(one) == [
+    assert no_steps_of(one) == [
         "left out: 1 stretches at rest and 2 reversals, which are no velocity steps",
         "1 stretches slide backwards; they are turned round",
     ]

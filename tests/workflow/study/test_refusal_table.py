@@ -17,8 +17,8 @@ from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[3]
 STUDY = ("axes", "cluster", "grid", "numerics", "read", "study", "tables", "variants")
-SETTINGS = ("checks", "key", "rows_of_numbers")
-EFFECTS = ("material", "quantities", "scene", "segments")
+SETTINGS = ("checks", "key")
+EFFECTS = ("branches", "material", "quantities", "scene", "segments")
 DOCUMENT = ROOT / "tests" / "refusals.md"
 SURFACES = ("as_read", "files", "gaps", "positions", "profile", "table", "text_lines")
 ROOMS = {
@@ -38,8 +38,6 @@ ELSEWHERE = {"find_study", "_one_point", "_lines_in_blocks"}
 # (tests/workflow/study/surfaces); their words are among the other refusals.
 ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography"}
 ELSEWHERE |= {"given_profile", "check_load", "read_scene"}
-# Of files for prony and fit (settings/test_columns.py, tests/workflow/laboratory/test_record.py).
-ELSEWHERE |= {"named_unit"}
 
 
 def _module(path):

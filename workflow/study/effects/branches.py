@@ -18,14 +18,16 @@ SHARE = Wanted("a share of G_0", "number", r"alpha|\u03b1|share|norm|^g_?i?$", "
 TIME = Wanted("a time", "time", r"time|tau|\u03c4|^t([\W_]|[bi]?$)", "s", HEADER)
 OF_ABAQUS = re.compile(r"^\s*\*VISCOELASTIC", re.IGNORECASE)
 OF_YOUNG = re.compile(r"young|tens|^E([\W_]|\d|[bi]?$)", re.IGNORECASE)
-YOUNG = 3.0  # 2 (1 + nu) of an incompressible material
 
 
-def read_branches(key: str, path: Path, relaxed: float) -> tuple[list[list[float]], str]:
+def read_branches(
+    key: str, path: Path, relaxed: float, poisson: float
+) -> tuple[list[list[float]], str]:
     """Return [modulus (Pa), time (s)] of each branch of a file, and what the file was read as.
 
-    relaxed : shear modulus G, Pa. Raises UserError, which begins with ``key``, for a file that does
-    not say which columns are meant, for unknown units and for shares that are none.
+    relaxed : shear modulus G, Pa. poisson : ratio, for Young's moduli. Raises UserError, which
+    begins with ``key``, for a file that does not say which columns are meant, for unknown units
+    and for shares that are none.
     """
     table = read_text_table(key, path, path.name)
     if any(OF_ABAQUS.search(line) for line in table.above) and len(table.numeric) == 3:
@@ -34,9 +36,8 @@ def read_branches(key: str, path: Path, relaxed: float) -> tuple[list[list[float
         return _of_shares(key, found, relaxed), said
     if len(table.numeric) == 3 and not table.titles:
         raise UserError(
-            f"{key} = {path.name!r}: holds three columns, as Abaqus writes shares g_i, k_i and "
-            "tau_i below *VISCOELASTIC; put that line above them, or give two columns with "
-            f"{HEADER}"
+            f"{key} = {path.name!r}: holds three columns, as Abaqus writes shares g_i, k_i, tau_i "
+            f"below *VISCOELASTIC; put that line above them, or give two columns with {HEADER}"
         )
     if _of_share(table):
         found = picked(table, (SHARE, TIME), None, HEADER)
@@ -50,7 +51,8 @@ def read_branches(key: str, path: Path, relaxed: float) -> tuple[list[list[float
             f"name the column alpha; for moduli give {HEADER}, with their unit"
         )
     if OF_YOUNG.search(found[0].title.name):
-        moduli, said = moduli / YOUNG, f"{said}; Young's moduli divided by 2 (1 + nu) = {YOUNG:g}"
+        factor = 2.0 * (1.0 + poisson)
+        moduli, said = moduli / factor, f"{said}; Young's moduli divided by 2 (1 + nu) = {factor:g}"
     return np.stack([moduli, found[1].values], axis=1).tolist(), said
 
 

@@ -135,7 +135,7 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
         if "branches" in table:
             raise UserError(f"{where}.branches_file: give it or {where}.branches, not both")
         key, path = f"{where}.branches_file", folder / given["branches_file"]
-        rows, told = read_branches(key, path, given["shear_modulus"])
+        rows, told = read_branches(key, path, given["shear_modulus"], given["poisson"])
         branches = _branches(key, rows)
     modulus, time = given["shear_modulus"], given["relaxation_time"]
     if not branches and time is None:

@@ -106,6 +106,8 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
     times = None
+    if history and given["control"] != INDENTATION:
+        raise UserError('scene.indentation_file: needs scene.control = "indentation"')
     if history:
         key = "scene.indentation_file"
         columns, _ = read_sampled(key, folder / history, INDENTED)
@@ -133,8 +135,6 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
                 f"scene.{key} = {table[key]!r}: belongs to a programme, and there is no "
                 "[[scene.programme]]"
             )
-    if scene.indentation_history is not None and scene.control != INDENTATION:
-        raise UserError('scene.indentation_file: needs scene.control = "indentation"')
     if scene.repeat * len(scene.programme) > MOST_SEGMENTS:
         raise UserError(
             f"scene.repeat = {scene.repeat}: makes {scene.repeat * len(scene.programme)} segments, "

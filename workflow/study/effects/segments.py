@@ -37,10 +37,13 @@ from .programme import (
 
 MOST_SEGMENTS = 1000
 MOST_SAMPLES = 100_000  # of a file
-UNITS = "a header that names the units"
-TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", UNITS)
-VELOCITY = Wanted("a velocity", "velocity", r"vel|speed|^v([_ ]|$)", "m/s", UNITS)
-INDENTED = Wanted("an indentation", "length", r"ind|depth|^d([_ ]|$)", "m", UNITS)
+TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", "a header with units that are known")
+VELOCITY = TIME._replace(
+    what="a velocity", family="velocity", names=r"vel|speed|^v([_ ]|$)", default="m/s"
+)
+INDENTED = TIME._replace(
+    what="an indentation", family="length", names=r"ind|depth|^d([_ ]|$)", default="m"
+)
 
 
 def _not_zero(key: str, value: object) -> float:
@@ -248,7 +251,8 @@ def read_sampled(key: str, path: Path, wanted: Wanted) -> tuple[np.ndarray, str]
     Times must be increasing. wanted : the second column. Raises UserError.
     """
     table = read_text_table(key, path, path.name)
-    found = picked(table, (TIME, wanted), None, "a header such as time [s], velocity [m/s]")
+    second = f"{wanted.what.split()[-1]} [{wanted.default}]"
+    found = picked(table, (TIME, wanted), None, f"the header time [s], {second}")
     columns = np.array([one.values for one in found])
     _check_sampled(f"{key} = {path.name!r}", columns)
     return columns, f"; read {told(table, found)}"

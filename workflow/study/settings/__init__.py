@@ -1,4 +1,4 @@
-"""How any table of the user is read: checks, keys, lists of values, columns of text.
+"""How any table of the user is read: checks, keys, lists of values.
 
 Knows no table: which keys there are is said where they are used.
 """
@@ -32,14 +32,6 @@ if TYPE_CHECKING:
         schema_of,
         table_of,
         values_of_axis,
-    )
-    from .rows_of_numbers import (
-        BrokenRowError,
-        Rows,
-        named_unit,
-        read_columns,
-        read_rows,
-        rows_of_file,
     )
     from .words import as_toml, default_of, values_of
 

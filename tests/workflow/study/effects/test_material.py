@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
+from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.effects.material import (
     MATERIAL,
     Material,
@@ -67,7 +68,54 @@ def test_the_spectrum_has_the_same_complex_modulus(pairs, frequency, dashpot):
 
 def test_branches_of_a_file(tmp_path):
     (tmp_path / "branches.csv").write_text(FILES["branches.csv"])
-    assert read(tmp_path, branches_file="branches.csv") == read(tmp_path, branches=BRANCHES)
+    found = read(tmp_path, branches_file="branches.csv")
+    assert found._replace(told="") == read(tmp_path, branches=BRANCHES)
+    assert found.told == (
+        "branches.csv: 2 rows; column 0 modulus as a modulus in Pa, column 1 time as a time in s"
+    )
+
+
+SHARES = "0.125, 0.01\n0.25, 0.001\n"  # of 1.6 times the relaxed modulus
+BY_ABAQUS = "*VISCOELASTIC, TIME=PRONY\n0.125, 0, 0.01\n0.25, 0, 0.001\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "moduli"),
+    [
+        ("5, 1e-2\n10, 1e-3\n", (10.0, 5.0)),
+        ("modulus [MPa], time [ms]\n5, 10\n10, 1\n", (1e7, 5e6)),
+        ("tau (s), G (kPa)\n1e-2, 5\n1e-3, 10\n", (1e4, 5e3)),
+        ("t_b / ms; g_b / N/mm2\n10; 5\n1; 10\n", (1e7, 5e6)),
+        ("E_i [MPa], tau_i [s]\n5, 1e-2\n10, 1e-3\n", (1e7 / 3.0, 5e6 / 3.0)),
+        (f"alpha_i, tau_i\n{SHARES}", (4e6, 2e6)),
+        (f"g_i, tau_i (s)\n{SHARES}", (4e6, 2e6)),
+        ("tau, share\n1e-2, 0.125\n1e-3, 0.25\n", (4e6, 2e6)),
+        (BY_ABAQUS, (4e6, 2e6)),
+    ],
+)
+def test_order_units_and_shares_of_a_file_of_branches(tmp_path, text, moduli):
+    (tmp_path / "branches.csv").write_text(text)
+    found = read(tmp_path, shear_modulus=1e7, branches_file="branches.csv")
+    np.testing.assert_allclose([g for g, _ in found.branches], moduli, rtol=1e-12)
+    np.testing.assert_allclose([t for _, t in found.branches], [1e-3, 1e-2], rtol=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("text", "answer"),
+    [
+        ("0.1, 0.01\n0.2, 0.1\n", "sum up to 0.3: for shares of G_0 name the column alpha"),
+        ("alpha, tau\n0.5, 0.01\n0.6, 0.1\n", "sum up to 1.1; must be between 0 and 1"),
+        ("0.1, 0, 0.3\n0.2, 0, 0.02\n", "as Abaqus writes shares g_i, k_i, tau_i below *VISCO"),
+        ("modulus [furlong], time [s]\n1, 2\n2, 3\n", "the unit 'furlong' of a modulus is not"),
+        ("modulus [Pa], time [s]\n1, nan\n2, 3\n", "a time is missing in a row"),
+        ("stiffness, time [s]\n1, 1\n2, 3\n", "not clear which holds a modulus and a time; give a"),
+    ],
+)
+def test_a_file_of_branches_that_is_unclear_is_refused(tmp_path, text, answer):
+    (tmp_path / "branches.csv").write_text(text)
+    with pytest.raises(UserError, match=r"^material\.branches_file") as error:
+        read(tmp_path, branches_file="branches.csv")
+    assert answer in str(error.value)
 
 
 def test_a_temperature_shifts_all_times_once_and_for_all(tmp_path):
