@@ -13,6 +13,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...errors import UserError
+from ...plain_files import read_plain
 
 DELIMITERS = (";", "\t", ",", None)  # None: any blanks
 COMMENTS = ("#", "%", "//", "!")
@@ -124,7 +125,7 @@ def rows_of_file(
     """
     places = "" if exact else f" in columns {list(columns)}"
     try:
-        rows = read_rows(path.read_bytes(), columns, exact)
+        rows = read_rows(read_plain(path), columns, exact)
     except BrokenRowError as error:
         raise UserError(
             f"{key}: line {error.number} of {str(path)!r} reads {error.line!r:.40}: must hold "
