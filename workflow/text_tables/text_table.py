@@ -28,6 +28,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
+from ..plain_files import read_plain
 from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
 from .titles import Title, remarks_of, titles_of
@@ -159,7 +160,7 @@ def read_text_table(key: str, path: Path, name: str | None = None) -> TextTable:
     """
     name = str(path) if name is None else name
     try:
-        data = path.read_bytes()
+        data = read_plain(path)
     except (OSError, ValueError) as error:  # ValueError: no name of a file
         reason = getattr(error, "strerror", None) or error
         raise UserError(f"{key} = {name!r}: cannot be read: {reason}") from None
