@@ -28,7 +28,7 @@ def exponent(results: report.Results) -> report.Claim | None:
         "α = 1 − H",
         f"α = {found}; dα/dH = {slope:.2f}",
         report.per_point(dataset),
-        report.judge(float(np.abs(alpha - (1.0 - hurst)).max()), float(error.max())),
+        report.judge(_deviation(alpha, hurst), float(error.max())),
     )
 
 
@@ -49,6 +49,12 @@ def plateau(results: report.Results) -> report.Claim | None:
         report.per_point(dataset),
         report.judge_factor(fast / PLATEAU),
     )
+
+
+def _deviation(alpha: np.ndarray, hurst: np.ndarray) -> float:
+    """Return the largest deviation of alpha from 1 - H, relative to it where it is not near 0."""
+    expected = 1.0 - hurst
+    return float(np.max(np.abs(alpha - expected) / np.maximum(expected, 0.1)))
 
 
 CLAIMS = (exponent, plateau)
