@@ -10,9 +10,10 @@ from ...kernels import START, Origin, Quantities
 from ...kernels.compile.garbage import nothing_collected
 from ..errors import UserError
 from ..simulate import HALVED, Batch, Task, row_layout, row_width
-from ..study import Study
+from ..study import HALF_SPACE, Study
 from .cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from .goal import FIRST_SHARE, whole_blocks
+from .half_space import BRANCH_BYTES, MAP_BYTES
 from .motion import asked_of
 from .variant import Variant, problems_of, variant_of
 
@@ -66,7 +67,8 @@ class Plan(NamedTuple):
     def predicted_worker_bytes(self) -> float:
         """Return the predicted peak memory of a worker."""
         finer = HALVED if any(variant.recording.finer for variant in self.variants) else 1
-        return WORKER_BYTES + BYTES_PER_SAMPLE * finer * self.longest_line()
+        each = [_bytes_per_sample(own) * max(own.drawing) for own in self.variants]
+        return WORKER_BYTES + finer * max(each)
 
     def predicted_driver_bytes(self) -> float:
         """Return the predicted peak memory of the process that plans, stores and collects."""
@@ -102,6 +104,13 @@ class Plan(NamedTuple):
         return {
             axis: self.study.grid[axis][i] for axis, i in zip(self.study.axes, index, strict=True)
         }
+
+
+def _bytes_per_sample(variant: Variant) -> float:
+    """Return what a worker needs at its peak for each sample of a line, or of a map."""
+    if variant.lines.body == HALF_SPACE:
+        return MAP_BYTES + BRANCH_BYTES * len(variant.tasks[0].problem.spectrum.moduli)
+    return BYTES_PER_SAMPLE
 
 
 def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Plan:
