@@ -85,5 +85,5 @@ OF_MAPS = {
 def laws_of(problem: Problem) -> Mapping[str, Laws]:
     """Return the laws of the estimates of one problem; none where they are not known."""
     if problem.surface.body == HALF_SPACE:
-        return {} if problem.programme or problem.surface.measured else OF_MAPS
+        return {} if problem.programme else OF_MAPS
     return LAWS if known(problem) else {}
