@@ -83,7 +83,7 @@ def steps_of(
     """
     places, times, legs = [np.empty(0)], [np.empty(0)], [np.empty(0, np.int64)]
     for number, leg in enumerate(programme):
-        _check(leg)
+        check_leg(leg)
         place, dt = _steps(leg, steps_per_spacing, position, speed, shortest)
         if place.size:
             if dt.min() < shortest:
@@ -121,7 +121,7 @@ def speed_at_start(programme: Programme) -> float:
     return leg.speeds[0] if isinstance(leg, Sampled) else 0.0
 
 
-def _check(leg: Leg) -> None:
+def check_leg(leg: Leg) -> None:
     """Raise ValueError for a leg without meaning."""
     numbers = np.concatenate([np.atleast_1d(np.asarray(value, float)) for value in leg])
     if not np.isfinite(numbers).all():
