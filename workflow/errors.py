@@ -75,8 +75,13 @@ def did_you_mean(name: object, known: Iterable[str]) -> str:
     return f"; did you mean {nearest[0]}?" if nearest else ""
 
 
+def printable(text: str) -> str:
+    """Return a text whose control characters, which a terminal would obey, are shown as numbers."""
+    return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
+
+
 def _shown(line: str) -> str:
-    """Return a line without control characters, cut in the middle where it is endless."""
-    text = "".join(c if c.isprintable() else repr(c)[1:-1] for c in str(line))
+    """Return a line as it can be printed, cut in the middle where it is endless."""
+    text = printable(str(line))
     half = LONGEST // 2
     return text if len(text) <= LONGEST else f"{text[:half]} … {text[-half:]}"

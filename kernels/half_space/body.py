@@ -7,30 +7,32 @@ contact of the surface z - w with a body 1/K as compliant as the relaxed one, w 
 body would go without pressure.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..compile.jit import kernel
 from ..rheology.law import displacement, lasting, law_of, memories, predict, rest, settle
-from .contact import compliance_of, press
+from .contact import ElasticContact, Operator, press
 from .surface import Surface
 from .waves import half_space_stiffness
 
-TOLERANCE = 1e-7  # of a step (contact.py), relative to what the pressures displace
+# Of a contact (contact.py), relative to what the pressures displace. Steps forget what those before
+# them left: mu comes out to 1e-6 of itself.
+STEP_TOLERANCE, TOLERANCE = 1e-5, 1e-7
 
 
 class HalfSpace(NamedTuple):
     """A material, the surface that is pressed on it, and what does not change meanwhile."""
 
-    form: NamedTuple  # of the material (rheology/forms.py)
+    form: Any  # of the material (rheology/forms.py)
     surface: Surface
-    compliance: np.ndarray  # A of the relaxed body over the modes (contact.py)
+    operator: Operator  # of the relaxed body: A over the modes (contact.py)
     pressure: float  # mean, in E* h/dx
 
     @classmethod
     def under(
-        cls, form: NamedTuple, surface: Surface, load: float, stiffness: np.ndarray | None = None
+        cls, form: Any, surface: Surface, load: float, stiffness: np.ndarray | None = None
     ) -> "HalfSpace":
         """Return a half-space under a load Fbar = F_N/(E* L h).
 
@@ -39,7 +41,7 @@ class HalfSpace(NamedTuple):
         m, shape = surface.steps_per_spacing, surface.z.shape
         if stiffness is None:
             stiffness = half_space_stiffness(shape, m)
-        return cls(form, surface, compliance_of(stiffness), load * m / shape[1])
+        return cls(form, surface, Operator.of(stiffness, shape[1]), load * m / shape[1])
 
 
 class Body(NamedTuple):
@@ -55,12 +57,12 @@ class Body(NamedTuple):
 class Step(NamedTuple):
     """What is the same in all steps of a march: the surface moves by one sample, either way."""
 
-    law: NamedTuple  # of the elastomer in a step (rheology)
+    law: Any  # of the elastomer in a step (rheology)
     way: int  # 1: towards +x, -1: towards -x
     weight: np.ndarray  # shape (rows, n): dz/dx where the step's force acts, in h/dx
 
     @classmethod
-    def of(cls, form: NamedTuple, surface: Surface, speed: float) -> "Step":
+    def of(cls, form: Any, surface: Surface, speed: float) -> "Step":
         """Return the step of sliding at a signed speed, vbar."""
         law = law_of(form, 1.0 / (surface.steps_per_spacing * abs(speed)))
         way = 1 if speed > 0.0 else -1
@@ -68,17 +70,31 @@ class Step(NamedTuple):
         return cls(law, way, surface.slope + law.lag * (earlier - surface.slope))
 
 
-def take_step(space: HalfSpace, body: Body, step: Step) -> tuple[Body, int]:
-    """Take a body over a step, its memory in place; return it and the passes of the operator."""
+def take_step(
+    space: HalfSpace, body: Body, step: Step, tolerance: float = STEP_TOLERANCE
+) -> tuple[Body, int]:
+    """Take a body over a step of one sample, its memory in place; return it and the passes."""
     z = space.surface.z
-    offset = (body.offset + step.way) % z.shape[1]
+    return move_on(space, body, step.law, z, (body.offset + step.way) % z.shape[1], tolerance)
+
+
+def move_on(
+    space: HalfSpace,
+    body: Body,
+    law: Any,
+    z: np.ndarray,
+    offset: int,
+    tolerance: float = STEP_TOLERANCE,
+) -> tuple[Body, int]:
+    """Take a body over a step of a law, its memory in place; z, offset : surface at its end."""
     w, gap = np.empty(body.depth.size), np.empty_like(z)
-    stiffness = step.law.stiffness  # type: ignore[attr-defined]
-    open_gap(step.law, body.memory, body.depth, z, offset, w, gap)
-    found = press(gap, space.pressure, space.compliance, body.p, TOLERANCE)
+    open_gap(law, body.memory, body.depth, z, offset, w, gap)
+    depth = at_samples(body.depth, body.offset, z.shape)
+    start = ElasticContact(body.p, depth, body.d * law.stiffness, 0)
+    found = press(gap, space.pressure, space.operator, start, tolerance)
     new = at_elements(found.depth, offset)
-    take(step.law, body.memory, w, body.depth, new)
-    return Body(body.memory, new, found.p, found.d / stiffness, offset), found.passes
+    take(law, body.memory, w, body.depth, new)
+    return Body(body.memory, new, found.p, found.d / law.stiffness, offset), found.passes
 
 
 @kernel

@@ -5,7 +5,13 @@ is pressed it touches, elsewhere it does not reach the surface:
 
     g = gap + A p - d >= 0,    p >= 0,    p g = 0.
 
-Conjugate gradients on the samples that touch, which are found on the way.
+This is the least of p A p/2 + p gap. Conjugate directions lead there, as in Polonsky and Keer,
+with two changes that halve the passes of the operator and make them few whatever the grid:
+
+- A trial step is cut off at p = 0 first, and the change of p that is left is the direction:
+  the step along it is exact, also where contact begins or ends, and costs one pass.
+- Residuals are sharpened on the contact by a stencil of five samples, which is nearly as |q|.
+
 Source: I. A. Polonsky and L. M. Keer, Wear 231, 206 (1999), doi:10.1016/S0043-1648(99)00113-1,
 with the mean pressure given.
 """
@@ -17,6 +23,9 @@ import numpy as np
 from ..compile.jit import kernel
 
 MOST_PASSES = 20_000
+CENTRE = 5.0  # of the stencil, whose neighbours are -1; by trial, for any load
+NOTHING = 1e-14  # of the mean pressure
+BOLDER, SHYER = 3.0, 0.3  # by how much the next trial step may differ from this one
 
 
 class ElasticContact(NamedTuple):
@@ -28,14 +37,48 @@ class ElasticContact(NamedTuple):
     passes: int  # of the operator
 
 
-def compliance_of(stiffness: np.ndarray) -> np.ndarray:
-    """Return A over the modes: 1/stiffness, and 0 for the mean, which is free."""
-    compliance = np.zeros_like(stiffness)
-    inner = stiffness.ravel()[1:]
-    if not np.all(inner > 0.0):
-        raise ValueError("stiffness must be positive for every mode but the mean")
-    compliance.ravel()[1:] = 1.0 / inner
-    return compliance
+class Operator(NamedTuple):
+    """A over the modes, and room for transforms and for what a solution needs on its way."""
+
+    compliance: np.ndarray  # shape (rows, n//2 + 1); 0 for the mean
+    sharpening: float  # of the stencil: so that A and it are nearly inverse
+    modes: np.ndarray  # complex
+    fields: np.ndarray  # shape (3, rows, n)
+    sharp: np.ndarray  # shape (rows n,)
+    free: np.ndarray  # shape (rows n,), int64: samples whose p may change
+
+    @classmethod
+    def of(cls, stiffness: np.ndarray, n: int) -> "Operator":
+        """Return the operator of a stiffness over the modes of maps (rows, n).
+
+        Raises ValueError where it is not positive; that of the mean is not used.
+        """
+        inner = stiffness.ravel()[1:]
+        if not np.all(inner > 0.0):
+            raise ValueError("stiffness must be positive for every mode but the mean")
+        compliance = np.zeros_like(stiffness)
+        compliance.ravel()[1:] = 1.0 / inner
+        return cls.inverse(compliance, n)
+
+    @classmethod
+    def inverse(cls, compliance: np.ndarray, n: int) -> "Operator":
+        """Return the operator of a compliance over the modes, 0 for the mean."""
+        rows = compliance.shape[0]
+        quarter = max(1, n // 4)  # a wave of four samples: the stencil has CENTRE - 2 there
+        sharpening = 1.0 / ((CENTRE - 2.0) * compliance[0, quarter])
+        modes = np.empty(compliance.shape, complex)
+        fields, sharp = np.empty((3, rows, n)), np.empty(rows * n)
+        return cls(compliance, sharpening, modes, fields, sharp, np.empty(rows * n, np.int64))
+
+    def displaced(self, p: np.ndarray, out: np.ndarray) -> np.ndarray:
+        """Fill out, shape (rows, n), with A p."""
+        np.fft.rfft(p, axis=1, out=self.modes)
+        if p.shape[0] > 1:
+            np.fft.fft(self.modes, axis=0, out=self.modes)
+        np.multiply(self.modes, self.compliance, out=self.modes)
+        if p.shape[0] > 1:
+            np.fft.ifft(self.modes, axis=0, out=self.modes)
+        return np.fft.irfft(self.modes, p.shape[1], axis=1, out=out)
 
 
 def solve_contact(
@@ -53,127 +96,190 @@ def solve_contact(
     tolerance : rms of g over the contact, relative to the rms of A p. p is in units of the
     stiffness times those of the gap. Raises ValueError where a stiffness is not positive.
     """
-    found = press(gap, mean_pressure, compliance_of(stiffness), pressure0, tolerance)
+    operator = Operator.of(stiffness, gap.shape[1])
+    start = None
+    if pressure0 is not None:
+        p = pressure0 * (mean_pressure / pressure0.mean())
+        start = ElasticContact(p, operator.displaced(p, np.empty_like(p)), 0.0, 1)
+    found = press(gap, mean_pressure, operator, start, tolerance)
     return found.p, found.d, found.passes
 
 
 def press(
     gap: np.ndarray,
     mean_pressure: float,
-    compliance: np.ndarray,
-    pressure0: np.ndarray | None,
+    operator: Operator,
+    start: ElasticContact | None,
     tolerance: float,
     allowed: np.ndarray | None = None,
 ) -> ElasticContact:
     """Solve the contact, as solve_contact.
 
-    compliance : A over the modes, 0 for the mean. allowed : where p may be positive, or None for
-    everywhere.
+    start : pressures of the same mean, where they are allowed, and A p of them; or None. allowed :
+    where p may be positive, or None for everywhere.
     """
     allowed = np.ones(gap.shape, np.bool_) if allowed is None else allowed
-    p = np.where(allowed, 1.0 if pressure0 is None else pressure0, 0.0)
-    p *= mean_pressure / p.mean()
-    depth = _displaced(p, compliance)
-    passes, before, keep = 1, 1.0, 0.0
-    t, d = np.zeros_like(p), float(np.mean(gap + depth))
+    if start is None:
+        p = np.where(allowed, mean_pressure * gap.size / np.count_nonzero(allowed), 0.0)
+        start = ElasticContact(p, operator.displaced(p, np.empty_like(p)), float(gap.mean()), 1)
+    p, depth, passes = start.p.copy(), start.depth.copy(), start.passes
+    residual, change, pushed = operator.fields
+    sharp, free = operator.sharp, operator.free
+    change[:] = pushed[:] = 0.0
+    d = start.d + _mean_gap(gap, depth, p, start.d)
+    trial, product = 1.0, 0.0
     while True:
-        d, square, count, scale = _measure(gap, depth, p, d)
-        if square <= tolerance**2 * scale * count and _closed(gap, depth, p, allowed, d, scale):
-            return ElasticContact(p, depth, d, passes)
+        count, least, first, second, touching, scale = _look(
+            gap, depth, p, allowed, d, residual, change, free
+        )
+        shift = first / touching  # rounding, and what has been cut off: d is the mean of g + d
+        square = max(second - first * shift, 0.0)
+        limit = tolerance * np.sqrt(scale)
+        if square <= limit**2 * touching and least >= shift - limit:
+            return ElasticContact(p, depth, d + shift, passes)
         if passes >= MOST_PASSES:
             raise ValueError(f"no contact was found in {MOST_PASSES} passes")
-        along = _turn(gap, depth, p, d, keep * square / before, t)
-        before = square
-        pushed = _displaced(t, compliance)
+        _sharpen(residual, p, free[:count], operator.sharpening, sharp)
+        _turn(residual, sharp, free[:count], change, pushed, product)
+        _cut(p, free[:count], change, trial, mean_pressure)
+        operator.displaced(change, pushed)
         passes += 1
-        step = along / _curvature(pushed, t, p)
-        changed, total = _advance(gap, depth, p, t, pushed, allowed, d, step)
-        factor = mean_pressure * p.size / total
-        p *= factor
-        if changed:
-            depth = _displaced(p, compliance)
-            passes += 1
-        else:
-            depth *= factor
-        keep = 0.0 if changed > 1 else 1.0
-
-
-def _displaced(p: np.ndarray, compliance: np.ndarray) -> np.ndarray:
-    """Return A p."""
-    return np.fft.irfft2(np.fft.rfft2(p) * compliance, p.shape)
+        along, product, most = _products(residual, change, pushed, p, free[:count])
+        best = -along / product if product > 0.0 else 0.0
+        step = min(best, max(most, 1.0)) if best > 0.0 else 1.0
+        d += shift + _go(p, depth, change, pushed, free[:count], step, NOTHING * mean_pressure)
+        trial *= min(max(best, SHYER), BOLDER)
 
 
 @kernel
-def _measure(gap, depth, p, guess):
-    """Return (d, sum of g^2 over the contact, number of samples in it, mean of depth^2)."""
-    count = first = second = scale = 0.0
-    for i in range(p.shape[0]):
-        for j in range(p.shape[1]):
-            scale += depth[i, j] * depth[i, j]
-            if p[i, j] > 0.0:
-                g = gap[i, j] + depth[i, j] - guess
+def _mean_gap(gap, depth, p, d):
+    """Return the mean of g over the contact."""
+    total = count = 0.0
+    for y in range(p.shape[0]):
+        for x in range(p.shape[1]):
+            if p[y, x] > 0.0:
+                total += gap[y, x] + depth[y, x] - d
                 count += 1.0
+    return total / count
+
+
+@kernel
+def _look(gap, depth, p, allowed, d, residual, change, free):
+    """Find where p may change, and g there, less its mean.
+
+    residual and change become 0 elsewhere. Return (the number of these samples, the least g outside
+    the contact, sums of g and g^2 over it, the number of samples in it, mean of depth^2).
+    """
+    rows, n = p.shape
+    count = touching = 0
+    least = first = second = scale = total = 0.0
+    for y in range(rows):
+        for x in range(n):
+            g = gap[y, x] + depth[y, x] - d
+            scale += depth[y, x] * depth[y, x]
+            residual[y, x] = 0.0
+            if p[y, x] > 0.0:
+                touching += 1
                 first += g
                 second += g * g
-    shift = first / count
-    return guess + shift, max(second - first * shift, 0.0), count, scale / p.size
-
-
-@kernel
-def _closed(gap, depth, p, allowed, d, scale):
-    """Return whether no sample that is free reaches into the surface, but for rounding."""
-    least = -1e-12 * np.sqrt(scale)
-    for i in range(p.shape[0]):
-        for j in range(p.shape[1]):
-            if p[i, j] == 0.0 and allowed[i, j] and gap[i, j] + depth[i, j] - d < least:
-                return False
-    return True
-
-
-@kernel
-def _turn(gap, depth, p, d, share, t):
-    """Take the next direction of search, in place; return its product with g."""
-    along = 0.0
-    for i in range(p.shape[0]):
-        for j in range(p.shape[1]):
-            if p[i, j] > 0.0:
-                g = gap[i, j] + depth[i, j] - d
-                t[i, j] = g + share * t[i, j]
-                along += g * t[i, j]
+            elif g < 0.0 and allowed[y, x]:
+                least = min(least, g)
             else:
-                t[i, j] = 0.0
-    return along
+                change[y, x] = 0.0
+                continue
+            residual[y, x] = g
+            total += g
+            free[count] = y * n + x
+            count += 1
+    mean = total / count
+    for i in range(count):
+        residual[free[i] // n, free[i] % n] -= mean
+    return count, least, first, second, touching, scale / p.size
 
 
 @kernel
-def _curvature(pushed, t, p):
-    """Return the product of a direction with what it displaces, the mean over the contact apart."""
-    count = mean = moved = product = 0.0
-    for i in range(p.shape[0]):
-        for j in range(p.shape[1]):
-            if p[i, j] > 0.0:
-                count += 1.0
-                mean += pushed[i, j]
-                moved += t[i, j]
-                product += pushed[i, j] * t[i, j]
-    return product - mean / count * moved
+def _sharpen(residual, p, free, sharpening, sharp):
+    """Apply the stencil to the residual, and take its mean away; what is closed begins only."""
+    rows, n = p.shape
+    total = 0.0
+    for i in range(free.size):
+        y, x = free[i] // n, free[i] % n
+        above, below = y - 1 if y > 0 else rows - 1, y + 1 if y + 1 < rows else 0
+        left, right = x - 1 if x > 0 else n - 1, x + 1 if x + 1 < n else 0
+        sides = residual[above, x] + residual[below, x] + residual[y, left] + residual[y, right]
+        sharp[i] = sharpening * (CENTRE * residual[y, x] - sides)
+        total += sharp[i]
+    for i in range(free.size):
+        sharp[i] -= total / free.size
+        if sharp[i] > 0.0 and p[free[i] // n, free[i] % n] == 0.0:
+            sharp[i] = 0.0
 
 
 @kernel
-def _advance(gap, depth, p, t, pushed, allowed, d, step):
-    """Go a step, in place; return (0, 1, 2: pressures were free, cut off, begun; their sum)."""
-    changed, total = 0, 0.0
-    for i in range(p.shape[0]):
-        for j in range(p.shape[1]):
-            g = gap[i, j] + depth[i, j] - d
-            depth[i, j] -= step * pushed[i, j]
-            if p[i, j] > 0.0:
-                p[i, j] -= step * t[i, j]
-                if p[i, j] <= 0.0:
-                    p[i, j] = 0.0
-                    changed = max(changed, 1)
-            elif g < 0.0 and allowed[i, j]:
-                p[i, j] = -step * g
-                changed = 2
-            total += p[i, j]
-    return changed, total
+def _turn(residual, sharp, free, change, pushed, product):
+    """Make change the next direction: against the sharp residual, conjugate to the last one.
+
+    product : of the last change with what it displaces, or 0 where there is none.
+    """
+    n = change.shape[1]
+    share = total = along = 0.0
+    if product > 0.0:
+        for i in range(free.size):
+            share += sharp[i] * pushed[free[i] // n, free[i] % n]
+        share /= product
+    for i in range(free.size):
+        y, x = free[i] // n, free[i] % n
+        change[y, x] = share * change[y, x] - sharp[i]
+        total += change[y, x]
+        along += change[y, x] * residual[y, x]
+    for i in range(free.size):
+        y, x = free[i] // n, free[i] % n
+        change[y, x] = -sharp[i] if along >= 0.0 else change[y, x] - total / free.size
+
+
+@kernel
+def _cut(p, free, change, trial, mean_pressure):
+    """Make change what is left of a trial step where p stays positive and keeps its mean."""
+    n = p.shape[1]
+    total = 0.0
+    for i in range(free.size):
+        y, x = free[i] // n, free[i] % n
+        change[y, x] = max(p[y, x] + trial * change[y, x], 0.0)
+        total += change[y, x]
+    factor = mean_pressure * p.size / total
+    for i in range(free.size):
+        y, x = free[i] // n, free[i] % n
+        change[y, x] = change[y, x] * factor - p[y, x]
+
+
+@kernel
+def _products(residual, change, pushed, p, free):
+    """Return change times g, change times what it displaces, and how far p stays positive."""
+    n = p.shape[1]
+    along = product = 0.0
+    most = np.inf
+    for i in range(free.size):
+        y, x = free[i] // n, free[i] % n
+        along += residual[y, x] * change[y, x]
+        product += pushed[y, x] * change[y, x]
+        if change[y, x] < 0.0 and p[y, x] < -most * change[y, x]:
+            most = -p[y, x] / change[y, x]
+    return along, product, most
+
+
+@kernel
+def _go(p, depth, change, pushed, free, step, nothing):
+    """Go a step, in place; return by how much the mean of A p over the contact has moved."""
+    rows, n = p.shape
+    moved = count = 0.0
+    for y in range(rows):
+        for x in range(n):
+            depth[y, x] += step * pushed[y, x]
+    for i in range(free.size):
+        y, x = free[i] // n, free[i] % n
+        pressure = p[y, x] + step * change[y, x]
+        p[y, x] = pressure if pressure > nothing else 0.0
+        if pressure > nothing:
+            moved += step * pushed[y, x]
+            count += 1.0
+    return moved / count

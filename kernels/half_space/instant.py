@@ -13,7 +13,7 @@ import numpy as np
 
 from ..model.friction import mean_slope
 from .body import TOLERANCE, HalfSpace, at_samples, lasting_depth
-from .contact import press
+from .contact import ElasticContact, press
 from .sliding_body import SlidingBody
 
 
@@ -30,10 +30,12 @@ def friction_jumps(
         return np.zeros(len(ratios)), 0
     there = at_samples(lasting, body.offset, slope.shape)
     touching = body.p > 0.0
-    mu, passes, p = [], 0, body.p
+    mu, passes = [], 0
+    found = ElasticContact(body.p, at_samples(body.depth, body.offset, slope.shape), 0.0, 0)
     for each in (1.0, *ratios):
         gap = -(there + viscosity * each * speed * slope)
-        found = press(gap, space.pressure, space.compliance, p, TOLERANCE, touching)
-        passes, p = passes + found.passes, found.p
-        mu.append(mean_slope(p, slope))
+        start = found._replace(d=float(gap[touching].mean()), passes=0)
+        found = press(gap, space.pressure, space.operator, start, TOLERANCE, touching)
+        passes += found.passes
+        mu.append(mean_slope(found.p, slope))
     return np.array(mu[1:]) - mu[0], passes

@@ -17,7 +17,7 @@ import numpy as np
 from ..model.friction import mean_slope
 from ..rheology.spectrum import KELVIN, Spectrum
 from .body import TOLERANCE, Body, HalfSpace, Step, at_elements, count_memories, rested, take_step
-from .contact import press
+from .contact import ElasticContact, Operator, press
 from .response import steady_response
 from .waves import wave_numbers
 
@@ -66,14 +66,14 @@ def _settled(change: float, mu: float) -> bool:
 def _everywhere(space: HalfSpace, response: np.ndarray) -> np.ndarray:
     """Return the pressures of steady sliding in full contact, negative where there is none."""
     z = space.surface.z
-    inverse = np.zeros_like(space.compliance, complex)
-    inverse.ravel()[1:] = 1.0 / (space.compliance * response).ravel()[1:]
+    inverse = np.zeros_like(space.operator.compliance, complex)
+    inverse.ravel()[1:] = 1.0 / (space.operator.compliance * response).ravel()[1:]
     return space.pressure - np.fft.irfft2(np.fft.rfft2(z) * inverse, z.shape)
 
 
 def _carried(space: HalfSpace, memory: np.ndarray, p: np.ndarray, d: float) -> Body:
     """Return the body that carries pressures along; memory : of steady_response."""
-    waves = np.fft.rfft2(p) * space.compliance
+    waves = np.fft.rfft2(p) * space.operator.compliance
     fields = [np.fft.irfft2(waves * each, p.shape).ravel() for each in memory]
     return Body(np.array(fields), np.fft.irfft2(waves, p.shape).ravel(), p, d, 0)
 
@@ -82,21 +82,25 @@ def _direct(
     space: HalfSpace, step: Step, response: np.ndarray, memory: np.ndarray, start: Body | None
 ) -> SlidingBody:
     """Solve symmetric contacts in turn; response, memory : of steady_response for every q_x."""
-    z, shape, compliance = space.surface.z, space.surface.z.shape, space.compliance
+    z, shape, compliance = space.surface.z, space.surface.z.shape, space.operator.compliance
     symmetric = compliance * (np.abs(response) ** 2 / response.real)
     rest = compliance * response - symmetric
-    passes, tolerance, mu, gap = 0, 1e-3, math.inf, z
-    p = None if start is None else start.p
+    operator = Operator.inverse(symmetric, shape[1])
+    passes, tolerance, mu, gap, found = 0, 1e-3, math.inf, z, None
+    if start is not None:
+        depth = operator.displaced(start.p, np.empty(shape))
+        found, passes = ElasticContact(start.p, depth, start.d, 0), 1
     steepest = float(np.abs(space.surface.slope).max())
     for _ in range(TURNS):
-        if p is not None:
-            gap = z + np.fft.irfft2(np.fft.rfft2(p) * rest, shape)
-        found = press(gap, space.pressure, symmetric, p, tolerance)
+        if found is not None:
+            gap = z + np.fft.irfft2(np.fft.rfft2(found.p) * rest, shape)
+            found, passes = found._replace(passes=0), passes + 1
+        found = press(gap, space.pressure, operator, found, tolerance)
         passes += found.passes
-        new, p = mean_slope(found.p, step.weight), found.p
+        new = mean_slope(found.p, step.weight)
         change, mu = abs(new - mu) / steepest, new
         if _settled(change, mu / steepest) and tolerance == TOLERANCE:
-            return SlidingBody(_carried(space, memory, p, found.d), step, mu, passes)
+            return SlidingBody(_carried(space, memory, found.p, found.d), step, mu, passes)
         tolerance = max(TOLERANCE, min(1e-3, 0.1 * change))
     raise ValueError(f"no steady state was found in {TURNS} turns: mu still moves by {change:.1e}")
 
@@ -106,7 +110,7 @@ def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> 
     surface, passes = space.surface, 0
     steepest = float(np.abs(surface.slope).max())
     if start is None:
-        found = press(surface.z, space.pressure, space.compliance, None, TOLERANCE)
+        found = press(surface.z, space.pressure, space.operator, None, TOLERANCE)
         depth = at_elements(found.depth, 0)
         start = Body(rested(space.form, depth), depth, found.p, found.d, 0)
         passes = found.passes
@@ -119,4 +123,5 @@ def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> 
             passes += used
         new = mean_slope(body.p, step.weight)
         change, mu = abs(new - mu) / steepest, new
-    return SlidingBody(body, step, mu, passes)
+    body, used = take_step(space, body, step, TOLERANCE)  # the contact that a jump begins with
+    return SlidingBody(body, step, mean_slope(body.p, step.weight), passes + used)

@@ -39,11 +39,15 @@ def count_steps(
     Shape (legs,), whole numbers as floats, which may be beyond any integer. Raises ValueError for a
     leg without meaning.
     """
-    counts, m = [], steps_per_spacing
+    counts: list[float] = []
+    m = steps_per_spacing
     for leg in programme:
         check_leg(leg)
+        if not math.isfinite(position):  # what is beyond all numbers is too much
+            break
         if isinstance(leg, Slide):
-            end = whole_or_as_it_is(position + math.copysign(leg.distance * m, leg.speed))
+            end = position + math.copysign(leg.distance * m, leg.speed)
+            end = whole_or_as_it_is(end) if math.isfinite(end) else end
             counts.append(_crossings(position, end))
             position = end
         elif isinstance(leg, Hold):
@@ -51,15 +55,18 @@ def count_steps(
         else:
             count, moved = _of_path(leg, m)
             counts.append(count)
-            position = whole_or_as_it_is(position + moved)
+            moved += position
+            position = whole_or_as_it_is(moved) if math.isfinite(moved) else moved
         if counts[-1]:
             speed = last_speed(leg)
-    return np.array(counts, float)
+    return np.array(counts + [0.0] * (len(programme) - len(counts)), float)
 
 
 def _crossings(begin: float, end: float) -> float:
     """Return how many steps end at whole samples between two positions, and at the end."""
     low, high = min(begin, end), max(begin, end)
+    if not math.isfinite(high - low):
+        return math.inf
     return max(math.floor(high - NEAR) - math.ceil(low + NEAR) + 1.0, 0.0) + 1.0
 
 
@@ -89,8 +96,10 @@ def _of_path(leg: Leg, m: int) -> tuple[float, float]:
 
 def _bound(path: Path, m: int) -> tuple[float, float]:
     """Return the same of a path: a step per sample, one per share of a piece, and those at rest."""
-    places = path.where(path.breaks)
+    with np.errstate(over="ignore", invalid="ignore"):
+        places = path.where(path.breaks)
     pieces = np.abs(np.diff(places))
     resting = math.ceil(math.log1p(LEAST_FIRST * (growth(m) - 1.0)) / math.log(growth(m)))
     each = np.ceil(pieces) + 2.0 + np.where(pieces > WHOLE, fewest_steps(m), resting)
-    return float(each.sum()), float(places[-1])
+    count = float(each.sum())
+    return (count, float(places[-1])) if math.isfinite(count) else (math.inf, math.inf)

@@ -1,4 +1,4 @@
-"""A periodic line at a fraction of a sample: the Fourier shift, exact for a band-limited line.
+"""A periodic surface at a fraction of a sample: the Fourier shift, exact where it is band-limited.
 
 Linear interpolation would make the mean of z^2 depend on the fraction: a force of the lattice
 that drowns the response to a motion of less than a sample.
@@ -8,26 +8,26 @@ import numpy as np
 
 
 class Shifted:
-    """The heights and slopes of a line, moved towards +x by a fraction of a sample."""
+    """The heights and slopes of a line, or of a map along x, moved by a fraction of a sample."""
 
     def __init__(self, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> None:
-        """Take heights (in h) and slopes (in h/dx) of a periodic line, shape (n,)."""
-        self.samples = z.size
+        """Take heights (in h) and slopes (in h/dx), shape (n,), or (rows, n) of a map."""
+        self.samples = z.shape[-1]
         self.spectra = np.fft.rfft(np.stack([z, slope]))
-        self.phase = -2.0 * np.pi * np.arange(self.spectra.shape[1]) / z.size
+        self.phase = -2.0 * np.pi * np.arange(self.spectra.shape[-1]) / self.samples
         self.nyquist = np.pi * steps_per_spacing  # its wave number, per dx
 
     def by(self, fraction: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return (heights, slopes), shape (n,), with the line ``fraction`` of a sample further.
+        """Return (heights, slopes) with the surface ``fraction`` of a sample further towards +x.
 
         At whole samples the wave of two samples looks the same whatever its phase: heights tell
         its cosine, slopes its sine.
         """
         moved = self.spectra * np.exp(1j * self.phase * fraction)
         if self.samples % 2 == 0:
-            z, slope = self.spectra[:, -1].real
+            z, slope = self.spectra[..., -1].real
             q, angle = self.nyquist, np.pi * fraction
-            moved[0, -1] = z * np.cos(angle) - slope / q * np.sin(angle)
-            moved[1, -1] = slope * np.cos(angle) + q * z * np.sin(angle)
+            moved[0, ..., -1] = z * np.cos(angle) - slope / q * np.sin(angle)
+            moved[1, ..., -1] = slope * np.cos(angle) + q * z * np.sin(angle)
         z, slope = np.fft.irfft(moved, self.samples)
         return z, slope

@@ -87,7 +87,9 @@ def steps_of(
         place, dt = _steps(leg, steps_per_spacing, position, speed, shortest)
         if place.size:
             if dt.min() < shortest:
-                raise ValueError(f"{leg}: steps of {dt.min():g} tau are lost in rounding")
+                raise ValueError(
+                    f"{leg}: steps of {dt.min():g} tau are lost in rounding; make it longer"
+                )
             position, speed = float(place[-1]), last_speed(leg)
         places.append(place)
         times.append(dt)

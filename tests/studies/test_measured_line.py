@@ -43,7 +43,7 @@ def test_height_and_slope_make_friction(groups):
 
 
 def test_measured_lines_vary_more_than_random_ones(groups):
-    """Patches of one surface differ in roughness: so do their lines, eight of which are alike."""
+    """Patches of one surface differ in roughness: so do their lines, 16 of which are a block."""
     measured, random, _ = (groups[name] for name in KINDS)
     assert (measured.mu_1_error > 1.2 * random.mu_1_error).all()
 
@@ -54,6 +54,13 @@ def test_the_result_says_which_lines_it_was_computed_on(groups):
     assert like[0].startswith("random lines of the power spectrum of afm-lines.nc")
     assert like[1].startswith("self-affine lines, H = 1, of rms height and slope of afm-lines.nc")
     assert all("its parabola removed" in data.attrs["lines"] for data in groups.values())
+
+
+def test_a_point_is_selected_without_the_exponent_that_it_has_not(result):
+    data = result[""]
+    assert np.isnan(data.hurst).all()
+    point = data.sel(normal_force=1e-7, velocity=2e-3, method="nearest").squeeze()
+    assert point.mu_1.shape == ()
 
 
 @pytest.mark.exhaustive

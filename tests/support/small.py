@@ -105,6 +105,7 @@ FILES = {  # beside small.toml
     "branches.csv": "modulus [Pa], time [s]\n5e6, 1e-2\n1e7, 1e-3\n",
     "velocity.csv": "time velocity\n0 0.1\n1e-3 0.2\n",
     "still.csv": "0 0\n1 0\n",
+    "far.csv": "0 1\n1e9 1\n",
     "back.csv": "0 0.1\n1 0.2\n1 0.1\n",
     "one.csv": "0 0.1\n",
     "three.csv": "1, 2, 3\n",

@@ -4,6 +4,8 @@ import os
 import subprocess
 import sys
 
+import pytest
+
 from tests.support.runs import PATIENCE, ROOT
 from tests.support.small import write_study
 from tests.support.sweeps import sweep
@@ -46,3 +48,28 @@ def test_ctrl_c_while_packages_are_imported_is_one_line():
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
     assert (done.returncode, done.stdout) == (130, "")
     assert done.stderr == "aborted before anything was begun\n"
+
+
+CONFIGURATIONS = {"broken": "a: [b\n  c", "a list": "- a\n- b\n"}
+
+
+@pytest.mark.parametrize("text", CONFIGURATIONS.values(), ids=CONFIGURATIONS)
+def test_a_configuration_of_dask_that_cannot_be_read_is_refused_before_anything_is_done(
+    tmp_path, text
+):
+    (tmp_path / "dask.yaml").write_text(text)
+    study = write_study(tmp_path)
+    script = "import elastomer_friction as ef; ef.scene.run(material={}, programme=[])"
+    for words in (["-m", "workflow", "run", study, "--out", str(tmp_path)], ["-c", script]):
+        done = subprocess.run(
+            [sys.executable, *words],
+            cwd=ROOT,
+            env={**os.environ, "DASK_CONFIG": str(tmp_path)},
+            capture_output=True,
+            text=True,
+            timeout=PATIENCE,
+        )
+        *_, line = done.stderr.splitlines()
+        assert "the settings of dask: A dask config file at" in line
+        assert "UserError" in line or (done.returncode, done.stderr.count("\n")) == (2, 1)
+    assert not (tmp_path / "store").exists()

@@ -6,17 +6,24 @@ import json
 import os
 import re
 import sys
-import tomllib
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
 from .. import report, scene
-from ..errors import UserError
+from ..errors import UserError, printable
 from ..result import check_result, result_file
 from ..run import result_line, status_lines
 from ..store import Verified, holds_a_store, merge_into, store_folder
-from ..study import AnyStudy, find_study, known_studies, read_scene, read_study, study_schema
+from ..study import (
+    AnyStudy,
+    find_study,
+    known_studies,
+    load_tables,
+    read_scene,
+    read_study,
+    study_schema,
+)
 from ..system import make_folder, program, version_of, write_durably
 from .experiments import add_fit_options, add_prony_options, run_fit, run_prony
 from .outline import outline_grid, outline_measured
@@ -176,7 +183,7 @@ def _lines(options: argparse.Namespace) -> int:
         head = {"study": study.name, "title": study.title, "result": str(result)}
         print(json.dumps(head | facts | {"settings": settings}, indent=1))
     else:
-        print("\n".join([*lines, f"settings    {settings}"]))
+        print("\n".join(map(printable, [*lines, f"settings    {settings}"])))
     return DONE
 
 
@@ -223,9 +230,9 @@ def _studies(_: argparse.Namespace) -> int:
     width = max(map(len, known))
     for name, path in sorted(known.items()):
         title = NO_TITLE
-        with contextlib.suppress(OSError, ValueError, LookupError, TypeError):
-            title = tomllib.loads(path.read_text(encoding="utf-8"))["study"]["title"]
-        print(f"{name:{width}}  {title}")
+        with contextlib.suppress(UserError, RecursionError, LookupError, TypeError):
+            title = str(load_tables(path, None, [])[0]["study"]["title"])
+        print(printable(f"{name:{width}}  {title}"))
     return DONE
 
 

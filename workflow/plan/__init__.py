@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from .half_space import laws_of
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
-    from .ratio_of_bodies import model_ratio
+    from .ratio_of_bodies import model_ratio, nominal_pressure
     from .variant import Variant
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -202,14 +202,14 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
     """
     elements, _, speed, ratio, steps = np.broadcast_arrays(*problem[1:5], steps)
     if problem.surface.body == HALF_SPACE:
-        _check_map(elements, steps)
+        _check_map(elements, steps, problem.samples(steps))
     long = elements * steps > MAX_SAMPLES_PER_LINE
     if long.any():
         raise UserError(
             f"numerics.steps_per_spacing = {numerics.steps_per_spacing or 'auto'}: "
             f"{elements[long][0]} elements at v tau/dx = {speed[long][0]:.3g} need "
             f"{steps[long][0]} steps per spacing, more than {MAX_SAMPLES_PER_LINE} samples per "
-            "line; set a smaller number, a higher velocity or a larger spacing"
+            f"line; {_shorter(problem, int(elements[long][0]))}"
         )
     speeds = np.sort(np.abs([speed, speed * ratio]), axis=0)
     most = np.minimum(SPEEDS[1], 1.0 / shortest_step(problem.spectrum) / steps)
@@ -222,10 +222,22 @@ def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> No
         )
 
 
-def _check_map(elements: np.ndarray, steps: np.ndarray) -> None:
+def _shorter(problem: Problem, elements: int) -> str:
+    """Return in words what makes fewer samples of a line."""
+    if not problem.surface.measured:
+        return "set a smaller number, a higher velocity or a larger spacing"
+    most = MAX_SAMPLES_PER_LINE // elements
+    fewer = f"set numerics.steps_per_spacing = {most} or less, " if most else ""
+    return (
+        f'{fewer}surface.periodic = "taper", which has half as many elements as "mirror", or thin '
+        "the measured line"
+    )
+
+
+def _check_map(elements: np.ndarray, steps: np.ndarray, samples: Numbers) -> None:
     """Raise UserError where a map does not fit into a worker."""
     side = elements * steps
-    if (side**2 > MOST_SAMPLES).any():
+    if np.any(samples > MOST_SAMPLES):
         most = int(MOST_SAMPLES**0.5)
         raise UserError(
             f"grid.spacing: a half-space of {elements.max()} x {elements.max()} elements needs "

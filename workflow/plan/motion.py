@@ -138,7 +138,8 @@ def line_modes(surface: Surface, elements: int) -> LineShape:
         return LineShape(*surface.modes(elements), body=surface.body)
     of_modes = rms_slope_of if surface.body == HALF_SPACE else rms_slope
     slope = of_modes(own / profile.roughness, elements)
-    return LineShape(measured=surface.identity, slope=slope, body=surface.body)
+    flat = surface.body == HALF_SPACE and profile.heights.shape[1] == 1
+    return LineShape(measured=surface.identity, slope=slope, body=surface.body, flat=flat)
 
 
 def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
@@ -181,7 +182,7 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
             leg = int(np.argmax(counts))
             raise UserError(
                 f"scene.programme: takes {counts.sum():.3g} steps, {counts[leg]:.3g} of them in "
-                f"segment {leg}, a {type(programme[leg]).__name__.lower()}, more than "
+                f"segment {leg} ({type(programme[leg]).__name__.lower()}), more than "
                 f"{MOST_STEPS:g}: shorten it, or take a larger grid.spacing or fewer "
                 "numerics.steps_per_spacing"
             )

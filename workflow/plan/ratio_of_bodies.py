@@ -35,14 +35,19 @@ class InTable(NamedTuple):
     speed_ratio: float  # x = v1 tau q_max
 
 
+def nominal_pressure(problem: Problem) -> float:
+    """Return the nominal pressure, in E* h/dx; on a foundation F_N = sigma_0 lambda_r L."""
+    longest = max(problem.surface.rolloff, 1.0)  # its wave number in 2 pi/L
+    shared = 1.0 if problem.surface.body == HALF_SPACE else longest
+    return problem.load * shared / problem.elements
+
+
 def place_of(problem: Problem, normalisation: str = "modal") -> InTable:
     """Return where a problem stands, on either body."""
     longest = max(problem.surface.rolloff, 1.0)  # its wave number in 2 pi/L
     last = problem.surface.cutoff or problem.elements // 2
-    shared = 1.0 if problem.surface.body == HALF_SPACE else longest
-    pressure = problem.load * shared / problem.elements  # in E* h/dx
     kind = KINDS[problem.spectrum != KELVIN]
-    load = pressure / line_slope(problem, normalisation)
+    load = nominal_pressure(problem) / line_slope(problem, normalisation)
     return InTable(kind, last / longest, problem.hurst, load, float(speed_ratio(problem)))
 
 

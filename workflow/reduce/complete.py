@@ -1,10 +1,13 @@
 """What a result says beside its estimates: contacts resolved, bias, and exponents of all tasks."""
 
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
 
-from ...kernels import MOTION
+from ...kernels import MOTION, amplitudes
+from ...kernels.half_space.persson import Waves, persson_theory, waves_of_line, waves_of_map
+from ...kernels.half_space.surface import ring_amplitudes
 from ..plan import (
     BIAS,
     FIRST_ORDER,
@@ -14,11 +17,12 @@ from ..plan import (
     laws_of,
     line_slope,
     model_ratio,
+    nominal_pressure,
     rate_error,
     speed_ratio,
 )
-from ..simulate import Task
-from ..study import HALF_SPACE, Numerics, judged
+from ..simulate import LineShape, Task
+from ..study import HALF_SPACE, Numerics, Surface, judged
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
 
@@ -49,6 +53,8 @@ def completed(
     same = {f"{name}_error" for name in MOTION if not _differs(estimates, name)}
     spread = {n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in same}
     spread |= _of_model(tasks, variant.lines.normalisation) if "mu_1" in names else {}
+    if "persson" in plan.study.scene.quantities:
+        spread |= _of_persson(tasks, variant.lines)
     slopes = [line_slope(task.problem, variant.lines.normalisation) for task in tasks]
     return spread | {
         "realizations": counts,
@@ -64,6 +70,32 @@ def _of_model(tasks: list[Task], normalisation: str) -> Estimates:
     if np.isnan(found).all():
         return {}
     return {"model_ratio": found[:, 0], "model_ratio_error": found[:, 1]}
+
+
+def _of_persson(tasks: list[Task], lines: Surface) -> Estimates:
+    """Return friction and contact area at v1 by Persson's theory, of the spectrum of the study."""
+    found = np.empty((len(tasks), 2))
+    for row, task in enumerate(tasks):
+        problem = task.problem
+        waves = _waves(lines, *problem[:2], problem.surface)
+        found[row] = persson_theory(
+            waves, problem.spectrum, nominal_pressure(problem), problem.ends[0]
+        )
+    return {"mu_persson": found[:, 0], "area_persson": found[:, 1]}
+
+
+@lru_cache(maxsize=100)
+def _waves(lines: Surface, hurst: float, elements: int, shape: LineShape) -> Waves:
+    own, modes = lines.spectrum, (shape.rolloff, shape.cutoff)
+    if own is not None and lines.profile is not None:
+        own = own / lines.profile.roughness
+    if lines.body == HALF_SPACE:
+        if own is None:
+            own = ring_amplitudes(hurst, elements, *modes, lines.normalisation)
+        return waves_of_map(own, elements)
+    if own is None:
+        own = amplitudes(hurst, elements, lines.normalisation, *modes)
+    return waves_of_line(own, elements)
 
 
 def _differs(estimates: Estimates, name: str) -> bool:

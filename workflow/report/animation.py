@@ -1,6 +1,7 @@
-"""Animate a scene: the rigid line creeping over the foundation, with its friction beneath."""
+"""Animate a scene: a line on the foundation, or pressures on a half-space, and the friction."""
 
 import tempfile
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, cast
 
@@ -9,18 +10,21 @@ import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.axes import Axes
 
 from ..errors import UserError
 from ..system import write_durably
 from .panels import COLOURS, STYLE
 
-NEEDED = ("snapshot_height", "snapshot_displacement", "trace_mu", "trace_time")
+LINE, MAP = ("snapshot_height", "snapshot_displacement"), ("snapshot_pressure",)
+TRACED = ("trace_mu", "trace_time")
 WRITERS: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
 FRAMES_PER_SECOND = 20
 FRAMES = 200  # most; of more snapshots every k-th is drawn
 SHOWN = 400  # most elements in view, those around the deepest contact
 RUBBER, RIGID, TOUCHING = "#9ecae1", "0.75", COLOURS[4]
 MICRO = 1e6  # µm per m
+Drawing = Callable[[int], Any]  # of a frame
 
 
 def animate(scene: xr.Dataset, path: Path) -> Path:
@@ -30,7 +34,8 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
     Raises UserError where they are missing, for another kind of file, where ffmpeg is needed and
     missing, and where the disk refuses the file.
     """
-    lacking = [name for name in NEEDED if name not in scene]
+    shown = MAP if MAP[0] in scene else LINE
+    lacking = [name for name in (*shown, *TRACED) if name not in scene]
     if lacking:
         raise UserError(
             f"{path}: the scene has no {', '.join(lacking)}; ask for the quantities "
@@ -41,7 +46,8 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
     with mpl.rc_context(cast(Any, STYLE)), tempfile.TemporaryDirectory() as folder:
         drawn = Path(folder) / path.name
         try:
-            _animation(scene).save(drawn, writer=writer, dpi=100)
+            draw = _pressures if shown == MAP else _creeping
+            _animation(scene, draw).save(drawn, writer=writer, dpi=100)
         finally:
             plt.close("all")
         write_durably(path, drawn.read_bytes())
@@ -56,20 +62,13 @@ def check_animation(path: Path) -> None:
         raise UserError(f"{path}: an .mp4 file needs the program ffmpeg; install it or use .gif")
 
 
-def _animation(scene: xr.Dataset) -> FuncAnimation:
-    """Return the rigid line over the foundation, and beneath it the friction up to each frame."""
+def _animation(scene: xr.Dataset, shown: Callable[..., Drawing]) -> FuncAnimation:
+    """Return what is shown of the contact, and beneath it the friction up to each frame."""
     frames = np.arange(scene.sizes["event"])[:: -(-scene.sizes["event"] // FRAMES)]
     figure, (above, below) = plt.subplots(
         2, 1, figsize=(5.6, 4.2), gridspec_kw={"height_ratios": [2.0, 1.0]}
     )
-    view = _view(scene)
-    x, low = view.x.values, float(view.snapshot_displacement.min())
-    depth = max(-low, 1e-12)
-    floor, top = low - depth, 1.5 * depth
-    above.set(xlim=(x[0], x[-1]), ylim=(floor, top), ylabel="height, µm")
-    above.set_xlabel("along the foundation, µm")
-    above.text(0.01, 0.96, "rigid body", transform=above.transAxes, va="top")
-    above.text(0.01, 0.04, "elastomer", transform=above.transAxes)
+    contact = shown(above, scene)
     time, mu = scene.trace_time.values, scene.trace_mu.values
     below.plot(time, mu, color="0.8")
     (line,) = below.plot([], [], color=COLOURS[0])
@@ -77,21 +76,52 @@ def _animation(scene: xr.Dataset) -> FuncAnimation:
     below.set(xlabel="time, s", ylabel="coefficient of friction")
 
     def draw(frame: int) -> list[Any]:
-        for drawn in [*above.collections, *above.lines]:
-            drawn.remove()
-        now = view.isel(event=frame)
-        rigid, soft = now.snapshot_height.values, now.snapshot_displacement.values
-        # A free element lies below the line by more than rounding.
-        contact = np.where(rigid <= soft + 1e-9 * (top - floor), soft, np.nan)
-        above.fill_between(x, rigid, top, color=RIGID, lw=0)
-        above.fill_between(x, soft, floor, color=RUBBER, lw=0)
-        above.plot(x, contact, color=TOUCHING, lw=2.0, marker=".", ms=2.0)
-        above.plot(x, rigid, color="0.25", lw=0.8)
+        contact(frame)
         line.set_data(time[: frame + 1], mu[: frame + 1])
         dot.set_data(time[frame : frame + 1], mu[frame : frame + 1])
         return []
 
     return FuncAnimation(figure, draw, frames=list(frames), blit=False)
+
+
+def _pressures(ax: Axes, scene: xr.Dataset) -> Drawing:
+    """Prepare the map of pressure on a half-space; return what draws a frame of it."""
+    pressure = scene.snapshot_pressure / 1e6
+    most = float(pressure.quantile(0.999)) or 1.0
+    sides = [MICRO * float(scene[axis][-1] + scene[axis][1]) for axis in ("x", "y")]
+    extent = (0.0, sides[0], 0.0, sides[1])
+    image = ax.imshow(
+        pressure[0], origin="lower", extent=extent, cmap="magma_r", vmin=0.0, vmax=most
+    )
+    ax.set(xlabel="along the half-space, µm", ylabel="across, µm")
+    ax.figure.colorbar(image, ax=ax, label="pressure, MPa")
+    return lambda frame: image.set_data(pressure[frame])
+
+
+def _creeping(ax: Axes, scene: xr.Dataset) -> Drawing:
+    """Prepare the rigid line over the foundation; return what draws a frame of them."""
+    view = _view(scene)
+    x, low = view.x.values, float(view.snapshot_displacement.min())
+    depth = max(-low, 1e-12)
+    floor, top = low - depth, 1.5 * depth
+    ax.set(xlim=(x[0], x[-1]), ylim=(floor, top), ylabel="height, µm")
+    ax.set_xlabel("along the foundation, µm")
+    ax.text(0.01, 0.96, "rigid body", transform=ax.transAxes, va="top")
+    ax.text(0.01, 0.04, "elastomer", transform=ax.transAxes)
+
+    def draw(frame: int) -> None:
+        for drawn in [*ax.collections, *ax.lines]:
+            drawn.remove()
+        now = view.isel(event=frame)
+        rigid, soft = now.snapshot_height.values, now.snapshot_displacement.values
+        # A free element lies below the line by more than rounding.
+        contact = np.where(rigid <= soft + 1e-9 * (top - floor), soft, np.nan)
+        ax.fill_between(x, rigid, top, color=RIGID, lw=0)
+        ax.fill_between(x, soft, floor, color=RUBBER, lw=0)
+        ax.plot(x, contact, color=TOUCHING, lw=2.0, marker=".", ms=2.0)
+        ax.plot(x, rigid, color="0.25", lw=0.8)
+
+    return draw
 
 
 def _view(scene: xr.Dataset) -> xr.Dataset:

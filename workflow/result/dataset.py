@@ -67,9 +67,11 @@ def _coordinates(plan: Plan, variant: Variant, dims: set[str]) -> dict[str, obje
     }
     if "x" in dims:  # of one realization of one problem
         (task,) = variant.tasks
-        samples = task.problem.elements * task.steps_per_spacing
+        m = task.steps_per_spacing
+        samples, rows = task.problem.elements * m, task.problem.rows(m)
         (spacing,) = plan.study.grid["spacing"]
-        found["x"] = np.arange(samples) * spacing / task.steps_per_spacing
+        step = spacing / m
+        found |= {"x": step * np.arange(samples), "y": step * np.arange(rows)}
     return {name: values for name, values in found.items() if name in dims}
 
 
@@ -100,7 +102,8 @@ def _units(plan: Plan, variant: Variant) -> Units:
     grid = plan.study.grid
     units = {axis: xr.DataArray(np.array(grid[axis]), dims=axis) for axis in AXES}
     modulus = _over(plan, variant, "material", lambda solid: solid.contact_modulus)
-    units["stiffness"] = modulus * plan.study.surface.length  # E* L, N/m
+    units["modulus"] = modulus  # E*, Pa
+    units["stiffness"] = modulus * plan.study.surface.length / variant.lines.copies  # E* L, N/m
     units["tau"] = _over(plan, variant, "material", lambda solid: solid.tau)
     return units
 

@@ -55,7 +55,8 @@ AXIS_ATTRIBUTES = {row.name: (row.unit, row.long_name) for row in EVERY_AXIS.val
     "bin": ("1", "lower edge of a bin of contact lengths, in spacings"),
     "law": ("1", "law of the state"),
     "wave_number": ("m-1", "wave number q of the line"),
-    "x": ("m", "place along the foundation"),
+    "x": ("m", "place along the foundation, or the half-space"),
+    "y": ("m", "place across the half-space"),
     "unit": ("1", "internal variable of an element"),
     "sample": ("1", "sample of the relaxation curve; 0 is just after the jump"),
 }
@@ -65,6 +66,8 @@ VARIABLES = {
     "mu_2": Variable("steady coefficient of friction at v2", SLOPE),
     "indentation": Variable("steady indentation d at v1", HEIGHT, "m", comment=SIGN_OF_D),
     "contact_fraction": Variable("share of the line in contact at v1"),
+    "mu_persson": Variable("coefficient of friction at v1 by Persson's theory", SLOPE),
+    "area_persson": Variable("real contact area at v1 by Persson's theory, over the nominal one"),
     "model_ratio": Variable(
         "mu_1 of the foundation over that of a half-space",
         comment="at one nominal pressure, from a table that the study bodies makes; the error of "
@@ -155,8 +158,10 @@ EVENT = (*GRID, "event")
 LAW = (*GRID, "law")
 BIN = (*GRID, "bin")
 FRAME = (*GRID, "event", "x")
+MAP = (*GRID, "event", "y", "x")
 STATE = (*GRID, "x")
 FORCE = {"stiffness": 1, "roughness": 1}
+PRESSURE = {"modulus": 1, "roughness": 1, "spacing": -1}
 FRICTION = {"stiffness": 1, "roughness": 2, "spacing": -1}
 ENERGY = {"stiffness": 1, "roughness": 2}
 TIME, RATE = {"tau": 1}, {"roughness": 1, "spacing": -1, "tau": -1}
@@ -221,6 +226,7 @@ SCENES = {
     "snapshot_height": Variable(
         "height of the line over the undeformed foundation", HEIGHT, "m", FRAME
     ),
+    "snapshot_pressure": Variable("pressure on a half-space", PRESSURE, "Pa", MAP),
     "snapshot_displacement": Variable("displacement of the foundation", HEIGHT, "m", FRAME),
     "rate_state_a": Variable("a of rate and state", SLOPE, dims=LAW, comment=NO_STATE_COMMENT),
     "rate_state_b": Variable("b of rate and state", SLOPE, dims=LAW, comment=NO_STATE_COMMENT),

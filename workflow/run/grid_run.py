@@ -31,6 +31,7 @@ from ..system import (
     check_place,
     clear_leftovers,
     hold,
+    import_dask,
     saying_what_compiles,
 )
 from .collect import Collector, Rounds
@@ -53,6 +54,7 @@ def run_plan(plan: Plan, result: Path, how: RunOptions) -> Summary:
     An interrupted run keeps all finished batches and writes no result file; so does one with
     more than ``how.max_failures`` failed problems. With fewer, these are marked in the result.
     """
+    import_dask()
     began = time.monotonic()
     says = saying_what_compiles("the kernels needed", "10 to 60 s", cache.FOLDER, cache.WAITING)
     with hold(store_folder(result), without=how.no_lock), says:

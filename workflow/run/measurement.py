@@ -9,7 +9,7 @@ from typing import NamedTuple
 from ..plan import WHOLE, Pace, prediction
 from ..result import origin, write_datasets
 from ..study import HERE, Measured
-from ..system import Patience, Reporter, check_place, duration, make_folder
+from ..system import Patience, Reporter, check_place, duration, import_dask, make_folder
 
 Took = dict[tuple[str, str], float]  # (study, WHOLE) -> CPU seconds
 
@@ -27,6 +27,7 @@ def run_measured(study: Measured, result: Path, pace: Pace) -> Done:
 
     An interrupted measurement writes nothing: an earlier result stays as it was.
     """
+    import_dask()
     lines, typical = study.script.outline(study.settings)
     which = study.name, WHOLE
     seconds = prediction(pace, {which: typical}).seconds

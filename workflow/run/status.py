@@ -16,11 +16,12 @@ from datetime import datetime
 from pathlib import Path
 
 from ..errors import UserError
+from ..plain_files import open_plain
 from ..plan import make_plan, missing_work, this_machine, total_records, total_seconds
 from ..simulate import CODE
 from ..store import Store, journal
 from ..study import Study
-from ..system import holder, open_plain, write_durably
+from ..system import holder, write_durably
 
 WRITE_SECONDS = 5.0
 LONGEST = 2**16  # bytes of a status

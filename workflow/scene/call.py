@@ -25,6 +25,7 @@ from ..study import (
     positive,
     read_grid_study,
 )
+from ..system import import_dask
 
 NAME = "scene"
 OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study has in [grid]
@@ -35,20 +36,31 @@ FIELDS = {name: f"state_{name}" for name in Saved._fields}
 MARK = "scene"  # attribute that tells of which line and material a state is
 
 
-def toml_value(value: Any) -> Any:
-    """Return a value as TOML gives it: arrays and tuples as lists, numbers of numpy as numbers."""
-    if isinstance(value, Mapping):
-        return {str(key): toml_value(each) for key, each in value.items()}
-    if isinstance(value, np.ndarray | list | tuple):
-        return [toml_value(each) for each in value]
-    return value.item() if isinstance(value, np.generic) else value
+def toml_value(name: str, value: Any) -> Any:
+    """Return a value as TOML gives it: arrays and tuples as lists, numbers of numpy as numbers.
+
+    An array without dimensions is a number. Raises UserError, naming the argument, for a mask that
+    hides something and for what lies within itself.
+    """
+    if np.ma.is_masked(value):
+        raise UserError(f"{name}: holds values that are masked; fill or leave them out first")
+    try:
+        if isinstance(value, Mapping):
+            return {str(key): toml_value(name, each) for key, each in value.items()}
+        if isinstance(value, np.ndarray | np.generic):
+            return value.tolist()
+        if isinstance(value, list | tuple):
+            return [toml_value(name, each) for each in value]
+    except RecursionError:
+        raise UserError(f"{name}: holds values within values without end") from None
+    return value
 
 
 def table(name: str, value: Any) -> dict[str, Any]:
     """Return an argument that is a table, a copy. Raises UserError for anything else."""
     if not isinstance(value, Mapping):
         raise UserError(f"{name} = {value!r:.60}: must be a dictionary, with the keys of [{name}]")
-    return toml_value(value)
+    return toml_value(name, value)
 
 
 def study_of(arguments: Mapping[str, Any]) -> Study:
@@ -68,8 +80,7 @@ def study_of(arguments: Mapping[str, Any]) -> Study:
     tables["scene"] = _scene(arguments, grid)
     tables["study"] = {
         "title": NAME,
-        "seed": toml_value(arguments["seed"]),
-        "realizations": toml_value(arguments["realizations"]),
+        **{name: toml_value(name, arguments[name]) for name in ("seed", "realizations")},
     }
     return read_grid_study(NAME, Path(), tables, one_point=True, profile=profile)
 
@@ -85,19 +96,20 @@ def _profile(arguments: Mapping[str, Any]) -> Profile | None:
         return None
     if length is None:
         raise UserError("length: missing; it is that of the profile, one period, in m")
-    given = given_map if arguments["body"] == HALF_SPACE else given_profile
-    return given(profile, positive("length", toml_value(length)))
+    given = given_map if toml_value("body", arguments["body"]) == HALF_SPACE else given_profile
+    return given(profile, positive("length", toml_value("length", length)))
 
 
 def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]:
     """Return the table [scene]; what presses line and elastomer together goes into the grid."""
-    pressing = {key: toml_value(arguments[key]) for key in PRESSING if arguments[key] is not None}
+    given = {key: arguments[key] for key in PRESSING if arguments[key] is not None}
+    pressing = {key: toml_value(key, value) for key, value in given.items()}
     if len(pressing) != 1:
         raise UserError(f"normal_force: give one of {', '.join(PRESSING)}")
     depth = pressing.get("prescribed_indentation")
     names = ("quantities", "start", "repeat", "programme", "body")
-    found = {name: toml_value(arguments[name]) for name in names}
-    if depth is not None and tuple(found["quantities"]) == USUAL:
+    found = {name: toml_value(name, arguments[name]) for name in names}
+    if depth is not None and found["quantities"] == list(USUAL):
         found["quantities"] = ["trace"]  # there is no steady sliding under a given force
     if depth is not None:
         found["control"] = "indentation"
@@ -121,6 +133,8 @@ def line_and_material(study: Study) -> str:
 
 def saved_state(state: xr.Dataset, study: Study) -> Saved:
     """Return the state that a dataset holds. Raises UserError for one of another scene."""
+    if not isinstance(state, xr.Dataset):
+        raise UserError(f'state = {state!r:.60}: must be a dataset of the quantity "state"')
     missing = [name for name in FIELDS.values() if name not in state]
     if missing:
         raise UserError(
@@ -234,6 +248,7 @@ def run(
     in s, with its provenance. Raises UserError, one line, for what a study would be refused for.
     """
     arguments = dict(locals())
+    import_dask()
     study = study_of(arguments)
     resumed = None if state is None else saved_state(state, study)
     dataset = computed(study, resumed)

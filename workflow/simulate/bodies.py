@@ -7,6 +7,7 @@ import numpy as np
 
 from ...kernels import Case, Outcome, Quantities, prepare, run_prepared, run_scene
 from ...kernels.half_space import cases as half_space
+from ...kernels.half_space.scenes import run_scene_on_half_space
 from ...kernels.half_space.surface import Surface, ring_amplitudes
 from ...kernels.loading import load
 from .drawing import Draw, drawn_lines, drawn_maps
@@ -51,7 +52,9 @@ def _load_maps(scheme: str, asked: Quantities) -> None:
 
 BODIES = {
     "foundation": BodyKernels(drawn_lines, prepare, run_prepared, run_scene, load),
-    "half-space": BodyKernels(drawn_maps, _prepare_maps, _run_maps, run_scene, _load_maps),
+    "half-space": BodyKernels(
+        drawn_maps, _prepare_maps, _run_maps, run_scene_on_half_space, _load_maps
+    ),
 }
 
 

@@ -20,6 +20,7 @@ from ...kernels import (
     scene_steps,
 )
 from ...kernels.rheology.spectrum import shortest_step
+from ..errors import UserError
 from .tasks import Problem, Recording, ScaledHistory
 
 RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
@@ -70,7 +71,10 @@ def _march(
     scene = SceneCase(
         spectrum, "exponential", programme, 1.0, history, "steady", (), nothing, nothing, nothing
     )
-    steps = scene_steps(scene, m, origin)
+    try:
+        steps = scene_steps(scene, m, origin)
+    except ValueError as error:
+        raise UserError(f"scene.programme: {error} (lengths in dx, times in tau)") from error
     moved = np.abs(np.diff(steps.position, prepend=origin.position))
     return ProgrammeSteps(np.cumsum(steps.dt), moved, steps.leg)
 
@@ -78,7 +82,10 @@ def _march(
 def programme_steps(
     problem: Problem, steps_per_spacing: int, origin: Origin = START
 ) -> ProgrammeSteps:
-    """Return the steps of the programme of a problem that begins at ``origin``."""
+    """Return the steps of the programme of a problem that begins at ``origin``.
+
+    Raises UserError for steps that are lost in rounding, and for more than can be marched.
+    """
     what = problem.programme, problem.indentation, problem.spectrum
     return _march(*what, steps_per_spacing, origin)
 

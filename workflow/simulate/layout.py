@@ -53,6 +53,14 @@ def unpack(rows: np.ndarray, places: Layout) -> dict[str, np.ndarray]:
     }
 
 
+def _snapshots(task: Task, of_line: tuple[int, ...]) -> dict[str, tuple[int, ...]]:
+    """Return the shapes of snapshots: of a line what they show, of a map its pressures."""
+    if task.problem.surface.body == "foundation":
+        return dict.fromkeys(("snapshot_height", "snapshot_displacement"), of_line)
+    kept, columns = of_line
+    return {"snapshot_pressure": (kept, task.problem.rows(task.steps_per_spacing), columns)}
+
+
 def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str, tuple[int, ...]]:
     kept = (kept_steps(task.problem, task.steps_per_spacing, recording).size,)
     samples = task.problem.elements * task.steps_per_spacing
@@ -61,7 +69,7 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
         "trace": dict.fromkeys(TRACES, kept),
         "energy": dict.fromkeys(ENERGIES, kept),
         "contact_lengths": {"contact_length": (BINS,)},
-        "snapshots": dict.fromkeys(("snapshot_height", "snapshot_displacement"), (*kept, samples)),
+        "snapshots": _snapshots(task, (*kept, samples)),
         "state": {
             "state_memory": (units, samples),
             "state_p": (samples,),

@@ -30,6 +30,7 @@ class LineShape(NamedTuple):
     measured: str = ""  # what measured lines, or random ones like them, are known by
     slope: float = 0.0  # their rms slope, in h/dx
     body: str = "foundation"  # what is behind them; a half-space has maps (bodies.py)
+    flat: bool = False  # whether maps are uniform across: one row, as in a line contact
 
 
 class Problem(NamedTuple):
@@ -52,7 +53,12 @@ class Problem(NamedTuple):
         steps_per_spacing : one number, or an array for many problems together.
         """
         along = self.elements * steps_per_spacing
-        return along * along if self.surface.body == "half-space" else along
+        return along * self.rows(steps_per_spacing)
+
+    def rows(self, steps_per_spacing: Any) -> Any:
+        """Return the number of rows of its surface: 1 of a line and of a line contact."""
+        square = self.surface.body == "half-space" and not self.surface.flat
+        return self.elements * steps_per_spacing if square else 1
 
     @property
     def ends(self) -> tuple[float, float]:

@@ -12,7 +12,8 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError
-from ..system import append_durably, open_plain, refused
+from ..plain_files import open_plain
+from ..system import append_durably, refused
 
 NAME = "journal"
 LONGEST = 2**26  # bytes of a line: a longer one is spoilt

@@ -30,7 +30,7 @@ if TYPE_CHECKING:
     from .measured import Measured
     from .moduli import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
     from .numerics import Numerics
-    from .read import find_study, known_scales, known_studies, read_scene, read_study
+    from .read import find_study, known_scales, known_studies, load_tables, read_scene, read_study
     from .schema import described_measures, study_schema
     from .scripts import load_script
     from .settings import Key, default_of, integer, positive, values_of

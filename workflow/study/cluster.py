@@ -1,5 +1,6 @@
 """Where a study is computed: the table [cluster]. No number depends on it."""
 
+import datetime
 import re
 from collections.abc import Mapping
 from functools import partial
@@ -88,7 +89,8 @@ def _memory(key: str, value: object) -> str:
 
 
 def _walltime(key: str, value: object) -> str:
-    text = as_text(key, value)
+    # What is not quoted is a time of day to TOML.
+    text = as_text(key, str(value) if isinstance(value, datetime.time) else value)
     try:
         seconds = walltime_seconds(text)
     except ValueError:

@@ -12,11 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from ..errors import UserError, did_you_mean
+from ..plain_files import read_plain
 from .axes import AXES
 from .measured import read_measured
 from .settings import as_table
 from .study import AnyStudy, Study, read_grid_study
 
+MOST_BYTES = 2**24  # of a study.toml
 BARE_LIST = re.compile(r"=\s*[-+.\d][-+.\deE_]*\s*,")  # numbers without brackets
 
 
@@ -26,13 +28,14 @@ def load_tables(path: Path, scale: str | None, settings: list[str]) -> tuple[dic
     Raises UserError for a file that is not TOML, an unknown scale and a broken override.
     """
     try:
-        tables = tomllib.loads(path.read_text(encoding="utf-8"))
+        tables = tomllib.loads(read_plain(path, MOST_BYTES).decode())
     except (OSError, UnicodeDecodeError, tomllib.TOMLDecodeError) as error:
         place = re.search(r"at line (\d+)", str(error))
         lines = path.read_text(encoding="utf-8").splitlines() if place else []
         bare = place and BARE_LIST.search(lines[int(place[1]) - 1])
         hint = "; a list is [0.3, 0.5]" if bare else ""
-        raise UserError(f"{path}: cannot be read as TOML: {error}{hint}") from error
+        said = getattr(error, "strerror", None) or error
+        raise UserError(f"{path}: cannot be read as TOML: {said}{hint}") from error
     scales = tables.pop("scales", {})
     if scale is not None:
         if scale not in as_table("scales", scales):
@@ -107,8 +110,8 @@ def read_study(study: str, scale: str | None = None, settings: list[str] | None 
 
 def known_scales(study: str) -> list[str]:
     """Return the names of the scales of a study."""
-    tables = tomllib.loads(find_study(study).read_text(encoding="utf-8"))
-    return list(tables.get("scales", {}))
+    _, others = load_tables(find_study(study), None, [])
+    return list(others)
 
 
 def read_scene(study: str, scale: str | None, settings: list[str], quantities: list[str]) -> Study:

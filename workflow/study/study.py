@@ -13,7 +13,7 @@ from .axes import EVERY_AXIS, Grid, Parts, parts_at, separated, with_value
 from .cluster import HERE, Cluster, read_cluster
 from .effects import FOUNDATION, Material, Scene, check_quantities, read_scene_table
 from .grid import read_grid
-from .numerics import Numerics
+from .numerics import USUAL, Numerics
 from .settings import filled
 from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
@@ -139,6 +139,7 @@ def read_grid_study(
     alone = one_point and single and not scene.holds
     check_quantities(scene, materials, alone)
     check_bodies(scene, surfaces)
+    _check_energy(scene, variants)
     check_accuracy(variants, materials, scene, surface)
     if one_point:
         _one_point(grid)
@@ -152,6 +153,16 @@ def read_grid_study(
         pressures=given["grid"].get("normal_pressure", ()),
         cluster=cluster,
     )
+
+
+def _check_energy(scene: Scene, variants: Mapping[str, Numerics]) -> None:
+    for label, numerics in variants.items():
+        if "energy" in scene.quantities and numerics.scheme != USUAL.scheme:
+            where = f"compare.{label}" if label else "numerics"
+            raise UserError(
+                f"{where}.scheme = {numerics.scheme!r}: energies are those of {USUAL.scheme} "
+                'alone; leave it out, or "energy" out of scene.quantities'
+            )
 
 
 def _one_point(grid: Grid) -> None:

@@ -77,10 +77,6 @@ def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
             raise UserError(
                 f'scene.quantities: "{name}": belongs to single elements; a half-space has none'
             )
-    if scene.programme:
-        raise UserError(
-            f'scene.programme: a half-space takes one velocity step so far; use "{FOUNDATION}"'
-        )
 
 
 def check_accuracy(

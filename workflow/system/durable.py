@@ -4,12 +4,11 @@ import contextlib
 import errno
 import hashlib
 import os
-import stat
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Any
 
 from ..errors import UserError
+from ..plain_files import open_plain, read_plain
 
 # What fsync says of a folder where the file system does not offer it.
 _REFUSALS = "EINVAL ENOTSUP EOPNOTSUPP ENOSYS EBADF EACCES EPERM EISDIR ENOTTY"
@@ -28,28 +27,6 @@ def refused(path: Path, what: str) -> Iterator[None]:
     except (OSError, RuntimeError) as error:
         reason = getattr(error, "strerror", None) or str(error)
         raise UserError(f"{path}: {what} {reason}") from error
-
-
-def open_plain(path: Path, mode: str = "rb", *, linked: bool = False) -> Any:
-    """Open a file as ``open`` does, but no pipe or device, and a link only where that is said.
-
-    Whoever may write to a folder could have put a link there to any file of ours. Raises OSError.
-    """
-
-    def opener(name: str, flags: int) -> int:
-        flags |= os.O_NONBLOCK | (0 if linked else os.O_NOFOLLOW)
-        try:
-            descriptor = os.open(name, flags, 0o666)
-        except OSError as error:
-            if error.errno == errno.ELOOP:
-                raise OSError(errno.ELOOP, "it is a link", name) from None
-            raise
-        if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-            os.close(descriptor)
-            raise OSError(errno.EINVAL, "it is no file", name)
-        return descriptor
-
-    return open(path, mode, opener=opener, buffering=0 if "a" in mode else -1)
 
 
 @contextlib.contextmanager
@@ -103,11 +80,8 @@ def read_whole(path: Path) -> bytes:
 
     Raises UserError where the disk refuses it, or has none, and for what is larger or no file.
     """
-    with refused(path, "cannot be read:"), open_plain(path, linked=True) as file:
-        if os.fstat(file.fileno()).st_size > MOST_BYTES:
-            raise OSError(errno.EFBIG, f"it is larger than {MOST_BYTES} bytes")
-        content: bytes = file.read()
-        return content
+    with refused(path, "cannot be read:"):
+        return read_plain(path, MOST_BYTES)
 
 
 def digest_of(path: Path) -> str:

@@ -13,7 +13,8 @@ from pathlib import Path
 from typing import IO, Any
 
 from ..errors import UserError
-from .durable import flush_folder, open_plain, refused
+from ..plain_files import open_plain
+from .durable import flush_folder, refused
 
 LOCK = "lock"
 GLANCE_SECONDS = 2.0

@@ -8,6 +8,8 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import NamedTuple
 
+from ..errors import UserError
+
 ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
 FOLDERS = ("kernels", "workflow")  # of our sources
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
@@ -44,6 +46,14 @@ def our_sources() -> str:
     for source in sorted(path for name in FOLDERS for path in (ROOT / name).rglob("*.py")):
         digest.update(source.relative_to(ROOT).as_posix().encode() + source.read_bytes())
     return digest.hexdigest()[:16]
+
+
+def import_dask() -> None:
+    """Import dask, which reads its settings then. Raises UserError where these are malformed."""
+    try:
+        import dask  # noqa: F401
+    except ValueError as error:  # as of its files of settings, in several lines
+        raise UserError(f"the settings of dask: {' '.join(str(error).split())}") from error
 
 
 def processor() -> str:

@@ -28,6 +28,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
+from ..plain_files import read_plain
 from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
 from .titles import Title, remarks_of, titles_of
@@ -56,6 +57,7 @@ class Picked(NamedTuple):
     wanted: Wanted
 
 
+SHOWN = 12  # columns in a message
 LEAST_BLOCK = 3  # rows, where empty lines or comments alone part blocks
 
 
@@ -66,7 +68,7 @@ def _is_words(line: str) -> bool:
 class TextTable:
     """The rows of a text file, their titles, and what stands beside them."""
 
-    def __init__(self, key: str, name: str, cells: Cells, lines: list[str]) -> None:
+    def __init__(self, key: str, name: str, cells: Cells) -> None:
         """Keep the rows; ``key`` and ``name`` of the file are for messages."""
         self.key, self.name = key, name
         self.rows = cells.rows  # as they are written: lists of as many words each
@@ -76,7 +78,7 @@ class TextTable:
         self.above = tuple(cells.above)  # the lines before the first row
         self.between = cells.between  # (index of the row below, lines) between blocks
         self.titles = titles_of(cells.above, cells.delimiter, self.width)  # empty: none are named
-        self.remarks = remarks_of(cells.above if cells.rows else lines)  # name: value
+        self.remarks = remarks_of(cells.above, cells.delimiter, self.width)  # name: value
         self.marks = self._marks()
 
     @property
@@ -142,11 +144,11 @@ class TextTable:
         """Return the columns in words, with their numbers."""
         if not self.titles:
             return f"{self.width} columns without names"
-        named = (
+        named = [
             f"{n} {title.name or '(no name)'}{f' [{title.unit}]' if title.unit else ''}"
-            for n, title in enumerate(self.titles)
-        )
-        return f"the columns {', '.join(named)}"
+            for n, title in enumerate(self.titles[:SHOWN])
+        ]
+        return f"the columns {', '.join([*named, '...'] if self.width > SHOWN else named)}"
 
 
 def read_text_table(key: str, path: Path, name: str | None = None) -> TextTable:
@@ -158,7 +160,7 @@ def read_text_table(key: str, path: Path, name: str | None = None) -> TextTable:
     """
     name = str(path) if name is None else name
     try:
-        data = path.read_bytes()
+        data = read_plain(path)
     except (OSError, ValueError) as error:  # ValueError: no name of a file
         reason = getattr(error, "strerror", None) or error
         raise UserError(f"{key} = {name!r}: cannot be read: {reason}") from None
@@ -181,7 +183,7 @@ def table_of_text(key: str, name: str, text: str) -> TextTable:
         ) from None
     if not cells.rows:
         raise UserError(f"{key} = {name!r}: holds no row of numbers")
-    return TextTable(key, name, cells, text.splitlines())
+    return TextTable(key, name, cells)
 
 
 def picked(

@@ -139,7 +139,8 @@ def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
         cells = split(text, each)
         while len(cells) > width and not cells[-1]:
             cells.pop()
-        if 1 < len(cells) <= width and (len(cells) == width or each == delimiter):
+        few = each == delimiter and 2 * len(cells) >= width  # empty ones at the end left out
+        if 1 < len(cells) <= width and (len(cells) == width or few):
             return cells + [""] * (width - len(cells))
     for found in (re.split(r"\s{2,}|\t", text.strip()), _joined(text)):
         if len(found) == width:
@@ -169,16 +170,20 @@ def _by_units(text: str, width: int) -> list[str]:
     return found if len(found) == width and not words else []
 
 
-def remarks_of(above: list[str]) -> dict[str, str]:
+def remarks_of(above: list[str], delimiter: str | None, width: int) -> dict[str, str]:
     """Return what lines such as "Width: 96 µm" or "pitch = 0.5 um" state, by names in lower case.
 
-    A line with several cells may hold a name and its value in two of them.
+    A line may hold several, and one of two cells, in a table of other rows, a name and its value.
     """
     found: dict[str, str] = {}
     for line in above:
-        match = REMARKED.fullmatch(line.strip())
-        if match and match[2]:
-            found.setdefault(match[1].strip().lower(), match[2].strip('" '))
+        cells = split(line, delimiter) if delimiter is not None else []
+        if len(cells) == 2 != width and all(cells):
+            found.setdefault(cells[0].lower(), cells[1])
+        for part in re.split(r"[,;\t]\s*(?=[^\W\d])", line.strip()):
+            match = REMARKED.fullmatch(part.strip())
+            if match and match[2]:
+                found.setdefault(match[1].strip().lower(), match[2].strip('" '))
     return found
 
 

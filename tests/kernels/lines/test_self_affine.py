@@ -228,3 +228,15 @@ def test_the_rule():
 def test_no_power_spectrum_is_refused(bad):
     with pytest.raises(ValueError, match="finite and not negative"):
         equivalent_amplitudes(lambda q: np.full_like(q, bad), 1.0, 8)
+
+
+def test_a_spectrum_normalised_by_q_dq_over_2_pi_is_divided_by_4_pi_squared():
+    """As docs/surfaces.md says of one from contact.engineering, h^2 = integral of C q dq/(2 pi)."""
+    length, count, hurst, h = 1e-3, 500, 0.8, 1e-6
+    q = 2.0 * np.pi / length * np.arange(1, count // 2 + 1)
+    step = q[0]
+    scale = 2.0 * np.pi * h**2 / np.sum(q ** (-1.0 - 2.0 * hurst) * step)
+    amplitude = equivalent_amplitudes(
+        lambda q: scale * q ** (-2.0 - 2.0 * hurst) / (4.0 * np.pi**2), length, count
+    )
+    assert np.sqrt(np.sum(amplitude**2) / 2.0) == pytest.approx(h, rel=1e-9)

@@ -15,6 +15,19 @@ from elastomer_friction.workflow.study.read import known_studies, read_study
 from elastomer_friction.workflow.study.tables import TABLES
 from tests.support.commands import facts, output, refusal
 from tests.support.shards import WORK, filled, shard_of
+from tests.support.small import TEXT, write_study
+
+
+def test_what_a_terminal_would_obey_is_shown_as_numbers(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    folder = tmp_path / "studies" / "own"
+    folder.mkdir(parents=True)
+    write_study(folder, TEXT.replace('"small"', r'"red \u001b[31m \u0007 \u009b"'))
+    (folder / "small.toml").rename(folder / "study.toml")
+    for command in (["studies"], ["plan", "own"], ["status", "own"]):
+        said = output(capsys, *command)
+        assert not set(said) - {"\n"} & {chr(code) for code in (*range(32), *range(127, 160))}
+        assert (r"red \x1b[31m \x07 \x9b" in said) == (command != ["status", "own"])
 
 
 def test_studies_are_listed_with_their_titles(capsys, tmp_path, monkeypatch):

@@ -2,9 +2,13 @@
 
 import pytest
 
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan import goal
 from elastomer_friction.workflow.plan import variant as module
+from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.plan.variant import samples_of
-from tests.support.small import all_records, keys, small_plan
+from tests.support.documents import without
+from tests.support.small import all_records, keys, small_plan, small_study
 
 PLAN = small_plan("grid.spacing=[1e-4, 2e-4]", "grid.velocity_step=[0.2, -0.2]")
 
@@ -92,3 +96,14 @@ def test_other_program_code_changes_every_key(monkeypatch):
 def test_study_and_comparison_do_not_share_keys():
     own, compared = ({task.key for task in variant.tasks} for variant in PLAN.variants)
     assert own.isdisjoint(compared)
+
+
+def test_a_measured_line_that_is_too_long_says_how_it_gets_shorter(monkeypatch):
+    monkeypatch.setattr(goal, "MAX_SAMPLES_PER_LINE", 50)
+    left_out = ("surface.length", "grid.hurst", "grid.spacing", "grid.roughness")
+    text = without(*left_out, "study.realizations")
+    study = small_study('surface.file="line.csv"', text=text)
+    with pytest.raises(
+        UserError, match=r"set numerics\.steps_per_spacing = 2 or less, surface\.per"
+    ):
+        make_plan(study)

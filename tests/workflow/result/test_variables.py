@@ -16,7 +16,8 @@ from elastomer_friction.workflow.result.variables import (
     declared,
 )
 
-OF_BODIES = {"model_ratio"}  # plan/test_ratio_of_bodies.py
+# tests/workflow/plan/test_ratio_of_bodies.py and tests/workflow/reduce/test_persson.py
+OF_BODIES = {"model_ratio", "mu_persson", "area_persson"}
 ACCURACY = {"accuracy_reached", "accuracy_status"}  # run/test_rounds.py
 
 

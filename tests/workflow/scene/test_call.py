@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.scene.call import toml_value
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, N, heights, run, slide
@@ -115,6 +116,29 @@ def test_colder_is_slower_exactly():
     assert cold.trace_mu.values == pytest.approx(fast.trace_mu.values, rel=1e-9)
 
 
+MASKED = np.ma.array(heights(), mask=np.arange(N) == 7)
+ENDLESS: list = []
+ENDLESS.append(ENDLESS)
+SOUND = {
+    "profile": heights(),
+    "length": LENGTH,
+    "normal_force": 1.0,
+    "material": MATERIAL,
+    "programme": [slide()],
+}
+
+
+def test_an_array_without_dimensions_is_a_number_and_a_mask_that_hides_nothing_is_none():
+    given = {
+        "profile": np.ma.array(heights(), mask=False),
+        "length": np.array(LENGTH),
+        "normal_force": np.array(1.0),
+        "material": KELVIN | {"shear_modulus": np.array(1e6)},
+        "body": np.array("foundation"),
+    }
+    assert run(**given).identical(run(material=KELVIN))
+
+
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
@@ -127,11 +151,23 @@ def test_colder_is_slower_exactly():
         ({"normal_force": 1e12}, "grid.normal_force"),
         ({"material": 3.0}, "material = 3.0: must be a dictionary"),
         ({"quantities": ["jump"]}, "jump"),
+        ({"length": -0.0}, "length = -0.0: must be greater than zero"),
+        ({"length": np.array([LENGTH])}, "must be a finite number"),
+        ({"profile": heights() + 1j}, "profile: must be an array of heights"),
+        ({"profile": heights() + 0j, "body": "half-space"}, "profile: must be an array of heights"),
+        ({"profile": MASKED}, "1 of 128 are masked"),
+        ({"profile": np.ma.array(np.eye(16), mask=np.eye(16)), "body": "half-space"}, "is nan"),
+        ({"normal_force": np.ma.masked}, "normal_force: holds values that are masked"),
+        ({"material": KELVIN | {"shear_modulus": np.ma.masked}}, "material: holds values that are"),
+        ({"material": KELVIN | {"branches": ENDLESS}}, "material: holds values within values"),
+        ({"body": np.array([1, 2])}, "scene.body = [1, 2]: must be one of"),
+        ({"quantities": None, "normal_force": None, "prescribed_indentation": 1e-6}, "quantities"),
+        ({"state": 3}, "state = 3: must be a dataset"),
     ],
 )
 def test_what_cannot_be_meant_is_refused_in_one_line(changed, words):
     with pytest.raises(UserError) as error:
-        run(slide(), **changed)
+        scene.run(**(SOUND | changed))
     assert words in str(error.value)
     assert "\n" not in str(error.value)
 
@@ -151,7 +187,7 @@ def test_the_dataset_has_no_grid_and_its_provenance():
 
 def test_arrays_tuples_and_numbers_of_numpy_become_plain():
     given = {"a": (np.float64(1.5), np.int64(2)), "b": np.array([[1.0, 2.0]]), "c": {"d": "e"}}
-    found = toml_value(given)
+    found = toml_value("given", given)
     assert found == {"a": [1.5, 2], "b": [[1.0, 2.0]], "c": {"d": "e"}}
     assert type(found["a"][1]) is int
 

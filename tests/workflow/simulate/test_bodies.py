@@ -21,7 +21,6 @@ SMALL = (
     "grid.hurst=0.7",
     "numerics.steps_per_spacing=4",
     "study.realizations=2",
-    "compare={}",
 )
 PLAN = small_plan(*SMALL)
 

@@ -29,6 +29,7 @@ ROOMS = {
 }
 CHECKED = (
     "plan/problems",
+    "simulate/kept",
     *(f"{room}/{name}" for room, names in ROOMS.items() for name in names),
 )
 # Of "find_study" the answers name all studies (test_refusals.py); the others are refusals of a

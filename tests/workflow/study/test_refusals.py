@@ -45,7 +45,7 @@ def test_unreadable_file_is_named(tmp_path, monkeypatch):
         raise PermissionError(13, "Permission denied")
 
     path = write_study(tmp_path)
-    monkeypatch.setattr("pathlib.Path.read_text", refuse)
+    monkeypatch.setattr("elastomer_friction.workflow.study.read.read_plain", refuse)
     with pytest.raises(UserError, match=r"small\.toml: cannot be read.*Permission denied"):
         read_study(path)
 

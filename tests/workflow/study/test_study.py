@@ -226,6 +226,10 @@ def test_measured_lines_limit_the_realizations_of_all():
     assert complaint(*lines, "study.realizations=4", text=MEASURED) == answer
 
 
+def test_a_walltime_that_is_not_quoted_is_a_time_too():
+    assert small_study("cluster.walltime=00:10:00").cluster.walltime == "00:10:00"
+
+
 def test_walltimes_are_those_of_slurm():
     known = {"90": 5400, "00:02:30": 150, "30:15": 1815, "1-00": 86400, "2-01:30": 178200}
     known["1-02:03:04"] = 93784

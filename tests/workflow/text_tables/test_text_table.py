@@ -122,6 +122,19 @@ def test_remarks_blocks_and_what_is_passed_over():
     assert len(table("1 2\n\n2 3\n\n3 4\n\n4 5\n").blocks) == 1  # every other line is empty
 
 
+@pytest.mark.parametrize(
+    ("text", "remarks"),
+    [
+        ("dx=0.5um, unit=nm\n1\n2\n3\n", {"dx": "0.5um", "unit": "nm"}),
+        ("Width (µm),20\nUnit,nm\n1,2,3,4,5\n2,3,4,5,6\n", {"width (µm)": "20", "unit": "nm"}),
+    ],
+)
+def test_remarks_in_one_line_or_in_two_cells(text, remarks):
+    found = table(text)
+    assert found.remarks == remarks
+    assert not any(title.name for title in found.titles)
+
+
 OMEGA = Wanted("a frequency", "frequency", r"freq|omega|^f$", "rad/s", "--frequency")
 STORAGE = Wanted("a storage modulus", "pressure", r"stor|^[GE]'$", "Pa", "--modulus")
 LOSS = Wanted("a loss modulus", "pressure", r"loss|^[GE]''$", "Pa", "--modulus")

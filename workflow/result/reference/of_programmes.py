@@ -85,6 +85,7 @@ RATE_STATE = {
 }
 ALONE = {
     "snapshot_height": "z − d of the line, over the undeformed surface of the elastomer.",
+    "snapshot_pressure": "The map of pressure on a half-space, whose samples stand still.",
     "snapshot_displacement": (
         "u of the elements, negative where they are pressed down; equal to `snapshot_height` in "
         "contact."

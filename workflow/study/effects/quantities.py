@@ -26,6 +26,9 @@ QUANTITIES = {
         judged="mu_1",
         asks=(FORCE,),
     ),
+    "persson": Quantity(
+        "friction and contact area by Persson's theory (closed form)", asks=(FORCE,)
+    ),
     "jump": Quantity(
         "jump at t0+ (no time marching)", ("jump",), judged="jump", asks=(FORCE, STEP, DASHPOT)
     ),

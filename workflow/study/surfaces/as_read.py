@@ -51,7 +51,9 @@ def metres(unit: str) -> float | None:
 
 
 def plain(values: Any) -> np.ndarray:
-    """Return floats, NaN where a value is masked."""
+    """Return floats, NaN where a value is masked. Raises TypeError for complex numbers."""
+    if np.iscomplexobj(values):
+        raise TypeError("complex numbers are no heights")
     return np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
 
 

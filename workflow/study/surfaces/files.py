@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from ...errors import UserError
+from ...plain_files import open_plain, read_plain
 from ...text_tables import archive_kind, is_text
 from .as_read import KEY, Asked, Lines, Raw, lines_of, plain
 from .positions import rounding
@@ -26,8 +27,9 @@ def read_lines(asked: Asked) -> Lines:
     suffix = asked.path.suffix.lower()
     reader = {".npy": _npy, ".nc": _netcdf}.get(suffix)
     try:
+        open_plain(asked.path, linked=True).close()  # the readers of others open pipes too
         if reader is None:
-            data = asked.path.read_bytes()
+            data = read_plain(asked.path)
             kind = archive_kind(data)
             if kind and suffix not in ARCHIVED:
                 raise UserError(

@@ -34,7 +34,7 @@ def without_gaps(what: str, heights: np.ndarray, gaps: str) -> Whole:
     if code is not None:
         gone |= heights == code.value
         said = (
-            f"{int(gone.sum())} of {heights.size} samples ({code.times} hold {code.value:g}, "
+            f"{int(gone.sum())} of {heights.size} samples ({code.times} of {code.value:g}, "
             f"{code.spreads:.2g} times the spread of the others)"
         )
     if not gone.any():

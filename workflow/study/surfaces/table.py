@@ -97,8 +97,8 @@ MEASURED = {
     "file": Key(
         as_text,
         "A file of measured lines beside `study.toml`: text of any suffix, `.npy`, `.nc`, or what "
-        "the optional reader of instruments' files knows. H, spacing and roughness are then those "
-        "of the file. The next keys need it.",
+        "SurfaceTopography knows. H, spacing and roughness are then those of the file. The next "
+        "keys need it.",
         values="the name of a file",
         usual="none: lines are random",
     ),
@@ -108,8 +108,7 @@ MEASURED = {
         "the names of the two variables.",
         default=(),
         values='whole numbers as `[0, 1]`, or two names as `["x", "height"]`',
-        usual="those that the header names, the first two where it names none, or the only "
-        "variable of heights",
+        usual="those that the header names, else the first two, or the only variable of heights",
         schema={"type": "array", "minItems": 1, "items": {"type": ["integer", "string"]}},
     ),
     "units": Key(
@@ -122,19 +121,17 @@ MEASURED = {
     ),
     "step": Key(
         positive,
-        "The distance of two samples along a line, of a file that holds heights without positions: "
-        "one column or several, or a matrix with a row for each line. `columns` are then those of "
-        "heights alone.",
-        "Doubled, lines are twice as long and slopes half as steep.",
+        "The distance of two samples of a file without positions: columns of heights, or a matrix "
+        "with a row for each line. `columns` are then of heights alone.",
+        "Doubled, slopes are half as steep.",
         "m",
         default=None,
-        usual="positions are in the file, or it says the step",
+        usual="that of the file",
     ),
     "gaps": Key(
         partial(choice, known=GAPS),
-        "What becomes of samples that are missing, or hold a code such as −9999 far from all "
-        "others: `refuse` says how many there are, `fill` draws a straight line between the "
-        "samples on either side, `drop` leaves out the lines that have any.",
+        "What becomes of missing samples, and of codes such as −9999: `refuse` counts them, `fill` "
+        "draws a straight line from side to side, `drop` leaves out the lines that have any.",
         default="refuse",
     ),
     "detrend": Key(

@@ -97,7 +97,7 @@ def test_lines_with_gaps_are_dropped():
 def test_codes_for_missing_samples_are_gaps(code):
     z = Z.copy()
     z[0, [2, 7]] = code
-    with pytest.raises(UserError, match=rf"2 of 20 samples \(2 hold {code:g}, .* times the spread"):
+    with pytest.raises(UserError, match=rf"2 of 20 samples \(2 of {code:g}, .* times the spread"):
         lines(z=z)
     np.testing.assert_allclose(
         lines(z=z, gaps="fill").heights, lines(z=gappy(((0, 2), (0, 7))), gaps="fill").heights

@@ -96,6 +96,10 @@ def test_heights_cannot_be_changed():
     ("heights", "words"),
     [
         ("line", "profile: must be an array of heights in m"),
+        (
+            np.ma.array(Z, mask=np.arange(64) // 10 == [[3]] * len(Z)),
+            "profile: sample 31 of line 1 is nan: all must be finite, 20 of 128 are masked; fill",
+        ),
         ([[1.0], [1.0, 2.0]], "profile: must be an array of heights in m"),
         (Z[0, :7], "profile: has the shape (1, 7): must hold at least 8 heights"),
         (Z.reshape(2, 8, 8), "profile: has the shape (2, 8, 8): must hold"),

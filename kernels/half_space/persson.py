@@ -1,0 +1,83 @@
+"""Persson's theory: friction and real contact area of a half-space in closed form.
+
+Source: B. N. J. Persson, J. Chem. Phys. 115, 3840 (2001), doi:10.1063/1.1388626. Conventions: the
+spectrum is two-sided, C(q) with int C d^2q = h^2, so that its integral over a patch of wave vectors
+is sum |h_q|^2; E*(omega) = E/(1 - nu^2) is that of exp(i omega t); phi runs from 0 to 2 pi. The
+area that is lost from one magnification to the next follows from the diffusion of the pressure,
+and of what remains in contact the share S = gamma + (1 - gamma) P^2 is deformed, gamma = 1/2. In
+full contact, P = S = 1, friction is exact.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ..rheology.spectrum import Spectrum, complex_modulus
+
+GAMMA = 0.5
+ANGLES = 16  # of a quarter of a turn; the rest is its image
+MOST_RINGS = 512  # of a line of many modes
+ERF = np.vectorize(math.erf, otypes=[float])
+
+
+class Waves(NamedTuple):
+    """Waves of a surface: their wave numbers in 1/dx, and their share of the mean square height."""
+
+    q: np.ndarray  # |q|, ascending
+    q_x: np.ndarray  # its part along the direction of sliding, not negative
+    power: np.ndarray  # in h^2
+
+
+def waves_of_map(amplitude: np.ndarray, elements: int) -> Waves:
+    """Return the waves of a map of so many elements a side, amplitude as of ring_amplitudes."""
+    rows, columns = amplitude.shape
+    k_y = np.fft.fftfreq(rows, 1.0 / rows)[:, None]
+    k_x = np.arange(columns)[None, :]
+    q = 2.0 * np.pi / elements * np.hypot(k_y, k_x).ravel()
+    both = np.where(k_x == 0, 1.0, 2.0) * amplitude**2  # modes of either sign of k_x
+    order = np.argsort(q, kind="stable")
+    q_x = np.broadcast_to(2.0 * np.pi / elements * k_x, amplitude.shape).ravel()
+    return Waves(q[order], q_x[order], both.ravel()[order])
+
+
+def waves_of_line(amplitude: np.ndarray, elements: int) -> Waves:
+    """Return the waves of the isotropic surface whose equivalent line has these amplitudes.
+
+    C_1D = pi q C_2D (lines/equivalent.py): each ring has the mean square of the line's mode.
+    """
+    q, power = _rings(2.0 * np.pi / elements * np.arange(1, amplitude.size + 1), 0.5 * amplitude**2)
+    cosines = np.cos(0.5 * np.pi * (np.arange(ANGLES) + 0.5) / ANGLES)
+    along = q[:, None] * cosines
+    each = np.repeat(power / ANGLES, ANGLES)
+    return Waves(np.repeat(q, ANGLES), along.ravel(), each)
+
+
+def _rings(q: np.ndarray, power: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return modes, of many those of a narrow band as one of the same power and slope."""
+    if q.size <= MOST_RINGS:
+        return q, power
+    band = (np.log(q / q[0]) / np.log(q[-1] / q[0]) * (MOST_RINGS - 1)).astype(np.int64)
+    own, slope = np.bincount(band, power), np.bincount(band, power * q * q)
+    there = own > 0.0
+    return np.sqrt(slope[there] / own[there]), own[there]
+
+
+def persson_theory(
+    waves: Waves, spectrum: Spectrum, pressure: float, speed: float
+) -> tuple[float, float]:
+    """Return the coefficient of friction, in h/dx, and the real contact area over the nominal one.
+
+    pressure : nominal, in E* h/dx, E* the relaxed one. speed : v tau/dx, of either sign.
+
+        G(q) = (1/8) sum_(q' <= q) q'^2 |h_q'|^2 |E*(q'_x v)/sigma_0|^2,   P = erf(1/(2 sqrt G)),
+        mu = (1/2) sum q q_x |h_q|^2 Im E*(q_x v)/sigma_0 P S,   S = gamma + (1 - gamma) P^2
+    """
+    modulus = complex_modulus(spectrum, waves.q_x * abs(speed)) / pressure
+    spread = 0.125 * np.cumsum(waves.q**2 * waves.power * np.abs(modulus) ** 2)
+    # All waves of one length are added at once: those of its last one count for each.
+    last = np.searchsorted(waves.q, waves.q * (1.0 + 1e-12), side="right") - 1
+    contact = ERF(0.5 / np.sqrt(np.maximum(spread[last], 1e-300)))
+    share = GAMMA + (1.0 - GAMMA) * contact**2
+    lost = waves.q * waves.q_x * waves.power * modulus.imag * contact * share
+    return math.copysign(0.5, speed) * float(np.sum(lost)), float(contact[-1])

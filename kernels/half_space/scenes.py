@@ -1,0 +1,169 @@
+"""A programme of motion on a half-space: the surface moves over it, and what is asked for is kept.
+
+The steps are those of a line (scene/scene_case.py). At whole samples the surface is the one that is
+given, over other elements; at fractions it is shifted along x by Fourier (motion/fourier.py).
+"""
+
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from ..model.friction import mean_slope
+from ..motion.fourier import Shifted
+from ..motion.legs import speed_at_start
+from ..rheology.forms import form_of
+from ..rheology.law import law_of
+from ..rheology.relaxed import RelaxationForm
+from ..scene.records import TRACES, Trace
+from ..scene.scene_case import Saved, SceneCase, check_scene, scene_steps
+from .body import TOLERANCE, Body, HalfSpace, at_elements, move_on, rested
+from .contact import press
+from .sliding_body import slide_steadily
+from .surface import Surface
+
+KEPT = ("trace", "snapshots")  # what of a scene is there for a half-space
+
+
+class Place(NamedTuple):
+    """Where a step ends, and how it weighs the slopes at its two ends."""
+
+    before: float  # in samples
+    now: float
+    lag: float  # of the force, as a share of the step before its end
+    old: float  # approach before the step, in h
+
+
+class Moving:
+    """A surface at any place along x."""
+
+    def __init__(self, surface: Surface) -> None:
+        """Take the surface as it is at place zero."""
+        self.surface = surface
+        self.shifted: Shifted | None = None
+        self.at = lru_cache(maxsize=4)(self._at)
+
+    def _at(self, fraction: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return heights and slopes a fraction of a sample further."""
+        z, slope, m, _ = self.surface
+        if fraction == 0.0:
+            return z, slope
+        if self.shifted is None:
+            self.shifted = Shifted(z, slope, m)
+        return self.shifted.by(fraction)
+
+    def slope_over(self, place: float, offset: int) -> np.ndarray:
+        """Return the slopes at a place, at the samples over which those of ``offset`` lie."""
+        whole = math.floor(place)
+        return np.roll(self.at(place - whole)[1], whole - offset, axis=1)
+
+
+def run_scene_on_half_space(
+    surface: Surface,
+    scene: SceneCase,
+    state: Saved | None = None,
+    stiffness: np.ndarray | None = None,
+) -> dict[str, np.ndarray]:
+    """Take a half-space through a scene; return the values asked for, by name, as of a line.
+
+    trace : as of a line (scene/run.py), forces in E* L h and E* L h^2/dx. snapshots :
+    "snapshot_pressure" (frames, rows, n), in E* h/dx, at the samples of the half-space. "updates" :
+    samples times passes of the operator. stiffness : over the modes, where it is not the |q|/2 of a
+    half-space. Raises ValueError for a scene without meaning, and for
+    what a half-space does not keep.
+    """
+    if state is not None or set(scene.asked) - set(KEPT):
+        raise ValueError(f"asked = {sorted(scene.asked)}: a half-space keeps {KEPT}")
+    m, n = surface.steps_per_spacing, surface.z.shape[1]
+    steps = scene_steps(scene, m)
+    check_scene(scene, steps, False)
+    form = form_of(scene.spectrum, scene.scheme)
+    space, moving = HalfSpace.under(form, surface, scene.load, stiffness), Moving(surface)
+    body, passes, lag = _begin(space, scene)
+    trace = Trace(*np.empty((len(TRACES), scene.kept.size)))
+    frames = np.empty((scene.frames.size if "snapshots" in scene.asked else 0, *surface.z.shape))
+    kept = {int(number): k for k, number in enumerate(scene.kept)}
+    shown = {int(number): k for k, number in enumerate(scene.frames[: len(frames)])}
+    places = np.append(0.0, steps.position)
+    times = np.cumsum(np.append(0.0, steps.dt))
+    law = lru_cache(maxsize=16)(lambda dt: law_of(form, dt))
+    for step in range(places.size):
+        old = body.d
+        if step:
+            own = law(steps.dt[step - 1])
+            lag, place = own.lag, float(places[step])
+            whole = math.floor(place)
+            heights = moving.at(place - whole)[0]
+            body, used = move_on(space, body, own, heights, whole % n)
+            passes += used
+        if step in kept:
+            before = places[step - 1] if step else -math.copysign(1.0, lag)
+            _keep(trace, kept[step], body, moving, Place(before, places[step], abs(lag), old))
+            _keep_motion(trace, kept[step], step, places / m, times, abs(lag))
+        if step in shown:
+            frames[shown[step]] = np.roll(body.p, body.offset, axis=1)
+    if trace.time.size and 0 in kept:
+        trace.velocity[kept[0]] = speed_at_start(scene.programme)
+    found = dict(zip(TRACES, trace, strict=True)) if "trace" in scene.asked else {}
+    if "snapshots" in scene.asked:
+        found["snapshot_pressure"] = frames
+    return found | {"updates": np.array(float(passes * surface.z.size))}
+
+
+def _keep(trace: Trace, k: int, body: Body, moving: Moving, place: Place) -> None:
+    """Keep friction, forces and contact of a step as number k."""
+    now = moving.slope_over(place.now, body.offset)
+    before = moving.slope_over(place.before, body.offset)
+    side = body.p.shape[1] / moving.surface.steps_per_spacing  # in dx
+    trace.mu[k] = mean_slope(body.p, now + place.lag * (before - now))
+    trace.indentation[k] = body.d + place.lag * (place.old - body.d)
+    trace.normal_force[k] = side * body.p.mean()
+    trace.friction_force[k] = trace.mu[k] * trace.normal_force[k]
+    trace.contact_fraction[k] = np.mean(body.p > 0.0)
+
+
+def _keep_motion(
+    trace: Trace, k: int, step: int, places: np.ndarray, times: np.ndarray, lag: float
+) -> None:
+    """Keep when and where the force of a step acts, and the velocity of the step."""
+    if step == 0:
+        trace.time[k], trace.distance[k], trace.velocity[k] = 0.0, 0.0, 0.0
+        return
+    dt, moved = times[step] - times[step - 1], places[step] - places[step - 1]
+    trace.time[k], trace.distance[k] = times[step] - lag * dt, places[step] - lag * moved
+    trace.velocity[k] = moved / dt
+
+
+def _begin(space: HalfSpace, scene: SceneCase) -> tuple[Body, int, float]:
+    """Return the body before the first step, passes, and the signed lag of the step before."""
+    z = space.surface.z
+    if scene.start == "steady":
+        speed = speed_at_start(scene.programme)
+        one = slide_steadily(space, scene.spectrum, speed)
+        lag = math.copysign(one.step.law.lag, speed)
+        body = one.body._replace(offset=one.body.offset % z.shape[1])
+        return _turned_back(body), one.passes, lag
+    stiffness = 1.0
+    if scene.start == "fresh":
+        if scene.spectrum.viscosity > 0.0:
+            raise ValueError('start = "fresh": a dashpot carries any load at first')
+        stiffness += sum(scene.spectrum.moduli)
+    found = press(stiffness * z, space.pressure, space.operator, None, TOLERANCE)
+    depth = at_elements(found.depth, 0)
+    memory = rested(space.form, depth / stiffness)
+    if scene.start == "fresh" and isinstance(space.form, RelaxationForm):
+        memory[:-1] = space.form.moduli[:, None] * memory[-1]
+    elif scene.start == "fresh":
+        memory[:] = 0.0
+    return Body(memory, depth, found.p, found.d / stiffness, 0), found.passes, 0.0
+
+
+def _turned_back(body: Body) -> Body:
+    """Return a body whose elements are counted from where the surface is now."""
+    rows, n = body.p.shape
+    fields = [
+        np.roll(values.reshape(-1, rows, n), -body.offset, axis=2).reshape(-1, rows * n)
+        for values in (body.memory, body.depth[None])
+    ]
+    return body._replace(memory=fields[0], depth=fields[1][0], offset=0)

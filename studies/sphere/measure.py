@@ -1,0 +1,123 @@
+"""Measure the friction of a rigid sphere over its speed, on both bodies, beside known values.
+
+At rest on the relaxed body the radius of contact is a = (3 F_N R/(4 E*))^(1/3). For v -> 0 a Kelvin
+half-space has F_x = (4/3) E* tau v a^3/R^2, so that mu = v tau/R. All is in units of the cell:
+lengths in its side, E* = 1.
+"""
+
+from collections.abc import Callable
+from functools import partial
+
+import numpy as np
+import xarray as xr
+
+from elastomer_friction.kernels import KELVIN, Case, Line, Quantities, Spectrum, run_case
+from elastomer_friction.kernels.half_space.cases import run_case as run_on_half_space
+from elastomer_friction.kernels.half_space.surface import Surface
+from elastomer_friction.workflow.study import Key, integer
+
+STEADY = Quantities(jump=False, relaxation=False)
+CELL = 6.0  # side of the cell, in radii of contact at rest
+SECONDS = 4e-5  # of a speed, for each sample of the map, in the mean
+SLOW, FAST = 0.003, 30.0  # v tau/a
+# Carbone and Putignano, J. Mech. Phys. Solids 61, 1822 (2013), fig. 12, as digitised: R = 1 cm,
+# 0.15 N, E from 1 to 10 MPa with one time, nu = 0.3; v 10 ms/a and mu. The relaxed solid is E = 1
+# MPa with one branch of 9 MPa and 1 ms.
+PUBLISHED = ((0.106, 0.00851, 6.0), (1.169, 0.0403, 9.0), (7.943, 0.0159, 9.0))  # and radii a side
+SLS = Spectrum((9.0,), (1.0 / 9.0,), 0.0)  # tau = sum g t/G = 9 ms
+RADIUS, FORCE, MODULUS, TIME = 0.01, 0.15, 1e6 / (1.0 - 0.3**2), 9e-3
+SETTINGS = {
+    "side": Key(
+        partial(integer, least=16),
+        "The number of samples of a side of the cell, a power of two.",
+        "Doubled, the error of the half-space falls to about a third, and the time grows by six.",
+    ),
+    "speeds": Key(
+        partial(integer, least=2),
+        "The number of speeds of the curve.",
+        "Doubled, the curve is finer and takes twice the time.",
+    ),
+    "published": Key(
+        partial(integer, least=0),
+        "Whether the three published points are computed as well: 1 or 0.",
+        "There is no more than 1.",
+    ),
+}
+
+
+def outline(settings: dict) -> tuple[list[str], float]:
+    """Return what would be measured, and the predicted seconds of one core."""
+    count = settings["speeds"] + 3 * settings["published"]
+    lines = [f"cell        {settings['side']} x {settings['side']} samples, {CELL:g} radii a side"]
+    return lines, SECONDS * count * settings["side"] ** 2
+
+
+def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict[str, xr.Dataset]:
+    """Return the friction over the speed, and the published points with ours beside them."""
+    speeds = np.geomspace(SLOW, FAST, settings["speeds"])
+    found = []
+    for number, speed in enumerate(speeds, 1):
+        found.append(_both(settings["side"], speed, KELVIN, CELL))
+        advance(number / (len(speeds) + 3 * settings["published"]))
+    half, line = np.array(found).T
+    small = speeds / _radius(CELL)  # v tau/R over v tau/a, R in radii
+    over = {"speed": ("speed", speeds, {"long_name": "v tau over the radius of contact at rest"})}
+    groups = {
+        "": xr.Dataset(
+            {
+                "half_space": ("speed", half),
+                "foundation": ("speed", line),
+                "closed": ("speed", small),
+            },
+            over,
+        )
+    }
+    if settings["published"]:
+        groups["published"] = _published(settings["side"])
+    return groups
+
+
+def _radius(cell: float) -> float:
+    """Return the radius of the sphere in radii of contact: flat enough for small slopes."""
+    return 10.0 * cell
+
+
+def _both(side: int, speed: float, spectrum: Spectrum, cell: float) -> tuple[float, float]:
+    """Return mu of half-space and foundation at a speed in radii of contact at rest per tau."""
+    radius = _radius(cell)
+    x = cell * ((np.arange(side) + 0.5) / side - 0.5)
+    map_heights = (x[:, None] ** 2 + x**2) / (2.0 * radius)
+    # F_N = (4/3) E* a^3/R, of which Fbar = F_N/(E* L h) with h = 1 radius of contact.
+    load = 4.0 / (3.0 * radius) / cell
+    per_step = side / cell  # elements in a radius of contact
+    case = Case(load, speed * per_step, (), (), "exponential", spectrum, refine=False)
+    surface = Surface.from_samples(map_heights, _slope(map_heights), 1)
+    half = run_on_half_space(surface, case, STEADY).mu_1
+    heights = x**2 / radius
+    line = Line.from_samples(heights, _slope(heights), 1)
+    foundation = run_case(line, case, STEADY).mu_1
+    return half * per_step, foundation * per_step
+
+
+def _slope(heights: np.ndarray) -> np.ndarray:
+    """Return dz/dx of a paraboloid, in heights per element; of no mean across the seam."""
+    return np.gradient(heights, axis=-1)
+
+
+def _published(side: int) -> xr.Dataset:
+    rest = (0.75 * FORCE * RADIUS / MODULUS) ** (1.0 / 3.0)
+    speeds = [speed for speed, _, _ in PUBLISHED]
+    found = []
+    for speed, _, cell in PUBLISHED:
+        # Slopes scale with a/R: ours have another R.
+        ours = _both(side, speed * TIME / 0.01, SLS, cell)
+        found.append([mu * _radius(cell) * rest / RADIUS for mu in ours])
+    half, line = np.array(found).T
+    return xr.Dataset(
+        {
+            "half_space": ("speed", half),
+            "foundation": ("speed", line),
+            "published": ("speed", [mu for _, mu, _ in PUBLISHED]),
+        },
+        {"speed": ("speed", speeds, {"long_name": "v 10 ms over the radius of contact"})},
+    )
