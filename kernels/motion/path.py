@@ -44,13 +44,13 @@ def geometric(duration: float, first: float, ratio: float) -> np.ndarray:
 
 def crossed(begin: float, end: float) -> np.ndarray:
     """Return where steps from one position to another end: whole samples, and the end itself."""
-    end = _whole(end)
+    end = whole_or_as_it_is(end)
     low, high = min(begin, end), max(begin, end)
     inner = np.arange(math.ceil(low + NEAR), math.floor(high - NEAR) + 1.0)
     return np.append(inner if end > begin else inner[::-1], end)
 
 
-def _whole(position: float) -> float:
+def whole_or_as_it_is(position: float) -> float:
     """Return a position, or the whole sample that it is but for rounding."""
     nearest = round(position)
     return float(nearest) if abs(position - nearest) <= WHOLE * max(1.0, abs(nearest)) else position

@@ -14,6 +14,7 @@ from .legs import Steps
 
 SHIFTED = 1 << 21  # samples of shifted lines in a stage, at most, but for one line
 LINES = 512  # shifted lines in a stage, at most
+PIECE = 1 << 18  # steps of a stage, at most
 
 
 class Track(NamedTuple):
@@ -36,21 +37,25 @@ def tracks(
     z, slope : line, shape (n,), in h and h/dx. m : samples to a spacing. start, time : before the
     first step, in samples and in tau.
     """
-    n = z.size
-    place = np.append(start, steps.position)
-    times = np.cumsum(np.append(time, steps.dt))
-    whole = np.floor(place)
-    fraction = place - whole
-    begin = (-whole % n).astype(np.int64)
-    shifted = Shifted(z, slope, m) if fraction.any() else None
-    for first, last in _stages(fraction, max(2, min(LINES, SHIFTED // n))):
-        parts, line = np.unique(np.append(0.0, fraction[first : last + 1]), return_inverse=True)
-        both = [(z, slope)]
-        both += [shifted.by(part) for part in parts[1:]] if shifted else []
-        heights, slopes = (np.tile(np.stack(values), 2) for values in zip(*both, strict=True))
-        ends = slice(first, last + 1)
-        dt, moved = steps.dt[first:last], place[ends] / m
-        yield Track(heights, slopes, line[1:], begin[ends], dt, moved, times[ends])
+    n, shifted = z.size, None
+    for piece in range(0, max(steps.dt.size, 1), PIECE):
+        some = slice(piece, piece + PIECE)
+        place = np.append(start, steps.position[some])
+        times = np.cumsum(np.append(time, steps.dt[some]))
+        start, time = float(place[-1]), float(times[-1])
+        whole = np.floor(place)
+        fraction = place - whole
+        begin = (-whole % n).astype(np.int64)
+        if shifted is None and fraction.any():
+            shifted = Shifted(z, slope, m)
+        for first, last in _stages(fraction, max(2, min(LINES, SHIFTED // n))):
+            parts, line = np.unique(np.append(0.0, fraction[first : last + 1]), return_inverse=True)
+            both = [(z, slope)]
+            both += [shifted.by(part) for part in parts[1:]] if shifted else []
+            heights, slopes = (np.tile(np.stack(values), 2) for values in zip(*both, strict=True))
+            ends = slice(first, last + 1)
+            dt, moved = steps.dt[some][first:last], place[ends] / m
+            yield Track(heights, slopes, line[1:], begin[ends], dt, moved, times[ends])
 
 
 def _stages(fraction: np.ndarray, most: int) -> list[tuple[int, int]]:

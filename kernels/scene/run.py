@@ -98,27 +98,28 @@ def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[
     check_scene(scene, steps, state is not None)
     form = form_of(scene.spectrum, scene.scheme)
     begin = state or _begin(line, scene, form)
-    times = np.cumsum(np.append(begin.time, steps.dt))
     control: ConstantForce | PrescribedIndentation = ConstantForce(scene.load * z.size)
     if scene.indentation is not None:
-        control = PrescribedIndentation(indentation_at(scene, times[1:], line.datum))
+        times = np.cumsum(np.append(begin.time, steps.dt))[1:]
+        control = PrescribedIndentation(indentation_at(scene, times, line.datum))
     elements = Elements(begin.memory, begin.p, begin.d)
     recorders = Recorders(scene, line)
     lag, speed = 0.0, speed_at_start(scene.programme)
     if state is None and scene.start == "steady":
         lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
-    done = updates = 0
+    done, updates, time = 0, 0, begin.time
     for track in tracks(z, slope, m, steps, begin.position, begin.time):
         if done == 0:
             recorders.start(form, line, track, elements, lag, speed)
         elements, passes = follow(form, control, track, elements, done, *recorders.all())
         done += track.dt.size
+        time = float(track.time[-1])
         updates += (passes + track.dt.size) * z.size
     values = recorders.values(line.datum) | {"updates": np.array(float(updates))}
     if "state" in scene.asked:
         position = float(steps.position[-1])
         speed = last_speed(scene.programme[-1])
-        saved = Saved(*elements, position, float(times[-1]), speed)
+        saved = Saved(*elements, position, time, speed)
         values |= {f"state_{name}": np.asarray(value) for name, value in saved._asdict().items()}
     return values
 

@@ -6,6 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ..model.limits import LOADS, SPEEDS, check_between
+from ..motion.counts import MOST_STEPS, count_steps
 from ..motion.legs import Programme, Steps, speed_at_start, steps_of
 from ..rheology.spectrum import Spectrum, shortest_step
 
@@ -60,10 +61,13 @@ class Saved(NamedTuple):
 def scene_steps(scene: SceneCase, steps_per_spacing: int, origin: Origin = START) -> Steps:
     """Return all time steps of a scene that begins at ``origin``; steps_per_spacing : m.
 
-    Raises ValueError as steps_of, and where there is none.
+    Raises ValueError as steps_of, where there is none, and for more than MOST_STEPS.
     """
     position, speed, time = origin
     shortest = shortest_step(scene.spectrum)
+    most = count_steps(scene.programme, steps_per_spacing, position, speed, shortest).sum()
+    if most > MOST_STEPS:
+        raise ValueError(f"programme: takes up to {most:.3g} steps, more than {MOST_STEPS:g}")
     steps = steps_of(scene.programme, steps_per_spacing, position, speed, shortest)
     if not steps.dt.size:
         raise ValueError("programme: its legs take no time")

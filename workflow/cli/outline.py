@@ -19,7 +19,7 @@ from ..plan import (
     prediction,
     this_machine,
 )
-from ..simulate import programme_steps
+from ..simulate import leg_counts
 from ..study import (
     HALF_SPACE,
     QUANTITIES,
@@ -145,8 +145,7 @@ def march_lines(variant: Variant) -> list[str]:
     found = []
     if variant.recording.asked:
         legs = [type(leg).__name__.lower() for leg in variant.tasks[0].problem.programme]
-        marches = [programme_steps(t.problem, t.steps_per_spacing) for t in variant.tasks]
-        steps = np.array([np.bincount(march.leg, minlength=len(legs)) for march in marches])
+        steps = np.array([leg_counts(t.problem, t.steps_per_spacing) for t in variant.tasks])
         found = [f"{leg} {_span(steps[:, k])}" for k, leg in enumerate(legs[:SHOWN])]
         found += ["..."] * (len(legs) > SHOWN) + [f"in all {_span(steps.sum(axis=1))}"]
     if any(task.march_steps for task in variant.tasks):

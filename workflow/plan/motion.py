@@ -3,13 +3,22 @@
 Lengths along x are in dx, heights in h, times in tau, speeds in dx/tau.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ... import kernels
-from ...kernels import Programme, Quantities, Spectrum, rms_slope
+from ...kernels import (
+    MOST_STEPS,
+    Origin,
+    Programme,
+    Quantities,
+    Spectrum,
+    count_steps,
+    rms_slope,
+)
 from ...kernels.half_space.surface import rms_slope_of
+from ...kernels.rheology.spectrum import shortest_step
 from ..errors import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory
 from ..study import (
@@ -159,6 +168,24 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
             times = tuple(rounded(time / tau) for time in segment.times)
             return kernels.Sampled(times, tuple(rounded(v * tau / dx) for v in segment.velocities))
     raise UserError(f"scene.programme: {segment!r:.60} is no segment")
+
+
+def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
+    """Raise UserError for a programme of more than MOST_STEPS steps, counted by formula.
+
+    steps : numbers of them per spacing, of problems that share this programme.
+    """
+    programme = problem.programme
+    for m in np.unique(steps) if programme else ():
+        counts = count_steps(programme, int(m), *origin[:2], shortest_step(problem.spectrum))
+        if counts.sum() > MOST_STEPS:
+            leg = int(np.argmax(counts))
+            raise UserError(
+                f"scene.programme: takes {counts.sum():.3g} steps, {counts[leg]:.3g} of them in "
+                f"segment {leg} ({type(programme[leg]).__name__.lower()}), more than "
+                f"{MOST_STEPS:g}: shorten it, or take a larger grid.spacing or fewer "
+                "numerics.steps_per_spacing"
+            )
 
 
 def asked_of(study: Study) -> Quantities:

@@ -13,7 +13,7 @@ from ..simulate import CODE, HALVED, LineShape, Problem, Recording, Task, kept_s
 from ..study import Material, Numerics, Study, Surface
 from .cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
 from .goal import Goal, goal_of, horizon_steps, may_have, steps_per_spacing
-from .motion import recording_of
+from .motion import check_programme, recording_of
 from .problems import distinct_problems, sharers, together
 
 NUMBERS = struct.Struct("<dqddd")  # of a problem, as they stand in its key: to the bit
@@ -94,7 +94,9 @@ def problems_of(study: Study) -> dict[str, Problems]:
     return found
 
 
-def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _Sizes:
+def _sizes(
+    study: Study, asked: Quantities, label: str, problems: Problems, origin: Origin
+) -> _Sizes:
     """Return what the laws say, of problems that are alike at once."""
     numerics, recording = study.variants[label], recording_of(study, label)
     extra = min(recording.finer, study.blocks) / study.realizations  # lines with halved steps too
@@ -104,6 +106,7 @@ def _sizes(study: Study, asked: Quantities, label: str, problems: Problems) -> _
     for rows, many in problems.together:
         goal = goal_of(many, study.scene, numerics) if numerics.accuracy else None
         steps = goal.steps if goal else steps_per_spacing(many, study.scene, numerics)
+        check_programme(many, steps, origin)
         march_steps = horizon_steps(many, numerics, steps) if asked.relaxation else 0 * steps
         for row, own in enumerate((steps, march_steps)):  # one for all if given
             found[0][row, rows] = own
@@ -137,7 +140,7 @@ def variant_of(
     """Return a variant of a study; ``problems`` are its own, ``origin`` as for ``make_plan``."""
     numerics = study.variants[label]
     recording = recording_of(study, label)._replace(origin=origin)
-    said = _sizes(study, asked, label, problems)
+    said = _sizes(study, asked, label, problems, origin)
     pairs = zip(problems.each, said.steps, strict=True)
     if recording.finer and not all(may_have(own, HALVED * steps) for own, steps in pairs):
         recording = recording._replace(finer=0)

@@ -73,8 +73,6 @@ def study_of(arguments: Mapping[str, Any]) -> Study:
         surface = table("surface", arguments["surface"])
         grid |= {key: surface.pop(key) for key in OF_GRID if key in surface}
         tables["surface"] = surface
-    else:
-        numerics["steps_per_spacing"] = 1
     if arguments["numerics"] is not None:
         given = table("numerics", arguments["numerics"])
         numerics |= given
@@ -232,17 +230,17 @@ def run(
 ) -> xr.Dataset:
     """Take a rigid line through a programme of motion over an elastomer; all in SI units.
 
-    profile : heights in m, shape (n,) or (lines, n): one period as it is given, one element per
-        sample, one step per sample. On a half-space a map (n, n), the last axis along x, or (n,)
-        of a line contact. length : of that period, m.
+    profile : heights in m, shape (n,) or (lines, n): one period as it is given, marched in as
+        many steps per sample as a study takes of a measured line. On a half-space a map (n, n), the
+        last axis along x, or (n,) of a line contact. length : of that period, m.
     surface : in place of a profile, random lines: the keys of the table [surface], and hurst,
         roughness and spacing as in [grid].
     material : the keys of [material]. numerics : those of [numerics].
     normal_force : N, or normal_pressure : Pa, or prescribed_indentation : m over the mean line, or
         the name of a file of times in s and indentations in m.
     body : "foundation" or "half-space", as in [scene].
-    programme : segments, each as in [[scene.programme]]; start, repeat and quantities : as in
-        [scene].
+    programme : segments, each as in [[scene.programme]], or {"time": s, "velocity": m/s} with two
+        arrays; start, repeat and quantities : as in [scene].
     realizations : lines; with several, every mean has its standard error. seed : of random lines.
     state : a dataset of the quantity "state", from which the programme goes on to the bit.
 

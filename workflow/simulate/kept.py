@@ -14,14 +14,18 @@ from ...kernels import (
     Programme,
     SceneCase,
     Spectrum,
+    count_steps,
     form_of,
     law_of,
     scene_steps,
 )
+from ...kernels.rheology.spectrum import shortest_step
 from ..errors import UserError
 from .tasks import Problem, Recording, ScaledHistory
 
 RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
+EXACT = 1_000_000  # steps that are counted one by one
+FEW = 16  # marches whose steps are remembered
 LOOP = 256  # samples of the last cycle of an oscillation
 
 
@@ -55,7 +59,7 @@ class ProgrammeSteps(NamedTuple):
     leg: np.ndarray  # number of the leg of each
 
 
-@lru_cache(maxsize=1000)
+@lru_cache(maxsize=FEW)
 def _march(
     programme: Programme,
     history: float | ScaledHistory | None,
@@ -84,6 +88,19 @@ def programme_steps(
     """
     what = problem.programme, problem.indentation, problem.spectrum
     return _march(*what, steps_per_spacing, origin)
+
+
+def leg_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
+    """Return how many steps each leg of a programme takes, shape (legs,).
+
+    Beyond EXACT steps in all they are those of a formula, which makes no array of steps.
+    """
+    programme, legs = problem.programme, len(problem.programme)
+    shortest = shortest_step(problem.spectrum)
+    counts = count_steps(programme, steps_per_spacing, *origin[:2], shortest)
+    if counts.sum() > EXACT:
+        return counts
+    return np.bincount(programme_steps(problem, steps_per_spacing, origin).leg, minlength=legs)
 
 
 @lru_cache(maxsize=1000)

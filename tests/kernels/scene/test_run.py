@@ -40,6 +40,16 @@ def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
     assert (time[0], distance[0], velocity[0]) == (0.0, 0.0, 0.5)
 
 
+@pytest.mark.parametrize("piece", [1, 7, 50])
+def test_a_path_in_pieces_is_the_whole_to_the_bit(monkeypatch, piece):
+    scene = a_scene(EVERY, DAMPED, M)._replace(asked=ASKED)
+    whole = run_scene(a_line(), scene)
+    monkeypatch.setattr("elastomer_friction.kernels.motion.track.PIECE", piece)
+    parts = run_scene(a_line(), scene)
+    for name, values in whole.items():
+        np.testing.assert_array_equal(parts[name], values, err_msg=name)
+
+
 def test_some_kept_steps_are_when_and_where_they_are_among_all():
     every = a_scene(EVERY, SOLID, M)
     some = every._replace(kept=np.array([0, 3, 17, 40]))

@@ -18,7 +18,7 @@ def stepped():
 
 
 def test_a_trace_starts_from_steady_sliding_and_has_a_sample_per_step(stepped):
-    assert stepped.sizes["event"] == 129
+    assert stepped.sizes["event"] == 1 + 4 * 128
     before = stepped.trace_segment.values[1:] == 0
     steady = stepped.trace_mu.values[1:][before]
     assert np.ptp(steady) < 1e-9 * abs(steady).max()
@@ -26,12 +26,27 @@ def test_a_trace_starts_from_steady_sliding_and_has_a_sample_per_step(stepped):
     assert np.isnan(stepped.trace_mu_error).all()  # of one line
 
 
+def test_a_profile_is_marched_in_as_many_steps_as_a_study_takes():
+    """Which is enough, and one step per sample is not."""
+    own, coarse, fine = (run(numerics=n)["mu_1"].item() for n in (
+        None, {"steps_per_spacing": 1}, {"steps_per_spacing": 32}
+    ))  # fmt: skip
+    assert own == pytest.approx(fine, rel=1e-3)
+    assert coarse != pytest.approx(fine, rel=2e-3)
+
+
+def test_a_velocity_in_arrays_is_the_segment_of_a_ramp():
+    arrays = {"time": np.array([2.0, 2.0005]), "velocity": np.array([0.1, 0.2])}
+    ramp = {"ramp": {"velocity": [0.1, 0.2], "duration": 5e-4}}
+    assert np.array_equal(run(arrays).trace_mu.values, run(ramp).trace_mu.values)
+
+
 def test_everything_is_in_si(stepped):
     velocity = stepped.trace_velocity.values[1:]
     assert sorted(set(velocity.round(12))) == [0.1, 0.2]
     assert stepped.trace_distance.values[-1] == pytest.approx(LENGTH, rel=0.02)
     assert stepped.trace_time.values[-1] == pytest.approx(0.5 * LENGTH * (10 + 5), rel=0.02)
-    assert stepped.trace_normal_force.values == pytest.approx(np.ones(129), rel=1e-9)
+    assert stepped.trace_normal_force.values == pytest.approx(np.ones(513), rel=1e-9)
     mu = stepped.trace_friction_force / stepped.trace_normal_force
     assert mu.values == pytest.approx(stepped.trace_mu.values, rel=1e-9)
     assert float(stepped.tau) == pytest.approx(5 * 1e-3 + 10 * 1e-4)
@@ -191,10 +206,10 @@ def test_two_halves_are_the_whole_to_the_bit(first):
     second = run(slide(0.1, 32), **ASKED, state=first)
     whole = run(slide(0.1, 32), slide(0.1, 32), **ASKED)
     for name in ("trace_mu", "trace_indentation", "trace_contact_fraction"):
-        assert np.array_equal(second[name].values[1:], whole[name].values[33:]), name
+        assert np.array_equal(second[name].values[1:], whole[name].values[129:]), name
     for name in ("state_memory", "state_p", "state_d", "state_position"):
         assert np.array_equal(second[name].values, whole[name].values), name
-    assert second.trace_time.values[1:] == pytest.approx(whole.trace_time.values[33:], rel=1e-12)
+    assert second.trace_time.values[1:] == pytest.approx(whole.trace_time.values[129:], rel=1e-12)
 
 
 @pytest.mark.parametrize(

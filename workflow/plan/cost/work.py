@@ -11,7 +11,15 @@ import numpy as np
 
 from ....kernels import KELVIN, Quantities
 from ....kernels.quick.contacts.refined import FINE, LEAST_STEPS, MOST_SAMPLES, NARROW
-from ...simulate import PHASES, Problem, Recording, lines_at_once, programme_steps
+from ...simulate import (
+    EXACT,
+    PHASES,
+    Problem,
+    Recording,
+    leg_counts,
+    lines_at_once,
+    programme_steps,
+)
 from ...study import HALF_SPACE
 from ..error_laws import contact_width
 from ..half_space import COLD, PASS, WARM, passes_of
@@ -94,7 +102,7 @@ def _half_space(asked: Quantities, work: Work, recording: Recording) -> dict[str
     """Return the time of a case on a half-space, which goes with passes over its map."""
     steady, march = passes_of(work.problem, work.steps, work.march_steps, asked)
     if recording.asked:
-        counts = [programme_steps(work.problem, int(m)).moved.size for m in np.ravel(work.steps)]
+        counts = [leg_counts(work.problem, int(m)).sum() for m in np.ravel(work.steps)]
         march = march + WARM * np.array(counts).reshape(np.shape(work.steps))
     each = PASS * work.samples
     return {
@@ -109,9 +117,11 @@ def _programme(work: Work) -> Numbers:
     different, inverse = np.unique(work.steps, return_inverse=True)
     counts = []
     for steps in different:
-        moved = programme_steps(work.problem, int(steps)).moved
-        between = np.abs(moved - np.round(moved)) > 1e-6  # of a sample
-        counts.append((moved.size, np.count_nonzero(between)))
+        count, between = leg_counts(work.problem, int(steps)).sum(), 0
+        if count <= EXACT:
+            moved = programme_steps(work.problem, int(steps)).moved
+            between = int(np.sum(np.abs(moved - np.round(moved)) > 1e-6))  # of a sample
+        counts.append((count, between))
     whole, shifted = np.array(counts)[inverse].T
     return whole * _dense_step(work) + SHIFT * shifted * STEP(work.samples)
 

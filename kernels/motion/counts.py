@@ -1,0 +1,105 @@
+"""How many steps the legs of a programme take, by formula: no array of them is made.
+
+Of slides, holds and small oscillations the number is exact. Of paths that are solved for their
+steps (path.py) it is a bound that they do not exceed.
+"""
+
+import math
+
+import numpy as np
+
+from ..rheology.spectrum import SHORTEST
+from .legs import (
+    FIRST_OF_HOLD,
+    Hold,
+    Leg,
+    Oscillation,
+    Programme,
+    Ramp,
+    Sampled,
+    Slide,
+    check_leg,
+    last_speed,
+)
+from .path import NEAR, WHOLE, Path, fewest_steps, growth, oscillating, piecewise, whole_or_as_it_is
+
+MOST_STEPS = 10_000_000  # of a programme
+LEAST_FIRST = 1e12  # times the first step at rest is shorter than the rest, at most
+
+
+def count_steps(
+    programme: Programme,
+    steps_per_spacing: int,
+    position: float = 0.0,
+    speed: float = 0.0,
+    shortest: float = SHORTEST,
+) -> np.ndarray:
+    """Return the number of steps of each leg, or a bound of it; arguments as of ``steps_of``.
+
+    Shape (legs,), whole numbers as floats, which may be beyond any integer. Raises ValueError for a
+    leg without meaning.
+    """
+    counts: list[float] = []
+    m = steps_per_spacing
+    for leg in programme:
+        check_leg(leg)
+        if not math.isfinite(position):  # what is beyond all numbers is too much
+            break
+        if isinstance(leg, Slide):
+            end = position + math.copysign(leg.distance * m, leg.speed)
+            end = whole_or_as_it_is(end) if math.isfinite(end) else end
+            counts.append(_crossings(position, end))
+            position = end
+        elif isinstance(leg, Hold):
+            counts.append(_of_hold(leg, m, speed, shortest))
+        else:
+            count, moved = _of_path(leg, m)
+            counts.append(count)
+            moved += position
+            position = whole_or_as_it_is(moved) if math.isfinite(moved) else moved
+        if counts[-1]:
+            speed = last_speed(leg)
+    return np.array(counts + [0.0] * (len(programme) - len(counts)), float)
+
+
+def _crossings(begin: float, end: float) -> float:
+    """Return how many steps end at whole samples between two positions, and at the end."""
+    low, high = min(begin, end), max(begin, end)
+    if not math.isfinite(high - low):
+        return math.inf
+    return max(math.floor(high - NEAR) - math.ceil(low + NEAR) + 1.0, 0.0) + 1.0
+
+
+def _of_hold(leg: Hold, m: int, speed: float, shortest: float) -> float:
+    if leg.duration <= 0.0:
+        return 0.0
+    first = max(0.25 / (m * abs(speed)) if speed else FIRST_OF_HOLD * leg.duration, shortest)
+    ratio = growth(m)
+    return float(math.ceil(math.log1p(leg.duration / first * (ratio - 1.0)) / math.log(ratio)))
+
+
+def _of_path(leg: Leg, m: int) -> tuple[float, float]:
+    """Return a bound of the steps along a path, and how far it goes, in samples."""
+    fewest = fewest_steps(m)
+    if isinstance(leg, Oscillation):  # all cycles are alike
+        fastest = abs(leg.speed) + 2.0 * math.pi * leg.frequency * leg.amplitude
+        if fastest * m <= leg.frequency * fewest:
+            return float(fewest * leg.cycles), m * leg.speed * leg.cycles / leg.frequency
+        path = oscillating(leg.speed, leg.amplitude, leg.frequency, 1, m)
+        count, moved = _bound(path, m)
+        return leg.cycles * count, leg.cycles * moved
+    if isinstance(leg, Ramp):
+        return _bound(piecewise((0.0, leg.duration), (leg.first, leg.last), m), m)
+    assert isinstance(leg, Sampled)
+    return _bound(piecewise(leg.times, leg.speeds, m), m)
+
+
+def _bound(path: Path, m: int) -> tuple[float, float]:
+    """Return the same of a path: a step per sample, one per share of a piece, and those at rest."""
+    with np.errstate(over="ignore", invalid="ignore"):
+        places = path.where(path.breaks)
+    pieces = np.abs(np.diff(places))
+    resting = math.ceil(math.log1p(LEAST_FIRST * (growth(m) - 1.0)) / math.log(growth(m)))
+    each = np.ceil(pieces) + 2.0 + np.where(pieces > WHOLE, fewest_steps(m), resting)
+    count = float(each.sum())
+    return (count, float(places[-1])) if math.isfinite(count) else (math.inf, math.inf)
