@@ -44,6 +44,7 @@ class SlidingBody(NamedTuple):
     step: Step
     mu: float  # in h/dx
     step_mu: float  # the same, as a step of the march gives it
+    viscous: float  # from 0 to 1: how far pressures jump where a contact begins
     passes: int
 
 
@@ -69,19 +70,19 @@ def slide_steadily(
     step_mu = mean_slope(body.p, step.weight)
     exact = 1.0 if full.min() > 0.0 else 0.5
     lost = _lost(space, complex_modulus(spectrum, q * speed), response, exact, body.p)
-    share = 1.0 if exact == 1.0 else _share_of_loss(spectrum, surface.steps_per_spacing * speed)
-    mu = share * lost + (1.0 - share) * step_mu
+    viscous = _viscous(spectrum, surface.steps_per_spacing * speed)
+    mu = lost if exact == 1.0 else lost + viscous * (step_mu - lost)
     if mu * lost <= 0.0:  # contacts of single samples: sliding takes work all the same
         mu = lost
-    return SlidingBody(body, step, mu, step_mu, passes)
+    return SlidingBody(body, step, mu, step_mu, viscous, passes)
 
 
-def _share_of_loss(spectrum: Spectrum, steps: float) -> float:
-    """Return the share that what is lost has in mu; steps : per tau, of either sign."""
+def _viscous(spectrum: Spectrum, steps: float) -> float:
+    """Return how viscous a step is, from 0 to 1; steps : per tau, of either sign."""
     if spectrum.viscosity == 0.0:
-        return 1.0
+        return 0.0
     modulus = complex(complex_modulus(spectrum, np.array(abs(steps))))
-    return math.exp(-((modulus.imag / modulus.real) ** 2))
+    return -math.expm1(-((modulus.imag / modulus.real) ** 2))
 
 
 def _lost(
