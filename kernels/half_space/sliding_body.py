@@ -14,9 +14,9 @@ lost has none,
 
     mu sigma_0 = sum A q_x E*''(q_x v) |J|^2 |p_q|^2,
 
-with |J|^2 of the step where displacements are taken for exact, as in full contact, and 1/|E*|^2
-where pressures are; their mean is taken. Where a step is viscous pressures jump at the edges of
-contacts, and the sum is the better estimate, by measurement.
+with |J|^2 of the step where displacements are taken for exact, as in full contact and beside a
+dashpot, and 1/|E*|^2 where pressures are; else the mean of both is taken. Where a step is viscous
+pressures jump at the edges of contacts, and the sum is better. All that by measurement.
 """
 
 import math
@@ -68,10 +68,11 @@ def slide_steadily(
     else:
         body, passes = _direct(space, step, response, memory, start)
     step_mu = mean_slope(body.p, step.weight)
-    exact = 1.0 if full.min() > 0.0 else 0.5
+    everywhere = bool(full.min() > 0.0)
+    exact = 1.0 if everywhere or spectrum.viscosity > 0.0 else 0.5
     lost = _lost(space, complex_modulus(spectrum, q * speed), response, exact, body.p)
     viscous = _viscous(spectrum, surface.steps_per_spacing * speed)
-    mu = lost if exact == 1.0 else lost + viscous * (step_mu - lost)
+    mu = lost if everywhere else lost + viscous * (step_mu - lost)
     if mu * lost <= 0.0:  # contacts of single samples: sliding takes work all the same
         mu = lost
     return SlidingBody(body, step, mu, step_mu, viscous, passes)
@@ -147,7 +148,7 @@ def _direct(
         change, mu = abs(new - mu) / steepest, new
         if _settled(change, mu / steepest) and tolerance == TOLERANCE:
             return _carried(space, memory, found.p, found.d), passes
-        tolerance = max(TOLERANCE, min(1e-3, 0.1 * change))
+        tolerance = max(TOLERANCE, min(1e-3, change))
     raise ValueError(f"no steady state was found in {TURNS} turns: mu still moves by {change:.1e}")
 
 
