@@ -34,6 +34,14 @@ def read_text_lines(asked: Asked) -> Raw:
     repeat without making a map.
     """
     table = read_text_table(KEY, asked.path, asked.name)
+    raw = _lines_of_table(asked, table)
+    if table.passed_over:
+        over = f"; {len(table.passed_over)} lines of words below the first row passed over"
+        raw = raw._replace(told=raw.told + over)
+    return raw
+
+
+def _lines_of_table(asked: Asked, table: TextTable) -> Raw:
     _check_columns(asked, table)
     if asked.step is not None or len(table.numeric) == 1 or _is_matrix(asked, table):
         return _heights_alone(asked, table)
@@ -148,7 +156,9 @@ def _quantity_of_remarks(asked: Asked, table: TextTable, names: re.Pattern[str])
         if quantity is None or not names.fullmatch(re.sub(r"\s*[\[(].*", "", name)):
             continue
         own = quantity[1] or "".join(re.findall(r"[\[(](.*?)[\])]", name))
-        factor = metres(asked.units[0] if asked.units else own)
+        if not own and asked.units and names is PITCH:  # a bare width may be a count of samples
+            own = asked.units[0]
+        factor = metres(own)
         if factor is not None and quantity[0] > 0.0:
             return quantity[0] * factor
     return None

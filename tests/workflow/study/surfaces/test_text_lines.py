@@ -133,6 +133,8 @@ def test_a_matrix_of_heights(tmp_path, header):
 def test_a_matrix_without_a_step_says_how_to_give_it(tmp_path):
     with pytest.raises(UserError, match=r"a matrix of heights, .*: give surface\.step"):
         read(tmp_path, matrix())
+    with pytest.raises(UserError, match=r"give surface\.step"):  # a width in samples is no length
+        read(tmp_path, f"Width: 24\n{matrix()}", units=("um", "um"))
     lines = read(tmp_path, matrix(" "), step=1e-6, units=("um", "nm"))
     np.testing.assert_allclose(lines.heights, Z * 1e-9)
 
@@ -144,6 +146,9 @@ def test_heights_alone(tmp_path):
     assert lines.step == pytest.approx(0.5e-6)
     with pytest.raises(UserError, match=r"heights alone, .*: give surface\.step"):
         read(tmp_path, f"z [um]\n{heights}")
+    for pitch, step in (("0.5 um", 0.5e-6), ("0.5", 0.5e-3)):  # its own unit goes first
+        lines = read(tmp_path, f"pitch: {pitch}\n{heights}", units=("mm", "nm"))
+        assert lines.step == pytest.approx(step)
     assert read(tmp_path, f"z [um]\n{heights}", step=2e-6).step == 2e-6
 
 
