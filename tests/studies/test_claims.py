@@ -202,7 +202,7 @@ def test_exponent_over_the_normal_force(shift, verdict):
     alpha = 1.0 - dataset.hurst + xr.where(dataset.normal_force > 0.5, shift, 0.0)
     found = fig7.exponent_over_force({"fig7": with_rates(dataset, dataset.speed_ratio**alpha)})
     assert found.verdict == verdict
-    assert f"spreads by {shift:.2f} at H = 0.3" in found.found
+    assert f"spreads by {shift:.2f} at H = " in found.found
 
 
 def steps(jump=None, at="v2"):
