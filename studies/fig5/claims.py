@@ -5,8 +5,10 @@ from collections.abc import Callable
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.workflow.report import Claim, Results, given, judge, mean_error
+from elastomer_friction.workflow.kinetic_law import PLATEAU
+from elastomer_friction.workflow.report import Claim, Results, given, judge, mean_error, percent
 
+FLAT = 0.9  # share of its largest value from which mu_1 counts as on the plateau
 SLOW = 0.5  # x below which sliding is slow
 
 
@@ -75,4 +77,37 @@ def _xi(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
     return xi, error + fitted.fillna(unknown)
 
 
-CLAIMS = (slow_jump, slow_steady)
+def plateau_over_force(results: Results) -> Claim | None:
+    """Judge that the plateau of the jump (eq. 11) is one for all normal forces.
+
+    Of each force from the speed on at which mu_1 is within FLAT of its largest value, where that
+    is over grad z: there region III begins.
+    """
+    dataset = given(results, "fig5", "mu_1", "jump")
+    if dataset is None or dataset.normal_force.size < 2:
+        return None
+    mu = dataset.mu_1 / dataset.rms_slope
+    most = mu.max("velocity")
+    begun = ((mu >= FLAT * most) & (most > 1.0)).cumsum("velocity") > 0
+    jump = (dataset.jump / dataset.rms_slope / dataset.velocity_step).where(begun)
+    others = [dim for dim in jump.dims if dim != "normal_force"]
+    least, largest = jump.min(others), jump.max(others)
+    known = np.flatnonzero(np.isfinite(least.values))
+    if known.size < 2:
+        return None
+    force = dataset.normal_force.values[known]
+    deviation = float(np.abs(jump / PLATEAU - 1.0).max())
+    error = float((dataset.jump_error / np.abs(dataset.jump)).where(begun).median())
+    low, high = (int(known[k]) for k in (0, -1))
+    return Claim(
+        "Plateau (Δµ₀/∇z)/(Δv/v₁) = 0.4 at all normal forces (eq. 11)",
+        f"{PLATEAU:g}",
+        f"{float(least[low]):.3f} … {float(largest[low]):.3f} at F_N = {force[0]:.2g} N, "
+        f"{float(least[high]):.3f} … {float(largest[high]):.3f} at {force[-1]:.2g} N, "
+        f"{float(jump.min()):.3f} … {float(jump.max()):.3f} in all; {int(jump.count())} points",
+        f"{percent(error, 1)} a point",
+        judge(deviation, error),
+    )
+
+
+CLAIMS = (slow_jump, slow_steady, plateau_over_force)

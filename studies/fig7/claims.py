@@ -46,6 +46,8 @@ NEEDED = (
 LARGEST_ERROR = 0.15  # relative standard error of b up to which a point is used
 NEARLY_FULL = 0.8  # contact fraction from which a contact counts as full
 FORCE_TOLERANCE = 0.5
+ALPHA_TOLERANCE = 0.2  # absolute, of alpha
+LEAST_SPEEDS = 3  # of which alpha of one normal force is fitted
 
 
 def slow_rate(results: report.Results) -> report.Claim | None:
@@ -120,6 +122,36 @@ def force_independence(results: report.Results) -> report.Claim | None:
     )
 
 
+def exponent_over_force(results: report.Results) -> report.Claim | None:
+    """Judge that alpha depends on H alone (eq. 13): its spread over F_N, each fitted by itself."""
+    points = _usable(results, CONVERGED, above=1.0)
+    if points is None:
+        return None
+    hursts, forces = points.hurst.values, points.normal_force.values
+    x, b = np.log(points.speed_ratio.values), np.log(points.relaxation_rate.values)
+    found: dict[float, dict[float, float]] = {}
+    for hurst, force in sorted(set(zip(hursts.tolist(), forces.tolist(), strict=True))):
+        own = (hursts == hurst) & (forces == force)
+        if np.unique(x[own]).size >= LEAST_SPEEDS:
+            found.setdefault(hurst, {})[force] = float(x[own] @ b[own] / (x[own] @ x[own]))
+    several = {hurst: alphas for hurst, alphas in found.items() if len(alphas) > 1}
+    if not several:
+        return None
+    spreads = {hurst: max(a.values()) - min(a.values()) for hurst, a in several.items()}
+    worst = max(spreads, key=lambda hurst: spreads[hurst])
+    ratio = np.exp(b - (1.0 - hursts) * x)
+    verdict = report.judge(spreads[worst], tolerance=ALPHA_TOLERANCE)
+    return report.Claim(
+        "α of eq. 13 depends on H alone, for v₁τq_max > 1",
+        "no spread over F_N",
+        f"α at one F_N each spreads by {spreads[worst]:.2f} at H = {worst:g}, from "
+        f"{min(several[worst].values()):.2f} to {max(several[worst].values()):.2f}; b/x^(1−H) "
+        f"= {ratio.min():.2f} … {ratio.max():.2f}; {len(several)} H",
+        report.per_point(results[CONVERGED]),
+        report.reworded(verdict, f"{report.HOLDS} within {spreads[worst]:.2f}"),
+    )
+
+
 def _usable(
     results: report.Results, key: str, above: float = 0.0, below: float = np.inf
 ) -> xr.Dataset | None:
@@ -138,4 +170,10 @@ def _usable(
     return points.isel(point=usable.values) if np.unique(x.values[usable]).size > 1 else None
 
 
-CLAIMS = (exponential_fits, slow_rate, relaxation_time, force_independence)
+CLAIMS = (
+    exponential_fits,
+    slow_rate,
+    relaxation_time,
+    force_independence,
+    exponent_over_force,
+)

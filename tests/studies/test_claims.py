@@ -9,7 +9,8 @@ from elastomer_friction.studies.fig5 import claims as fig5
 from elastomer_friction.studies.fig6 import claims as fig6
 from elastomer_friction.studies.fig7 import claims as fig7
 from elastomer_friction.studies.fig8 import claims as fig8
-from elastomer_friction.workflow.kinetic_law import normalised_jump
+from elastomer_friction.studies.grid6d import claims as grid6d
+from elastomer_friction.workflow.kinetic_law import jump_between, normalised_jump
 from tests.support.synthetic import SLOPE, add, result, with_alpha, with_rates
 
 
@@ -177,3 +178,53 @@ def test_force_independence(ratio, verdict):
     found = fig7.force_independence({"fig7": with_rates(dataset, rate)})
     assert found.verdict.startswith(verdict)
     assert f"largest ratio {ratio:.2f}" in found.found
+
+
+@pytest.mark.parametrize(("light", "verdict"), [(1.0, "holds"), (0.2, "not found")])
+def test_plateau_over_the_normal_force(light, verdict):
+    axes = {"hurst": [0.7], "normal_force": [0.01, 1.0], "velocity": np.geomspace(1e-3, 10.0, 9)}
+    dataset = result("fig5", **axes)
+    mu = 1.3 * dataset.speed_ratio / (1.0 + dataset.speed_ratio)
+    level = xr.where(dataset.normal_force < 0.1, light, 1.0)
+    dataset = add(dataset, 0.001, mu_1=SLOPE * mu, jump=SLOPE * 0.2 * 0.4 * level)
+    found = fig5.plateau_over_force({"fig5": dataset})
+    assert found.verdict == verdict
+    assert f"{0.4 * light:.3f} at F_N = 0.01 N" in found.found
+    alone = dataset.isel(normal_force=[0])
+    assert fig5.plateau_over_force({"fig5": alone}) is None
+
+
+@pytest.mark.parametrize(
+    ("shift", "verdict"), [(0.0, "holds"), (0.1, "holds within 0.10"), (0.4, "not found")]
+)
+def test_exponent_over_the_normal_force(shift, verdict):
+    dataset = result(hurst=[0.3, 0.7], velocity=np.geomspace(1e-3, 0.1, 7))
+    alpha = 1.0 - dataset.hurst + xr.where(dataset.normal_force > 0.5, shift, 0.0)
+    found = fig7.exponent_over_force({"fig7": with_rates(dataset, dataset.speed_ratio**alpha)})
+    assert found.verdict == verdict
+    assert f"spreads by {shift:.2f} at H = " in found.found
+
+
+def steps(jump=None, at="v2"):
+    """Return the grid with jumps in proportion to the step or summed up, and rates at v1 or v2."""
+    dataset = result("grid6d", hurst=[0.0, 0.5, 1.0], velocity_step=[-0.2, 0.3])
+    mu, ratio = SLOPE * 1.2, 1.0 + dataset.velocity_step
+    linear = 0.38 * SLOPE * dataset.velocity_step
+    summed = xr.apply_ufunc(jump_between, mu, mu, np.log(ratio), SLOPE)
+    dataset = add(dataset, 0.001, mu_1=mu, jump=summed if jump == "summed" else linear)
+    x = dataset.speed_ratio * (ratio if at == "v2" else 1.0)
+    return with_rates(dataset, x ** (1.0 - dataset.hurst))
+
+
+@pytest.mark.parametrize(("jump", "verdict"), [("linear", "holds"), ("summed", "not found")])
+def test_jump_over_the_size_of_the_step(jump, verdict):
+    found = grid6d.jump_over_step({"grid6d": steps(jump)})
+    assert found.verdict == verdict
+    assert "0.78 would be small steps summed up" in found.found
+
+
+@pytest.mark.parametrize(("at", "verdict"), [("v1", "holds"), ("v2", "not found")])
+def test_rate_after_steps_up_and_down(at, verdict):
+    found = grid6d.rate_after_step({"grid6d": steps(at=at)})
+    assert found.verdict == verdict
+    assert f"s = {1.0 if at == 'v2' else 0.0:.2f} (" in found.found

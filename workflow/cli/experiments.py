@@ -5,6 +5,8 @@ from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+import numpy as np
+
 from .. import laboratory  # slow to import: other commands do without
 from ..errors import UserError
 from ..study import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
@@ -90,6 +92,7 @@ def _described(measured: Moduli, fit: "PronyFit", asked: int | None) -> list[str
         f"{100 * fit.worst:.2g} % at most; what is slower than {fit.slowest:.3g} s counts as "
         "relaxed",
     ]
+    said.append(f"residual per decade from {omega[0]:.3g} rad/s: {_per_decade(measured, fit)} %")
     if asked is not None and fit.rms > 2.0 * fit.dense:
         said.append(f"{asked} branches are too few: more of them leave {100 * fit.dense:.2g} % rms")
     if not fit.determined:
@@ -98,6 +101,13 @@ def _described(measured: Moduli, fit: "PronyFit", asked: int | None) -> list[str
             f"Pa do as well; it wants frequencies below {omega[0]:.3g} rad/s"
         )
     return said
+
+
+def _per_decade(measured: Moduli, fit: "PronyFit") -> str:
+    """Return the rms residual of G* in each decade of the frequency, in %."""
+    decade = np.floor(np.log10(measured.omega / measured.omega[0]) + 1e-9)
+    squares = [np.mean(fit.residual[decade == each] ** 2) for each in np.unique(decade)]
+    return ", ".join(f"{100.0 * np.sqrt(square):.2g}" for square in squares)
 
 
 def _shares(fit: "PronyFit") -> tuple[float, list[tuple[float, float]]]:

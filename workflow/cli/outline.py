@@ -303,9 +303,8 @@ def _motion(study: Study) -> Iterator[tuple[bool, str]]:
         shown = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
         again = f", {scene.repeat} times" if scene.repeat > 1 else ""
         yield True, f"programme from {scene.start}: {shown}{again}"
-        for each in scene.programme:
-            if isinstance(each, FromFile):
-                yield True, f"programme sampled: {each.told}"
+        for each in scene.sampled:
+            yield True, f"programme sampled: {each}"
     else:
         yield False, "programme: there is no [[scene.programme]]; v1 steps to v2"
     if scene.control == "force":

@@ -14,13 +14,11 @@ from ...kernels import (
     Programme,
     Quantities,
     Spectrum,
-    count_steps,
     rms_slope,
 )
 from ...kernels.half_space.surface import rms_slope_of
-from ...kernels.rheology.spectrum import shortest_step
 from ..errors import UserError
-from ..simulate import LineShape, Problem, Recording, ScaledHistory
+from ..simulate import LineShape, Problem, Recording, ScaledHistory, bounded_counts
 from ..study import (
     FOUNDATION,
     HALF_SPACE,
@@ -177,7 +175,7 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
     """
     programme = problem.programme
     for m in np.unique(steps) if programme else ():
-        counts = count_steps(programme, int(m), *origin[:2], shortest_step(problem.spectrum))
+        counts = bounded_counts(problem, int(m), origin)
         if counts.sum() > MOST_STEPS:
             leg = int(np.argmax(counts))
             raise UserError(

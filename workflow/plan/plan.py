@@ -9,7 +9,7 @@ import numpy as np
 from ...kernels import START, Origin, Quantities
 from ...kernels.compile.garbage import nothing_collected
 from ..errors import UserError
-from ..simulate import HALVED, Batch, Task, row_layout, row_width
+from ..simulate import HALVED, Batch, Task, bounded_counts, row_layout, row_width
 from ..study import HALF_SPACE, Study
 from .cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from .goal import FIRST_SHARE, whole_blocks
@@ -19,6 +19,7 @@ from .variant import Variant, problems_of, variant_of
 
 DRIVER_BYTES = 400e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code
+BYTES_PER_STEP = 65  # of the longest programme
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
 BYTES_PER_TASK = 2000  # of the plan
 BYTES_PER_RECORD = 1  # many share an entry of the index
@@ -68,14 +69,25 @@ class Plan(NamedTuple):
         """Return the predicted peak memory of a worker."""
         finer = HALVED if any(variant.recording.finer for variant in self.variants) else 1
         each = [_bytes_per_sample(own) * max(own.drawing) for own in self.variants]
-        return WORKER_BYTES + finer * max(each)
+        return WORKER_BYTES + finer * max(each) + BYTES_PER_STEP * self.longest_programme()
+
+    def longest_programme(self) -> float:
+        """Return the largest number of steps of any programme, at most; 0 without one."""
+        marched = (
+            bounded_counts(task.problem, task.steps_per_spacing, variant.recording.origin).sum()
+            for variant in self.variants
+            if variant.recording.asked
+            for task in variant.tasks
+        )
+        return float(max(marched, default=0.0))
 
     def predicted_driver_bytes(self) -> float:
         """Return the predicted peak memory of the process that plans, stores and collects."""
         tasks = sum(len(v.tasks) for v in self.variants)
         widest = max(self.widest_row(variant) for variant in self.variants)
         estimates = self.points * (BYTES_PER_POINT + BYTES_PER_CURVE_SAMPLE * widest)
-        return DRIVER_BYTES + tasks * BYTES_PER_TASK + self.records * BYTES_PER_RECORD + estimates
+        kept = tasks * BYTES_PER_TASK + self.records * BYTES_PER_RECORD
+        return DRIVER_BYTES + kept + estimates + BYTES_PER_STEP * self.longest_programme()
 
     def typical_of(self, batch: Batch) -> dict[tuple[str, str], float]:
         """Return the typical seconds of a batch by kind and part of the work."""

@@ -33,6 +33,7 @@ class PronyFit(NamedTuple):
     branches: tuple[tuple[float, float], ...]  # (modulus, time), times ascending
     rms: float  # of the relative residual of G*
     worst: float  # the largest one
+    residual: np.ndarray  # its size at each frequency, shape (n,)
     dense: float  # rms with as many branches as wanted
     slowest: float  # time, s, beyond which all counts as relaxed
     least: float  # relaxed moduli with which the data can be described as well
@@ -73,7 +74,7 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     times = _moved(data, times, reach)
     found, rms = _solved(data, times)
     kept = found[1:] > 0.0
-    worst = np.max(np.abs(_model(omega, times) @ found - data.moduli) / data.size)
+    residual = np.abs(_model(omega, times) @ found - data.moduli) / data.size
     pairs = zip((unit * found[1:][kept]).tolist(), times[kept].tolist(), strict=True)
     relaxed = taken + float(found[0])
     within = rms <= max(LOSS * best, SMALL)  # a fit of too few branches says nothing of it
@@ -81,7 +82,8 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
         shear_modulus=unit * relaxed,
         branches=tuple(pairs),
         rms=rms,
-        worst=float(worst),
+        worst=float(residual.max()),
+        residual=residual,
         dense=best,
         slowest=float(grid[-1]),
         least=unit * (min(least, relaxed) if within else least),

@@ -51,6 +51,10 @@ def build_dataset(
         said["normal_force_share"] = share
     if variant.lines.profile is not None:
         said |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
+    if variant.material.told:
+        said["branches"] = variant.material.told
+    if sampled := plan.study.scene.sampled:
+        said["programme"] = "; ".join(sampled)
     dataset = xr.Dataset(data, coords, said)
     known = estimates["degrees_of_freedom"][estimates["degrees_of_freedom"] >= 0]
     _annotate(dataset, int(known.min()))

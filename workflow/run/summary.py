@@ -93,6 +93,9 @@ class Summary:
         found += [
             f"lines: {told}" for told in dict.fromkeys(v.lines.told for v in plan.variants) if told
         ]
+        told = dict.fromkeys(v.material.told for v in plan.variants)
+        found += [f"branches: {each}" for each in told if each]
+        found += [f"programme: {each}" for each in plan.study.scene.sampled]
         if self.unchanged:
             found.append("the result is there already, of the same study, program and records")
         if self.batches:

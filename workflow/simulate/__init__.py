@@ -11,7 +11,15 @@ if TYPE_CHECKING:
     from .code import CODE
     from .drawing import line_generator
     from .finer import CHANGED, HALVED
-    from .kept import EXACT, kept_steps, leg_counts, programme_steps, record_steps, record_times
+    from .kept import (
+        EXACT,
+        bounded_counts,
+        kept_steps,
+        leg_counts,
+        programme_steps,
+        record_steps,
+        record_times,
+    )
     from .layout import EDGES, Layout, row_layout, row_width, unpack
     from .programmes import scene_of
     from .realizations import block_means, lines_at_once, load_kernels

@@ -90,14 +90,18 @@ def programme_steps(
     return _march(*what, steps_per_spacing, origin)
 
 
+def bounded_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
+    """Return how many steps each leg of a programme takes at most, by formula, shape (legs,)."""
+    shortest = shortest_step(problem.spectrum)
+    return count_steps(problem.programme, steps_per_spacing, *origin[:2], shortest)
+
+
 def leg_counts(problem: Problem, steps_per_spacing: int, origin: Origin = START) -> np.ndarray:
     """Return how many steps each leg of a programme takes, shape (legs,).
 
     Beyond EXACT steps in all they are those of a formula, which makes no array of steps.
     """
-    programme, legs = problem.programme, len(problem.programme)
-    shortest = shortest_step(problem.spectrum)
-    counts = count_steps(programme, steps_per_spacing, *origin[:2], shortest)
+    counts, legs = bounded_counts(problem, steps_per_spacing, origin), len(problem.programme)
     if counts.sum() > EXACT:
         return counts
     return np.bincount(programme_steps(problem, steps_per_spacing, origin).leg, minlength=legs)

@@ -40,7 +40,7 @@ def title_of(cell: str) -> Title | None:
         if inside in ARGUMENTS and not unit_of(inside) and bracket[1]:
             return Title(text)
         return Title(name, inside, stated=True) if inside else Title(name)
-    for pattern in (r"(.*\S)\s+in\s+(\S+)", r"(.*?\S)\s*/\s*(\S.*)", r"(.*\S)\s*,\s*(\S+)"):
+    for pattern in (r"(.*\S)\s+in\s+(\S.*)", r"(.*?\S)\s*/\s*(\S.*)", r"(.*\S)\s*,\s*(\S+)"):
         parts = re.fullmatch(pattern, text)
         if parts and unit_of(parts[2]) and not unit_of(text):
             return Title(parts[1], parts[2], stated=True)

@@ -73,6 +73,8 @@ def test_the_printed_table_is_a_material(capsys, tmp_path):
     assert "what is slower than 1e+03 s counts as relaxed" in text
     assert "2 branches; residual of G*" in text
     assert "do not determine" not in text
+    per_decade = text.split("residual per decade from 0.01 rad/s: ")[1].split(" %")[0]
+    assert len(per_decade.split(", ")) == 7  # six decades, and the last frequency of all
 
 
 def test_the_written_branches_are_read_by_a_study(capsys, tmp_path):

@@ -33,6 +33,7 @@ def test_columns_and_units_of_the_header(tmp_path):
         ("time_ms, velocity_mm_s, friction", 1e-3, 1e-3),
         ("t (us)\tv / mm·s⁻¹\tµ", 1e-6, 1e-3),
         ("Time (h), Speed (km/h), COF", 3600.0, 1.0 / 3.6),
+        ("time in s; velocity in mm per s; friction", 1.0, 1e-3),
         ("t [s] v [mm/min] mu", 1.0, 1e-3 / 60.0),
         ("t [s], velocity (microns/s), friction coefficient", 1.0, 1e-6),
     ],

@@ -38,6 +38,7 @@ def test_a_profile_is_marched_in_as_many_steps_as_a_study_takes():
 def test_a_velocity_in_arrays_is_the_segment_of_a_ramp():
     arrays = {"time": np.array([2.0, 2.0005]), "velocity": np.array([0.1, 0.2])}
     ramp = {"ramp": {"velocity": [0.1, 0.2], "duration": 5e-4}}
+    assert run(arrays).attrs["programme"] == "2 samples over 0.0005 s, 0.1 to 0.2 m/s"
     assert np.array_equal(run(arrays).trace_mu.values, run(ramp).trace_mu.values)
 
 

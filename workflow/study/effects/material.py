@@ -31,6 +31,7 @@ RATIOS = (1e-9, 1e9)  # of the modulus of a branch to the relaxed one
 TIMES = (1e-30, 1e30)  # s, of a branch
 ALIKE = 1e-12  # relative; times closer than this are one
 MOST_SHIFT = 30.0  # decades
+KELVIN = 230.0  # degrees above the reference: 0 °C in K is 273 above itself
 WLF = {
     "c1": Key(
         positive,
@@ -161,6 +162,11 @@ def _check_temperature(where: str, wlf: Wlf | None, value: float | None) -> None
             missing, other = ("temperature", "wlf") if value is None else ("wlf", "temperature")
             raise UserError(f"{where}.{missing}: missing; {where}.{other} needs it")
         return
+    if value - wlf.reference > KELVIN:
+        raise UserError(
+            f"{where}.temperature = {value!r}: is {value - wlf.reference:g} degrees above the "
+            f"reference, {wlf.reference:g}: is it in K? Give both in °C"
+        )
     least = wlf.reference - wlf.c2
     if value <= least:
         raise UserError(

@@ -11,6 +11,7 @@ from ..settings import Key, as_text, choice, filled, flag, integer
 from .body_key import BODY
 from .material import Material
 from .programme import (
+    FromFile,
     HoldSegment,
     Oscillate,
     Programme,
@@ -59,6 +60,12 @@ class Scene(NamedTuple):
     def segments(self) -> tuple[Segment, ...]:
         """Return the programme with its repetitions."""
         return self.programme * self.repeat
+
+    @property
+    def sampled(self) -> tuple[str, ...]:
+        """Return what the sampled velocities of the programme were read as, each once."""
+        found = [segment.told for segment in self.programme if isinstance(segment, FromFile)]
+        return tuple(dict.fromkeys(found))
 
     @property
     def slid_before(self) -> bool:

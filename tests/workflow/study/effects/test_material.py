@@ -90,6 +90,7 @@ BY_ABAQUS = "*VISCOELASTIC, TIME=PRONY\n0.125, 0, 0.01\n0.25, 0, 0.001\n"
         (f"alpha_i, tau_i\n{SHARES}", (4e6, 2e6)),
         (f"g_i, tau_i (s)\n{SHARES}", (4e6, 2e6)),
         ("tau, share\n1e-2, 0.125\n1e-3, 0.25\n", (4e6, 2e6)),
+        (f"G_i/G_0, tau_i\n{SHARES}", (4e6, 2e6)),
         (BY_ABAQUS, (4e6, 2e6)),
     ],
 )
