@@ -9,7 +9,7 @@ from ..model.friction import mean_slope
 from ..quick.case import Case, Outcome, PhaseClock, Quantities, Seconds
 from ..rheology.forms import form_of
 from .body import Body, HalfSpace, take_step
-from .instant import friction_jumps
+from .instant import friction_jumps, initial_rates
 from .patches import real_contact, samples_per_patch
 from .sliding_body import SlidingBody, slide_steadily
 from .surface import Surface
@@ -37,7 +37,10 @@ def run_case(
     if asked.jump and case.ratios:
         jumps, used = friction_jumps(space, one, case.speed, case.ratios)
         passes += used
-        clock.lap("jump")
+    if asked.initial_rate and case.ratios:
+        rates, used = initial_rates(space, case.spectrum, one, case.speed, case.ratios)
+        passes += used
+    clock.lap("jump")
     curves = []
     for k, ratio in enumerate(case.ratios):
         if not (asked.steady or asked.relaxation):

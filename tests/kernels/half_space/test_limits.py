@@ -96,6 +96,17 @@ def test_a_stiffness_that_is_the_same_for_all_waves_is_the_foundation(spectrum: 
             assert np.allclose(curve - two, expected - settled, atol=1e-5)
 
 
+def test_the_initial_rate_is_that_of_the_foundation() -> None:
+    """Without a dashpot, where all waves are as stiff; behind one mu jumps."""
+    asked, (line, surfaces) = Quantities(initial_rate=True), line_and_surfaces()
+    case = Case(0.3, 0.7, (1.2,), (STEPS,), "exponential", BRANCHES, refine=False)
+    expected = run_foundation(line, case, asked).initial_rate
+    for surface in surfaces:
+        found = run_case(surface, case, asked, equal_stiffness(surface))
+        assert found.initial_rate == pytest.approx(expected, rel=1e-5)
+    assert np.isnan(run_case(rough(8, 4), case._replace(spectrum=KELVIN), asked).initial_rate)
+
+
 def test_kelvin_elements_of_the_same_stiffness_are_the_foundation() -> None:
     """Steady pressures and the jump, summed sample by sample as the half-space does."""
     line, surfaces = line_and_surfaces()
