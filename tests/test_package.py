@@ -44,6 +44,9 @@ def test_what_is_asked_from_python_is_listed_and_nothing_else():
     assert ef.scene.run.__doc__
     with pytest.raises(ef.UserError, match="nowhere: not found"):
         ef.open("nowhere")
+    for odd in (3, None, "a\0b"):
+        with pytest.raises(ef.UserError, match="not found"):
+            ef.open(odd)
     assert ef.KineticLaw is KineticLaw
 
 

@@ -23,6 +23,8 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
+from .errors import UserError
+
 PLATEAU = 0.4  # eq. 11
 LARGEST_SHARE_OF_LOAD = 0.2  # that eta v h is of F_N: beyond it too few peaks touch
 FLAT = 1e-6  # change of a logarithm that is none
@@ -68,6 +70,10 @@ def relaxation_rate(x: ArrayLike, hurst: float, time_below_one: bool = False) ->
     return np.asarray(x, dtype=float) ** exponent(x, hurst, time_below_one)
 
 
+class NoLawError(UserError, ValueError):
+    """Values without meaning for the law."""
+
+
 class BeyondKineticLawWarning(UserWarning):
     """The kinetic law is asked where it does not hold, or where nothing is known of friction."""
 
@@ -98,20 +104,22 @@ class KineticLaw:
         Between the points of the table friction is a power law of the velocity, which is exact
         where it is in proportion to v; it is in proportion to v below the table and constant above
         it. load : Fbar = F_N/(4 G L h), where it is known: beyond x/Fbar = 1e4 the law then says
-        that it does not hold. Raises ValueError for values without meaning.
+        that it does not hold. Raises UserError for values without meaning.
         """
-        self.velocity = np.asarray(velocity, dtype=float)
-        self.friction = np.asarray(friction, dtype=float)
+        self.velocity = _floats("velocity", velocity)
+        self.friction = _floats("friction", friction)
+        numbers = [_floats("a number", n) for n in (relaxation_time, q_max, rms_slope, hurst)]
         if self.velocity.ndim != 1 or self.velocity.shape != self.friction.shape:
-            raise ValueError("velocity and friction must be one-dimensional and of one length")
+            raise NoLawError("velocity and friction must be one-dimensional and of one length")
         if self.velocity.size < 2 or (np.diff(self.velocity) <= 0).any() or self.velocity[0] <= 0:
-            raise ValueError("velocity must hold two or more increasing positive values")
+            raise NoLawError("velocity must hold two or more increasing positive values")
         if not (np.isfinite(self.friction).all() and (self.friction > 0.0).all()):
-            raise ValueError("friction must be positive and finite")
-        if min(relaxation_time, q_max, rms_slope) <= 0 or not 0 <= hurst <= 1:
-            raise ValueError("relaxation_time, q_max, rms_slope must be positive, hurst in [0, 1]")
+            raise NoLawError("friction must be positive and finite")
+        positive = all(0.0 < float(n) < np.inf for n in numbers[:3] if n.ndim == 0)
+        if any(n.ndim for n in numbers) or not (positive and 0.0 <= float(numbers[3]) <= 1.0):
+            raise NoLawError("relaxation_time, q_max, rms_slope must be positive, hurst in [0, 1]")
         if fastest is not None and not fastest > 0.0:
-            raise ValueError("fastest must be positive")
+            raise NoLawError("fastest must be positive")
         self.relaxation_time = relaxation_time
         self.hurst = hurst
         self.q_max = q_max
@@ -136,20 +144,23 @@ class KineticLaw:
         point : the place on the other axes of the grid, nearest values, as
         {"hurst": 0.7, "normal_force": 1.0}; an axis of one value may be left out, and
         velocity_step too. time_below_one : b = 1 below x = 1, as converged results have it. Raises
-        ValueError for a point that is not given whole, and where friction is not known or there
+        UserError for a point that is not given whole, and where friction is not known or there
         are not two velocities.
         """
-        chosen = dataset[["mu_1", "rms_slope", "tau", "q_max", "shear_modulus"]]
-        for axis, value in (point or {}).items():
-            chosen = chosen.sel({axis: value}, method="nearest")
+        try:
+            chosen = dataset[["mu_1", "rms_slope", "tau", "q_max", "shear_modulus"]]
+            for axis, value in (point or {}).items():
+                chosen = chosen.sel({axis: value}, method="nearest")
+        except (AttributeError, LookupError, TypeError, ValueError) as error:
+            raise NoLawError(f"the dataset, or the point in it, is none: {error}") from error
         if "velocity_step" in chosen.dims:  # of no influence on what is steady at v1
             chosen = chosen.isel(velocity_step=0)
         chosen = chosen.squeeze()
         open_axes = [str(axis) for axis in chosen.dims if axis != "velocity"]
         if open_axes:
-            raise ValueError(f"point must say where along {', '.join(open_axes)}")
+            raise NoLawError(f"point must say where along {', '.join(open_axes)}")
         if "velocity" not in chosen.dims:
-            raise ValueError("velocity must hold two or more increasing positive values")
+            raise NoLawError("velocity must hold two or more increasing positive values")
         chosen = chosen.sortby("velocity")
         viscosity = float(chosen["shear_modulus"]) * float(chosen["tau"])
         fastest = float(chosen["normal_force"]) / (viscosity * float(chosen["roughness"]))
@@ -208,13 +219,13 @@ class KineticLaw:
         v(t) is linear between the samples, and two samples of one time are a step. Sliding is
         steady before. The same v(t) gives the same friction however it is sampled: changes are
         taken in small parts, each with the rate at its own velocity. Warns where the law does not
-        hold. Raises ValueError for times that decrease and for what is not finite.
+        hold. Raises UserError for times that decrease and for what is not finite.
         """
-        time, velocity = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
+        time, velocity = _floats("time", time), _floats("velocity", velocity)
         if time.shape != velocity.shape or time.ndim != 1 or not (np.diff(time) >= 0).all():
-            raise ValueError("time must increase, and velocity hold one value per time")
+            raise NoLawError("time must increase, and velocity hold one value per time")
         if not (np.isfinite(time).all() and np.isfinite(velocity).all()):
-            raise ValueError("time and velocity must be finite")
+            raise NoLawError("time and velocity must be finite")
         if not time.size:
             return np.zeros(0)
         self._warn(velocity)
@@ -275,3 +286,13 @@ class KineticLaw:
             said = f"{fastest:g} m/s is above {self.fastest:.3g} m/s, up to which the kinetic law "
             said += "holds: so few peaks touch that it errs by as much as friction changes"
             warnings.warn(said, BeyondKineticLawWarning, stacklevel=3)
+
+
+def _floats(name: str, values: ArrayLike) -> np.ndarray:
+    """Return real numbers. Raises UserError for what is none, and for a mask that hides some."""
+    try:
+        if np.iscomplexobj(values) or np.ma.is_masked(values):
+            raise ValueError("they are complex or masked")
+        return np.asarray(values, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise NoLawError(f"{name} must hold real numbers: {error}") from error

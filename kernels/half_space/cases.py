@@ -21,7 +21,8 @@ def run_case(
     """Compute one case on one surface; loads Fbar = F_N/(E* L h), speeds of either sign.
 
     samples_per_contact : mean samples of a patch that is connected by sides. work : samples times
-    passes of the operator. Relaxation curves end at mu_2, as the march does by itself. refine of
+    passes of the operator. The relaxation curve is mu_2 plus the deviation of the march from its
+    own steady value. refine of
     a case has no meaning here. stiffness : over the modes, where it is not that of a half-space.
     Raises ValueError where no steady state is found.
     """
@@ -45,7 +46,7 @@ def run_case(
         clock.lap("steady")
         if asked.relaxation:
             curve, used = _relaxation(space, one.body, two, case.kept_steps[k])
-            curves.append(curve)
+            curves.append(two.mu + (curve - two.step_mu))
             passes += used
             clock.lap("marching")
     p = one.body.p

@@ -7,6 +7,16 @@ turn takes the error times |1 - B/M| = sin(phi) at most, phi the loss angle of a
 at the same state, so that a march from it stands still.
 
 By marching, where phi is large: the body forgets its start as exp(-t/tau).
+
+The sum of p dz/dx over the samples of a step has an elastic part that is zero in the integral
+alone: at low speeds, and where the elastomer is hardly viscous, it drowns what is left. What is
+lost has none,
+
+    mu sigma_0 = sum A q_x E*''(q_x v) |J|^2 |p_q|^2,
+
+with |J|^2 of the step where displacements are taken for exact, as in full contact, and 1/|E*|^2
+where pressures are. They bound it from two sides: without a dashpot their mean is the better
+estimate, by measurement. Behind a dashpot pressures jump at the edges, and the sum is.
 """
 
 import math
@@ -15,11 +25,11 @@ from typing import NamedTuple
 import numpy as np
 
 from ..model.friction import mean_slope
-from ..rheology.spectrum import KELVIN, Spectrum
+from ..rheology.spectrum import KELVIN, Spectrum, complex_modulus
 from .body import TOLERANCE, Body, HalfSpace, Step, at_elements, count_memories, rested, take_step
 from .contact import ElasticContact, Operator, press
 from .response import steady_response
-from .waves import wave_numbers
+from .waves import two_sided, wave_numbers
 
 SETTLED = 1e-6  # change of mu, relative to it, in a turn or in a time tau, that ends the search
 LEAST = 1e-9  # the same, relative to the steepest slope: what the tolerance of a contact leaves
@@ -32,7 +42,8 @@ class SlidingBody(NamedTuple):
 
     body: Body
     step: Step
-    mu: float  # averaged over a step, in h/dx
+    mu: float  # in h/dx
+    step_mu: float  # the same, as a step of the march gives it
     passes: int
 
 
@@ -50,12 +61,31 @@ def slide_steadily(
     response, memory = steady_response(step.law, count_memories(space.form), zeta)
     full = _everywhere(space, response)
     if full.min() > 0.0:
-        return SlidingBody(
-            _carried(space, memory, full, 0.0), step, mean_slope(full, step.weight), 1
-        )
-    if spectrum == KELVIN and float(np.max(np.abs(response.imag) / response.real)) > FLAT:
-        return _marched(space, step, speed, start)
-    return _direct(space, step, response, memory, start)
+        body, passes = _carried(space, memory, full, float(surface.z.mean())), 1
+    elif spectrum == KELVIN and float(np.max(np.abs(response.imag) / response.real)) > FLAT:
+        body, passes = _marched(space, step, speed, start)
+    else:
+        body, passes = _direct(space, step, response, memory, start)
+    mu = step_mu = mean_slope(body.p, step.weight)
+    if full.min() > 0.0 or spectrum.viscosity == 0.0:
+        share = 1.0 if full.min() > 0.0 else 0.5
+        mu = _lost(space, complex_modulus(spectrum, q * speed), response, share, body.p)
+    return SlidingBody(body, step, mu, step_mu, passes)
+
+
+def _lost(
+    space: HalfSpace, modulus: np.ndarray, response: np.ndarray, share: float, p: np.ndarray
+) -> float:
+    """Return mu by what is lost (h/dx).
+
+    modulus : E*(q_x v) for every q_x. share : of the estimate that takes displacements for exact.
+    """
+    q = wave_numbers(p.shape, space.surface.steps_per_spacing)[1][0]
+    squares = share * np.abs(response) ** 2 + (1.0 - share) / np.abs(modulus) ** 2
+    power = np.abs(np.fft.rfft2(p) / p.size) ** 2 * space.operator.compliance
+    return float((power.sum(axis=0) * two_sided(p.shape) * q * modulus.imag * squares).sum()) / (
+        space.pressure
+    )
 
 
 def _settled(change: float, mu: float) -> bool:
@@ -80,8 +110,11 @@ def _carried(space: HalfSpace, memory: np.ndarray, p: np.ndarray, d: float) -> B
 
 def _direct(
     space: HalfSpace, step: Step, response: np.ndarray, memory: np.ndarray, start: Body | None
-) -> SlidingBody:
-    """Solve symmetric contacts in turn; response, memory : of steady_response for every q_x."""
+) -> tuple[Body, int]:
+    """Solve symmetric contacts in turn, return (body, passes).
+
+    response, memory : of steady_response for every q_x.
+    """
     z, shape, compliance = space.surface.z, space.surface.z.shape, space.operator.compliance
     symmetric = compliance * (np.abs(response) ** 2 / response.real)
     rest = compliance * response - symmetric
@@ -100,13 +133,13 @@ def _direct(
         new = mean_slope(found.p, step.weight)
         change, mu = abs(new - mu) / steepest, new
         if _settled(change, mu / steepest) and tolerance == TOLERANCE:
-            return SlidingBody(_carried(space, memory, found.p, found.d), step, mu, passes)
+            return _carried(space, memory, found.p, found.d), passes
         tolerance = max(TOLERANCE, min(1e-3, 0.1 * change))
     raise ValueError(f"no steady state was found in {TURNS} turns: mu still moves by {change:.1e}")
 
 
-def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> SlidingBody:
-    """March from rest until mu stands still: what is left falls by e in a time tau."""
+def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> tuple[Body, int]:
+    """March until mu stands still, return (body, passes): what is left falls by e in a time tau."""
     surface, passes = space.surface, 0
     steepest = float(np.abs(surface.slope).max())
     if start is None:
@@ -124,4 +157,4 @@ def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> 
         new = mean_slope(body.p, step.weight)
         change, mu = abs(new - mu) / steepest, new
     body, used = take_step(space, body, step, TOLERANCE)  # the contact that a jump begins with
-    return SlidingBody(body, step, mean_slope(body.p, step.weight), passes + used)
+    return body, passes + used

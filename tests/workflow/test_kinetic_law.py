@@ -7,6 +7,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, rms_slope, run_case
+from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.kinetic_law import (
     BeyondKineticLawWarning,
     KineticLaw,
@@ -208,6 +209,9 @@ def test_point_of_a_result_must_be_given_whole_and_hold_velocities():
         KineticLaw.from_result(result())
     with pytest.raises(ValueError, match="two or more"):
         KineticLaw.from_result(result(velocity=[0.1]), {"normal_force": 1.0})
+    for dataset, point in ((3, {}), (result(), {"hirst": 0.5}), (result().drop_vars("tau"), {})):
+        with pytest.raises(UserError, match="the dataset, or the point in it"):
+            KineticLaw.from_result(dataset, point)
 
 
 TABLES = [([1.0], [0.1]), ([1.0, 2.0], [0.1]), ([2.0, 1.0], [0.1, 0.2]), ([0.0, 1.0], [0.1, 0.2])]
@@ -215,13 +219,16 @@ BAD = [
     *({"velocity": velocity, "friction": friction} for velocity, friction in TABLES),
     *({"hurst": 1.2}, {"relaxation_time": 0.0}, {"q_max": -1.0}, {"rms_slope": 0.0}),
     *({"velocity": [1.0, 2.0], "friction": [0.0, 1.0]}, {"fastest": 0.0}),
+    *({"velocity": "fast"}, {"friction": [0.1j, 1.0]}, {"q_max": None}, {"hurst": np.nan}),
+    *({"q_max": [1.0, 2.0]}, {"velocity": np.ma.array([1.0, 2.0], mask=[True, False])}),
 ]
 
 
 @pytest.mark.parametrize("changes", BAD)
 def test_values_without_meaning_are_refused(changes):
-    with pytest.raises(ValueError, match="must"):
+    with pytest.raises(UserError, match="must") as error:
         law(**changes)
+    assert isinstance(error.value, ValueError)  # as it was once
 
 
 @pytest.mark.parametrize(

@@ -10,9 +10,10 @@ from ...kernels import START, Origin, Quantities
 from ...kernels.compile.garbage import nothing_collected
 from ..errors import UserError
 from ..simulate import HALVED, Batch, Task, bounded_counts, row_layout, row_width
-from ..study import Study
+from ..study import HALF_SPACE, Study
 from .cost import PARTS, TYPICAL, Pace, Prediction, prediction
 from .goal import FIRST_SHARE, whole_blocks
+from .half_space import BRANCH_BYTES, MAP_BYTES
 from .motion import asked_of
 from .variant import Variant, problems_of, variant_of
 
@@ -67,8 +68,9 @@ class Plan(NamedTuple):
     def predicted_worker_bytes(self) -> float:
         """Return the predicted peak memory of a worker."""
         finer = HALVED if any(variant.recording.finer for variant in self.variants) else 1
-        line = BYTES_PER_SAMPLE * finer * self.longest_line()
-        return WORKER_BYTES + line + BYTES_PER_STEP * self.longest_programme()
+        each = [_bytes_per_sample(own) * max(own.drawing) for own in self.variants]
+        steps = BYTES_PER_STEP * self.longest_programme()
+        return WORKER_BYTES + finer * max(each) + steps
 
     def longest_programme(self) -> float:
         """Return the largest number of steps of any programme, at most; 0 without one."""
@@ -115,6 +117,13 @@ class Plan(NamedTuple):
         return {
             axis: self.study.grid[axis][i] for axis, i in zip(self.study.axes, index, strict=True)
         }
+
+
+def _bytes_per_sample(variant: Variant) -> float:
+    """Return what a worker needs at its peak for each sample of a line, or of a map."""
+    if variant.lines.body == HALF_SPACE:
+        return MAP_BYTES + BRANCH_BYTES * len(variant.tasks[0].problem.spectrum.moduli)
+    return BYTES_PER_SAMPLE
 
 
 def make_plan(study: Study, pace: Pace = TYPICAL, origin: Origin = START) -> Plan:

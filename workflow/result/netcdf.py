@@ -111,7 +111,7 @@ def open_tree(path: str | os.PathLike[str]) -> "xr.DataTree":
     """
     import xarray as xr
 
-    if not Path(path).is_file():
+    if not isinstance(path, str | os.PathLike) or not Path(path).is_file():
         raise UserError(f"{path}: not found")
     return xr.DataTree.from_dict(_groups(Path(path)))
 

@@ -12,7 +12,8 @@ COMMENTS = ("#", "%", "//", "!")
 REMARK = re.compile(r"(?:(?<=\s)|(?<=\d))#(?!N/A|DIV|NUM|VALUE).*$")  # behind a row
 SEVERAL = re.compile(r"\d[\s;]+[-+.\d]")  # numbers in one cell: the delimiter is another
 ZEROS = re.compile(r"0\d+")  # no whole number is written so, but decimals are
-LOOKED_AT = 250  # lines from the beginning and from the middle that decide on the delimiter
+# Lines from the beginning and from the middle that decide on the delimiter: so many characters.
+LOOKED_AT, LEAST_LOOKED_AT, ENOUGH = 250, 20, 50_000
 
 
 class Cells(NamedTuple):
@@ -24,6 +25,7 @@ class Cells(NamedTuple):
     above: list[str]  # the lines before the first row
     between: list[tuple[int, list[str]]]  # before which row, and the lines that stand there
     delimiter: str | None
+    plain: bool = True  # whether all rows are numbers with points alone, and none is missing
 
 
 class UnevenRowError(ValueError):
@@ -53,8 +55,9 @@ def cells_of(text: str) -> Cells:
     """
     lines = text.splitlines()
     bare = [(n, line) for n, line in enumerate(lines, 1) if line.strip() and not is_comment(line)]
-    middle = len(bare) // 2
-    sample = [line for _, line in bare[:LOOKED_AT] + bare[max(middle, LOOKED_AT) :][:LOOKED_AT]]
+    longest = max((len(line) for _, line in bare), default=1)
+    count = max(LEAST_LOOKED_AT, min(LOOKED_AT, ENOUGH // longest))
+    sample = [line for _, line in bare[:count] + bare[max(len(bare) // 2, count) :][:count]]
     delimiter, width = _shape(sample)
     parts = [_trimmed(split(REMARK.sub("", line), delimiter)) for line in sample]
     numeric = _numeric([row for row in parts if len(row) <= width], width)
@@ -62,8 +65,15 @@ def cells_of(text: str) -> Cells:
     if not numeric:
         return found._replace(above=lines)
     pending: list[str] = []
+    quick, plain = _plain_row(delimiter, width if len(numeric) == width else 0), True
     for number, line in enumerate(lines, 1):
-        row = None if not line.strip() or is_comment(line) else _row(line, number, found, width)
+        if quick.fullmatch(line):  # as nearly all rows of long files are
+            row: list[str] | None = split(line, delimiter)
+        elif not line.strip() or is_comment(line):
+            row = None
+        else:
+            row = _row(line, number, found, width)
+            plain = plain and row is None
         if row is None:
             pending.append(line)
             continue
@@ -77,7 +87,16 @@ def cells_of(text: str) -> Cells:
     if not found.rows:
         return found._replace(above=lines)
     found.between.append((len(found.rows), pending))
-    return found
+    return found._replace(plain=plain)
+
+
+def _plain_row(delimiter: str | None, width: int) -> re.Pattern[str]:
+    """Return the pattern of a row of so many numbers with points; of nothing for none."""
+    if not width:
+        return re.compile(r"(?!)")
+    number = r"[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?"
+    gap, blank = (r"\s+", r"\s*") if delimiter is None else (rf" *{re.escape(delimiter)} *", " *")
+    return re.compile(rf"{blank}{number}(?:{gap}{number}){{{width - 1}}}{blank}")
 
 
 def _row(line: str, number: int, known: Cells, width: int) -> list[str] | None:

@@ -10,6 +10,7 @@ WORDS = (
 )
 MISSING = {"", *WORDS.split()}
 NUMERAL = re.compile(r"[+-]?(?:\d+(?:[.,]\d+)*\.?|[.,]\d+)(?:[eEdD][+-]?\d+)?")
+EXPONENT = re.compile(r"[eEdD]")
 BY_COMMAS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")  # 1,234,567.8
 BY_POINTS = re.compile(r"[+-]?[1-9]\d{0,2}(?:\.\d{3})+(?:,\d*)?")  # 1.234.567,8
 ARCHIVES = {
@@ -32,8 +33,7 @@ class Marks(NamedTuple):
         """Return the number that a word is. Raises ValueError for a word that is none."""
         if self.thousands:
             word = word.replace(self.thousands, "")
-        word = word.replace(self.decimal, ".")
-        return float(word.replace("D", "e").replace("d", "e"))
+        return float(EXPONENT.sub("e", word.replace(self.decimal, ".")))
 
 
 def marks_of(words: Iterable[str]) -> Marks:
@@ -45,7 +45,7 @@ def marks_of(words: Iterable[str]) -> Marks:
     """
     commas, points = set(), set()
     for word in words:
-        mantissa = re.split("[eEdD]", word, maxsplit=1)[0]
+        mantissa = EXPONENT.split(word, maxsplit=1)[0]
         if "," in mantissa:
             commas.add(mantissa)
         if "." in mantissa:
@@ -74,7 +74,7 @@ def is_numeral(word: str) -> bool:
     if not NUMERAL.fullmatch(word):
         return False
     several = word.count(".") > 1 or word.count(",") > 1  # grouped, or a date
-    mantissa = re.split("[eEdD]", word, maxsplit=1)[0]
+    mantissa = EXPONENT.split(word, maxsplit=1)[0]
     return not several or bool(BY_COMMAS.fullmatch(mantissa) or BY_POINTS.fullmatch(mantissa))
 
 

@@ -79,7 +79,8 @@ class TextTable:
         self.between = cells.between  # (index of the row below, lines) between blocks
         self.titles = titles_of(cells.above, cells.delimiter, self.width)  # empty: none are named
         self.remarks = remarks_of(cells.above, cells.delimiter, self.width)  # name: value
-        self.marks = self._marks()
+        self.plain = cells.plain
+        self.marks = Marks() if cells.plain else self._marks()
 
     @property
     def width(self) -> int:
@@ -120,6 +121,8 @@ class TextTable:
         Raises UserError, naming the line, for a word that is no number.
         """
         words = self.words(column)
+        if self.plain:
+            return np.array(list(map(float, words)))
         try:
             return np.array([self._number(word) for word in words])
         except ValueError:

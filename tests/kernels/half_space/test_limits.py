@@ -3,7 +3,9 @@
 import numpy as np
 import pytest
 
+from elastomer_friction.kernels.half_space.body import HalfSpace
 from elastomer_friction.kernels.half_space.cases import run_case
+from elastomer_friction.kernels.half_space.sliding_body import slide_steadily
 from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes
 from elastomer_friction.kernels.half_space.waves import two_sided, wave_numbers
 from elastomer_friction.kernels.lines.line import Line
@@ -12,6 +14,7 @@ from elastomer_friction.kernels.model.friction import lagged_slope, mean_slope, 
 from elastomer_friction.kernels.model.steady import steady_sliding as steady_line
 from elastomer_friction.kernels.quick.case import Case, Quantities
 from elastomer_friction.kernels.quick.cases import run_case as run_foundation
+from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.kelvin import exponential
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
 
@@ -47,7 +50,10 @@ def test_friction_in_full_contact_is_the_closed_form_to_second_order(
         surface, load = rough(8, m, cutoff=2), 100.0
         found = run_case(surface, Case(load, 0.4, (), (), "exponential", spectrum), Quantities())
         assert found.contact_fraction == 1.0
-        errors.append(found.mu_1 / closed_friction(surface, spectrum, 0.4, load) - 1.0)
+        closed = closed_friction(surface, spectrum, 0.4, load)
+        assert found.mu_1 == pytest.approx(closed, rel=1e-9)
+        space = HalfSpace.under(form_of(spectrum, "exponential"), surface, load)
+        errors.append(slide_steadily(space, spectrum, 0.4).step_mu / closed - 1.0)
     orders = np.log2(np.abs(errors[:-1]) / np.abs(errors[1:]))
     assert np.abs(errors[-1]) < 1e-3
     assert orders[-1] > least

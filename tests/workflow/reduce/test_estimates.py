@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.plan import LAWS
+from elastomer_friction.workflow.plan.error_laws import LAWS
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
 from elastomer_friction.workflow.reduce.blocks import blocks_of, enter
 from elastomer_friction.workflow.reduce.complete import (

@@ -14,7 +14,9 @@ from ...text_tables import Picked, TextTable, Wanted, picked, read_text_table, t
 
 HEADER = 'a header "modulus [Pa], time [s]"'
 MODULUS = Wanted("a modulus", "pressure", r"modul|^[GE]([\W_]|\d|[bi]?$)", "Pa", HEADER)
-SHARE = Wanted("a share of G_0", "number", r"alpha|\u03b1|share|norm|/ ?[GE]_?0|^g_?i?$", "1", HEADER)
+SHARE = Wanted(
+    "a share of G_0", "number", r"alpha|\u03b1|share|norm|/ ?[GE]_?0|^g_?i?$", "1", HEADER
+)
 TIME = Wanted("a time", "time", r"time|tau|\u03c4|^t([\W_]|[bi]?$)", "s", HEADER)
 OF_ABAQUS = re.compile(r"^\s*\*VISCOELASTIC", re.IGNORECASE)
 OF_YOUNG = re.compile(r"young|tens|^E([\W_]|\d|[bi]?$)", re.IGNORECASE)

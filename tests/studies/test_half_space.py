@@ -1,0 +1,76 @@
+"""The studies of the half-space: a sphere, both bodies, figure 7, and a tread rubber."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.studies.bodies.figure import ratios
+from elastomer_friction.studies.sphere.measure import measure
+from elastomer_friction.workflow.reduce.fits import FITTED
+from elastomer_friction.workflow.study.read import read_study
+from tests.support.studies import check_drawing, run
+
+pytestmark = pytest.mark.exhaustive
+
+
+@pytest.fixture(scope="module", params=["bodies", "fig7_half_space", "tyre"])
+def study(request, tmp_path_factory):
+    """Return name and groups of a study at smoke scale."""
+    return request.param, run(tmp_path_factory.mktemp("half_space"), request.param)
+
+
+def test_a_sphere_has_the_friction_of_the_closed_form_and_the_foundation_twice_of_it():
+    study = read_study("sphere", "smoke")
+    groups = measure(study.settings, study.seed, lambda _: None)
+    slow = groups[""].isel(speed=0)
+    assert float(slow.half_space) == pytest.approx(float(slow.closed), rel=1e-3)
+    assert float(slow.foundation) == pytest.approx(2.0 * float(slow.closed), rel=0.1)
+    check_drawing("sphere", groups)
+
+
+def test_the_figure_is_drawn_and_shows_the_physics(study):
+    name, groups = study
+    check_drawing(name, groups)
+    {
+        "bodies": _bodies,
+        "fig7_half_space": _fig7_half_space,
+        "tyre": _tyre,
+    }[name](groups)
+
+
+def _bodies(groups):
+    """Alike where little touches, far too little on the foundation where much does."""
+    for half in ("", "broad"):
+        found = ratios(groups, half)
+        light, heavy = (found.isel(normal_force=row).ratio for row in (0, -1))
+        assert np.all((light > 0.6) & (light < 1.7))
+        assert np.all(heavy < 0.3)
+    whole = groups[""].squeeze()
+    full = whole.contact_fraction.values == 1.0
+    assert full.any()
+    assert whole.mu_persson.values[full] == pytest.approx(whole.mu_1.values[full], rel=0.05)
+    share = whole.area_persson / whole.contact_fraction
+    assert np.all((share > 0.6) & (share < 1.1))
+
+
+def _fig7_half_space(groups):
+    """b grows with x, and its exponent depends less on H than on the foundation."""
+    whole, line = groups[""].squeeze(), groups["foundation"].squeeze()
+    assert (whole.fit_status == FITTED).sum() >= 6
+    early, late = (whole.relaxation_rate.isel(velocity=k) for k in (0, 2))
+    assert np.all(late > early)
+    spread = {
+        name: float(np.ptp(data.alpha.values)) for name, data in (("", whole), ("line", line))
+    }
+    assert spread[""] < spread["line"]
+    plateau = whole.jump / whole.rms_slope / 0.2
+    assert np.all(plateau.isel(velocity=-1) < 0.3)  # the paper has 0.4
+
+
+def _tyre(groups):
+    """Friction rises with the speed where the rubber is warm, and less of it touches then."""
+    whole = groups[""].squeeze()
+    warm = whole.sel(temperature=60)
+    assert np.all(np.diff(warm.mu_1) > 0.0)
+    assert np.all(np.diff(warm.contact_fraction) < 0.0)
+    cold = whole.sel(temperature=20)
+    assert np.all(cold.contact_fraction < warm.contact_fraction)  # it is stiffer
