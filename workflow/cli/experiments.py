@@ -77,8 +77,7 @@ def _check_fit(options: argparse.Namespace, measured: Moduli, fit: "PronyFit") -
             f"{where}: {options.branches} branches are too few: {100 * fit.rms:.2g} % of G* are "
             f"left over, by as many as are wanted {100 * fit.dense:.2g} %; give more --branches"
         )
-    liquid = measured.values[0].imag > measured.values[0].real
-    if not fit.branches or (liquid and fit.shear_modulus < LEAST_SHARE * stiffest):
+    if not fit.branches or fit.shear_modulus < LEAST_SHARE * stiffest:
         lacking = "relaxed modulus" if fit.branches else "branches"
         raise UserError(f"{where}: the best fit has no {lacking}; is it a rubber?")
 

@@ -44,7 +44,7 @@ def _step(fit: StepFit, least: float) -> list[str]:
     if fit.factor > 1.5:
         said = f"errors are {math.sqrt(fit.factor):.2g} times those of independent samples"
         lines.append(_line("noise", f"is correlated; {said}"))
-    if fit.drifts:
+    if fit.drifts or fit.levelled:
         said = f"friction still changes, by {fit.drift.value:.2g} over {step.before.size} samples"
         then = "mu_1 is a mean of them"
         if fit.levelled:

@@ -168,7 +168,7 @@ class StepFit(NamedTuple):
 
     @property
     def drifts(self) -> bool:
-        """Return whether friction changes before the step, beside what happens after it."""
+        """Return whether friction changes before the step by a share of what happens after it."""
         size = max(abs(self.curve - self.mu_1.value))
         return abs(self.drift.value) > max(DEVIATIONS * self.drift.error, STEADY * size)
 
@@ -188,7 +188,7 @@ def fit_step(step: MeasuredStep, law: str = "ruina") -> StepFit:
     where that leaves less residual. Its error is part of those of the estimates.
     """
     plain = _fitted(step, law)
-    if not plain.drifts:
+    if not abs(plain.drift.value) > DEVIATIONS * plain.drift.error:
         return plain
     span = float(np.ptp(step.before_time)) * step.before.size / (step.before.size - 1)
     per_second = plain.drift.times(1.0 / span)

@@ -69,7 +69,8 @@ class Plan(NamedTuple):
         """Return the predicted peak memory of a worker."""
         finer = HALVED if any(variant.recording.finer for variant in self.variants) else 1
         each = [_bytes_per_sample(own) * max(own.drawing) for own in self.variants]
-        return WORKER_BYTES + finer * max(each) + BYTES_PER_STEP * self.longest_programme()
+        steps = BYTES_PER_STEP * self.longest_programme()
+        return WORKER_BYTES + finer * max(each) + steps
 
     def longest_programme(self) -> float:
         """Return the largest number of steps of any programme, at most; 0 without one."""

@@ -59,25 +59,21 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
     unit = float(np.abs(moduli).max())
     data = _Measured(omega, moduli / unit, np.abs(moduli) / unit)
     grid = _grid(omega, BEYOND)
-    full, best = _solved(data, grid)
+    best = _solved(data, grid)[1]
     least, most = _bounds(data, grid, best)
     if most > LIKE * least:
         least, most = _bounds(data, _grid(omega, BEYOND**2), best)
-    taken = 0.0
-    if full[0] <= NONE * most:
+    allowed, taken = max(LOSS * best, SMALL), 0.0
+    times, found, rms = _few(data, grid, allowed, branches)
+    if found[0] <= NONE * most:
         taken = 0.5 * most
         data = data._replace(moduli=data.moduli - taken)
-        full, _ = _solved(data, grid)
-    reach = np.log(grid[[0, -1]])
-    times = _moved(data, _merged(grid, full[1:]), reach)
-    times = _joined(data, times, reach, max(LOSS * best, SMALL), branches)
-    times = _moved(data, times, reach)
-    found, rms = _solved(data, times)
+        times, found, rms = _few(data, grid, allowed, branches)
     kept = found[1:] > 0.0
     residual = np.abs(_model(omega, times) @ found - data.moduli) / data.size
     pairs = zip((unit * found[1:][kept]).tolist(), times[kept].tolist(), strict=True)
     relaxed = taken + float(found[0])
-    within = rms <= max(LOSS * best, SMALL)  # a fit of too few branches says nothing of it
+    within = rms <= allowed  # a fit of too few branches says nothing of it
     return PronyFit(
         shear_modulus=unit * relaxed,
         branches=tuple(pairs),
@@ -89,6 +85,19 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
         least=unit * (min(least, relaxed) if within else least),
         most=unit * (max(most, relaxed) if within else most),
     )
+
+
+def _few(
+    data: "_Measured", grid: np.ndarray, allowed: float, most: int | None
+) -> tuple[np.ndarray, np.ndarray, float]:
+    """Return few times, the relaxed modulus and those of branches of them, and the rms.
+
+    allowed, most : rms and number, as for ``_joined``.
+    """
+    reach = np.log(grid[[0, -1]])
+    times = _moved(data, _merged(grid, _solved(data, grid)[0][1:]), reach)
+    times = _moved(data, _joined(data, times, reach, allowed, most), reach)
+    return times, *_solved(data, times)
 
 
 class _Measured(NamedTuple):

@@ -117,3 +117,17 @@ def test_branches_are_left_out_only_where_the_data_do_not_tell():
     measured = exact.real * (1.0 + noise[0]) + 1j * exact.imag * (1.0 + noise[1])
     fit = fit_prony(OMEGA, measured)
     assert fit.rms < 1.1 * np.sqrt(np.mean(np.abs(measured / exact - 1.0) ** 2))
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_a_flat_loss_has_a_relaxed_modulus_within_a_range_that_holds_the_true_one(seed):
+    """Branches go on for two decades below the lowest frequency."""
+    rng = np.random.default_rng(seed)
+    omega = np.geomspace(10 ** rng.uniform(-3, -1), 10 ** rng.uniform(1, 3), 14)
+    times = np.geomspace(0.1 / omega.max(), 100.0 / omega.min(), 24)
+    exact = moduli(omega, 3e5, [(1e5, time) for time in times])
+    noise = 1.0 + 0.02 * rng.standard_normal((2, omega.size))
+    fit = fit_prony(omega, exact.real * noise[0] + 1j * exact.imag * noise[1])
+    assert fit.least <= 3e5 <= fit.most
+    assert 0.0 < fit.shear_modulus <= fit.most
+    assert not fit.determined
