@@ -26,7 +26,7 @@ from .surface import Surface
 KEPT = ("trace", "snapshots")  # what of a scene is there for a half-space
 
 
-class Place(NamedTuple):
+class StepEnds(NamedTuple):
     """Where a step ends, and how it weighs the slopes at its two ends."""
 
     before: float  # in samples
@@ -99,7 +99,7 @@ def run_scene_on_half_space(
             passes += used
         if step in kept:
             before = places[step - 1] if step else -math.copysign(1.0, lag)
-            _keep(trace, kept[step], body, moving, Place(before, places[step], abs(lag), old))
+            _keep(trace, kept[step], body, moving, StepEnds(before, places[step], abs(lag), old))
             _keep_motion(trace, kept[step], step, places / m, times, abs(lag))
         if step in shown:
             frames[shown[step]] = np.roll(body.p, body.offset, axis=1)
@@ -111,7 +111,7 @@ def run_scene_on_half_space(
     return found | {"updates": np.array(float(passes * surface.z.size))}
 
 
-def _keep(trace: Trace, k: int, body: Body, moving: Moving, place: Place) -> None:
+def _keep(trace: Trace, k: int, body: Body, moving: Moving, place: StepEnds) -> None:
     """Keep friction, forces and contact of a step as number k."""
     now = moving.slope_over(place.now, body.offset)
     before = moving.slope_over(place.before, body.offset)

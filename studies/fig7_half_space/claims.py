@@ -9,7 +9,7 @@ KEY = "fig7_half_space"
 NEEDED = ("speed_ratio", "jump", "rms_slope", "alpha", "alpha_error", "alpha_bias")
 
 
-def exponent(results: report.Results) -> report.Claim | None:
+def exponent_on_half_space(results: report.Results) -> report.Claim | None:
     """Judge alpha = 1 - H above x = 1 (eq. 13) on a half-space."""
     dataset = report.given(results, KEY, *NEEDED)
     if dataset is None:
@@ -32,7 +32,7 @@ def exponent(results: report.Results) -> report.Claim | None:
     )
 
 
-def plateau(results: report.Results) -> report.Claim | None:
+def plateau_on_half_space(results: report.Results) -> report.Claim | None:
     """Judge that the jump over slope and relative step has a plateau of 0.4 on a half-space."""
     dataset = report.given(results, KEY, *NEEDED)
     if dataset is None:
@@ -57,4 +57,4 @@ def _deviation(alpha: np.ndarray, hurst: np.ndarray) -> float:
     return float(np.max(np.abs(alpha - expected) / np.maximum(expected, 0.1)))
 
 
-CLAIMS = (exponent, plateau)
+CLAIMS = (exponent_on_half_space, plateau_on_half_space)

@@ -181,6 +181,8 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION)
                 f"surface.{key} = {given[key]!r:.40}: leave it out with surface.file, "
                 "measured lines"
             )
+        if body == HALF_SPACE:
+            _check_maps("surface", given)
         name = settings["file"]
         how = (settings[key] for key in ("columns", "units", "step", "gaps"))
         if settings["step"] is None and len(settings["columns"]) == 1:
@@ -211,6 +213,15 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION)
     return surface
 
 
+def _check_maps(where: str, table: Mapping[str, Any]) -> None:
+    """Raise UserError for lines that a half-space, which has maps, knows nothing of."""
+    lines = table.get("lines", LINES[0])
+    if lines not in LINES[:2]:
+        raise UserError(
+            f"{where}.lines = {lines!r}: a half-space has maps, {' or '.join(LINES[:2])}"
+        )
+
+
 def lines_like(where: str, surface: Surface, table: Mapping[str, Any]) -> Surface:
     """Return a surface whose lines are those that checked values ask for, measured or like them.
 
@@ -218,6 +229,8 @@ def lines_like(where: str, surface: Surface, table: Mapping[str, Any]) -> Surfac
     """
     for key in table if surface.profile is None else ():
         raise UserError(f"{where}.{key} = {table[key]!r:.40}: goes with surface.file alone")
+    if surface.profile is not None and surface.profile.heights.ndim > 2:
+        _check_maps(where, table)
     found = surface._replace(**table)
     try:
         _ = found.amplitudes
