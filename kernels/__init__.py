@@ -15,7 +15,7 @@ rheology, control or motion; what a scene does not ask for is not in its machine
 """
 
 from .control.printed_eq3 import PrintedForce
-from .lines.equivalent import equivalent_amplitudes, equivalent_spectrum
+from .lines.equivalent import equivalent_amplitudes, equivalent_of_cut, equivalent_spectrum
 from .lines.line import QUARTET, Line
 from .lines.measured_modes import measured_amplitudes
 from .lines.power import power_spectrum, rms_height

@@ -9,8 +9,8 @@ from ..model.friction import mean_slope
 from ..quick.case import Case, Outcome, PhaseClock, Quantities, Seconds
 from ..rheology.forms import form_of
 from .body import Body, HalfSpace, take_step
-from .instant import friction_jumps
-from .patches import samples_per_patch
+from .instant import friction_jumps, initial_rates
+from .patches import real_contact, samples_per_patch
 from .sliding_body import SlidingBody, slide_steadily
 from .surface import Surface
 
@@ -20,6 +20,7 @@ def run_case(
 ) -> Outcome:
     """Compute one case on one surface; loads Fbar = F_N/(E* L h), speeds of either sign.
 
+    contact_fraction : real contact area, corrected for the samples at edges (patches.py).
     samples_per_contact : mean samples of a patch that is connected by sides. work : samples times
     passes of the operator. The relaxation curve is mu_2 plus the deviation of the march from its
     own steady value. refine of
@@ -36,7 +37,10 @@ def run_case(
     if asked.jump and case.ratios:
         jumps, used = friction_jumps(space, one, case.speed, case.ratios)
         passes += used
-        clock.lap("jump")
+    if asked.initial_rate and case.ratios:
+        rates, used = initial_rates(space, case.spectrum, one, case.speed, case.ratios)
+        passes += used
+    clock.lap("jump")
     curves = []
     for k, ratio in enumerate(case.ratios):
         if not (asked.steady or asked.relaxation):
@@ -50,7 +54,11 @@ def run_case(
             passes += used
             clock.lap("marching")
     p = one.body.p
-    area, samples, seconds = float(np.mean(p > 0.0)), samples_per_patch(p), Seconds(**clock.spent)
+    area, samples, seconds = (
+        real_contact(p, one.viscous),
+        samples_per_patch(p),
+        Seconds(**clock.spent),
+    )
     work = passes * surface.z.size
     d = one.body.d
     return Outcome(one.mu, d, area, samples, mu_2, jumps, curves, work, seconds, rates)

@@ -14,9 +14,9 @@ lost has none,
 
     mu sigma_0 = sum A q_x E*''(q_x v) |J|^2 |p_q|^2,
 
-with |J|^2 of the step where displacements are taken for exact, as in full contact, and 1/|E*|^2
-where pressures are. They bound it from two sides: without a dashpot their mean is the better
-estimate, by measurement. Behind a dashpot pressures jump at the edges, and the sum is.
+with |J|^2 of the step where displacements are taken for exact, as in full contact and beside a
+dashpot, and 1/|E*|^2 where pressures are; else the mean of both is taken. Where a step is viscous
+pressures jump at the edges of contacts, and the sum is better. All that by measurement.
 """
 
 import math
@@ -44,6 +44,7 @@ class SlidingBody(NamedTuple):
     step: Step
     mu: float  # in h/dx
     step_mu: float  # the same, as a step of the march gives it
+    viscous: float  # from 0 to 1: how far pressures jump where a contact begins
     passes: int
 
 
@@ -66,22 +67,35 @@ def slide_steadily(
         body, passes = _marched(space, step, speed, start)
     else:
         body, passes = _direct(space, step, response, memory, start)
-    mu = step_mu = mean_slope(body.p, step.weight)
-    if full.min() > 0.0 or spectrum.viscosity == 0.0:
-        share = 1.0 if full.min() > 0.0 else 0.5
-        mu = _lost(space, complex_modulus(spectrum, q * speed), response, share, body.p)
-    return SlidingBody(body, step, mu, step_mu, passes)
+    step_mu = mean_slope(body.p, step.weight)
+    everywhere = bool(full.min() > 0.0)
+    exact = 1.0 if everywhere or spectrum.viscosity > 0.0 else 0.5
+    lost = _lost(space, complex_modulus(spectrum, q * speed), response, exact, body.p)
+    viscous = _viscous(spectrum, surface.steps_per_spacing * speed)
+    mu = lost if everywhere else lost + viscous * (step_mu - lost)
+    if mu * lost <= 0.0:  # contacts of single samples: sliding takes work all the same
+        mu = lost
+    return SlidingBody(body, step, mu, step_mu, viscous, passes)
+
+
+def _viscous(spectrum: Spectrum, steps: float) -> float:
+    """Return how viscous a step is, from 0 to 1; steps : per tau, of either sign."""
+    if spectrum.viscosity == 0.0:
+        return 0.0
+    modulus = complex(complex_modulus(spectrum, np.array(abs(steps))))
+    return -math.expm1(-((modulus.imag / modulus.real) ** 2))
 
 
 def _lost(
-    space: HalfSpace, modulus: np.ndarray, response: np.ndarray, share: float, p: np.ndarray
+    space: HalfSpace, modulus: np.ndarray, response: np.ndarray, exact: float, p: np.ndarray
 ) -> float:
     """Return mu by what is lost (h/dx).
 
-    modulus : E*(q_x v) for every q_x. share : of the estimate that takes displacements for exact.
+    modulus : E*(q_x v) for every q_x. exact : share of the estimate that takes displacements for
+    exact.
     """
     q = wave_numbers(p.shape, space.surface.steps_per_spacing)[1][0]
-    squares = share * np.abs(response) ** 2 + (1.0 - share) / np.abs(modulus) ** 2
+    squares = exact * np.abs(response) ** 2 + (1.0 - exact) / np.abs(modulus) ** 2
     power = np.abs(np.fft.rfft2(p) / p.size) ** 2 * space.operator.compliance
     return float((power.sum(axis=0) * two_sided(p.shape) * q * modulus.imag * squares).sum()) / (
         space.pressure
@@ -134,7 +148,7 @@ def _direct(
         change, mu = abs(new - mu) / steepest, new
         if _settled(change, mu / steepest) and tolerance == TOLERANCE:
             return _carried(space, memory, found.p, found.d), passes
-        tolerance = max(TOLERANCE, min(1e-3, 0.1 * change))
+        tolerance = max(TOLERANCE, min(1e-3, change))
     raise ValueError(f"no steady state was found in {TURNS} turns: mu still moves by {change:.1e}")
 
 

@@ -47,4 +47,4 @@ def faulty_disk(folder: Path) -> FaultyDisk:
     library = folder / "disk.so"
     command = [compiler, "-shared", "-fPIC", "-o", str(library), str(SOURCE), "-ldl"]
     subprocess.run(command, check=True)
-    return FaultyDisk(library, folder / "flag", SOURCE)
+    return FaultyDisk(library, folder / "flag", library)

@@ -283,6 +283,12 @@ def _surface(study: Study) -> Iterator[tuple[bool, str]]:
         how = "as they are" if surface.lines == "measured" else f"{surface.lines} {what} like them"
         size = " x ".join(map(str, samples))
         yield True, f"measured {what}: {lines} of {size} samples, {how}"
+        if surface.body != HALF_SPACE:
+            why = (
+                "a line that is cut from an isotropic surface has half the mean square slope of "
+                f'its equivalent line; surface.lines is "{surface.lines}"'
+            )
+            yield surface.lines == "equivalent", f"conversion of cuts: {why}"
         return
     yield False, "measured lines: surface.file is not given; lines are random and self-affine"
     for name, value in (("rolloff", surface.rolloff), ("cutoff", surface.cutoff)):

@@ -72,7 +72,7 @@ def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[
         "walltime": _written(walltime_seconds(cluster.walltime)),
         "interface": cluster.interface or None,
         "log_directory": cluster.log_folder,
-        "python": sys.executable,
+        "python": shlex.quote(sys.executable),
         "job_extra_directives": [*BATCH_SYSTEMS[cluster.where].directives],
         "job_script_prologue": [*exported, *PRIVATE, *cluster.prologue],
         "worker_extra_args": [

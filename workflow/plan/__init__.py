@@ -38,7 +38,7 @@ if TYPE_CHECKING:
         most_blocks,
         steps_per_spacing,
     )
-    from .half_space import laws_of
+    from .half_space import laws_of, map_error
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
     from .ratio_of_bodies import model_ratio, nominal_pressure

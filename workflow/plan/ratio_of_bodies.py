@@ -22,7 +22,7 @@ from .problems import line_slope, speed_ratio
 TABLE = Path(__file__).with_name("ratio_of_bodies.csv")
 KINDS = ("kelvin", "broad")  # one relaxation time, or many
 UNKNOWN = math.nan, math.nan
-ROUNDING = 1e-6  # relative, by which a point may lie outside
+ROUNDING = 1e-5  # relative, by which a point may lie outside
 
 
 class InTable(NamedTuple):

@@ -16,6 +16,7 @@ from ..plan import (
     first_order_rate_error,
     laws_of,
     line_slope,
+    map_error,
     model_ratio,
     nominal_pressure,
     rate_error,
@@ -155,7 +156,10 @@ def resolution(
             if not laws:
                 bias[row] = np.nan
                 continue
-            if name != "relaxation_rate" or problem.surface.body == HALF_SPACE:
+            if problem.surface.body == HALF_SPACE:
+                bias[row] = map_error(name, steps, samples[row])
+                continue
+            if name != "relaxation_rate":
                 worth = steps / FIRST_ORDER if first_order else steps
                 bias[row] = laws[name].error(problem, worth, numerics.refines)
                 continue

@@ -225,7 +225,8 @@ def _told_of_blocks(surface: Surface, head: Mapping[str, Any]) -> Surface:
         return surface
     block, lines = head["realizations_per_block"], head["realizations"]
     if lines == 1:
-        said = "one line, of which no standard error is known: errors are NaN"
+        what = "line" if surface.body == FOUNDATION else "map"
+        said = f"one {what}, of which no standard error is known: errors are NaN"
     elif profile.alike is None:
         return surface
     else:

@@ -10,6 +10,7 @@ from .effects import (
     BODY,
     FORCE,
     FOUNDATION,
+    HALF_SPACE,
     MATERIAL,
     OF_ELEMENTS,
     Material,
@@ -72,6 +73,12 @@ def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
         raise UserError(
             "scene.indentation_rate = false: eq. 3 as printed is defined for the foundation alone"
         )
+    for surface in surfaces.values():
+        if surface.body == HALF_SPACE and surface.lines not in ("measured", "random-phase"):
+            raise UserError(
+                f'surface.lines = "{surface.lines}": a half-space has maps, "measured" or '
+                '"random-phase"'
+            )
     for name in scene.quantities:
         if name in OF_ELEMENTS:
             raise UserError(

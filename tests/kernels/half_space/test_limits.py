@@ -84,12 +84,27 @@ def test_a_stiffness_that_is_the_same_for_all_waves_is_the_foundation(spectrum: 
     foundation = run_foundation(line, case, Quantities())
     for surface in surfaces:
         found = run_case(surface, case, Quantities(), equal_stiffness(surface))
-        assert found.contact_fraction == foundation.contact_fraction
+        space = HalfSpace.under(
+            form_of(spectrum, "exponential"), surface, case.load, equal_stiffness(surface)
+        )
+        touching = slide_steadily(space, spectrum, case.speed).body.p > 0.0
+        assert np.mean(touching) == foundation.contact_fraction
         assert found.indentation + case.load == pytest.approx(foundation.indentation, abs=1e-6)
         for curve, two, expected, settled in zip(
             found.curves, found.mu_2, foundation.curves, foundation.mu_2, strict=True
         ):
             assert np.allclose(curve - two, expected - settled, atol=1e-5)
+
+
+def test_the_initial_rate_is_that_of_the_foundation() -> None:
+    """Without a dashpot, where all waves are as stiff; behind one mu jumps."""
+    asked, (line, surfaces) = Quantities(initial_rate=True), line_and_surfaces()
+    case = Case(0.3, 0.7, (1.2,), (STEPS,), "exponential", BRANCHES, refine=False)
+    expected = run_foundation(line, case, asked).initial_rate
+    for surface in surfaces:
+        found = run_case(surface, case, asked, equal_stiffness(surface))
+        assert found.initial_rate == pytest.approx(expected, rel=1e-5)
+    assert np.isnan(run_case(rough(8, 4), case._replace(spectrum=KELVIN), asked).initial_rate)
 
 
 def test_kelvin_elements_of_the_same_stiffness_are_the_foundation() -> None:
@@ -108,8 +123,14 @@ def test_kelvin_elements_of_the_same_stiffness_are_the_foundation() -> None:
     case = Case(load, speed, (ratio,), (STEPS,), "exponential")
     for surface in surfaces:
         found = run_case(surface, case, Quantities(), equal_stiffness(surface))
-        assert found.mu_1 == pytest.approx(mu, abs=1e-6)
-        assert found.contact_fraction == np.mean(touching)
+        space = HalfSpace.under(
+            form_of(KELVIN, "exponential"), surface, load, equal_stiffness(surface)
+        )
+        sliding = slide_steadily(space, KELVIN, speed)
+        assert sliding.step_mu == pytest.approx(mu, abs=1e-6)
+        assert np.mean(sliding.body.p > 0.0) == np.mean(touching)
+        assert found.mu_1 == pytest.approx(mu, rel=0.02)  # the foundation's edges are sharp
+        assert 0.8 < found.contact_fraction / np.mean(touching) < 1.0
         assert found.indentation + load == pytest.approx(state.d + line.datum, abs=1e-6)
         assert found.jump[0] == pytest.approx(instant[1] - instant[0], abs=1e-6)
 

@@ -33,6 +33,26 @@ def test_plan_says_which_effects_are_simulated(capsys, study):
     assert "indentation rate in the force: dropped" in steady
 
 
+def test_plan_says_what_was_read_of_a_file_of_lines():
+    left_out = ("surface.length", "grid.hurst", "grid.spacing", "grid.roughness")
+    study = small_study(
+        'surface.file="hole.csv"',
+        'surface.gaps="fill"',
+        'compare.like.lines="random-phase"',
+        text=without(*left_out, "study.realizations"),
+    )
+    own, like = outline.read_lines_of(study)
+    assert own.startswith(
+        "lines       hole.csv: 1 line of 10 samples, 1e-06 m apart in the mean, hei"
+    )
+    assert "; columns 0 x, 1 z, by their names; 1 of 10 samples were missing and were fil" in own
+    assert own.endswith("one line, of which no standard error is known: errors are NaN")
+    assert like.startswith(
+        "lines       random lines of the power spectrum of hole.csv: 1 line of 10"
+    )
+    assert outline.read_lines_of(small_study()) == []
+
+
 def test_plan_says_what_is_marched_and_how_far_memory_reaches():
     programme = "[{slide={ratio=1, distance=1e-3}}, {hold={duration=1}}]"
     settings = [f"scene.programme={programme}", 'scene.quantities=["steady", "trace"]']

@@ -24,6 +24,7 @@ LINES = (
     "export DASK_TEMPORARY_DIRECTORY=$(mktemp -d)",
 )
 OPTIONS = (
+    "'/a folder/python' -m ",
     "--nthreads 1",
     "--nworkers 4",
     "--interface ib0",
@@ -34,10 +35,12 @@ OPTIONS = (
 )
 
 
-def test_jobs_are_asked_for_as_the_table_says():
+def test_jobs_are_asked_for_as_the_table_says(tmp_path, monkeypatch):
     from dask_jobqueue.slurm import SLURMJob
 
-    settings = slurm._settings(read_cluster(CLUSTER), False, {"distributed.a.b": []})
+    monkeypatch.setattr(slurm.sys, "executable", "/a folder/python")
+    given = CLUSTER | {"log_folder": str(tmp_path)}  # which is made
+    settings = slurm._settings(read_cluster(given), False, {"distributed.a.b": []})
     settings.pop("scheduler_options")  # of the cluster, not of its jobs
     settings["security"] = Security(tls_ca_file="a", tls_worker_cert="c", tls_worker_key="k")
     script = SLURMJob("tls://here:1", "name", **settings).job_script()

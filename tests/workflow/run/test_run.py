@@ -3,11 +3,15 @@
 import json
 import shutil
 
+import numpy as np
 import pytest
+import xarray as xr
 
 from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.run import collect, workers
 from elastomer_friction.workflow.run import grid_run as driver
+from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.status import status_file
 from elastomer_friction.workflow.run.workers import SECONDS_HERE, RunOptions, stream_here
 from elastomer_friction.workflow.store import journal
@@ -15,9 +19,10 @@ from elastomer_friction.workflow.store.store import Store, store_folder
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system.lock import hold
 from elastomer_friction.workflow.system.watch import Watch
+from tests.support.documents import without
 from tests.support.runs import run, shards
 from tests.support.shards import held
-from tests.support.small import all_records
+from tests.support.small import all_records, small_study
 
 
 @pytest.fixture(scope="module")
@@ -46,6 +51,23 @@ def test_a_run_computes_everything_and_says_so(finished):
     begun = [entry for entry, _ in journal.entries(store_folder(finished.path)) if "run" in entry]
     assert len(begun) == 1
     assert 0.0 < finished.summary.start <= finished.summary.wall < 3600.0
+
+
+def test_one_measured_line_runs_and_its_errors_are_nan(tmp_path):
+    left_out = ("surface.length", "grid.hurst", "grid.spacing", "grid.roughness")
+    study = small_study(
+        'surface.file="line.csv"',
+        "grid.normal_force=[4e-7]",
+        text=without(*left_out, "study.realizations"),
+    )
+    path = tmp_path / "small.nc"
+    run_plan(make_plan(study), path, RunOptions(Cluster("local")))
+    with xr.open_dataset(path) as dataset:
+        assert (dataset.realizations == 1).all()
+        assert np.isfinite(dataset.mu_1).all()
+        assert np.isnan(dataset.mu_1_error).all()
+        assert (dataset.mu_1_bias < 1.0).all()
+        assert dataset.attrs["lines"].endswith("errors are NaN")
 
 
 def test_a_run_says_how_far_it_is(tmp_path, capsys):

@@ -9,6 +9,7 @@ from elastomer_friction.workflow.plan.cost.work import PLAIN
 from elastomer_friction.workflow.run.summary import Summary
 from elastomer_friction.workflow.simulate.tasks import PHASES
 from elastomer_friction.workflow.system import this_maker
+from tests.support.documents import without
 from tests.support.small import cut_batches, random_result, small_plan
 
 PLAN = small_plan("grid.velocity=[0.03, 0.05, 0.1]")
@@ -83,3 +84,11 @@ def test_what_was_used_is_compared_with_what_was_predicted_for_it():
     assert begun.lines(PLAN)[0].endswith("predicted for them (factor 1.50), of 2.0 h for the whole")
     done = dataclasses.replace(begun, written=True)
     assert done.lines(PLAN)[0].endswith("predicted for them (factor 1.50)")
+
+
+def test_a_run_says_what_was_read_of_a_file_of_lines():
+    left_out = ("surface.length", "grid.hurst", "grid.spacing", "grid.roughness")
+    plan = small_plan('surface.file="line.csv"', text=without(*left_out, "study.realizations"))
+    (said,) = [line for line in Summary().lines(plan) if line.startswith("lines: ")]
+    assert said.startswith("lines: line.csv: 1 line of 10 samples, 1e-06 m apart in the mean")
+    assert not any(line.startswith("lines: ") for line in Summary().lines(PLAN))

@@ -20,6 +20,7 @@ BEYOND = (WORKFLOW, "elastomer_friction.studies", "tests")
 FROM_SYSTEM = ("Maker", "keep_memory", "peak_bytes", "this_maker")
 NO_NUMBERS = {
     f"{WORKFLOW}.lazy.public_names",
+    f"{WORKFLOW}.errors.UserError",
     *(f"{WORKFLOW}.system.{name}" for name in FROM_SYSTEM),
 }
 

@@ -22,7 +22,7 @@ from ...simulate import (
 )
 from ...study import HALF_SPACE
 from ..error_laws import contact_width
-from ..half_space import COLD, PASS, WARM, passes_of
+from ..half_space import PASS, WARM, passes_of
 from ..problems import Numbers, speed_ratio, viscous_pressure
 
 PARTS = (*PHASES, "calls")  # of the time of a realization; the first is the drawing of its line
@@ -107,7 +107,7 @@ def _half_space(asked: Quantities, work: Work, recording: Recording) -> dict[str
     each = PASS * work.samples
     return {
         STEADY: asked.anything * steady * each,
-        JUMP: asked.jump * COLD * each,
+        JUMP: asked.jump * 4.0 * WARM * each,
         MARCHING: march * each,
     }
 

@@ -34,6 +34,7 @@ class Raw(NamedTuple):
     step: float | None  # m, where there are no positions
     units: tuple[str, ...]  # of positions and of each line, or of all lines; "" where none is
     told: str = ""  # what was taken for what
+    apart: float | None = None  # m, from one row of a map to the next; None: the file does not say
 
 
 class Lines(NamedTuple):
@@ -42,12 +43,21 @@ class Lines(NamedTuple):
     heights: np.ndarray  # shape (lines, n)
     step: float
     notes: str
+    apart: float | None = None  # m, from one row of a map to the next; None: the file does not say
 
 
 def metres(unit: str) -> float | None:
     """Return the metres of a unit of length, or None where the word is none: µm, UM, micron …."""
     found = unit_of(unit)
     return found.factor if found is not None and found.family == "length" else None
+
+
+def apart(positions: np.ndarray, unit: str) -> float | None:
+    """Return how far rows at these positions are apart (m); None where nobody says."""
+    factor = metres(unit)
+    if factor is None or positions.size < 2:
+        return None
+    return factor * float(np.ptp(positions)) / (positions.size - 1)
 
 
 def plain(values: Any) -> np.ndarray:
@@ -92,7 +102,7 @@ def lines_of(asked: Asked, raw: Raw) -> Lines:
         f"{asked.name}: {count}, {apart}, heights in {units[1]}, units {whose}",
         *filter(None, (raw.told, mended)),
     ]
-    return Lines(heights, abs(step), "; ".join(parts))
+    return Lines(heights, abs(step), "; ".join(parts), raw.apart)
 
 
 def _units(asked: Asked, raw: Raw) -> tuple[str, ...]:

@@ -7,7 +7,7 @@ import numpy as np
 from ...errors import UserError
 from ...plain_files import open_plain, read_plain
 from ...text_tables import archive_kind, is_text
-from .as_read import KEY, Asked, Lines, Raw, lines_of, plain
+from .as_read import KEY, Asked, Lines, Raw, apart, lines_of, plain
 from .positions import rounding
 from .text_lines import read_text_lines
 
@@ -77,7 +77,12 @@ def _netcdf(asked: Asked) -> Raw:
         known = np.full(x.size, rounding(x[:]))
         heights = np.moveaxis(plain(z[:]), z.dimensions.index(x.dimensions[0]), -1)
         told = f"variables {x.name} and {z.name}"
-        return Raw(heights.reshape(-1, x.size), plain(x[:]), known, None, own, told)
+        across = [data.variables.get(name) for name in z.dimensions if name not in x.dimensions]
+        rows = None
+        if len(across) == 1 and across[0] is not None:
+            unit = str(getattr(across[0], "units", getattr(across[0], "unit", own[0])))
+            rows = apart(plain(across[0][:]), unit)
+        return Raw(heights.reshape(-1, x.size), plain(x[:]), known, None, own, told, rows)
 
 
 def _variables(asked: Asked, variables: dict) -> tuple:
@@ -117,13 +122,14 @@ def _with_surface_topography(asked: Asked) -> Raw:
         said = str(error).partition("\n")[0].rstrip(": ")
         tried = "" if said.startswith("tried") else f" ({said})"
         raise ValueError(f"no reader of SurfaceTopography knows it{tried}") from error
-    unit = str(topography.unit or "")
+    unit, rows = str(topography.unit or ""), None
     if topography.dim == 2:  # a map: every row along x is a line
         x = np.arange(topography.nb_grid_pts[0]) * topography.pixel_size[0]
         heights = plain(topography.heights()).T
+        rows = apart(np.array([0.0, topography.pixel_size[1]]), unit)
     else:
         x, z = topography.positions_and_heights()
         heights = plain(z)[None, :]
     known = np.full(len(x), rounding(x))
     told = f"read by SurfaceTopography as a {'map' if topography.dim == 2 else 'line'}"
-    return Raw(heights, plain(x), known, None, (unit, unit), told)
+    return Raw(heights, plain(x), known, None, (unit, unit), told, rows)

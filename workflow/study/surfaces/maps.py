@@ -8,6 +8,7 @@ from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...errors import UserError
 from .as_read import KEY, LEAST_SAMPLES, Asked, plain
 from .files import read_lines
+from .positions import UNEVEN
 from .profile import (
     DETRENDS,
     PERIODICS,
@@ -40,7 +41,7 @@ class MapProfile(Profile):
 def read_map(asked: Asked, detrend: str, periodic: str) -> MapProfile:
     """Return the prepared map of a file, the largest square in its middle. Raises UserError.
 
-    Its rows are taken to be as far apart as the samples of a row.
+    Its rows must be as far apart as the samples of a row, and are where the file does not say.
     """
     what = f"{KEY} = {asked.name!r}"
     if asked.gaps == "drop":
@@ -52,6 +53,11 @@ def read_map(asked: Asked, detrend: str, periodic: str) -> MapProfile:
             f"{what}: {rows} rows of {samples} samples are no map, which a half-space needs; use "
             'scene.body = "foundation", or scene.run with a line contact'
         )
+    if lines.apart is not None and abs(lines.apart / lines.step - 1.0) > UNEVEN:
+        raise UserError(
+            f"{what}: its rows are {lines.apart:.4g} m apart and samples {lines.step:.4g} m: a "
+            "half-space needs a map of square cells"
+        )
     side = min(rows, samples)
     top, left = (rows - side) // 2, (samples - side) // 2
     square = lines.heights[top : top + side, left : left + side]
@@ -61,12 +67,17 @@ def read_map(asked: Asked, detrend: str, periodic: str) -> MapProfile:
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
     cut = "" if rows == samples else f"; the middle {side} x {side} of {rows} x {samples}"
     notes = (
-        f"{lines.notes}; a map, rows as far apart as samples{cut}; {detrend} removed, {periodic}"
+        f"{lines.notes}; a map, rows as far apart as samples{_whose(lines.apart)}{cut}; {detrend} "
+        f"removed, {periodic}"
     )
     found = map_profile(whole[None], copies * lines.step * side, copies, notes)
     check_slope(what, "check surface.units", found)
     said = f"; h = {found.roughness:.4g} m, rms slope {found.slope:.4g}"
     return found._replace(notes=found.notes + said)
+
+
+def _whose(apart: float | None) -> str:
+    return " (assumed)" if apart is None else ""
 
 
 def _levelled(heights: np.ndarray, detrend: str) -> np.ndarray:

@@ -87,6 +87,7 @@ class PointGrid(NamedTuple):
 
     x: np.ndarray  # positions along a line, ascending, shape (n,)
     heights: np.ndarray  # shape (lines, n), NaN where the list holds no point
+    rows: np.ndarray  # the positions of the lines, ascending, shape (lines,)
     first: np.ndarray  # the row of the list that holds each position of x, shape (n,)
     turned: bool  # whether the lines run along the second coordinate
 
@@ -112,4 +113,4 @@ def grid_of(x: np.ndarray, y: np.ndarray, z: np.ndarray, along_x: bool) -> Point
     if np.unique(row * positions.size + column).size < z.size:  # a point twice
         return None
     heights[row, column] = z
-    return PointGrid(positions, heights, first, turned)
+    return PointGrid(positions, heights, lines, first, turned)

@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ....kernels import amplitudes, matching_rolloff
+from ....kernels import amplitudes, equivalent_of_cut, matching_rolloff
 from ..effects.body_key import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
-LINES = ("measured", "random-phase", "self-affine")
+LINES = ("measured", "random-phase", "equivalent", "self-affine")
 
 
 class Surface(NamedTuple):
@@ -59,14 +59,17 @@ class Surface(NamedTuple):
     def amplitudes(self) -> np.ndarray | None:
         """The mode amplitudes (m) of random lines like measured ones; None: lines are others.
 
-        ``random-phase`` lines have the mean power spectrum of the measured ones, ``self-affine``
-        ones their rms height and slope, by a long-wave roll-off.
+        ``random-phase`` lines have the mean power spectrum of the measured ones, ``equivalent``
+        ones that of the line which stands for the isotropic surface they were cut from, and
+        ``self-affine`` ones their rms height and slope, by a long-wave roll-off.
         """
         profile = self.profile
         if profile is None or self.lines == "measured":
             return None
         if self.lines == "random-phase":
             return profile.amplitudes
+        if self.lines == "equivalent":
+            return equivalent_of_cut(profile.amplitudes)
         elements = profile.heights.shape[-1]
         slope = profile.slope * profile.spacing / profile.roughness
         return profile.roughness * _like(self.hurst, elements, slope)
@@ -85,6 +88,7 @@ class Surface(NamedTuple):
         like = {
             "measured": "",
             "random-phase": "random lines of the power spectrum of ",
+            "equivalent": "random lines equivalent to the isotropic surface that was cut, of ",
             "self-affine": f"self-affine lines, H = {self.hurst:g}, of rms height and slope of ",
         }
         return like[self.lines] + self.profile.notes

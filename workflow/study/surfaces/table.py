@@ -151,8 +151,10 @@ MEASURED = {
 LIKE = {  # which a comparison may set as well
     "lines": Key(
         partial(choice, known=LINES),
-        "Whether the measured lines slide, random lines of the same mean power spectrum, or "
-        "self-affine lines of the same rms height and slope.",
+        "Whether the measured lines slide, random lines of the same mean power spectrum, random "
+        "lines equivalent to the isotropic surface that they are cuts of, or self-affine lines of "
+        "the same rms height and slope. A cut has half the mean square slope of the equivalent "
+        "line.",
         default="measured",
     ),
     "hurst": Key(

@@ -9,7 +9,7 @@ import numpy as np
 
 from ...errors import UserError
 from ...text_tables import TextTable, Title, quantity_of, read_text_table, unit_of
-from .as_read import KEY, LEAST_SAMPLES, Asked, Raw, metres
+from .as_read import KEY, LEAST_SAMPLES, Asked, Raw, apart, metres
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
 
 INDEX = r"^(index|idx|no\.?|nr\.?|n|i|#|number|point|sample|row|line|id)$"
@@ -21,6 +21,7 @@ PITCH = re.compile(
     r"|d_?x|delta[-_ ]?x|x[-_ ]?(scale|resolution))"
 )
 WIDTH = re.compile(r"(width|x[-_ ]?(size|range|length|extent)|scan[-_ ]?(size|width|length))")
+TALL = re.compile(r"(height|y[-_ ]?(size|range|length|extent))")
 VALUE_UNIT = re.compile(r"(value|z|height|data|y)?[-_ ]*units?")
 MANY = 3  # columns, from which on numbers alone may be a matrix
 
@@ -33,6 +34,14 @@ def read_text_lines(asked: Asked) -> Raw:
     repeat without making a map.
     """
     table = read_text_table(KEY, asked.path, asked.name)
+    raw = _lines_of_table(asked, table)
+    if table.passed_over:
+        over = f"; {len(table.passed_over)} lines of words below the first row passed over"
+        raw = raw._replace(told=raw.told + over)
+    return raw
+
+
+def _lines_of_table(asked: Asked, table: TextTable) -> Raw:
     _check_columns(asked, table)
     if asked.step is not None or len(table.numeric) == 1 or _is_matrix(asked, table):
         return _heights_alone(asked, table)
@@ -104,7 +113,8 @@ def _of_grid(asked: Asked, table: TextTable, grid: PointGrid, places: tuple[int,
         f"of column {_named(table, across)}, heights of column {_named(table, z)}"
     )
     known = _known(table, along)[grid.first]
-    return Raw(grid.heights, grid.x, known, None, units, told)
+    rows = apart(grid.rows, asked.units[0] if asked.units else table.title(across).unit)
+    return Raw(grid.heights, grid.x, known, None, units, told, rows)
 
 
 def _heights_alone(asked: Asked, table: TextTable) -> Raw:
@@ -128,22 +138,29 @@ def _heights_alone(asked: Asked, table: TextTable) -> Raw:
         )
     whose = "as given" if asked.step is not None else "as the file says"
     told = f"{what}, step {whose}"
-    return Raw(heights, None, np.empty(0), step, ("", *units), told)
+    rows = _quantity_of_remarks(asked, table, TALL) if matrix else None
+    between = None if rows is None else rows / len(heights)
+    return Raw(heights, None, np.empty(0), step, ("", *units), told, between)
 
 
 def _step_of_remarks(asked: Asked, table: TextTable, heights: np.ndarray) -> float | None:
     """Return the step (m) that a remark such as "pitch = 0.5 um" or "Width: 96 um" says."""
-    for pattern, count in ((PITCH, 1), (WIDTH, heights.shape[1])):
-        for name, text in table.remarks.items():
-            quantity = quantity_of(text)
-            bare = re.sub(r"\s*[\[(].*", "", name)
-            if quantity is None or not pattern.fullmatch(bare):
-                continue
-            own = quantity[1] or "".join(re.findall(r"[\[(](.*?)[\])]", name))
-            unit = asked.units[0] if asked.units else own
-            factor = metres(unit)
-            if factor is not None and quantity[0] > 0.0:
-                return quantity[0] * factor / count
+    pitch, width = (_quantity_of_remarks(asked, table, each) for each in (PITCH, WIDTH))
+    return width / heights.shape[1] if pitch is None and width is not None else pitch
+
+
+def _quantity_of_remarks(asked: Asked, table: TextTable, names: re.Pattern[str]) -> float | None:
+    """Return the length (m) that the first remark of such a name says; None without one."""
+    for name, text in table.remarks.items():
+        quantity = quantity_of(text)
+        if quantity is None or not names.fullmatch(re.sub(r"\s*[\[(].*", "", name)):
+            continue
+        own = quantity[1] or "".join(re.findall(r"[\[(](.*?)[\])]", name))
+        if not own and asked.units and names is PITCH:  # a bare width may be a count of samples
+            own = asked.units[0]
+        factor = metres(own)
+        if factor is not None and quantity[0] > 0.0:
+            return quantity[0] * factor
     return None
 
 

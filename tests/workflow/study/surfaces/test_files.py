@@ -163,6 +163,7 @@ def test_maps_and_lines_of_surface_topography(tmp_path, monkeypatch, dim, expect
     monkeypatch.setitem(sys.modules, "SurfaceTopography", module)
     lines = read(instrument(tmp_path))
     np.testing.assert_allclose(lines.heights, expected * 1e-6)
+    assert lines.apart == (pytest.approx(0.7e-6) if dim == 2 else None)
     assert lines.step == pytest.approx(0.5e-6)
 
 

@@ -8,6 +8,7 @@ import pytest
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.surfaces.as_read import Asked
 from elastomer_friction.workflow.study.surfaces.files import read_lines
+from elastomer_friction.workflow.study.surfaces.maps import read_map
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 X = 0.5 * np.arange(24)
@@ -76,7 +77,20 @@ def test_points_of_a_map_become_lines_along_what_runs_first(tmp_path, order, hea
     expected = Z if order == "rows" else Z.T
     np.testing.assert_allclose(lines.heights, expected * 1e-6)
     assert lines.step == pytest.approx(0.5e-6 if order == "rows" else 1e-6)
+    assert lines.apart == pytest.approx(1e-6 if order == "rows" else 0.5e-6)
     assert "a list of points of a map" in lines.notes
+
+
+def test_a_map_on_a_half_space_has_square_cells(tmp_path):
+    path = tmp_path / "map.xyz"
+    path.write_text("x [um],y [um],z [um]\n" + map_of_points(), encoding="utf-8")
+    with pytest.raises(UserError, match="its rows are 1e-06 m apart and samples 5e-07 m: a half-s"):
+        read_map(Asked(path, path.name), "line", "mirror")
+    np.save(tmp_path / "map.npy", Z.T)
+    asked = Asked(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
+    found = read_map(asked, "line", "mirror")
+    assert found.heights.shape == (1, 24, 24)
+    assert "rows as far apart as samples (assumed)" in found.notes
 
 
 def test_lines_of_a_map_run_along_the_column_that_is_asked_for(tmp_path):
@@ -113,11 +127,14 @@ def test_a_matrix_of_heights(tmp_path, header):
     lines = read(tmp_path, header + matrix())
     np.testing.assert_allclose(lines.heights, Z * 1e-9)
     assert lines.step == pytest.approx(0.5e-6)
+    assert lines.apart == (pytest.approx(0.5e-6) if "Height:" in header else None)
 
 
 def test_a_matrix_without_a_step_says_how_to_give_it(tmp_path):
     with pytest.raises(UserError, match=r"a matrix of heights, .*: give surface\.step"):
         read(tmp_path, matrix())
+    with pytest.raises(UserError, match=r"give surface\.step"):  # a width in samples is no length
+        read(tmp_path, f"Width: 24\n{matrix()}", units=("um", "um"))
     lines = read(tmp_path, matrix(" "), step=1e-6, units=("um", "nm"))
     np.testing.assert_allclose(lines.heights, Z * 1e-9)
 
@@ -129,6 +146,9 @@ def test_heights_alone(tmp_path):
     assert lines.step == pytest.approx(0.5e-6)
     with pytest.raises(UserError, match=r"heights alone, .*: give surface\.step"):
         read(tmp_path, f"z [um]\n{heights}")
+    for pitch, step in (("0.5 um", 0.5e-6), ("0.5", 0.5e-3)):  # its own unit goes first
+        lines = read(tmp_path, f"pitch: {pitch}\n{heights}", units=("mm", "nm"))
+        assert lines.step == pytest.approx(step)
     assert read(tmp_path, f"z [um]\n{heights}", step=2e-6).step == 2e-6
 
 
