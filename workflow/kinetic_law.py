@@ -84,7 +84,7 @@ class KineticLaw:
     Velocities may be zero or negative; friction is odd in them. Up to the speed v at which eta v h
     is 0.2 F_N the law misses a simulated curve after a step of -0.2 to 0.3 v1 by 0.13 of the whole
     change of friction in the median, by 0.37 at most. At ten times that speed a single peak carries
-    the load, and the law misses the whole change (docs/python.md).
+    the load, and the law misses the whole change (docs/verification.md).
     """
 
     def __init__(

@@ -18,7 +18,7 @@ from ...kernels import (
 )
 from ...kernels.half_space.surface import rms_slope_of
 from ..errors import UserError
-from ..simulate import LineShape, Problem, Recording, ScaledHistory, bounded_counts
+from ..simulate import LineShape, Problem, Recording, ScaledHistory, bounded_counts, programme_steps
 from ..study import (
     FOUNDATION,
     HALF_SPACE,
@@ -169,7 +169,7 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
 
 
 def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
-    """Raise UserError for a programme of more than MOST_STEPS steps, counted by formula.
+    """Raise UserError for more than MOST_STEPS steps, and for some that are lost in rounding.
 
     steps : numbers of them per spacing, of problems that share this programme.
     """
@@ -184,6 +184,10 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
                 f"{MOST_STEPS:g}: shorten it, or take a larger grid.spacing or fewer "
                 "numerics.steps_per_spacing"
             )
+        try:
+            programme_steps(problem, int(m), origin)
+        except ValueError as error:
+            raise UserError(f"scene.programme: {error} (lengths in dx, times in tau)") from error
 
 
 def asked_of(study: Study) -> Quantities:

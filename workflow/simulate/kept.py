@@ -20,7 +20,6 @@ from ...kernels import (
     scene_steps,
 )
 from ...kernels.rheology.spectrum import shortest_step
-from ..errors import UserError
 from .tasks import Problem, Recording, ScaledHistory
 
 RESTART = 64  # samples of the leg after a hold, at times that grow by a factor
@@ -71,10 +70,7 @@ def _march(
     scene = SceneCase(
         spectrum, "exponential", programme, 1.0, history, "steady", (), nothing, nothing, nothing
     )
-    try:
-        steps = scene_steps(scene, m, origin)
-    except ValueError as error:
-        raise UserError(f"scene.programme: {error} (lengths in dx, times in tau)") from error
+    steps = scene_steps(scene, m, origin)
     moved = np.abs(np.diff(steps.position, prepend=origin.position))
     return ProgrammeSteps(np.cumsum(steps.dt), moved, steps.leg)
 
@@ -84,7 +80,7 @@ def programme_steps(
 ) -> ProgrammeSteps:
     """Return the steps of the programme of a problem that begins at ``origin``.
 
-    Raises UserError for steps that are lost in rounding, and for more than can be marched.
+    Raises ValueError for steps that are lost in rounding, and for more than can be marched.
     """
     what = problem.programme, problem.indentation, problem.spectrum
     return _march(*what, steps_per_spacing, origin)
