@@ -14,10 +14,10 @@ from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "Friction of the foundation, and of Persson's theory, over that of a half-space at the same "
-    "nominal pressure: (a) over the real contact area of the half-space, for every Hurst exponent "
-    "and speed; (b) over the speed; (c) for a broad spectrum of relaxation times in place of one; "
-    "(d) the error of each model beside the time that one realization takes."
+    "Friction of the foundation is shown over that of a half-space at the same nominal pressure, "
+    "over the real contact area of the half-space (a, and c for a broad spectrum of relaxation "
+    "times in place of one) and over the speed (b). Panel (d) has the error of each model beside "
+    "the time that one realization takes."
 )
 PAIRS = {"": "foundation", "broad": "broad_foundation"}  # half-space and foundation, by material
 RATIO = "$\\mu_1$ over the half-space's"

@@ -14,8 +14,7 @@ import xarray as xr
 
 from elastomer_friction.studies.bodies.figure import PAIRS
 from elastomer_friction.studies.style import computed_study
-from elastomer_friction.workflow.plan import make_plan
-from elastomer_friction.workflow.plan.ratio_of_bodies import KINDS, TABLE, InTable, place_of
+from elastomer_friction.workflow.plan import KINDS, TABLE, InTable, make_plan, place_of
 
 LEAST_RATIO = 3.0  # of a ratio to its error, below which it says nothing
 

@@ -13,11 +13,11 @@ from elastomer_friction.workflow.report import error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "Velocity steps of 20 % on a half-space (full symbols) and on the foundation of the paper at "
-    "the same nominal pressure (open symbols): (a) steady friction over the rms slope, (b) the "
-    "jump over slope and relative step, which the paper gives as 0.4 on its plateau, (c) the "
-    "relaxation rate b with eq. 13 as lines, and (d) the exponent α of b = x^α for x > 1, which "
-    "the paper gives as 1 − H."
+    "Velocity steps of 20 % are shown on a half-space (full symbols) and on the foundation of the "
+    "paper at the same nominal pressure (open symbols). The panels hold (a) steady friction over "
+    "the rms slope, (b) the jump over slope and relative step, which the paper gives as 0.4 on its "
+    "plateau, (c) the relaxation rate b with eq. 13 as lines, and (d) the exponent α of b = x^α "
+    "for x > 1, which the paper gives as 1 − H."
 )
 HALF_SPACE, FOUNDATION = "", "foundation"
 FACES = {HALF_SPACE: None, FOUNDATION: "white"}  # of symbols; None: filled

@@ -7,10 +7,10 @@ from elastomer_friction.workflow.report import COLOURS
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "Friction of a rigid sphere that slides over a Kelvin half-space and over the foundation with "
-    "the profile x²/R, over the speed in radii of contact per relaxation time. For slow sliding "
-    "µ = vτ/R on a half-space, and twice of it on the foundation. Panel (b) has a standard linear "
-    "solid and the published values of Carbone and Putignano (2013)."
+    "Friction is shown of a rigid sphere that slides over a Kelvin half-space and over the "
+    "foundation with the profile x²/R, over the speed in radii of contact per relaxation time, "
+    "beside the closed form for slow sliding. Panel (b) has a standard linear solid and the "
+    "published values of Carbone and Putignano (2013)."
 )
 
 

@@ -40,7 +40,7 @@ SETTINGS = {
     "published": Key(
         partial(integer, least=0),
         "Whether the three published points are computed as well: 1 or 0.",
-        "There is no more than 1.",
+        "Doubled from 1, nothing changes: all three are computed then.",
     ),
 }
 

@@ -41,7 +41,7 @@ if TYPE_CHECKING:
     from .half_space import laws_of, map_error
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
-    from .ratio_of_bodies import model_ratio, nominal_pressure
+    from .ratio_of_bodies import KINDS, TABLE, InTable, model_ratio, nominal_pressure, place_of
     from .variant import Variant
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -76,7 +76,7 @@ def test_every_flag_says_what_its_values_mean():
 
 # Metres, seconds and newtons of a unit, of h, dx, tau and 4 G L.
 UNITS = {(1, 0, 0): "m", (0, 1, 0): "s", (1, -1, 0): "m s-1", (0, -1, 0): "s-1", (0, 0, 0): "1"}
-UNITS |= {(0, 0, 1): "N", (1, 0, 1): "J"}
+UNITS |= {(0, 0, 1): "N", (1, 0, 1): "J", (-2, 0, 1): "Pa"}
 SCALED = {name: variable for name, variable in SCENES.items() if variable.scaling}
 
 
@@ -84,7 +84,9 @@ SCALED = {name: variable for name, variable in SCENES.items() if variable.scalin
 def test_units_are_those_of_the_scaling(name):
     powers = dict(SCALED[name].scaling)
     newtons = powers.pop("stiffness", 0)
-    metres = powers.pop("roughness", 0) + powers.pop("spacing", 0) - newtons
+    pascals = powers.pop("modulus", 0)
+    metres = powers.pop("roughness", 0) + powers.pop("spacing", 0) - newtons - 2 * pascals
+    newtons += pascals
     seconds = powers.pop("tau", 0)
     assert not powers
     assert SCALED[name].units == UNITS[metres, seconds, newtons]

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ....kernels import amplitudes, equivalent_of_cut, matching_rolloff
-from ..effects.body_key import FOUNDATION, HALF_SPACE
+from ..effects import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
 LINES = ("measured", "random-phase", "equivalent", "self-affine")

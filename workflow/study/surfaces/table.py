@@ -7,7 +7,7 @@ from typing import Any
 
 from ....kernels.lines.self_affine import NORMALISATIONS
 from ...errors import UserError
-from ..effects.body_key import FOUNDATION, HALF_SPACE
+from ..effects import FOUNDATION, HALF_SPACE
 from ..settings import (
     TEXT,
     Key,
