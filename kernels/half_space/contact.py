@@ -26,6 +26,7 @@ MOST_PASSES = 20_000
 CENTRE = 5.0  # of the stencil, whose neighbours are -1; by trial, for any load
 NOTHING = 1e-14  # of the mean pressure
 BOLDER, SHYER = 3.0, 0.3  # by how much the next trial step may differ from this one
+STALE = 0.01  # of the trial step
 
 
 class ElasticContact(NamedTuple):
@@ -149,6 +150,8 @@ def press(
         step = min(best, max(most, 1.0)) if best > 0.0 else 1.0
         d += shift + _go(p, depth, change, pushed, free[:count], step, NOTHING * mean_pressure)
         trial *= min(max(best, SHYER), BOLDER)
+        if best < STALE:  # directions that no longer lead on: begin them anew
+            trial, product = 1.0, 0.0
 
 
 @kernel

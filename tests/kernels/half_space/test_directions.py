@@ -1,0 +1,18 @@
+"""Directions of search that no longer lead on are begun anew: a map on which they once stalled."""
+
+import numpy as np
+
+from elastomer_friction.kernels import Case, Quantities
+from elastomer_friction.kernels.half_space.cases import run_case
+from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes
+from elastomer_friction.workflow.simulate.drawing import line_generator
+
+
+def test_a_step_in_which_directions_stall_is_solved():
+    """H = 0.8, x = 30, one of 1296 maps of the study bodies: 20 000 passes did not end it."""
+    surface = Surface.drawn(line_generator(3, 0.8, 32, 8), ring_amplitudes(0.8, 32, 2), 32, 4)
+    load = 3e4 * 1e-3 / (4e6 * 5e-6)  # F_N/(E* L h)
+    case = Case(load, 0.3 * 1e-3 / 3.125e-5, (), (), "exponential")
+    found = run_case(surface, case, Quantities(jump=False, relaxation=False))
+    assert np.isfinite(found.mu_1)
+    assert found.work < 3000 * surface.z.size
