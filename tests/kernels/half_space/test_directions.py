@@ -11,8 +11,7 @@ from elastomer_friction.workflow.simulate.drawing import line_generator
 def test_a_step_in_which_directions_stall_is_solved():
     """H = 0.8, x = 30, one of 1296 maps of the study bodies: 20 000 passes did not end it."""
     surface = Surface.drawn(line_generator(3, 0.8, 32, 8), ring_amplitudes(0.8, 32, 2), 32, 4)
-    load = 3e4 * 1e-3 / (4e6 * 5e-6)  # F_N/(E* L h)
-    case = Case(load, 0.3 * 1e-3 / 3.125e-5, (), (), "exponential")
+    case = Case(1.5, 9.60000000000582, (1.0,), (), "exponential")
     found = run_case(surface, case, Quantities(jump=False, relaxation=False))
     assert np.isfinite(found.mu_1)
-    assert found.work < 3000 * surface.z.size
+    assert found.work < 6000 * surface.z.size
