@@ -1,6 +1,8 @@
 """Directions of search that no longer lead on are begun anew: a map on which they once stalled."""
 
+import numba
 import numpy as np
+import pytest
 
 from elastomer_friction.kernels import Case, Quantities
 from elastomer_friction.kernels.half_space.cases import run_case
@@ -8,6 +10,9 @@ from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitud
 from elastomer_friction.workflow.simulate.drawing import line_generator
 
 
+@pytest.mark.skipif(
+    bool(numba.config.DISABLE_JIT), reason="NUMBA_DISABLE_JIT=1: 30 million samples"
+)
 def test_a_step_in_which_directions_stall_is_solved():
     """H = 0.8, x = 30, one of 1296 maps of the study bodies: 20 000 passes did not end it."""
     surface = Surface.drawn(line_generator(3, 0.8, 32, 8), ring_amplitudes(0.8, 32, 2), 32, 4)

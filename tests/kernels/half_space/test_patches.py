@@ -1,5 +1,6 @@
 """Patches of contact on maps drawn by hand, and the area of contacts at several samples."""
 
+import numba
 import numpy as np
 import pytest
 
@@ -18,6 +19,7 @@ def test_patches_are_connected_by_sides_round_the_period() -> None:
     assert samples_per_patch(np.ones((4, 4))) == 16.0
 
 
+@pytest.mark.skipif(bool(numba.config.DISABLE_JIT), reason="NUMBA_DISABLE_JIT=1: large maps")
 @pytest.mark.parametrize("speed", [0.3, 1.0])
 def test_the_contact_area_hardly_depends_on_the_samples(speed: float) -> None:
     asked = Quantities(jump=False, relaxation=False)
