@@ -46,8 +46,10 @@ def drawn_maps(batch: Batch) -> tuple[int, Callable[[int], Draw]]:
         return 1, lambda number: lambda steps: (Surface.measured(heights[number], steps),)
     problem = batch.tasks[0].problem
     hurst, elements, surface = problem.hurst, problem.elements, problem.surface
-    modes = surface.rolloff, surface.cutoff
-    amplitude = ring_amplitudes(hurst, elements, *modes, batch.normalisation)
+    amplitude = batch.modes
+    if amplitude is None:
+        modes = surface.rolloff, surface.cutoff
+        amplitude = ring_amplitudes(hurst, elements, *modes, batch.normalisation)
     first = batch.first_block * batch.realizations_per_block
 
     def draw(number: int) -> Draw:

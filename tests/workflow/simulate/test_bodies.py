@@ -1,5 +1,7 @@
 """A half-space goes through the workflow as lines do: same records, whatever the cut."""
 
+import dataclasses
+
 import numpy as np
 import pytest
 
@@ -10,7 +12,7 @@ from elastomer_friction.kernels.half_space.surface import (
     map_amplitudes,
     ring_amplitudes,
 )
-from elastomer_friction.workflow.simulate.drawing import line_generator
+from elastomer_friction.workflow.simulate.drawing import drawn_maps, line_generator
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from tests.support.small import cut_batches, small_plan
@@ -23,6 +25,7 @@ SMALL = (
     "study.realizations=2",
 )
 PLAN = small_plan(*SMALL)
+GENERATOR = np.random.default_rng(1)
 
 
 def by_record(work):
@@ -64,3 +67,13 @@ def test_amplitudes_of_a_map_are_those_that_it_was_drawn_with(samples):
     surface = Surface.drawn(np.random.default_rng(1), amplitude, samples, 1)
     found = map_amplitudes(surface.z)
     np.testing.assert_allclose(found[:, 1:], amplitude[:, 1:], atol=1e-14)
+
+
+def test_random_maps_like_a_measured_one_have_its_spectrum():
+    """Whatever its own Hurst exponent is, which nobody knows."""
+    own = map_amplitudes(Surface.drawn(GENERATOR, ring_amplitudes(0.1, 9, cutoff=3), 9, 1).z)
+    batch = next(cut_batches(small_plan(*SMALL, "surface.length=9e-3"), set(), 1e9))
+    batch = dataclasses.replace(batch, modes=own)
+    _, draw = drawn_maps(batch)
+    (surface,) = draw(0)(1)
+    np.testing.assert_allclose(map_amplitudes(surface.z)[:, 1:], own[:, 1:], atol=1e-14)
