@@ -27,7 +27,7 @@ if TYPE_CHECKING:
         prediction,
         this_machine,
     )
-    from .error_laws import first_order_rate_error, rate_error
+    from .error_laws import LAWS, first_order_rate_error, known, rate_error
     from .goal import (
         BIAS,
         FIRST_ORDER,
@@ -38,7 +38,7 @@ if TYPE_CHECKING:
         most_blocks,
         steps_per_spacing,
     )
-    from .half_space import laws_of, map_error
+    from .half_space import map_error
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
     from .ratio_of_bodies import KINDS, TABLE, InTable, model_ratio, nominal_pressure, place_of

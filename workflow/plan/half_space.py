@@ -1,4 +1,4 @@
-"""What a half-space asks for: steps per spacing, errors, scatter and cost, by measured laws.
+"""What a half-space asks for: steps per spacing, errors and cost, by measured laws.
 
 They take a problem, or many of them together, as the laws of the foundation do (error_laws.py,
 cost/work.py). A map has (N m)^2 samples, eight in its shortest wave where m = 4.
@@ -9,15 +9,10 @@ each with m = 2, 4, 8 against m = 16. That of mu_1 was 1 to 2.4 % at m = 4 and a
 up to 2 over their number where they do not.
 """
 
-from collections.abc import Mapping
-from functools import partial
-
 import numpy as np
 
 from ...kernels import KELVIN, Quantities
 from ..simulate import Problem
-from ..study import HALF_SPACE
-from .error_laws import LAWS, Laws, known
 from .problems import Numbers, line_slope, speed_ratio
 from .ratio_of_bodies import nominal_pressure
 
@@ -41,7 +36,7 @@ def steps_for(problem: Problem, wanted: float) -> Numbers:
     steps = np.full(np.shape(problem.load), LEAST_STEPS)
     for _ in range(2):
         finer = 2 * steps
-        errors = [_error(name, problem, steps) for name in ("mu_1", "jump")]
+        errors = [expected_error(name, problem, steps) for name in ("mu_1", "jump")]
         fits = (problem.elements * finer) ** 2 <= MOST_SAMPLES
         coarse = np.maximum(*errors) > wanted
         steps = np.where(coarse & fits & (finer <= MOST_STEPS), finer, steps)
@@ -64,7 +59,7 @@ def expected_samples(problem: Problem, steps: Numbers) -> Numbers:
     return np.maximum(patch, 3.0) * np.asarray(steps) ** 2.0 / 16.0
 
 
-def _error(name: str, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
+def expected_error(name: str, problem: Problem, steps: Numbers) -> Numbers:
     """Return the error that is expected before anything is computed."""
     return map_error(name, steps, expected_samples(problem, steps))
 
@@ -77,35 +72,3 @@ def passes_of(problem: Problem, steps: Numbers, march_steps: Numbers, asked: Qua
         each = np.full(np.shape(x), BRANCHED)
     states = 1.0 + (asked.steady or asked.relaxation) * np.abs(problem.ratio)
     return each * states, WARM * march_steps
-
-
-def _mu_1_scatter(problem: Problem) -> Numbers:
-    """Return the scatter of mu_1 (and mu_2) of one map."""
-    return 0.5 / np.sqrt(problem.elements) + 0.0 * problem.load
-
-
-def _jump_scatter(problem: Problem) -> Numbers:
-    """Return the scatter of the jump of one map."""
-    return 2.0 * _mu_1_scatter(problem)
-
-
-def _relaxation_rate_scatter(problem: Problem) -> Numbers:
-    """Return the scatter of b of one map."""
-    return 4.0 * _mu_1_scatter(problem)
-
-
-OF_MAPS = {
-    name: Laws(partial(_error, name), scatter)
-    for name, scatter in (
-        ("mu_1", _mu_1_scatter),
-        ("jump", _jump_scatter),
-        ("relaxation_rate", _relaxation_rate_scatter),
-    )
-}
-
-
-def laws_of(problem: Problem) -> Mapping[str, Laws]:
-    """Return the laws of the estimates of one problem; none where they are not known."""
-    if problem.surface.body == HALF_SPACE:
-        return {} if problem.programme else OF_MAPS
-    return LAWS if known(problem) else {}

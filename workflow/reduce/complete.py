@@ -11,10 +11,11 @@ from ...kernels.half_space.surface import ring_amplitudes
 from ..plan import (
     BIAS,
     FIRST_ORDER,
+    LAWS,
     Plan,
     Variant,
     first_order_rate_error,
-    laws_of,
+    known,
     line_slope,
     map_error,
     model_ratio,
@@ -152,16 +153,15 @@ def resolution(
         bias = np.empty(len(tasks))
         for row, task in enumerate(tasks):
             problem, steps = task.problem, task.steps_per_spacing
-            laws = laws_of(problem)
-            if not laws:
-                bias[row] = np.nan
-                continue
             if problem.surface.body == HALF_SPACE:
-                bias[row] = map_error(name, steps, samples[row])
+                bias[row] = np.nan if problem.programme else map_error(name, steps, samples[row])
+                continue
+            if not known(problem):
+                bias[row] = np.nan
                 continue
             if name != "relaxation_rate":
                 worth = steps / FIRST_ORDER if first_order else steps
-                bias[row] = laws[name].error(problem, worth, numerics.refines)
+                bias[row] = LAWS[name].error(problem, worth, numerics.refines)
                 continue
             bias[row] = rate_error(problem, steps, samples[row], rates[row])
             if first_order:

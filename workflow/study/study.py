@@ -140,7 +140,7 @@ def read_grid_study(
     check_quantities(scene, materials, alone)
     check_bodies(scene, surfaces)
     _check_energy(scene, variants)
-    check_accuracy(variants, materials, scene, surface)
+    check_accuracy(variants, materials, scene, surfaces)
     if one_point:
         _one_point(grid)
     return Study(

@@ -80,12 +80,18 @@ def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
 
 
 def check_accuracy(
-    variants: dict[str, Numerics], materials: dict[str, Material], scene: Scene, surface: Surface
+    variants: dict[str, Numerics],
+    materials: dict[str, Material],
+    scene: Scene,
+    surfaces: Mapping[str, Surface],
 ) -> None:
     """Raise UserError where an accuracy is asked for beyond what its laws were measured on."""
-    beyond = scene.programme or surface.profile is not None or surface.rolloff or surface.cutoff
     for label, numerics in variants.items():
-        if numerics.accuracy and (beyond or materials[label].branches):
+        own = surfaces[label]
+        other_lines = own.profile is not None or own.rolloff or own.cutoff
+        other_model = own.body != FOUNDATION or materials[label].branches
+        beyond = scene.programme or other_lines or other_model
+        if numerics.accuracy and beyond:
             where = f"compare.{label}" if label else "numerics"
             raise UserError(
                 f"{where}.accuracy = {numerics.accuracy!r}: holds for one velocity step of Kelvin "
