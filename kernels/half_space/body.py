@@ -108,26 +108,25 @@ def open_gap(law, memory, depth, z, offset, w, gap):
             gap[y, j] = law.stiffness * (z[y, j] - w[y * n + i])
 
 
-@kernel
-def at_elements(values, offset):
+def at_elements(values: np.ndarray, offset: int) -> np.ndarray:
     """Return values at the samples of the surface, shape (rows, n), element by element."""
-    rows, n = values.shape
-    moved = np.empty(rows * n)
-    for y in range(rows):
-        for i in range(n):
-            moved[y * n + i] = values[y, i - offset if i >= offset else i - offset + n]
-    return moved
+    return np.roll(values, offset, axis=1).ravel()
 
 
-@kernel
-def at_samples(values, offset, shape):
+def at_samples(values: np.ndarray, offset: int, shape: tuple[int, int]) -> np.ndarray:
     """Return values of the elements at the samples of the surface."""
-    rows, n = shape
-    moved = np.empty(shape)
-    for y in range(rows):
-        for i in range(n):
-            moved[y, i - offset if i >= offset else i - offset + n] = values[y * n + i]
-    return moved
+    return np.roll(values.reshape(shape), -offset, axis=1)
+
+
+def rest_on(space: HalfSpace, stiffness: float = 1.0) -> tuple[Body, int]:
+    """Return the body on which the surface has rested, and the passes.
+
+    stiffness : of the body, over that of the relaxed one.
+    """
+    found = press(stiffness * space.surface.z, space.pressure, space.operator, None, TOLERANCE)
+    depth = at_elements(found.depth, 0)
+    memory = rested(space.form, depth / stiffness)
+    return Body(memory, depth, found.p, found.d / stiffness, 0), found.passes
 
 
 @kernel

@@ -23,9 +23,8 @@ def run_case(
     contact_fraction : real contact area, corrected for the samples at edges (patches.py).
     samples_per_contact : mean samples of a patch that is connected by sides. work : samples times
     passes of the operator. The relaxation curve is mu_2 plus the deviation of the march from its
-    own steady value. refine of
-    a case has no meaning here. stiffness : over the modes, where it is not that of a half-space.
-    Raises ValueError where no steady state is found.
+    own steady value. refine of a case has no meaning here. stiffness : over the modes, where it is
+    not that of a half-space. Raises ValueError where no steady state is found.
     """
     clock = PhaseClock()
     space = HalfSpace.under(form_of(case.spectrum, case.scheme), surface, case.load, stiffness)
@@ -53,15 +52,18 @@ def run_case(
             curves.append(two.mu + (curve - two.step_mu))
             passes += used
             clock.lap("marching")
-    p = one.body.p
-    area, samples, seconds = (
-        real_contact(p, one.viscous),
-        samples_per_patch(p),
+    return Outcome(
+        one.mu,
+        one.body.d,
+        real_contact(one.body.p, one.viscous),
+        samples_per_patch(one.body.p),
+        mu_2,
+        jumps,
+        curves,
+        passes * surface.z.size,
         Seconds(**clock.spent),
+        rates,
     )
-    work = passes * surface.z.size
-    d = one.body.d
-    return Outcome(one.mu, d, area, samples, mu_2, jumps, curves, work, seconds, rates)
 
 
 def _relaxation(

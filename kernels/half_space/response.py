@@ -13,7 +13,8 @@ T, a, b, c, e are read off the law itself, by unit memories and forces.
 import numpy as np
 
 from ..compile.jit import kernel
-from ..rheology.law import predict, settle
+from ..rheology.law import predict
+from .body import take
 
 
 @kernel
@@ -22,12 +23,6 @@ def predicted(law, memory, p):
     w = np.empty(p.size)
     predict(law, memory, p, w)
     return w
-
-
-@kernel
-def settled(law, memory, w, p, new):
-    """Take the memory over the step, in place."""
-    settle(law, memory, w, p, new)
 
 
 def steady_response(law, count: int, zeta: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -40,7 +35,7 @@ def steady_response(law, count: int, zeta: np.ndarray) -> tuple[np.ndarray, np.n
     memory, old, new = np.eye(count, count + 2), np.zeros(count + 2), np.zeros(count + 2)
     old[count] = new[count + 1] = 1.0
     w = predicted(law, memory, old)
-    settled(law, memory, w.copy(), old, new)
+    take(law, memory, w.copy(), old, new)
     turn = zeta.ravel()[:, None]
     drive = turn * memory[:, count] + memory[:, count + 1]
     back = np.eye(count) - turn[:, :, None] * memory[:, :count]

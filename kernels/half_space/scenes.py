@@ -10,16 +10,14 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..model.friction import mean_slope
 from ..motion.fourier import Shifted
 from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
-from ..rheology.relaxed import RelaxationForm
-from ..scene.records import TRACES, Trace
+from ..scene.begin import charge_branches, glassy_stiffness
+from ..scene.records import TRACES, Trace, keep_motion, keep_trace
 from ..scene.scene_case import Saved, SceneCase, check_scene, scene_steps
-from .body import TOLERANCE, Body, HalfSpace, at_elements, move_on, rested
-from .contact import press
+from .body import Body, HalfSpace, move_on, rest_on
 from .sliding_body import slide_steadily
 from .surface import Surface
 
@@ -33,6 +31,14 @@ class StepEnds(NamedTuple):
     now: float
     lag: float  # of the force, as a share of the step before its end
     old: float  # approach before the step, in h
+
+
+class Way(NamedTuple):
+    """How the surface moves, as of a Track (motion/track.py)."""
+
+    place: np.ndarray  # in dx, shape (S + 1,)
+    time: np.ndarray  # in tau, shape (S + 1,)
+    dt: np.ndarray  # in tau, shape (S,)
 
 
 class Moving:
@@ -70,8 +76,8 @@ def run_scene_on_half_space(
     trace : as of a line (scene/run.py), forces in E* L h and E* L h^2/dx. snapshots :
     "snapshot_pressure" (frames, rows, n), in E* h/dx, at the samples of the half-space. "updates" :
     samples times passes of the operator. stiffness : over the modes, where it is not the |q|/2 of a
-    half-space. Raises ValueError for a scene without meaning, and for
-    what a half-space does not keep.
+    half-space. Raises ValueError for a scene without meaning, and for what a half-space does not
+    keep.
     """
     if state is not None or set(scene.asked) - set(KEPT):
         raise ValueError(f"asked = {sorted(scene.asked)}: a half-space keeps {KEPT}")
@@ -86,7 +92,7 @@ def run_scene_on_half_space(
     kept = {int(number): k for k, number in enumerate(scene.kept)}
     shown = {int(number): k for k, number in enumerate(scene.frames[: len(frames)])}
     places = np.append(0.0, steps.position)
-    times = np.cumsum(np.append(0.0, steps.dt))
+    way = Way(places / m, np.cumsum(np.append(0.0, steps.dt)), steps.dt)
     law = lru_cache(maxsize=16)(lambda dt: law_of(form, dt))
     for step in range(places.size):
         old = body.d
@@ -99,64 +105,41 @@ def run_scene_on_half_space(
             passes += used
         if step in kept:
             before = places[step - 1] if step else -math.copysign(1.0, lag)
-            _keep(trace, kept[step], body, moving, StepEnds(before, places[step], abs(lag), old))
-            _keep_motion(trace, kept[step], step, places / m, times, abs(lag))
+            k, lag = kept[step], abs(lag)
+            _keep(trace, k, body, moving, StepEnds(before, places[step], lag, old))
+            if step:
+                keep_motion(trace, k, lag, way, step - 1)
+            else:
+                trace.time[k], trace.distance[k] = 0.0, 0.0
+                trace.velocity[k] = speed_at_start(scene.programme)
         if step in shown:
             frames[shown[step]] = np.roll(body.p, body.offset, axis=1)
-    if trace.time.size and 0 in kept:
-        trace.velocity[kept[0]] = speed_at_start(scene.programme)
     found = dict(zip(TRACES, trace, strict=True)) if "trace" in scene.asked else {}
     if "snapshots" in scene.asked:
         found["snapshot_pressure"] = frames
     return found | {"updates": np.array(float(passes * surface.z.size))}
 
 
-def _keep(trace: Trace, k: int, body: Body, moving: Moving, place: StepEnds) -> None:
+def _keep(trace: Trace, k: int, body: Body, moving: Moving, ends: StepEnds) -> None:
     """Keep friction, forces and contact of a step as number k."""
-    now = moving.slope_over(place.now, body.offset)
-    before = moving.slope_over(place.before, body.offset)
+    slopes = [moving.slope_over(place, body.offset).ravel() for place in ends[:2]]
+    keep_trace(trace, k, ends.lag, *slopes, ends.old, body.d, body.p.ravel())
     side = body.p.shape[1] / moving.surface.steps_per_spacing  # in dx
-    trace.mu[k] = mean_slope(body.p, now + place.lag * (before - now))
-    trace.indentation[k] = body.d + place.lag * (place.old - body.d)
-    trace.normal_force[k] = side * body.p.mean()
-    trace.friction_force[k] = trace.mu[k] * trace.normal_force[k]
-    trace.contact_fraction[k] = np.mean(body.p > 0.0)
-
-
-def _keep_motion(
-    trace: Trace, k: int, step: int, places: np.ndarray, times: np.ndarray, lag: float
-) -> None:
-    """Keep when and where the force of a step acts, and the velocity of the step."""
-    if step == 0:
-        trace.time[k], trace.distance[k], trace.velocity[k] = 0.0, 0.0, 0.0
-        return
-    dt, moved = times[step] - times[step - 1], places[step] - places[step - 1]
-    trace.time[k], trace.distance[k] = times[step] - lag * dt, places[step] - lag * moved
-    trace.velocity[k] = moved / dt
+    trace.normal_force[k] *= side
+    trace.friction_force[k] *= side
 
 
 def _begin(space: HalfSpace, scene: SceneCase) -> tuple[Body, int, float]:
     """Return the body before the first step, passes, and the signed lag of the step before."""
-    z = space.surface.z
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)
         one = slide_steadily(space, scene.spectrum, speed)
-        lag = math.copysign(one.step.law.lag, speed)
-        body = one.body._replace(offset=one.body.offset % z.shape[1])
-        return _turned_back(body), one.passes, lag
-    stiffness = 1.0
-    if scene.start == "fresh":
-        if scene.spectrum.viscosity > 0.0:
-            raise ValueError('start = "fresh": a dashpot carries any load at first')
-        stiffness += sum(scene.spectrum.moduli)
-    found = press(stiffness * z, space.pressure, space.operator, None, TOLERANCE)
-    depth = at_elements(found.depth, 0)
-    memory = rested(space.form, depth / stiffness)
-    if scene.start == "fresh" and isinstance(space.form, RelaxationForm):
-        memory[:-1] = space.form.moduli[:, None] * memory[-1]
-    elif scene.start == "fresh":
-        memory[:] = 0.0
-    return Body(memory, depth, found.p, found.d / stiffness, 0), found.passes, 0.0
+        return _turned_back(one.body), one.passes, math.copysign(one.step.law.lag, speed)
+    if scene.start == "relaxed":
+        return *rest_on(space), 0.0
+    body, passes = rest_on(space, glassy_stiffness(scene.spectrum))
+    charge_branches(space.form, body.memory)
+    return body, passes, 0.0
 
 
 def _turned_back(body: Body) -> Body:

@@ -26,7 +26,7 @@ import numpy as np
 
 from ..model.friction import mean_slope
 from ..rheology.spectrum import KELVIN, Spectrum, complex_modulus
-from .body import TOLERANCE, Body, HalfSpace, Step, at_elements, count_memories, rested, take_step
+from .body import TOLERANCE, Body, HalfSpace, Step, count_memories, rest_on, take_step
 from .contact import ElasticContact, Operator, press
 from .response import steady_response
 from .waves import two_sided, wave_numbers
@@ -61,14 +61,14 @@ def slide_steadily(
     zeta = np.exp(1j * step.way * q / surface.steps_per_spacing)
     response, memory = steady_response(step.law, count_memories(space.form), zeta)
     full = _everywhere(space, response)
-    if full.min() > 0.0:
+    everywhere = bool(full.min() > 0.0)
+    if everywhere:
         body, passes = _carried(space, memory, full, float(surface.z.mean())), 1
     elif spectrum == KELVIN and float(np.max(np.abs(response.imag) / response.real)) > FLAT:
         body, passes = _marched(space, step, speed, start)
     else:
         body, passes = _direct(space, step, response, memory, start)
     step_mu = mean_slope(body.p, step.weight)
-    everywhere = bool(full.min() > 0.0)
     exact = 1.0 if everywhere or spectrum.viscosity > 0.0 else 0.5
     lost = _lost(space, complex_modulus(spectrum, q * speed), response, exact, body.p)
     viscous = _viscous(spectrum, surface.steps_per_spacing * speed)
@@ -157,10 +157,7 @@ def _marched(space: HalfSpace, step: Step, speed: float, start: Body | None) -> 
     surface, passes = space.surface, 0
     steepest = float(np.abs(surface.slope).max())
     if start is None:
-        found = press(surface.z, space.pressure, space.operator, None, TOLERANCE)
-        depth = at_elements(found.depth, 0)
-        start = Body(rested(space.form, depth), depth, found.p, found.d, 0)
-        passes = found.passes
+        start, passes = rest_on(space)
     body = start._replace(memory=start.memory.copy())
     block = max(4, math.ceil(surface.steps_per_spacing * abs(speed)))
     mu, change = math.inf, math.inf

@@ -28,15 +28,27 @@ def fresh(form: Form, spectrum: Spectrum, z: np.ndarray, load: float | None, d: 
 
     Raises ValueError for a material with a dashpot: it carries any load at no indentation.
     """
+    elements = _pressed(form, z, load, d, glassy_stiffness(spectrum))
+    charge_branches(form, elements.memory)
+    return elements
+
+
+def glassy_stiffness(spectrum: Spectrum) -> float:
+    """Return the stiffness of what is just pressed on, over the relaxed one.
+
+    Raises ValueError for a material with a dashpot: it carries any load at no indentation.
+    """
     if spectrum.viscosity > 0.0:
         raise ValueError('start = "fresh": a dashpot carries any load at first, at no indentation')
-    stiffness = 1.0 + sum(spectrum.moduli)
-    elements = _pressed(form, z, load, d, stiffness)
+    return 1.0 + sum(spectrum.moduli)
+
+
+def charge_branches(form: Form, memory: np.ndarray) -> None:
+    """Let all branches carry their share of what is just pressed on; memory : of rest, changed."""
     if isinstance(form, Retardation):
-        elements.memory[:] = 0.0
-    else:  # all branches carry their share
-        elements.memory[:-1] = form.moduli[:, None] * elements.memory[-1]
-    return elements
+        memory[:] = 0.0
+    else:
+        memory[:-1] = form.moduli[:, None] * memory[-1]
 
 
 def _pressed(form: Form, z: np.ndarray, load: float | None, d: float, stiffness: float) -> Elements:
