@@ -12,7 +12,7 @@ import sys
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.studies.bodies.figure import PAIRS
+from elastomer_friction.studies.bodies.figure import PAIRS, ratios
 from elastomer_friction.studies.style import computed_study
 from elastomer_friction.workflow.plan import KINDS, TABLE, InTable, make_plan, place_of
 
@@ -26,22 +26,17 @@ def rows_of(tree: xr.DataTree) -> list[tuple]:
     found = []
     for half, line in PAIRS.items():
         variant = variants[half]
-        whole, other = tree[half or "/"].to_dataset(), tree[line].to_dataset()
-        values = {name: [each[name].values for each in (whole, other)] for name in NEEDED}
-        for index in np.ndindex(variant.point_task.shape):
-            place = place_of(variant.tasks[variant.point_task[index]].problem)
-            mu, error, bias = ([each[index] for each in values[name]] for name in NEEDED)
-            ratio = mu[1] / mu[0]
-            off = [
-                np.hypot(e / m, np.nan_to_num(b)) for m, e, b in zip(mu, error, bias, strict=True)
-            ]
-            own = abs(ratio) * float(np.hypot(*off))
-            if ratio > LEAST_RATIO * own:
-                found.append((*place, ratio, own))
+        groups = {name: tree[name or "/"].to_dataset() for name in (half, line)}
+        of_points = ratios(groups, half)
+        biases = [data.mu_1_bias.fillna(0.0).squeeze() for data in groups.values()]
+        spread = of_points.ratio_error / of_points.ratio
+        off = np.hypot(spread, np.hypot(*biases))
+        columns = variant.point_task, of_points.ratio.values, off.values
+        for task, ratio, relative in zip(*map(np.ravel, columns), strict=True):
+            if LEAST_RATIO * relative < 1.0:
+                place = place_of(variant.tasks[task].problem)
+                found.append((*place, float(ratio), float(ratio * relative)))
     return sorted(found)
-
-
-NEEDED = ("mu_1", "mu_1_error", "mu_1_bias")
 
 
 def _main() -> None:

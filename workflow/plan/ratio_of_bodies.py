@@ -53,7 +53,7 @@ def place_of(problem: Problem, normalisation: str = "modal") -> InTable:
 
 def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, float]:
     """Return mu_1 of the foundation over that of a half-space, and its error; NaN where unknown."""
-    if problem.surface.measured or problem.programme or not TABLE.is_file():
+    if problem.surface.measured or problem.programme:
         return UNKNOWN
     place = place_of(problem, normalisation)
     table = _table().get(place.kind, {})

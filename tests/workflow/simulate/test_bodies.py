@@ -15,6 +15,7 @@ from elastomer_friction.kernels.half_space.surface import (
 from elastomer_friction.workflow.simulate.drawing import drawn_maps, line_generator
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import SCALARS
+from tests.support.records import by_record
 from tests.support.small import cut_batches, small_plan
 
 SMALL = (
@@ -26,18 +27,6 @@ SMALL = (
 )
 PLAN = small_plan(*SMALL)
 GENERATOR = np.random.default_rng(1)
-
-
-def by_record(work):
-    """Return the numbers of every record, as bytes."""
-    found = {}
-    for batch in work:
-        scalars, curves, *_ = block_means(batch)
-        for i, task in enumerate(batch.tasks):
-            for j in range(batch.blocks):
-                record = (task.key, batch.first_block + j)
-                found[record] = (scalars[i, j].tobytes(), curves[i, j].tobytes())
-    return found
 
 
 def test_numbers_do_not_depend_on_the_cut():

@@ -23,6 +23,7 @@ from elastomer_friction.workflow.simulate.drawing import line_generator
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
+from tests.support.records import by_record
 from tests.support.small import cut_batches, small_plan
 
 PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")
@@ -31,18 +32,6 @@ PLAN = small_plan("grid.velocity_step=[0.2, -0.2]")
 def one_batch(*settings):
     """Return the first batch of the small study: all tasks of one H, all blocks."""
     return next(cut_batches(small_plan(*settings), set(), 1e9))
-
-
-def by_record(work):
-    """Return the numbers of every record, as bytes."""
-    found = {}
-    for batch in work:
-        scalars, curves, *_ = block_means(batch)
-        for i, task in enumerate(batch.tasks):
-            for j in range(batch.blocks):
-                record = (task.key, batch.first_block + j)
-                found[record] = (scalars[i, j].tobytes(), curves[i, j].tobytes())
-    return found
 
 
 @pytest.mark.parametrize("target", [1e-9, 2e-3, 6e-3])

@@ -102,8 +102,9 @@ def _half_space(asked: Quantities, work: Work, recording: Recording) -> dict[str
     """Return the time of a case on a half-space, which goes with passes over its map."""
     steady, march = passes_of(work.problem, work.steps, work.march_steps, asked)
     if recording.asked:
-        counts = [leg_counts(work.problem, int(m)).sum() for m in np.ravel(work.steps)]
-        march = march + WARM * np.array(counts).reshape(np.shape(work.steps))
+        different, inverse = np.unique(work.steps, return_inverse=True)
+        counts = [leg_counts(work.problem, int(steps)).sum() for steps in different]
+        march = march + WARM * np.array(counts)[inverse]
     each = PASS * work.samples
     return {
         STEADY: asked.anything * steady * each,

@@ -6,15 +6,18 @@ import numpy as np
 
 from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...errors import UserError
-from .as_read import KEY, LEAST_SAMPLES, Asked, plain
+from .as_read import KEY, LEAST_SAMPLES, Asked
 from .files import read_lines
 from .positions import UNEVEN
 from .profile import (
     DETRENDS,
+    FLAT,
     PERIODICS,
     Profile,
+    check_finite,
     check_not_flat,
     check_slope,
+    given_heights,
     make_periodic,
 )
 
@@ -102,22 +105,14 @@ def given_map(heights: object, length: float) -> MapProfile:
     length : of the side (m), n steps; one element per sample. Raises UserError that names the
     argument, ``profile``.
     """
-    try:
-        own = np.atleast_2d(plain(heights))
-    except (TypeError, ValueError):
-        raise UserError("profile: must be an array of heights in m") from None
+    own = given_heights(heights)
     if own.ndim != 2 or own.shape[0] not in (1, own.shape[1]) or own.shape[1] < LEAST_SAMPLES:
         raise UserError(
             f"profile: has the shape {own.shape}: a half-space takes a square map (n, n), "
             f"the last axis along x, or a line contact (n,), of {LEAST_SAMPLES} samples or more"
         )
-    if not np.isfinite(own).all():
-        row, sample = np.argwhere(~np.isfinite(own))[0]
-        raise UserError(
-            f"profile: sample {sample + 1} of row {row + 1} is {own[row, sample]}: all must be "
-            "finite"
-        )
-    if own.std() <= 1e-9 * np.abs(own).max():
+    check_finite(heights, own, "row")
+    if own.std() <= FLAT * np.abs(own).max():
         raise UserError("profile: is flat: needs heights that differ")
     what = "line contact" if own.shape[0] == 1 else "map"
     notes = f"given from Python: a {what} of {own.shape}, one period as it is"

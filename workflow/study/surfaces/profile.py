@@ -73,28 +73,41 @@ def given_profile(heights: object, length: float) -> Profile:
     length : of the period (m), n steps; one element per sample. Raises UserError that names the
     argument, ``profile``.
     """
-    try:
-        lines = np.atleast_2d(plain(heights))
-    except (TypeError, ValueError):
-        raise UserError("profile: must be an array of heights in m") from None
+    lines = given_heights(heights)
     if lines.ndim != 2 or lines.shape[1] < LEAST_SAMPLES:
         raise UserError(
             f"profile: has the shape {lines.shape}: must hold at least {LEAST_SAMPLES} "
             "heights, or lines of them"
         )
-    if not np.isfinite(lines).all():
-        row, sample = np.argwhere(~np.isfinite(lines))[0]
-        masked = int(np.ma.count_masked(heights))
-        gone = f", {masked} of {lines.size} are masked" if masked else ""
-        raise UserError(
-            f"profile: sample {sample + 1} of line {row + 1} is {lines[row, sample]}: all must be "
-            f"finite{gone}; fill gaps in first"
-        )
+    check_finite(heights, lines, "line")
     check_not_flat("profile", lines, lines)
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
     profile = _profile(lines, length, 1, notes)
     check_slope("profile", "give heights and length both in m", profile)
     return profile._replace(alike=alike(level(lines, "mean")))
+
+
+def given_heights(heights: object) -> np.ndarray:
+    """Return heights that are given from Python, NaN where they are masked, in two dimensions.
+
+    One dimension becomes one row; more than two stay. Raises UserError for what is no array.
+    """
+    try:
+        return np.atleast_2d(plain(heights))
+    except (TypeError, ValueError):
+        raise UserError("profile: must be an array of heights in m") from None
+
+
+def check_finite(given: object, heights: np.ndarray, row_name: str) -> None:
+    """Raise UserError for heights, shape (rows, n), that are not finite, or masked as given."""
+    if not np.isfinite(heights).all():
+        row, sample = np.argwhere(~np.isfinite(heights))[0]
+        masked = int(np.ma.count_masked(given))
+        gone = f", {masked} of {heights.size} are masked" if masked else ""
+        raise UserError(
+            f"profile: sample {sample + 1} of {row_name} {row + 1} is {heights[row, sample]}: all "
+            f"must be finite{gone}; fill gaps in first"
+        )
 
 
 def check_load(key: str, profile: Profile, load: np.ndarray) -> None:

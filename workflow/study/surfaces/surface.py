@@ -10,6 +10,7 @@ from ..effects import FOUNDATION, HALF_SPACE
 from .profile import Profile
 
 LINES = ("measured", "random-phase", "equivalent", "self-affine")
+OF_MAPS = ("measured", "random-phase")  # those of them that maps can be
 
 
 class Surface(NamedTuple):

@@ -23,7 +23,7 @@ from .as_read import Asked, metres
 from .gaps import GAPS
 from .maps import read_map
 from .profile import DETRENDS, PERIODICS, Profile, read_profile
-from .surface import LINES, Surface
+from .surface import LINES, OF_MAPS, Surface
 
 
 def _columns(key: str, value: object) -> tuple:
@@ -216,10 +216,8 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION)
 def _check_maps(where: str, table: Mapping[str, Any]) -> None:
     """Raise UserError for lines that a half-space, which has maps, knows nothing of."""
     lines = table.get("lines", LINES[0])
-    if lines not in LINES[:2]:
-        raise UserError(
-            f"{where}.lines = {lines!r}: a half-space has maps, {' or '.join(LINES[:2])}"
-        )
+    if lines not in OF_MAPS:
+        raise UserError(f"{where}.lines = {lines!r}: a half-space has maps, {' or '.join(OF_MAPS)}")
 
 
 def lines_like(where: str, surface: Surface, table: Mapping[str, Any]) -> Surface:
