@@ -87,14 +87,26 @@ def move_on(
     tolerance: float = STEP_TOLERANCE,
 ) -> tuple[Body, int]:
     """Take a body over a step of a law, its memory in place; z, offset : surface at its end."""
+    w, found = tried(space, body, law, z, offset, tolerance)
+    return settled(body, law, w, found, offset), found.passes
+
+
+def tried(
+    space: HalfSpace, body: Body, law: Any, z: np.ndarray, offset: int, tolerance: float
+) -> tuple[np.ndarray, ElasticContact]:
+    """Return (where the body would go without pressure, contact) of a step as move_on takes it."""
     w, gap = np.empty(body.depth.size), np.empty_like(z)
     open_gap(law, body.memory, body.depth, z, offset, w, gap)
     depth = at_samples(body.depth, body.offset, z.shape)
     start = ElasticContact(body.p, depth, body.d * law.stiffness, 0)
-    found = press(gap, space.pressure, space.operator, start, tolerance)
+    return w, press(gap, space.pressure, space.operator, start, tolerance)
+
+
+def settled(body: Body, law: Any, w: np.ndarray, found: ElasticContact, offset: int) -> Body:
+    """Return the body after a step that was tried, its memory in place."""
     new = at_elements(found.depth, offset)
     take(law, body.memory, w, body.depth, new)
-    return Body(body.memory, new, found.p, found.d / law.stiffness, offset), found.passes
+    return Body(body.memory, new, found.p, found.d / law.stiffness, offset)
 
 
 @kernel

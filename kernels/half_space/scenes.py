@@ -86,7 +86,7 @@ def run_scene_on_half_space(
     check_scene(scene, steps, False)
     form = form_of(scene.spectrum, scene.scheme)
     space, moving = HalfSpace.under(form, surface, scene.load, stiffness), Moving(surface)
-    body, passes, lag = _begin(space, scene)
+    body, passes, lag = begun_on(space, scene)
     trace = Trace(*np.empty((len(TRACES), scene.kept.size)))
     frames = np.empty((scene.frames.size if "snapshots" in scene.asked else 0, *surface.z.shape))
     kept = {int(number): k for k, number in enumerate(scene.kept)}
@@ -129,7 +129,7 @@ def _keep(trace: Trace, k: int, body: Body, moving: Moving, ends: StepEnds) -> N
     trace.friction_force[k] *= side
 
 
-def _begin(space: HalfSpace, scene: SceneCase) -> tuple[Body, int, float]:
+def begun_on(space: HalfSpace, scene: SceneCase) -> tuple[Body, int, float]:
     """Return the body before the first step, passes, and the signed lag of the step before."""
     if scene.start == "steady":
         speed = speed_at_start(scene.programme)

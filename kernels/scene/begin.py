@@ -3,16 +3,36 @@
 import numpy as np
 
 from ..branches.steady_memory import steady_at, steady_memory
+from ..lines.line import Line
 from ..model.contact import solve_indentation
 from ..model.steady import steady_sliding, sweep
+from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.kelvin import SCHEMES
 from ..rheology.law import Elements, rest
 from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 from ..rheology.spectrum import KELVIN, Spectrum
+from .scene_case import Saved, SceneCase, indentation_at
 
 Form = Retardation | RelaxationForm
+
+
+def begun(line: Line, scene: SceneCase, form: Form) -> Saved:
+    """Return the state of a line before the first step of a scene."""
+    z = line.z
+    load = scene.load * z.size if scene.indentation is None else None
+    d = np.nan if load is not None else float(indentation_at(scene, np.zeros(1), line.datum)[0])
+    speed = 0.0
+    if scene.start == "steady":
+        speed = speed_at_start(scene.programme)
+        samples = speed * line.steps_per_spacing
+        elements = steady(scene.scheme, scene.spectrum, z, samples, load, d)
+    elif scene.start == "relaxed":
+        elements = relaxed(form, z, load, d)
+    else:
+        elements = fresh(form, scene.spectrum, z, load, d)
+    return Saved(*elements, 0.0, 0.0, speed)
 
 
 def relaxed(form: Form, z: np.ndarray, load: float | None, d: float) -> Elements:

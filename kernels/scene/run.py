@@ -9,7 +9,7 @@ from ..motion.legs import last_speed, speed_at_start
 from ..motion.track import Track, tracks
 from ..rheology.forms import form_of
 from ..rheology.law import Elements, displacement, law_of
-from .begin import Form, fresh, relaxed, steady
+from .begin import Form, begun
 from .energy import ENERGIES, Ledger, stored_energy
 from .follow import follow
 from .records import TRACES, Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
@@ -97,7 +97,7 @@ def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[
     steps = scene_steps(scene, m, state.origin if state else START)
     check_scene(scene, steps, state is not None)
     form = form_of(scene.spectrum, scene.scheme)
-    begin = state or _begin(line, scene, form)
+    begin = state or begun(line, scene, form)
     control: ConstantForce | PrescribedIndentation = ConstantForce(scene.load * z.size)
     if scene.indentation is not None:
         times = np.cumsum(np.append(begin.time, steps.dt))[1:]
@@ -122,20 +122,3 @@ def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[
         saved = Saved(*elements, position, time, speed)
         values |= {f"state_{name}": np.asarray(value) for name, value in saved._asdict().items()}
     return values
-
-
-def _begin(line: Line, scene: SceneCase, form: Form) -> Saved:
-    """Return the state before the first step."""
-    z = line.z
-    load = scene.load * z.size if scene.indentation is None else None
-    d = np.nan if load is not None else float(indentation_at(scene, np.zeros(1), line.datum)[0])
-    speed = 0.0
-    if scene.start == "steady":
-        speed = speed_at_start(scene.programme)
-        samples = speed * line.steps_per_spacing
-        elements = steady(scene.scheme, scene.spectrum, z, samples, load, d)
-    elif scene.start == "relaxed":
-        elements = relaxed(form, z, load, d)
-    else:
-        elements = fresh(form, scene.spectrum, z, load, d)
-    return Saved(*elements, 0.0, 0.0, speed)

@@ -1,0 +1,92 @@
+"""What is pulled: elements under a surface, and a step of them that is tried before it is taken.
+
+A rig is a NamedTuple, of a line here and of a map in half_space/pulled.py; the functions declared
+here are reached by its type.
+"""
+
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..compile.jit import by_type, kernel
+from ..model.balance import balance
+from ..model.friction import weighed
+from ..rheology.law import law_of, predict, settle
+
+
+@by_type
+def attempt(rig, pose, dt):
+    """Return (friction, lag) of a step that ends in a pose; the rig keeps what is found.
+
+    friction : F_x in the units of the drive (spring.py). lag : where within the step it acts,
+    before its end, as a share of it.
+    """
+
+
+@by_type
+def accept(rig, dt):
+    """Take the step that was tried last; return (normal force, indentation, share in contact).
+
+    The indentation is that at which the force acts, in h; the normal force is in 4 G L h, or in
+    E* L h of a half-space.
+    """
+
+
+class Rig(NamedTuple):
+    """A line on its elements; its arrays are changed in place."""
+
+    form: Any  # of the material (rheology/forms.py)
+    control: Any  # what the indentation follows from (model/balance.py)
+    memory: np.ndarray  # shape (M, n): of the elements
+    p: np.ndarray  # shape (n,): forces of the last step, in 4 G dx h
+    w: np.ndarray  # shape (n,): where elements would go in the step that is tried
+    new: np.ndarray  # shape (n,): forces in it
+    d: np.ndarray  # shape (2,): indentation after the last step, and in that which is tried
+
+
+class Pose(NamedTuple):
+    """A line as the elements see it at the end of a step, and its slopes before the step."""
+
+    z: np.ndarray  # shape (n,), in h
+    before: np.ndarray  # slopes, shape (n,), in h/dx
+    after: np.ndarray  # slopes at the end
+
+
+@attempt.of(Rig)
+def _attempt(rig, pose, dt):
+    return _tried(rig, pose, dt)
+
+
+@accept.of(Rig)
+def _accept(rig, dt):
+    return _taken(rig, dt)
+
+
+@kernel
+def _tried(rig, pose, dt):
+    """Return what attempt does, of a line."""
+    law = law_of(rig.form, dt)
+    predict(law, rig.memory, rig.p, rig.w)
+    c = pose.z - rig.w
+    d, _ = balance(rig.control, law, pose.z, c, None, rig.d[0], 0)
+    rig.d[1] = d
+    for i in range(c.size):
+        depth = d - c[i]
+        rig.new[i] = law.stiffness * depth if depth > 0.0 else 0.0
+    slope = pose.after + law.lag * (pose.before - pose.after)
+    return weighed(-rig.new, None, slope, 0.0)[1] / c.size, law.lag
+
+
+@kernel
+def _taken(rig, dt):
+    """Return what accept does, of a line."""
+    law = law_of(rig.form, dt)
+    settle(law, rig.memory, rig.w, rig.p, rig.new)
+    normal, touching = 0.0, 0
+    for i in range(rig.p.size):
+        rig.p[i] = rig.new[i]
+        normal += rig.new[i]
+        touching += rig.new[i] > 0.0
+    d = rig.d[1] + law.lag * (rig.d[0] - rig.d[1])
+    rig.d[0] = rig.d[1]
+    return normal / rig.p.size, d, touching / rig.p.size

@@ -1,0 +1,104 @@
+"""A line that is pulled: its elements, how it begins, and what is kept of it."""
+
+import math
+from functools import lru_cache, partial
+from typing import Any
+
+import numpy as np
+
+from ..lines.line import Line
+from ..model.force import ConstantForce
+from ..model.friction import weighed
+from ..motion.fourier import Shifted
+from ..motion.legs import speed_at_start
+from ..rheology.forms import form_of
+from ..rheology.law import law_of
+from ..scene.begin import begun
+from ..scene.scene_case import SceneCase, check_scene, scene_steps
+from .pulled import Pulled, pull_through
+from .rig import Pose, Rig
+from .spring import Drive
+from .step import Moment, slide_on
+
+
+def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarray]:
+    """Pull one line through a scene, whose programme is that of the drive; return its traces.
+
+    They are those of run_scene, of the slider, at the times at which a slider that is held by the
+    drive would end the steps that are kept; and "trace_drive_force" (4 G L h^2/dx).
+    "updates" : of elements. Raises ValueError for a scene without meaning.
+    """
+    m, n = line.steps_per_spacing, line.z.size
+    steps = scene_steps(scene, m)
+    check_scene(scene, steps, False)
+    form = form_of(scene.spectrum, scene.scheme)
+    speed = speed_at_start(scene.programme) if scene.start == "steady" else 0.0
+    begin = begun(line, scene, form)
+    rig = Rig(
+        form,
+        ConstantForce(scene.load * n),
+        begin.memory.copy(),
+        begin.p.copy(),
+        np.empty(n),
+        np.empty(n),
+        np.array([begin.d, begin.d]),
+    )
+    way, start = (-1 if speed < 0.0 else 1), line.slope
+    if speed:
+        earlier = np.roll(line.slope, -way)
+        start = start + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - start)
+    normal, tangential, touching = weighed(-rig.p, None, start, 0.0)
+    friction = tangential / n
+    first = Moment(
+        tangential / normal,
+        begin.d,
+        normal / n,
+        friction,
+        touching / n,
+        0.0,
+        0.0,
+        speed,
+        friction if speed else 0.0,
+    )
+    surface = PosedLine(line)
+    scale = scene.load * math.sqrt(float(np.mean(line.slope**2)))
+    pulled = Pulled(rig, surface.pose, partial(_slide, rig, surface), m, scale, first)
+    times = np.append(0.0, np.cumsum(steps.dt))[scene.kept]
+    found, tries = pull_through(pulled, drive, scene.spectrum, scene.programme, speed != 0.0, times)
+    found["trace_indentation"] = found["trace_indentation"] + line.datum
+    return found | {"updates": np.array(2.0 * tries * n)}
+
+
+class PosedLine:
+    """A line at any place, as the elements of a foundation at rest see it."""
+
+    def __init__(self, line: Line) -> None:
+        """Take a line as it is at place zero."""
+        self.line, self.shifted = line, None
+        self.z, self.slope = np.tile(line.z, 2), np.tile(line.slope, 2)
+        self.at = lru_cache(maxsize=4)(self._at)
+
+    def pose(self, before: float, after: float) -> Pose:
+        """Return the pose of a step from one place to another, in samples."""
+        z, slope = self.at(after)
+        return Pose(z, self.at(before)[1], slope)
+
+    def _at(self, place: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return heights and slopes at the elements."""
+        n = self.line.z.size
+        whole = math.floor(place)
+        begin = -whole % n
+        if place == whole:
+            return self.z[begin : begin + n], self.slope[begin : begin + n]
+        if self.shifted is None:
+            self.shifted = Shifted(*self.line[:2], self.line.steps_per_spacing)
+        z, slope = self.shifted.by(place - whole)
+        return np.roll(z, whole), np.roll(slope, whole)
+
+
+def _slide(rig: Rig, surface: PosedLine, sample: int, *rest: Any) -> tuple:
+    """Return what slide_on does, without the sample at which it ends."""
+    *before, record = rest
+    m = surface.line.steps_per_spacing
+    found = slide_on(rig, surface.z, surface.slope, m, sample, *before, *record)
+    return found[1:]

@@ -1,0 +1,113 @@
+"""A half-space whose surface is pulled through a spring (drive/)."""
+
+import math
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..drive.pulled import Pulled, pull_through
+from ..drive.rig import accept, attempt
+from ..drive.spring import Drive
+from ..drive.step import Moment
+from ..model.friction import mean_slope
+from ..motion.legs import speed_at_start
+from ..rheology.forms import form_of
+from ..rheology.law import law_of
+from ..scene.scene_case import SceneCase, check_scene, scene_steps
+from .body import STEP_TOLERANCE, Body, HalfSpace, settled, tried
+from .scenes import Moving, begun_on
+from .surface import Surface
+
+
+class Found(NamedTuple):
+    """A step that was tried."""
+
+    law: Any  # of the elastomer in it
+    w: np.ndarray  # where the body would go without pressure
+    contact: Any  # ElasticContact
+    offset: int  # of the surface
+
+
+class Places(NamedTuple):
+    """Where the surface is before a step and after it, in samples."""
+
+    before: float
+    after: float
+
+
+class MapRig(NamedTuple):
+    """A surface on its half-space."""
+
+    space: HalfSpace
+    moving: Moving
+    body: list[Body]  # one, after the last step
+    found: list[Found]  # one, of the step that is tried
+    passes: list[int]  # one number: of the operator, in all
+
+
+@attempt.of(MapRig)
+def _attempt(rig, pose, dt):
+    law = law_of(rig.space.form, dt)
+    (body,), whole = rig.body, math.floor(pose.after)
+    z, slope = rig.moving.at(pose.after - whole)
+    offset = whole % z.shape[1]
+    w, contact = tried(rig.space, body, law, z, offset, STEP_TOLERANCE)
+    rig.passes[0] += contact.passes
+    rig.found[:] = [Found(law, w, contact, offset)]
+    before = rig.moving.slope_over(pose.before, offset)
+    weight = slope + law.lag * (before - slope)
+    normal = rig.space.pressure * side_of(rig.space)
+    return normal * mean_slope(contact.p, weight), law.lag
+
+
+@accept.of(MapRig)
+def _accept(rig, dt):
+    (body,), (step,) = rig.body, rig.found
+    old = body.d
+    new = settled(body, step.law, step.w, step.contact, step.offset)
+    rig.body[:], rig.found[:] = [new], []
+    touching = np.count_nonzero(new.p > 0.0) / new.p.size
+    d = new.d + step.law.lag * (old - new.d)
+    return float(new.p.mean()) * side_of(rig.space), d, touching
+
+
+def side_of(space: HalfSpace) -> float:
+    """Return the side of the surface along x, in dx."""
+    return space.surface.z.shape[1] / space.surface.steps_per_spacing
+
+
+def run_pulled_on_half_space(
+    surface: Surface, scene: SceneCase, drive: Drive, stiffness: np.ndarray | None = None
+) -> dict[str, np.ndarray]:
+    """Pull one map through a scene, as run_pulled a line; forces in E* L h and E* L h^2/dx.
+
+    stiffness : over the modes, where it is not that of a half-space.
+    """
+    m = surface.steps_per_spacing
+    steps = scene_steps(scene, m)
+    check_scene(scene, steps, False)
+    form = form_of(scene.spectrum, scene.scheme)
+    space, moving = HalfSpace.under(form, surface, scene.load, stiffness), Moving(surface)
+    body, passes, lag = begun_on(space, scene)
+    speed = speed_at_start(scene.programme) if scene.start == "steady" else 0.0
+    before = moving.slope_over(-math.copysign(1.0, speed), body.offset)
+    slope = surface.slope + abs(lag) * (before - surface.slope)
+    normal = space.pressure * side_of(space)
+    mu = mean_slope(body.p, slope)
+    first = Moment(
+        mu,
+        body.d,
+        normal,
+        mu * normal,
+        np.count_nonzero(body.p > 0.0) / body.p.size,
+        0.0,
+        0.0,
+        speed,
+        mu * normal if speed else 0.0,
+    )
+    rig = MapRig(space, moving, [body], [], [passes])
+    scale = scene.load * math.sqrt(float(np.mean(surface.slope**2)))
+    pulled = Pulled(rig, Places, None, m, scale, first)
+    times = np.append(0.0, np.cumsum(steps.dt))[scene.kept]
+    found, _ = pull_through(pulled, drive, scene.spectrum, scene.programme, speed != 0.0, times)
+    return found | {"updates": np.array(float(rig.passes[0] * surface.z.size))}

@@ -1,0 +1,190 @@
+"""A slider on a spring: rigid drives, work, order, stick and slip, and both bodies."""
+
+import math
+
+import numpy as np
+import pytest
+
+from elastomer_friction.kernels import Hold, Sampled, Slide
+from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, run_pulled
+from elastomer_friction.kernels.half_space.pulled import run_pulled_on_half_space
+from elastomer_friction.kernels.half_space.surface import Surface
+from elastomer_friction.kernels.scene import TRACES, run_scene
+from tests.kernels.scene.given import DAMPED, KELVIN, PRONY, SOLID, a_line, a_scene
+
+M = 4
+LOAD = 0.3
+MATERIALS = pytest.mark.parametrize(
+    "spectrum", [KELVIN, SOLID, PRONY, DAMPED], ids=["kelvin", "solid", "prony", "damped"]
+)
+THERE_AND_BACK = (
+    Slide(1.3, 4.0),
+    Hold(0.7),
+    Slide(2.0, 3.0),
+    Sampled((0.0, 1.0, 2.5), (2.0, 0.0, -1.5)),
+    Slide(-1.5, 3.0),
+)
+
+
+def scale_of(line):
+    return LOAD * math.sqrt(np.mean(line.slope**2))
+
+
+def pulled(line, programme, drive, spectrum=SOLID, m=M, **changes):
+    """Pull a line; the drive's numbers are over load times slope."""
+    scene = a_scene(programme, spectrum, m, **changes)
+    return run_pulled(line, scene, Drive(*(scale_of(line) * np.array(drive))))
+
+
+@MATERIALS
+def test_steady_sliding_stays_what_it_is(spectrum):
+    line = a_line(20)
+    steady = run_scene(line, a_scene((Slide(1.3, 4.0),), spectrum))
+    found = pulled(line, (Slide(1.3, 4.0),), (0.3, 0.5, 0.2), spectrum)
+    for name in TRACES:
+        if name not in ("trace_time", "trace_distance"):
+            np.testing.assert_allclose(found[name], steady[name][0], rtol=1e-4, err_msg=name)
+    # With a damper that moves along the spring alone carries the friction.
+    np.testing.assert_allclose(found["trace_drive_force"], found["trace_friction_force"], rtol=1e-4)
+
+
+@MATERIALS
+def test_a_stiff_drive_takes_the_slider_along(spectrum):
+    """Held by the drive it moves as a line that is moved, to the errors of its steps."""
+    legs = (Sampled((0.0, 1.0, 2.0, 4.0, 6.0), (2.0, 2.0, 1.0, 3.0, -1.0)),)
+    at = np.linspace(0.1, 5.7, 100)
+
+    def mu(found):
+        return np.interp(at, found["trace_time"], found["trace_mu"])
+
+    def error(m):
+        line = a_line(12, m=m)
+        driven = pulled(line, legs, (1e5,), spectrum, m)
+        return math.sqrt(
+            np.mean((mu(driven) - mu(run_scene(line, a_scene(legs, spectrum, m)))) ** 2)
+        )
+
+    coarse, fine = error(4), error(16)
+    assert coarse < 0.03
+    assert fine < 0.4 * coarse
+
+
+@pytest.mark.parametrize("drive", [(1.0,), (1.0, 0.3, 0.1)], ids=["spring", "mass"])
+@MATERIALS
+def test_errors_fall_as_the_steps(spectrum, drive):
+    legs = (Sampled((0.0, 1.0, 2.0, 3.0), (2.0, 2.0, 1.0, 2.5)),)
+    at = np.linspace(0.1, 2.7, 100)
+
+    def force(m):
+        line = a_line(12, m=m)
+        found = pulled(line, legs, drive, spectrum, m)
+        force = np.interp(at, found["trace_time"], found["trace_drive_force"])
+        return force / scale_of(line)
+
+    best = force(64)
+    errors = [math.sqrt(np.mean((force(m) - best) ** 2)) for m in (4, 16)]
+    assert errors[1] < 0.35 * errors[0]
+    assert errors[1] < 0.01
+
+
+def test_the_drive_works_for_friction_spring_damper_and_mass():
+    line = a_line(20, m=16)
+    k, mass, damping = drive = (1.0, 0.3, 0.1)
+    found = pulled(line, (Slide(1.3, 4.0), Slide(2.6, 4.0)), drive, PRONY, 16)
+    time, place, speed, force, friction = (
+        found[f"trace_{name}"]
+        for name in ("time", "distance", "velocity", "drive_force", "friction_force")
+    )
+    scale = scale_of(line)
+
+    def work(of, rate):
+        return np.sum(
+            0.5 * (of * rate)[1:] * np.diff(time) + 0.5 * (of * rate)[:-1] * np.diff(time)
+        )
+
+    driven = np.where(time < 4.0 / 1.3, 1.3, 2.6)
+    stretch = (force / scale - damping * (driven - speed)) / k
+    stored = [0.5 * k * stretch[i] ** 2 + 0.5 * mass * speed[i] ** 2 for i in (0, -1)]
+    given = work(force / scale, driven)
+    lost = work(friction / scale, speed) + work(damping * (driven - speed), driven - speed)
+    assert given == pytest.approx(lost + stored[1] - stored[0], rel=2e-3)
+    assert place[-1] == pytest.approx(8.0, abs=0.5)
+
+
+def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
+    """k_c = -(d mu/d ln v) F_N / (v t_b), t_b the branch's time (Rice & Ruina, 1983)."""
+    line = a_line(100, 0.7)
+    speeds = 30.0 * np.array([0.97, 1.0, 1.03])
+    mu = [run_scene(line, a_scene((Slide(v, 1.0),), SOLID))["trace_mu"][0] for v in speeds]
+    weakening = -(mu[2] - mu[0]) / math.log(speeds[2] / speeds[0])
+    assert weakening > 0.0
+    critical = weakening * LOAD / (speeds[1] * SOLID.times[0]) / scale_of(line)
+    swing = []
+    for share in (5.0, 0.3):
+        legs = (Slide(speeds[1], 3000.0),)
+        found = pulled(line, legs, (share * critical,), start="relaxed")
+        swing.append(np.ptp(found["trace_velocity"][-2000:]) / speeds[1])
+    assert swing[0] < 0.1
+    assert swing[1] > 0.5
+
+
+def test_a_spring_that_is_slack_is_stretched_before_anything_slides():
+    line = a_line(40)
+    found = pulled(line, (Slide(1.0, 8.0),), (0.1,), KELVIN, start="relaxed")
+    assert found["trace_drive_force"][0] == 0.0
+    early = found["trace_time"] < 0.5
+    np.testing.assert_array_less(found["trace_distance"][early], 0.5)
+
+
+def test_its_own_time_is_that_of_the_drive_whatever_the_line():
+    scene = a_scene(THERE_AND_BACK, SOLID)
+    times = [run_pulled(a_line(20, seed=seed), scene, Drive(0.1))["trace_time"] for seed in (1, 2)]
+    np.testing.assert_array_equal(*times)
+
+
+@MATERIALS
+def test_it_goes_as_well_the_other_way(spectrum):
+    line = a_line(20)
+    back = type(line)(line.z[::-1].copy(), -line.slope[::-1], *line[2:])
+    mirrored = tuple(
+        leg
+        if isinstance(leg, Hold)
+        else Slide(-leg.speed, leg.distance)
+        if isinstance(leg, Slide)
+        else Sampled(leg.times, tuple(-v for v in leg.speeds))
+        for leg in THERE_AND_BACK
+    )
+    drive = (2.0, 0.1, 0.05)
+    one, other = (
+        pulled(line, THERE_AND_BACK, drive, spectrum),
+        pulled(back, mirrored, drive, spectrum),
+    )
+    for name, sign in (("mu", -1.0), ("distance", -1.0), ("contact_fraction", 1.0)):
+        expected = sign * one[f"trace_{name}"]
+        np.testing.assert_allclose(other[f"trace_{name}"], expected, atol=5e-3, err_msg=name)
+
+
+@pytest.mark.parametrize("scheme", ["exponential", "implicit-euler"])
+def test_both_schemes_go_to_one_limit(scheme):
+    line = a_line(12, m=32)
+    found = [
+        pulled(line, (Slide(1.3, 2.0), Slide(2.6, 3.0)), (1.0,), m=32, scheme=each)
+        for each in ("exponential", scheme)
+    ]
+    np.testing.assert_allclose(found[0]["trace_mu"], found[1]["trace_mu"], atol=0.02)
+
+
+@MATERIALS
+def test_where_all_waves_are_as_stiff_a_half_space_is_pulled_as_the_line(spectrum):
+    line = a_line(12)
+    n = line.z.size
+    surface = Surface.from_samples((line.z + line.datum)[None], line.slope[None], M)
+    legs = (Slide(1.3, 3.0), Hold(0.5), Slide(2.0, 2.0))
+    scene = a_scene(legs, spectrum)
+    drive = Drive(*(scale_of(line) * np.array((2.0, 0.1, 0.05))))
+    expected = run_pulled(line, scene, drive)
+    equal = np.full((1, n // 2 + 1), M / n)
+    found = run_pulled_on_half_space(surface, scene, drive, stiffness=equal)
+    for name in PULLED_TRACES:
+        shift = scene.load if name == "trace_indentation" else 0.0
+        np.testing.assert_allclose(found[name] + shift, expected[name], atol=2e-4, err_msg=name)
