@@ -1,7 +1,7 @@
 """What is pulled: elements under a surface, and a step of them that is tried before it is taken.
 
-A rig is a NamedTuple, of a line here and of a map in half_space/pulled.py; the functions declared
-here are reached by its type.
+A rig is a NamedTuple, of a line here and of a map in half_space/pulled_map.py; the functions
+declared here are reached by its type.
 """
 
 from typing import Any, NamedTuple

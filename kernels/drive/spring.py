@@ -32,16 +32,17 @@ class Course(NamedTuple):
     speed: np.ndarray  # in dx/tau, shape (knots,)
 
 
-class Motion(NamedTuple):
+class SliderState(NamedTuple):
     """Where the slider is at the end of a step, and how it came there."""
 
     time: float  # in tau
     place: float  # X, in dx
     dt: float  # of the step, in tau
     speed: float  # in the step, in dx/tau
-    rate: float  # acceleration at the beginning of the step, in dx/tau^2
+    rate: float  # acceleration, in dx/tau^2
+    rated: float  # time to which that belongs, in tau
     felt: float  # time at which the friction of the step acts
-    resistance: float  # there: friction, and what the damper takes from the slider
+    friction: float  # of the step
 
 
 class Pull(NamedTuple):
@@ -51,8 +52,8 @@ class Pull(NamedTuple):
     force: float  # of the drive, where the friction acts
     felt: float  # time at which that is, in tau
     place: float  # X there, in dx
-    rate: float  # acceleration at the beginning of the step, in dx/tau^2
-    resistance: float  # as of a Motion
+    rate: float  # acceleration, in dx/tau^2
+    rated: float  # time to which that belongs, in tau
 
 
 @kernel
@@ -73,19 +74,21 @@ def pull_of(drive, course, motion, moved, dt, lag, friction):
     of the step, as a share of it (rheology/law.py).
 
     Forces are balanced at the end of a step, where the spring is known, so that a stiff one takes
-    the slider along and nothing rings. Friction and speed are known earlier, at their lag, and
-    followed to the end as they have changed since the step before. So is the acceleration: speeds
-    belong to the middles of steps, their difference quotient to the time between them. With equal
-    steps that is Houbolt's method, of second order, under which no oscillation grows.
+    the slider along and nothing rings. Friction is known earlier, at its lag, and followed to the
+    end as it has changed since the step before. So are speed and acceleration: speeds belong to
+    the middles of steps, their difference quotient to the middle between those. With equal steps
+    that is Houbolt's method, of second order, under which no oscillation grows.
     """
-    share = 1.0 - lag
+    share, end = 1.0 - lag, motion.time + dt
     felt, place, speed = motion.time + share * dt, motion.place + share * moved, moved / dt
-    at, driven = course_at(course, motion.time + dt)
-    resistance = friction + drive.damping * speed
-    ahead = lag * dt / (felt - motion.felt) * (resistance - motion.resistance)
+    at, driven = course_at(course, end)
+    ahead = lag * dt / (felt - motion.felt) * (friction - motion.friction)
     rate = (speed - motion.speed) / (0.5 * (dt + motion.dt))
-    change = (rate - motion.rate) * dt / motion.dt
-    pulled = drive.stiffness * (at - motion.place - moved) + drive.damping * driven
-    excess = pulled - (resistance + ahead) - drive.mass * (rate + change)
-    force = friction + drive.mass * (rate + share * change) + excess
-    return Pull(excess, force, felt, place, rate, resistance)
+    rated = motion.time + 0.25 * (dt - motion.dt)
+    change = (rate - motion.rate) / (rated - motion.rated)
+    faster = driven - speed - 0.5 * dt * rate
+    pulled = drive.stiffness * (at - motion.place - moved) + drive.damping * faster
+    inertia = drive.mass * (rate + change * (end - rated))
+    excess = pulled - (friction + ahead) - inertia
+    force = friction + drive.mass * (rate + change * (felt - rated)) + excess
+    return Pull(excess, force, felt, place, rate, rated)

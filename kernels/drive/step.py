@@ -1,6 +1,6 @@
 """The time of a step: a slider goes to the next sample, and when it arrives balances the forces.
 
-Where that would last much longer than the step before, it sticks (pulled.py). A slider that comes
+Where that would last much longer than the step before, it sticks (slider.py). A slider that comes
 free quicker than anything in the elastomer answers goes on in the shortest time that doubles tell.
 """
 
@@ -12,7 +12,7 @@ import numpy as np
 from ..compile.jit import kernel
 from .rig import Pose, accept, attempt
 from .search import SLOPE, narrow_enough, new_search, next_guess
-from .spring import Motion, pull_of
+from .spring import SliderState, pull_of
 
 TOLERANCE = 1e-5  # of the force that is left over, relative to load times rms slope
 LEAST_LOG = 1e-13  # of the logarithm of a time: smaller is rounding
@@ -30,7 +30,7 @@ class Limits(NamedTuple):
 
 
 class Moment(NamedTuple):
-    """What is known where the force of a step acts, in the order of PULLED (pulled.py)."""
+    """What is known where the force of a step acts, in the order of PULLED (slider.py)."""
 
     mu: float  # in h/dx
     indentation: float  # in h
@@ -76,13 +76,14 @@ def time_of(rig, pose, drive, course, motion, moved, limits, guess, slope):
 
 @kernel
 def taken(rig, motion, moved, dt, pull, friction):
-    """Take the step that was tried last; return (Motion, Moment)."""
+    """Take the step that was tried last; return (SliderState, Moment)."""
     normal, d, touching = accept(rig, dt)
     speed = moved / dt
     mu = friction / normal if normal > 0.0 else np.nan
     moment = Moment(mu, d, normal, friction, touching, pull.felt, pull.place, speed, pull.force)
     end, place = motion.time + dt, motion.place + moved
-    return Motion(end, place, dt, speed, pull.rate, pull.felt, pull.resistance), moment
+    known = pull.rate, pull.rated, pull.felt
+    return SliderState(end, place, dt, speed, *known, friction), moment
 
 
 @kernel
@@ -102,7 +103,7 @@ def keep(times, kept, k, before, now):
 
 
 @kernel
-def slide_on(
+def slide_by_samples(
     rig, z, slope, m, sample, drive, course, motion, moment, limits, pace, rise, times, kept, k
 ):
     """Take whole samples towards where the slider goes, until it sticks or the leg ends.
@@ -111,7 +112,7 @@ def slide_on(
     samples to a spacing. sample : at which the slider is. limits : its longest time is the end of
     the leg. pace : of the first step, in the place of the time of the one before. rise : as the
     slope of time_of. times, kept, k : of keep.
-    Returns (sample, Motion, Moment, rise, k, tries).
+    Returns (sample, SliderState, Moment, rise, k, tries).
     """
     n = rig.p.size
     way = 1 if motion.speed > 0.0 else -1

@@ -123,6 +123,19 @@ def speed_at_start(programme: Programme) -> float:
     return leg.speeds[0] if isinstance(leg, Sampled) else 0.0
 
 
+def leg_duration(leg: Leg) -> float:
+    """Return how long a leg takes, in tau."""
+    match leg:
+        case Slide():
+            return leg.distance / abs(leg.speed)
+        case Oscillation():
+            return leg.cycles / leg.frequency
+        case Sampled():
+            return leg.times[-1]
+        case _:
+            return leg.duration
+
+
 def check_leg(leg: Leg) -> None:
     """Raise ValueError for a leg without meaning."""
     numbers = np.concatenate([np.atleast_1d(np.asarray(value, float)) for value in leg])

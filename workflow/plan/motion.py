@@ -16,6 +16,7 @@ from ...kernels import (
     Spectrum,
     rms_slope,
 )
+from ...kernels.drive import Drive
 from ...kernels.half_space.surface import rms_slope_of
 from ..errors import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory, bounded_counts, programme_steps
@@ -29,6 +30,7 @@ from ..study import (
     Scene,
     Segment,
     SlideSegment,
+    Spring,
     Study,
     Surface,
     Velocity,
@@ -57,6 +59,7 @@ class Scale(NamedTuple):
     tau: float  # s
     roughness: float  # h, m
     reference: float  # m/s
+    stiffness: float  # E* L of the lines, N/m
 
 
 class Setting(NamedTuple):
@@ -68,6 +71,7 @@ class Setting(NamedTuple):
     speeds: tuple[float, float] | None = None  # speed and ratio; None: those of the grid
     start: str = "steady"
     indentation: float | ScaledHistory | None = None
+    drive: Drive | None = None
 
     def problem(
         self, hurst: float, elements: int, load: float, speed: float, ratio: float
@@ -85,6 +89,7 @@ class Setting(NamedTuple):
             programme=self.programme,
             start=self.start,
             indentation=self.indentation,
+            drive=self.drive,
         )
 
 
@@ -110,6 +115,20 @@ def setting(own: Setting, scene: Scene, scale: Scale, depth: float) -> Setting:
         speeds=_speeds(scene, scale),
         start=scene.start,
         indentation=indentation,
+        drive=_drive(scene.drive, scale),
+    )
+
+
+def _drive(spring: Spring | None, scale: Scale) -> Drive | None:
+    """Return a drive in the units of friction, E* L h^2/dx, of lengths and of times."""
+    if spring is None:
+        return None
+    unit = scale.stiffness * (scale.roughness / scale.spacing) ** 2  # of a spring, N/m
+    stiffness, mass, damping = spring
+    return Drive(
+        rounded(stiffness / unit),
+        rounded(mass / (unit * scale.tau**2)),
+        rounded(damping / (unit * scale.tau)),
     )
 
 

@@ -42,7 +42,8 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     points["dx"] = length / points["elements"]
     others = study.parts(label, axes_of(study.grid, *Parts._fields))
     settings: dict[Setting, int] = {}
-    which = np.stack([_settings(parts, points, settings) for parts in others], axis=-1)
+    share = study.surface.length / (study.force_share(label) * study.surfaces[label].copies)
+    which = np.stack([_settings(parts, points, settings, share) for parts in others], axis=-1)
     hurst = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
     columns = (
         hurst[..., None],
@@ -96,8 +97,11 @@ def _numbered(*columns: Numbers) -> np.ndarray:
     return np.unique(found, return_inverse=True)[1]
 
 
-def _settings(parts: Parts, points: Points, found: dict[Setting, int]) -> np.ndarray:
-    """Return per point the index of its setting among those found, and find those that lack."""
+def _settings(parts: Parts, points: Points, found: dict[Setting, int], length: float) -> np.ndarray:
+    """Return per point the index of its setting among those found, and find those that lack.
+
+    length : of the lines that a drive pulls together, m.
+    """
     names = ["elements"]
     if parts.scene.programme:
         names += ["dx", "velocity", "roughness"]
@@ -105,6 +109,7 @@ def _settings(parts: Parts, points: Points, found: dict[Setting, int]) -> np.nda
     rows = np.stack([points[name].ravel() for name in names], axis=1)
     different, inverse = np.unique(rows, axis=0, return_inverse=True)
     spectrum, tau, nan = _rounded_spectrum(parts.material), parts.material.tau, math.nan
+    stiffness = parts.material.contact_modulus * length
     plain = {
         count: Setting(spectrum, line_modes(parts.surface, count))
         for count in {int(row[0]) for row in different}
@@ -112,7 +117,8 @@ def _settings(parts: Parts, points: Points, found: dict[Setting, int]) -> np.nda
     index = []
     for row in different.tolist():
         at = dict(zip(names, row, strict=True)).get
-        scale = Scale(at("dx", nan), tau, at("roughness", nan), at("velocity", nan))
+        units = at("dx", nan), tau, at("roughness", nan)
+        scale = Scale(*units, at("velocity", nan), stiffness)
         depth = at("prescribed_indentation", nan)
         own = setting(plain[int(row[0])], parts.scene, scale, depth)
         index.append(found.setdefault(own, len(found)))

@@ -5,7 +5,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import ENERGIES, TRACES, Programme
+from ...kernels import ENERGIES, Programme
+from ...kernels.drive import PULLED_TRACES
 from ..plan import Plan, Variant, line_slope
 from ..simulate import (
     Layout,
@@ -59,7 +60,7 @@ def blocks_of(
     parts = [
         unpack(own, _layout(plan, variant, task)) for own, task in zip(rows, tasks, strict=True)
     ]
-    traces = {name for name in parts[0] if name in (*TRACES, *ENERGIES)}
+    traces = {name for name in parts[0] if name in (*PULLED_TRACES, *ENERGIES)}
     values = {
         name: np.stack([_filled(p[name], variant.events if name in traces else 0) for p in parts])
         for name in parts[0]

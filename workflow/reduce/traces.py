@@ -13,11 +13,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...kernels import ENERGIES, MOTION, TRACES, Hold, Leg, Oscillation, Programme, Sampled, Slide
+from ...kernels import ENERGIES, MOTION, Hold, Oscillation, Programme, Slide
+from ...kernels.drive import PULLED_TRACES
+from ...kernels.motion.legs import leg_duration
 from .blocks import Blocks, Estimates, columns, enter
 from .jackknife import replicates, standard_error
 from .rate_state import LAWS, RateState, fit_rate_state
 
+ALONG = (*PULLED_TRACES, *ENERGIES)  # the way of a programme
 CHANGING = ("trace_mu", "trace_indentation")
 ALONE = ("snapshot_", "state_")  # of one realization: no error
 
@@ -90,15 +93,15 @@ def _rate_state(
 def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
     """Enter what a programme was asked for."""
     asked, values, legs = blocks.quantities, blocks.values, blocks.legs
-    means = {name: replicates(values[name], 1) for name in (*TRACES, *ENERGIES) if name in values}
+    means = {name: replicates(own, 1) for name, own in values.items() if name in ALONG}
     means |= {name: _motion(values[name]) for name in MOTION if name in values}
     if "trace" in asked or "energy" in asked:
         for name in MOTION:
             estimates[name] = means[name][:, 0]
             estimates[f"{name}_error"] = standard_error(means[name] - means[name][:, :1], 1)
         estimates["trace_segment"] = np.where(np.isnan(legs), -1, legs).astype(np.int32)
-    for name in TRACES if "trace" in asked else ():
-        if name not in MOTION:
+    for name in PULLED_TRACES if "trace" in asked else ():
+        if name not in MOTION and name in means:
             enter(estimates, name, means[name])
         if name in CHANGING:
             enter(estimates, f"{name}_change", _changes(means[name], legs))
@@ -215,19 +218,6 @@ class Loop(NamedTuple):
     loop_work: np.ndarray  # in 4 G L h^2
     mu_in_phase: np.ndarray
     mu_quadrature: np.ndarray
-
-
-def leg_duration(leg: Leg) -> float:
-    """Return how long a leg takes, in tau."""
-    match leg:
-        case Slide():
-            return leg.distance / abs(leg.speed)
-        case Oscillation():
-            return leg.cycles / leg.frequency
-        case Sampled():
-            return leg.times[-1]
-        case _:
-            return leg.duration
 
 
 def loop(programme: Programme, times: np.ndarray, mu: np.ndarray, force: np.ndarray) -> Loop:

@@ -47,6 +47,7 @@ INTRODUCTIONS = {
     "scene": "What is computed, and how the line is driven and pressed on.",
     "scene.programme": "A segment may also follow a file, as "
     '`[[scene.programme]]` with `file = "NAME"`.',
+    "scene.drive": "What the segments `pull` of a programme pull through.",
     "numerics": "How the problem is discretised, and how accurate it is to be.",
     "cluster": "Where the study is computed. No number of a result depends on this table.",
 }

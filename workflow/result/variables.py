@@ -198,6 +198,7 @@ SCENES = {
     ),
     "trace_normal_force": Variable("normal force", FORCE, "N", EVENT),
     "trace_friction_force": Variable("friction force", FRICTION, "N", EVENT),
+    "trace_drive_force": Variable("force of the drive", FRICTION, "N", EVENT),
     "trace_contact_fraction": Variable("share of the line in contact", dims=EVENT),
     "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE),
     "peak_time": Variable("time of the peak since the velocity step", TIME, "s"),

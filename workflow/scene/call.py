@@ -109,6 +109,8 @@ def _scene(arguments: Mapping[str, Any], grid: dict[str, Any]) -> dict[str, Any]
     depth = pressing.get("prescribed_indentation")
     names = ("quantities", "start", "repeat", "programme", "body")
     found = {name: toml_value(name, arguments[name]) for name in names}
+    if arguments["drive"] is not None:
+        found["drive"] = table("drive", arguments["drive"])
     if depth is not None and found["quantities"] == list(USUAL):
         found["quantities"] = ["trace"]  # there is no steady sliding under a given force
     if depth is not None:
@@ -219,6 +221,7 @@ def run(
     normal_pressure: float | None = None,
     prescribed_indentation: float | str | None = None,
     programme: Sequence[Mapping[str, Any]],
+    drive: Mapping[str, Any] | None = None,
     body: str = FOUNDATION,
     start: str = "steady",
     repeat: int = 1,
@@ -238,6 +241,7 @@ def run(
     material : the keys of [material]. numerics : those of [numerics].
     normal_force : N, or normal_pressure : Pa, or prescribed_indentation : m over the mean line, or
         the name of a file of times in s and indentations in m.
+    drive : the keys of [scene.drive], where the segments of the programme are pulls.
     body : "foundation" or "half-space", as in [scene].
     programme : segments, each as in [[scene.programme]], or {"time": s, "velocity": m/s} with two
         arrays; start, repeat and quantities : as in [scene].

@@ -6,7 +6,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...kernels import Case, Outcome, Quantities, prepare, run_prepared, run_scene
+from ...kernels.drive import run_pulled
 from ...kernels.half_space import cases as half_space
+from ...kernels.half_space.pulled_map import run_pulled_on_half_space
 from ...kernels.half_space.scenes import run_scene_on_half_space
 from ...kernels.half_space.surface import Surface, ring_amplitudes
 from ...kernels.loading import load
@@ -29,6 +31,7 @@ class BodyKernels(NamedTuple):
     prepare: Callable[[Sequence[Case], int, Quantities], Any]
     run: Callable[[Sequence[Any], Any], list[list[Outcome]]]
     run_scene: Callable[..., dict]
+    pull: Callable[..., dict]  # through a scene, by a drive
     load: Callable[[str, Quantities], None]
 
 
@@ -51,9 +54,14 @@ def _load_maps(scheme: str, asked: Quantities) -> None:
 
 
 BODIES = {
-    "foundation": BodyKernels(drawn_lines, prepare, run_prepared, run_scene, load),
+    "foundation": BodyKernels(drawn_lines, prepare, run_prepared, run_scene, run_pulled, load),
     "half-space": BodyKernels(
-        drawn_maps, _prepare_maps, _run_maps, run_scene_on_half_space, _load_maps
+        drawn_maps,
+        _prepare_maps,
+        _run_maps,
+        run_scene_on_half_space,
+        run_pulled_on_half_space,
+        _load_maps,
     ),
 }
 

@@ -9,6 +9,7 @@ import math
 import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memories
+from ...kernels.drive import PULLED_TRACES
 from .kept import kept_steps
 from .tasks import Recording, Task
 
@@ -66,7 +67,7 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
     samples = task.problem.elements * task.steps_per_spacing
     units = memories(form_of(task.problem.spectrum, scheme))
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
-        "trace": dict.fromkeys(TRACES, kept),
+        "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, kept),
         "energy": dict.fromkeys(ENERGIES, kept),
         "contact_lengths": {"contact_length": (BINS,)},
         "snapshots": _snapshots(task, (*kept, samples)),

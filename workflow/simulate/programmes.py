@@ -28,7 +28,10 @@ def add_programme(
     if batch.recording.asked:
         began = working_time()
         scene = scene_of(task, batch.scheme, batch.recording)
-        found = body_of(batch).run_scene(line, scene, batch.resumed)
+        body, drive = body_of(batch), task.problem.drive
+        found = (
+            body.pull(line, scene, drive) if drive else body.run_scene(line, scene, batch.resumed)
+        )
         for name, (first, shape) in places.items():
             if name not in found:
                 continue

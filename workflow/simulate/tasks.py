@@ -17,6 +17,7 @@ from ...kernels import (
     Slide,
     Spectrum,
 )
+from ...kernels.drive import Drive
 from ..system import Maker
 
 ScaledHistory = tuple[tuple[float, ...], tuple[float, ...]]  # times in tau, indentations in h
@@ -46,6 +47,7 @@ class Problem(NamedTuple):
     programme: Programme = ()  # empty: only steady states and the step from v1 to v2
     start: str = "steady"
     indentation: float | ScaledHistory | None = None  # in h over the mean line; None: a load
+    drive: Drive | None = None  # whose the programme is; None: it moves the line itself
 
     def samples(self, steps_per_spacing: Any) -> Any:
         """Return the number of samples of its surface: of a line, or of a square map.

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         Scene,
         Segment,
         SlideSegment,
+        Spring,
         Velocity,
         judged,
         velocity_steps,

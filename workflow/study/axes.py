@@ -33,6 +33,7 @@ class Axis(NamedTuple):
     long_name: str
     table: str = "grid"  # of the study in which its values stand, or the part that they change
     put: Callable[[Any, float], Any] | None = None  # a part with a value; None: its own field
+    within: str = ""  # the table in that table in which its values stand
 
     def changed(self, parts: Parts, value: float) -> Parts:
         """Return the parts of a study with one value of this axis."""
@@ -45,6 +46,11 @@ def _held(scene: Scene, duration: float) -> Scene:
     return scene._replace(programme=with_hold(scene.programme, duration))
 
 
+def _pulled(scene: Scene, stiffness: float) -> Scene:
+    assert scene.drive is not None
+    return scene._replace(drive=scene.drive._replace(stiffness=stiffness))
+
+
 ROWS = (
     Axis("hurst", "1", "Hurst exponent H"),
     Axis("normal_force", "N", "normal force F_N"),
@@ -55,6 +61,7 @@ ROWS = (
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),
     Axis("hold", "s", "duration of the hold", "scene", _held),
+    Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _pulled, "drive"),
 )
 EVERY_AXIS = {row.name: row for row in ROWS}
 AXES = tuple(EVERY_AXIS)[:6]  # that every result has; another is there where it has values
@@ -94,7 +101,7 @@ def separated(tables: Mapping[str, dict[str, Any]]) -> tuple[dict[str, dict[str,
     """
     single, several = dict(tables), {}
     for row in ROWS[len(AXES) :]:
-        values = tables[row.table].get(row.name)
+        values = _table_of(tables, row).get(row.name)
         if row.table != "grid" and isinstance(values, tuple):
             several[row.name] = values
             single = with_value(single, row, values[0])
@@ -105,4 +112,11 @@ def with_value(
     tables: dict[str, dict[str, Any]], row: Axis, value: float
 ) -> dict[str, dict[str, Any]]:
     """Return checked tables with one value of an axis."""
-    return {**tables, row.table: {**tables[row.table], row.name: value}}
+    own = {**_table_of(tables, row), row.name: value}
+    return {**tables, row.table: {**tables[row.table], row.within: own} if row.within else own}
+
+
+def _table_of(tables: Mapping[str, dict[str, Any]], row: Axis) -> dict[str, Any]:
+    """Return the table in which the values of an axis stand; empty where there is none."""
+    own = tables[row.table]
+    return own.get(row.within) or {} if row.within else own

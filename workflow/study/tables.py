@@ -8,7 +8,18 @@ from typing import Any
 from ..errors import Complaints
 from .axes import with_lists
 from .cluster import CLUSTER
-from .effects import FILE, HOLD, MATERIAL, OSCILLATE, RAMP, SCENE, SLIDE, WLF
+from .effects import (
+    DRIVE,
+    FILE,
+    HOLD,
+    MATERIAL,
+    OSCILLATE,
+    PULL,
+    RAMP,
+    SCENE,
+    SLIDE,
+    WLF,
+)
 from .grid import GRID
 from .numerics import NUMERICS
 from .settings import Key, as_table, as_text, check_keys, checked, integer
@@ -68,10 +79,12 @@ KNOWN = (*TABLES, "compare", "scales")
 WITHIN: dict[str, dict[str, Keys]] = {  # the tables that stand in one
     "material": {"material.wlf": WLF},
     "scene": {
+        "scene.drive": DRIVE,
         "scene.programme.slide": SLIDE,
         "scene.programme.hold": HOLD,
         "scene.programme.ramp": RAMP,
         "scene.programme.oscillate": OSCILLATE,
+        "scene.programme.pull": PULL,
         "scene.programme": FILE,
     },
 }

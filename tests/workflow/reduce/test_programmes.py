@@ -8,12 +8,12 @@ from hypothesis import example, given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import Hold, Oscillation, Ramp, Sampled, Slide
+from elastomer_friction.kernels.motion.legs import leg_duration
 from elastomer_friction.workflow.reduce.blocks import Blocks
 from elastomer_friction.workflow.reduce.traces import (
     extremum,
     healing,
     last_hold,
-    leg_duration,
     loop,
     reduce_programmes,
     reduce_steps,

@@ -20,6 +20,9 @@ TRACE = {
     "trace_indentation": "d(t), with the sign of `indentation`.",
     "trace_normal_force": "F_N(t) = Σ f over the elements.",
     "trace_friction_force": "F_x(t) = Σ f z′ (eq. 5), with the sign of `trace_mu`.",
+    "trace_drive_force": (
+        "k (Y − X) + c (dY/dt − dX/dt), the force with which the drive pulls, where it does."
+    ),
     "trace_contact_fraction": "The share of the line whose elements carry a force.",
 }
 EVENTS = {

@@ -6,7 +6,7 @@ from ...errors import UserError
 from ..settings import choice
 
 PROGRAMME, STEP, HELD, SWUNG = "programme", "step", "held", "swung"
-FORCE, DASHPOT, ALONE = "force", "dashpot", "alone"
+FORCE, DASHPOT, ALONE, DRIVEN = "force", "dashpot", "alone", "driven"
 
 
 class Quantity(NamedTuple):
@@ -64,6 +64,7 @@ USUAL = ("steady", "jump", "relaxation")
 WITHOUT_DASHPOT = ("steady", "relaxation", "peak")
 OF_A_PROGRAMME = ("steady", "trace")
 AT_AN_INDENTATION = ("trace",)
+OF_A_DRIVE = ("steady", "persson", "trace", "healing")  # what there is of a line on a spring
 OF_ELEMENTS = ("energy", "contact_lengths", "state")
 
 

@@ -7,8 +7,9 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ...errors import UserError
-from ..settings import Key, as_text, choice, filled, flag, integer
+from ..settings import Key, as_text, choice, filled, flag, integer, read_table
 from .body_key import BODY
+from .drive_keys import DRIVE, Spring
 from .material import Material
 from .programme import (
     FromFile,
@@ -27,8 +28,10 @@ from .quantities import (
     ALONE,
     AT_AN_INDENTATION,
     DASHPOT,
+    DRIVEN,
     FORCE,
     HELD,
+    OF_A_DRIVE,
     OF_A_PROGRAMME,
     PROGRAMME,
     QUANTITIES,
@@ -38,7 +41,7 @@ from .quantities import (
     WITHOUT_DASHPOT,
     asked_for,
 )
-from .segments import INDENTED, MOST_SEGMENTS, read_programme, read_sampled
+from .segments import INDENTED, MOST_SEGMENTS, is_pulled, read_programme, read_sampled
 
 INDENTATION = "indentation"  # a control; the other is by FORCE
 STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
@@ -55,6 +58,7 @@ class Scene(NamedTuple):
     repeat: int = 1  # times that the whole list is followed
     programme: Programme = ()  # empty: steady at v1, a jump to v2, relaxation
     indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
+    drive: Spring | None = None  # through which the programme pulls; None: it moves the line
 
     @property
     def segments(self) -> tuple[Segment, ...]:
@@ -112,6 +116,7 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
     del given["body"]  # that of the surfaces (study/variants.py)
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
+    drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments))
     times = None
     if history and given["control"] != INDENTATION:
         raise UserError('scene.indentation_file: needs scene.control = "indentation"')
@@ -120,9 +125,25 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
         columns, _ = read_sampled(key, folder / history, INDENTED)
         times = (tuple(columns[0].tolist()), tuple(columns[1].tolist()))
     asked = given.pop("quantities") or _usual(programme, given["control"], materials)
-    scene = Scene(quantities=asked, programme=programme, indentation_history=times, **given)
+    scene = Scene(
+        quantities=asked, programme=programme, indentation_history=times, drive=drive, **given
+    )
     _check(own, scene, tuple(materials))
     return scene
+
+
+def _drive(given: dict[str, Any] | None, pulled: bool) -> Spring | None:
+    """Return the drive of a programme that pulls. Raises UserError where one lacks the other."""
+    if pulled and given is None:
+        raise UserError(
+            "scene.drive: missing; a programme that pulls needs the stiffness of its spring, as in "
+            "[scene.drive] stiffness = 1e4"
+        )
+    if given is not None and not pulled:
+        raise UserError(
+            "scene.drive: belongs to a programme of segments pull = {…}, and there is none"
+        )
+    return None if given is None else Spring(**given)
 
 
 def _usual(programme: Programme, control: str, materials: Iterable[Material]) -> tuple[str, ...]:
@@ -157,13 +178,24 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
             'scene.start = "fresh": a dashpot would carry any load at no indentation; use '
             '"relaxed", or a material without relaxation_time'
         )
+    if scene.drive and scene.control != FORCE:
+        raise UserError(
+            f"scene.control = {scene.control!r}: a drive pulls under a given normal force; leave "
+            "it out"
+        )
     if scene.programme and math.isnan(scene.typical_speed):
-        raise UserError("scene.programme: never moves; add a slide, a ramp or an oscillation")
+        raise UserError(
+            "scene.programme: never moves; add a slide, a ramp or an oscillation, or a pull"
+        )
     if scene.programme and scene.start == STEADY and scene.start_velocity(1.0) == 0.0:
         raise UserError(
             'scene.start = "steady": the programme begins at velocity 0, where nothing is steady '
             'sliding; use "relaxed"'
         )
+
+
+def _read_drive(key: str, value: object) -> dict[str, Any]:
+    return read_table(key, value, DRIVE)
 
 
 SCENE = {
@@ -213,12 +245,22 @@ SCENE = {
         "Doubled, the march takes twice as long.",
         default=1,
     ),
+    "drive": Key(
+        _read_drive,
+        "What the line is pulled through by segments `pull`, whose motion is then that of the "
+        "drive. The spring begins stretched by steady friction, or slack where the scene does not "
+        "begin in steady sliding.",
+        default=None,
+        values="a table, `[scene.drive]`",
+        usual="none: the programme moves the line itself",
+    ),
     "programme": Key(
         lambda _, value: value,
         "The motion of the line, as segments `[[scene.programme]]` that follow one another, in "
         "place of `grid.velocity_step`. Without it there is one velocity step from v₁ to v₂.",
         default=None,
-        values="a list of up to 1000 segments: `slide`, `hold`, `ramp`, `oscillate` or `file`",
+        values="a list of up to 1000 segments: `slide`, `hold`, `ramp`, `oscillate` or `file`, or "
+        "all of them `pull`",
         usual="none",
     ),
 }
@@ -230,6 +272,8 @@ def why_not(name: str, scene: Scene, materials: Mapping[str, Material], alone: b
 
     materials : of the study ("") and of its comparisons. alone : whether it is a single line.
     """
+    if scene.drive and name not in OF_A_DRIVE:
+        return WORDS[DRIVEN]
     for need in QUANTITIES[name].asks:
         if need == DASHPOT:
             found = _without_dashpot(materials)
@@ -270,6 +314,7 @@ def _given(need: str, scene: Scene, alone: bool) -> bool:
 
 WORDS = {
     PROGRAMME: "there is no [[scene.programme]]",
+    DRIVEN: "is not computed of a line on a spring; ask for trace, steady or healing",
     STEP: "the programme has no velocity step, which is one slide after another at another "
     "velocity of the same sign",
     HELD: "the programme has no hold between two slides",

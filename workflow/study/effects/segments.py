@@ -20,6 +20,7 @@ from ..settings import (
     checked_values,
     integer,
     number,
+    one_or_several,
     pair,
     positive,
     read_table,
@@ -36,6 +37,8 @@ from .programme import (
 )
 
 MOST_SEGMENTS = 1000
+PULLED = "pull"  # the kind of segment of a programme that is a drive's
+SIZES = ("distance", "duration")
 MOST_SAMPLES = 100_000  # of a file
 TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", "a header with units that are known")
 VELOCITY = TIME._replace(
@@ -177,6 +180,50 @@ HOLD = {
         "s",
     ),
 }
+PULL = {
+    "velocity": Key(
+        number,
+        "The velocity of the drive, backwards if negative; 0 holds it. Give it, `ratio` or `file`.",
+        "Doubled, the drive goes twice as fast, and the line after it.",
+        "m/s",
+        default=None,
+        usual="none",
+    ),
+    "ratio": Key(
+        _not_zero,
+        "The velocity of the drive as a multiple of `grid.velocity`.",
+        "Doubled, the drive goes twice as fast.",
+        default=None,
+        values="a number other than 0",
+        usual="none",
+        schema=NOT_ZERO,
+    ),
+    "file": Key(
+        as_text,
+        "A text file of the velocity of the drive over time, as of a segment `file`. From Python, "
+        '`{"time": …, "velocity": …}` takes two arrays in its place.',
+        default=None,
+        values="the name of a file with 2 to 100000 rows",
+        usual="none",
+    ),
+    "distance": Key(
+        positive,
+        "The distance that the drive goes. Give it or `duration`.",
+        "Doubled, the march of this segment takes twice as long.",
+        "m",
+        default=None,
+        usual="none",
+    ),
+    "duration": Key(
+        partial(one_or_several, positive),
+        "How long the drive moves like this. Where it is held, at velocity 0, a list or range "
+        "makes one programme for each value, and the dimension `hold` of the result.",
+        "Doubled, the march of this segment takes twice as long, or ages longer.",
+        "s",
+        default=None,
+        usual="none",
+    ),
+}
 FILE = {  # the one segment that is no table
     "file": Key(
         as_text,
@@ -208,6 +255,31 @@ def _slide(where: str, table: Any, _: Path) -> SlideSegment:
 def _hold(where: str, table: Any, _: Path) -> HoldSegment:
     durations = read_table(where, table, HOLD)["duration"]
     return HoldSegment(durations, isinstance(table["duration"], list | dict))
+
+
+def _pull(where: str, table: Any, folder: Path) -> Segment:
+    """Return how a drive moves: as a line that slides, that is held or follows a file."""
+    if isinstance(table, dict) and set(table) == {"time", "velocity"}:
+        return _arrays(where, table)
+    given = read_table(where, table, PULL)
+    kind = _one_of(where, given, "velocity", "ratio", "file")
+    if kind == "file":
+        if given["distance"] or given["duration"]:
+            raise UserError(f"{where}.file: says how long it takes; give no distance or duration")
+        return _file(f"{where}.file", given["file"], folder)
+    size = _one_of(where, given, "distance", "duration")
+    several = isinstance(given["duration"], tuple)
+    if given[kind] == 0.0:
+        if size == "distance":
+            raise UserError(f"{where}.distance: at velocity 0 the drive goes no way; give duration")
+        durations = given["duration"] if several else (given["duration"],)
+        return HoldSegment(durations, several)
+    if several:
+        raise UserError(
+            f"{where}.duration = {list(given['duration'])!r:.60}: several values are for a drive "
+            "that is held, at velocity 0"
+        )
+    return SlideSegment(Velocity(given[kind], kind == "ratio"), *(given[k] for k in SIZES))
 
 
 def _ramp(where: str, table: Any, _: Path) -> RampSegment:
@@ -299,6 +371,7 @@ KINDS: dict[str, Callable[[str, Any, Path], Segment]] = {
     "ramp": _ramp,
     "oscillate": _oscillate,
     "file": _file,
+    PULLED: _pull,
 }
 
 
@@ -319,6 +392,22 @@ def read_programme(key: str, value: object, folder: Path) -> Programme:
         if isinstance(before, RampSegment) and isinstance(after, Oscillate):
             _check_mean(f"{key}[{i}].oscillate", before.last, after.velocity)
     return programme
+
+
+def is_pulled(where: str, value: object) -> bool:
+    """Return whether a programme that was read is that of a drive.
+
+    Raises UserError where a drive pulls in some of its segments alone.
+    """
+    entries = value if isinstance(value, list) else []
+    kinds = [next(iter(entry)) for entry in entries if isinstance(entry, dict) and len(entry) == 1]
+    pulled = [kind == PULLED for kind in kinds]
+    if any(pulled) and not len(entries) == sum(pulled):
+        raise UserError(
+            f"{where}: pulls in some segments and moves the line itself in others; a drive is held "
+            "by pull = {velocity = 0, duration = …}"
+        )
+    return any(pulled)
 
 
 def _check_mean(where: str, ended: Velocity, mean: Velocity) -> None:

@@ -15,10 +15,10 @@ from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..scene.begin import begun
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
-from .pulled import Pulled, pull_through
 from .rig import Pose, Rig
+from .slider import Pulled, pull_through
 from .spring import Drive
-from .step import Moment, slide_on
+from .step import Moment, slide_by_samples
 
 
 def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarray]:
@@ -74,7 +74,8 @@ class PosedLine:
 
     def __init__(self, line: Line) -> None:
         """Take a line as it is at place zero."""
-        self.line, self.shifted = line, None
+        self.line = line
+        self.shifted: Shifted | None = None
         self.z, self.slope = np.tile(line.z, 2), np.tile(line.slope, 2)
         self.at = lru_cache(maxsize=4)(self._at)
 
@@ -97,8 +98,8 @@ class PosedLine:
 
 
 def _slide(rig: Rig, surface: PosedLine, sample: int, *rest: Any) -> tuple:
-    """Return what slide_on does, without the sample at which it ends."""
+    """Return what slide_by_samples does, without the sample at which it ends."""
     *before, record = rest
     m = surface.line.steps_per_spacing
-    found = slide_on(rig, surface.z, surface.slope, m, sample, *before, *record)
+    found = slide_by_samples(rig, surface.z, surface.slope, m, sample, *before, *record)
     return found[1:]

@@ -11,13 +11,21 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..motion.legs import FIRST_OF_HOLD, Hold, Programme, Sampled, Slide, speed_at_start
+from ..motion.legs import (
+    FIRST_OF_HOLD,
+    Hold,
+    Programme,
+    Sampled,
+    Slide,
+    leg_duration,
+    speed_at_start,
+)
 from ..motion.path import NEAR, WHOLE, growth
 from ..rheology.spectrum import Spectrum, shortest_step
 from ..scene.records import TRACES
 from .rig import attempt
 from .search import SLOPE, narrow_enough, new_search, next_guess
-from .spring import Course, Drive, Motion, Pull, pull_of
+from .spring import Course, Drive, Pull, SliderState, pull_of
 from .step import REST, SLOWER, TOLERANCE, Limits, Moment, keep, taken, time_of
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
@@ -33,7 +41,7 @@ class Pulled(NamedTuple):
 
     rig: Any  # that attempt and accept know (rig.py)
     pose: Callable[[float, float], Any]  # of a step from one place to another, in samples
-    slide: Callable[..., Any] | None  # takes many whole samples at once, as slide_on; or None
+    slide: Callable[..., Any] | None  # slide_by_samples, where there is such a thing
     steps_per_spacing: int
     scale: float  # load times rms slope, in the units of the drive
     start: Moment
@@ -62,7 +70,12 @@ class Slider:
     """A slider on its way."""
 
     def __init__(
-        self, pulled: Pulled, drive: Drive, spectrum: Spectrum, times: np.ndarray, first: Motion
+        self,
+        pulled: Pulled,
+        drive: Drive,
+        spectrum: Spectrum,
+        times: np.ndarray,
+        first: SliderState,
     ) -> None:
         """Take a slider before its first step; times : at which its moments are kept, in tau."""
         self.pulled, self.drive, self.motion, self.moment = pulled, drive, first, pulled.start
@@ -184,18 +197,15 @@ def plainly(function: Callable) -> Callable:
     return getattr(function, "py_func", function)
 
 
-def first_motion(programme: Programme, drive: Drive, pulled: Pulled, steady: bool) -> Motion:
+def first_motion(programme: Programme, pulled: Pulled, steady: bool) -> SliderState:
     """Return the motion before the first step: steady sliding, or none."""
     speed, m = speed_at_start(programme), pulled.steps_per_spacing
     first, friction = programme[0], pulled.start.friction
     if steady:
         dt = 1.0 / (m * abs(speed))
-        return Motion(0.0, 0.0, dt, speed, 0.0, -dt, friction + drive.damping * speed)
-    if speed:
-        dt = FIRST_OF_LEG / (m * abs(speed))
-    else:
-        dt = FIRST_OF_HOLD * (first.times[1] if isinstance(first, Sampled) else first.duration)
-    return Motion(0.0, 0.0, dt, 0.0, 0.0, -dt, friction)
+        return SliderState(0.0, 0.0, dt, speed, 0.0, -dt, -dt, friction)
+    dt = FIRST_OF_LEG / (m * abs(speed)) if speed else FIRST_OF_HOLD * leg_duration(first)
+    return SliderState(0.0, 0.0, dt, 0.0, 0.0, -dt, -dt, friction)
 
 
 def pull_through(
@@ -210,7 +220,7 @@ def pull_through(
 
     The spring is stretched by the friction where it begins in steady sliding, else it is slack.
     """
-    first = first_motion(programme, drive, pulled, steady)
+    first = first_motion(programme, pulled, steady)
     stretched = pulled.start.friction / drive.stiffness if steady else 0.0
     slider = Slider(pulled, drive, spectrum, times, first)
     for course in courses(programme, stretched):

@@ -5,8 +5,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..drive.pulled import Pulled, pull_through
 from ..drive.rig import accept, attempt
+from ..drive.slider import Pulled, pull_through
 from ..drive.spring import Drive
 from ..drive.step import Moment
 from ..model.friction import mean_slope
@@ -19,7 +19,7 @@ from .scenes import Moving, begun_on
 from .surface import Surface
 
 
-class Found(NamedTuple):
+class TriedStep(NamedTuple):
     """A step that was tried."""
 
     law: Any  # of the elastomer in it
@@ -41,7 +41,7 @@ class MapRig(NamedTuple):
     space: HalfSpace
     moving: Moving
     body: list[Body]  # one, after the last step
-    found: list[Found]  # one, of the step that is tried
+    found: list[TriedStep]  # one, of the step that is tried
     passes: list[int]  # one number: of the operator, in all
 
 
@@ -53,7 +53,7 @@ def _attempt(rig, pose, dt):
     offset = whole % z.shape[1]
     w, contact = tried(rig.space, body, law, z, offset, STEP_TOLERANCE)
     rig.passes[0] += contact.passes
-    rig.found[:] = [Found(law, w, contact, offset)]
+    rig.found[:] = [TriedStep(law, w, contact, offset)]
     before = rig.moving.slope_over(pose.before, offset)
     weight = slope + law.lag * (before - slope)
     normal = rig.space.pressure * side_of(rig.space)

@@ -1,0 +1,96 @@
+"""A scene that is pulled through a spring, as a user asks for it: units, axes, both bodies."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.plan import make_plan
+from tests.support.documents import without
+from tests.support.small import small_study
+from tests.workflow.scene.scenes import KELVIN, LENGTH, N, run, slide
+
+VELOCITY = 0.1
+PULL = {"pull": {"velocity": VELOCITY, "distance": 64 * LENGTH / N}}
+
+
+def pulled(stiffness, *programme, mass=0.0, **changed):
+    drive = {"stiffness": stiffness, "mass": mass}
+    return run(*(programme or [PULL]), drive=drive, **changed)
+
+
+def test_from_rest_the_spring_is_stretched_at_the_drives_velocity():
+    """F = k V t while the line has hardly moved, in newtons, metres and seconds."""
+    stiffness = 100.0
+    found = pulled(stiffness, start="relaxed", material=KELVIN)
+    stretch = VELOCITY * found.trace_time - found.trace_distance
+    early = (found.trace_time > 0.0) & (found.trace_time < 0.3 * found.trace_time[-1])
+    force = found.trace_drive_force.where(early, drop=True)
+    np.testing.assert_allclose(force, stiffness * stretch.where(early, drop=True), rtol=0.05)
+    assert float(found.trace_drive_force[0]) == 0.0
+
+
+def test_a_stiff_drive_gives_the_friction_of_the_line_that_is_moved():
+    moved = run(slide(VELOCITY, 32), slide(2 * VELOCITY, 32))
+    stiff = pulled(
+        1e9,
+        {"pull": {"velocity": VELOCITY, "distance": 32 * LENGTH / N}},
+        {"pull": {"velocity": 2 * VELOCITY, "duration": 32 * LENGTH / N / (2 * VELOCITY)}},
+    )
+    mu = np.interp(moved.trace_time, stiff.trace_time, stiff.trace_mu)
+    assert np.sqrt(np.mean((mu - moved.trace_mu) ** 2)) < 0.03 * float(moved.trace_mu.max())
+
+
+def test_a_heavy_slider_gathers_way_as_newton_says():
+    """The impulse of drive less friction is its momentum, all in SI."""
+    mass = 0.05
+    found = pulled(2e4, start="relaxed", mass=mass)
+    driven = found.trace_drive_force - found.trace_friction_force
+    impulse = float(np.trapezoid(driven, found.trace_time))
+    assert impulse == pytest.approx(mass * float(found.trace_velocity[-1]), rel=0.03)
+
+
+def test_stiffness_and_the_velocity_of_the_grid_are_axes():
+    text = without("grid.velocity_step")
+    study = small_study(
+        "scene.drive={stiffness=[1e3, 1e4, 1e5], mass=1e-3}",
+        "scene.programme=[{pull={ratio=1, distance=1e-3}}]",
+        'scene.quantities=["steady", "trace"]',
+        "grid.velocity=[0.01, 0.1]",
+        text=text,
+    )
+    variant = make_plan(study).variants[0]
+    drives = {task.problem.drive for task in variant.tasks}
+    assert study.axes[-1] == "stiffness"
+    assert len({drive.stiffness for drive in drives}) == 3
+    by_stiffness = sorted({drive.stiffness for drive in drives})
+    np.testing.assert_allclose(by_stiffness[2] / by_stiffness[0], 100.0, rtol=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("drive", "words"),
+    [
+        ({"stiffness": -1.0}, "scene.drive.stiffness = -1.0: must be greater than zero"),
+        ({"stiffness": 1.0, "mass": float("nan")}, "scene.drive.mass = nan: must be a finite"),
+        ({"mass": 1.0}, "scene.drive.stiffness: missing"),
+        (3.0, "drive = 3.0: must be a dictionary"),
+    ],
+)
+def test_a_bad_drive_is_one_line(drive, words):
+    with pytest.raises(UserError, match=words):
+        run(PULL, drive=drive)
+
+
+def test_what_is_not_kept_of_a_slider_is_refused():
+    with pytest.raises(UserError, match='"energy": is not computed of a line on a spring'):
+        pulled(1e4, quantities=("trace", "energy"))
+
+
+def test_a_drive_that_is_held_keeps_friction_the_longer_the_softer_it_is():
+    """The slider creeps on as the spring slackens: a line that is held has nothing to wait for."""
+    wait = {"duration": 3e-4}
+    legs = [{"pull": {"velocity": VELOCITY, "distance": 32 * LENGTH / N}}]
+    legs.append({"pull": {"velocity": 0.0, **wait}})
+    held = abs(float(run(slide(VELOCITY, 32), {"hold": wait}).trace_friction_force[-1]))
+    stiff, soft = (float(pulled(k, *legs).trace_drive_force[-1]) for k in (1e5, 1e2))
+    assert stiff == pytest.approx(held, rel=0.1)
+    assert soft > 1.3 * stiff
