@@ -246,11 +246,18 @@ def _materials(study: Study) -> Iterator[tuple[bool, str]]:
             yield True, f"branches{f' of {label}' if label else ''}: {material.told}"
     count = len(study.grid.get("temperature", ()))
     if count:
-        yield True, f"{count} temperatures: all times shifted by WLF"
-    elif study.material.wlf:
-        yield True, "one temperature: all times shifted by WLF"
+        yield True, f"{count} temperatures: all times shifted by {_law(study.material)}"
+    elif study.material.shift_law:
+        yield True, f"one temperature: all times shifted by {_law(study.material)}"
     else:
         yield False, "temperature: material.temperature and wlf are not given"
+
+
+def _law(material: Material) -> str:
+    """Return by what times shift with the temperature."""
+    if material.shifts:
+        return f"a table ({material.shifts.told or f'{len(material.shifts.rows)} temperatures'})"
+    return "WLF" if material.wlf else "the law of Arrhenius"
 
 
 def _rheology(each: list[Material]) -> str:

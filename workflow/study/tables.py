@@ -8,7 +8,7 @@ from typing import Any
 from ..errors import Complaints
 from .axes import with_lists
 from .cluster import CLUSTER
-from .effects import FILE, HOLD, MATERIAL, OSCILLATE, RAMP, SCENE, SLIDE, WLF
+from .effects import ARRHENIUS, FILE, HOLD, MATERIAL, OSCILLATE, RAMP, SCENE, SLIDE, WLF
 from .grid import GRID
 from .numerics import NUMERICS
 from .settings import Key, as_table, as_text, check_keys, checked, integer
@@ -66,7 +66,7 @@ TABLES = {
 }
 KNOWN = (*TABLES, "compare", "scales")
 WITHIN: dict[str, dict[str, Keys]] = {  # the tables that stand in one
-    "material": {"material.wlf": WLF},
+    "material": {"material.wlf": WLF, "material.arrhenius": ARRHENIUS},
     "scene": {
         "scene.programme.slide": SLIDE,
         "scene.programme.hold": HOLD,

@@ -9,7 +9,7 @@ from ...lazy import public_names
 
 if TYPE_CHECKING:
     from .body_key import BODY, FOUNDATION, HALF_SPACE
-    from .material import MATERIAL, WLF, Material, read_material
+    from .material import MATERIAL, Material, read_material
     from .programme import (
         FromFile,
         HoldSegment,
@@ -24,5 +24,6 @@ if TYPE_CHECKING:
     from .quantities import FORCE, OF_ELEMENTS, QUANTITIES, judged
     from .scene import SCENE, Scene, check_quantities, read_scene_table, why_not
     from .segments import FILE, HOLD, OSCILLATE, RAMP, SLIDE
+    from .shifting import ARRHENIUS, SHIFTS, WLF
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)
