@@ -12,8 +12,11 @@ if TYPE_CHECKING:
     from .cluster import BATCH_SYSTEMS, HERE, LOCAL, Cluster, walltime_seconds
     from .effects import (
         FOUNDATION,
+        GAS,
         HALF_SPACE,
+        LAWS_OF_SHIFT,
         QUANTITIES,
+        Arrhenius,
         FromFile,
         HoldSegment,
         Material,
@@ -21,8 +24,11 @@ if TYPE_CHECKING:
         RampSegment,
         Scene,
         Segment,
+        ShiftLaw,
+        ShiftTable,
         SlideSegment,
         Velocity,
+        Wlf,
         judged,
         velocity_steps,
         why_not,

@@ -24,6 +24,16 @@ if TYPE_CHECKING:
     from .quantities import FORCE, OF_ELEMENTS, QUANTITIES, judged
     from .scene import SCENE, Scene, check_quantities, read_scene_table, why_not
     from .segments import FILE, HOLD, OSCILLATE, RAMP, SLIDE
-    from .shifting import ARRHENIUS, SHIFTS, WLF
+    from .shifting import (
+        ARRHENIUS,
+        GAS,
+        LAWS_OF_SHIFT,
+        SHIFTS,
+        WLF,
+        Arrhenius,
+        ShiftLaw,
+        ShiftTable,
+        Wlf,
+    )
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

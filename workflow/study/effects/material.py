@@ -23,7 +23,16 @@ from ..settings import (
     within,
 )
 from .branches import read_branches
-from .shifting import SHIFTS, Arrhenius, ShiftLaw, ShiftTable, Wlf, check_shift, read_shift_table
+from .shifting import (
+    LAWS_OF_SHIFT,
+    SHIFTS,
+    Arrhenius,
+    ShiftLaw,
+    ShiftTable,
+    Wlf,
+    check_shift,
+    read_shift_table,
+)
 
 MOST_BRANCHES = 200
 RATIOS = (1e-9, 1e9)  # of the modulus of a branch to the relaxed one
@@ -120,7 +129,7 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
                 f"{where}.branches: the modulus {g!r} must lie between {RATIOS[0]:g} and "
                 f"{RATIOS[1]:g} of shear_modulus = {modulus!r}"
             )
-    shifts = {key: given[key] for key in SHIFTS if key != "shifts_file"}
+    shifts = {key: given[key] for key in LAWS_OF_SHIFT}
     if given["shifts_file"]:
         if shifts["shifts"]:
             raise UserError(f"{where}.shifts_file: give it or {where}.shifts, not both")

@@ -21,12 +21,12 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from ...errors import UserError
-from ...text_tables import Wanted, picked, read_text_table, told
+from ...text_tables import ZERO, Wanted, picked, read_text_table, told
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table
 
+LAWS_OF_SHIFT = ("wlf", "arrhenius", "shifts")  # by their keys
 MOST_SHIFT = 30.0  # decades
 KELVIN = 230.0  # degrees above the reference: 0 °C in K is 273 above itself
-ZERO = 273.15  # K at 0 °C
 GAS = 8.314462618  # J/(mol K)
 HEADER = 'a header "temperature [°C], log a_T"'
 TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
