@@ -123,7 +123,15 @@ def _described(measured: Moduli, fit: "PronyFit", asked: int | None) -> list[str
     ]
     ends = (1.0 / omega[0], "s down") if measured.over_time else (omega[0], "rad/s")
     first = f"{ends[0]:.3g} {ends[1]}"
-    said.append(f"residual per decade from {first}: {_per_decade(measured, fit)} %")
+    decades = _per_decade(measured, fit)
+    said.append(
+        f"residual per decade from {first}: {', '.join(f'{100 * one:.2g}' for one in decades)} %"
+    )
+    if decades.max() > LARGEST_RESIDUAL:
+        said.append(
+            f"beware: more than {100 * LARGEST_RESIDUAL:g} % are left over in decade "
+            f"{decades.argmax() + 1} of them: leave out these rows, or take no result from there"
+        )
     if asked is not None and fit.rms > 2.0 * fit.dense:
         said.append(f"{asked} branches are too few: more of them leave {100 * fit.dense:.2g} % rms")
     if not fit.determined:
@@ -139,11 +147,11 @@ def _described(measured: Moduli, fit: "PronyFit", asked: int | None) -> list[str
     return said
 
 
-def _per_decade(measured: Moduli, fit: "PronyFit") -> str:
-    """Return the rms residual of G* in each decade of the frequency, in %."""
+def _per_decade(measured: Moduli, fit: "PronyFit") -> np.ndarray:
+    """Return the rms residual in each decade of the frequency that holds one."""
     decade = np.floor(np.log10(measured.omega / measured.omega[0]) + 1e-9)
     squares = [np.mean(fit.residual[decade == each] ** 2) for each in np.unique(decade)]
-    return ", ".join(f"{100.0 * np.sqrt(square):.2g}" for square in squares)
+    return np.sqrt(squares)
 
 
 def _shares(fit: "PronyFit") -> tuple[float, list[tuple[float, float]]]:

@@ -64,6 +64,7 @@ def outline_grid(study: Study, result: Path) -> Said:
             for axis, values in study.grid.items()
         },
         "quantities": study.scene.quantities,
+        "read": _read(study),
         "points": plan.points,
         "problems": plan.problems,
         "variants": list(study.variants),
@@ -132,6 +133,18 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
         f"longest line {plan.longest_line()} samples",
     ]
+
+
+def _read(study: Study) -> list[dict[str, Any]]:
+    """Return what files were read as; of lines their numbers, too, in m."""
+    found: list[dict[str, Any]] = [{"what": what, "told": told} for what, told in study.told]
+    profiles = {own.told: own.profile for own in study.surfaces.values()}
+    for each in found:
+        if (profile := profiles.get(each["told"])) is not None:
+            lines, *samples = profile.heights.shape
+            each |= {"lines": lines, "samples": samples, "step": profile.spacing}
+            each |= {"roughness": profile.roughness, "rms_slope": profile.slope}
+    return found
 
 
 def read_lines_of(study: Study) -> list[str]:
@@ -320,7 +333,8 @@ def _motion(study: Study) -> Iterator[tuple[bool, str]]:
     else:
         kind = "over time" if scene.indentation_history else "constant"
         yield False, 'constant normal force: scene.control is "indentation"'
-        yield True, f"prescribed indentation, {kind}"
+        told = f" ({scene.indentation_told})" if scene.indentation_told else ""
+        yield True, f"prescribed indentation, {kind}{told}"
 
 
 def _quantities(study: Study) -> Iterator[tuple[bool, str]]:

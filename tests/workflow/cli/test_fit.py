@@ -229,6 +229,16 @@ def test_refusals_of_sweeps(capsys, tmp_path, arguments, answer):
     assert answer in refusal(capsys, "prony", sweeps(tmp_path, WLF, (0.0, 20.0)), *arguments)
 
 
+def test_a_decade_that_the_series_misses_is_named(capsys, tmp_path):
+    path = measured(tmp_path)
+    rows = np.loadtxt(path)
+    rows[-2:, 1:] *= 2.0  # as a resonance of the instrument
+    np.savetxt(path, rows)
+    text = output(capsys, "prony", path)
+    assert "# beware: more than 15 % are left over in decade " in text
+    assert "beware" not in output(capsys, "prony", measured(tmp_path))
+
+
 def test_sweeps_that_are_no_one_curve_are_no_material(capsys, tmp_path):
     omega = np.geomspace(0.1, 100.0, 8)
     rows = [f"{w} {1e6 * w**0.1} {1e5}" for w in omega] + [f"{w} {3e6 / w**0.3} 1e6" for w in omega]

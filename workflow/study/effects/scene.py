@@ -55,6 +55,7 @@ class Scene(NamedTuple):
     repeat: int = 1  # times that the whole list is followed
     programme: Programme = ()  # empty: steady at v1, a jump to v2, relaxation
     indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
+    indentation_told: str = ""  # what it was read from
 
     @property
     def segments(self) -> tuple[Segment, ...]:
@@ -112,15 +113,21 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
     del given["body"]  # that of the surfaces (study/variants.py)
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
-    times = None
+    times, told = None, ""
     if history and given["control"] != INDENTATION:
         raise UserError('scene.indentation_file: needs scene.control = "indentation"')
     if history:
         key = "scene.indentation_file"
-        columns, _ = read_sampled(key, folder / history, INDENTED)
+        columns, told = read_sampled(key, folder / history, INDENTED)
         times = (tuple(columns[0].tolist()), tuple(columns[1].tolist()))
     asked = given.pop("quantities") or _usual(programme, given["control"], materials)
-    scene = Scene(quantities=asked, programme=programme, indentation_history=times, **given)
+    scene = Scene(
+        quantities=asked,
+        programme=programme,
+        indentation_history=times,
+        indentation_told=told,
+        **given,
+    )
     _check(own, scene, tuple(materials))
     return scene
 
