@@ -114,6 +114,8 @@ FILES = {  # beside small.toml
     "tiny.csv": "0.1, 1\n0.2, 2\n",
     "unknown_branch.csv": "modulus [Pa], time [s]\n5e6, nan\n1e7, 1\n",
     "words.csv": "time velocity\n",
+    "shifts.csv": "temperature (°C), log a_T\n50, -1.5\n20, 0\n0, 2\n",
+    "factors.csv": "T (°C), a_T\n0, 10\n20, 0\n",
 }
 
 

@@ -1,6 +1,8 @@
 """The commands ``prony`` and ``fit``: what measurements determine of a material and of the law."""
 
 import argparse
+import math
+import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -9,7 +11,7 @@ import numpy as np
 
 from .. import laboratory  # slow to import: other commands do without
 from ..errors import UserError
-from ..study import FREQUENCIES, INCOMPRESSIBLE, MODULI, Moduli, read_moduli
+from ..study import FREQUENCIES, INCOMPRESSIBLE, LAWS_OF_SHIFT, MODULI, Moduli, read_moduli
 from ..system import make_folder, write_durably
 from .run_options import DONE
 
@@ -23,8 +25,14 @@ LARGEST_RESIDUAL = 0.15  # rms of G*, of a material
 def add_prony_options(command: argparse.ArgumentParser) -> None:
     """Add what the command ``prony`` is told."""
     add = command.add_argument
-    add("file", help="text file with frequency, G' and G'' or tan delta, or E' and E''")
+    add("file", help="text file with frequency, G' and G'' or tan delta, or E; or time and G or E")
     add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
+    # As of -20 argparse must know of -20,0,20 that it is no option, for which it has no other way.
+    command._negative_number_matcher = re.compile(r"-[\d.][\d.,eE+-]*$")
+    add("--temperatures", help="of sweeps in their order, as -20,0,20 in °C (as the file says)")
+    add("--reference", type=float, help="temperature to which sweeps are shifted, in °C (middle)")
+    add("--law", choices=LAWS_OF_SHIFT, help="of the shifts (the one that describes them)")
+    add("--vertical", action="store_true", help="shift moduli too, by b_T")
     add("--frequency", choices=FREQUENCIES, help="unit of frequencies (header, else rad/s)")
     add("--modulus", choices=MODULI, help="unit of moduli (header, else Pa)")
     add("--poisson", type=float, default=INCOMPRESSIBLE, help="ratio, for moduli E (0.5)")
@@ -43,8 +51,10 @@ def run_prony(options: argparse.Namespace) -> int:
     if out and out.exists() and source.exists() and out.samefile(source):
         raise UserError(f"--out {options.out}: is the measurement itself; name another file")
     units = options.frequency, options.modulus
-    columns = columns_of(options.columns) if options.columns else None
-    measured = read_moduli(source, *units, columns, options.poisson)
+    columns = columns_of(options.columns, (2, 3)) if options.columns else None
+    temperatures = _temperatures(options.temperatures) if options.temperatures else ()
+    measured = read_moduli(source, *units, columns, options.poisson, temperatures)
+    measured, keys = _at_one_temperature(options, measured)
     from ..reduce import fit_prony
 
     fit = fit_prony(measured.omega, measured.values, options.branches)
@@ -52,14 +62,31 @@ def run_prony(options: argparse.Namespace) -> int:
     said = [f"# {line}" for line in (*measured.told, *_described(measured, fit, options.branches))]
     rows = [f"{modulus:.6g}, {time:.6g}" for modulus, time in fit.branches]
     modulus = f"shear_modulus = {fit.shear_modulus:.6g}"
-    table = ["[material]", modulus, "branches = [", *(f"    [{row}]," for row in rows), "]"]
+    table = ["[material]", modulus, *keys]
+    listed = ["branches = [", *(f"    [{row}]," for row in rows), "]"]
     if out:
         lines = [*said, f"# {modulus}", "modulus [Pa], time [s]", *rows, ""]
         write_durably(out, "\n".join(lines).encode())
         beside = (out.parent / "study.toml").is_file()
-        table[2:] = [f'branches_file = "{out.name if beside else out.resolve().as_posix()}"']
-    print(*said, *(table if options.write == "study" else FORMS[options.write](fit)), sep="\n")
+        listed = [f'branches_file = "{out.name if beside else out.resolve().as_posix()}"']
+    printed = FORMS[options.write](fit) or [*table, *listed]
+    print(*said, *printed, sep="\n")
     return DONE
+
+
+def _at_one_temperature(
+    options: argparse.Namespace, measured: Moduli
+) -> tuple[Moduli, tuple[str, ...]]:
+    """Return the moduli, shifted to one temperature where they are of several, and lines of it."""
+    asked = laboratory.Shifting(options.reference, options.law, options.vertical)
+    if measured.temperatures is not None:
+        return laboratory.master_curve(options.file, measured, asked)
+    if asked != laboratory.Shifting():
+        raise UserError(
+            f"prony {options.file}: --reference, --law and --vertical shift sweeps at several "
+            "temperatures; it holds one: give --temperatures, or a column of them"
+        )
+    return measured, ()
 
 
 def _check_fit(options: argparse.Namespace, measured: Moduli, fit: "PronyFit") -> None:
@@ -68,9 +95,9 @@ def _check_fit(options: argparse.Namespace, measured: Moduli, fit: "PronyFit") -
     stiffest = max((modulus for modulus, _ in fit.branches), default=0.0)
     if fit.dense > LARGEST_RESIDUAL:
         raise UserError(
-            f"{where}: no Prony series describes it: {100 * fit.dense:.2g} % of G* are left over, "
-            f"more than {100 * LARGEST_RESIDUAL:g} %; {measured.told[0]}; give other --columns or "
-            "units, and one temperature"
+            f"{where}: no Prony series describes it: {100 * fit.dense:.2g} % of the moduli are "
+            f"left over, more than {100 * LARGEST_RESIDUAL:g} %; {measured.told[0]}; give other "
+            "--columns or units, and the temperatures of all sweeps"
         )
     if fit.rms > LARGEST_RESIDUAL:
         raise UserError(
@@ -86,27 +113,45 @@ def _described(measured: Moduli, fit: "PronyFit", asked: int | None) -> list[str
     """Return what was fitted and how well, in sentences."""
     omega = measured.omega
     said = [
-        f"{omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s",
-        f"{len(fit.branches)} branches; residual of G* {100 * fit.rms:.2g} % rms, "
+        f"{omega.size} times, {1.0 / omega[-1]:.3g} ... {1.0 / omega[0]:.3g} s"
+        if measured.over_time
+        else f"{omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s",
+        f"{len(fit.branches)} branches; residual of {'G' if measured.over_time else 'G*'} "
+        f"{100 * fit.rms:.2g} % rms, "
         f"{100 * fit.worst:.2g} % at most; what is slower than {fit.slowest:.3g} s counts as "
         "relaxed",
     ]
-    said.append(f"residual per decade from {omega[0]:.3g} rad/s: {_per_decade(measured, fit)} %")
+    ends = (1.0 / omega[0], "s down") if measured.over_time else (omega[0], "rad/s")
+    first = f"{ends[0]:.3g} {ends[1]}"
+    decades = _per_decade(measured, fit)
+    said.append(
+        f"residual per decade from {first}: {', '.join(f'{100 * one:.2g}' for one in decades)} %"
+    )
+    if decades.max() > LARGEST_RESIDUAL:
+        said.append(
+            f"beware: more than {100 * LARGEST_RESIDUAL:g} % are left over in decade "
+            f"{decades.argmax() + 1} of them: leave out these rows, or take no result from there"
+        )
     if asked is not None and fit.rms > 2.0 * fit.dense:
         said.append(f"{asked} branches are too few: more of them leave {100 * fit.dense:.2g} % rms")
     if not fit.determined:
         said.append(
             f"the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} "
-            f"Pa do as well; it wants frequencies below {omega[0]:.3g} rad/s"
+            f"Pa do as well; it wants "
+            + (
+                f"times beyond {ends[0]:.3g} s"
+                if measured.over_time
+                else f"frequencies below {first}"
+            )
         )
     return said
 
 
-def _per_decade(measured: Moduli, fit: "PronyFit") -> str:
-    """Return the rms residual of G* in each decade of the frequency, in %."""
+def _per_decade(measured: Moduli, fit: "PronyFit") -> np.ndarray:
+    """Return the rms residual in each decade of the frequency that holds one."""
     decade = np.floor(np.log10(measured.omega / measured.omega[0]) + 1e-9)
     squares = [np.mean(fit.residual[decade == each] ** 2) for each in np.unique(decade)]
-    return ", ".join(f"{100.0 * np.sqrt(square):.2g}" for square in squares)
+    return np.sqrt(squares)
 
 
 def _shares(fit: "PronyFit") -> tuple[float, list[tuple[float, float]]]:
@@ -136,12 +181,23 @@ FORMS: dict[str, Callable[["PronyFit"], list[str]]] = {
 }
 
 
-def columns_of(words: str) -> tuple[int, ...]:
-    """Return three numbers of columns that are given as 0,1,2. Raises UserError."""
+def columns_of(words: str, counts: tuple[int, ...] = (3,)) -> tuple[int, ...]:
+    """Return so many numbers of columns that are given as 0,1,2. Raises UserError."""
     each = words.split(",")
-    if len(each) != 3 or not all(word.strip().isdecimal() for word in each):
+    if len(each) not in counts or not all(word.strip().isdecimal() for word in each):
         raise UserError(f"--columns {words}: must be three numbers from 0, as 0,1,2")
     return tuple(map(int, each))
+
+
+def _temperatures(words: str) -> tuple[float, ...]:
+    """Return temperatures in °C that are given as -20,0,20. Raises UserError."""
+    try:
+        found = tuple(map(float, words.split(",")))
+    except ValueError:
+        found = (math.nan,)
+    if not all(map(math.isfinite, found)):
+        raise UserError(f"--temperatures {words}: must be numbers in °C, as -20,0,20")
+    return found
 
 
 def add_fit_options(command: argparse.ArgumentParser) -> None:

@@ -64,6 +64,7 @@ def outline_grid(study: Study, result: Path) -> Said:
             for axis, values in study.grid.items()
         },
         "quantities": study.scene.quantities,
+        "read": _read(study),
         "points": plan.points,
         "problems": plan.problems,
         "variants": list(study.variants),
@@ -132,6 +133,18 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
         f"longest line {plan.longest_line()} samples",
     ]
+
+
+def _read(study: Study) -> list[dict[str, Any]]:
+    """Return what files were read as; of lines their numbers, too, in m."""
+    found: list[dict[str, Any]] = [{"what": what, "told": told} for what, told in study.told]
+    profiles = {own.told: own.profile for own in study.surfaces.values()}
+    for each in found:
+        if (profile := profiles.get(each["told"])) is not None:
+            lines, *samples = profile.heights.shape
+            each |= {"lines": lines, "samples": samples, "step": profile.spacing}
+            each |= {"roughness": profile.roughness, "rms_slope": profile.slope}
+    return found
 
 
 def read_lines_of(study: Study) -> list[str]:
@@ -246,11 +259,18 @@ def _materials(study: Study) -> Iterator[tuple[bool, str]]:
             yield True, f"branches{f' of {label}' if label else ''}: {material.told}"
     count = len(study.grid.get("temperature", ()))
     if count:
-        yield True, f"{count} temperatures: all times shifted by WLF"
-    elif study.material.wlf:
-        yield True, "one temperature: all times shifted by WLF"
+        yield True, f"{count} temperatures: all times shifted by {_law(study.material)}"
+    elif study.material.shift_law:
+        yield True, f"one temperature: all times shifted by {_law(study.material)}"
     else:
         yield False, "temperature: material.temperature and wlf are not given"
+
+
+def _law(material: Material) -> str:
+    """Return by what times shift with the temperature."""
+    if material.shifts:
+        return f"a table ({material.shifts.told or f'{len(material.shifts.rows)} temperatures'})"
+    return "WLF" if material.wlf else "the law of Arrhenius"
 
 
 def _rheology(each: list[Material]) -> str:
@@ -313,7 +333,8 @@ def _motion(study: Study) -> Iterator[tuple[bool, str]]:
     else:
         kind = "over time" if scene.indentation_history else "constant"
         yield False, 'constant normal force: scene.control is "indentation"'
-        yield True, f"prescribed indentation, {kind}"
+        told = f" ({scene.indentation_told})" if scene.indentation_told else ""
+        yield True, f"prescribed indentation, {kind}{told}"
 
 
 def _quantities(study: Study) -> Iterator[tuple[bool, str]]:

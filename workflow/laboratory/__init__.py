@@ -1,6 +1,6 @@
-"""What velocity steps that were measured determine of the kinetic law: read, parted, fitted, drawn.
+"""What measurements determine: of velocity steps the kinetic law, of sweeps a master curve.
 
-Text files of a laboratory in; jumps, rates, tau, H, q_max and rate-and-state constants out.
+Text files of a laboratory in; jumps, rates, tau, H, q_max, rate-and-state constants, shifts out.
 """
 
 from typing import TYPE_CHECKING
@@ -9,6 +9,7 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .figure import draw_fit
+    from .master import Shifting, master_curve
     from .record import read_record
     from .sentences import describe
     from .together import Known, fit_records

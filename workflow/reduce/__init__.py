@@ -34,5 +34,7 @@ if TYPE_CHECKING:
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
     from .prony_fit import PronyFit, fit_prony
     from .rate_state import LAWS, step_law
+    from .shift_fit import ShiftFit, fit_shifts
+    from .superposition import Superposition, superposed
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

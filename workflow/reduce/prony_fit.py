@@ -1,15 +1,17 @@
-"""Fit a Prony series with few branches to measured moduli G'(omega), G''(omega).
+"""Fit a Prony series with few branches to measured moduli G'(omega), G''(omega), or to G(t).
 
-G* = G + sum_b g_b i omega t_b/(1 + i omega t_b), all moduli >= 0: for given times a least-squares
-problem with bounds (Lawson & Hanson 1974, chapter 23), whose solution on a dense grid of times is
-sparse. Neighbours are then merged, times are moved, and branches are joined as long as the
-residual stays what the data allow. Residuals are relative, (model - data)/|data|.
+G* = G + sum_b g_b i omega t_b/(1 + i omega t_b) and G(t) = G + sum_b g_b exp(-t/t_b), all moduli
+>= 0: for given times a least-squares problem with bounds (Lawson & Hanson 1974, chapter 23), whose
+solution on a dense grid of times is sparse. Neighbours are then merged, times are moved, and
+branches are joined as long as the residual stays what the data allow. Residuals are relative,
+(model - data)/|data|. A relaxation test is taken over 1/t, which is then its frequency.
 
 Branches may be ten times slower than the lowest frequency; what is slower counts as relaxed. Where
 the data leave the relaxed modulus open it may be as low as branches a hundred times slower allow,
 and where the best fit has none at all, half of the most that does as well is taken.
 """
 
+from collections.abc import Callable
 from typing import NamedTuple
 
 import numpy as np
@@ -26,12 +28,28 @@ NONE = 1e-6  # share of the most that the relaxed modulus can be: less is none
 SCAN = np.linspace(0.0, 1.0, 41)  # of the relaxed modulus, as a share of the most it can be
 
 
+# The share of its modulus that a branch has at a frequency times its time, and d/d log of it.
+Shares = Callable[[np.ndarray], tuple[np.ndarray, np.ndarray]]
+
+
+def in_oscillation(turn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the share of a branch in G*; turn : omega t_b, of any shape."""
+    share = 1j * turn / (1.0 + 1j * turn)
+    return share, share * (1.0 - share)
+
+
+def in_relaxation(turn: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return the share of a branch in G(t); turn : t_b/t, of any shape."""
+    share = np.exp(-1.0 / turn)
+    return share, share / turn
+
+
 class PronyFit(NamedTuple):
     """A fitted material and how well it describes the data."""
 
     shear_modulus: float  # relaxed, in the unit of the data
     branches: tuple[tuple[float, float], ...]  # (modulus, time), times ascending
-    rms: float  # of the relative residual of G*
+    rms: float  # of the relative residual
     worst: float  # the largest one
     residual: np.ndarray  # its size at each frequency, shape (n,)
     dense: float  # rms with as many branches as wanted
@@ -46,23 +64,24 @@ class PronyFit(NamedTuple):
 
 
 def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None) -> PronyFit:
-    """Return the fit of a Prony series to complex moduli at angular frequencies.
+    """Return the fit of a Prony series to complex moduli at angular frequencies, or to G(t).
 
-    omega : rad/s, shape (n,), positive. moduli : G' + i G'', shape (n,). branches : at most so
-    many; by default as few as describe the data as well as many do. Raises ValueError for less
-    than four frequencies, and for moduli that are not positive and finite.
+    omega : rad/s, shape (n,), positive; of a relaxation test 1/t in 1/s. moduli : G' + i G'',
+    shape (n,); G(t) where they are real. branches : at most so many; by default as few as describe
+    the data as well as many do. Raises ValueError for less than four frequencies, and for moduli
+    that are not positive and finite.
     """
-    omega, moduli = np.asarray(omega, float), np.asarray(moduli, complex)
+    omega, moduli = np.asarray(omega, float), np.asarray(moduli)
     good = (omega > 0.0) & np.isfinite(moduli) & (moduli.real > 0.0) & (moduli.imag >= 0.0)
     if omega.size < 4 or not np.all(good):
         raise ValueError("needs four frequencies or more, all of them and G' above 0, no G'' below")
     unit = float(np.abs(moduli).max())
-    data = _Measured(omega, moduli / unit, np.abs(moduli) / unit)
-    grid = _grid(omega, BEYOND)
-    best = _solved(data, grid)[1]
+    data = measured_moduli(omega, moduli / unit)
+    grid = grid_of_times(omega, BEYOND)
+    best = solved(data, grid)[1]
     least, most = _bounds(data, grid, best)
     if most > LIKE * least:
-        least, most = _bounds(data, _grid(omega, BEYOND**2), best)
+        least, most = _bounds(data, grid_of_times(omega, BEYOND**2), best)
     allowed, taken = max(LOSS * best, SMALL), 0.0
     times, found, rms = _few(data, grid, allowed, branches)
     if found[0] <= NONE * most:
@@ -70,7 +89,8 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
         data = data._replace(moduli=data.moduli - taken)
         times, found, rms = _few(data, grid, allowed, branches)
     kept = found[1:] > 0.0
-    residual = np.abs(_model(omega, times) @ found - data.moduli) / data.size
+    off = data.weighted(times)[0] @ found - data.wanted
+    residual = np.linalg.norm(off.reshape(-1, omega.size), axis=0)  # of one or two parts
     pairs = zip((unit * found[1:][kept]).tolist(), times[kept].tolist(), strict=True)
     relaxed = taken + float(found[0])
     within = rms <= allowed  # a fit of too few branches says nothing of it
@@ -88,51 +108,68 @@ def fit_prony(omega: np.ndarray, moduli: np.ndarray, branches: int | None = None
 
 
 def _few(
-    data: "_Measured", grid: np.ndarray, allowed: float, most: int | None
+    data: "MeasuredModuli", grid: np.ndarray, allowed: float, most: int | None
 ) -> tuple[np.ndarray, np.ndarray, float]:
     """Return few times, the relaxed modulus and those of branches of them, and the rms.
 
     allowed, most : rms and number, as for ``_joined``.
     """
     reach = np.log(grid[[0, -1]])
-    times = _moved(data, _merged(grid, _solved(data, grid)[0][1:]), reach)
+    times = _moved(data, _merged(grid, solved(data, grid)[0][1:]), reach)
     times = _moved(data, _joined(data, times, reach, allowed, most), reach)
-    return times, *_solved(data, times)
+    return times, *solved(data, times)
 
 
-class _Measured(NamedTuple):
+class MeasuredModuli(NamedTuple):
     """What is fitted, and what residuals are relative to; arrays of shape (n,)."""
 
-    omega: np.ndarray  # rad/s
-    moduli: np.ndarray  # G*, less what is taken as relaxed beforehand
+    omega: np.ndarray  # rad/s, or 1/t
+    moduli: np.ndarray  # G* or G(t), less what is taken as relaxed beforehand
     size: np.ndarray  # |G*|
+    shares: Shares
+
+    def weighted(self, times: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        """Return relative moduli per unit of G and of each branch, and their d/d log of times.
+
+        Real and imaginary parts are rows of their own: shapes (values, 1 + branches) and (values,
+        branches).
+        """
+        columns, slopes = self.shares(self.omega[:, None] * times)
+        columns = np.hstack([np.ones((self.omega.size, 1)), columns])
+        return _parts(columns / self.size[:, None]), _parts(slopes / self.size[:, None])
+
+    @property
+    def wanted(self) -> np.ndarray:
+        """Return the relative moduli, shape (values,)."""
+        return _parts(self.moduli / self.size)
 
 
-def _grid(omega: np.ndarray, beyond: float) -> np.ndarray:
+def measured_moduli(omega: np.ndarray, moduli: np.ndarray) -> MeasuredModuli:
+    """Return moduli to be fitted: those of a relaxation test where they are real."""
+    shares = in_oscillation if np.iscomplexobj(moduli) else in_relaxation
+    return MeasuredModuli(omega, moduli, np.abs(moduli), shares)
+
+
+def grid_of_times(omega: np.ndarray, beyond: float, per_decade: int = PER_DECADE) -> np.ndarray:
     """Return the dense grid of times, to ``beyond`` over the lowest frequency."""
     first, last = 1.0 / (BEYOND * omega.max()), beyond / omega.min()
-    return np.geomspace(first, last, int(np.ceil(PER_DECADE * np.log10(last / first))) + 1)
-
-
-def _model(omega: np.ndarray, times: np.ndarray) -> np.ndarray:
-    """Return G* per relaxed modulus and per modulus of each branch, shape (n, 1 + branches)."""
-    turn = 1j * omega[:, None] * times
-    return np.hstack([np.ones((omega.size, 1)), turn / (1.0 + turn)])
+    return np.geomspace(first, last, int(np.ceil(per_decade * np.log10(last / first))) + 1)
 
 
 def _parts(values: np.ndarray) -> np.ndarray:
+    if not np.iscomplexobj(values):
+        return values
     return np.concatenate([values.real, values.imag])
 
 
-def _solved(
-    data: _Measured, times: np.ndarray, relaxed: float | None = None
+def solved(
+    data: MeasuredModuli, times: np.ndarray, relaxed: float | None = None
 ) -> tuple[np.ndarray, float]:
-    """Return the moduli, shape (1 + branches,), and the rms of the residual of G*.
+    """Return the moduli, shape (1 + branches,), and the rms of the residual.
 
     relaxed : the relaxed modulus where it is given.
     """
-    columns = _parts(_model(data.omega, times) / data.size[:, None])
-    wanted = _parts(data.moduli / data.size)
+    columns, wanted = data.weighted(times)[0], data.wanted
     fixed = np.zeros(0)
     if relaxed is not None:
         wanted = wanted - relaxed * columns[:, 0]
@@ -160,27 +197,25 @@ def _merged(grid: np.ndarray, moduli: np.ndarray) -> np.ndarray:
     return np.exp(np.array(means))
 
 
-def _moved(data: _Measured, times: np.ndarray, reach: np.ndarray) -> np.ndarray:
+def _moved(data: MeasuredModuli, times: np.ndarray, reach: np.ndarray) -> np.ndarray:
     """Return times that fit best, near those given; the moduli follow from them.
 
     reach : logarithms of the shortest and the longest time.
     """
-    found, _ = _solved(data, times)
+    found, _ = solved(data, times)
     some = np.concatenate([[True], found[1:] > 0.0])
     found, times = np.maximum(found[some], 1e-12), times[some[1:]]
     if not times.size:
         return times
-    omega, size = data.omega, data.size[:, None]
 
     def residual(logs: np.ndarray) -> np.ndarray:
-        model = _model(omega, np.exp(logs[found.size :]))
-        return _parts((model @ np.exp(logs[: found.size]) - data.moduli) / size[:, 0])
+        columns, _ = data.weighted(np.exp(logs[found.size :]))
+        return columns @ np.exp(logs[: found.size]) - data.wanted
 
     def slopes(logs: np.ndarray) -> np.ndarray:
         values = np.exp(logs[: found.size])
-        columns = _model(omega, np.exp(logs[found.size :])) * values
-        later = columns[:, 1:] * (1.0 - columns[:, 1:] / values[1:])  # d/dlog t of x/(1 + x)
-        return _parts(np.hstack([columns, later]) / size)
+        columns, later = data.weighted(np.exp(logs[found.size :]))
+        return np.hstack([columns * values, later * values[1:]])
 
     free = np.full(found.size, 50.0)  # logarithm
     bounds = [
@@ -195,7 +230,7 @@ def _moved(data: _Measured, times: np.ndarray, reach: np.ndarray) -> np.ndarray:
 
 
 def _joined(
-    data: _Measured, times: np.ndarray, reach: np.ndarray, allowed: float, most: int | None
+    data: MeasuredModuli, times: np.ndarray, reach: np.ndarray, allowed: float, most: int | None
 ) -> np.ndarray:
     """Return fewer times: neighbours are joined while the rms stays below what is allowed.
 
@@ -205,25 +240,25 @@ def _joined(
         middles = np.sqrt(times[1:] * times[:-1])
         trials = [np.delete(times, i) for i in (0, times.size - 1)]
         trials += [np.insert(np.delete(times, [i, i + 1]), i, t) for i, t in enumerate(middles)]
-        nearest = sorted(trials, key=lambda trial: _solved(data, trial)[1])
+        nearest = sorted(trials, key=lambda trial: solved(data, trial)[1])
         found = nearest[0]
-        if _solved(data, found)[1] > allowed:
+        if solved(data, found)[1] > allowed:
             moved = [_moved(data, trial, reach) for trial in nearest[:2]]
-            found = min(moved, key=lambda trial: _solved(data, trial)[1])
+            found = min(moved, key=lambda trial: solved(data, trial)[1])
         too_many = most is not None and times.size > most
-        if not too_many and _solved(data, found)[1] > allowed:
+        if not too_many and solved(data, found)[1] > allowed:
             break
         times = found
     return times
 
 
-def _bounds(data: _Measured, grid: np.ndarray, best: float) -> tuple[float, float]:
+def _bounds(data: MeasuredModuli, grid: np.ndarray, best: float) -> tuple[float, float]:
     """Return the least and the largest relaxed modulus within three standard errors.
 
     They are where the sum of squares has grown by nine mean squares.
     """
-    allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / (2 * data.size.size)) + ROUNDING
+    allowed = best * np.sqrt(1.0 + DEVIATIONS**2 / data.wanted.size) + ROUNDING
     top = 1.05 * float(np.min(data.size))
     tried = top * SCAN
-    fits = [relaxed for relaxed in tried if _solved(data, grid, relaxed)[1] <= allowed]
+    fits = [relaxed for relaxed in tried if solved(data, grid, relaxed)[1] <= allowed]
     return (float(min(fits)), float(max(fits))) if fits else (np.inf, 0.0)

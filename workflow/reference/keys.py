@@ -42,6 +42,7 @@ INTRODUCTIONS = {
     "material": "The elastomer: a spring G, a dashpot of viscosity Gτ, and any number of Maxwell "
     "branches in parallel.",
     "material.wlf": "The constants in the inline table `wlf` of `[material]`.",
+    "material.arrhenius": "The constants in the inline table `arrhenius` of `[material]`.",
     "surface": "The rigid line: random and self-affine, or measured.",
     "grid": "The values of every axis. Each of the first six is a dimension of every result.",
     "scene": "What is computed, and how the line is driven and pressed on.",

@@ -53,6 +53,8 @@ def build_dataset(
         said |= {"lines": variant.lines.told, "lines_digest": variant.lines.profile.digest}
     if variant.material.told:
         said["branches"] = variant.material.told
+    if variant.material.shifts and variant.material.shifts.told:
+        said["shifts"] = variant.material.shifts.told
     if sampled := plan.study.scene.sampled:
         said["programme"] = "; ".join(sampled)
     dataset = xr.Dataset(data, coords, said)

@@ -90,12 +90,7 @@ class Summary:
             f"reused; {duration(self.used)} of core time used, {duration(self.foreseen)} predicted "
             f"for them{factor}{whole}"
         ]
-        found += [
-            f"lines: {told}" for told in dict.fromkeys(v.lines.told for v in plan.variants) if told
-        ]
-        told = dict.fromkeys(v.material.told for v in plan.variants)
-        found += [f"branches: {each}" for each in told if each]
-        found += [f"programme: {each}" for each in plan.study.scene.sampled]
+        found += [f"{what}: {told}" for what, told in plan.study.told]
         if self.unchanged:
             found.append("the result is there already, of the same study, program and records")
         if self.batches:

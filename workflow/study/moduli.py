@@ -1,19 +1,29 @@
-"""Read measured storage and loss moduli over frequency from a text table.
+"""Read measured moduli from a text table: G' and G'' over frequency, or G(t) after a sudden strain.
 
-Columns are known by their names and units, else by their order: frequency, G', G''. A loss factor
-tan delta serves in place of G'', and Young's moduli E are divided by 2 (1 + nu).
+Columns are known by their names and units, else by their order: frequency, G', G'', or time, G. A
+loss factor tan delta serves in place of G'', and Young's moduli E are divided by 2 (1 + nu).
+Sweeps at several temperatures are told apart by a column of them, by the lines above each block,
+or by a list of temperatures, one for each sweep in order.
 """
 
 import re
 from collections.abc import Sequence
-from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
 
 from ..errors import UserError
-from ..text_tables import Picked, TextTable, Wanted, picked, picked_by_name, read_text_table, told
+from ..text_tables import (
+    Picked,
+    TextTable,
+    Wanted,
+    picked,
+    picked_by_name,
+    read_text_table,
+    told,
+)
+from .sweeps import temperatures_of
 
 FREQUENCIES = ("rad/s", "Hz")
 MODULI = ("Pa", "kPa", "MPa", "GPa")
@@ -39,21 +49,31 @@ LOSS = Wanted(
     "--modulus",
 )
 PHASE = Wanted("tan delta, for G''", "number", OF_PHASE, "1")
-TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T[s]?$", "°C")
+TIME = Wanted("a time", "time", r"time|^t([\W_]|$)", "s")
+RELAXED = Wanted(
+    "a relaxation modulus", "pressure", r"modul|relax|^[GE]([\W_]|$)", "Pa", "--modulus"
+)
 OF_YOUNG = re.compile(rf"\bE({PRIME}|{PRIMES}|_|[12p]\b|\b)|young|tens|extens|bend|flex", re.I)
 OTHER = re.compile(r"\*|\||complex|complian|dynamic", re.IGNORECASE)  # no G', and no G''
 LEAST = 4  # frequencies
 SAME = 1.005  # ratio of frequencies that are one
 SEVERAL = 1.15  # ratio of moduli at one frequency that are not one material at one temperature
-APART = 2.0  # K
+MANY = 400  # samples of a relaxation test, of which more are averaged
+PER_DECADE = 25
 
 
 class Moduli(NamedTuple):
     """Measured moduli, frequencies ascending, and what the file was read as."""
 
-    omega: np.ndarray  # rad/s, shape (n,)
-    values: np.ndarray  # G' + i G'' in Pa, shape (n,)
+    omega: np.ndarray  # rad/s, shape (n,); of a relaxation test 1/t in 1/s
+    values: np.ndarray  # G' + i G'' in Pa, shape (n,); of a relaxation test G(t), real
     told: tuple[str, ...]  # in sentences
+    temperatures: np.ndarray | None = None  # °C of each sweep, shape (n,); None: there is one
+
+    @property
+    def over_time(self) -> bool:
+        """Return whether they are those of a relaxation test."""
+        return not np.iscomplexobj(self.values)
 
 
 def read_moduli(
@@ -62,40 +82,63 @@ def read_moduli(
     modulus: str | None = None,
     columns: Sequence[int] | None = None,
     poisson: float = INCOMPRESSIBLE,
+    temperatures: Sequence[float] = (),
 ) -> Moduli:
-    """Return the moduli of a text file with the columns frequency, G' and G'' or tan delta.
+    """Return the moduli of a text file: frequency, G' and G'' or tan delta; or time and G(t).
 
     frequency, modulus : units, which go before those that the file states; rad/s and Pa where
-    neither does. columns : numbers, from 0, of the three. poisson : ratio for Young's moduli.
+    neither does. columns : numbers, from 0, of the three, or of the two of a relaxation test.
+    poisson : ratio for Young's moduli. temperatures : °C, of each sweep in the order of the file,
+    which go before what the file says.
 
     Raises UserError for a file that cannot be read or does not say which columns are meant, for
-    relaxation tests and sweeps at several temperatures, and for values that no material has.
+    sweeps at temperatures that nobody tells, and for values that no material has.
     """
     table = read_text_table("prony", path)
-    if columns is None and len(table.numeric) == 2:
-        raise UserError(
-            f"prony {path}: two columns are a relaxation test, a modulus over time, which is not "
-            "read: give moduli G' and G'' over frequency"
-        )
     found = _columns(table, frequency, modulus, columns)
-    omega, storage, loss = _complete(path, table, found)
-    said = [told(table, found)]
-    if found[2].wanted.family == "number":
-        loss = loss * storage
+    each, said = temperatures_of(table, found[0].values, temperatures)
+    values, there, left_out = _complete(path, table, found, each)
+    said = [told(table, found), *left_out, *said]
+    omega, storage, *loss = values
+    if loss and found[2].wanted.family == "number":
+        loss = [loss[0] * storage]
         said.append("G'' = G' tan delta")
+    measured = storage + 1j * loss[0] if loss else storage
     if any(OF_YOUNG.search(one.title.name) for one in found[1:]):
-        storage, loss = storage / (2.0 * (1.0 + poisson)), loss / (2.0 * (1.0 + poisson))
+        measured = measured / (2.0 * (1.0 + poisson))
         said.append(f"Young's moduli E divided by 2 (1 + nu) = {2.0 * (1.0 + poisson):g}")
+    omega = omega if loss else 1.0 / omega
     order = np.argsort(omega, kind="stable")
-    omega, values = omega[order], (storage + 1j * loss)[order]
-    _one_temperature(path, table, omega, values)
-    return Moduli(omega, values, tuple(said))
+    omega, measured = omega[order], measured[order]
+    if each is not None:
+        each = each[there][order]
+    for own in [slice(None)] if each is None else [each == t for t in np.unique(each)]:
+        _one_temperature(path, omega[own], measured[own])
+    if not loss and each is None and omega.size > MANY:
+        omega, measured = _averaged(omega, measured)
+        said.append(f"means over 1/{PER_DECADE} of a decade of time: {omega.size}")
+    return Moduli(omega, measured, tuple(said), each)
+
+
+def _over_time(table: TextTable, columns: Sequence[int] | None) -> bool:
+    """Return whether a table is a relaxation test: two columns, or a time and no loss."""
+    if columns is not None:
+        return len(columns) == 2
+    if len(table.numeric) == 2:
+        return True
+    lossy = any(picked_by_name(table, one) is not None for one in (LOSS, PHASE, OMEGA))
+    return not lossy and picked_by_name(table, TIME) is not None
 
 
 def _columns(
     table: TextTable, frequency: str | None, modulus: str | None, columns: Sequence[int] | None
 ) -> tuple[Picked, ...]:
-    """Return the columns frequency, G' and G'' or tan delta; one states the unit of both moduli."""
+    """Return the columns frequency, G' and G'' or tan delta; one states the unit of both moduli.
+
+    Of a relaxation test they are time and G(t).
+    """
+    if _over_time(table, columns):
+        return picked(table, (TIME, RELAXED._replace(unit=modulus)), columns)
     wanted = [OMEGA._replace(unit=frequency), *(w._replace(unit=modulus) for w in (STORAGE, LOSS))]
     if columns is None:
         phase = picked_by_name(table, LOSS) is None and picked_by_name(table, PHASE) is not None
@@ -119,13 +162,23 @@ def _columns(
     return found
 
 
-def _complete(path: Path, table: TextTable, found: tuple[Picked, ...]) -> np.ndarray:
-    """Return the columns without rows in which a value is missing, shape (3, n)."""
+def _complete(
+    path: Path, table: TextTable, found: tuple[Picked, ...], each: np.ndarray | None
+) -> tuple[np.ndarray, np.ndarray, list[str]]:
+    """Return the columns without rows in which a value is missing, shape (columns, n).
+
+    Then which rows these are, and what was left out in words: those up to a sudden strain are, too.
+    """
     values = np.array([one.values for one in found])
-    there = np.isfinite(values).all(axis=0)
+    there = np.isfinite(values).all(axis=0) & (each is None or np.isfinite(each))
+    said = []
+    if len(found) == 2 and np.any(values[0, there] <= 0.0):
+        early = there & (values[0] <= 0.0)
+        said.append(f"left out: {early.sum()} samples up to t = 0")
+        there &= ~early
     if there.sum() < LEAST:
         raise UserError(f"prony {path}: holds {there.sum()} rows; a fit needs {LEAST}")
-    for one, own, least in zip(found, values, (True, True, False), strict=True):
+    for one, own, least in zip(found, values, (True, True, False), strict=False):
         bad = there & (own <= 0.0 if least else own < 0.0)
         if np.any(bad):
             row = int(np.argmax(bad))
@@ -134,24 +187,29 @@ def _complete(path: Path, table: TextTable, found: tuple[Picked, ...]) -> np.nda
                 f"{one.wanted.what}; must "
                 + ("be greater than zero" if least else "not be negative")
             )
-    return values[:, there]
+    return values[:, there], there, said
 
 
-def _one_temperature(path: Path, table: TextTable, omega: np.ndarray, values: np.ndarray) -> None:
-    """Raise UserError for a table of several temperatures: one frequency has several moduli."""
-    way = "shift the sweeps to one temperature first, and give the shifted frequencies"
-    named = picked_by_name(table, TEMPERATURE)
-    if named is not None and np.nanmax(named.values) - np.nanmin(named.values) > APART:
-        low, high = np.nanmin(named.values) - 273.15, np.nanmax(named.values) - 273.15
+def _averaged(omega: np.ndarray, values: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """Return means over parts of a decade, so that late samples do not outnumber early ones."""
+    part = np.floor(PER_DECADE * np.log10(omega / omega[0]) + 1e-9)
+    _, own, counts = np.unique(part, return_inverse=True, return_counts=True)
+    sums = [np.bincount(own, weights) for weights in (np.log(omega), values)]
+    return np.exp(sums[0] / counts), sums[1] / counts
+
+
+def _one_temperature(path: Path, omega: np.ndarray, values: np.ndarray) -> None:
+    """Raise UserError where one frequency has several moduli, as at several temperatures."""
+    size = np.abs(values)
+    ratio = size[1:] / size[:-1]
+    apart = np.maximum(ratio, 1.0 / ratio) > SEVERAL
+    found = np.flatnonzero((omega[1:] <= SAME * omega[:-1]) & apart)
+    if found.size:
+        place = found[0]
+        low, high = sorted(size[place : place + 2])
+        one = f"{omega[place]:.4g} rad/s has" if np.iscomplexobj(values) else "one time has"
         raise UserError(
-            f"prony {path}: holds several temperatures, column {named.number} "
-            f"{named.title.name} from {low:g} to {high:g} °C: {way}"
+            f"prony {path}: {one} several moduli, |G*| from {low:.3g} to {high:.3g} Pa, as at "
+            "several temperatures: give --temperatures, one for each sweep in order, to shift "
+            "them to one curve"
         )
-    starts = np.flatnonzero(np.append(True, omega[1:] > SAME * omega[:-1]))
-    for start, end in pairwise([*starts.tolist(), omega.size]):
-        size = np.abs(values[start:end])
-        if size.max() > SEVERAL * size.min():
-            raise UserError(
-                f"prony {path}: {omega[start]:.4g} rad/s has several moduli, |G*| from "
-                f"{size.min():.3g} to {size.max():.3g} Pa, as at several temperatures: {way}"
-            )

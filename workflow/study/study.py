@@ -71,6 +71,17 @@ class Study(AnyStudy):
         """The dimensions of the grid: those that every result has, then those of this scene."""
         return tuple(self.grid)
 
+    @property
+    def told(self) -> list[tuple[str, str]]:
+        """What files and arrays were read as, in sentences, each once with what it holds."""
+        found = [("lines", surface.told) for surface in self.surfaces.values()]
+        for material in self.materials.values():
+            shifts = material.shifts.told if material.shifts else ""
+            found += [("branches", material.told), ("shifts", shifts)]
+        found += [("programme", said) for said in self.scene.sampled]
+        found.append(("indentation", self.scene.indentation_told))
+        return [each for each in dict.fromkeys(found) if each[1]]
+
     def parts(self, label: str, axes: Iterable[str]) -> list[Parts]:
         """Return what a variant is made of at every point of some axes, the last one fastest.
 

@@ -9,6 +9,7 @@ from ..errors import Complaints
 from .axes import with_lists
 from .cluster import CLUSTER
 from .effects import (
+    ARRHENIUS,
     DRIVE,
     FILE,
     HOLD,
@@ -77,7 +78,7 @@ TABLES = {
 }
 KNOWN = (*TABLES, "compare", "scales")
 WITHIN: dict[str, dict[str, Keys]] = {  # the tables that stand in one
-    "material": {"material.wlf": WLF},
+    "material": {"material.wlf": WLF, "material.arrhenius": ARRHENIUS},
     "scene": {
         "scene.drive": DRIVE,
         "scene.programme.slide": SLIDE,

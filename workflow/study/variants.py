@@ -12,6 +12,7 @@ from .effects import (
     FOUNDATION,
     MATERIAL,
     OF_ELEMENTS,
+    SHIFTS,
     Material,
     Scene,
     read_material,
@@ -22,7 +23,7 @@ from .surfaces import LIKE, Surface, lines_like
 # All of a comparison are points of one grid, to which temperatures belong.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
 COMPARE |= LIKE | {"body": BODY}
-EITHER = {"branches": "branches_file", "branches_file": "branches"}  # one takes the other's place
+EITHER = (("branches", "branches_file"), tuple(SHIFTS))  # one takes the place of the others
 
 
 def read_variants(
@@ -44,7 +45,7 @@ def read_variants(
             raise UserError(f'compare."{label}": name it by letters, digits and underscores')
         changed = {key: given[key] for key in given if key in NUMERICS}
         variants[label] = read_numerics(where, {**numerics, **changed})
-        others = {EITHER[key] for key in given if key in EITHER}
+        others = {key for group in EITHER if set(group) & given.keys() for key in group}
         kept = {key: value for key, value in material.items() if key not in others}
         made_of = {key: given[key] for key in given if key in MATERIAL}
         materials[label] = read_material(where, {**kept, **made_of}, folder)

@@ -21,6 +21,6 @@ if TYPE_CHECKING:
         told,
     )
     from .titles import Title, quantity_of
-    from .units import FAMILIES, Unit, unit_of
+    from .units import FAMILIES, ZERO, Unit, unit_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -99,6 +99,7 @@ KNOWN: dict[str, tuple[float, Dimension]] = {
 FOLDED = {word.lower(): own for word, own in reversed(KNOWN.items()) if len(word) > 1} | {
     name.lower(): KNOWN[name] for name in ("MPa", "MHz", "s")
 }
+ZERO = 273.15  # K at 0 °C
 CELSIUS = ("°c", "c", "degc", "deg c", "deg. c", "celsius", "degrees celsius", "ºc", "oc")
 FAHRENHEIT = ("°f", "degf", "deg f", "fahrenheit")
 CLOCK = ("PM", "AM")  # of a time of day, and not picometres
@@ -127,7 +128,7 @@ def unit_of(text: str) -> Unit | None:
     """
     plain = _plain(text)
     if plain.lower() in CELSIUS:
-        return Unit(text, "temperature", 1.0, 273.15)
+        return Unit(text, "temperature", 1.0, ZERO)
     if plain.lower() in FAHRENHEIT:
         return Unit(text, "temperature", 5.0 / 9.0, 459.67 * 5.0 / 9.0)
     if not plain or plain in CLOCK:

@@ -19,7 +19,7 @@ from elastomer_friction.workflow.plan.cost.work import PARTS
 from elastomer_friction.workflow.study.study import AnyStudy
 from tests.support.commands import facts, output, refusal
 from tests.support.runs import PATIENCE, ROOT
-from tests.support.small import small_study
+from tests.support.small import line_text, small_study, write_study
 from tests.support.sweeps import mostly_exhaustive
 
 
@@ -96,6 +96,42 @@ def test_plan_and_status_as_data(capsys, study, tmp_path):
     found = json.loads(output(capsys, "status", study, "--json", "--out", str(tmp_path)))
     assert (found["records"], found["records_done"], found["written"]) == (64, 0, False)
     assert found["state"] == "not running"
+
+
+OF_FILES = """
+[study]
+seed = 1
+[material]
+shear_modulus = 1e7
+branches_file = "branches.csv"
+shifts_file = "shifts.csv"
+temperature = 20
+[surface]
+file = "holes.csv"
+gaps = "fill"
+[scene]
+control = "indentation"
+indentation_file = "d.csv"
+quantities = ["trace"]
+programme = [{file = "velocity.csv"}]
+"""
+
+
+def test_a_plan_as_data_says_what_was_read_of_each_file(capsys, tmp_path):
+    path = write_study(tmp_path, OF_FILES)
+    (tmp_path / "d.csv").write_text("time (ms), d (um)\n0, 1\n5, 2\n")
+    (tmp_path / "holes.csv").write_text(line_text((1, "nan", 2, -3, 4, 5, -2, 3, 1, -2)))
+    planned = json.loads(output(capsys, "plan", path, "--json"))
+    read = {each.pop("what"): each for each in planned["read"]}
+    assert list(read) == ["lines", "branches", "shifts", "programme", "indentation"]
+    assert {"lines": 1, "samples": [20], "step": 1e-6}.items() <= read["lines"].items()
+    assert 1e-9 < read["lines"]["roughness"] < 1e-8
+    assert 1e-3 < read["lines"]["rms_slope"] < 1e-1
+    assert "fill" in read["lines"]["told"]
+    assert "column 0 modulus as a modulus in Pa" in read["branches"]["told"]
+    assert "column 1 d as an indentation in um" in read["indentation"]["told"]
+    shown = output(capsys, "plan", path)
+    assert all(each["told"] in shown for each in read.values())
 
 
 def test_a_value_that_a_plan_has_not_is_null(capsys, powers):

@@ -7,6 +7,7 @@ import pytest
 
 from elastomer_friction.workflow.cli.commands import main
 from elastomer_friction.workflow.study.effects.material import MATERIAL, read_material
+from elastomer_friction.workflow.study.effects.shifting import Wlf
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.commands import output, refusal
 from tests.support.small import small_study
@@ -123,6 +124,69 @@ def test_a_flat_loss_has_a_range_and_a_material_within_it(capsys, tmp_path):
     assert low <= tomllib.loads(text)["material"]["shear_modulus"] <= high
 
 
+def sweeps(tmp_path, wlf, temperatures):
+    """Write E' and E'' of two branches at several temperatures and return the path."""
+    rows, f = ["T (°C);f (Hz);E' (MPa);E'' (MPa)"], np.geomspace(0.1, 100.0, 8)
+    for t in temperatures:
+        omega = 2.0 * np.pi * f * 10.0 ** wlf.decades(t)
+        values = 3.0 + 3.0 * sum(
+            g / 1e6 * 1j * omega * b / (1 + 1j * omega * b) for g, b in BRANCHES
+        )
+        columns = np.transpose([f, values.real, values.imag])
+        rows += [f"{t};{one:.9g};{a:.9g};{b:.9g}" for one, a, b in columns]
+    path = tmp_path / "sweeps.csv"
+    path.write_text("\n".join(rows), encoding="utf-8")
+    return str(path)
+
+
+WLF = Wlf(8.86, 101.6, 20.0)
+
+
+def test_sweeps_at_several_temperatures_are_a_material_that_shifts(capsys, tmp_path):
+    path = sweeps(tmp_path, WLF, (0.0, 10.0, 20.0, 30.0, 40.0))
+    text = output(capsys, "prony", path, "--reference", "15", "--out", str(tmp_path / "b.csv"))
+    assert "# 5 sweeps at 0 ... 40 °C, shifted to 15 °C" in text
+    assert "#   10 °C: log10 a_T = 0.50" in text
+    table = checked("material", tomllib.loads(text)["material"], MATERIAL)
+    found = read_material("material", table | {"temperature": 20.0}, tmp_path)
+    assert found.wlf is not None
+    assert found.wlf.reference == 15.0
+    assert found.wlf.c2 == pytest.approx(96.6, rel=1e-3)
+    assert found.shear_modulus == pytest.approx(1e6, rel=1e-3)
+    times = [found.own_shift * time for _, time in found.branches]
+    np.testing.assert_allclose(times, [time for _, time in BRANCHES], rtol=2e-3)
+
+
+def test_sweeps_that_no_law_describes_are_a_material_with_a_table(capsys, tmp_path):
+    path = sweeps(tmp_path, WLF, (0.0, 20.0, 40.0))
+    text = output(capsys, "prony", path, "--law", "shifts")
+    shifts = tomllib.loads(text)["material"]["shifts"]
+    np.testing.assert_allclose(shifts, [[t, WLF.decades(t)] for t in (0, 20, 40)], atol=2e-3)
+
+
+def test_a_relaxation_test_is_a_material(capsys, tmp_path):
+    time = np.geomspace(1e-4, 1e2, 40)
+    values = 3.0 * (1e6 + sum(g * np.exp(-time / b) for g, b in BRANCHES))
+    np.savetxt(tmp_path / "r.txt", np.c_[time, values], header="t [s] E(t) [Pa]")
+    text = output(capsys, "prony", str(tmp_path / "r.txt"))
+    material = tomllib.loads(text)["material"]
+    assert material["shear_modulus"] == pytest.approx(1e6, rel=1e-4)
+    np.testing.assert_allclose(material["branches"], BRANCHES, rtol=1e-3)
+    assert "# 40 times, 0.0001 ... 100 s" in text
+    assert "residual per decade from 100 s down: " in text
+
+
+def test_a_relaxation_test_that_ends_early_says_what_it_leaves_open(capsys, tmp_path):
+    time = np.geomspace(1e-4, 0.1, 30)
+    values = 1e6 + sum(g * np.exp(-time / b) for g, b in BRANCHES)
+    noise = 1.0 + 0.01 * np.random.default_rng(0).standard_normal(time.size)
+    np.savetxt(tmp_path / "r.txt", np.c_[time, noise * values])
+    text = output(capsys, "prony", str(tmp_path / "r.txt"))
+    low, high = (float(part.split()[0]) for part in text.split("modulus: ")[1].split("...")[:2])
+    assert low <= 1e6 <= high
+    assert "it wants times beyond 0.1 s" in text
+
+
 @pytest.mark.parametrize("form", ["abaqus", "ansys"])
 def test_shares_of_the_instantaneous_modulus(capsys, tmp_path, form):
     text = output(capsys, "prony", measured(tmp_path), "--write", form)
@@ -142,6 +206,9 @@ def test_it_says_what_the_data_leave_open(capsys, tmp_path):
     ("arguments", "answer"),
     [
         (["--branches", "0"], "error: --branches 0: must be at least 1\n"),
+        (["--temperatures", "20,warm"], "--temperatures 20,warm: must be numbers in °C"),
+        (["--reference", "20"], "shift sweeps at several temperatures; it holds one"),
+        (["--law", "wlf", "--temperatures", "20"], "it holds one"),
         (["--poisson", "0.6"], "error: --poisson 0.6: must lie between -1 and 0.5\n"),
         (["--out", "/dev/null/x.csv"], "cannot be written"),
     ],
@@ -149,6 +216,36 @@ def test_it_says_what_the_data_leave_open(capsys, tmp_path):
 def test_refusals_of_prony(capsys, tmp_path, arguments, answer):
     assert main(["prony", measured(tmp_path), *arguments]) == 2
     assert answer in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("arguments", "answer"),
+    [
+        (["--reference", "90"], "--reference 90: must lie within the sweeps, 0 to 20 °C"),
+        (["--law", "wlf"], "2 temperatures give no law wlf: it wants 4"),
+    ],
+)
+def test_refusals_of_sweeps(capsys, tmp_path, arguments, answer):
+    assert answer in refusal(capsys, "prony", sweeps(tmp_path, WLF, (0.0, 20.0)), *arguments)
+
+
+def test_a_decade_that_the_series_misses_is_named(capsys, tmp_path):
+    path = measured(tmp_path)
+    rows = np.loadtxt(path)
+    rows[-2:, 1:] *= 2.0  # as a resonance of the instrument
+    np.savetxt(path, rows)
+    text = output(capsys, "prony", path)
+    assert "# beware: more than 15 % are left over in decade " in text
+    assert "beware" not in output(capsys, "prony", measured(tmp_path))
+
+
+def test_sweeps_that_are_no_one_curve_are_no_material(capsys, tmp_path):
+    omega = np.geomspace(0.1, 100.0, 8)
+    rows = [f"{w} {1e6 * w**0.1} {1e5}" for w in omega] + [f"{w} {3e6 / w**0.3} 1e6" for w in omega]
+    (tmp_path / "s.txt").write_text("\n".join(rows))
+    text = refusal(capsys, "prony", str(tmp_path / "s.txt"), "--temperatures", "0,20")
+    assert "the sweeps are no one curve, however they are shifted" in text
+    assert "try --vertical" in text
 
 
 def test_a_liquid_is_no_foundation(capsys, tmp_path):

@@ -156,6 +156,8 @@ def test_one_temperature():
     wlf = "material.wlf={c1=8.86, c2=101.6, reference=20}"
     simulated, _ = said("material.temperature=50", wlf)
     assert simulated["one temperature"] == "all times shifted by WLF"
+    simulated, _ = said("material.temperature=50", 'material.shifts_file="shifts.csv"')
+    assert "by a table (shifts.csv: 3 rows; column 0" in simulated["one temperature"]
 
 
 def test_programme_and_control():

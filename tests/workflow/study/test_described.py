@@ -154,6 +154,8 @@ REFUSED = [
     ("numerics", "scheme", "rk4"),
     ("material", "branches", [[5e6, 1e-2, 1.0]]),
     ("material", "wlf", {"c1": 8.86, "c2": -1.0, "reference": 20}),
+    ("material", "arrhenius", {"activation_energy": 0, "reference": 20}),
+    ("material", "shifts", [[20, 0]]),
     ("scene", "quantities", ["stedy"]),
     ("scene", "programme", [{"jump": {"velocity": 0.1}}]),
     ("scene", "programme", [{"hold": {"duration": 1}, "file": "a.csv"}]),

@@ -32,11 +32,14 @@ def test_times_of_branches_doubled_are_velocities_doubled():
     assert keys(doubled) == keys(faster)
 
 
-def test_c1_doubled_shifts_by_twice_as_many_decades():
+@pytest.mark.parametrize(
+    "law",
+    ["wlf={{c1={}, c2=50.0, reference=20}}", "arrhenius={{activation_energy={}e4, reference=20}}"],
+)
+def test_a_constant_doubled_shifts_by_twice_as_many_decades(law):
     shift = "material.temperature=30.0"
     once, twice = (
-        small_plan(f"material.wlf={{c1={c1}, c2=50.0, reference=20.0}}", shift).study.material
-        for c1 in (1.2, 2.4)
+        small_plan(f"material.{law.format(value)}", shift).study.material for value in (1.2, 2.4)
     )
     assert abs((1e-3 / once.tau) ** 2 / (1e-3 / twice.tau) - 1.0) < 1e-12
 

@@ -204,6 +204,11 @@ KEYS = {
     ("material", "relaxation_time"): st.one_of(st.just(0), NUMBERS),
     ("material", "temperature"): st.one_of(st.floats(-60.0, 100.0), SPACED),
     ("material", "wlf"): st.one_of(st.just({"c1": 9, "c2": 100, "reference": 20}), WLF),
+    ("material", "arrhenius"): st.fixed_dictionaries(
+        dict.fromkeys(("activation_energy", "reference"), NUMBERS)
+    ),
+    ("material", "shifts"): BRANCHES,
+    ("material", "shifts_file"): st.sampled_from(list(FILES)),
     ("compare", "other"): st.fixed_dictionaries({"branches": BRANCHES}),
     ("numerics", "trace"): st.integers(-1, 10),
     ("numerics", "accuracy"): st.floats(0.01, 0.1),

@@ -95,22 +95,53 @@ def test_rows_in_which_a_value_is_missing_are_passed_over_and_counted(tmp_path):
         (ROWS + "0 1 1\n", "line 5 holds 0 as a frequency; must be greater than zero"),
         (ROWS + "9 -1 1\n", "line 5 holds -1 as a storage modulus G'; must be greater than zero"),
         (ROWS + "9 1 -1\n", "line 5 holds -1 as a loss modulus G''; must not be negative"),
-        ("1 2\n2 1\n3 1\n", "two columns are a relaxation test, a modulus over time"),
+        ("1 2\n2 1\n3 1\n", "holds 3 rows; a fit needs 4"),
+        ("f (Hz) G (Pa)\n1 2\n2 1\n3 1\n4 1\n", "is in 'Hz', which is no unit of a time"),
+        ("t (s) E (MPa)\n1 2\n2 0\n3 1\n4 1\n5 1\n", "line 3 holds 0 as a relaxation modulus"),
         (f"w G* (Pa) G'' (Pa)\n{ROWS}", "'G*' is not a storage modulus G': give G' ="),
         (f"f (Hz) G* (MPa) delta\n{ROWS}", "not clear which holds a frequency and"),
         (f"t (s) G' (MPa) G'' (MPa)\n{ROWS}", "is in 's', which is no unit of a frequency"),
         (f"f (furlong) G' (MPa) G'' (MPa)\n{ROWS}", "'furlong' of a frequency is not known"),
         (ROWS + "1 2.5 0.3\n", "1 rad/s has several moduli, |G*| from 2.02 to 2.52 Pa"),
-        (
-            "T (°C) f (Hz) G' (Pa) G'' (Pa)\n20 1 1 1\n20 2 1 1\n60 3 1 1\n60 4 1 1\n",
-            "several temperatures, column 0 T from 20 to 60 °C: shift the sweeps",
-        ),
     ],
 )
 def test_what_is_no_material_or_unclear_is_refused(tmp_path, text, answer):
     with pytest.raises(UserError, match=r"^prony .*moduli\.txt") as error:
         read(tmp_path, text)
     assert answer in str(error.value)
+
+
+RELAXING = "0.01 4\n0.1 3\n1 2\n10 1\n"
+
+
+@pytest.mark.parametrize(
+    ("text", "columns", "unit"),
+    [
+        (RELAXING, None, 1.0),
+        (f"t (s), G(t) (kPa)\n{RELAXING.replace(' ', ', ')}", None, 1e3),
+        (f"time [s]; E [MPa]\n{RELAXING.replace(' ', '; ')}", None, 1e6 / 3.0),
+        (f"-1 9\n0 9\n{RELAXING}", None, 1.0),
+        (
+            "x t G\n" + "".join(f"7 {row}\n" for row in RELAXING.splitlines()),
+            (1, 2),
+            1.0,
+        ),
+    ],
+)
+def test_a_relaxation_test_is_taken_over_the_inverse_time(tmp_path, text, columns, unit):
+    found = read(tmp_path, text, columns=columns)
+    assert found.over_time
+    np.testing.assert_allclose(found.omega, [0.1, 1.0, 10.0, 100.0])
+    np.testing.assert_allclose(found.values, unit * np.array([1.0, 2.0, 3.0, 4.0]))
+    assert text[0] != "-" or "left out: 2 samples up to t = 0" in found.told
+
+
+def test_samples_at_equal_steps_of_time_are_averaged_by_parts_of_a_decade(tmp_path):
+    time = np.arange(1, 5001) * 0.01
+    rows = "".join(f"{t:.6g} {1e6 * t**-0.1:.9g}\n" for t in time)
+    found = read(tmp_path, rows)
+    assert 50 < found.omega.size < 100
+    np.testing.assert_allclose(found.values, 1e6 * found.omega**0.1, rtol=1e-3)
 
 
 def test_a_sweep_that_was_repeated_is_one_material(tmp_path):

@@ -18,7 +18,7 @@ from tests.support.small import TEXT, small_study
 ROOT = Path(__file__).resolve().parents[3]
 STUDY = ("axes", "cluster", "grid", "numerics", "read", "study", "tables", "variants")
 SETTINGS = ("checks", "key")
-EFFECTS = ("branches", "material", "quantities", "scene", "segments")
+EFFECTS = ("branches", "material", "quantities", "scene", "segments", "shifting")
 DOCUMENT = ROOT / "tests" / "refusals.md"
 SURFACES = ("as_read", "files", "gaps", "positions", "profile", "table", "text_lines")
 ROOMS = {

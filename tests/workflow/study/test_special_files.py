@@ -48,6 +48,7 @@ NAMED = {
     "a line as text": 'surface.file="{}.csv"',
     "a line of another program": 'surface.file="{}.x3p"',
     "branches": 'material.branches_file="{}.csv"',
+    "shifts": 'material.shifts_file="{}.csv"',
     "a programme": 'scene.programme=[{{file="{}.csv"}}]',
 }
 

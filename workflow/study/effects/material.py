@@ -2,8 +2,7 @@
 
 G is the relaxed modulus, each branch (g_b, t_b) a Maxwell element beside it, and the dashpot of
 viscosity G relaxation_time acts on rates at once. Without branches it is the Kelvin element. All
-times shift with the temperature by one factor a_T (Williams, Landel and Ferry 1955,
-doi:10.1021/ja01619a008): log10 a_T = -c1 (T - T_ref)/(c2 + T - T_ref).
+times shift with the temperature by one factor a_T (shifting.py).
 """
 
 from collections.abc import Mapping
@@ -21,52 +20,26 @@ from ..settings import (
     number,
     pair,
     positive,
-    read_table,
     within,
 )
 from .branches import read_branches
+from .shifting import (
+    LAWS_OF_SHIFT,
+    SHIFTS,
+    Arrhenius,
+    ShiftLaw,
+    ShiftTable,
+    Wlf,
+    check_shift,
+    read_shift_table,
+)
 
 MOST_BRANCHES = 200
 RATIOS = (1e-9, 1e9)  # of the modulus of a branch to the relaxed one
 TIMES = (1e-30, 1e30)  # s, of a branch
 ALIKE = 1e-12  # relative; times closer than this are one
-MOST_SHIFT = 30.0  # decades
-KELVIN = 230.0  # degrees above the reference: 0 °C in K is 273 above itself
-WLF = {
-    "c1": Key(
-        positive,
-        "The first constant of the shift, in decades.",
-        "Doubled, times shift by twice as many decades.",
-    ),
-    "c2": Key(
-        positive,
-        "The second constant of the shift.",
-        "Doubled, times depend half as strongly on the temperature near the reference.",
-        "K",
-    ),
-    "reference": Key(
-        number,
-        "The temperature at which relaxation times are those that are given.",
-        "Raised by ten degrees, all curves are those that were found ten degrees lower; to double "
-        "degrees Celsius means nothing.",
-        "°C",
-    ),
-}
 
 Branch = tuple[float, float]  # modulus (Pa), time (s)
-
-
-class Wlf(NamedTuple):
-    """Constants of the shift with temperature."""
-
-    c1: float
-    c2: float  # °C
-    reference: float  # °C
-
-    def decades(self, temperature: float) -> float:
-        """Return log10 a_T at a temperature (°C) above reference - c2."""
-        above = temperature - self.reference
-        return -self.c1 * above / (self.c2 + above)
 
 
 class Material(NamedTuple):
@@ -76,9 +49,11 @@ class Material(NamedTuple):
     relaxation_time: float = 0.0  # s, of the dashpot beside it; 0: no dashpot
     branches: tuple[Branch, ...] = ()  # times ascending, each once
     wlf: Wlf | None = None
-    temperature: float | None = None  # °C, with wlf
+    temperature: float | None = None  # °C, with a law of the shift
     poisson: float = 0.5  # Poisson's ratio, the same at all times
     told: str = ""  # what its branches were read from
+    arrhenius: Arrhenius | None = None  # in place of wlf
+    shifts: ShiftTable | None = None  # in place of wlf
 
     @property
     def contact_modulus(self) -> float:
@@ -106,9 +81,14 @@ class Material(NamedTuple):
         """Return whether forces jump with the velocity: whether there is a dashpot."""
         return self.relaxation_time > 0.0
 
+    @property
+    def shift_law(self) -> ShiftLaw | None:
+        """Return how its times shift with the temperature; None where they do not."""
+        return self.wlf or self.arrhenius or self.shifts
+
     def shift(self, temperature: float) -> float:
-        """Return a_T, by which all times are longer at a temperature (°C); 1 without WLF."""
-        return 10.0 ** self.wlf.decades(temperature) if self.wlf else 1.0
+        """Return a_T, by which all times are longer at a temperature (°C); 1 without a law."""
+        return 10.0 ** self.shift_law.decades(temperature) if self.shift_law else 1.0
 
     @property
     def own_shift(self) -> float:
@@ -149,35 +129,22 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
                 f"{where}.branches: the modulus {g!r} must lie between {RATIOS[0]:g} and "
                 f"{RATIOS[1]:g} of shear_modulus = {modulus!r}"
             )
-    wlf, temperature = given["wlf"], given["temperature"]
-    _check_temperature(where, wlf, temperature)
-    every = modulus, time or 0.0, _merged(branches), wlf, temperature
-    return Material(*every, given["poisson"], told)
-
-
-def _check_temperature(where: str, wlf: Wlf | None, value: float | None) -> None:
-    """Raise UserError for a temperature that has no shift, and for one without the other."""
-    if wlf is None or value is None:
-        if wlf is not None or value is not None:
-            missing, other = ("temperature", "wlf") if value is None else ("wlf", "temperature")
-            raise UserError(f"{where}.{missing}: missing; {where}.{other} needs it")
-        return
-    if value - wlf.reference > KELVIN:
-        raise UserError(
-            f"{where}.temperature = {value!r}: is {value - wlf.reference:g} degrees above the "
-            f"reference, {wlf.reference:g}: is it in K? Give both in °C"
-        )
-    least = wlf.reference - wlf.c2
-    if value <= least:
-        raise UserError(
-            f"{where}.temperature = {value!r}: must be above reference - c2 = {least:g}, where "
-            "the WLF shift has its pole"
-        )
-    if not abs(wlf.decades(value)) <= MOST_SHIFT:
-        raise UserError(
-            f"{where}.temperature = {value!r}: shifts times by {wlf.decades(value):.3g} decades, "
-            f"but at most {MOST_SHIFT:g} are supported"
-        )
+    shifts = {key: given[key] for key in LAWS_OF_SHIFT}
+    if given["shifts_file"]:
+        if shifts["shifts"]:
+            raise UserError(f"{where}.shifts_file: give it or {where}.shifts, not both")
+        path = folder / given["shifts_file"]
+        shifts["shifts"] = read_shift_table(f"{where}.shifts_file", path)
+    check_shift(where, shifts, given["temperature"])
+    return Material(
+        shear_modulus=modulus,
+        relaxation_time=time or 0.0,
+        branches=_merged(branches),
+        temperature=given["temperature"],
+        poisson=given["poisson"],
+        told=told,
+        **shifts,
+    )
 
 
 def _branches(key: str, value: object) -> tuple[Branch, ...]:
@@ -203,10 +170,6 @@ def _merged(branches: tuple[Branch, ...]) -> tuple[Branch, ...]:
         else:
             found.append((modulus, time))
     return tuple(found)
-
-
-def _wlf(key: str, value: object) -> Wlf:
-    return Wlf(**read_table(key, value, WLF))
 
 
 MATERIAL = {
@@ -252,23 +215,15 @@ MATERIAL = {
         values="the name of a file",
         usual="none",
     ),
-    "wlf": Key(
-        _wlf,
-        "The constants of the shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − "
-        "reference)/(c2 + T − reference). All relaxation times are multiplied by a_T. It goes "
-        "together with `temperature`.",
-        default=None,
-        values="`{c1 = …, c2 = …, reference = …}`",
-        usual="none",
-    ),
+    **SHIFTS,
     "temperature": Key(
         number,
-        "The temperature of the elastomer, with `wlf`.",
+        "The temperature of the elastomer, with `wlf`, `arrhenius` or a table of shifts.",
         "A higher temperature shortens all times: friction at v is what it was at a_T v. To "
         "double degrees Celsius means nothing.",
         "°C",
         default=None,
-        values="a number above `reference` − c2",
+        values="a number above `reference` − c2, or within the table",
         usual="none",
     ),
     "poisson": Key(

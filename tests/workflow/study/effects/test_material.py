@@ -9,12 +9,8 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
 from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.study.effects.material import (
-    MATERIAL,
-    Material,
-    Wlf,
-    read_material,
-)
+from elastomer_friction.workflow.study.effects.material import MATERIAL, Material, read_material
+from elastomer_friction.workflow.study.effects.shifting import Wlf
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import FILES, small_study
 
@@ -126,6 +122,55 @@ def test_a_temperature_shifts_all_times_once_and_for_all(tmp_path):
     assert warm.tau == pytest.approx(factor * at_reference.tau, rel=1e-12)
     assert warm.longest_time == pytest.approx(factor * 1e-2, rel=1e-12)
     np.testing.assert_allclose(warm.spectrum().times, at_reference.spectrum().times, rtol=1e-12)
+
+
+def test_vogel_fulcher_and_tammann_is_wlf(tmp_path):
+    b, t_0, reference = 1500.0, -80.0, 20.0
+    c2 = reference - t_0
+    wlf = {"c1": b / (c2 * math.log(10.0)), "c2": c2, "reference": reference}
+    warm = read(tmp_path, relaxation_time=1e-3, wlf=wlf, temperature=45.0)
+    wanted = math.exp(b / (45.0 - t_0) - b / (reference - t_0))
+    assert warm.tau == pytest.approx(1e-3 * wanted, rel=1e-12)
+
+
+def test_the_law_of_arrhenius_is_a_line_over_the_inverse_temperature(tmp_path):
+    law = {"activation_energy": 1e5, "reference": 20.0}
+    taus = [
+        read(tmp_path, relaxation_time=1e-3, arrhenius=law, temperature=t).tau
+        for t in (0.0, 20.0, 60.0)
+    ]
+    inverse = 1.0 / (273.15 + np.array([0.0, 20.0, 60.0]))
+    slopes = np.diff(np.log(taus)) / np.diff(inverse)
+    np.testing.assert_allclose(slopes, 1e5 / 8.314462618, rtol=1e-12)
+    assert taus[1] == 1e-3
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "20 0\n0 2\n50 -1.5\n",
+        "T (K), log10(aT)\n273.15, 2\n293.15, 0\n323.15, -1.5\n",
+        "shift a_T; temperature (°C)\n100; 0\n1; 20\n0.0316227766; 50\n",
+        "T [°C], ln a_T\n0, 4.605170186\n20, 0\n50, -3.453877639\n",
+    ],
+)
+def test_a_table_of_shifts_is_linear_in_between(tmp_path, text):
+    (tmp_path / "shifts.txt").write_text(text, encoding="utf-8")
+    given_as = {"shifts_file": "shifts.txt"}
+    for temperature, decades in ((0.0, 2.0), (10.0, 1.0), (20.0, 0.0), (35.0, -0.75), (50.0, -1.5)):
+        found = read(tmp_path, relaxation_time=1e-3, temperature=temperature, **given_as)
+        assert math.log10(found.tau / 1e-3) == pytest.approx(decades, abs=1e-8)
+
+
+def test_a_comparison_shifts_by_another_law(tmp_path):
+    study = small_study(
+        "material.shifts=[[0, 2], [20, 0]]",
+        "material.temperature=10",
+        "compare.other.arrhenius={activation_energy=1e5, reference=20}",
+    )
+    assert study.material.own_shift == pytest.approx(10.0, rel=1e-12)
+    assert study.materials["other"].shifts is None
+    assert 1.0 < study.materials["other"].own_shift < 10.0
 
 
 def test_a_list_of_temperatures_is_a_dimension(tmp_path):

@@ -1,0 +1,116 @@
+"""Make one table of moduli of sweeps at several temperatures, and say how they were shifted."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ..errors import UserError
+from ..reduce import ShiftFit, Superposition, fit_shifts, superposed
+from ..study import Arrhenius, Moduli, ShiftTable, Wlf
+from .estimate import Estimate
+from .sentences import shown
+
+LARGEST_RESIDUAL = 0.15  # rms of all sweeps in one Prony series
+
+
+class Shifting(NamedTuple):
+    """What is asked for of a master curve."""
+
+    reference: float | None = None  # °C; None: the temperature of the sweep in the middle
+    law: str | None = None  # one of LAWS_OF_SHIFT; None: the one that describes the shifts
+    vertical: bool = False  # whether moduli are shifted too
+
+
+class MasterCurve(NamedTuple):
+    """Moduli at the reference temperature, and how to give their shift to a study."""
+
+    moduli: Moduli
+    keys: tuple[str, ...]  # lines of the table [material]
+
+
+def master_curve(name: str, measured: Moduli, asked: Shifting) -> MasterCurve:
+    """Return the moduli of several temperatures as those at one.
+
+    name : of the file, for messages. Raises UserError for a reference that was not measured, for
+    sweeps that do not overlap and for those that are no one curve, and for a law that is none of
+    these shifts.
+    """
+    assert measured.temperatures is not None
+    each = np.unique(measured.temperatures)
+    reference = float(each[each.size // 2]) if asked.reference is None else asked.reference
+    if not each[0] <= reference <= each[-1]:
+        raise UserError(
+            f"--reference {reference:g}: must lie within the sweeps, {each[0]:g} to {each[-1]:g} °C"
+        )
+    own = [measured.temperatures == t for t in each]
+    sweeps = [(measured.omega[rows], measured.values[rows]) for rows in own]
+    place = int(np.argmin(np.abs(each - reference)))
+    try:
+        shift = superposed(each, sweeps, place, asked.vertical)
+        fit = fit_shifts(each, shift.decades, shift.covariance, reference, asked.law)
+    except ValueError as error:
+        raise UserError(f"prony {name}: {error}") from None
+    if shift.rms > LARGEST_RESIDUAL:
+        raise UserError(
+            f"prony {name}: the sweeps are no one curve, however they are shifted: "
+            f"{100 * shift.rms:.2g} % of the moduli are left over: a_T alone does not describe "
+            f"this material{'' if asked.vertical else '; try --vertical'}, or columns are others"
+        )
+    omega, values = measured.omega.copy(), measured.values.copy()
+    for rows, across, up in zip(own, fit.decades, shift.vertical, strict=True):
+        omega[rows] *= 10.0**across
+        values[rows] *= 10.0**up
+    order = np.argsort(omega, kind="stable")
+    said = (*measured.told, *_told(each, reference, shift, fit, asked))
+    return MasterCurve(Moduli(omega[order], values[order], said), _keys(reference, fit))
+
+
+def _told(
+    each: np.ndarray, reference: float, shift: Superposition, fit: ShiftFit, asked: Shifting
+) -> list[str]:
+    """Return how the sweeps were shifted, in sentences."""
+    said = [
+        f"{each.size} sweeps at {each[0]:g} ... {each[-1]:g} °C, shifted to {reference:g} °C; one "
+        f"Prony series of all leaves {100 * shift.rms:.2g} % rms"
+    ]
+    both = np.stack([fit.decades, shift.errors, shift.vertical, shift.vertical_errors], axis=1)
+    for temperature, (across, error, up, other) in zip(each, both.tolist(), strict=True):
+        line = f"  {temperature:g} °C: log10 a_T = {shown(Estimate(across, error))}"
+        if asked.vertical:
+            line += f", log10 b_T = {shown(Estimate(up, other))}"
+        said.append(line)
+    if asked.vertical:
+        said.append("a study knows no b_T: its moduli are those at the reference")
+    return [*said, _law_told(fit)]
+
+
+def _law_told(fit: ShiftFit) -> str:
+    law = fit.law
+    if isinstance(law, Wlf):
+        c1, c2 = Estimate(law.c1, fit.errors[0]), Estimate(law.c2, fit.errors[1])
+        text = (
+            f"WLF: c1 = {shown(c1)}, c2 = {shown(c2)} K, which is VFT with B = "
+            f"{law.c1 * law.c2 * math.log(10.0):.4g} K, T_0 = {law.reference - law.c2:.4g} °C"
+        )
+    elif isinstance(law, Arrhenius):
+        energy = Estimate(law.activation_energy, *fit.errors).times(1e-3)
+        text = f"Arrhenius: E_a = {shown(energy)} kJ/mol"
+    else:
+        return "shifts: the table itself, linear in between; no law is close to all of them"
+    beware = "" if fit.holds else ", more than its error: take --law shifts"
+    return f"{text}; it misses the shifts by {fit.worst:.2g} decades at most{beware}"
+
+
+def _keys(reference: float, fit: ShiftFit) -> tuple[str, ...]:
+    """Return the lines of the table [material] that give the shift."""
+    law, at = fit.law, f"{reference:g}"
+    if isinstance(law, Wlf):
+        line = f"wlf = {{c1 = {law.c1:.5g}, c2 = {law.c2:.5g}, reference = {at}}}"
+    elif isinstance(law, Arrhenius):
+        line = f"arrhenius = {{activation_energy = {law.activation_energy:.5g}, reference = {at}}}"
+    else:
+        assert isinstance(law, ShiftTable)
+        rows = [f"[{t:g}, {decades:.5g}]" for t, decades in law.rows]
+        line = f"shifts = [{', '.join(rows)}]"
+    return line, f"temperature = {at}"

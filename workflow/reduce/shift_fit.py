@@ -1,0 +1,144 @@
+"""Fit a law to the shifts of sweeps with the temperature: WLF, Arrhenius, or the table itself.
+
+Both laws are linear in one constant: c1 for a given c2, and the activation energy. Residuals are
+those of the differences to the sweep that was not shifted, by their whole covariance, so that it
+does not matter which sweep that was.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+from scipy.optimize import minimize_scalar
+
+from ..study import GAS, Arrhenius, ShiftLaw, ShiftTable, Wlf
+from ..text_tables import ZERO
+
+POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # K below the coldest sweep, at which T_0 is tried
+LEAST = {"wlf": 4, "arrhenius": 3}  # temperatures: one more than there are constants
+KNOWN_TO = 1e-3  # decades: no shift is known better
+CLOSE = 0.05  # decades by which a law may miss a shift whose error is small
+DEVIATIONS = 3.0  # standard errors by which a law may miss a shift
+
+
+class ShiftFit(NamedTuple):
+    """A law, its constants with errors, and how far the shifts lie from it."""
+
+    law: ShiftLaw
+    errors: tuple[float, ...]  # of c1 and c2 in K, or of E_a in J/mol; () for a table
+    decades: np.ndarray  # log10 a_T of each sweep, 0 at the reference; shape (sweeps,)
+    worst: float  # decades by which the law misses a shift at most
+    scatter: float  # sum of squares over variances, per degree of freedom
+    holds: bool  # whether the law misses no shift by more than CLOSE, or DEVIATIONS errors
+
+
+def fit_shifts(
+    temperatures: np.ndarray,
+    decades: np.ndarray,
+    covariance: np.ndarray,
+    reference: float,
+    law: str | None = None,
+) -> ShiftFit:
+    """Return the law of shifts, the one of least scatter that holds, else their table.
+
+    temperatures : °C, ascending, shape (sweeps,). decades : log10 a_T, 0 at one of them.
+    covariance : shape (sweeps, sweeps). reference : °C, at which a_T is to be 1, within the
+    temperatures. law : one of LAWS_OF_SHIFT, to have that one. Raises ValueError for fewer
+    temperatures than it has constants, and for shifts that rise with the temperature.
+    """
+    laws = {"wlf": _wlf_fit, "arrhenius": _arrhenius_fit}
+    asked = [name for name in laws if law in (None, name)]
+    every = temperatures, decades, covariance, reference
+    found = [fit for name in asked if (fit := laws[name](*every)) is not None]
+    if law in laws and not found:
+        raise ValueError(
+            f"{temperatures.size} temperatures give no law {law}: it wants {LEAST[law]}, and times "
+            "that fall with the temperature"
+        )
+    found = [fit for fit in found if law is not None or fit.holds]
+    if found:
+        return min(found, key=lambda fit: fit.scatter)
+    table = decades - np.interp(reference, temperatures, decades)
+    rows = tuple(zip(temperatures.tolist(), table.tolist(), strict=True))
+    return ShiftFit(ShiftTable(rows), (), table, 0.0, 0.0, holds=True)
+
+
+class _Weighted(NamedTuple):
+    """Differences of shifts, in standard errors."""
+
+    free: np.ndarray  # which sweeps were shifted
+    root: np.ndarray  # of the inverse covariance of their shifts
+    errors: np.ndarray  # of the shifts of all
+
+    def off(self, values: np.ndarray) -> np.ndarray:
+        """Return values at all sweeps less that of the sweep at rest, in standard errors."""
+        return self.root @ (values[self.free] - values[~self.free][0])
+
+
+def _weighted(covariance: np.ndarray) -> _Weighted:
+    free = np.diag(covariance) > 0.0
+    own = covariance[np.ix_(free, free)] + KNOWN_TO**2 * np.eye(int(free.sum()))
+    return _Weighted(free, np.linalg.cholesky(np.linalg.inv(own)).T, np.sqrt(np.diag(covariance)))
+
+
+def _wlf_fit(
+    temperatures: np.ndarray, decades: np.ndarray, covariance: np.ndarray, reference: float
+) -> ShiftFit | None:
+    """Return the best WLF law; None where too few temperatures leave it open."""
+    if temperatures.size < LEAST["wlf"]:
+        return None
+    own = _weighted(covariance)
+    wanted, above = own.off(decades), temperatures - reference
+    coldest = reference - float(temperatures.min())
+
+    def squares(log_pole: float) -> float:
+        column = own.off(-above / (coldest + np.exp(log_pole) + above))
+        return float(wanted @ wanted - (column @ wanted) ** 2 / (column @ column))
+
+    near = POLES[np.argmin([squares(pole) for pole in POLES[1:-1]]) + np.arange(3)]
+    c2 = coldest + float(np.exp(minimize_scalar(squares, bounds=near[[0, 2]], method="bounded").x))
+    column = own.off(-above / (c2 + above))
+    c1 = float(column @ wanted / (column @ column))
+    if not c1 > 0.0:
+        return None
+    slopes = [column, own.off(c1 * above / (c2 + above) ** 2)]
+    return _found(Wlf(c1, c2, reference), np.array(slopes), own, temperatures, decades)
+
+
+def _arrhenius_fit(
+    temperatures: np.ndarray, decades: np.ndarray, covariance: np.ndarray, reference: float
+) -> ShiftFit | None:
+    """Return the best law of Arrhenius; None where too few temperatures leave it open."""
+    if temperatures.size < LEAST["arrhenius"]:
+        return None
+    own = _weighted(covariance)
+    wanted = own.off(decades)
+    inverse = 1.0 / (temperatures + ZERO) - 1.0 / (reference + ZERO)
+    slope = own.off(inverse / (GAS * np.log(10.0)))
+    energy = float(slope @ wanted / (slope @ slope))
+    if not energy > 0.0:
+        return None
+    return _found(Arrhenius(energy, reference), slope[None], own, temperatures, decades)
+
+
+def _found(
+    law: Wlf | Arrhenius,
+    slopes: np.ndarray,
+    own: _Weighted,
+    temperatures: np.ndarray,
+    decades: np.ndarray,
+) -> ShiftFit:
+    """Return a law with errors and what it misses; slopes : by its constants, in errors."""
+    values = np.array([law.decades(t) for t in temperatures.tolist()])
+    off = own.off(values - decades)
+    scatter = float(off @ off) / (off.size - len(slopes))
+    covariance = np.linalg.pinv(slopes @ slopes.T, hermitian=True) * max(scatter, 1.0)
+    close = np.maximum(CLOSE, DEVIATIONS * own.errors)
+    missed = decades - decades[~own.free][0] - (values - values[~own.free][0])
+    return ShiftFit(
+        law=law,
+        errors=tuple(np.sqrt(np.diag(covariance)).tolist()),
+        decades=decades - decades[~own.free][0] + values[~own.free][0],
+        worst=float(np.abs(missed).max()),
+        scatter=scatter,
+        holds=bool(np.all(np.abs(missed) <= close)),
+    )

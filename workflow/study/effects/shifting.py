@@ -1,0 +1,240 @@
+"""How relaxation times shift with the temperature: laws and measured tables of log10 a_T.
+
+One factor a_T multiplies all times (thermorheologically simple). Three ways to give it:
+
+    log10 a_T = -c1 (T - T_ref)/(c2 + T - T_ref)        Williams, Landel and Ferry
+    log10 a_T = E_a/(R ln 10) (1/T - 1/T_ref)           Arrhenius, T in K
+    log10 a_T over T, interpolated                      a table that was measured
+
+The law of Vogel, Fulcher and Tammann, ln a_T = B/(T - T_0) - B/(T_ref - T_0), is the first one
+with c2 = T_ref - T_0 and c1 = B/(c2 ln 10).
+Source: M. L. Williams, R. F. Landel, J. D. Ferry, J. Am. Chem. Soc. 77, 3701 (1955),
+doi:10.1021/ja01619a008.
+"""
+
+import math
+import re
+from itertools import pairwise
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+import numpy as np
+
+from ...errors import UserError
+from ...text_tables import ZERO, Wanted, picked, read_text_table, told
+from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table
+
+LAWS_OF_SHIFT = ("wlf", "arrhenius", "shifts")  # by their keys
+MOST_SHIFT = 30.0  # decades
+KELVIN = 230.0  # degrees above the reference: 0 °C in K is 273 above itself
+GAS = 8.314462618  # J/(mol K)
+HEADER = 'a header "temperature [°C], log a_T"'
+TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
+DECADES = Wanted("log10 a_T", "number", r"a_?T|shift|log", "1", HEADER)
+
+
+class ShiftLaw(Protocol):
+    """How many decades times are longer at a temperature (°C), and where that is known."""
+
+    def decades(self, temperature: float) -> float:
+        """Return log10 a_T at a temperature (°C)."""
+
+    def outside(self, temperature: float) -> str:
+        """Return why a temperature (°C) is none of this law, "" where it is one."""
+
+
+class Wlf(NamedTuple):
+    """The law of Williams, Landel and Ferry."""
+
+    c1: float
+    c2: float  # °C
+    reference: float  # °C
+
+    def decades(self, temperature: float) -> float:
+        """Return log10 a_T at a temperature (°C) above reference - c2."""
+        above = temperature - self.reference
+        return -self.c1 * above / (self.c2 + above)
+
+    def outside(self, temperature: float) -> str:
+        """Return why a temperature (°C) is none of this law, "" where it is one."""
+        least = self.reference - self.c2
+        if temperature <= least:
+            return f"must be above reference - c2 = {least:g}, where the WLF shift has its pole"
+        return _in_kelvin(temperature, self.reference)
+
+
+class Arrhenius(NamedTuple):
+    """The law of Arrhenius."""
+
+    activation_energy: float  # J/mol
+    reference: float  # °C
+
+    def decades(self, temperature: float) -> float:
+        """Return log10 a_T at a temperature (°C)."""
+        inverse = 1.0 / (temperature + ZERO) - 1.0 / (self.reference + ZERO)
+        return self.activation_energy / (GAS * math.log(10.0)) * inverse
+
+    def outside(self, temperature: float) -> str:
+        """Return why a temperature (°C) is none of this law, "" where it is one."""
+        if min(temperature, self.reference) <= -ZERO:
+            return f"it and the reference, {self.reference:g}, must be above {-ZERO:g}"
+        return _in_kelvin(temperature, self.reference)
+
+
+class ShiftTable(NamedTuple):
+    """A measured table, linear in between."""
+
+    rows: tuple[tuple[float, float], ...]  # temperature (°C), log10 a_T; temperatures ascending
+    told: str = ""  # what it was read from
+
+    def decades(self, temperature: float) -> float:
+        """Return log10 a_T at a temperature (°C) within the table."""
+        return float(np.interp(temperature, *np.transpose(self.rows)))
+
+    def outside(self, temperature: float) -> str:
+        """Return why a temperature (°C) is none of this table, "" where it is one."""
+        low, high = self.rows[0][0], self.rows[-1][0]
+        if low <= temperature <= high:
+            return ""
+        hint = ": is it in K? Give it in °C" if temperature > high + KELVIN else ""
+        return f"must lie within the table of shifts, {low:g} to {high:g} °C{hint}"
+
+
+def _in_kelvin(temperature: float, reference: float) -> str:
+    above = temperature - reference
+    if above <= KELVIN:
+        return ""
+    return f"is {above:g} degrees above the reference, {reference:g}: is it in K? Give both in °C"
+
+
+def read_shift_table(key: str, path: Path) -> ShiftTable:
+    """Return the shifts of a text table with a temperature and log10 a_T, ln a_T or a_T itself.
+
+    Raises UserError, which begins with ``key``.
+    """
+    table = read_text_table(key, path, path.name)
+    temperature, shift = picked(table, (TEMPERATURE, DECADES), None, HEADER)
+    values, name = shift.values, shift.title.name
+    if re.match(r"ln", name, re.IGNORECASE):
+        values = values / math.log(10.0)
+    elif name and not re.search(r"log|lg", name, re.IGNORECASE):
+        if np.any(values <= 0.0):
+            raise UserError(f"{key} = {path.name!r}: a_T must be greater than zero; give {HEADER}")
+        values = np.log10(values)
+    rows = np.stack([temperature.values - ZERO, values], axis=1).tolist()
+    return _shift_table(key, rows)._replace(told=told(table, (temperature, shift)))
+
+
+def _shift_table(key: str, value: object) -> ShiftTable:
+    """Return a checked list of [temperature, log10 a_T]."""
+    if not isinstance(value, list) or len(value) < 2:
+        raise UserError(f"{key} = {value!r:.60}: must be a list of two or more [°C, log10 a_T]")
+    for i, row in enumerate(value):
+        if not isinstance(row, list) or len(row) != 2:
+            raise UserError(f"{key}[{i}] = {row!r:.60}: must be [temperature in °C, log10 a_T]")
+    rows = sorted(
+        (number(f"{key}[{i}][0]", t), number(f"{key}[{i}][1]", shift))
+        for i, (t, shift) in enumerate(value)
+    )
+    twice = [one[0] for one, two in pairwise(rows) if one[0] == two[0]]
+    if twice:
+        raise UserError(f"{key}: holds the temperature {twice[0]:g} twice")
+    return ShiftTable(tuple(rows))
+
+
+def check_shift(where: str, laws: dict[str, ShiftLaw | None], value: float | None) -> None:
+    """Raise UserError for a temperature that has no shift, and for a law without one or another.
+
+    where : the name of the table, for messages. laws : key -> what it gives. value : °C.
+    """
+    given = {key: law for key, law in laws.items() if law is not None}
+    if len(given) > 1:
+        one, other, *_ = given
+        raise UserError(f"{where}.{other}: give it or {where}.{one}, not both")
+    if not given and value is None:
+        return
+    if not given:
+        others = " or ".join(list(laws)[1:])
+        raise UserError(f"{where}.wlf: missing; {where}.temperature needs it, or {others}")
+    ((key, law),) = given.items()
+    if value is None:
+        raise UserError(f"{where}.temperature: missing; {where}.{key} needs it")
+    assert law is not None
+    why = law.outside(value)
+    if not why and not abs(law.decades(value)) <= MOST_SHIFT:
+        why = (
+            f"shifts times by {law.decades(value):.3g} decades, but at most {MOST_SHIFT:g} are "
+            "supported"
+        )
+    if why:
+        raise UserError(f"{where}.temperature = {value!r}: {why}")
+
+
+REFERENCE = Key(
+    number,
+    "The temperature at which relaxation times are those that are given.",
+    "Raised by ten degrees, all curves are those that were found ten degrees lower; to double "
+    "degrees Celsius means nothing.",
+    "°C",
+)
+WLF = {
+    "c1": Key(
+        positive,
+        "The first constant of the shift, in decades.",
+        "Doubled, times shift by twice as many decades.",
+    ),
+    "c2": Key(
+        positive,
+        "The second constant of the shift.",
+        "Doubled, times depend half as strongly on the temperature near the reference.",
+        "K",
+    ),
+    "reference": REFERENCE,
+}
+ARRHENIUS = {
+    "activation_energy": Key(
+        positive,
+        "The activation energy E_a of relaxation.",
+        "Doubled, times shift by twice as many decades.",
+        "J/mol",
+    ),
+    "reference": REFERENCE,
+}
+SHIFTS = {
+    "wlf": Key(
+        lambda key, value: Wlf(**read_table(key, value, WLF)),
+        "The constants of the shift of Williams, Landel and Ferry, log₁₀ a_T = −c1 (T − "
+        "reference)/(c2 + T − reference). All relaxation times are multiplied by a_T. It goes "
+        "together with `temperature`. The law of Vogel, Fulcher and Tammann is the same with "
+        "c2 = reference − T₀ and c1 = B/(c2 ln 10).",
+        default=None,
+        values="`{c1 = …, c2 = …, reference = …}`",
+        usual="none",
+    ),
+    "arrhenius": Key(
+        lambda key, value: Arrhenius(**read_table(key, value, ARRHENIUS)),
+        "The constants of the shift of Arrhenius, ln a_T = E_a/R (1/T − 1/reference) with "
+        "temperatures in K, in place of `wlf`.",
+        default=None,
+        values="`{activation_energy = …, reference = …}`",
+        usual="none",
+    ),
+    "shifts": Key(
+        _shift_table,
+        "A measured table of the shift, rows `[T, log₁₀ a_T]` with T in °C, in place of `wlf`. "
+        "In between it is linear; beyond it there is no temperature. The command `prony` prints "
+        "one from moduli at several temperatures.",
+        default=None,
+        values="a list of `[T, log₁₀ a_T]`, two at least",
+        usual="none",
+        schema={"type": "array", "minItems": 2, "items": pair(NUMBER, NUMBER)},
+    ),
+    "shifts_file": Key(
+        as_text,
+        "A text file beside `study.toml` with these columns, in place of `shifts`; a column named "
+        "a_T or ln a_T is read as such.",
+        default="",
+        values="the name of a file",
+        usual="none",
+    ),
+}
