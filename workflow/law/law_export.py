@@ -62,7 +62,7 @@ def _rendered(template: str, law: MemoryLaw, name: str, **more: Any) -> str:
 
     loader = PackageLoader(__package__, ".")
     filled = Environment(
-        loader=loader, undefined=StrictUndefined, trim_blocks=True, lstrip_blocks=True
+        loader=loader, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
     )
     filled.filters["number"] = lambda value: repr(float(value))
     filled.filters["numbers"] = lambda row: ", ".join(repr(float(value)) for value in row)

@@ -38,9 +38,8 @@ def odd(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
 def even(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
     """Return tables (..., speeds) at velocities, linear in |v|, constant below and above."""
     at = np.clip(np.abs(v), speeds[0], speeds[-1])
-    above = np.clip(np.searchsorted(speeds, at), min(1, speeds.size - 1), None)
-    low = speeds[above - 1]
-    share = (at - low) / np.where(speeds[above] > low, speeds[above] - low, 1.0)
+    above = np.maximum(np.searchsorted(speeds, at), 1)
+    share = (at - speeds[above - 1]) / (speeds[above] - speeds[above - 1])
     return table[..., above - 1] + share * (table[..., above] - table[..., above - 1])
 
 
@@ -69,10 +68,10 @@ class MemoryLaw(Law):
         if not self.target.size:
             object.__setattr__(self, "target", np.zeros((0, self.speed.size)))
         count, states = self.speed.size, self.target.shape[0]
-        tables = self.direct.shape == self.age.shape == (count,) and count > 0
+        tables = self.direct.shape == self.age.shape == (count,) and count > 1
         rates = self.rate.shape == self.rate_per_length.shape == (states + 1,)
         if not (tables and rates and self.target.shape == (states, count)):
-            raise LawError("the tables of the law do not have one value for each speed and state")
+            raise LawError("the tables must have two speeds or more, one value for each and state")
         positive = bool((np.diff(self.speed, prepend=0.0) > 0.0).all())
         if not positive or min(self.rate.min(), self.rate_per_length.min()) < 0.0:
             raise LawError("speeds must increase from above zero, and no rate be below zero")

@@ -177,7 +177,8 @@ class Law(ABC):
             f"{known.longest_rest:.3g} s at most, normal force {known.normal_force:.4g} N",
             f"outside: {self.outside()}",
             f"error on motions held out: {known.held_rms:.3g} rms "
-            f"({share * known.held_rms:.3g} % of the rms of mu), {known.held_largest:.3g} at most; held out: {known.held_out}",
+            f"({share * known.held_rms:.3g} % of the rms of mu), {known.held_largest:.3g} "
+            f"at most; held out: {known.held_out}",
             f"error on what was fitted, {known.window}: {known.rms:.3g} rms "
             f"({share * known.rms:.3g} %), {known.largest:.3g} at most; the model's own standard "
             f"error {known.model_error:.3g}",

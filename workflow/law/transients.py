@@ -34,8 +34,8 @@ class Transient(NamedTuple):
             rows = np.flatnonzero((self.segment == number) & np.isfinite(self.mu))
             if rows.size:
                 first, last = self.velocity[rows[0]], self.velocity[rows[-1]]
-                ends = f"{first:.3g}" if first == last else f"{first:.3g} ... {last:.3g}"
-                yield f"{self.name} segment {number}, {ends} m/s", rows
+                ends = " ... ".join(dict.fromkeys(f"{v:.3g}" for v in (first, last)))
+                yield f"{self.name}, segment {number}, {ends} m/s", rows
 
 
 def finely(
@@ -101,16 +101,13 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
 
 def motions_of(results: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
     """Return the motions of one or several results, or of transients. Raises UserError."""
-    given = (
-        [results]
-        if isinstance(results, Transient) or not isinstance(results, Sequence)
-        else results
-    )
-    return [
-        motion
-        for each in given
-        for motion in ([each] if isinstance(each, Transient) else transients_of(each, point))
-    ]
+    one = isinstance(results, Transient) or not isinstance(results, Sequence)
+    found: list[Transient] = []
+    for each in [results] if one else results:
+        found += [each] if isinstance(each, Transient) else transients_of(each, point)
+    if len(found) > 1:
+        found = [own._replace(name=f"{k}: {own.name}") for k, own in enumerate(found, 1)]
+    return found
 
 
 def _transient(chosen: Any, name: str) -> Transient:
