@@ -94,7 +94,7 @@ def fit_law(
         normal_force=motions[0].normal_force,
         rms=_rms(off),
         largest=float(np.max(np.abs(np.concatenate(off)))),
-        held_rms=_rms(missed),
+        held_rms=max(_rms([each]) for each in missed),
         held_largest=float(np.max(np.abs(np.concatenate(missed)))),
         usual=usual,
         model_error=_rms([errors[np.isfinite(errors)]]),
@@ -320,7 +320,7 @@ def _left_out(
             others[k][rows] = False
         law, _ = search.fit(others, AGAIN, start)
         gone = [own & ~other for own, other in zip(kept, others, strict=True)]
-        missed += _differences(law, motions, gone)
+        missed.append(np.concatenate(_differences(law, motions, gone)))
     return missed, words
 
 

@@ -37,7 +37,8 @@ class Known:
     slowest, fastest : speeds between which it was fitted, m/s; mu is in proportion to v below and
     that of the fastest above. longest_rest : s. normal_force : N, of the motions. rms, largest :
     of mu of the law less that of the model, on the motions that it was fitted to. held_rms,
-    held_largest : the same on motions that it was not fitted to, its stated error. usual : rms of
+    held_largest : the same on motions that it was not fitted to, the worst of them: its stated
+    error. usual : rms of
     mu itself. model_error : rms standard error of mu in the model. left : share of the variance of
     mu that is left when mu is a function of the velocity alone. motions : what it was fitted to,
     with the rms error on each. held_out : what was held out, in words. window : how much was
@@ -176,7 +177,7 @@ class Law(ABC):
             f"range: speeds of {known.slowest:.3g} ... {known.fastest:.3g} m/s, rest of "
             f"{known.longest_rest:.3g} s at most, normal force {known.normal_force:.4g} N",
             f"outside: {self.outside()}",
-            f"error on motions held out: {known.held_rms:.3g} rms "
+            f"error on the worst of the motions held out: {known.held_rms:.3g} rms "
             f"({share * known.held_rms:.3g} % of the rms of mu), {known.held_largest:.3g} "
             f"at most; held out: {known.held_out}",
             f"error on what was fitted, {known.window}: {known.rms:.3g} rms "

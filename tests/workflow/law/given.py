@@ -21,10 +21,8 @@ def memory_law(states=2):
 
 
 STEPS = [0.02, 0.05, 0.02, 0.01, 0.02, 0.1, 0.05, 0.1, 0.01, 0.05, -0.05, 0.02, -0.02, 0.01, 0.02]
-RESTS = [0.0, 0.05, 0.0, 0.02, 0.0, 0.05, 0.0, 0.02]
-SEGMENTS = [
-    (v, 0.003 / abs(v) if v else (0.1 + 0.3 * (k % 4 == 0))) for k, v in enumerate(STEPS + RESTS)
-]
+RESTS = [(0.0, 0.1), (0.05, 0.06), (0.0, 0.4), (0.02, 0.15), (0.0, 0.1), (0.05, 0.06), (0.0, 0.4)]
+SEGMENTS = [*((v, 0.003 / abs(v)) for v in STEPS), *RESTS, (0.02, 0.15)]  # velocity, duration
 
 
 def result(law, segments=SEGMENTS, samples=40, **attributes):
