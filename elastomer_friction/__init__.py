@@ -1,7 +1,8 @@
 """Kinetics of the friction coefficient of elastomers: what is asked of it from Python.
 
-``scene.run`` computes one scene, ``open`` reads a result file, ``KineticLaw`` is the closed form of
-the paper (eqs. 12 to 16), and ``UserError`` is what all three raise for input that is not right.
+``scene.run`` computes one scene, ``open`` reads a result file, ``law.fit`` makes a reduced law of
+either, ``KineticLaw`` is the closed form of the paper (eqs. 12 to 16), and ``UserError`` is what
+all of them raise for input that is not right.
 Source: Li, Dimaki, Popov, Psakhie, Popov (2014), doi:10.1038/srep05795.
 """
 
@@ -16,7 +17,7 @@ from typing import TYPE_CHECKING
 from elastomer_friction.workflow.lazy import public_names
 
 if TYPE_CHECKING:
-    from elastomer_friction.workflow import scene
+    from elastomer_friction.workflow import law, scene
     from elastomer_friction.workflow.errors import UserError
     from elastomer_friction.workflow.kinetic_law import KineticLaw
     from elastomer_friction.workflow.result import open_tree as open

@@ -26,6 +26,7 @@ from ..study import (
 )
 from ..system import make_folder, program, version_of, write_durably
 from .experiments import add_fit_options, add_prony_options, run_fit, run_prony
+from .law_command import add_law_options, run_law
 from .outline import outline_grid, outline_measured
 from .run_options import (
     DONE,
@@ -142,6 +143,11 @@ def _report_options(command: argparse.ArgumentParser) -> None:
     add("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
     add("--scale", help="of the results: one of the studies' [scales.NAME] tables")
     add("--out", default="results", help="folder of results")
+
+
+def _law_options(command: argparse.ArgumentParser) -> None:
+    _study_options(command)
+    add_law_options(command)
 
 
 def _new_options(command: argparse.ArgumentParser) -> None:
@@ -329,6 +335,12 @@ COMMANDS = {
         "fit the kinetic law to measured velocity steps, and say what they determine of it",
         add_fit_options,
         run_fit,
+    ),
+    "law": Command(
+        "fit a reduced law to the motions of a finished run, or of FILE.nc, and write it for "
+        "others; FILE.json is a law already",
+        _law_options,
+        run_law,
     ),
     "verify": Command(
         "check every line of a journal, every shard and key, and the results; change nothing",

@@ -1,0 +1,48 @@
+"""Laws of known numbers, and results that follow them, as a study would leave them."""
+
+import numpy as np
+import xarray as xr
+
+from elastomer_friction.workflow.law import MemoryLaw
+
+SPEEDS = np.array([0.001, 0.01, 0.02, 0.05, 0.1])  # m/s
+
+
+def memory_law(states=2):
+    """Return a law of up to two states with an age of contacts."""
+    return MemoryLaw(
+        speed=SPEEDS,
+        direct=0.02 * np.log1p(SPEEDS / 0.002),
+        target=np.array([0.4 / (1.0 + SPEEDS / 0.03), 0.2 + 0.0 * SPEEDS])[:states],
+        rate_per_length=np.array([2e3, 1e3, 2e4])[: states + 1],
+        rate=np.array([3.0, 20.0, 400.0])[: states + 1],
+        age=1.0 + 0.3 * np.log(0.1 / SPEEDS) / np.log(100.0),
+    )
+
+
+STEPS = [0.02, 0.05, 0.02, 0.01, 0.02, 0.1, 0.05, 0.1, 0.01, 0.05, -0.05, 0.02, -0.02, 0.01, 0.02]
+RESTS = [(0.0, 0.1), (0.05, 0.06), (0.0, 0.4), (0.02, 0.15), (0.0, 0.1), (0.05, 0.06), (0.0, 0.4)]
+SEGMENTS = [*((v, 0.003 / abs(v)) for v in STEPS), *RESTS, (0.02, 0.15)]  # velocity, duration
+
+
+def result(law, segments=SEGMENTS, samples=40, **attributes):
+    """Return what ``scene.run`` would of jumps from (velocity, duration) to the next."""
+    rows, t, x = [], 0.0, 0.0
+    state, mu = law.step(law.init(segments[0][0]), segments[0][0], 0.0)
+    for k, (v, duration) in enumerate(segments):
+        state, _ = law.step(state, v, 0.0)
+        for end in duration * np.geomspace(1e-3, 1.0, samples):
+            since = 0.0 if not rows or rows[-1][4] != k else rows[-1][5]
+            state, mu = law.step(state, v, end - since)
+            rows.append([t + end, v, x + v * end, mu, k, end])
+        t, x = t + duration, x + v * duration
+    return dataset(*np.array(rows).T[:5], **attributes)
+
+
+def dataset(time, velocity, distance, mu, segment, force=2.0, **attributes):
+    """Return a dataset of traces."""
+    traces = {"time": time, "velocity": velocity, "distance": distance, "mu": mu}
+    found = {f"trace_{name}": ("event", np.asarray(own)) for name, own in traces.items()}
+    found["trace_segment"] = ("event", np.asarray(segment, np.int32))
+    coords = {"normal_force": force}
+    return xr.Dataset(found, coords, {"title": "synthetic", **attributes})

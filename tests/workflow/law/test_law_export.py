@@ -1,0 +1,152 @@
+"""A law in other languages does what it does in Python: C, FMU; and what is text can be read."""
+
+import ctypes
+import io
+import re
+import shutil
+import subprocess
+import zipfile
+
+import numpy as np
+import pytest
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.law import LuGreLaw, export, read
+from elastomer_friction.workflow.law.reduced_law import Known
+from tests.workflow.law.given import memory_law
+
+LAW = memory_law().with_known(
+    Known(
+        0.01, 0.1, 0.4, 2.0, 1e-3, 2e-3, 3e-3, 4e-3, 0.5, 1e-4, 0.04, (("slide */ 1", 1e-3),), "x"
+    )
+)
+COMPILER = shutil.which("gcc") or shutil.which("cc")
+compiled = pytest.mark.skipif(not COMPILER, reason="there is no C compiler")
+TIME = np.sort(np.concatenate([np.linspace(0.0, 0.3, 400), [0.1, 0.2]]))
+SWING = 0.05 * (1.0 + 0.6 * np.sin(60.0 * np.pi * TIME)) * np.sign(0.2 - TIME) * (TIME < 0.28)
+
+
+@compiled
+@pytest.mark.parametrize("states", [0, 1, 2])
+def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states):
+    law = memory_law(states).with_known(LAW.known)
+    (tmp_path / "rubber.h").write_bytes(export(law, "c", "rubber").content)
+    (tmp_path / "use.c").write_text(
+        '#include "rubber.h"\n'
+        "void run(int n, const double *t, const double *v, double *mu)\n"
+        "{\n    double state[RUBBER_STATES];\n    int k;\n    rubber_init(state, v[0]);\n"
+        "    for (k = 0; k < n; ++k)\n"
+        "        mu[k] = rubber_step(state, v[k], k ? t[k] - t[k - 1] : 0.0);\n}\n"
+        "double steady(double v) { return rubber_steady(v); }\n"
+    )
+    strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror"]
+    command = [COMPILER, *strict, "-shared", "-fPIC", "use.c", "-o", "use.so", "-lm"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    library = ctypes.CDLL(str(tmp_path / "use.so"))
+    numbers = np.ctypeslib.ndpointer(float)
+    library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
+    library.steady.argtypes, library.steady.restype = [ctypes.c_double], ctypes.c_double
+    mu, expected, state = np.empty_like(TIME), np.empty_like(TIME), law.init(SWING[0])
+    library.run(TIME.size, TIME, SWING, mu)
+    for k, dt in enumerate(np.diff(TIME, prepend=TIME[0])):
+        state, expected[k] = law.step(state, SWING[k], dt)
+    assert mu == pytest.approx(expected, rel=1e-12, abs=1e-12)
+    for v in (-0.3, -0.03, 0.0, 1e-4, 0.001, 0.05, 0.1):
+        assert library.steady(v) == pytest.approx(float(law.steady(v)), rel=1e-13, abs=1e-15)
+
+
+def test_range_error_and_motions_stand_in_every_text():
+    for form, mark in (("c", " * "), ("modelica", "  // "), ("abaqus", "** ")):
+        text = export(LAW, form, "1 rubber").content.decode()
+        said = text.replace(f"\n{mark}", " ")  # of comments over several lines
+        assert f"{mark}range: speeds of 0.01 ... 0.1 m/s" in text
+        assert re.search(r"error on the worst of the motions held out: 0.003 rms \(0.6 %", said)
+        assert "above 0.1 m/s the speed in its tables is clamped to that" in said
+        assert f"{mark}rms error 0.001 in slide * / 1" in text
+        assert "_1_rubber" in text
+
+
+def test_modelica_is_parsed_with_its_inputs_and_equations():
+    parser = pytest.importorskip("pymoca.parser")
+    text = export(LAW, "modelica", "rubber").content.decode()
+    block = parser.parse(text).classes["rubber"]
+    assert block.symbols["v"].prefixes == ["input"]
+    assert block.symbols["mu"].prefixes == ["output"]
+    assert len(block.equations) == 4  # the age, two states, friction
+    assert len(block.initial_equations) == 3
+    assert set(block.classes) == {"odd", "even"}
+    (row,) = re.findall(r"target1\[5\] = \{(.*)\}", text)
+    assert [float(value) for value in row.split(",")] == LAW.target[0].tolist()
+
+
+def test_the_table_of_abaqus_is_steady_friction_over_rising_rates():
+    lines = export(LAW, "abaqus", "rubber").content.decode().splitlines()
+    rows = [line for line in lines[lines.index("*FRICTION") + 1 :] if not line.startswith("**")]
+    mu, v = np.array([[float(x) for x in row.split(",")] for row in rows]).T
+    assert (np.diff(v) > 0.0).all()
+    assert (v[0], mu[0], v[-1]) == (0.0, 0.0, 0.1)
+    assert mu == pytest.approx(LAW.steady(v), rel=1e-6)
+    between = np.linspace(0.0, 0.1, 997)
+    assert np.interp(between, v, mu) == pytest.approx(LAW.steady(between), rel=5e-3)
+    assert "0.1 of mu (rms, beside 0.5 of mu)" in "\n".join(lines)
+
+
+@compiled
+def test_the_fmu_is_valid_and_runs_as_the_law_does(tmp_path):
+    fmpy = pytest.importorskip("fmpy")
+    validation = pytest.importorskip("fmpy.validation")
+    written = export(LAW, "fmu", "rubber")
+    assert written.told == "an FMU with its C sources and a library for linux64"
+    path = tmp_path / "rubber.fmu"
+    path.write_bytes(written.content)
+    assert validation.validate_fmu(str(path)) == []
+    step, count = 1e-3, 200
+    t = step * np.arange(count + 1)
+    v = 0.04 * np.cos(40.0 * t)
+    given = np.array(list(zip(t, v, strict=True)), [("time", float), ("v", float)])
+    found = fmpy.simulate_fmu(
+        str(path), stop_time=t[-1], output_interval=step, step_size=step, input=given, output=["mu"]
+    )
+    state, expected = LAW.init(v[0]), [LAW.step(LAW.init(v[0]), v[0], 0.0)[1]]
+    for held in v[:-1]:
+        state, _ = LAW.step(state, held, 0.0)
+        state, mu = LAW.step(state, held, step)
+        expected.append(mu)
+    assert found["mu"] == pytest.approx(expected, rel=1e-9, abs=1e-12)  # of times that are summed
+    assert export(LAW, "fmu", "rubber").content == written.content
+
+
+@compiled
+def test_the_sources_of_the_fmu_link_beside_others(tmp_path):
+    with zipfile.ZipFile(io.BytesIO(export(LAW, "fmu", "rubber").content)) as whole:
+        whole.extractall(tmp_path)
+    command = [
+        COMPILER,
+        "-std=c99",
+        "-Wall",
+        "-Werror",
+        "-DFMI2_FUNCTION_PREFIX=rubber_",
+    ]
+    subprocess.run([*command, "-c", "fmu.c"], cwd=tmp_path / "sources", check=True)
+    named = subprocess.run(
+        ["nm", "fmu.o"], cwd=tmp_path / "sources", capture_output=True, text=True
+    )
+    assert " T rubber_fmi2DoStep" in named.stdout
+
+
+def test_without_a_compiler_the_fmu_has_its_sources_alone(monkeypatch):
+    monkeypatch.setattr(shutil, "which", lambda _: None)
+    written = export(LAW, "fmu", "rubber")
+    assert written.told.startswith("an FMU of its C sources alone: there is no C compiler")
+    names = zipfile.ZipFile(io.BytesIO(written.content)).namelist()
+    assert names == ["modelDescription.xml", "sources/rubber.h", "sources/fmu.c"]
+
+
+def test_json_is_read_again_and_other_laws_have_no_other_form():
+    assert read(export(LAW, "json").content.decode()).to_json() == LAW.to_json()
+    lugre = LuGreLaw(1e4, 0.0, 0.0, 0.5, 0.6, 0.01)
+    assert export(lugre, "json").told == "the law as JSON"
+    with pytest.raises(UserError, match="c: takes laws of the kind states, not lugre; write json"):
+        export(lugre, "c")
+    with pytest.raises(UserError, match="pascal: no form of a law; known are c, abaqus, modelica"):
+        export(LAW, "pascal")

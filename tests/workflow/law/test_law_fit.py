@@ -1,0 +1,201 @@
+"""Laws fitted to motions: what is known is recovered, and errors hold on motions held out."""
+
+import numpy as np
+import pytest
+import xarray as xr
+
+import elastomer_friction as ef
+from elastomer_friction.workflow.law import LuGreLaw, RateStateLaw
+from elastomer_friction.workflow.law.reduced_law import Known
+from tests.workflow.law.given import SEGMENTS, dataset, memory_law, result
+
+TIME = np.linspace(0.0, 0.3, 1501)
+SWING = 0.04 * (1.0 + 0.6 * np.sin(60.0 * np.pi * TIME)) * np.where(TIME > 0.2, -1.0, 1.0)
+
+
+@pytest.fixture(scope="module")
+def known():
+    return memory_law(1)
+
+
+@pytest.fixture(scope="module")
+def fitted(known):
+    return ef.law.fit(result(known), states=1)
+
+
+def test_a_law_of_known_numbers_is_recovered(known, fitted):
+    assert fitted.rate_per_length == pytest.approx(known.rate_per_length, rel=0.1)
+    assert fitted.rate == pytest.approx(known.rate, rel=0.15)
+    speeds = np.array([0.01, 0.02, 0.05, 0.1])
+    assert fitted.steady(speeds) == pytest.approx(known.steady(speeds), rel=0.01)
+    assert fitted.known.rms < 0.01 * fitted.known.usual
+    assert fitted.known.held_rms < 0.03 * fitted.known.usual
+
+
+def test_what_was_fitted_and_how_well_is_in_the_law(fitted):
+    own = fitted.known
+    assert (own.slowest, own.fastest) == (pytest.approx(0.01), pytest.approx(0.1))
+    assert own.longest_rest == pytest.approx(0.4)
+    assert own.normal_force == 2.0
+    assert len(own.motions) == len(SEGMENTS)
+    assert own.rms <= own.held_rms <= own.held_largest
+    told = "\n".join(fitted.told())
+    assert f"{40 * len(SEGMENTS)} samples of {len(SEGMENTS)} segments, all of them" in told
+    assert "range: speeds of 0.01 ... 0.1 m/s, rest of 0.4 s at most, normal force 2 N" in told
+    assert "above 0.1 m/s the speed in its tables is clamped" in told
+
+
+def test_the_model_stands_beside_the_law(known, fitted):
+    mu = known.run(TIME, SWING)
+    way = np.concatenate([[0.0], np.cumsum(0.5 * (SWING[1:] + SWING[:-1]) * np.diff(TIME))])
+    model = dataset(TIME, SWING, way, mu, np.where(TIME > 0.2, 1, 0))
+    first, second = fitted.compare(model)
+    assert first.mu.tolist() == mu[TIME <= 0.2].tolist()
+    for each in (first, second):
+        assert each.rms == pytest.approx(np.sqrt(np.mean((each.law - each.mu) ** 2)))
+        assert each.rms < 0.03 * fitted.known.usual  # tables of other speeds
+    given = ef.law.fit([result(known)], states=1, held_out=model)
+    assert given.known.held_out == "synthetic"
+    assert given.known.held_rms == pytest.approx(
+        np.sqrt(np.mean(np.concatenate([first.law - first.mu, second.law - second.mu]) ** 2))
+    )
+
+
+@pytest.mark.parametrize("ageing", [False, True])
+def test_rate_and_state_is_recovered_with_its_state(ageing):
+    law = RateStateLaw(0.01, 0.015, 2e-4, 0.6, 0.03, ageing, known=Known(0.01, 0.1))
+    slides = [(v, d) for v, d in SEGMENTS if v > 0.0]
+    found = ef.law.fit(result(law, slides), kind="rate-state")
+    assert found.ageing is ageing
+    assert (found.a, found.b, found.length) == pytest.approx((0.01, 0.015, 2e-4), rel=1e-3)
+    assert found.known.held_largest < 1e-5
+
+
+def test_lugre_is_recovered():
+    law = LuGreLaw(3e3, 0.02, 0.5, 0.5, 0.8, 0.03)
+    found = ef.law.fit(result(law), kind="lugre")
+    names = ("stiffness", "damping", "viscous", "coulomb", "static", "stribeck")
+    assert [getattr(found, name) for name in names] == pytest.approx(
+        [getattr(law, name) for name in names], rel=1e-2
+    )
+
+
+def test_friction_that_follows_the_velocity_at_once_has_no_state():
+    found = ef.law.fit(result(memory_law(0)), states=2)
+    assert len(found.target) == 0 or np.ptp(memory_law(0).age) > 0.0
+    viscous = LuGreLaw(1e9, 0.0, 2.0, 1e-6, 1e-6, 0.03)
+    found = ef.law.fit(result(viscous))
+    assert len(found.target) == 0
+    assert found.known.left < 1e-4
+    assert found.steady(0.05) == pytest.approx(0.1, rel=1e-3)
+
+
+def still(velocity, count=40):
+    t = np.linspace(0.0, 1.0, count)
+    return dataset(t, velocity + 0.0 * t, velocity * t, 0.1 + 0.0 * t, 0 * t.astype(int))
+
+
+@pytest.mark.parametrize(
+    ("results", "asked", "words"),
+    [
+        (still(0.1), {}, "there is nothing to fit: the velocity never changes"),
+        (still(0.0), {}, "there is nothing to fit: every motion is at rest"),
+        (still(0.1, 5), {}, "there is nothing to fit: the motions hold 5 samples"),
+        (still(0.1, 1), {}, "synthetic: holds 1 samples of its trace, too few for a law"),
+        (xr.Dataset(), {}, 'ask for the quantity "trace"'),
+        ("a name", {}, "the result has no trace_time"),
+        (still(0.1), {"kind": "magic"}, "kind = 'magic': must be one of states, rate-state, lugre"),
+        (still(0.1), {"states": 9}, "states = 9: must be a whole number, 0 to 5"),
+        (still(0.1), {"point": {"hurst": 0.7}}, "hurst = 0.7: the result has no such point"),
+        (
+            [result(memory_law()), result(memory_law(), force=3.0)],
+            {},
+            r"normal_force of \[2.0, 3.0\]: a law is of one",
+        ),
+    ],
+)
+def test_nothing_to_fit_is_said(results, asked, words):
+    with pytest.raises(ef.UserError, match=words):
+        ef.law.fit(results, **asked)
+
+
+def test_traces_too_coarse_to_know_the_motion_are_refused():
+    t = np.arange(40) / 30.0
+    with pytest.raises(ef.UserError, match=r"miss .* % of the way: its samples are too coarse"):
+        ef.law.fit(dataset(t, 0.1 + 0.0 * t, 0.05 * t, 0.0 * t, 0 * t.astype(int)))
+
+
+def test_points_of_a_grid_are_chosen_and_holds_are_motions(known):
+    one, other = result(known), result(known, SEGMENTS[:8])
+    grid = xr.concat([one, one.assign(trace_mu=2.0 * one.trace_mu)], "hurst")
+    grid = grid.assign_coords(hurst=[0.3, 0.7])
+    with pytest.raises(ef.UserError, match=r"several points; say which: hurst of \[0.3, 0.7\]"):
+        ef.law.fit(grid)
+    (twice,) = ef.law.transients_of(grid, {"hurst": 0.69})
+    kept = np.isfinite(twice.mu)
+    assert twice.mu[kept].tolist() == (2.0 * one.trace_mu.values).tolist()
+    names = ["trace_time", "trace_velocity", "trace_distance", "trace_mu"]
+    holds = xr.concat(
+        [
+            one,
+            other.pad(event=(0, one.sizes["event"] - other.sizes["event"]))[names].assign(
+                trace_segment=other.trace_segment.pad(
+                    event=(0, one.sizes["event"] - other.sizes["event"]), constant_values=-1
+                )
+            ),
+        ],
+        "hold",
+    ).assign_coords(hold=[1.0, 5.0])
+    first, second = ef.law.transients_of(holds)
+    assert [first.name, second.name] == ["synthetic, hold 1", "synthetic, hold 5"]
+    assert np.isfinite(second.mu).sum() == 8 * 40
+
+
+def test_a_jump_between_samples_is_where_both_ways_meet(known):
+    (motion,) = ef.law.transients_of(result(known))
+    jumps = np.flatnonzero((np.diff(motion.time) == 0.0) & (np.diff(motion.velocity) != 0.0))
+    ends = np.cumsum([duration for _, duration in SEGMENTS])[:-1]
+    assert motion.time[jumps] == pytest.approx(ends, abs=1e-9)
+
+
+RUBBER = {"shear_modulus": 1e7, "branches": [[7e6, 10.0**k] for k in (-4.0, -3.0, -2.0, -1.0)]}
+SURFACE = {"length": 0.01, "hurst": 0.7, "roughness": 1e-5, "spacing": 1e-4}
+
+
+def model(programme):
+    return ef.scene.run(
+        surface=SURFACE,
+        material=RUBBER,
+        normal_force=0.4,
+        programme=programme,
+        realizations=4,
+        seed=3,
+        numerics={"samples": 1500, "record": "log"},
+    )
+
+
+def test_a_motion_of_30_hz_with_rest_and_reversal_is_within_the_stated_error():
+    """The model itself, small: steps, reversals and holds are fitted; v(t) held out swings 60 %."""
+    v = 0.024
+    ratios = [0.1, 0.25, 0.5, 1, 2, 0.5, 1, 0.1, 2, 0.25, 1, -1, 0.5, -0.5, 1]
+    ratios += [0, 1, 0, 0.5, 0, 1, 0, 0.5]
+    rests = iter([0.05, 0.5, 0.05, 0.5])
+    programme = [{"slide": {"velocity": v, "distance": 1e-3}}]
+    for ratio in ratios:
+        slide = {"slide": {"velocity": ratio * v, "distance": 3e-3}}
+        programme.append(slide if ratio else {"hold": {"duration": next(rests)}})
+    for ends, duration in (([0.5 * v, -v], 0.1), ([-v, 2 * v], 0.03)):  # slowly through zero
+        programme.append({"ramp": {"velocity": ends, "duration": duration}})
+        programme.append({"slide": {"velocity": ends[1], "distance": 2e-3}})
+    found = ef.law.fit(model(programme))
+    time = np.linspace(0.0, 0.2, 1001)
+    swing = 1.0 + 0.6 * np.sin(60.0 * np.pi * time)
+    sign = np.interp(time, [0.0, 0.08, 0.1, 0.13, 0.14, 0.2], [1.0, 1.0, 0.0, 0.0, -1.0, -1.0])
+    held = model([programme[0], {"time": time, "velocity": v * swing * sign}])
+    _, motion = found.compare(held)
+    assert np.ptp(motion.velocity) > 0.07
+    assert motion.rms < found.known.held_rms
+    assert motion.largest < found.known.held_largest
+    assert found.known.held_rms < 0.2 * found.known.usual
+    others = [ef.law.fit(model(programme), kind=kind) for kind in ("rate-state", "lugre")]
+    assert all(found.known.rms < other.known.rms for other in others)

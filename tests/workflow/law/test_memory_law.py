@@ -1,0 +1,161 @@
+"""The law of exponential states: closed forms, symmetries, an independent integration."""
+
+import json
+
+import numpy as np
+import pytest
+from scipy.integrate import solve_ivp
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.law import MemoryLaw, read
+from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Known
+from tests.workflow.law.given import SPEEDS, memory_law
+
+LAW = memory_law()
+TIME = np.linspace(0.0, 0.3, 3001)
+SWING = 0.04 * (1.0 + 0.6 * np.sin(60.0 * np.pi * TIME)) * np.where(TIME > 0.2, -1.0, 1.0)
+
+
+@pytest.mark.parametrize("v", [-0.3, -0.03, 0.0, 1e-4, 0.07])
+def test_steady_sliding_stays_and_is_the_table(v):
+    state = LAW.init(v)
+    for dt in (0.0, 1e-4, 10.0):
+        state, mu = LAW.step(state, v, dt)
+        assert mu == pytest.approx(float(LAW.steady(v)), rel=1e-13, abs=1e-15)
+
+
+def test_steady_friction_is_odd_linear_in_region_one_and_constant_above():
+    v = np.array([-0.2, -0.03, 0.02, 0.5])
+    assert LAW.steady(-v).tolist() == (-LAW.steady(v)).tolist()
+    slope = LAW.steady(SPEEDS[0]) / SPEEDS[0]
+    assert LAW.steady(SPEEDS[0] * np.array([0.0, 0.1, 0.7])) == pytest.approx(
+        slope * SPEEDS[0] * np.array([0.0, 0.1, 0.7]), rel=1e-13
+    )
+    assert LAW.steady(0.5) == LAW.steady(SPEEDS[-1])
+
+
+def test_a_jump_is_the_direct_effect_and_then_sums_of_exponentials():
+    v1, v2, t = SPEEDS[1], SPEEDS[3], 0.004
+    state, at_once = LAW.step(LAW.init(v1), v2, 0.0)
+    whole = LAW.direct[3] + LAW.target[:, 1].sum()
+    assert at_once == pytest.approx(LAW.age[1] * whole, rel=1e-13)
+    decay = np.exp(-t * (v2 * LAW.rate_per_length + LAW.rate))
+    age = LAW.age[3] + (LAW.age[1] - LAW.age[3]) * decay[0]
+    states = LAW.target[:, 3] + (LAW.target[:, 1] - LAW.target[:, 3]) * decay[1:]
+    assert LAW.step(state, v2, t)[1] == pytest.approx(
+        age * (LAW.direct[3] + states.sum()), rel=1e-13
+    )
+
+
+def test_steps_at_a_constant_velocity_do_not_depend_on_their_number():
+    start, _ = LAW.step(LAW.init(0.01), 0.07, 0.0)
+    whole, mu = LAW.step(start, 0.07, 0.02)
+    state = start
+    parts = np.random.default_rng(1).uniform(size=30)
+    for dt in 0.02 * parts / parts.sum():
+        state, last = LAW.step(state, 0.07, dt)
+    assert state == pytest.approx(whole, rel=1e-12)
+    assert last == pytest.approx(mu, rel=1e-12)
+
+
+def test_at_rest_what_is_remembered_of_the_motion_fades_with_its_times_alone():
+    state, _ = LAW.step(LAW.init(0.05), 0.0, 0.0)
+    after, mu = LAW.step(state, 0.0, 0.01)
+    assert after[2:] == pytest.approx(state[2:] * np.exp(-0.01 * LAW.rate[1:]), rel=1e-13)
+    assert mu == pytest.approx(after[1] * after[2:].sum(), rel=1e-13)
+
+
+def test_it_is_antisymmetric_to_the_bit():
+    assert LAW.run(TIME, -SWING).tolist() == (-LAW.run(TIME, SWING)).tolist()
+
+
+def test_an_independent_integrator_gives_the_same():
+    """solve_ivp on the differential equations of the docstring, in smooth v(t) through zero."""
+
+    def velocity(t):
+        return 0.05 * np.cos(40.0 * t)
+
+    def table(v, values):
+        at = np.interp(abs(v), [0.0, *SPEEDS], [0.0, *values])
+        return np.sign(v) * at
+
+    def change(t, y):
+        v = velocity(t)
+        goal = [np.interp(abs(v), SPEEDS, LAW.age), *(table(v, row) for row in LAW.target)]
+        return (abs(v) * LAW.rate_per_length + LAW.rate) * (np.array(goal) - y)
+
+    time = np.linspace(0.0, 0.2, 2001)
+    found = solve_ivp(
+        change, (0.0, 0.2), LAW.init(0.05)[1:], t_eval=time, rtol=1e-9, atol=1e-11, max_step=1e-4
+    ).y
+    direct = np.array([table(velocity(t), LAW.direct) for t in time])
+    expected = found[0] * (direct + found[1:].sum(axis=0))
+    errors = [np.abs(LAW.run(time[::n], velocity(time[::n])) - expected[::n]).max() for n in (1, 4)]
+    assert errors[0] < 2e-4 * np.abs(expected).max()
+    assert errors[1] < 10.0 * errors[0]  # of fourfold samples: v(t) is linear between them
+
+
+def test_a_ramp_counts_and_not_its_samples():
+    ends = np.array([0.0, 0.1, 0.2]), np.array([0.05, -0.08, 0.01])
+    time = np.linspace(0.0, 0.2, 4001)
+    fine = LAW.run(time, np.interp(time, *ends))
+    assert LAW.run(*ends) == pytest.approx(fine[[0, 2000, 4000]], abs=2e-3 * np.abs(fine).max())
+
+
+def test_longer_times_of_the_material_are_slower_motions():
+    slower = LAW.shifted(7.0)
+    assert slower.run(7.0 * TIME, SWING / 7.0) == pytest.approx(LAW.run(TIME, SWING), rel=1e-10)
+    with pytest.raises(UserError, match=r"factor = 0.0: must be greater than zero"):
+        LAW.shifted(0.0)
+
+
+def test_it_warns_above_its_range():
+    law = LAW.with_known(Known(slowest=0.01, fastest=0.1))
+    with pytest.warns(BeyondLawWarning, match=r"0.2 m/s is above 0.1 m/s"):
+        law.run([0.0, 1.0], [0.2, 0.2])
+
+
+def test_json_keeps_every_bit(tmp_path):
+    law = LAW.with_known(Known(fastest=0.1, motions=(("one", 1 / 3),), held_out="nothing"))
+    path = tmp_path / "law.json"
+    path.write_text(law.to_json())
+    again = read(path)
+    assert isinstance(again, MemoryLaw)
+    assert again.to_json() == law.to_json()
+    assert again.run(TIME, SWING).tolist() == LAW.run(TIME, SWING).tolist()
+    assert read(memory_law(0).to_json()).steady(0.02) == memory_law(0).steady(0.02)
+
+
+@pytest.mark.parametrize(
+    ("change", "words"),
+    [
+        ({"kind": "magic"}, "is no law of this program as JSON: 'magic'"),
+        ({"format": 2}, "its format is 2, not 1"),
+        ({"speed": [0.01]}, "two speeds or more, one value for each"),
+        ({"speed": [0.02, 0.01, 0.03, 0.04, 0.05]}, "speeds must increase"),
+        ({"rate": [-1.0, 1.0, 1.0]}, "no rate be below zero"),
+    ],
+)
+def test_what_is_no_law_is_refused(change, words):
+    with pytest.raises(UserError, match=words):
+        read(json.dumps({**json.loads(LAW.to_json()), **change}))
+    with pytest.raises(UserError, match="is no law of this program as JSON"):
+        read("[")
+
+
+@pytest.mark.parametrize(
+    ("time", "velocity", "words"),
+    [
+        ([0.0, 1.0], [0.1], "one value per time"),
+        ([1.0, 0.0], [0.1, 0.1], "time must increase"),
+        ([0.0, 1.0], [0.1, np.nan], "must be finite"),
+        (["a"], [0.1], "must hold real numbers"),
+    ],
+)
+def test_motions_that_are_none_are_refused(time, velocity, words):
+    with pytest.raises(UserError, match=words):
+        LAW.run(time, velocity)
+
+
+def test_no_motion_is_no_friction():
+    assert LAW.run([], []).shape == (0,)

@@ -1,0 +1,108 @@
+"""The command ``law``: a reduced law of a result, said with its error and written for others."""
+
+import argparse
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from .. import law  # slow to import: other commands do without
+from ..errors import UserError
+from ..result import check_result, open_tree, result_file
+from ..study import read_study
+from ..system import make_folder, write_durably
+from .run_options import DONE
+
+if TYPE_CHECKING:
+    from ..law import Law
+
+STATES = 2
+WRITTEN = ("c", "abaqus", "modelica", "fmu", "json")
+OF_A_FIT = ("states", "kind", "held_out", "at", "group")
+
+
+def add_law_options(command: argparse.ArgumentParser) -> None:
+    """Add what the command ``law`` is told besides the study."""
+    add = command.add_argument
+    add("--results", default="results", help="folder of results of the study")
+    add("--group", help="a comparison of the study, in place of the study itself")
+    text = "a place on an axis of the grid (repeatable; an axis of one value needs none)"
+    add("--at", action="append", metavar="AXIS=VALUE", help=text)
+    add("--states", type=int, help=f"exponential states, 0 to 5 ({STATES})")
+    add("--kind", choices=("states", "rate-state", "lugre"), help="of the law (states)")
+    text = "a result of motions to state the error on, in place of quarters (repeatable)"
+    add("--held-out", action="append", metavar="FILE", help=text)
+    add("--write", choices=WRITTEN, help="for whom it is written (nobody: it is told)")
+    add("--out", help="file for what is written (it is printed)")
+
+
+def run_law(options: argparse.Namespace) -> int:
+    """Fit a law or read one, tell it, write it if asked to; return the exit status."""
+    source, out = options.study, Path(options.out) if options.out else None
+    if out and not options.write:
+        raise UserError(f"--out {out}: says where to write, not what; give --write too")
+    if options.write == "fmu" and not out:
+        raise UserError("--write fmu: is no text; give a file by --out")
+    path, found = _read(options) if source.endswith(".json") else _fitted(options)
+    if out and out.exists() and out.samefile(path):
+        raise UserError(f"--out {out}: is what the law is made of; name another file")
+    if not options.write:
+        print(*_told(found), sep="\n")
+        return DONE
+    written = law.export(found, options.write, (out or path).stem)
+    if not out:
+        print(written.content.decode(), end="")
+        return DONE
+    make_folder(out.parent)
+    write_durably(out, written.content)
+    print(*_told(found), f"{out}: {written.told}", sep="\n")
+    return DONE
+
+
+def _told(found: "Law") -> list[str]:
+    """Return a law in sentences, with its error in every motion."""
+    return [*found.told(), *(f"  {rms:.3g} rms  {name}" for name, rms in found.known.motions)]
+
+
+def _read(options: argparse.Namespace) -> tuple[Path, "Law"]:
+    """Return a law that was written as JSON, and its file."""
+    for name in OF_A_FIT:
+        if getattr(options, name) is not None:
+            option = name.replace("_", "-")
+            raise UserError(f"--{option}: belongs to a fit, and {options.study} is a law already")
+    path = Path(options.study)
+    return path, law.read(path)
+
+
+def _fitted(options: argparse.Namespace) -> tuple[Path, "Law"]:
+    """Return the law that is fitted to a result, and the file of that."""
+    path = Path(options.study)
+    if path.suffix != ".nc":
+        study = read_study(options.study, options.scale, options.set)
+        path = result_file(Path(options.results), study)
+        check_result(study, path, asked=bool(options.scale or options.set))
+    others = [_dataset(Path(name), None) for name in options.held_out or ()]
+    found = law.fit(
+        _dataset(path, options.group),
+        states=STATES if options.states is None else options.states,
+        kind=options.kind or "states",
+        held_out=others or None,
+        point=dict(map(_place, options.at or ())),
+    )
+    return path, found
+
+
+def _dataset(path: Path, group: str | None) -> Any:
+    """Return the dataset of a result, or of a comparison in it."""
+    tree = open_tree(path)
+    if group is not None and group not in tree.children:
+        known = ", ".join(tree.children) or "none"
+        raise UserError(f"--group {group}: {path} has no such comparison; known are {known}")
+    return (tree if group is None else tree[group]).to_dataset()
+
+
+def _place(text: str) -> tuple[str, float]:
+    """Return axis and value of AXIS=VALUE. Raises UserError."""
+    axis, _, value = text.partition("=")
+    try:
+        return axis, float(value)
+    except ValueError:
+        raise UserError(f"--at {text}: must be AXIS=VALUE, as hurst=0.7") from None

@@ -1,0 +1,20 @@
+"""A reduced law of friction with its error: fitted to motions, stepped, compared, exported.
+
+The errors that a law states belong to it, as its range does.
+"""
+
+from typing import TYPE_CHECKING
+
+from ..lazy import public_names
+
+if TYPE_CHECKING:
+    from .law_export import FORMS, Exported
+    from .law_export import export_law as export
+    from .law_fit import fit_law as fit
+    from .memory_law import MemoryLaw
+    from .reduced_law import Law
+    from .transients import Transient, transients_of
+    from .usual_laws import KINDS, LuGreLaw, RateStateLaw
+    from .usual_laws import read_law as read
+
+__all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -1,0 +1,142 @@
+"""A law for other programs: C99, a table of Abaqus, Modelica, a co-simulation FMU, JSON.
+
+What is written is made from the templates beside this file, which state the step of memory_law.py
+in the words of each. FMI: Functional Mock-up Interface 2.0.4, Modelica Association, 2022.
+"""
+
+import hashlib
+import io
+import platform
+import re
+import shutil
+import subprocess
+import tempfile
+import textwrap
+import zipfile
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import printable
+from ..system import VERSION
+from .memory_law import MemoryLaw
+from .reduced_law import Law, LawError
+
+WIDTH = 92  # of comments
+BETWEEN = 4  # rows of a table of Abaqus for each of ours
+EPOCH = (1980, 1, 1, 0, 0, 0)  # of the files of an FMU: one law gives the same bytes
+COMPILERS = ("cc", "gcc", "clang")
+FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-ffp-contract=off")
+LINUX = {"x86_64": "linux64", "i686": "linux32"}  # machine -> folder of FMI 2.0
+
+
+class Exported(NamedTuple):
+    """A law as a file, and what is to be said of it."""
+
+    content: bytes
+    told: str
+
+
+def export_law(law: Law, form: str, name: str = "friction_law") -> Exported:
+    """Return a law in one of FORMS: c, abaqus, modelica, fmu, json.
+
+    name : from which the names of functions, block and model are made. All but json are of a law
+    of states. An FMU holds a library for this machine where there is a C compiler, else its
+    sources alone. Raises UserError for another form or law.
+    """
+    if form not in FORMS:
+        raise LawError(f"{form}: no form of a law; known are {', '.join(FORMS)}")
+    if form == "json":
+        return Exported(law.to_json().encode() + b"\n", "the law as JSON")
+    if not isinstance(law, MemoryLaw):
+        raise LawError(f"{form}: takes laws of the kind states, not {law.kind}; write json")
+    found = FORMS[form](law, re.sub(r"\W+", "_", re.sub(r"^(?=\d)|^$", "_", name), flags=re.ASCII))
+    return found if isinstance(found, Exported) else Exported(found.encode(), TOLD[form])
+
+
+def _rendered(template: str, law: MemoryLaw, name: str, **more: Any) -> str:
+    """Return a template filled in."""
+    from jinja2 import Environment, PackageLoader, StrictUndefined
+
+    loader = PackageLoader(__package__, ".")
+    filled = Environment(
+        loader=loader, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
+    )
+    filled.filters["number"] = lambda value: repr(float(value))
+    filled.filters["numbers"] = lambda row: ", ".join(repr(float(value)) for value in row)
+    source = f"fitted to {law.known.source}"
+    per_motion = [f"rms error {rms:.3g} in {where}" for where, rms in law.known.motions]
+    told = [
+        line.replace("*/", "* /")
+        for each in (source, *law.told()[1:], *per_motion)
+        for line in textwrap.wrap(printable(each), WIDTH)
+    ]
+    names = {"name": name, "upper": name.upper(), "version": VERSION, "told": told}
+    return filled.get_template(template).render(law=law, **names, **more)
+
+
+def _c(law: MemoryLaw, name: str) -> str:
+    return _rendered("law.h.j2", law, name)
+
+
+def _modelica(law: MemoryLaw, name: str) -> str:
+    return _rendered("law.mo.j2", law, name)
+
+
+def _abaqus(law: MemoryLaw, name: str) -> str:
+    corners = np.concatenate([[0.0], law.speed])
+    at = np.interp(np.arange(0, corners.size - 0.99, 1 / BETWEEN), range(corners.size), corners)
+    rows = list(zip(law.steady(at), at, strict=True))
+    lost = law.known.usual * float(np.sqrt(law.known.left))
+    return _rendered("law.inp.j2", law, name, rows=rows, lost=lost)
+
+
+def _fmu(law: MemoryLaw, name: str) -> Exported:
+    header = _c(law, name)
+    guid = "{" + hashlib.sha256(header.encode()).hexdigest()[:32] + "}"
+    files = {
+        "modelDescription.xml": _rendered("modelDescription.xml.j2", law, name, guid=guid).encode(),
+        f"sources/{name}.h": header.encode(),
+        "sources/fmu.c": _rendered("fmu.c.j2", law, name, guid=guid).encode(),
+    }
+    compiler = next(filter(None, map(shutil.which, COMPILERS)), None)
+    folder = LINUX.get(platform.machine()) if platform.system() == "Linux" else None
+    told = "an FMU of its C sources alone: there is no C compiler for it on this machine"
+    if compiler and folder:
+        files[f"binaries/{folder}/{name}.so"] = _library(compiler, files)
+        told = f"an FMU with its C sources and a library for {folder}"
+    packed = io.BytesIO()
+    with zipfile.ZipFile(packed, "w") as whole:
+        for path, content in files.items():
+            entry = zipfile.ZipInfo(path, EPOCH)
+            entry.external_attr = 0o644 << 16
+            whole.writestr(entry, content, zipfile.ZIP_DEFLATED)
+    return Exported(packed.getvalue(), told)
+
+
+def _library(compiler: str, files: dict[str, bytes]) -> bytes:
+    """Return the shared library of the sources of an FMU. Raises UserError where none is made."""
+    with tempfile.TemporaryDirectory() as folder:
+        for path, content in files.items():
+            (Path(folder) / Path(path).name).write_bytes(content)
+        command = [compiler, *FLAGS, "fmu.c", "-o", "law.so", "-lm"]
+        made = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
+        if made.returncode:
+            raise LawError(f"fmu: {compiler} says: {made.stderr.strip().splitlines()[-1:]}")
+        return (Path(folder) / "law.so").read_bytes()
+
+
+FORMS: dict[str, Callable[[MemoryLaw, str], str | Exported]] = {
+    "c": _c,
+    "abaqus": _abaqus,
+    "modelica": _modelica,
+    "fmu": _fmu,
+    "json": lambda law, _: law.to_json(),
+}
+TOLD = {
+    "c": "a header in C99",
+    "abaqus": "a table of *FRICTION for Abaqus: steady friction alone",
+    "modelica": "a block of Modelica",
+}

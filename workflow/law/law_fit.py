@@ -1,0 +1,385 @@
+"""Laws fitted to computed motions, with the error on motions that were held out.
+
+The law of states is linear in its tables D and Z_j once lengths, times and the ages are known:
+those alone are searched for, by scipy's least_squares, and the tables follow by linear least
+squares at every trial (variable projection: G. H. Golub and V. Pereyra, SIAM J. Numer. Anal. 10,
+413 (1973)). Tables that the motions leave open stay smooth over ln v.
+"""
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from functools import lru_cache
+from typing import Any
+
+import numpy as np
+from scipy.linalg import lstsq
+from scipy.optimize import least_squares
+
+from ..errors import UserError
+from .memory_law import MemoryLaw, even, odd, relaxed_to
+from .reduced_law import Known, Law
+from .transients import Transient, finely, motions_of
+from .usual_laws import KINDS, LuGreLaw, RateStateLaw
+
+LEAST_SAMPLES = 20
+RATIO = 2.5  # of neighbouring speeds of a table, at most
+DEEPEST = 1e-3  # of the fastest speed: no table begins below
+BELOW = 0.1  # of the slowest speed, where contacts age as at rest and friction is linear
+FEW = 0.02  # of the samples that may be slower than the first speed of a table
+NOTHING = 5e-3  # rms over that of mu, below which mu is a function of the velocity alone
+SMOOTH = 1e-2  # weight of the bends of tables, over that of the samples
+LEVEL = 0.1  # weight of their values, over that of their bends
+FOLDS = 4
+ALIKE = 0.1  # share by which speeds of one kind differ
+MOST_STATES = 5
+TRIALS, AGAIN = 60, 15  # evaluations of the Jacobian, at first and for a fold
+FAR = 12.0  # that the parameters of usual laws, most of them logarithms, go from where they begin
+WIDE = 1e3  # times the whole way or time: a length or time that is none
+
+Kept = Sequence[np.ndarray]  # of each motion, which rows count, booleans
+
+
+def fit_law(
+    results: Any,
+    *,
+    states: int = 2,
+    kind: str = MemoryLaw.kind,
+    held_out: Any = None,
+    point: Mapping[str, Any] | None = None,
+) -> Law:
+    """Return a law fitted to the motions of one or several results of the model.
+
+    results : datasets of ``scene.run`` or of a study with the quantity "trace", one load and
+    surface. states : exponential states beside the memory of contacts, 0 to 5. kind : "states",
+    "rate-state" or "lugre". held_out : results that are not fitted to, of which the error is
+    stated; by default each quarter of the segments in turn, by a fit to the others. point : of
+    the grid, as {"hurst": 0.7}. Raises UserError where there is nothing to fit.
+    """
+    if kind not in KINDS:
+        raise UserError(f"kind = {kind!r}: must be one of {', '.join(KINDS)}")
+    if not (isinstance(states, int) and 0 <= states <= MOST_STATES):
+        raise UserError(f"states = {states!r}: must be a whole number, 0 to {MOST_STATES}")
+    motions = motions_of(results, point)
+    speeds = _speeds(motions)
+    motions = [_fine(motion, speeds[0]) for motion in motions]
+    everything = [np.isfinite(motion.mu) for motion in motions]
+    _check(motions, everything)
+    mu = np.concatenate([each.mu[k] for each, k in zip(motions, everything, strict=True)])
+    usual = float(np.sqrt(np.mean(mu**2)))
+    plain = _Memory(motions, speeds, 0)
+    left = _rms(_differences(plain.fit(everything, TRIALS)[0], motions, everything))
+    search: Any = plain
+    if kind != MemoryLaw.kind:
+        search = _Usual(motions, speeds, kind)
+    elif states and left > NOTHING * usual:
+        search = _Memory(motions, speeds, states)
+    law, found = search.fit(everything, TRIALS)
+    off = _differences(law, motions, everything)
+    named = tuple(
+        (name, _rms([_row_differences(law, motion)[rows]]))
+        for motion in motions
+        for name, rows in motion.parts()
+    )
+    if held_out is not None:
+        others = [_fine(each, speeds[0]) for each in motions_of(held_out, point)]
+        missed = _differences(law, others, [np.isfinite(each.mu) for each in others])
+        words = "; ".join(each.name for each in others)
+    else:
+        missed, words = _left_out(search, motions, everything, found)
+    errors = np.concatenate([each.error[k] for each, k in zip(motions, everything, strict=True)])
+    known = Known(
+        slowest=float(speeds[1]),
+        fastest=float(speeds[-1]),
+        longest_rest=max(float(_rests(motion).max()) for motion in motions),
+        normal_force=motions[0].normal_force,
+        rms=_rms(off),
+        largest=float(np.max(np.abs(np.concatenate(off)))),
+        held_rms=max(_rms([each]) for each in missed),
+        held_largest=float(np.max(np.abs(np.concatenate(missed)))),
+        usual=usual,
+        model_error=_rms([errors[np.isfinite(errors)]]),
+        left=(left / usual) ** 2 if usual else math.nan,
+        motions=named,
+        held_out=words,
+        window=f"{mu.size} samples of {len(named)} segments, all of them",
+        source=motions[0].name,
+    )
+    return law.with_known(known)
+
+
+def _speeds(motions: Sequence[Transient]) -> np.ndarray:
+    """Return the speeds of the tables: in equal ratios, and one below all, where contacts age."""
+    found = np.abs(np.concatenate([each.velocity[np.isfinite(each.mu)] for each in motions]))
+    moving = found[found > 0.0]
+    if not moving.size:
+        raise UserError("there is nothing to fit: every motion is at rest")
+    fastest = float(np.max([np.max(np.abs(each.velocity)) for each in motions]))
+    slowest = max(float(np.quantile(moving, FEW)), DEEPEST * fastest)
+    count = max(math.ceil(math.log(fastest / slowest) / math.log(RATIO) - 1e-9), 1) + 1
+    found = np.geomspace(slowest, fastest, count) if fastest > slowest else np.array([fastest])
+    return np.concatenate([[BELOW * slowest], found])
+
+
+def _fine(motion: Transient, least: float) -> Transient:
+    """Return a motion with rows between, where its velocity changes; they hold no friction."""
+    time, velocity, last = finely(motion.time, motion.velocity, least)
+    mu, error = np.full(time.size, np.nan), np.full(time.size, np.nan)
+    mu[last], error[last] = motion.mu, motion.error
+    segment = motion.segment[np.minimum(np.searchsorted(last, np.arange(time.size)), last.size - 1)]
+    return motion._replace(time=time, velocity=velocity, mu=mu, error=error, segment=segment)
+
+
+def _check(motions: Sequence[Transient], kept: Kept) -> None:
+    """Raise UserError where there is nothing to fit, or what does not belong together."""
+    count = sum(int(each.sum()) for each in kept)
+    if count < LEAST_SAMPLES:
+        raise UserError(
+            f"there is nothing to fit: the motions hold {count} samples of friction, a law wants "
+            f"{LEAST_SAMPLES}"
+        )
+    if all(np.ptp(each.velocity) == 0.0 for each in motions):
+        raise UserError("there is nothing to fit: the velocity never changes")
+    forces = sorted({each.normal_force for each in motions if math.isfinite(each.normal_force)})
+    if len(forces) > 1:
+        raise UserError(f"normal_force of {forces}: a law is of one; fit one to each")
+
+
+class _Memory:
+    """The law of states over motions: searched in p, linear in its tables.
+
+    p : logarithms of the lengths and of the times of contacts and states, then of the ages at all
+    speeds but the fastest, where it is 1.
+    """
+
+    def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, states: int) -> None:
+        self.motions, self.speeds, self.states = motions, speeds, states
+        self.odd = [odd(m.velocity, speeds, np.eye(speeds.size)).T for m in motions]
+        eye = np.eye(speeds.size)
+        self.even = [even(m.velocity, speeds, eye).T for m in motions]
+        self.dt = [np.diff(m.time) for m in motions]
+        self.way = [_mean_speeds(m.velocity) * dt for m, dt in zip(motions, self.dt, strict=True)]
+        self.memory = lru_cache(4 * (states + 1) * len(motions))(self._memory)
+        self.bends = _bends(speeds)
+        self.usual = _rms([m.mu[np.isfinite(m.mu)] for m in motions])
+
+    def _memory(self, motion: int, length: float, time: float, ages: bool) -> np.ndarray:
+        """Return what a state follows of each table value at every row, shape (rows, speeds)."""
+        basis = (self.even if ages else self.odd)[motion]
+        x = self.way[motion] * math.exp(-length) + self.dt[motion] * math.exp(-time)
+        found = np.empty_like(basis)
+        found[0] = basis[0]
+        keep = np.exp(-x)
+        # What a step adds by the change of its target alone, of all steps at once:
+        added = (
+            relaxed_to(basis[:-1], basis[:-1], basis[1:], x[:, None]) - keep[:, None] * basis[:-1]
+        )
+        for k in range(x.size):
+            found[k + 1] = found[k] * keep[k] + added[k]
+        return found
+
+    def _design(self, p: np.ndarray, motion: int) -> np.ndarray:
+        """Return the derivatives of mu by D and Z_j at every row, shape (rows, tables)."""
+        states, count = self.states, self.speeds.size
+        lengths, times = p[: states + 1], p[states + 1 : 2 * states + 2]
+        parts = [self.odd[motion]]
+        parts += [self.memory(motion, lengths[j], times[j], False) for j in range(1, states + 1)]
+        whole = np.concatenate(parts, 1)
+        if not states:
+            return whole
+        ages = np.concatenate([np.exp(p[2 * states + 2 :]), [1.0]])
+        assert ages.size == count
+        return whole * (self.memory(motion, lengths[0], times[0], True) @ ages)[:, None]
+
+    def _solved(self, p: np.ndarray, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
+        """Return the tables for p, and the residuals with those of smoothness."""
+        rows = [self._design(p, k)[own] for k, own in enumerate(kept)]
+        mu = np.concatenate([m.mu[own] for m, own in zip(self.motions, kept, strict=True)])
+        matrix = np.concatenate(rows)
+        weight = SMOOTH * math.sqrt(mu.size)
+        smooth = weight * np.kron(np.eye(self.states + 1), self.bends)
+        whole = np.concatenate([matrix, smooth])
+        right = np.concatenate([mu, np.zeros(len(smooth))])
+        tables = lstsq(whole, right, lapack_driver="gelsy", check_finite=False)[0]
+        bent = whole @ tables - right
+        if not self.states:
+            return tables, bent
+        ages = np.concatenate([p[2 * self.states + 2 :], [0.0]])
+        return tables, np.concatenate([bent, weight * self.usual * (self.bends @ ages)])
+
+    def fit(self, kept: Kept, trials: int, start: Any = None) -> tuple[MemoryLaw, Any]:
+        """Return the law that fits the rows ``kept`` best, and its p. start : a p to go on from."""
+        p, states, count = np.zeros(0), self.states, self.speeds.size
+        if states:
+            first, low, high = self._begin()
+            best = least_squares(
+                lambda p: self._solved(p, kept)[1],
+                np.clip(first if start is None else start, low, high),
+                bounds=(low, high),
+                x_scale="jac",
+                max_nfev=trials,
+            )
+            p = best.x
+        tables = self._solved(p, kept)[0].reshape(states + 1, count)
+        lengths, times = p[: states + 1], p[states + 1 : 2 * states + 2]
+        order = [0, *(1 + np.argsort(lengths[1:]))] if states else [0]
+        ages = np.concatenate([np.exp(p[2 * states + 2 :]), [1.0]]) if states else np.ones(count)
+        law = MemoryLaw(
+            speed=self.speeds,
+            direct=tables[0],
+            target=tables[order][1:],
+            rate_per_length=np.exp(-lengths[order]) if states else np.zeros(1),
+            rate=np.exp(-times[order]) if states else np.zeros(1),
+            age=ages,
+        )
+        return law, p
+
+    def _begin(self) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+        """Return where the search begins, and the least and largest p."""
+        states, ages = self.states, self.speeds.size - 1
+        ways, times = np.concatenate(self.way), np.concatenate(self.dt)
+        whole_way, whole_time, parts = _extent(self.motions)
+        way, time = whole_way / parts, whole_time / parts
+        shares = np.geomspace(0.01, 0.2, states + 2)[1:-1]
+        lengths = np.concatenate([[0.07], shares]) * way
+        lasting = np.concatenate([[0.3], shares]) * time
+        first = [np.log(lengths), np.log(lasting), np.linspace(0.5, 0.0, ages + 1)[:-1]]
+        least = math.log(0.1 * ways[ways > 0.0].min()), math.log(0.1 * times[times > 0.0].min())
+        most = math.log(WIDE * whole_way), math.log(WIDE * whole_time)
+        low = [np.full(states + 1, least[0]), np.full(states + 1, least[1]), np.full(ages, -5.0)]
+        high = [np.full(states + 1, most[0]), np.full(states + 1, most[1]), np.full(ages, 5.0)]
+        return np.concatenate(first), np.concatenate(low), np.concatenate(high)
+
+
+class _Usual:
+    """Rate-and-state friction, with either state, or LuGre over motions."""
+
+    def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, kind: str) -> None:
+        self.motions = motions
+        self.known = Known(slowest=float(speeds[1]), fastest=float(speeds[-1]))
+        self.level = max(_rms([m.mu[np.isfinite(m.mu)] for m in motions]), 1e-300)
+        self.middle = float(np.sqrt(speeds[1] * speeds[-1]))
+        way, _, parts = _extent(motions)
+        length = math.log(0.05 * way / parts)
+        if kind == RateStateLaw.kind:
+            self.makes = [self._slip, self._ageing]
+            self.first = np.array([-2.0, 0.05, length, 1.0])
+        else:
+            self.makes = [self._lugre]
+            self.first = np.array([math.log(self.level) - length, 0.0, 0.0, 0.0, 0.0, 0.0])
+
+    def _slip(self, p: np.ndarray, ageing: bool = False) -> Law:
+        a, b, mu = self.level * math.exp(p[0]), self.level * p[1], self.level * p[3]
+        return RateStateLaw(a, b, math.exp(p[2]), mu, self.middle, ageing, known=self.known)
+
+    def _ageing(self, p: np.ndarray) -> Law:
+        return self._slip(p, True)
+
+    def _lugre(self, p: np.ndarray) -> Law:
+        coulomb, static = map(float, self.level * np.exp(p[3:5]))
+        damping, viscous = map(float, p[1:3] * self.level / self.middle)
+        stribeck = self.middle * math.exp(p[5])
+        return LuGreLaw(
+            math.exp(p[0]), damping, viscous, coulomb, static, stribeck, known=self.known
+        )
+
+    def fit(self, kept: Kept, trials: int, start: Any = None) -> tuple[Law, Any]:
+        """Return the law that fits the rows ``kept`` best, and what a fit can go on from."""
+        found = []
+        for make, first in [start] if start else [(make, self.first) for make in self.makes]:
+
+            def off(p: np.ndarray, make: Callable = make) -> np.ndarray:
+                return np.concatenate(_differences(make(p), self.motions, kept)) / self.level
+
+            bounds = self.first - FAR, self.first + FAR
+            best = least_squares(off, first, bounds=bounds, x_scale="jac", max_nfev=trials)
+            found.append((best.cost, make, best.x))
+        _, make, p = min(found, key=lambda each: each[0])
+        return make(p), (make, p)
+
+
+def _left_out(
+    search: Any, motions: Sequence[Transient], kept: Kept, start: Any
+) -> tuple[list[np.ndarray], str]:
+    """Return the errors on each quarter of the segments by a fit to the others, and words."""
+    parts = [(k, rows) for k, motion in enumerate(motions) for _, rows in motion.parts()]
+    if len(parts) < FOLDS + 2:
+        parts = [(k, own) for k, rows in parts for own in np.array_split(rows, FOLDS)]
+        words = "each quarter of the samples in turn, by a fit to the others"
+    else:  # segments of one speed part, and none leaves that alone reaches an end of the range
+        speed = [float(np.mean(np.abs(motions[k].velocity[rows]))) for k, rows in parts]
+        rests = [_rests(motion) for motion in motions]  # a jump after one stands in two rows
+        rest = [float(rests[k][max(rows[0] - 2, 0) : rows[0]].max(initial=0)) for k, rows in parts]
+        alone = {_alone(speed, np.argmin), _alone(speed, np.argmax), _alone(rest, np.argmax)}
+        parts = [parts[k] for k in np.argsort(speed, kind="stable") if k not in alone]
+        words = f"each quarter of {len(parts)} segments in turn, by a fit to the others; the "
+        words += "others alone reach the slowest or fastest speed, or follow the longest rest"
+    missed: list[np.ndarray] = []
+    for fold in range(FOLDS):
+        others = [own.copy() for own in kept]
+        for k, rows in parts[fold::FOLDS]:
+            others[k][rows] = False
+        law, _ = search.fit(others, AGAIN, start)
+        gone = [own & ~other for own, other in zip(kept, others, strict=True)]
+        missed.append(np.concatenate(_differences(law, motions, gone)))
+    return missed, words
+
+
+def _row_differences(law: Law, motion: Transient) -> np.ndarray:
+    """Return mu of the law less that of the model at every row of a motion."""
+    state, mu = law.init(motion.velocity[0]), np.empty(motion.time.size)
+    before = motion.time[0]
+    for k, (t, v) in enumerate(zip(motion.time, motion.velocity, strict=True)):
+        state, mu[k] = law.step(state, v, t - before)
+        before = t
+    return mu - motion.mu
+
+
+def _differences(law: Law, motions: Sequence[Transient], kept: Kept) -> list[np.ndarray]:
+    return [_row_differences(law, m)[own] for m, own in zip(motions, kept, strict=True)]
+
+
+def _mean_speeds(v: np.ndarray) -> np.ndarray:
+    """Return the mean of |v| between rows, of velocities that are linear between them."""
+    before, after = v[:-1], v[1:]
+    turned = before * after < 0.0
+    apart = np.where(turned, np.abs(after - before), 1.0)
+    return 0.5 * np.where(turned, (before**2 + after**2) / apart, np.abs(before) + np.abs(after))
+
+
+def _extent(motions: Sequence[Transient]) -> tuple[float, float, int]:
+    """Return how far (m) and how long (s) all motions go, and how many segments they have."""
+    way = sum(float(_mean_speeds(m.velocity) @ np.diff(m.time)) for m in motions)
+    time = sum(float(m.time[-1] - m.time[0]) for m in motions)
+    return way, time, sum(len(list(m.parts())) for m in motions)
+
+
+def _bends(speeds: np.ndarray) -> np.ndarray:
+    """Return rows that are zero on tables without bends over ln v, and small on small ones."""
+    count = speeds.size
+    level = LEVEL * np.eye(count)
+    if count < 3:
+        return level
+    slope = np.diff(np.eye(count), axis=0) / np.diff(np.log(speeds))[:, None]
+    return np.concatenate([np.diff(slope, axis=0), level])
+
+
+def _rests(motion: Transient) -> np.ndarray:
+    """Return for how long a motion has been at rest at every row, s."""
+    rests = np.zeros(motion.time.size)
+    still = (motion.velocity[1:] == 0.0) & (motion.velocity[:-1] == 0.0)
+    for k in np.flatnonzero(still):
+        rests[k + 1] = rests[k] + motion.time[k + 1] - motion.time[k]
+    return rests
+
+
+def _alone(values: Sequence[float], end: Callable) -> int | None:
+    """Return which of the values is the largest or smallest and has none like it."""
+    k = int(end(values))
+    others = np.delete(values, k)
+    return k if (np.abs(others - values[k]) > ALIKE * abs(values[k])).all() else None
+
+
+def _rms(parts: Sequence[np.ndarray]) -> float:
+    """Return the root of the mean square of all numbers, NaN of none."""
+    found = np.concatenate(parts)
+    return float(np.sqrt(np.mean(found**2))) if found.size else math.nan

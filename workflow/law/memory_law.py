@@ -1,0 +1,109 @@
+"""The law of exponential states: a table, a direct effect, n states and the memory of contacts.
+
+    mu = g (D(v) + sum_j z_j)
+    dz_j/dt = (|v|/D_j + 1/t_j) (Z_j(v) - z_j),   dg/dt = (|v|/D_c + 1/t_c) (g_s(|v|) - g)
+
+z_j is what friction remembers of the motion, over a length D_j and a time t_j; g is how the
+contacts have aged, as the state of rate-and-state friction is, and 1 at the fastest speed. D, Z_j
+are odd in v, g_s is even; all are tables that are linear in v between speeds and from rest to the
+slowest one, g_s constant there, and constant above the fastest. So steady friction is
+
+    mu_ss(v) = g_s(|v|) (D(v) + sum_j Z_j(v)),
+
+odd in v and linear in region I. With v constant a step is the exact exponential; with v linear in
+time it is of second order: rates at the mean speed, targets linear.
+"""
+
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from .reduced_law import Law, LawError, mean_speed
+
+SMALL = 1e-6  # of a step over its time, below which a mean is a series
+
+
+def odd(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
+    """Return tables (..., speeds) at velocities, linear in v from rest on, constant above."""
+    at = np.abs(v)
+    above = np.minimum(np.searchsorted(speeds, at), speeds.size - 1)
+    low = np.where(above > 0, speeds[above - 1], 0.0)
+    share = np.minimum((at - low) / (speeds[above] - low), 1.0)
+    before = np.where(above > 0, table[..., above - 1], 0.0)
+    return np.sign(v) * (before + share * (table[..., above] - before))
+
+
+def even(v: ArrayLike, speeds: np.ndarray, table: np.ndarray) -> np.ndarray:
+    """Return tables (..., speeds) at velocities, linear in |v|, constant below and above."""
+    at = np.clip(np.abs(v), speeds[0], speeds[-1])
+    above = np.maximum(np.searchsorted(speeds, at), 1)
+    share = (at - speeds[above - 1]) / (speeds[above] - speeds[above - 1])
+    return table[..., above - 1] + share * (table[..., above] - table[..., above - 1])
+
+
+def relaxed_to(state: np.ndarray, old: np.ndarray, new: np.ndarray, x: np.ndarray) -> np.ndarray:
+    """Return states after a step of x times their time, in which the target went linearly."""
+    mean = np.where(x > SMALL, -np.expm1(-x) / np.where(x > SMALL, x, 1.0), 1.0 - 0.5 * x)
+    return new + (state - old) * np.exp(-x) - (new - old) * mean
+
+
+@dataclass(frozen=True)
+class MemoryLaw(Law):
+    """A table of steady friction, a direct effect, n exponential states, the age of contacts."""
+
+    kind: ClassVar[str] = "states"
+    speed: np.ndarray  # of the tables, m/s, increasing, above 0, shape (speeds,)
+    direct: np.ndarray  # D at them
+    target: np.ndarray  # Z_j at them, shape (n, speeds)
+    rate_per_length: np.ndarray  # 1/D_c, then 1/D_j, 1/m, shape (n + 1,)
+    rate: np.ndarray  # 1/t_c, then 1/t_j, 1/s
+    age: np.ndarray  # g_s at the speeds
+
+    def __post_init__(self) -> None:
+        """Raise UserError where the tables do not fit together."""
+        for name in ("speed", "direct", "target", "rate_per_length", "rate", "age"):
+            object.__setattr__(self, name, np.asarray(getattr(self, name), float))
+        if not self.target.size:
+            object.__setattr__(self, "target", np.zeros((0, self.speed.size)))
+        count, states = self.speed.size, self.target.shape[0]
+        tables = self.direct.shape == self.age.shape == (count,) and count > 1
+        rates = self.rate.shape == self.rate_per_length.shape == (states + 1,)
+        if not (tables and rates and self.target.shape == (states, count)):
+            raise LawError("the tables must have two speeds or more, one value for each and state")
+        positive = bool((np.diff(self.speed, prepend=0.0) > 0.0).all())
+        if not positive or min(self.rate.min(), self.rate_per_length.min()) < 0.0:
+            raise LawError("speeds must increase from above zero, and no rate be below zero")
+
+    def init(self, velocity: float) -> np.ndarray:
+        """Return (v, g, z_1 ... z_n) of steady sliding."""
+        return np.concatenate([[velocity], self._targets(velocity)])
+
+    def _targets(self, v: float) -> np.ndarray:
+        odds = odd(v, self.speed, self.target)
+        return np.concatenate([[even(v, self.speed, self.age)], odds])
+
+    def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
+        """Return the state after a step, and mu; see ``Law.step``."""
+        x = dt * (mean_speed(state[0], v) * self.rate_per_length + self.rate)
+        after = relaxed_to(state[1:], self._targets(state[0]), self._targets(v), x)
+        mu = after[0] * (float(odd(v, self.speed, self.direct)) + float(np.sum(after[1:])))
+        return np.concatenate([[v], after]), float(mu)
+
+    def steady(self, v: ArrayLike) -> np.ndarray:
+        """Return mu_ss(v)."""
+        whole = self.direct + self.target.sum(axis=0)
+        return even(v, self.speed, self.age) * odd(v, self.speed, whole)
+
+    def scaled(self, factor: float) -> dict[str, Any]:
+        """Return speeds and rates where all times are ``factor`` times as long."""
+        return {"speed": self.speed / factor, "rate": self.rate / factor}
+
+    def outside(self) -> str:
+        """Return what the law does outside its range."""
+        return (
+            f"below {self.known.slowest:.3g} m/s mu goes to zero at rest, in proportion to v from "
+            f"{self.speed[0]:.3g} m/s on; above {self.speed[-1]:.3g} m/s the speed in its tables "
+            "is clamped to that"
+        )

@@ -1,0 +1,218 @@
+"""What every reduced law of friction has: a state, a step, its range and its error, as JSON.
+
+A law is a few numbers and a state, from which a model of a machine gets mu(t) of any v(t) without
+the elastomer behind it. Its state begins with the velocity; between two steps the velocity is
+linear in time, and a step of no duration is a jump of it.
+"""
+
+import json
+import warnings
+from abc import ABC, abstractmethod
+from dataclasses import asdict, dataclass, field, fields, replace
+from typing import Any, ClassVar, NamedTuple, Self
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from ..errors import UserError
+from .transients import finely, motions_of
+
+FORMAT = 1  # of the JSON
+WORDS = ("motions", "held_out", "window", "source")  # of what is known; the rest are numbers
+BEYOND = 1.0 + 1e-9  # times the fastest speed: rounding
+
+
+class LawError(UserError, ValueError):
+    """Values without meaning for a law."""
+
+
+class BeyondLawWarning(UserWarning):
+    """A law is asked outside the range in which it was fitted."""
+
+
+@dataclass(frozen=True)
+class Known:
+    """In which range a law was fitted, and how closely it follows; mu has no unit.
+
+    slowest, fastest : speeds between which it was fitted, m/s; mu is in proportion to v below and
+    that of the fastest above. longest_rest : s. normal_force : N, of the motions. rms, largest :
+    of mu of the law less that of the model, on the motions that it was fitted to. held_rms,
+    held_largest : the same on motions that it was not fitted to, the worst of them: its stated
+    error. usual : rms of
+    mu itself. model_error : rms standard error of mu in the model. left : share of the variance of
+    mu that is left when mu is a function of the velocity alone. motions : what it was fitted to,
+    with the rms error on each. held_out : what was held out, in words. window : how much was
+    fitted, in words. source : of the result.
+    """
+
+    slowest: float = float("nan")
+    fastest: float = float("inf")
+    longest_rest: float = 0.0
+    normal_force: float = float("nan")
+    rms: float = float("nan")
+    largest: float = float("nan")
+    held_rms: float = float("nan")
+    held_largest: float = float("nan")
+    usual: float = float("nan")
+    model_error: float = float("nan")
+    left: float = float("nan")
+    motions: tuple[tuple[str, float], ...] = ()
+    held_out: str = ""
+    window: str = ""
+    source: str = ""
+
+
+class Compared(NamedTuple):
+    """A motion of the model beside the law."""
+
+    name: str
+    time: np.ndarray  # s
+    velocity: np.ndarray  # m/s
+    mu: np.ndarray  # of the model
+    law: np.ndarray  # mu of the law
+    rms: float  # of the difference
+    largest: float
+
+
+@dataclass(frozen=True)
+class Law(ABC):
+    """A reduced law: ``init``, ``step`` and ``steady`` make it, the rest follows from them."""
+
+    kind: ClassVar[str]
+    known: Known = field(default_factory=Known, kw_only=True)
+
+    @abstractmethod
+    def init(self, velocity: float) -> np.ndarray:
+        """Return the state of steady sliding at a velocity, m/s; its first number is that."""
+
+    @abstractmethod
+    def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
+        """Return the state after dt (s), in which the velocity became v (m/s) linearly, and mu.
+
+        dt = 0 is a jump of the velocity. Of a constant velocity every division of a time into
+        steps gives the same state. The state that is given stays as it is.
+        """
+
+    @abstractmethod
+    def steady(self, v: ArrayLike) -> np.ndarray:
+        """Return steady friction mu(v); v in m/s, any shape and sign."""
+
+    @abstractmethod
+    def scaled(self, factor: float) -> dict[str, Any]:
+        """Return the numbers that change where all times are ``factor`` times as long."""
+
+    def shifted(self, factor: float) -> Self:
+        """Return the law where all times of the material are ``factor`` times as long.
+
+        As a temperature multiplies them by the law of Williams, Landel and Ferry: exact for the
+        model, in which mu depends on v times a relaxation time. Raises UserError for factors that
+        are not positive.
+        """
+        if not 0.0 < factor < np.inf:
+            raise LawError(f"factor = {factor!r}: must be greater than zero")
+        known = replace(
+            self.known,
+            slowest=self.known.slowest / factor,
+            fastest=self.known.fastest / factor,
+            longest_rest=self.known.longest_rest * factor,
+        )
+        return replace(self, known=known, **self.scaled(factor))
+
+    def run(self, time: ArrayLike, velocity: ArrayLike) -> np.ndarray:
+        """Return mu at times (s) for velocities (m/s) that are linear in between; shape (n,).
+
+        Two samples of one time are a step. Sliding is steady before. Changes of the velocity are
+        taken in small parts, so that v(t) counts and not its samples. Warns beyond the fastest
+        speed. Raises UserError for times that decrease and for what is not finite.
+        """
+        t, v, last = finely(*_checked(time, velocity), self.known.slowest)
+        if v.size and np.max(np.abs(v)) > self.known.fastest * BEYOND:
+            said = f"{np.max(np.abs(v)):g} m/s is above {self.known.fastest:g} m/s, up to which the"
+            said += " law was fitted; the speed is clamped there"
+            warnings.warn(said, BeyondLawWarning, stacklevel=2)
+        mu = np.zeros(t.size)
+        if v.size:
+            state, mu[0] = self.step(self.init(v[0]), v[0], 0.0)
+        for k in range(1, t.size):
+            state, mu[k] = self.step(state, v[k], t[k] - t[k - 1])
+        return mu[last]
+
+    def compare(self, results: Any, point: dict[str, Any] | None = None) -> list[Compared]:
+        """Return every motion of one or several results of the model, and the law beside it.
+
+        results : as ``fit`` takes them, or transients. Raises UserError as ``fit`` does.
+        """
+        found = []
+        for motion in motions_of(results, point):
+            law = self.run(motion.time, motion.velocity)
+            for name, at in motion.parts():
+                off = law[at] - motion.mu[at]
+                kept = motion.time[at], motion.velocity[at], motion.mu[at], law[at]
+                errors = float(np.sqrt(np.mean(off**2))), float(np.max(np.abs(off)))
+                found.append(Compared(name, *kept, *errors))
+        return found
+
+    def with_known(self, known: Known) -> Self:
+        """Return the law with other range and errors."""
+        return replace(self, known=known)
+
+    def to_json(self) -> str:
+        """Return the law as JSON, from which ``read`` gets it back to the bit."""
+        numbers = {
+            each.name: np.asarray(getattr(self, each.name)).tolist()
+            for each in fields(self)
+            if each.name != "known"
+        }
+        told = {name: _plain(value) for name, value in asdict(self.known).items()}
+        whole = {"format": FORMAT, "kind": self.kind, **numbers, "known": told}
+        return json.dumps(whole, indent=1, allow_nan=False)
+
+    def told(self) -> list[str]:
+        """Return the numbers, the range and the error of the law, in lines for people."""
+        known, numbers = self.known, [each.name for each in fields(self) if each.name != "known"]
+        share = 100.0 / known.usual if known.usual else float("nan")
+        return [
+            f"kind: {self.kind}; "
+            + "; ".join(f"{name} {_short(getattr(self, name))}" for name in numbers),
+            f"range: speeds of {known.slowest:.3g} ... {known.fastest:.3g} m/s, rest of "
+            f"{known.longest_rest:.3g} s at most, normal force {known.normal_force:.4g} N",
+            f"outside: {self.outside()}",
+            f"error on the worst of the motions held out: {known.held_rms:.3g} rms "
+            f"({share * known.held_rms:.3g} % of the rms of mu), {known.held_largest:.3g} "
+            f"at most; held out: {known.held_out}",
+            f"error on what was fitted, {known.window}: {known.rms:.3g} rms "
+            f"({share * known.rms:.3g} %), {known.largest:.3g} at most; the model's own standard "
+            f"error {known.model_error:.3g}",
+        ]
+
+    @abstractmethod
+    def outside(self) -> str:
+        """Return what the law does outside its range."""
+
+
+def _short(value: Any) -> str:
+    return np.array2string(np.asarray(value), precision=4, separator=", ").replace("\n", "")
+
+
+def _plain(value: Any) -> Any:
+    """Return a value as JSON knows it: what is not finite as a word."""
+    return str(value) if isinstance(value, float) and not np.isfinite(value) else value
+
+
+def _checked(time: ArrayLike, velocity: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    try:
+        t, v = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise LawError(f"time and velocity must hold real numbers: {error}") from error
+    if t.shape != v.shape or t.ndim != 1 or not (np.diff(t) >= 0.0).all():
+        raise LawError("time must increase, and velocity hold one value per time")
+    if not (np.isfinite(t).all() and np.isfinite(v).all()):
+        raise LawError("time and velocity must be finite")
+    return t, v
+
+
+def mean_speed(before: float, after: float) -> float:
+    """Return the mean of |v| while v changes linearly from one velocity to another."""
+    if before * after >= 0.0:
+        return 0.5 * (abs(before) + abs(after))
+    return 0.5 * (before * before + after * after) / abs(after - before)

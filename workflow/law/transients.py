@@ -1,0 +1,154 @@
+"""Motions of the model as laws are fitted to them: v(t) with its jumps, and mu where it is kept."""
+
+import contextlib
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..errors import UserError
+
+PIECE = 0.1  # change of the velocity, as a share of it, that a step takes at most
+COARSE = 0.05  # of a whole way, that sampled velocities may miss
+MOVED = ("velocity", "hold")  # axes along which the motion alone differs
+NEEDED = ("trace_time", "trace_velocity", "trace_distance", "trace_segment", "trace_mu")
+
+
+class Transient(NamedTuple):
+    """One motion: velocities linear between times, of which some are kept samples of friction.
+
+    Two rows of one time are a jump of the velocity. All of shape (rows,).
+    """
+
+    name: str
+    time: np.ndarray  # s
+    velocity: np.ndarray  # m/s
+    mu: np.ndarray  # NaN where none is known
+    error: np.ndarray  # standard error of mu, NaN where none is known
+    segment: np.ndarray  # of the programme, from 0
+    normal_force: float  # N
+
+    def parts(self) -> Iterator[tuple[str, np.ndarray]]:
+        """Yield name and rows of every segment in which friction is known."""
+        for number in np.unique(self.segment):
+            rows = np.flatnonzero((self.segment == number) & np.isfinite(self.mu))
+            if rows.size:
+                first, last = self.velocity[rows[0]], self.velocity[rows[-1]]
+                ends = " ... ".join(dict.fromkeys(f"{v:.3g}" for v in (first, last)))
+                yield f"{self.name}, segment {number}, {ends} m/s", rows
+
+
+def finely(
+    time: np.ndarray, velocity: np.ndarray, least: float
+) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return times and velocities in small changes, and where the given samples stand in them.
+
+    A change is PIECE of the speed at most, or of ``least`` (m/s, NaN: not known), below which
+    friction is linear in the velocity; a jump stays one.
+    """
+    if not time.size:
+        return time, velocity, np.zeros(0, int)
+    change, duration = np.diff(velocity), np.diff(time)
+    least = least if 0.0 < least < np.inf else max(1e-3 * float(np.max(np.abs(velocity))), 1e-300)
+    place = np.arcsinh(velocity / least)
+    parts = np.where(duration > 0.0, np.ceil(np.abs(np.diff(place)) / PIECE), 1.0)
+    parts = np.maximum(parts, 1.0).astype(int)
+    last = np.concatenate([[0], np.cumsum(parts)])
+    at = np.interp(np.arange(last[-1] + 1), last, np.arange(last.size))
+    of = np.minimum(at.astype(int), max(change.size - 1, 0))
+    v = least * np.sinh(np.interp(at, np.arange(last.size), place))
+    v[last] = velocity
+    if not change.size:
+        return time, velocity, last
+    moved = np.where(change[of] != 0.0, change[of], 1.0)
+    along = np.where(change[of] != 0.0, (v - velocity[of]) / moved, at - of)
+    t = time[of] + np.clip(along, 0.0, 1.0) * duration[of]
+    t[last] = time
+    return t, v, last
+
+
+def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
+    """Return the motions of a result with the quantity "trace", one of every hold and velocity.
+
+    dataset : of ``scene.run``, or of a study. point : the place on the axes of its grid, nearest
+    values, as {"hurst": 0.7}; an axis of one value may be left out. Raises UserError for a point
+    that is not given whole, without traces, and for traces too coarse to know v(t) from.
+    """
+    missing = [name for name in NEEDED if name not in getattr(dataset, "variables", ())]
+    if missing:
+        said = 'a law is fitted to a programme of motion; ask for the quantity "trace"'
+        raise UserError(f"the result has no {missing[0]}: {said}")
+    chosen = dataset
+    for axis, value in (point or {}).items():
+        try:
+            chosen = chosen.sel({axis: value}, method="nearest")
+        except (LookupError, TypeError, ValueError) as error:
+            raise UserError(f"{axis} = {value}: the result has no such point: {error}") from error
+    axes = [str(axis) for axis in chosen["trace_mu"].dims if axis != "event"]
+    several = [axis for axis in axes if chosen.sizes[axis] > 1 and axis not in MOVED]
+    if several:
+        lists = ", ".join(f"{axis} of {chosen[axis].values.tolist()}" for axis in several)
+        raise UserError(f"the result has several points; say which: {lists}")
+    chosen = chosen.isel({axis: 0 for axis in axes if axis not in MOVED})
+    found = []
+    for at in np.ndindex(*(chosen.sizes.get(axis, 1) for axis in MOVED)):
+        own = {axis: k for axis, k in zip(MOVED, at, strict=True) if axis in chosen.dims}
+        words = [f"{axis} {float(chosen[axis][k]):.3g}" for axis, k in own.items()]
+        title = str(dataset.attrs.get("title", "motion"))
+        found.append(_transient(chosen.isel(own), ", ".join([title, *words])))
+    return found
+
+
+def motions_of(results: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
+    """Return the motions of one or several results, or of transients. Raises UserError."""
+    one = isinstance(results, Transient) or not isinstance(results, Sequence)
+    found: list[Transient] = []
+    for each in [results] if one else results:
+        found += [each] if isinstance(each, Transient) else transients_of(each, point)
+    if len(found) > 1:
+        found = [own._replace(name=f"{k}: {own.name}") for k, own in enumerate(found, 1)]
+    return found
+
+
+def _transient(chosen: Any, name: str) -> Transient:
+    """Return the motion of a dataset whose traces have the axis "event" alone."""
+    segment = chosen["trace_segment"].values
+    known = np.isfinite(chosen["trace_time"].values) & (segment >= 0)
+
+    def values(variable: str) -> np.ndarray:
+        if variable not in chosen:
+            return np.full(int(known.sum()), np.nan)
+        return np.asarray(chosen[variable].values, float)[known]
+
+    force = np.nan
+    with contextlib.suppress(LookupError, TypeError, ValueError):
+        force = float(chosen["normal_force"])
+    t, v, x = values("trace_time"), values("trace_velocity"), values("trace_distance")
+    _check_way(name, t, v, x, segment[known])
+    rows = np.column_stack([t, v, values("trace_mu"), values("trace_mu_error"), segment[known]])
+    for k in np.flatnonzero((np.diff(rows[:, 4]) != 0.0) & (np.diff(v) != 0.0))[::-1]:
+        # A jump between two kept samples is where both velocities lead to the second place.
+        before, after, duration = v[k], v[k + 1], t[k + 1] - t[k]
+        since = (x[k + 1] - x[k] - after * duration) / (before - after)
+        at = t[k] + min(max(since, 0.0), duration)
+        ends = [
+            [at, before, np.nan, np.nan, rows[k, 4]],
+            [at, after, np.nan, np.nan, rows[k + 1, 4]],
+        ]
+        rows = np.insert(rows, k + 1, ends, axis=0)
+    time, velocity, mu, error, parts = rows.T
+    return Transient(name, time, velocity, mu, error, parts.astype(int), force)
+
+
+def _check_way(name: str, t: np.ndarray, v: np.ndarray, x: np.ndarray, segment: np.ndarray) -> None:
+    """Raise UserError where velocities at the kept samples do not lead along the way."""
+    if t.size < 2:
+        raise UserError(f"{name}: holds {t.size} samples of its trace, too few for a law")
+    inside = np.diff(segment) == 0
+    off = 0.5 * (v[1:] + v[:-1]) * np.diff(t) - np.diff(x)
+    missed, way = np.abs(off[inside]).sum(), np.abs(np.diff(x)).sum()
+    if missed > COARSE * way:
+        raise UserError(
+            f"{name}: the velocities of its trace miss {100 * missed / way:.2g} % of the way: its "
+            "samples are too coarse to know v(t) from; ask for more numerics.samples"
+        )
