@@ -133,5 +133,5 @@ def _settle_and_predict(ahead, fresh, stale, memory, b, total):
 @kernel
 def settled(scales):
     """Note that the memory of all that is pressed knows of the last step."""
-    scales.fresh[:] = 0.0
-    scales.stale[:] = 0.0
+    for k in range(scales.fresh.size):
+        scales.fresh[k] = scales.stale[k] = 0.0

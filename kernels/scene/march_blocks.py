@@ -224,11 +224,20 @@ def _predict(law, blocks, p, older, step, some, z, rows):
     law : of the step that comes. The blocks learn of all steps until ``step``. p, older : forces of
     that step and of the one before.
     """
-    memory, seen, pressed, scales = blocks
-    catch_up(scales, memory, seen, some, step)
-    c, total = rows.springs.c, rows.total
-    settle_and_predict(law, scales, memory, pressed, p, older, some, z, total, c)
-    settled(scales)
+    catch_up(blocks.scales, blocks.memory, blocks.seen, some, step)
+    settle_and_predict(
+        law,
+        blocks.scales,
+        blocks.memory,
+        blocks.pressed,
+        p,
+        older,
+        some,
+        z,
+        rows.total,
+        rows.springs.c,
+    )
+    settled(blocks.scales)
 
 
 @kernel
@@ -255,7 +264,8 @@ def _count_as_it_is(blocks, step):
             for i in range(BLOCK):
                 y = scale * memory[b, k, i]
                 memory[b, k, i] = y if abs(y) > NEGLIGIBLE else 0.0
-    scales.scale[:] = 1.0
+    for k in range(scales.scale.size):
+        scales.scale[k] = 1.0
 
 
 @kernel
