@@ -127,7 +127,7 @@ def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[
     if "state" in scene.asked:
         position = float(steps.position[-1])
         speed = last_speed(scene.programme[-1])
-        elements = elements if blocks is None else elements_of(blocks, z.size)
-        saved = Saved(*elements, position, time, speed)
+        last: Elements = elements if blocks is None else elements_of(blocks, z.size)
+        saved = Saved(*last, position, time, speed)
         values |= {f"state_{name}": np.asarray(value) for name, value in saved._asdict().items()}
     return values
