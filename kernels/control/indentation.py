@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..model.balance import balance, note
+from ..model.balance import balance, balance_rows, note
 
 
 class PrescribedIndentation(NamedTuple):
@@ -24,4 +24,10 @@ def _note(control, c, d, first, rings):
 
 @balance.of(PrescribedIndentation)
 def _balance(control, law, z, c, noted, d, step):
+    return control.indentation[step - 1], 0
+
+
+@balance_rows.of(PrescribedIndentation)
+def _balance_rows(control, law, rows, d, step):
+    rows.highest[0] = control.indentation[step - 1]
     return control.indentation[step - 1], 0

@@ -23,3 +23,11 @@ def balance(control, law, z, c, noted, d, step):
     is known, both at the samples that are marched; c may be changed. d : the old indentation.
     step : number, from 1 on; what is prescribed may change with it.
     """
+
+
+@by_type
+def balance_rows(control, law, rows, d, step):
+    """Return the same of elements with internal variables; rows : SpringRows (contact.py).
+
+    They note the highest indentation that was looked at on the way.
+    """

@@ -72,6 +72,13 @@ class Springs(NamedTuple):
     c: np.ndarray  # contact thresholds z_i - w_i, shape (n,), n > 0, in h
 
 
+class SpringRows(NamedTuple):
+    """Springs in rows, those left out that an indentation below some bound does not reach."""
+
+    c: np.ndarray  # as of Springs, shape (rows, length)
+    highest: np.ndarray  # shape (1,): the highest indentation at which it was asked
+
+
 class UnlikeSprings(NamedTuple):
     """Elements one by one, each of its own stiffness."""
 
@@ -85,6 +92,13 @@ def _excess_of_springs(contact, load, d):
     return force - load, count, count
 
 
+@excess_at.of(SpringRows)
+def _excess_of_spring_rows(contact, load, d):
+    contact.highest[0] = max(contact.highest[0], d)
+    force, count = overlap_of_rows(contact.c, d)
+    return force - load, count, count
+
+
 @excess_at.of(UnlikeSprings)
 def _excess_of_unlike_springs(contact, load, d):
     force, slope, count = weighted_overlap(contact.c, contact.stiffness, d)
@@ -94,6 +108,12 @@ def _excess_of_unlike_springs(contact, load, d):
 @lowest_of.of(Springs)
 def _lowest_of_springs(contact, load):
     lowest = contact.c.min()
+    return lowest, lowest + load
+
+
+@lowest_of.of(SpringRows)
+def _lowest_of_spring_rows(contact, load):
+    lowest = contact.c.min() if contact.c.size > 0 else np.inf
     return lowest, lowest + load
 
 
@@ -150,6 +170,26 @@ def overlap(c, d):
     total = ((s0 + s4) + (s1 + s5)) + ((s2 + s6) + (s3 + s7))
     count = ((n0 + n4) + (n1 + n5)) + ((n2 + n6) + (n3 + n7))
     return total, count
+
+
+@kernel
+def overlap_of_rows(c, d):
+    """Return the same, as floats, of thresholds in rows: by columns, of which there are 2^k.
+
+    The compiler takes several columns at once. A row in which nothing touches changes no bit.
+    """
+    sums, touching = np.zeros(c.shape[1]), 0
+    for row in range(c.shape[0]):
+        for i in range(sums.size):
+            depth = d - c[row, i]
+            sums[i] += depth if depth > 0.0 else 0.0
+            touching += 1 if depth > 0.0 else 0
+    half = sums.size // 2
+    while half > 0:
+        for i in range(half):
+            sums[i] += sums[half + i]
+        half //= 2
+    return sums[0], float(touching)
 
 
 @kernel

@@ -2,8 +2,8 @@
 
 from typing import NamedTuple
 
-from .balance import balance, note
-from .contact import solve_indentation
+from .balance import balance, balance_rows, note
+from .contact import indentation_under, solve_indentation
 
 
 class ConstantForce(NamedTuple):
@@ -20,3 +20,8 @@ def _note(control, c, d, first, rings):
 @balance.of(ConstantForce)
 def _balance(control, law, z, c, noted, d, step):
     return solve_indentation(c, control.load / law.stiffness, d)
+
+
+@balance_rows.of(ConstantForce)
+def _balance_rows(control, law, rows, d, step):
+    return indentation_under(rows, control.load / law.stiffness, d)

@@ -81,11 +81,7 @@ def _memories(form):
 
 @rest.of(Retardation)
 def _rest(form, p):
-    memory = np.empty((form.times.size, p.size))
-    for k in range(form.times.size):
-        for i in range(p.size):
-            memory[k, i] = -form.compliances[k] * p[i]
-    return memory
+    return -form.compliances.reshape(-1, 1) * p
 
 
 @displacement.of(Retardation)
@@ -99,8 +95,7 @@ def _lasting(form, memory):
     viscosity = 1.0 / (form.compliances / form.times).sum() if form.glass == 0.0 else 0.0
     pressure = np.zeros(memory.shape[1])
     for k in range(form.times.size):
-        for i in range(pressure.size):
-            pressure[i] -= viscosity / form.times[k] * memory[k, i]
+        pressure -= viscosity / form.times[k] * memory[k]
     return viscosity, pressure
 
 

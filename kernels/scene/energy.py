@@ -49,6 +49,14 @@ def stored_energy(form, memory, p):
 
 
 @kernel
+def keep_energies(ledger, k, form, memory, p):
+    """Keep the energies of a step as number k of those that are kept; memory, p : at its end."""
+    ledger.kept[0, k] = stored_energy(form, memory, p)
+    for entry in range(3):
+        ledger.kept[entry + 1, k] = ledger.sums[entry] / p.size
+
+
+@kernel
 def book(form, law, dt, memory, p, new, work, closing, sums):
     """Add a step, before its memory settles, to the sums of a ledger.
 

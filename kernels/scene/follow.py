@@ -1,8 +1,9 @@
 """Following a programme: the line moves over a foundation at rest, element by element.
 
-It takes any material with internal variables, any control and any motion: slower than march.py,
-which does the one case of a Kelvin element under a line that slides at one speed. Laws, controls
-and what is kept are chosen by type: what is not asked for has left no trace in the machine code.
+It takes any material with internal variables, any control and any motion, and steps all elements:
+the reference of march_blocks.py, which takes Prony series through the same with those elements
+alone that can touch. Laws, controls and what is kept are chosen by type: what is not asked for has
+left no trace in the machine code.
 """
 
 import numpy as np
@@ -10,7 +11,7 @@ import numpy as np
 from ..compile.jit import kernel
 from ..model.balance import balance
 from ..rheology.law import Elements, displacement, law_of, predict, settle
-from .energy import book, stored_energy
+from .energy import book, keep_energies
 from .records import count_lengths, keep_frame, keep_motion, keep_trace
 
 
@@ -29,11 +30,11 @@ def follow(form, control, track, elements, done, kept, frames, trace, ledger, le
     memory, p, d = elements.memory.copy(), elements.p.copy(), elements.d
     w, c, new, u = np.empty(n), np.empty(n), np.empty(n), np.empty(n)
     passes = 0
-    k = _first_after(kept, done)
-    frame = _first_after(frames, done)
+    k = first_after(kept, done)
+    frame = first_after(frames, done)
     for s in range(track.dt.size):
         step = done + s + 1
-        z = _seen(track.z, track, s + 1, n)
+        z = seen_at(track.z, track, s + 1, n)
         law = law_of(form, track.dt[s])
         predict(law, memory, p, w)
         for i in range(n):
@@ -45,7 +46,7 @@ def follow(form, control, track, elements, done, kept, frames, trace, ledger, le
             depth = d - c[i]
             new[i] = law.stiffness * depth if depth > 0.0 else 0.0
         if ledger is not None:
-            _book(form, law, ledger, track, s, memory, p, new, w, old, d)
+            book_step(form, law, ledger, track, s, memory, p, new, w, old, d)
         if film is not None and frame < frames.size and step == frames[frame]:
             for i in range(n):
                 u[i] = w[i] - new[i] / law.stiffness
@@ -64,19 +65,17 @@ def _keep(k, form, law, track, s, old, d, memory, p, trace, ledger, lengths):
     """Keep a step of which the memory has settled, as number k of those that are kept."""
     n = p.size
     if trace is not None:
-        before, now = _seen(track.slope, track, s, n), _seen(track.slope, track, s + 1, n)
+        before, now = seen_at(track.slope, track, s, n), seen_at(track.slope, track, s + 1, n)
         keep_trace(trace, k, law.lag, before, now, old, d, p)
         keep_motion(trace, k, law.lag, track, s)
     if ledger is not None:
-        ledger.kept[0, k] = stored_energy(form, memory, p)
-        for entry in range(3):
-            ledger.kept[entry + 1, k] = ledger.sums[entry] / n
+        keep_energies(ledger, k, form, memory, p)
     if lengths is not None:
         count_lengths(lengths, p)
 
 
 @kernel
-def _first_after(numbers, done):
+def first_after(numbers, done):
     """Return which of increasing numbers is the first above ``done``."""
     k = 0
     while k < numbers.size and numbers[k] <= done:
@@ -85,17 +84,17 @@ def _first_after(numbers, done):
 
 
 @kernel
-def _seen(values, track, s, n):
+def seen_at(values, track, s, n):
     """Return the values of the line at the elements after step s of a track, shape (n,)."""
     begin = track.begin[s]
     return values[track.line[s], begin : begin + n]
 
 
 @kernel
-def _book(form, law, ledger, track, s, memory, p, new, w, old, d):
+def book_step(form, law, ledger, track, s, memory, p, new, w, old, d):
     """Book a step whose forces are known and whose memory has not settled."""
     n = p.size
-    before, after = _seen(track.z, track, s, n), _seen(track.z, track, s + 1, n)
+    before, after = seen_at(track.z, track, s, n), seen_at(track.z, track, s + 1, n)
     u = displacement(form, memory, p)
     work, closing = np.empty(n), np.empty(n)
     for i in range(n):

@@ -53,12 +53,19 @@ def keep_trace(trace, k, lag, before, now, old, new, p):
     before, now : slopes before and after it, in h/dx. old, new : indentation, in h. p : forces
     of its elements. All of shape (n,).
     """
-    normal, tangential, touching = weighed(-p, None, now + lag * (before - now), 0.0)
+    sums = weighed(-p, None, now + lag * (before - now), 0.0)
+    keep_forces(trace, k, lag, sums, p.size, old, new)
+
+
+@kernel
+def keep_forces(trace, k, lag, sums, n, old, new):
+    """Keep the sums of eq. 5 over n elements (model/friction.py); the others as of keep_trace."""
+    normal, tangential, touching = sums
     trace.mu[k] = tangential / normal if normal > 0.0 else np.nan
     trace.indentation[k] = new + lag * (old - new)
-    trace.normal_force[k] = normal / p.size
-    trace.friction_force[k] = tangential / p.size
-    trace.contact_fraction[k] = touching / p.size
+    trace.normal_force[k] = normal / n
+    trace.friction_force[k] = tangential / n
+    trace.contact_fraction[k] = touching / n
 
 
 @kernel

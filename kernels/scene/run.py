@@ -9,9 +9,11 @@ from ..motion.legs import last_speed, speed_at_start
 from ..motion.track import Track, tracks
 from ..rheology.forms import form_of
 from ..rheology.law import Elements, displacement, law_of
+from ..rheology.retardation import Retardation
 from .begin import Form, begun
 from .energy import ENERGIES, Ledger, stored_energy
 from .follow import follow
+from .march_blocks import elements_of, follow_blocks, in_blocks
 from .records import TRACES, Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
 from .scene_case import START, Saved, SceneCase, check_scene, indentation_at, scene_steps
 
@@ -91,7 +93,7 @@ def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[
     snapshots : "snapshot_height" (line over the undeformed foundation) and
     "snapshot_displacement" (of the elements), (frames, n), in h.
     state : the fields of Saved as "state_memory", "state_p", ….
-    "updates" : of elements, the measure of cost. Raises ValueError for a scene without meaning.
+    "updates" : of elements, were all of them moved. Raises ValueError for a scene without meaning.
     """
     m, z, slope = line.steps_per_spacing, line.z, line.slope
     steps = scene_steps(scene, m, state.origin if state else START)
@@ -108,17 +110,24 @@ def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[
     if state is None and scene.start == "steady":
         lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)
     done, updates, time = 0, 0, begin.time
+    ends = np.flatnonzero(np.diff(steps.leg, append=-1)) + 1  # steps at which legs end
+    blocks = in_blocks(elements, 0) if isinstance(form, Retardation) else None
     for track in tracks(z, slope, m, steps, begin.position, begin.time):
         if done == 0:
             recorders.start(form, line, track, elements, lag, speed)
-        elements, passes = follow(form, control, track, elements, done, *recorders.all())
+        kept = recorders.all()
+        if blocks is None:
+            elements, passes = follow(form, control, track, elements, done, *kept)
+        else:
+            blocks, passes = follow_blocks(form, control, track, blocks, done, ends, *kept)
+        updates += (passes + track.dt.size) * z.size
         done += track.dt.size
         time = float(track.time[-1])
-        updates += (passes + track.dt.size) * z.size
     values = recorders.values(line.datum) | {"updates": np.array(float(updates))}
     if "state" in scene.asked:
         position = float(steps.position[-1])
         speed = last_speed(scene.programme[-1])
-        saved = Saved(*elements, position, time, speed)
+        last: Elements = elements if blocks is None else elements_of(blocks, z.size)
+        saved = Saved(*last, position, time, speed)
         values |= {f"state_{name}": np.asarray(value) for name, value in saved._asdict().items()}
     return values

@@ -1,0 +1,317 @@
+"""Following a programme with the elements alone that can touch.
+
+An element is never pulled up, so that none touches where the line lies above a cap that the
+indentation does not reach. Elements are stepped block by block where some of the line is below
+the cap; the memory of all others counts in what decays as it does (rheology/scaled.py) and needs
+no step. Where the indentation passes the cap, more blocks are looked at in the same step. Which
+they are changes no bit.
+
+A block is settled when it is looked at next: what the last step did to its memory and what that
+does in the coming one is one pass over it. At the end of a leg memory counts as it is again, so
+that a programme that is cut between legs goes on to the bit.
+
+The plain march (follow.py) is what it is tested against.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..compile.jit import kernel
+from ..model.balance import balance_rows
+from ..model.contact import SpringRows
+from ..model.friction import weighed
+from ..rheology.law import NEGLIGIBLE, Elements, law_of
+from ..rheology.scaled import (
+    BLOCK,
+    Scales,
+    as_it_is,
+    catch_up,
+    go_on,
+    look_ahead,
+    settle_and_predict,
+    settled,
+)
+from .energy import keep_energies
+from .follow import book_step, first_after, seen_at
+from .records import count_lengths, keep_forces, keep_frame, keep_motion
+
+CELL = 16  # samples of which the lowest is known
+SLACK = 16  # samples that the line may move before the blocks are chosen anew
+SPARE = 0.02  # of the indentation, to the cap
+
+
+class ElementBlocks(NamedTuple):
+    """The memory of elements in blocks, of which elements that nothing meets fill up the last."""
+
+    memory: np.ndarray  # scaled, shape (blocks, K, BLOCK)
+    seen: np.ndarray  # shape (blocks,): the last step that the memory knows of
+    pressed: np.ndarray  # shape (blocks,): 0 where no force acts, nor has in the step before
+    scales: Scales
+
+
+class BlockElements(NamedTuple):
+    """The same with the forces, in 4 G dx h, and the indentation."""
+
+    blocks: ElementBlocks
+    p: np.ndarray  # shape (blocks, BLOCK): of the last step
+    older: np.ndarray  # of the step before
+    d: float  # in h
+
+
+class Rows(NamedTuple):
+    """Room for what is found out about some blocks in a step, a row for each."""
+
+    active: np.ndarray  # the blocks that can touch
+    springs: SpringRows  # their thresholds
+    total: np.ndarray  # for rheology/scaled.py
+
+
+@kernel
+def in_blocks(elements, done):
+    """Return the BlockElements of Elements, after a number of steps."""
+    units, n = elements.memory.shape
+    count = (n + BLOCK - 1) // BLOCK
+    memory, p = np.zeros((count, units, BLOCK)), np.zeros((count, BLOCK))
+    pressed = np.zeros(count, np.int64)
+    for b in range(count):
+        of = elements.p[b * BLOCK : (b + 1) * BLOCK]
+        for i in range(of.size):
+            p[b, i] = of[i]
+            pressed[b] = 2 if of[i] != 0.0 else pressed[b]
+        for k in range(units):
+            y = elements.memory[k, b * BLOCK : (b + 1) * BLOCK]
+            for i in range(y.size):
+                memory[b, k, i] = y[i]
+    blocks = ElementBlocks(memory, np.full(count, done), pressed, as_it_is(units, done))
+    return BlockElements(blocks, p, np.zeros_like(p), elements.d)
+
+
+@kernel
+def elements_of(state, n):
+    """Return the n Elements of BlockElements whose blocks know of all steps."""
+    return Elements(_memory(state.blocks, n), state.p.copy().reshape(-1)[:n], state.d)
+
+
+@kernel
+def _memory(blocks, n):
+    """Return the memory as it is, shape (K, n), of blocks that know of all steps."""
+    memory = np.empty((blocks.memory.shape[1], n))
+    for b in range(blocks.seen.size):
+        for k in range(memory.shape[0]):
+            y, scale = memory[k, b * BLOCK : (b + 1) * BLOCK], blocks.scales.scale[k]
+            for i in range(y.size):
+                y[i] = scale * blocks.memory[b, k, i]
+    return memory
+
+
+@kernel
+def follow_blocks(
+    form, control, track, state, done, ends, kept, frames, trace, ledger, lengths, film
+):
+    """Take BlockElements along a track; return (state, passes).
+
+    form : a Retardation. ends : increasing numbers of the steps at which legs end. The others, and
+    what is kept, are as of ``follow``. The arrays of the state are changed.
+    """
+    blocks, p, older, d = state
+    n, passes, count, rows = track.z.shape[1] // 2, 0, 0, _room(blocks.seen.size)
+    lowest, cap, at, chosen = _lowest(track.z), np.inf, 0, d
+    k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
+    law = law_of(form, track.dt[0])
+    for s in range(track.dt.size):
+        step = done + s + 1
+        if s > 0 and track.dt[s] != track.dt[s - 1]:
+            law = law_of(form, track.dt[s])
+        look_ahead(law, blocks.scales)
+        z, old = seen_at(track.z, track, s + 1, n), d
+        if s == 0 or _apart(track.begin[s + 1], at, n) > SLACK:
+            at = track.begin[s + 1]
+            cap = np.inf if ledger is not None else _cap(old, chosen, lowest)
+            count, chosen = _choose(rows.active, lowest, at, n, cap, blocks.pressed), old
+        d, used = _balanced(control, law, blocks, p, older, step, count, rows, z, old)
+        while rows.springs.highest[0] > cap:  # what was left out would have been looked at
+            cap = _cap(rows.springs.highest[0], old, lowest)
+            count = _choose(rows.active, lowest, at, n, cap, blocks.pressed)
+            d, used = _balanced(control, law, blocks, p, older, step, count, rows, z, old)
+        passes += used
+        some = rows.active[:count]
+        _press(law, blocks.pressed, older, some, rows.springs.c, d)
+        p, older = older, p
+        if film is not None and frame < frames.size and step == frames[frame]:
+            _keep_frame(film, frame, law, blocks, p, older, step, z, d)
+            frame += 1
+        if ledger is not None:
+            _book(form, law, ledger, track, s, blocks, p, older, rows.springs.c, old, d)
+        go_on(law, blocks.scales, step)
+        keeping, ending = k < kept.size and step == kept[k], end < ends.size and step == ends[end]
+        if ending or (keeping and ledger is not None):
+            _predict(law, blocks, p, older, step, some, z, rows)
+        if keeping:
+            _keep(k, form, law, track, s, old, d, blocks, some, p, trace, ledger, lengths)
+            k += 1
+        if ending:
+            _count_as_it_is(blocks, step)
+            end += 1
+    _predict(law, blocks, p, older, done + track.dt.size, rows.active[:count], track.z[0, :n], rows)
+    return BlockElements(blocks, p, older, d), passes
+
+
+@kernel
+def _room(blocks):
+    """Return Rows for as many blocks as there are."""
+    springs = SpringRows(np.empty((blocks, BLOCK)), np.empty(1))
+    return Rows(np.empty(blocks, np.int64), springs, np.empty(3 * BLOCK))
+
+
+@kernel
+def _lowest(z):
+    """Return the lowest of all lines in each cell of two periods; z : as of a Track."""
+    lowest = np.full((z.shape[1] + CELL - 1) // CELL, np.inf)
+    for line in range(z.shape[0]):
+        for j in range(z.shape[1]):
+            lowest[j // CELL] = min(lowest[j // CELL], z[line, j])
+    return lowest
+
+
+@kernel
+def _cap(d, before, lowest):
+    """Return a cap above the indentation, and above some of the line.
+
+    before : the indentation of a while ago: it may go on changing as it has.
+    """
+    deepest = lowest.min()
+    spare = max(SPARE * abs(d - deepest), 4.0 * abs(d - before))
+    return max(d, deepest) + max(spare, 1e-9)
+
+
+@kernel
+def _apart(one, other, n):
+    """Return how many samples lie between two, round the period."""
+    apart = abs(one - other)
+    return min(apart, n - apart)
+
+
+@kernel
+def _choose(active, lowest, begin, n, cap, pressed):
+    """List the blocks that can touch while the line moves by SLACK, or do; return their number."""
+    count = 0
+    for b in range(pressed.size):
+        first = (begin + b * BLOCK - SLACK) % n
+        last = min(first + BLOCK + 2 * SLACK, 2 * n) - 1
+        touchable = pressed[b] > 0
+        for cell in range(first // CELL, last // CELL + 1):
+            touchable = touchable or lowest[cell] < cap
+        if touchable:
+            active[count] = b
+            count += 1
+    return count
+
+
+@kernel
+def _balanced(control, law, blocks, p, older, step, count, rows, z, old):
+    """Return (d, passes) of a step, taken with the first blocks that are active alone."""
+    _predict(law, blocks, p, older, step - 1, rows.active[:count], z, rows)
+    rows.springs.highest[0] = -np.inf
+    springs = SpringRows(rows.springs.c[:count], rows.springs.highest)
+    return balance_rows(control, law, springs, old, step)
+
+
+@kernel
+def _predict(law, blocks, p, older, step, some, z, rows):
+    """Find the thresholds of some blocks, all that are pressed among them.
+
+    law : of the step that comes. The blocks learn of all steps until ``step``. p, older : forces of
+    that step and of the one before.
+    """
+    catch_up(blocks.scales, blocks.memory, blocks.seen, some, step)
+    settle_and_predict(
+        law,
+        blocks.scales,
+        blocks.memory,
+        blocks.pressed,
+        p,
+        older,
+        some,
+        z,
+        rows.total,
+        rows.springs.c,
+    )
+    settled(blocks.scales)
+
+
+@kernel
+def _press(law, pressed, new, some, c, d):
+    """Fill the rows of ``new`` that belong to some blocks with the forces of this step."""
+    for row in range(some.size):
+        b = some[row]
+        touching = 0
+        for i in range(BLOCK):
+            depth = d - c[row, i]
+            new[b, i] = law.stiffness * depth if depth > 0.0 else 0.0
+            touching += 1 if depth > 0.0 else 0
+        pressed[b] = 2 if touching > 0 else max(pressed[b] - 1, 0)
+
+
+@kernel
+def _count_as_it_is(blocks, step):
+    """Let the memory of all blocks count as it is; all that are pressed know of the step."""
+    memory, seen, _, scales = blocks
+    catch_up(scales, memory, seen, np.arange(seen.size), step)
+    for b in range(seen.size):
+        for k in range(scales.scale.size):
+            scale = scales.scale[k]
+            for i in range(BLOCK):
+                y = scale * memory[b, k, i]
+                memory[b, k, i] = y if abs(y) > NEGLIGIBLE else 0.0
+    for k in range(scales.scale.size):
+        scales.scale[k] = 1.0
+
+
+@kernel
+def _keep(k, form, law, track, s, old, d, blocks, some, p, trace, ledger, lengths):
+    """Keep a step as number k of those that are kept."""
+    n = track.z.shape[1] // 2
+    if trace is not None:
+        _keep_trace(trace, k, law.lag, track, s, some, p, old, d)
+        keep_motion(trace, k, law.lag, track, s)
+    if ledger is not None:
+        keep_energies(ledger, k, form, _memory(blocks, n), p.reshape(-1)[:n])
+    if lengths is not None:
+        count_lengths(lengths, p.reshape(-1)[:n])
+
+
+@kernel
+def _keep_trace(trace, k, lag, track, s, some, p, old, d):
+    """Keep the forces of a step, which act on elements of some blocks alone."""
+    n = track.z.shape[1] // 2
+    before, now = seen_at(track.slope, track, s, n), seen_at(track.slope, track, s + 1, n)
+    threshold, slope = np.zeros((some.size, BLOCK)), np.zeros((some.size, BLOCK))
+    for row in range(some.size):
+        b = some[row]
+        old_slope, new_slope = before[b * BLOCK : (b + 1) * BLOCK], now[b * BLOCK : (b + 1) * BLOCK]
+        for i in range(new_slope.size):
+            threshold[row, i] = -p[b, i]
+            slope[row, i] = new_slope[i] + lag * (old_slope[i] - new_slope[i])
+    sums = weighed(threshold.reshape(-1), None, slope.reshape(-1), 0.0)
+    keep_forces(trace, k, lag, sums, n, old, d)
+
+
+@kernel
+def _keep_frame(film, frame, law, blocks, p, older, step, z, d):
+    """Keep the line and all elements at the end of a step, of which no memory knows yet."""
+    room, every = _room(blocks.seen.size), np.arange(blocks.seen.size)
+    _predict(law, blocks, older, p, step - 1, every, np.zeros_like(z), room)
+    u, forces = -room.springs.c.reshape(-1)[: z.size], p.reshape(-1)
+    for i in range(z.size):
+        u[i] -= forces[i] / law.stiffness
+    keep_frame(film, frame, z, d, u)
+
+
+@kernel
+def _book(form, law, ledger, track, s, blocks, p, older, c, old, d):
+    """Book a step of which no memory knows yet; all blocks know the one before and are in c."""
+    n = track.z.shape[1] // 2
+    before, now = older.reshape(-1)[:n], p.reshape(-1)[:n]
+    w = seen_at(track.z, track, s + 1, n) - c.reshape(-1)[:n]
+    book_step(form, law, ledger, track, s, _memory(blocks, n), before, now, w, old, d)

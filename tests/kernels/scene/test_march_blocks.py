@@ -1,0 +1,103 @@
+"""Scenes by blocks: against the plain march of all elements; what is left out changes no bit."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
+from elastomer_friction.kernels.rheology.forms import form_of
+from elastomer_friction.kernels.rheology.law import law_of
+from elastomer_friction.kernels.rheology.relaxed import RelaxationForm
+from elastomer_friction.kernels.rheology.scaled import BLOCK, as_it_is, catch_up, go_on, look_ahead
+from elastomer_friction.kernels.rheology.spectrum import Spectrum
+from elastomer_friction.kernels.scene import ASKED, run, run_scene
+from tests.kernels.scene.given import EVERY, MATERIALS, a_line, a_scene
+from tests.sizes import size
+
+WIDE = Spectrum((2.0,) * 7, tuple(np.geomspace(1e-4, 10.0, 7) / 43.3), 0.0)  # fast and slow units
+LIFTED = ((0.0, 4.0, 5.0, 9.0, 12.0), (1.0, 1.0, -2.0, -2.0, 1.4))
+MOTIONS = {
+    "every leg": EVERY,
+    "slide": (Slide(2.0, size(60.0, 6.0)),),
+    "reversal": (Slide(0.5, size(20.0, 4.0)), Slide(-3.0, size(30.0, 4.0))),
+    "ages": (Slide(0.5, 5.0), Hold(1e6), Slide(0.5, 5.0)),
+    "oscillation": (Slide(0.5, 3.3), Oscillation(0.0, 0.3, 1.0, 2), Ramp(0.0, -4.0, 3.0)),
+}
+
+
+def both(monkeypatch, line, scene):
+    """Return the values of a scene by blocks, and by the march that the other form takes."""
+    found = run_scene(line, scene)
+    with monkeypatch.context() as patch:
+        patch.setattr(run, "Retardation", RelaxationForm)
+        return found, run_scene(line, scene)
+
+
+def assert_equal(found, plain):
+    """Assert that values differ by rounding alone, where they do not sum up as much."""
+    for name, values in plain.items():
+        scale = np.nanmax(np.abs(values), initial=0.0)
+        tolerance = 1e-12 if name == "closing_work" else 1e-13
+        np.testing.assert_allclose(
+            found[name], values, rtol=0, atol=tolerance * scale, err_msg=name
+        )
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+@pytest.mark.parametrize("name", [*MATERIALS, "wide"])
+def test_few_blocks_are_the_plain_march(monkeypatch, name, motion):
+    """A long line of which little can touch."""
+    spectrum = MATERIALS.get(name, WIDE)
+    line = a_line(size(400, 40))
+    scene = a_scene(MOTIONS[motion], spectrum, load=0.05, start="relaxed", asked=("trace", "state"))
+    assert_equal(*both(monkeypatch, line, scene))
+
+
+@pytest.mark.parametrize("indentation", [None, LIFTED], ids=["load", "indentation"])
+@pytest.mark.parametrize("start", ["steady", "relaxed", "fresh"])
+@pytest.mark.parametrize("name", MATERIALS)
+def test_all_that_is_kept_is_that_of_the_plain_march(monkeypatch, name, start, indentation):
+    if start == "fresh" and MATERIALS[name].viscosity > 0.0:
+        return
+    edges = np.array([0.0, 1.0, 2.0, 4.0, 100.0])
+    scene = a_scene(
+        EVERY, MATERIALS[name], start=start, indentation=indentation, asked=ASKED, edges=edges
+    )
+    scene = scene._replace(frames=np.arange(0, scene.kept[-1], 7))
+    assert_equal(*both(monkeypatch, a_line(), scene))
+
+
+@pytest.mark.parametrize("motion", MOTIONS)
+def test_what_is_left_out_changes_no_bit(monkeypatch, motion):
+    """Where energies are asked for nothing is left out; in short pieces other blocks are."""
+    line = a_line(size(400, 40))
+    scene = a_scene(MOTIONS[motion], WIDE, load=0.05, start="relaxed", asked=("trace", "state"))
+    few = run_scene(line, scene)
+    every = run_scene(line, scene._replace(asked=ASKED))
+    monkeypatch.setattr("elastomer_friction.kernels.motion.track.PIECE", 13)
+    pieces = run_scene(line, scene)
+    for name, values in few.items():
+        np.testing.assert_array_equal(every[name], values, err_msg=name)
+        np.testing.assert_array_equal(pieces[name], values, err_msg=name)
+
+
+@pytest.mark.parametrize("dt", [1e-3, 0.3, 20.0, 80.0])
+def test_a_block_that_catches_up_late_has_the_same_bits(dt):
+    """And decays as it should: by E in every step, until nothing is left."""
+    form = form_of(WIDE, "exponential")
+    law = law_of(form, dt)
+    units = law.decay.size
+    memory = -np.random.default_rng(1).random((2, units, BLOCK))
+    first, seen = memory[0].copy(), np.zeros(2, np.int64)
+    memory[1] = first
+    scales = as_it_is(units, 0)
+    for step in range(1, size(3000, 300)):
+        look_ahead(law, scales)
+        go_on(law, scales, step)
+        catch_up(scales, memory, seen, np.array([0]), step)
+        if step % 97 == 0:
+            late, known = memory.copy(), seen.copy()
+            catch_up(scales, late, known, np.array([1]), step)
+            np.testing.assert_array_equal(late[1], late[0])
+            left = scales.scale[:, None] * late[1]
+            expected = first * np.exp(step * np.log(np.maximum(law.decay, 1e-300)))[:, None]
+            np.testing.assert_allclose(left, expected, rtol=1e-11, atol=1e-29)
