@@ -9,12 +9,8 @@ from ...lazy import public_names
 
 if TYPE_CHECKING:
     from .body_key import BODY, FOUNDATION, HALF_SPACE
-<<<<<<< HEAD
     from .drive_keys import DRIVE, Spring
-    from .material import MATERIAL, WLF, Material, read_material
-=======
     from .material import MATERIAL, Material, read_material
->>>>>>> 402c30c8c0518b3f1aba0e47713da181486b9919
     from .programme import (
         FromFile,
         HoldSegment,
@@ -28,10 +24,7 @@ if TYPE_CHECKING:
     )
     from .quantities import FORCE, OF_ELEMENTS, QUANTITIES, judged
     from .scene import SCENE, Scene, check_quantities, read_scene_table, why_not
-<<<<<<< HEAD
     from .segments import FILE, HOLD, OSCILLATE, PULL, RAMP, SLIDE
-=======
-    from .segments import FILE, HOLD, OSCILLATE, RAMP, SLIDE
     from .shifting import (
         ARRHENIUS,
         GAS,
@@ -43,6 +36,5 @@ if TYPE_CHECKING:
         ShiftTable,
         Wlf,
     )
->>>>>>> 402c30c8c0518b3f1aba0e47713da181486b9919
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -58,11 +58,8 @@ class Scene(NamedTuple):
     repeat: int = 1  # times that the whole list is followed
     programme: Programme = ()  # empty: steady at v1, a jump to v2, relaxation
     indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
-<<<<<<< HEAD
     drive: Spring | None = None  # through which the programme pulls; None: it moves the line
-=======
     indentation_told: str = ""  # what it was read from
->>>>>>> 402c30c8c0518b3f1aba0e47713da181486b9919
 
     @property
     def segments(self) -> tuple[Segment, ...]:
@@ -120,12 +117,8 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
     del given["body"]  # that of the surfaces (study/variants.py)
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
-<<<<<<< HEAD
     drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments))
-    times = None
-=======
     times, told = None, ""
->>>>>>> 402c30c8c0518b3f1aba0e47713da181486b9919
     if history and given["control"] != INDENTATION:
         raise UserError('scene.indentation_file: needs scene.control = "indentation"')
     if history:
@@ -134,15 +127,12 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
         times = (tuple(columns[0].tolist()), tuple(columns[1].tolist()))
     asked = given.pop("quantities") or _usual(programme, given["control"], materials)
     scene = Scene(
-<<<<<<< HEAD
-        quantities=asked, programme=programme, indentation_history=times, drive=drive, **given
-=======
         quantities=asked,
         programme=programme,
         indentation_history=times,
         indentation_told=told,
+        drive=drive,
         **given,
->>>>>>> 402c30c8c0518b3f1aba0e47713da181486b9919
     )
     _check(own, scene, tuple(materials))
     return scene
