@@ -16,7 +16,7 @@ from ..rheology.law import law_of
 from ..scene.begin import begun
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
 from .rig import Pose, Rig
-from .slider import Pulled, pull_through
+from .slider import Pulled, check_asked, pull_through
 from .spring import Drive
 from .step import Moment, slide_by_samples
 
@@ -31,6 +31,7 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     m, n = line.steps_per_spacing, line.z.size
     steps = scene_steps(scene, m)
     check_scene(scene, steps, False)
+    check_asked(scene.asked)
     form = form_of(scene.spectrum, scene.scheme)
     speed = speed_at_start(scene.programme) if scene.start == "steady" else 0.0
     begin = begun(line, scene, form)

@@ -25,10 +25,12 @@ from ..rheology.spectrum import Spectrum, shortest_step
 from ..scene.records import TRACES
 from .rig import attempt
 from .search import SLOPE, narrow_enough, new_search, next_guess
-from .spring import Course, Drive, Pull, SliderState, pull_of
-from .step import REST, SLOWER, TOLERANCE, Limits, Moment, keep, taken, time_of
+from .spring import Course, Drive, Pull, SliderState, course_at, pull_of
+from .step import REST, SLOWER, TOLERANCE, Limits, Moment, SliderRecord, keep, taken, time_of
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
+SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # of the second half of the last leg
+KEPT = ("trace", "stick_slip")
 LEAST_PLACE = 1e-12  # in samples: less is rounding
 FIRST = 0.1  # of a search, in samples
 FIRST_OF_LEG = 0.25  # of the step before: where the velocity of the drive jumps
@@ -75,23 +77,28 @@ class Slider:
         drive: Drive,
         spectrum: Spectrum,
         times: np.ndarray,
+        since: float,
         first: SliderState,
     ) -> None:
-        """Take a slider before its first step; times : at which its moments are kept, in tau."""
+        """Take a slider before its first step.
+
+        times : at which its moments are kept, in tau. since : time from which slips are counted.
+        """
         self.pulled, self.drive, self.motion, self.moment = pulled, drive, first, pulled.start
         self.shortest = FREE * shortest_step(spectrum)
         self.left = TOLERANCE * pulled.scale
         self.rise = self.fall = 0.0  # of the force left over: with time, and with the place
-        self.times, self.kept = times, np.empty((len(PULLED_TRACES), times.size))
+        tally = np.array([since, math.inf, -math.inf, 0.0, 0.0, math.nan, math.nan, 0.0])
+        self.record = SliderRecord(times, np.empty((len(PULLED_TRACES), times.size)), tally)
         self.pace, self.driven = first.dt, first.speed  # of steps, and of the drive
         self.tries = 0
-        self.number = keep(times, self.kept, 0, self.moment, self.moment)
+        self.number = keep(self.record, 0, self.moment, self.moment, 0.0)
 
     def follow(self, course: Course) -> None:
         """Follow the drive through a leg; the last step ends with it."""
         end, begin = float(course.time[-1]), float(course.speed[0])
         self.pace = self.motion.dt if begin == self.driven else FIRST_OF_LEG * self.motion.dt
-        self.driven = float(course.speed[-1])
+        self.driven, self.course = float(course.speed[-1]), course
         while self._left(end):
             self._step(course, end)
 
@@ -100,10 +107,17 @@ class Slider:
         return end - self.motion.time > REST * self.motion.dt
 
     def finished(self) -> dict[str, np.ndarray]:
-        """Return the traces; what lies behind the last moment is as it was then."""
-        self.kept[:, self.number :] = np.array(self.moment)[:, None]
-        self.kept[5] = self.times
-        return dict(zip(PULLED_TRACES, self.kept, strict=True))
+        """Return the traces, and SLIPS; what lies behind the last moment is as it was then.
+
+        The swing is that of the drive's force over the normal force, in h/dx, the period in tau.
+        """
+        times, kept, (_, least, most, fastest, slips, first, last, _) = self.record
+        kept[:, self.number :] = np.array(self.moment)[:, None]
+        kept[5] = times
+        swing = (most - least) / self.moment.normal
+        period = (last - first) / (slips - 1.0) if slips > 1.0 else math.nan
+        told = map(np.array, (swing, period, fastest))
+        return dict(zip((*PULLED_TRACES, *SLIPS), (*kept, *told), strict=True))
 
     def _sample(self) -> float:
         """Return the place in samples, whole but for rounding."""
@@ -131,7 +145,7 @@ class Slider:
         assert self.pulled.slide is not None
         begin = self.motion.time
         limits = Limits(self.shortest, end, self.left)
-        record = self.times, self.kept, self.number
+        record = self.record, self.number
         now = self.drive, course, self.motion, self.moment
         found = self.pulled.slide(sample, *now, limits, self.pace, self.rise, record)
         self.motion, self.moment, self.rise, self.number, tries = found
@@ -188,7 +202,8 @@ class Slider:
     def _take(self, moved: float, dt: float, pull: Pull, friction: float) -> None:
         """Take the step that was tried last."""
         self.motion, now = plainly(taken)(self.pulled.rig, self.motion, moved, dt, pull, friction)
-        self.number = keep(self.times, self.kept, self.number, self.moment, now)
+        driven = course_at(self.course, now.time)[1]
+        self.number = keep(self.record, self.number, self.moment, now, driven)
         self.moment, self.pace = now, dt
 
 
@@ -208,6 +223,12 @@ def first_motion(programme: Programme, pulled: Pulled, steady: bool) -> SliderSt
     return SliderState(0.0, 0.0, dt, 0.0, 0.0, -dt, -dt, friction)
 
 
+def check_asked(asked: tuple[str, ...]) -> None:
+    """Raise ValueError for what is not kept of a slider."""
+    if set(asked) - set(KEPT):
+        raise ValueError(f"asked = {sorted(asked)}: of a slider on a spring there is {KEPT}")
+
+
 def pull_through(
     pulled: Pulled,
     drive: Drive,
@@ -222,7 +243,9 @@ def pull_through(
     """
     first = first_motion(programme, pulled, steady)
     stretched = pulled.start.friction / drive.stiffness if steady else 0.0
-    slider = Slider(pulled, drive, spectrum, times, first)
-    for course in courses(programme, stretched):
+    legs = list(courses(programme, stretched))
+    since = 0.5 * float(legs[-1].time[0] + legs[-1].time[-1])
+    slider = Slider(pulled, drive, spectrum, times, since, first)
+    for course in legs:
         slider.follow(course)
     return slider.finished(), slider.tries

@@ -12,7 +12,7 @@ import numpy as np
 from ..compile.jit import kernel
 from .rig import Pose, accept, attempt
 from .search import SLOPE, narrow_enough, new_search, next_guess
-from .spring import SliderState, pull_of
+from .spring import SliderState, course_at, pull_of
 
 TOLERANCE = 1e-5  # of the force that is left over, relative to load times rms slope
 LEAST_LOG = 1e-13  # of the logarithm of a time: smaller is rounding
@@ -86,12 +86,43 @@ def taken(rig, motion, moved, dt, pull, friction):
     return SliderState(end, place, dt, speed, *known, friction), moment
 
 
+class SliderRecord(NamedTuple):
+    """What is kept of a slider's way."""
+
+    times: np.ndarray  # at which its moments are kept, in tau, increasing
+    kept: np.ndarray  # shape (9, times): those moments
+    tally: np.ndarray  # shape (8,): of sticking and slipping, see ``count_slips``
+
+
 @kernel
-def keep(times, kept, k, before, now):
+def count_slips(tally, now, driven):
+    """Add a moment to the tally, from a time on.
+
+    tally : that time; the least and the greatest force of the drive; the highest speed; the
+    number of slips, when the first and the last of them began, and whether the slider sticks. A
+    slip begins where it becomes twice as fast as the drive, after it was half as fast at most.
+    """
+    if now.time < tally[0] or driven == 0.0:
+        return
+    tally[1], tally[2] = min(tally[1], now.force), max(tally[2], now.force)
+    share = now.speed / driven
+    tally[3] = max(tally[3], abs(now.speed))
+    if share < 0.5:
+        tally[7] = 1.0
+    elif share > 2.0 and tally[7] > 0.0:
+        tally[7] = 0.0
+        tally[5] = now.time if tally[4] == 0.0 else tally[5]
+        tally[4], tally[6] = tally[4] + 1.0, now.time
+
+
+@kernel
+def keep(record, k, before, now, driven):
     """Keep what lies between two moments at the times asked for; return the number kept.
 
-    times : increasing, in tau. kept : shape (9, times), filled up to k. Linear in between.
+    k : the number kept before. driven : speed of the drive. Linear in between.
     """
+    times, kept = record.times, record.kept
+    count_slips(record.tally, now, driven)
     while k < times.size and times[k] <= now.time:
         share = 1.0
         if now.time > before.time:
@@ -104,14 +135,14 @@ def keep(times, kept, k, before, now):
 
 @kernel
 def slide_by_samples(
-    rig, z, slope, m, sample, drive, course, motion, moment, limits, pace, rise, times, kept, k
+    rig, z, slope, m, sample, drive, course, motion, moment, limits, pace, rise, record, k
 ):
     """Take whole samples towards where the slider goes, until it sticks or the leg ends.
 
     z, slope : two periods of the line, shape (2 n,), in h and h/dx, as place zero has them; m
     samples to a spacing. sample : at which the slider is. limits : its longest time is the end of
     the leg. pace : of the first step, in the place of the time of the one before. rise : as the
-    slope of time_of. times, kept, k : of keep.
+    slope of time_of. record, k : of keep.
     Returns (sample, SliderState, Moment, rise, k, tries).
     """
     n = rig.p.size
@@ -136,6 +167,6 @@ def slide_by_samples(
         guess = dt * min(max(dt / pace, 0.7), 1.4)
         pace = dt
         motion, now = taken(rig, motion, moved, dt, pull, friction)
-        k = keep(times, kept, k, moment, now)
+        k = keep(record, k, moment, now, course_at(course, now.time)[1])
         moment = now
         sample += way

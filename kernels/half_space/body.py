@@ -88,7 +88,7 @@ def move_on(
 ) -> tuple[Body, int]:
     """Take a body over a step of a law, its memory in place; z, offset : surface at its end."""
     w, found = tried(space, body, law, z, offset, tolerance)
-    return settled(body, law, w, found, offset), found.passes
+    return settled_on(body, law, w, found, offset), found.passes
 
 
 def tried(
@@ -102,7 +102,7 @@ def tried(
     return w, press(gap, space.pressure, space.operator, start, tolerance)
 
 
-def settled(body: Body, law: Any, w: np.ndarray, found: ElasticContact, offset: int) -> Body:
+def settled_on(body: Body, law: Any, w: np.ndarray, found: ElasticContact, offset: int) -> Body:
     """Return the body after a step that was tried, its memory in place."""
     new = at_elements(found.depth, offset)
     take(law, body.memory, w, body.depth, new)

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..drive.rig import accept, attempt
-from ..drive.slider import Pulled, pull_through
+from ..drive.slider import Pulled, check_asked, pull_through
 from ..drive.spring import Drive
 from ..drive.step import Moment
 from ..model.friction import mean_slope
@@ -14,7 +14,7 @@ from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
-from .body import STEP_TOLERANCE, Body, HalfSpace, settled, tried
+from .body import STEP_TOLERANCE, Body, HalfSpace, settled_on, tried
 from .scenes import Moving, begun_on
 from .surface import Surface
 
@@ -64,7 +64,7 @@ def _attempt(rig, pose, dt):
 def _accept(rig, dt):
     (body,), (step,) = rig.body, rig.found
     old = body.d
-    new = settled(body, step.law, step.w, step.contact, step.offset)
+    new = settled_on(body, step.law, step.w, step.contact, step.offset)
     rig.body[:], rig.found[:] = [new], []
     touching = np.count_nonzero(new.p > 0.0) / new.p.size
     d = new.d + step.law.lag * (old - new.d)
@@ -86,6 +86,7 @@ def run_pulled_on_half_space(
     m = surface.steps_per_spacing
     steps = scene_steps(scene, m)
     check_scene(scene, steps, False)
+    check_asked(scene.asked)
     form = form_of(scene.spectrum, scene.scheme)
     space, moving = HalfSpace.under(form, surface, scene.load, stiffness), Moving(surface)
     body, passes, lag = begun_on(space, scene)

@@ -222,6 +222,7 @@ def asked_of(study: Study) -> Quantities:
     )
 
 
+RECORDED = ("stick_slip", "energy", "contact_lengths", "snapshots", "state")
 FINER = 4  # lines that are run with halved steps too
 
 
@@ -234,7 +235,7 @@ def recording_of(study: Study, label: str) -> Recording:
     asked, numerics, surface = study.scene.quantities, study.variants[label], study.surfaces[label]
     lawless = surface.profile is not None and surface.body == FOUNDATION
     traced = any(name in asked for name in ("trace", "loop", "healing", "energy"))
-    names = [name for name in ("energy", "contact_lengths", "snapshots", "state") if name in asked]
+    names = [name for name in RECORDED if name in asked]
     return Recording(
         samples=numerics.curve_samples,
         record=numerics.record,

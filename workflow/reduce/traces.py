@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...kernels import ENERGIES, MOTION, Hold, Oscillation, Programme, Slide
-from ...kernels.drive import PULLED_TRACES
+from ...kernels.drive import PULLED_TRACES, SLIPS
 from ...kernels.motion.legs import leg_duration
 from .blocks import Blocks, Estimates, columns, enter
 from .jackknife import replicates, standard_error
@@ -115,6 +115,8 @@ def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
     if "loop" in asked:
         names = ("trace_time", "trace_mu", "trace_friction_force")
         _each(estimates, blocks, loop, *map(means.__getitem__, names))
+    for name in SLIPS if "stick_slip" in asked else ():
+        enter(estimates, name, replicates(values[name], 1))
     if "contact_lengths" in asked:
         enter(estimates, "contact_length", replicates(values["contact_length"], 1))
     estimates |= {name: own.mean(axis=1) for name, own in values.items() if name.startswith(ALONE)}

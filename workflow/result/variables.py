@@ -167,6 +167,7 @@ ENERGY = {"stiffness": 1, "roughness": 2}
 TIME, RATE = {"tau": 1}, {"roughness": 1, "spacing": -1, "tau": -1}
 LENGTH, SPEED = {"spacing": 1}, {"spacing": 1, "tau": -1}
 
+SLIP_COMMENT = "of the second half of the last segment; the mean over the lines"
 CHANGE_COMMENT = "since the last kept sample of the segment before"
 NO_STATE_COMMENT = (
     "mu = mu* + a ln(v/v*) + b ln(v* theta/D_c); b and D_c from mu - mu_2 after the velocity step, "
@@ -200,6 +201,11 @@ SCENES = {
     "trace_friction_force": Variable("friction force", FRICTION, "N", EVENT),
     "trace_drive_force": Variable("force of the drive", FRICTION, "N", EVENT),
     "trace_contact_fraction": Variable("share of the line in contact", dims=EVENT),
+    "drive_swing": Variable(
+        "greatest less least force of the drive over F_N", SLOPE, comment=SLIP_COMMENT
+    ),
+    "slip_period": Variable("period of stick and slip", TIME, "s", comment=SLIP_COMMENT),
+    "peak_velocity": Variable("highest velocity of the line", SPEED, "m s-1", comment=SLIP_COMMENT),
     "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE),
     "peak_time": Variable("time of the peak since the velocity step", TIME, "s"),
     "initial_rate": Variable("rate of mu just after the velocity step", RATE, "s-1"),

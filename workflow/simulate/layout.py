@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memories
-from ...kernels.drive import PULLED_TRACES
+from ...kernels.drive import PULLED_TRACES, SLIPS
 from .kept import kept_steps
 from .tasks import Recording, Task
 
@@ -68,6 +68,7 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
     units = memories(form_of(task.problem.spectrum, scheme))
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
         "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, kept),
+        "stick_slip": dict.fromkeys(SLIPS, ()),
         "energy": dict.fromkeys(ENERGIES, kept),
         "contact_lengths": {"contact_length": (BINS,)},
         "snapshots": _snapshots(task, (*kept, samples)),

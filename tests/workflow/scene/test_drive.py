@@ -80,6 +80,17 @@ def test_a_bad_drive_is_one_line(drive, words):
         run(PULL, drive=drive)
 
 
+def test_sticking_and_slipping_is_told_by_swing_period_and_velocity():
+    found = pulled(
+        1e9,
+        {"pull": {"velocity": VELOCITY, "distance": 64 * LENGTH / N}},
+        quantities=("steady", "stick_slip"),
+    )
+    assert float(found.drive_swing) < 1e-3 * float(found.mu_1)
+    assert float(found.peak_velocity) == pytest.approx(VELOCITY, rel=1e-3)
+    assert np.isnan(float(found.slip_period))
+
+
 def test_what_is_not_kept_of_a_slider_is_refused():
     with pytest.raises(UserError, match='"energy": is not computed of a line on a spring'):
         pulled(1e4, quantities=("trace", "energy"))

@@ -26,6 +26,15 @@ TRACE = {
     "trace_contact_fraction": "The share of the line whose elements carry a force.",
 }
 EVENTS = {
+    "drive_swing": (
+        "The greatest less the least force of the drive over F_N, in the second half of the last "
+        "segment of each line; the mean over the lines. Steady sliding has none."
+    ),
+    "slip_period": (
+        "The mean time between slips there. A slip begins where the line becomes twice as fast as "
+        "the drive after it was half as fast at most. It is NaN where a line slips less than twice."
+    ),
+    "peak_velocity": "The highest velocity of the line there.",
     "peak": (
         "The largest µ − µ₁ in the direction of the change after the last velocity step: the "
         "direct effect of an experiment where nothing jumps. It is negative after a step to a "

@@ -6,7 +6,7 @@ from ...errors import UserError
 from ..settings import choice
 
 PROGRAMME, STEP, HELD, SWUNG = "programme", "step", "held", "swung"
-FORCE, DASHPOT, ALONE, DRIVEN = "force", "dashpot", "alone", "driven"
+FORCE, DASHPOT, ALONE, DRIVEN, PULLED_BY = "force", "dashpot", "alone", "driven", "pulled by"
 
 
 class Quantity(NamedTuple):
@@ -42,6 +42,10 @@ QUANTITIES = {
         asks=(FORCE, STEP),
     ),
     "trace": Quantity("friction over time along the programme (time marching)", asks=(PROGRAMME,)),
+    "stick_slip": Quantity(
+        "stick and slip: swing of the drive's force, period and highest velocity",
+        asks=(PULLED_BY,),
+    ),
     "loop": Quantity(
         "loops of an oscillation: work, in-phase and quadrature part of the friction",
         needs=("trace",),
@@ -64,7 +68,13 @@ USUAL = ("steady", "jump", "relaxation")
 WITHOUT_DASHPOT = ("steady", "relaxation", "peak")
 OF_A_PROGRAMME = ("steady", "trace")
 AT_AN_INDENTATION = ("trace",)
-OF_A_DRIVE = ("steady", "persson", "trace", "healing")  # what there is of a line on a spring
+OF_A_DRIVE = (
+    "steady",
+    "persson",
+    "trace",
+    "healing",
+    "stick_slip",
+)
 OF_ELEMENTS = ("energy", "contact_lengths", "state")
 
 

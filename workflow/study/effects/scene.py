@@ -34,6 +34,7 @@ from .quantities import (
     OF_A_DRIVE,
     OF_A_PROGRAMME,
     PROGRAMME,
+    PULLED_BY,
     QUANTITIES,
     STEP,
     SWUNG,
@@ -310,6 +311,7 @@ def _given(need: str, scene: Scene, alone: bool) -> bool:
     programme = scene.segments
     return {
         PROGRAMME: bool(programme),
+        PULLED_BY: scene.drive is not None,
         STEP: not programme or bool(velocity_steps(programme)),
         HELD: bool(holds(programme)),
         SWUNG: any(isinstance(segment, Oscillate) for segment in programme),
@@ -320,7 +322,8 @@ def _given(need: str, scene: Scene, alone: bool) -> bool:
 
 WORDS = {
     PROGRAMME: "there is no [[scene.programme]]",
-    DRIVEN: "is not computed of a line on a spring; ask for trace, steady or healing",
+    PULLED_BY: "nothing is pulled; give [scene.drive] and a programme of segments pull",
+    DRIVEN: "is not computed of a line on a spring; ask for trace, stick_slip, steady or healing",
     STEP: "the programme has no velocity step, which is one slide after another at another "
     "velocity of the same sign",
     HELD: "the programme has no hold between two slides",

@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from elastomer_friction.workflow.study.effects.drive_keys import Spring
 from elastomer_friction.workflow.study.effects.material import Material
 from elastomer_friction.workflow.study.effects.programme import (
     HoldSegment,
@@ -101,7 +102,15 @@ EVERYTHING = (SLOW, FAST, HoldSegment((1.0,)), SLOW, Oscillate(Velocity(0.1), 1e
 
 @pytest.mark.parametrize("name", QUANTITIES)
 def test_a_full_programme_of_one_line_can_be_asked_for_everything(name):
-    assert why_not(name, Scene(programme=EVERYTHING), {"": KELVIN}, alone=True) == ""
+    scene = Scene(programme=EVERYTHING)
+    if name == "stick_slip":
+        scene = Scene(programme=(SLOW,), drive=Spring(1e4))
+    assert why_not(name, scene, {"": KELVIN}, alone=True) == ""
+
+
+def test_of_a_line_on_a_spring_there_is_what_its_drive_tells():
+    missing = reasons(Scene(programme=(SLOW, HoldSegment((1.0,)), FAST), drive=Spring(1e4)))
+    assert set(QUANTITIES) - missing == {"steady", "persson", "trace", "healing", "stick_slip"}
 
 
 def reasons(scene, material=KELVIN, alone=False):
@@ -109,12 +118,12 @@ def reasons(scene, material=KELVIN, alone=False):
 
 
 def test_the_scene_of_the_paper_has_no_programme():
-    of_programmes = {"trace", "loop", "healing", "energy", "contact_lengths"}
+    of_programmes = {"trace", "stick_slip", "loop", "healing", "energy", "contact_lengths"}
     assert reasons(Scene()) == of_programmes | {"snapshots", "state"}
 
 
 def test_without_a_dashpot_nothing_jumps():
-    assert reasons(Scene(programme=EVERYTHING), GLASSY, alone=True) == {"jump"}
+    assert reasons(Scene(programme=EVERYTHING), GLASSY, alone=True) == {"jump", "stick_slip"}
 
 
 def test_what_is_defined_at_a_normal_force():
