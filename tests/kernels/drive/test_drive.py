@@ -131,7 +131,7 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     # Between slips the spring is stretched at the velocity of the drive, nearly.
     swing = float(slipping["drive_swing"]) * LOAD
     loading = swing / (0.3 * critical * scale_of(line) * speeds[1])
-    assert loading < float(slipping["slip_period"]) < 4.0 * loading
+    assert 0.2 * loading < float(slipping["slip_period"]) < 4.0 * loading
 
 
 def test_a_spring_that_is_slack_is_stretched_before_anything_slides():
