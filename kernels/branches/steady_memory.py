@@ -3,7 +3,8 @@
 At constant indentation the line carries its field of states along. One turn of an element round
 the period, from the deepest sample, is a piecewise linear map of its state there and of d. It
 must come back to where it began, and the forces on the way must carry the load (eq. 4): Newton's
-method on both with exact tangents, which are columns beside the state that follow the same law.
+method on both with exact tangents, which follow the same law in columns of their own. While an
+element touches, or does not, a step does the same to all tangents: many at once are a power of it.
 Eq. 4 alone is solved in model/contact.py, and in model/steady.py where u is all that is remembered.
 
 The state of an element at given d contracts in its own energy norm and the force grows with d,
@@ -17,7 +18,16 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..model.contact import solve_indentation
-from ..rheology.law import Elements, law_of, memories, predict, rest, settle
+from ..rheology.law import (
+    Elements,
+    law_of,
+    memories,
+    predict,
+    predict_one,
+    rest,
+    settle,
+    settle_one,
+)
 from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
@@ -68,23 +78,27 @@ def _found(
     held = np.array([max(0.0, d)])
     x = np.concatenate([rest(form, held)[:, 0], held, [d]])
     found, least, turns, step = Elements(np.empty((0, 0)), held, d), np.inf, 0, np.zeros_like(x)
+    powers = _no_powers(count + 3, z.size)
     while turns < TURNS:
-        memory, p, total = _columns(x)
-        field, forces = np.empty((count, z.size)), np.empty(z.size)
-        _turn(law, z, first, way, x[-1], memory, p, total, field, forces)
+        tangents = np.eye(count + 3, count + 2)
+        field, forces = np.empty((z.size, count)), np.empty(z.size)
+        total = _turn(law, z, first, way, x, tangents, powers, field, forces)
         turns += 1
-        if total[0] <= 0.0 and not np.isnan(load):
+        if total <= 0.0 and not np.isnan(load):
             step *= 0.5
             x = x - step
             continue
-        excess = np.append(memory[:, 0] - x[:count], [p[0] - x[count], total[0] - load])
+        excess = np.append(field[first] - x[:count], [forces[first] - x[count], total - load])
         left = _residual(excess, x, load)
         stuck = least < sound and not left < 0.5 * least
         if left < least:
-            found, least = Elements(field, forces, float(x[-1]) + deepest), left
+            found, least = (
+                Elements(np.ascontiguousarray(field.T), forces, float(x[-1]) + deepest),
+                left,
+            )
         if stuck or left < EXACT:
             break
-        step = _step(memory, p, total, excess)
+        step = _step(tangents, excess)
         x = x + step
     if not least <= sound:
         raise ValueError(
@@ -101,58 +115,135 @@ def _residual(excess: np.ndarray, x: np.ndarray, load: float) -> float:
     return state if np.isnan(load) else max(state, abs(float(excess[-1])) / load)
 
 
-def _columns(x: np.ndarray) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return memory and force at the start with their tangents, and the sum of no forces yet."""
-    start = np.column_stack([x[:-1], np.eye(x.size - 1, x.size)])
-    return start[:-1].copy(), start[-1].copy(), np.zeros(x.size + 1)
+class Powers(NamedTuple):
+    """What 2^k steps do to tangents: of an element that is free (0) and of one that touches (1)."""
+
+    of: np.ndarray  # shape (2, k, M + 3, M + 3)
+    known: np.ndarray  # shape (2,): how many of them are known
+
+
+def _no_powers(size: int, steps: int) -> Powers:
+    """Return room for the powers of so many steps."""
+    return Powers(np.empty((2, steps.bit_length(), size, size)), np.zeros(2, np.int64))
 
 
 @kernel
-def _turn(law, z, first, way, d, memory, p, total, field, forces):
-    """Take an element round the line, from under sample ``first``; tangents in columns from 1.
+def _turn(law, z, first, way, x, tangents, powers, field, forces):
+    """Take an element round the line, from under sample ``first``; return the sum of its forces.
 
-    Column k + 1 is the derivative with respect to unknown k: the memory and the force at the
-    start, and d. memory (M, M + 3) and p (M + 3,) change to those at the end; total (M + 3,)
-    becomes the sum of p. field (M, n) and forces (n,) are filled with the state at all samples.
+    x : its memory and force at the start, and d. tangents : shape (M + 3, M + 2), of memory, force,
+    d and the sum of forces with respect to x, changed from those at the start to those at the end.
+    field (n, M) and forces (n,) are filled with the state at all samples.
     """
-    columns = p.size
-    w, new = np.empty(columns), np.empty(columns)
-    j = first
+    y, p, d, total = x[:-2].copy(), x[-2], x[-1], 0.0
+    j, touched, length = first, True, 0
     for _ in range(z.size):
-        j = (j + way) % z.size
+        j += way
+        if j < 0 or j == z.size:
+            j = 0 if j > 0 else z.size - 1
+        w = predict_one(law, y, p)
+        depth = d - (z[j] - w)
+        if (depth > 0.0) != touched:
+            _carry(law, powers, touched, length, tangents)
+            touched, length = depth > 0.0, 0
+        length += 1
+        new = law.stiffness * depth if touched else 0.0
+        settle_one(law, y, w, p, new)
+        p = forces[j] = new
+        total += new
+        for k in range(y.size):
+            field[j, k] = y[k]
+    _carry(law, powers, touched, length, tangents)
+    return total
+
+
+@kernel
+def _carry(law, powers, touching, length, tangents):
+    """Take tangents over so many steps in which an element touches, or does not.
+
+    One by one, or where it takes less by powers of two of them.
+    """
+    bits = 0
+    while length >> bits > 0:
+        bits += 1
+    if 3 * length <= bits * tangents.shape[0]:
+        _take_steps(law, touching, length, tangents)
+        return
+    kind = 1 if touching else 0
+    of, known = powers.of[kind], powers.known[kind]
+    for k in range(known, bits):
+        if k == 0:
+            of[0] = np.eye(of.shape[1])
+            _take_steps(law, touching, 1, of[0])
+        else:
+            of[k] = of[k - 1]
+            _multiply(of[k - 1], of[k])
+    powers.known[kind] = max(known, bits)
+    for k in range(bits):
+        if length >> k & 1:
+            _multiply(of[k], tangents)
+
+
+@kernel
+def _take_steps(law, touching, length, tangents):
+    """Take tangents over so many steps; their rows are as of ``_turn``."""
+    size, columns = tangents.shape
+    memory, p, d, total = tangents[: size - 3], tangents[size - 3], tangents[size - 2], tangents[-1]
+    w, new = np.empty(columns), np.empty(columns)
+    for _ in range(length):
         predict(law, memory, p, w)
-        depth = d - (z[j] - w[0])
         for c in range(columns):
-            new[c] = law.stiffness * w[c] if depth > 0.0 else 0.0
-        if depth > 0.0:
-            new[0] = law.stiffness * depth
-            new[columns - 1] += law.stiffness
+            new[c] = law.stiffness * (w[c] + d[c]) if touching else 0.0
         settle(law, memory, w, p, new)
         for c in range(columns):
             p[c] = new[c]
             total[c] += new[c]
-        forces[j] = p[0]
-        for k in range(memory.shape[0]):
-            field[k, j] = memory[k, 0]
 
 
-def _step(memory: np.ndarray, p: np.ndarray, total: np.ndarray, excess: np.ndarray) -> np.ndarray:
+@kernel
+def _multiply(a, b):
+    """Change b to the product a b."""
+    product = np.zeros(b.shape)
+    for i in range(a.shape[0]):
+        row = product[i]
+        for j in range(a.shape[1]):
+            factor, other = a[i, j], b[j]
+            for c in range(row.size):
+                row[c] += factor * other[c]
+    b[:] = product
+
+
+def _step(tangents: np.ndarray, excess: np.ndarray) -> np.ndarray:
     """Return the step of Newton's method: elimination with pivots, the same bits everywhere.
 
     Where the load is not given, d is: its row says that it stays.
     """
     size = excess.size
-    a = np.vstack([memory[:, 1:], p[1:], total[1:]])
+    a = np.delete(tangents, size - 1, axis=0)
     a[:-1] -= np.eye(size - 1, size)
     if np.isnan(excess[-1]):
         a[-1] = np.eye(1, size, size - 1)
     a = np.column_stack([a, np.nan_to_num(-excess)])
     a /= np.abs(a[:, :size]).max(axis=1, keepdims=True)
-    for k in range(size):
-        pivot = k + int(np.argmax(np.abs(a[k:, k])))
-        a[[k, pivot]] = a[[pivot, k]]
-        a[k] /= a[k, k]
-        for i in range(size):
-            if i != k:
-                a[i] -= a[i, k] * a[k]
+    _eliminate(a)
     return a[:, size]
+
+
+@kernel
+def _eliminate(a):
+    """Solve the equations a, shape (size, size + 1), with pivots; the last column is the answer."""
+    for k in range(a.shape[0]):
+        pivot = k
+        for i in range(k + 1, a.shape[0]):
+            if abs(a[i, k]) > abs(a[pivot, k]):
+                pivot = i
+        for j in range(a.shape[1]):
+            a[k, j], a[pivot, j] = a[pivot, j], a[k, j]
+        whole = a[k, k]
+        for j in range(a.shape[1]):
+            a[k, j] /= whole
+        for i in range(a.shape[0]):
+            if i != k:
+                factor = a[i, k]
+                for j in range(a.shape[1]):
+                    a[i, j] -= factor * a[k, j]

@@ -131,7 +131,16 @@ class CheckedCache(FunctionCache):
         self._cache_file = _CheckedFile(self._cache_path, self._impl.filename_base, stamp)
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
-        """Return the machine code for a signature, or None."""
+        """Return the machine code for a signature, or None.
+
+        What is not found may be there once this process has its turn to compile.
+        """
+        found = self._load_sound(sig, target_context)
+        if found is None and take_turn():
+            found = self._load_sound(sig, target_context)
+        return found
+
+    def _load_sound(self, sig: Any, target_context: Any) -> Any:
         try:
             return super().load_overload(sig, target_context)
         except Exception:  # whatever unpickling a truncated file may raise
@@ -155,11 +164,31 @@ class CheckedCache(FunctionCache):
 FOLDER = _cache_folder()
 
 
+_turns: list[contextlib.ExitStack] = []  # blocks of ``compiling`` in which nothing was missing yet
+
+
 @contextlib.contextmanager
 def compiling() -> Iterator[None]:
-    """Let one process of a machine at a time compile: the others then find its machine code."""
-    with _one_process("lock"):
-        yield
+    """Let one process of a machine at a time compile: the others then find its machine code.
+
+    From the first kernel on that is not found, to the end of this block. Who finds all that it
+    needs waits for nobody.
+    """
+    with contextlib.ExitStack() as turn:
+        _turns.append(turn)
+        try:
+            yield
+        finally:
+            if turn in _turns:
+                _turns.remove(turn)
+
+
+def take_turn() -> bool:
+    """Wait until no other process compiles; return whether this has been the time to do so."""
+    if not _turns:
+        return False
+    _turns.pop().enter_context(_one_process("lock"))
+    return True
 
 
 @contextlib.contextmanager

@@ -11,7 +11,18 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .law import NEGLIGIBLE, displacement, lasting, law_of, memories, predict, rest, settle
+from .law import (
+    NEGLIGIBLE,
+    displacement,
+    lasting,
+    law_of,
+    memories,
+    predict,
+    predict_one,
+    rest,
+    settle,
+    settle_one,
+)
 from .retardation import merged
 from .spectrum import Spectrum
 
@@ -103,3 +114,24 @@ def _settle(law, memory, w, p, new):
         for i in range(w.size):
             s = decay * memory[b, i] + gain * w[i]
             memory[b, i] = s if abs(s) > NEGLIGIBLE else 0.0
+
+
+@predict_one.of(Relaxed)
+def _predict_one(law, y, p):
+    count = law.decay.size
+    carried, keep = 0.0, law.drag
+    for b in range(count):
+        carried += law.decay[b] * y[b]
+        keep += law.gain[b]
+    return (keep * y[count] - carried) / law.stiffness
+
+
+@settle_one.of(Relaxed)
+def _settle_one(law, y, w, p, new):
+    count = law.decay.size
+    u = w - new / law.stiffness
+    moved = u - y[count]
+    y[count] = u if abs(u) > NEGLIGIBLE else 0.0
+    for b in range(count):
+        s = law.decay[b] * y[b] + law.gain[b] * moved
+        y[b] = s if abs(s) > NEGLIGIBLE else 0.0

@@ -131,7 +131,7 @@ def _settle_and_predict(ahead, fresh, stale, memory, b, total):
 
 
 @kernel
-def settled(scales):
+def all_settled(scales):
     """Note that the memory of all that is pressed knows of the last step."""
     for k in range(scales.fresh.size):
         scales.fresh[k] = scales.stale[k] = 0.0

@@ -25,12 +25,12 @@ from ..rheology.law import NEGLIGIBLE, Elements, law_of
 from ..rheology.scaled import (
     BLOCK,
     Scales,
+    all_settled,
     as_it_is,
     catch_up,
     go_on,
     look_ahead,
     settle_and_predict,
-    settled,
 )
 from .energy import keep_energies
 from .follow import book_step, first_after, seen_at
@@ -237,7 +237,7 @@ def _predict(law, blocks, p, older, step, some, z, rows):
         rows.total,
         rows.springs.c,
     )
-    settled(blocks.scales)
+    all_settled(blocks.scales)
 
 
 @kernel

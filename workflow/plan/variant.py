@@ -111,7 +111,7 @@ def _sizes(
         for row, own in enumerate((steps, march_steps)):  # one for all if given
             found[0][row, rows] = own
         shared = sharers(many, steps)
-        work = Work(many, steps, march_steps, numerics.refines, *shared)
+        work = Work(many, steps, march_steps, numerics.refines, *shared, numerics.scheme)
         parts = typical_seconds(asked, work, recording)
         if recording.finer:
             halved = work._replace(steps=HALVED * steps, march_steps=HALVED * march_steps)

@@ -29,7 +29,7 @@ class Contacts(NamedTuple):
 def room_for(slope, speed):
     """Return Contacts with room for all pieces that a line of these slopes can have."""
     most = slope.size // 2 + 3
-    entered = np.empty(slope.size // SPAN + 1)
+    entered = np.zeros(slope.size // SPAN + 1)  # the last stays as it is where no samples are left
     return Contacts(np.empty((most, 3), np.int64), np.empty((most, 4)), slope, speed, entered)
 
 

@@ -6,9 +6,15 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, steady_sliding
-from elastomer_friction.kernels.branches.steady_memory import steady_at, steady_memory
+from elastomer_friction.kernels.branches.steady_memory import (
+    _carry,
+    _no_powers,
+    _take_steps,
+    steady_at,
+    steady_memory,
+)
 from elastomer_friction.kernels.rheology.forms import FORMS
-from elastomer_friction.kernels.rheology.law import Elements, memories, rest
+from elastomer_friction.kernels.rheology.law import Elements, law_of, memories, rest
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from tests.convergence import observed_order
@@ -195,3 +201,17 @@ def test_what_is_not_found_is_said(monkeypatch):
     monkeypatch.setattr(f"{steady_memory.__module__}.TURNS", 1)
     with pytest.raises(ValueError, match="speed = 2 samples per tau: no steady state was found"):
         steady_memory(retardation(PRONY3), three_modes(8), 2.0, 1.0)
+
+
+@pytest.mark.parametrize("touching", [True, False])
+@pytest.mark.parametrize("scheme", FORMS)
+def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touching):
+    form, length = FORMS[scheme](PRONY3), 700
+    law, units = law_of(form, 0.01), memories(form)
+    start = np.random.default_rng(2).normal(size=(units + 3, units + 2))
+    one_by_one, at_once = start.copy(), start.copy()
+    powers = _no_powers(units + 3, length)
+    _take_steps(law, touching, length, one_by_one)
+    _carry(law, powers, touching, length, at_once)
+    assert powers.known[int(touching)] == length.bit_length()
+    np.testing.assert_allclose(at_once, one_by_one, rtol=1e-10, atol=1e-12)

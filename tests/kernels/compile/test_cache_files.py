@@ -1,5 +1,6 @@
 """Machine code on disk: used when it is sound, made again when it is not, never fatal."""
 
+import contextlib
 import fcntl
 import itertools
 import signal
@@ -10,7 +11,12 @@ from threading import Thread
 import numba
 import pytest
 
-from elastomer_friction.kernels.compile.cache import CheckedCache, _CheckedFile, compiling
+from elastomer_friction.kernels.compile.cache import (
+    CheckedCache,
+    _CheckedFile,
+    compiling,
+    take_turn,
+)
 from elastomer_friction.kernels.compile.jit import kernel
 from tests.support.disks import mounted
 from tests.support.runs import standing
@@ -92,9 +98,34 @@ def test_two_that_keep_machine_code_at_once_lose_none(cache, monkeypatch):
 
 def test_one_process_of_a_machine_at_a_time_compiles(cache):
     with (cache / "lock").open("w") as other:
-        with compiling(), pytest.raises(BlockingIOError):
-            fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        with compiling():
+            assert hits() == 0
+            with pytest.raises(BlockingIOError):
+                fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
         fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
+
+
+def test_who_finds_all_machine_code_waits_for_nobody(cache):
+    hits()
+    with (cache / "lock").open("w") as other:
+        fcntl.flock(other, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        with compiling():
+            assert hits() == 1
+
+
+def test_who_has_waited_finds_what_the_other_has_compiled(cache, monkeypatch):
+    """What is missing is looked for again, now that the other one is done."""
+
+    def other_compiles(name):
+        monkeypatch.undo()
+        monkeypatch.setattr("elastomer_friction.kernels.compile.cache.FOLDER", str(cache))
+        monkeypatch.setattr(numba.config, "DISABLE_JIT", 0)
+        assert (name, hits()) == ("lock", 0)
+        return contextlib.nullcontext()
+
+    monkeypatch.setattr("elastomer_friction.kernels.compile.cache._one_process", other_compiles)
+    with compiling():
+        assert hits() == 1
 
 
 HOLDER = """
@@ -102,6 +133,7 @@ import sys, time
 from elastomer_friction.kernels.compile import cache
 cache.FOLDER = sys.argv[1]
 with cache.compiling():
+    cache.take_turn()
     print("holds it", flush=True)
     time.sleep(600)
 """
@@ -109,8 +141,13 @@ with cache.compiling():
 
 def test_a_process_that_was_stopped_while_it_compiled_is_not_waited_for(cache):
     """As long as it runs, it is."""
+
+    def compile_too():
+        with compiling():
+            take_turn()
+
     with standing(HOLDER, str(cache)) as (holder, _):
-        waiting = Thread(target=lambda: compiling().__enter__(), daemon=True)
+        waiting = Thread(target=compile_too, daemon=True)
         waiting.start()
         waiting.join(0.2)
         assert waiting.is_alive()
@@ -122,4 +159,5 @@ def test_a_process_that_was_stopped_while_it_compiled_is_not_waited_for(cache):
 def test_without_a_folder_to_lock_each_compiles_for_itself(monkeypatch):
     monkeypatch.setattr("elastomer_friction.kernels.compile.cache.FOLDER", "/nowhere/at/all")
     with compiling():
-        pass
+        assert take_turn()
+        assert not take_turn()

@@ -13,8 +13,10 @@ from elastomer_friction.kernels.rheology.law import (
     law_of,
     memories,
     predict,
+    predict_one,
     rest,
     settle,
+    settle_one,
 )
 from elastomer_friction.kernels.rheology.prony import moments
 from elastomer_friction.kernels.rheology.relaxed import relaxation
@@ -231,3 +233,21 @@ def test_the_old_force_comes_back_with_a_gain_below_one(name, dt):
     assert 0.0 <= law.linear <= 1.0
     assert law.stale.sum() * law.stiffness <= 0.8 + 1e-12
     assert 0.0 <= law.lag <= 0.5 + 1e-12
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+@pytest.mark.parametrize("scheme", FORMS)
+def test_one_element_is_stepped_like_many(scheme, name):
+    form, rng = FORMS[scheme](MATERIALS[name]), np.random.default_rng(3)
+    law, memory = law_of(form, 0.02), -rng.random((memories(form), 6))
+    p, new = rng.random((2, 6))
+    w = np.empty(6)
+    predict(law, memory, p, w)
+    alone = memory.T.copy()
+    settled, predicted = memory.copy(), w.copy()
+    settle(law, settled, w, p, new)
+    for i in range(6):
+        one = predict_one(law, alone[i], p[i])
+        assert one == pytest.approx(predicted[i], rel=1e-12)
+        settle_one(law, alone[i], one, p[i], new[i])
+        np.testing.assert_allclose(alone[i], settled[:, i], rtol=1e-11, atol=1e-13)

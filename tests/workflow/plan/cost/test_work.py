@@ -121,6 +121,19 @@ def scene(*legs, speed=1.0, ratio=1.0, asked=ALL, start="steady"):
     return typical_seconds(asked, Work(problem, 4, 0), Recording(64, asked=("trace",)))
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_what_cannot_touch_is_left_out_of_the_marches_of_branches(scheme):
+    light, heavy = (
+        typical_seconds(
+            ALL,
+            Work(Problem(0.7, 5000, load, 1.0, 1.2, BRANCH), 4, 100, scheme=scheme),
+            Recording(64),
+        )["marching"]
+        for load in (0.01, 10.0)
+    )
+    assert (heavy > 3.0 * light) == (scheme == "exponential")
+
+
 def test_steps_to_between_the_samples_are_dear():
     whole, between = (scene(Slide(1.0, distance)) for distance in (10.0, 10.1))
     assert between["marching"] > whole["marching"]  # one step more, to a line that is shifted
