@@ -99,7 +99,7 @@ def _validity(law: Law, motions: Sequence[Transient], kept: Kept, speeds: np.nda
     errors = np.concatenate([each.error[own] for each, own in zip(motions, kept, strict=True)])
     rows_off = [_row_differences(law, motion) for motion in motions]
     named = tuple(
-        (name, _rms([each[rows]]))
+        (f"{motion.name}, {name}" if len(motions) > 1 else name, _rms([each[rows]]))
         for motion, each in zip(motions, rows_off, strict=True)
         for name, rows in motion.parts()
     )

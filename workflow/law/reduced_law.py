@@ -151,7 +151,7 @@ class Law(ABC):
                 off = law[at] - motion.mu[at]
                 kept = motion.time[at], motion.velocity[at], motion.mu[at], law[at]
                 errors = float(np.sqrt(np.mean(off**2))), float(np.max(np.abs(off)))
-                found.append(Compared(name, *kept, *errors))
+                found.append(Compared(f"{motion.name}, {name}", *kept, *errors))
         return found
 
     def with_validity(self, validity: Validity) -> Self:
