@@ -59,7 +59,7 @@ def test_a_command_has_the_options_that_it_is_told_with(page, command):
     first = command.partition("&&")[0].partition(" #")[0]
     options = command_parser().parse_args(shlex.split(first))
     study = getattr(options, "study", "NAME")
-    if not study.isupper() and not study.endswith(".toml"):
+    if not study.isupper() and not study.endswith((".toml", ".json")):
         assert {study, study.replace("-", "_")} & {*known_studies(), "mine"}, page
 
 

@@ -59,7 +59,7 @@ def run_law(options: argparse.Namespace) -> int:
 
 def _told(found: "Law") -> list[str]:
     """Return a law in sentences, with its error in every motion."""
-    return [*found.told(), *(f"  {rms:.3g} rms  {name}" for name, rms in found.known.motions)]
+    return [*found.told(), *(f"  {rms:.3g} rms  {name}" for name, rms in found.validity.motions)]
 
 
 def _read(options: argparse.Namespace) -> tuple[Path, "Law"]:

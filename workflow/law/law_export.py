@@ -66,8 +66,8 @@ def _rendered(template: str, law: MemoryLaw, name: str, **more: Any) -> str:
     )
     filled.filters["number"] = lambda value: repr(float(value))
     filled.filters["numbers"] = lambda row: ", ".join(repr(float(value)) for value in row)
-    source = f"fitted to {law.known.source}"
-    per_motion = [f"rms error {rms:.3g} in {where}" for where, rms in law.known.motions]
+    source = f"fitted to {law.validity.source}"
+    per_motion = [f"rms error {rms:.3g} in {where}" for where, rms in law.validity.motions]
     told = [
         line.replace("*/", "* /")
         for each in (source, *law.told()[1:], *per_motion)
@@ -89,7 +89,7 @@ def _abaqus(law: MemoryLaw, name: str) -> str:
     corners = np.concatenate([[0.0], law.speed])
     at = np.interp(np.arange(0, corners.size - 0.99, 1 / BETWEEN), range(corners.size), corners)
     rows = list(zip(law.steady(at), at, strict=True))
-    lost = law.known.usual * float(np.sqrt(law.known.left))
+    lost = law.validity.usual * float(np.sqrt(law.validity.left))
     return _rendered("law.inp.j2", law, name, rows=rows, lost=lost)
 
 

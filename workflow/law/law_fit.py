@@ -8,6 +8,7 @@ squares at every trial (variable projection: G. H. Golub and V. Pereyra, SIAM J.
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import replace
 from functools import lru_cache
 from typing import Any
 
@@ -17,7 +18,7 @@ from scipy.optimize import least_squares
 
 from ..errors import UserError
 from .memory_law import MemoryLaw, even, odd, relaxed_to
-from .reduced_law import Known, Law
+from .reduced_law import Law, Validity
 from .transients import Transient, finely, motions_of
 from .usual_laws import KINDS, LuGreLaw, RateStateLaw
 
@@ -26,6 +27,7 @@ RATIO = 2.5  # of neighbouring speeds of a table, at most
 DEEPEST = 1e-3  # of the fastest speed: no table begins below
 BELOW = 0.1  # of the slowest speed, where contacts age as at rest and friction is linear
 FEW = 0.02  # of the samples that may be slower than the first speed of a table
+TINY = 1e-300  # in place of zero, to divide by
 NOTHING = 5e-3  # rms over that of mu, below which mu is a function of the velocity alone
 SMOOTH = 1e-2  # weight of the bends of tables, over that of the samples
 LEVEL = 0.1  # weight of their values, over that of their bends
@@ -62,49 +64,62 @@ def fit_law(
     motions = motions_of(results, point)
     speeds = _speeds(motions)
     motions = [_fine(motion, speeds[0]) for motion in motions]
-    everything = [np.isfinite(motion.mu) for motion in motions]
-    _check(motions, everything)
-    mu = np.concatenate([each.mu[k] for each, k in zip(motions, everything, strict=True)])
-    usual = float(np.sqrt(np.mean(mu**2)))
+    kept = [np.isfinite(motion.mu) for motion in motions]
+    _check(motions, kept)
+    usual = _rms(_kept_mu(motions, kept))
     plain = _Memory(motions, speeds, 0)
-    left = _rms(_differences(plain.fit(everything, TRIALS)[0], motions, everything))
+    left = _rms(_differences(plain.fit(kept, TRIALS)[0], motions, kept)) / max(usual, TINY)
     search: Any = plain
     if kind != MemoryLaw.kind:
         search = _Usual(motions, speeds, kind)
-    elif states and left > NOTHING * usual:
+    elif states and left > NOTHING:
         search = _Memory(motions, speeds, states)
-    law, found = search.fit(everything, TRIALS)
-    off = _differences(law, motions, everything)
-    named = tuple(
-        (name, _rms([_row_differences(law, motion)[rows]]))
-        for motion in motions
-        for name, rows in motion.parts()
-    )
-    if held_out is not None:
+    law, found = search.fit(kept, TRIALS)
+    if held_out is None:
+        missed, words = _left_out(search, motions, kept, found)
+    else:
         others = [_fine(each, speeds[0]) for each in motions_of(held_out, point)]
         missed = _differences(law, others, [np.isfinite(each.mu) for each in others])
         words = "; ".join(each.name for each in others)
-    else:
-        missed, words = _left_out(search, motions, everything, found)
-    errors = np.concatenate([each.error[k] for each, k in zip(motions, everything, strict=True)])
-    known = Known(
+    validity = _validity(law, motions, kept, speeds)
+    return law.with_validity(
+        replace(
+            validity,
+            usual=usual,
+            left=left**2,
+            held_rms=max(_rms([each]) for each in missed),
+            held_largest=float(np.max(np.abs(np.concatenate(missed)))),
+            held_out=words,
+        )
+    )
+
+
+def _validity(law: Law, motions: Sequence[Transient], kept: Kept, speeds: np.ndarray) -> Validity:
+    """Return the range of motions that a law was fitted to, and its errors on them."""
+    errors = np.concatenate([each.error[own] for each, own in zip(motions, kept, strict=True)])
+    rows_off = [_row_differences(law, motion) for motion in motions]
+    named = tuple(
+        (f"{motion.name}, {name}" if len(motions) > 1 else name, _rms([each[rows]]))
+        for motion, each in zip(motions, rows_off, strict=True)
+        for name, rows in motion.parts()
+    )
+    off = [each[own] for each, own in zip(rows_off, kept, strict=True)]
+    return Validity(
         slowest=float(speeds[1]),
         fastest=float(speeds[-1]),
         longest_rest=max(float(_rests(motion).max()) for motion in motions),
         normal_force=motions[0].normal_force,
         rms=_rms(off),
         largest=float(np.max(np.abs(np.concatenate(off)))),
-        held_rms=max(_rms([each]) for each in missed),
-        held_largest=float(np.max(np.abs(np.concatenate(missed)))),
-        usual=usual,
         model_error=_rms([errors[np.isfinite(errors)]]),
-        left=(left / usual) ** 2 if usual else math.nan,
         motions=named,
-        held_out=words,
-        window=f"{mu.size} samples of {len(named)} segments, all of them",
+        window=f"{errors.size} samples of {len(named)} segments, all of them",
         source=motions[0].name,
     )
-    return law.with_known(known)
+
+
+def _kept_mu(motions: Sequence[Transient], kept: Kept) -> list[np.ndarray]:
+    return [motion.mu[own] for motion, own in zip(motions, kept, strict=True)]
 
 
 def _speeds(motions: Sequence[Transient]) -> np.ndarray:
@@ -193,7 +208,7 @@ class _Memory:
     def _solved(self, p: np.ndarray, kept: Kept) -> tuple[np.ndarray, np.ndarray]:
         """Return the tables for p, and the residuals with those of smoothness."""
         rows = [self._design(p, k)[own] for k, own in enumerate(kept)]
-        mu = np.concatenate([m.mu[own] for m, own in zip(self.motions, kept, strict=True)])
+        mu = np.concatenate(_kept_mu(self.motions, kept))
         matrix = np.concatenate(rows)
         weight = SMOOTH * math.sqrt(mu.size)
         smooth = weight * np.kron(np.eye(self.states + 1), self.bends)
@@ -255,8 +270,8 @@ class _Usual:
 
     def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, kind: str) -> None:
         self.motions = motions
-        self.known = Known(slowest=float(speeds[1]), fastest=float(speeds[-1]))
-        self.level = max(_rms([m.mu[np.isfinite(m.mu)] for m in motions]), 1e-300)
+        self.validity = Validity(slowest=float(speeds[1]), fastest=float(speeds[-1]))
+        self.level = max(_rms([m.mu[np.isfinite(m.mu)] for m in motions]), TINY)
         self.middle = float(np.sqrt(speeds[1] * speeds[-1]))
         way, _, parts = _extent(motions)
         length = math.log(0.05 * way / parts)
@@ -269,7 +284,7 @@ class _Usual:
 
     def _slip(self, p: np.ndarray, ageing: bool = False) -> Law:
         a, b, mu = self.level * math.exp(p[0]), self.level * p[1], self.level * p[3]
-        return RateStateLaw(a, b, math.exp(p[2]), mu, self.middle, ageing, known=self.known)
+        return RateStateLaw(a, b, math.exp(p[2]), mu, self.middle, ageing, validity=self.validity)
 
     def _ageing(self, p: np.ndarray) -> Law:
         return self._slip(p, True)
@@ -279,7 +294,7 @@ class _Usual:
         damping, viscous = map(float, p[1:3] * self.level / self.middle)
         stribeck = self.middle * math.exp(p[5])
         return LuGreLaw(
-            math.exp(p[0]), damping, viscous, coulomb, static, stribeck, known=self.known
+            math.exp(p[0]), damping, viscous, coulomb, static, stribeck, validity=self.validity
         )
 
     def fit(self, kept: Kept, trials: int, start: Any = None) -> tuple[Law, Any]:

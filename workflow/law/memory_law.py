@@ -103,7 +103,7 @@ class MemoryLaw(Law):
     def outside(self) -> str:
         """Return what the law does outside its range."""
         return (
-            f"below {self.known.slowest:.3g} m/s mu goes to zero at rest, in proportion to v from "
-            f"{self.speed[0]:.3g} m/s on; above {self.speed[-1]:.3g} m/s the speed in its tables "
-            "is clamped to that"
+            f"below {self.validity.slowest:.3g} m/s mu goes to zero at rest, in proportion to v "
+            f"from {self.speed[0]:.3g} m/s on; above {self.speed[-1]:.3g} m/s the speed in its "
+            "tables is clamped to that"
         )

@@ -18,7 +18,7 @@ from ..errors import UserError
 from .transients import finely, motions_of
 
 FORMAT = 1  # of the JSON
-WORDS = ("motions", "held_out", "window", "source")  # of what is known; the rest are numbers
+WORDS = ("motions", "held_out", "window", "source")  # of a Validity; the rest are numbers
 BEYOND = 1.0 + 1e-9  # times the fastest speed: rounding
 
 
@@ -31,7 +31,7 @@ class BeyondLawWarning(UserWarning):
 
 
 @dataclass(frozen=True)
-class Known:
+class Validity:
     """In which range a law was fitted, and how closely it follows; mu has no unit.
 
     slowest, fastest : speeds between which it was fitted, m/s; mu is in proportion to v below and
@@ -79,7 +79,7 @@ class Law(ABC):
     """A reduced law: ``init``, ``step`` and ``steady`` make it, the rest follows from them."""
 
     kind: ClassVar[str]
-    known: Known = field(default_factory=Known, kw_only=True)
+    validity: Validity = field(default_factory=Validity, kw_only=True)
 
     @abstractmethod
     def init(self, velocity: float) -> np.ndarray:
@@ -110,13 +110,13 @@ class Law(ABC):
         """
         if not 0.0 < factor < np.inf:
             raise LawError(f"factor = {factor!r}: must be greater than zero")
-        known = replace(
-            self.known,
-            slowest=self.known.slowest / factor,
-            fastest=self.known.fastest / factor,
-            longest_rest=self.known.longest_rest * factor,
+        validity = replace(
+            self.validity,
+            slowest=self.validity.slowest / factor,
+            fastest=self.validity.fastest / factor,
+            longest_rest=self.validity.longest_rest * factor,
         )
-        return replace(self, known=known, **self.scaled(factor))
+        return replace(self, validity=validity, **self.scaled(factor))
 
     def run(self, time: ArrayLike, velocity: ArrayLike) -> np.ndarray:
         """Return mu at times (s) for velocities (m/s) that are linear in between; shape (n,).
@@ -125,9 +125,11 @@ class Law(ABC):
         taken in small parts, so that v(t) counts and not its samples. Warns beyond the fastest
         speed. Raises UserError for times that decrease and for what is not finite.
         """
-        t, v, last = finely(*_checked(time, velocity), self.known.slowest)
-        if v.size and np.max(np.abs(v)) > self.known.fastest * BEYOND:
-            said = f"{np.max(np.abs(v)):g} m/s is above {self.known.fastest:g} m/s, up to which the"
+        t, v, last = finely(*_checked(time, velocity), self.validity.slowest)
+        if v.size and np.max(np.abs(v)) > self.validity.fastest * BEYOND:
+            said = (
+                f"{np.max(np.abs(v)):g} m/s is above {self.validity.fastest:g} m/s, up to which the"
+            )
             said += " law was fitted; the speed is clamped there"
             warnings.warn(said, BeyondLawWarning, stacklevel=2)
         mu = np.zeros(t.size)
@@ -149,27 +151,28 @@ class Law(ABC):
                 off = law[at] - motion.mu[at]
                 kept = motion.time[at], motion.velocity[at], motion.mu[at], law[at]
                 errors = float(np.sqrt(np.mean(off**2))), float(np.max(np.abs(off)))
-                found.append(Compared(name, *kept, *errors))
+                found.append(Compared(f"{motion.name}, {name}", *kept, *errors))
         return found
 
-    def with_known(self, known: Known) -> Self:
+    def with_validity(self, validity: Validity) -> Self:
         """Return the law with other range and errors."""
-        return replace(self, known=known)
+        return replace(self, validity=validity)
 
     def to_json(self) -> str:
         """Return the law as JSON, from which ``read`` gets it back to the bit."""
         numbers = {
             each.name: np.asarray(getattr(self, each.name)).tolist()
             for each in fields(self)
-            if each.name != "known"
+            if each.name != "validity"
         }
-        told = {name: _plain(value) for name, value in asdict(self.known).items()}
-        whole = {"format": FORMAT, "kind": self.kind, **numbers, "known": told}
+        told = {name: _plain(value) for name, value in asdict(self.validity).items()}
+        whole = {"format": FORMAT, "kind": self.kind, **numbers, "validity": told}
         return json.dumps(whole, indent=1, allow_nan=False)
 
     def told(self) -> list[str]:
         """Return the numbers, the range and the error of the law, in lines for people."""
-        known, numbers = self.known, [each.name for each in fields(self) if each.name != "known"]
+        known = self.validity
+        numbers = [each.name for each in fields(self) if each.name != "validity"]
         share = 100.0 / known.usual if known.usual else float("nan")
         return [
             f"kind: {self.kind}; "

@@ -35,7 +35,7 @@ class Transient(NamedTuple):
             if rows.size:
                 first, last = self.velocity[rows[0]], self.velocity[rows[-1]]
                 ends = " ... ".join(dict.fromkeys(f"{v:.3g}" for v in (first, last)))
-                yield f"{self.name}, segment {number}, {ends} m/s", rows
+                yield f"segment {number}, {ends} m/s", rows
 
 
 def finely(
@@ -93,7 +93,8 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
     found = []
     for at in np.ndindex(*(chosen.sizes.get(axis, 1) for axis in MOVED)):
         own = {axis: k for axis, k in zip(MOVED, at, strict=True) if axis in chosen.dims}
-        words = [f"{axis} {float(chosen[axis][k]):.3g}" for axis, k in own.items()]
+        parted = [axis for axis in own if chosen.sizes[axis] > 1]
+        words = [f"{axis} {float(chosen[axis][own[axis]]):.3g}" for axis in parted]
         title = str(dataset.attrs.get("title", "motion"))
         found.append(_transient(chosen.isel(own), ", ".join([title, *words])))
     return found

@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from ..errors import UserError
 from ..plain_files import read_plain
 from .memory_law import MemoryLaw
-from .reduced_law import FORMAT, WORDS, Known, Law, LawError, mean_speed
+from .reduced_law import FORMAT, WORDS, Law, LawError, Validity, mean_speed
 
 LEAST = 1e-300  # m/s, of a speed in a logarithm
 LARGEST = 700.0  # of an exponent
@@ -44,7 +44,7 @@ class RateStateLaw(Law):
 
     def init(self, velocity: float) -> np.ndarray:
         """Return (v, phi) of steady sliding; at rest as after sliding at the slowest speed."""
-        least = self.known.slowest if self.known.slowest > 0.0 else 1e-6 * self.velocity
+        least = self.validity.slowest if self.validity.slowest > 0.0 else 1e-6 * self.velocity
         speed = max(abs(velocity), least)
         return np.array([velocity, math.log(self.velocity / speed)])
 
@@ -139,12 +139,12 @@ def read_law(source: str | Path) -> Law:
         kind = KINDS[found["kind"]]
         if found["format"] != FORMAT:
             raise ValueError(f"its format is {found['format']}, not {FORMAT}")
-        told = {each.name: found["known"][each.name] for each in fields(Known)}
+        told = {each.name: found["validity"][each.name] for each in fields(Validity)}
         told["motions"] = tuple((str(name), float(rms)) for name, rms in told["motions"])
         numbers = {k: float(each) for k, each in told.items() if k not in WORDS}
-        known = Known(**{**told, **numbers})
-        own = {each.name: found[each.name] for each in fields(kind) if each.name != "known"}
+        validity = Validity(**{**told, **numbers})
+        own = {each.name: found[each.name] for each in fields(kind) if each.name != "validity"}
         values = {k: np.array(v, float) if isinstance(v, list) else v for k, v in own.items()}
-        return kind(**values, known=known)
+        return kind(**values, validity=validity)
     except (LookupError, TypeError, ValueError) as error:
         raise LawError(f"{place}: is no law of this program as JSON: {error}") from error

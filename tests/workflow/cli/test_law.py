@@ -24,7 +24,7 @@ def test_it_is_told_and_written_and_read_again(capsys, path, tmp_path):
     command = ["law", str(path), "--states", "1"]
     text = output(capsys, *command, "--write", "json", "--out", str(json))
     assert text.startswith("kind: states; ")
-    assert " rms  synthetic, segment 3, 0.01 m/s\n" in text
+    assert " rms  segment 3, 0.01 m/s\n" in text
     assert text.endswith(f"{json}: the law as JSON\n")
     told = output(capsys, "law", str(json))
     assert text.startswith(told)

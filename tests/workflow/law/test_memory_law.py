@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.law import MemoryLaw, read
-from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Known
+from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Validity
 from tests.workflow.law.given import SPEEDS, memory_law
 
 LAW = memory_law()
@@ -110,13 +110,13 @@ def test_longer_times_of_the_material_are_slower_motions():
 
 
 def test_it_warns_above_its_range():
-    law = LAW.with_known(Known(slowest=0.01, fastest=0.1))
+    law = LAW.with_validity(Validity(slowest=0.01, fastest=0.1))
     with pytest.warns(BeyondLawWarning, match=r"0.2 m/s is above 0.1 m/s"):
         law.run([0.0, 1.0], [0.2, 0.2])
 
 
 def test_json_keeps_every_bit(tmp_path):
-    law = LAW.with_known(Known(fastest=0.1, motions=(("one", 1 / 3),), held_out="nothing"))
+    law = LAW.with_validity(Validity(fastest=0.1, motions=(("one", 1 / 3),), held_out="nothing"))
     path = tmp_path / "law.json"
     path.write_text(law.to_json())
     again = read(path)

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.law import LuGreLaw, RateStateLaw, read
-from elastomer_friction.workflow.law.reduced_law import Known
+from elastomer_friction.workflow.law.reduced_law import Validity
 from elastomer_friction.workflow.reduce import step_law
 
 A, B, LENGTH, V = 0.01, 0.015, 1e-5, 1e-3
@@ -12,8 +12,8 @@ LUGRE = LuGreLaw(stiffness=2e4, damping=0.01, viscous=0.4, coulomb=0.5, static=0
 
 
 def rate_state(ageing):
-    known = Known(slowest=1e-5, fastest=1.0)
-    return RateStateLaw(A, B, LENGTH, 0.6, V, ageing, known=known)
+    known = Validity(slowest=1e-5, fastest=1.0)
+    return RateStateLaw(A, B, LENGTH, 0.6, V, ageing, validity=known)
 
 
 LAWS = [rate_state(False), rate_state(True), LUGRE]
