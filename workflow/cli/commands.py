@@ -138,6 +138,13 @@ def _animate_options(command: argparse.ArgumentParser) -> None:
     command.add_argument("--out", help="the .gif or .mp4 file (results/NAME.gif)")
 
 
+def _explore_options(command: argparse.ArgumentParser) -> None:
+    add: Any = command.add_argument
+    add("result", metavar="RESULT", help="a result file, NAME.nc, or a study whose result is there")
+    add("--scale", help="of the result: one of the study's [scales.NAME] tables")
+    add("--out", type=Path, help="the page (NAME.html beside the result)")
+
+
 def _report_options(command: argparse.ArgumentParser) -> None:
     add = command.add_argument
     add("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
@@ -217,6 +224,16 @@ def _checked(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
 
 def _report(options: argparse.Namespace) -> int:
     print(report.write_report(Path(options.out), options.studies, options.scale))
+    return DONE
+
+
+def _explore(options: argparse.Namespace) -> int:
+    result = Path(options.result)
+    if result.suffix != ".nc":
+        study = read_study(options.result, options.scale)
+        result = result_file(Path("results"), study)
+        check_result(study, result, asked=bool(options.scale))
+    print(report.write_explorer(result, options.out))
     return DONE
 
 
@@ -306,6 +323,11 @@ COMMANDS = {
     ),
     "animate": Command(
         "draw one line of a scene on its way, as .gif or .mp4", _animate_options, _animate
+    ),
+    "explore": Command(
+        "write one page of HTML on which a result is looked through, with sliders and no network",
+        _explore_options,
+        _explore,
     ),
     "report": Command(
         "write report.html, or report-SCALE.html: all figures, and the claims of the paper beside "

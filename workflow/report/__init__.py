@@ -28,6 +28,7 @@ if TYPE_CHECKING:
         typical_factor,
     )
     from .csv_tables import write_table
+    from .explore import write_explorer
     from .figure import draw_figure, write_figure
     from .page import write_report
     from .panels import COLOURS, error_band, error_bars, foot_line, log_bars, write_below
