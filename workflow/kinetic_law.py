@@ -60,7 +60,7 @@ def exponent(x: ArrayLike, hurst: float, time_below_one: bool = False) -> np.nda
     """Return alpha of b = x^alpha (eq. 13): 1 for x < 1 and 1 - H above.
 
     ``time_below_one`` replaces the branch x < 1 by b = 1, which is what the model gives when it
-    is converged in time (README, "Where results depart from the paper").
+    is converged in time (docs/model.md, "Where the program departs from the paper").
     """
     return np.where(np.asarray(x) < 1.0, 0.0 if time_below_one else 1.0, 1.0 - hurst)
 
