@@ -56,6 +56,7 @@ COARSER = {
     "rate_state",
     "refinement",
     "slide_hold_slide",
+    "stick_slip",
     "velocity_steps",
 }
 

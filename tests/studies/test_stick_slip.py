@@ -1,0 +1,39 @@
+"""Stick and slip: soft springs slip where friction falls with the velocity, stiff ones never."""
+
+import numpy as np
+import pytest
+
+from elastomer_friction.studies.stick_slip.figure import SLIPPING, critical_stiffness
+from tests.support.studies import check_drawing, run
+
+pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
+
+
+@pytest.fixture(scope="module")
+def groups(tmp_path_factory):
+    """Return the groups of the study."""
+    return run(tmp_path_factory.mktemp("stick"), "stick_slip")
+
+
+def test_the_figure_is_drawn(groups):
+    check_drawing("stick_slip", groups)
+
+
+def test_a_soft_spring_slips_and_a_stiff_one_slides(groups):
+    data = groups[""].squeeze()
+    swing = (data.drive_swing / data.rms_slope).transpose("velocity", "stiffness")
+    critical = critical_stiffness(data.mu_1.isel(stiffness=0), float(data.normal_force))
+    falling = np.isfinite(critical.values)
+    soft, stiff = data.stiffness.values
+    assert falling.any()
+    assert (soft < critical.values[falling]).all()
+    assert (critical.values[falling] < stiff).all()
+    assert (swing.values[falling, 0] > 4.0 * SLIPPING).all()
+    assert (swing.values[:, 1] < SLIPPING).all()
+
+
+def test_a_line_that_slips_goes_faster_than_the_drive(groups):
+    data = groups[""].squeeze()
+    share = (data.peak_velocity / data.velocity).transpose("velocity", "stiffness").values
+    assert share[1:, 0].min() > 2.0
+    assert share[:, 1].max() < 1.3
