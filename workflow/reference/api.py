@@ -12,8 +12,8 @@ from ..result import open_tree
 
 HEAD = """# Every name of Python
 
-`import elastomer_friction as ef` gives these names. [Python](../python.md) shows how they are used, and
-the types of all arguments are known to type checkers.
+`import elastomer_friction as ef` gives these names. [Python](../python.md) shows how they are used,
+and the types of all arguments are known to type checkers.
 """
 # Under the name by which it is called from outside.
 NAMES: dict[str, Any] = {
@@ -62,15 +62,14 @@ def _entry(name: str, public: Any) -> list[str]:
 
 def _arguments(public: Any) -> str:
     """Return the names of the arguments, and the values of those that may be left out."""
-    given = [
-        p for p in inspect.signature(public).parameters.values() if p.name not in ("self", "cls")
-    ]
     words = []
-    for parameter in given:
-        star = {parameter.VAR_POSITIONAL: "*", parameter.VAR_KEYWORD: "**"}.get(parameter.kind, "")
+    for name, parameter in inspect.signature(public).parameters.items():
+        if name in ("self", "cls"):
+            continue
         usual = "" if parameter.default is parameter.empty else f"={parameter.default!r}"
         usual = "=..." if usual.startswith("=<") else usual  # made anew at each call
-        words.append(f"{star}{parameter.name}{usual}")
+        star = "*" if parameter.kind is parameter.VAR_POSITIONAL else ""
+        words.append(f"{star}{name}{usual}")
     return ", ".join(words)
 
 
