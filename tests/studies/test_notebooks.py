@@ -75,7 +75,7 @@ def test_it_is_stored_with_its_plots_and_without_warnings_or_paths_of_a_machine(
     parts = [part for cell in outputs for part in cell]
     assert not [part for part in parts if part.get("name") == "stderr"]
     assert len([part for part in parts if "image/png" in part.get("data", {})]) == PLOTS[name]
-    assert not re.search(r"(^|[\s'\"=])/(home|root|tmp|usr|work)\b", text_of(outputs))
+    assert not re.search(r"(^|[\s'\"=])/\w", text_of(outputs))
 
 
 def test_friction_rises_with_the_velocity_and_relaxes(stored):
