@@ -8,7 +8,7 @@ import re
 import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, NoReturn
 
 from .. import report, scene
 from ..errors import UserError, printable
@@ -83,9 +83,17 @@ def main(arguments: list[str] | None = None) -> int:
         return RESUMABLE
 
 
+class OneLineParser(argparse.ArgumentParser):
+    """Says in one line what is wrong with the options, as with any other input."""
+
+    def error(self, message: str) -> NoReturn:
+        """Raise UserError."""
+        raise UserError(f"{message}; see {self.prog} --help")
+
+
 def command_parser() -> argparse.ArgumentParser:
     """Return the parser of the command line, with all commands."""
-    parser = argparse.ArgumentParser(prog=program(), description=__doc__)
+    parser = OneLineParser(prog=program(), description=__doc__)
     version = f"elastomer-friction {version_of('elastomer-friction')}"
     parser.add_argument("--version", action="version", version=version)
     commands = parser.add_subparsers(dest="command", required=True)

@@ -7,6 +7,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
+from dask.system import CPU_COUNT
 
 from ..plan import (
     WHOLE,
@@ -14,6 +15,7 @@ from ..plan import (
     Plan,
     Prediction,
     Variant,
+    expected_errors,
     make_plan,
     model_ratio,
     prediction,
@@ -36,7 +38,7 @@ from ..study import (
     judged,
     why_not,
 )
-from ..system import core_time
+from ..system import core_time, counted
 
 SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes
@@ -76,6 +78,7 @@ def outline_grid(study: Study, result: Path) -> Said:
         "predicted_worker_bytes": round(plan.predicted_worker_bytes()),
         "predicted_driver_bytes": round(plan.predicted_driver_bytes()),
         "longest_line_samples": plan.longest_line(),
+        "not_simulated": dict(_parted(what) for yes, what in effects(study) if not yes),
     }
     return outline(plan, result, cost, machine.note), facts
 
@@ -110,30 +113,71 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
     cost : as it is predicted. speed : says where the pace of the prediction comes from.
     """
     study = plan.study
-    lines = [f"study       {study.name}: {study.title}", f"result      {result}"]
+    lines = [
+        f"study       {study.name}: {study.title}",
+        f"result      {result}",
+        f"computes    {', '.join(study.scene.quantities)}",
+    ]
     for axis, values in study.grid.items():
-        span = f"{values[0]:g}" if len(values) == 1 else f"{min(values):g} ... {max(values):g}"
-        lines.append(f"  {axis:14s}{len(values):4d}  {span}")
+        lines.append(f"  {axis:14s}{len(values):4d}  {_axis_span(values)}")
     copies = plan.points / plan.problems
     lines += [
         f"points      {plan.points}",
         f"problems    {plan.problems} distinct dimensionless problems ({copies:.3g} points each)",
         f"variants    {', '.join(v.label or 'study' for v in plan.variants)}",
         *_realizations(plan),
-    ]
-    lines += read_lines_of(study)
-    lines += effect_lines(study)
-    for variant in plan.variants:
-        lines += march_lines(variant)
-    return [
-        *lines,
-        *_model(plan),
         f"predicted   {core_time(cost.low, cost.high)}",
-        f"speed       as measured on {speed}",
+        f"time        {_on_all_cores(cost)}, as measured on {speed}",
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
         f"longest line {plan.longest_line()} samples",
+        *_errors(plan),
+        *_model(plan),
+        *read_lines_of(study),
+        *effect_lines(study),
     ]
+    for variant in plan.variants:
+        lines += march_lines(variant)
+    return lines
+
+
+def _axis_span(values: tuple[float, ...]) -> str:
+    """Return the values of an axis in short; that of measured lines may have none."""
+    if any(map(math.isnan, values)):
+        return "of the lines"
+    return f"{values[0]:g}" if len(values) == 1 else f"{min(values):g} ... {max(values):g}"
+
+
+def _on_all_cores(cost: Prediction) -> str:
+    """Return how long a run takes on all cores of this machine."""
+    words = core_time(cost.low / CPU_COUNT, cost.high / CPU_COUNT).replace("core-", "")
+    return f"{words} on {counted(CPU_COUNT, 'worker')} of this machine"
+
+
+def _errors(plan: Plan) -> list[str]:
+    """Return what chance and discretisation will leave: the median over the problems, the worst."""
+    found = expected_errors(plan)
+    if not found:
+        return [
+            "standard error    not known before the run; --accuracy 3% adds lines until it is met",
+            "discretisation    not known before the run; the result holds it as NAME_bias",
+        ]
+    chance = [f"{name} {_shares(each.chance)}" for name, each in found.items()]
+    bound = [
+        f"{name} {_shares(each.discretisation)}"
+        for name, each in found.items()
+        if not np.isnan(each.discretisation).all()
+    ]
+    return [
+        f"standard error    expected {', '.join(chance)}",
+        f"discretisation    expected below {', '.join(bound)}",
+    ]
+
+
+def _shares(errors: np.ndarray) -> str:
+    """Return the median and the largest of relative errors, those beyond 100 % as such."""
+    middle, most = (min(100.0 * float(e), 100.0) for e in (np.median(errors), errors.max()))
+    return f"{middle:.2g} % (at worst {most:.2g} %)"
 
 
 def _read(study: Study) -> list[dict[str, Any]]:
@@ -190,7 +234,7 @@ def _model(plan: Plan) -> list[str]:
                 f"model       the foundation gives {_span(known, 2)} of a half-space here{some}"
             ]
         else:
-            found = ["model       foundation over half-space: not known here (docs/bodies.md)"]
+            found = ["model       foundation over half-space: not known here"]
     return found
 
 
@@ -239,10 +283,23 @@ def _realizations(plan: Plan) -> list[str]:
     return lines
 
 
+def effects(study: Study) -> list[tuple[bool, str]]:
+    """Return of every effect whether it is simulated, and "EFFECT: how", or why not."""
+    return [*_materials(study), *_surface(study), *_motion(study), *_quantities(study)]
+
+
+def _parted(what: str) -> tuple[str, str]:
+    """Return the name of an effect, and what is said of it."""
+    name, _, said = what.partition(": ")
+    return name, said
+
+
 def effect_lines(study: Study) -> list[str]:
-    """Return a line for every effect that a scene can call for, quantities among them."""
-    found = [*_materials(study), *_surface(study), *_motion(study), *_quantities(study)]
-    lines = [f"simulated     {what}" if yes else f"not simulated {what}" for yes, what in found]
+    """Return a line for every effect that is simulated, and one that names all others."""
+    found = effects(study)
+    lines = [f"simulated     {what}" for yes, what in found if yes]
+    absent = ", ".join(_parted(what)[0] for yes, what in found if not yes)
+    lines.append(f"not simulated {absent} (--json says why)")
     rate = "kept" if study.scene.indentation_rate else "dropped, as eq. 3 is printed"
     return [*lines, f"indentation rate in the force: {rate}"]
 

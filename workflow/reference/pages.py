@@ -8,6 +8,7 @@ from collections.abc import Callable
 from pathlib import Path
 
 from ..cli import command_parser
+from .api import api_page
 from .keys import keys_page, measures_page
 from .results import results_page
 
@@ -101,6 +102,7 @@ PAGES: dict[str, Callable[[], str]] = {
     "commands.md": commands_page,
     "keys.md": keys_page,
     "measures.md": measures_page,
+    "python.md": api_page,
     "results.md": results_page,
 }
 

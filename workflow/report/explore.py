@@ -18,12 +18,11 @@ from ..errors import UserError
 from ..result import open_tree
 from ..study import EVERY_AXIS
 from ..system import make_folder, write_durably
-from .page import UNITS
-from .panels import SYMBOLS
+from .panels import SYMBOLS, UNITS
 from .unresolved import STATUS
 
 DIGITS = 6  # of a number on the page; errors are larger
-MOST_NUMBERS = 2_000_000  # of curves on the page, about 16 MB
+MOST_NUMBERS = 2_000_000  # of a study, or of a comparison, about 16 MB; the longest are left out
 BESIDE = ("error", "bias")  # NAME_error and NAME_bias belong to NAME
 FIRST = ("relaxation_rate", "mu_1", "trace_mu", "mu")  # what is shown first, if it is there
 
@@ -86,7 +85,7 @@ def _held(dataset: xr.Dataset) -> dict[str, dict[str, Any]]:
         numeric = variable.dtype.kind in "fiu"
         if not numeric or not varied or len(long) > 1 or name in EVERY_AXIS:
             continue
-        numbers += variable.size if long else 0
+        numbers += variable.size
         if numbers > MOST_NUMBERS:
             continue
         found[name] = {**_described(dataset[name]), "dims": list(variable.dims)}

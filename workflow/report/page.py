@@ -20,11 +20,12 @@ from ..errors import UserError
 from ..reduce import STATUS_MEANINGS
 from ..result import ROOT, Groups, differing_settings, edited, listed, open_result, result_file
 from ..study import AnyStudy, known_scales, known_studies, read_study
-from ..system import write_durably
+from ..system import program, write_durably
 from .claims import evaluate, known_claims
 from .csv_tables import write_tables
+from .explore import write_explorer
 from .figure import Picture, caption, draw_groups
-from .panels import STYLE, HoverPoint
+from .panels import STYLE, UNITS, HoverPoint, model_in_words
 
 NO_BREAK = "\u00a0"
 PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
@@ -32,7 +33,6 @@ SMOKE = "smoke"
 SHOWN_VALUES = 6  # of an axis; of longer ones the ends
 ORIGIN = {"Program": "source", "Code": "code", "Versions": "versions", "Model": "references"}
 CONSTANTS = ("shear_modulus", "tau", "length")  # coordinates of a result that are no axes
-UNITS = {"1": "", "s-1": "s⁻¹", "degree_Celsius": "°C"}  # of the CF conventions, where others read
 
 
 def study_names() -> list[str]:
@@ -48,16 +48,16 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
     Figures and tables are written beside the results. Raises UserError where none has a result,
     and where a named study has no such scale.
     """
-    if not names:
+    asked = bool(names)
+    if not asked:
         names = [name for name in study_names() if scale is None or scale in known_scales(name)]
     studies = [read_study(name, scale) for name in names]
     present = [study for study in studies if result_file(folder, study).is_file()]
     if not present:
         wanted = ", ".join(study.name for study in studies)
-        of, how = (f" at scale {scale}", f" SCALE={scale}") if scale else ("", "")
-        raise UserError(
-            f"{folder}: holds no result of {wanted}{of}; first run: make study-NAME{how}"
-        )
+        of = f" at scale {scale}" if scale else ""
+        first = how_to_run("NAME", scale)
+        raise UserError(f"{folder}: holds no result of {wanted}{of}; first run: {first}")
     with contextlib.ExitStack() as stack:
         groups = {s.name: open_result(s, result_file(folder, s), stack) for s in present}
         named = {f"{n}/{g}".rstrip("/"): d for n, held in groups.items() for g, d in held.items()}
@@ -68,17 +68,27 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
         except (OSError, RuntimeError) as error:  # of netCDF, which reads late
             raise UserError(f"{folder}: a result cannot be read: {error}") from error
         codes = {str(held[ROOT].attrs["code"]) for held in groups.values()}
+    of_paper = any((study.folder / "claims.py").is_file() for study in present)
+    absent = [study for study in studies if study not in present] if of_paper or asked else []
     page = render(
+        of_paper=of_paper,
         claims=claims,
         unjudged=len(judges) - len(claims),
         sections=sections,
-        missing=[study for study in studies if study not in present],
-        scale=scale,
+        missing=[(how_to_run(study.name, scale), study.title) for study in absent],
+        again=f"{program()} report{f' --scale {scale}' if scale else ''}",
         codes=sorted(codes),
     )
     path = folder / (f"report-{scale}.html" if scale else "report.html")
     write_durably(path, page.encode())
     return path
+
+
+def how_to_run(name: str, scale: str | None) -> str:
+    """Return the command that computes a study, by make in a folder of the program."""
+    if Path("Makefile").is_file() and Path("studies").is_dir():
+        return f"make study-{name}{f' SCALE={scale}' if scale else ''}"
+    return f"{program()} run {name}{f' --scale {scale}' if scale else ''}"
 
 
 def render(**context: object) -> str:
@@ -139,6 +149,9 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
         files += write_tables(study, groups, result)
     except UserError as error:
         troubles.append(f"No table: {error}")
+    explorer = ""
+    with contextlib.suppress(UserError):  # nothing varies: nothing to look through
+        explorer = write_explorer(result).name
     changed = differing_settings(study, data.attrs)
     least, most = 0, 0
     if "realizations" in data:
@@ -152,6 +165,7 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
         "extent": scale + lines * bool(most),
         "images": images,
         "files": [file.name for file in files],
+        "explorer": explorer,
         "caption": caption(study),
         "troubles": troubles,
         "parameters": _parameters(study, data),
@@ -217,11 +231,13 @@ def _facts(data: xr.Dataset) -> list[tuple[str, str]]:
     origin = [("Seed", attrs["seed"]), ("Commit", commit)]
     if "scheme" not in attrs:  # a measured study
         return origin
+    model = [("Error of the model", said)] if (said := model_in_words(data)) else []
     rate = "kept" if attrs["indentation_rate"] == "true" else "dropped, as eq. 3 is printed"
     return [
         ("Grid points", str(data.realizations.size)),
         ("Realizations", f"{int(data.realizations.max())} each"),
         ("Simulated", attrs["quantities"].replace(" ", ", ")),
         ("Indentation rate", rate),
+        *model,
         *origin,
     ]

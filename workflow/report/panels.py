@@ -142,6 +142,9 @@ SYMBOLS = {
 }
 
 
+UNITS = {"1": "", "s-1": "s⁻¹", "degree_Celsius": "°C"}  # of the CF conventions, where others read
+
+
 class HoverPoint(NamedTuple):
     """A point of a drawn figure and what is said of it."""
 
@@ -195,3 +198,15 @@ def remembered(figure: Figure) -> list[HoverPoint]:
 def _unit(variable: xr.DataArray) -> str:
     unit = str(variable.attrs.get("units", "1")).replace("s-1", "s⁻¹")
     return "" if unit == "1" else f" {unit}"
+
+
+def model_in_words(data: xr.Dataset) -> str:
+    """Return what the foundation gives of a half-space's friction, "" where that is not known."""
+    if "model_ratio" not in data:
+        return ""
+    known = data.model_ratio.values[np.isfinite(data.model_ratio.values)]
+    if not known.size:
+        return ""
+    ends = dict.fromkeys(f"{value:.2g}" for value in (known.min(), known.max()))
+    some = "" if known.size == data.model_ratio.size else f", as far as known: {known.size} points"
+    return f"mu_1 of the foundation is {' to '.join(ends)} of that of a half-space{some}"

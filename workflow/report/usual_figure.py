@@ -14,7 +14,7 @@ from matplotlib.figure import Figure
 
 from ..result import AXIS_ATTRIBUTES, Groups
 from ..study import AXES
-from .panels import COLOURS, error_bars, foot_line
+from .panels import COLOURS, error_bars, foot_line, model_in_words
 
 CAPTION = (
     "The first panel shows the coefficient of friction over time after the velocity step at points "
@@ -63,7 +63,8 @@ def draw(groups: Groups) -> Figure:
     values = [f"{AXIS_ATTRIBUTES[axis][1]} {float(data[axis][0]):.3g}" for axis in others]
     note = f"estimates are shown at the first of several values: {', '.join(values)}"
     bars = "bars and bands" if curve else "bars"
-    foot_line(figure, data, note * bool(others), bars=bars)
+    notes = [note * bool(others), model_in_words(data).replace("mu_1", "µ₁")]
+    foot_line(figure, data, "; ".join(filter(None, notes)), bars=bars)
     return figure
 
 

@@ -53,29 +53,53 @@ class Collector:
         ``watch()`` turned true meanwhile.
         """
         datasets = {}
-        for variant in self.plan.variants:
-            sound = [row for row, t in enumerate(variant.tasks) if t.key not in self.store.failed]
-            if not sound:
-                where = variant.label or "the study"
-                raise UserError(f"nothing is left of {where}: every problem failed")
-            if not self.fit(variant, sound, blocks, "fitting"):
-                return {}
-            estimates = self._complete(variant, np.array(sound), blocks)
-            exponents = reduce.exponents_of(self.plan, variant, estimates)
-            datasets[variant.label] = result.build_dataset(self.plan, variant, estimates, exponents)
+        sound = [(variant, self._sound(variant)) for variant in self.plan.variants]
+        with self.reporter("fitting", sound, blocks) as reporter:
+            for variant, rows in sound:
+                if not self.fit(variant, rows, blocks, reporter):
+                    return {}
+                estimates = self._complete(variant, np.array(rows), blocks)
+                exponents = reduce.exponents_of(self.plan, variant, estimates)
+                data = result.build_dataset(self.plan, variant, estimates, exponents)
+                datasets[variant.label] = data
         return datasets
 
-    def fit(self, variant: Variant, rows: list[int], blocks: dict[str, int], what: str) -> bool:
-        """Fit the tasks at some rows of a variant, from ``blocks`` of each.
+    def _sound(self, variant: Variant) -> list[int]:
+        """Return the rows of the tasks that did not fail. Raises UserError where none is left."""
+        rows = [row for row, t in enumerate(variant.tasks) if t.key not in self.store.failed]
+        if not rows:
+            where = variant.label or "the study"
+            raise UserError(f"nothing is left of {where}: every problem failed")
+        return rows
+
+    def reporter(
+        self, what: str, work: list[tuple[Variant, list[int]]], blocks: dict[str, int]
+    ) -> Reporter:
+        """Return what reports on fits at rows of variants, one for all of them."""
+        seconds = (self._seconds(variant, rows, blocks).values() for variant, rows in work)
+        return Reporter(what, sum(map(sum, seconds)))
+
+    def _seconds(
+        self, variant: Variant, rows: list[int], blocks: dict[str, int]
+    ) -> dict[int, float]:
+        """Return the predicted time of the fits that are open at some rows of a variant."""
+        fitted = self.fitted[variant.label].blocks
+        counts = {row: blocks[variant.tasks[row].key] for row in rows}
+        groups = {r: min(n, JACKKNIFE_GROUPS) for r, n in counts.items() if fitted[r] != n}
+        return {row: fit_seconds(self.plan, number) for row, number in groups.items()}
+
+    def fit(
+        self, variant: Variant, rows: list[int], blocks: dict[str, int], reporter: Reporter
+    ) -> bool:
+        """Fit the tasks at some rows of a variant, from ``blocks`` of each; tell the reporter.
 
         Those that are fitted from so many blocks already stay as they are. Returns whether all
         are fitted now: not where ``watch()`` turned true meanwhile.
         """
         fitted = self.fitted[variant.label]
         counts = [blocks[task.key] for task in variant.tasks]
-        open_rows = [row for row in rows if fitted.blocks[row] != counts[row]]
-        groups = {row: min(counts[row], JACKKNIFE_GROUPS) for row in open_rows}
-        portions = _portions(groups)
+        seconds_of = self._seconds(variant, rows, blocks)
+        portions = _portions({row: min(counts[row], JACKKNIFE_GROUPS) for row in seconds_of})
 
         def load() -> "Iterator[tuple[list[int], Blocks]]":
             for portion in portions:
@@ -83,13 +107,11 @@ class Collector:
                     loaded = self._load(variant, [variant.tasks[row] for row in portion], blocks)
                 yield portion, loaded
 
-        seconds_of = {row: fit_seconds(self.plan, groups[row]) for row in open_rows}
-        with Reporter(what, sum(seconds_of.values())) as reporter:
-            work = self.workers.stream(_reduce_portion, load(), self.watch)
-            for (portion, _), (estimates, seconds) in work:
-                fitted.enter(portion, estimates, [counts[row] for row in portion])
-                self.summary.phases["fits"] += seconds
-                reporter.advance(sum(seconds_of[row] for row in portion))
+        work = self.workers.stream(_reduce_portion, load(), self.watch)
+        for (portion, _), (estimates, seconds) in work:
+            fitted.enter(portion, estimates, [counts[row] for row in portion])
+            self.summary.phases["fits"] += seconds
+            reporter.advance(sum(seconds_of[row] for row in portion))
         return not self.watch()
 
     def attained(self, variant: Variant, rows: list[int]) -> "Attained":
@@ -202,8 +224,9 @@ class Rounds:
         """Return the rows of the tasks that go on, with their blocks raised."""
         failed, tasks = collector.store.failed, variant.tasks
         rows = [row for row in self.open[variant.label] if tasks[row].key not in failed]
-        if not (rows and collector.fit(variant, rows, self.blocks, f"round {self.number}")):
-            return []  # all failed, or stopped
+        with collector.reporter(f"round {self.number}", [(variant, rows)], self.blocks) as reporter:
+            if not (rows and collector.fit(variant, rows, self.blocks, reporter)):
+                return []  # all failed, or stopped
         most = most_blocks(self.plan.study, variant.numerics.max_realizations)
         going = []
         for row, growth in zip(rows, collector.attained(variant, rows).growth, strict=True):

@@ -1,6 +1,7 @@
 """What to do with batches that fail: split, tried alone, then recorded; the rest goes on."""
 
 import dataclasses
+import math
 import sys
 from typing import Any
 
@@ -56,9 +57,8 @@ class Failures:
         return [f"{len(tasks)} problems failed; --retry-failed tries them again:", *said]
 
     def where(self, task: Task) -> str:
-        """Return the first grid point of a task in words."""
-        point = self.plan.first_point(task)
-        return " ".join(f"{axis}={value:.4g}" for axis, value in point.items())
+        """Return the first grid point of a task in words, without axes that have no value."""
+        return point_in_words(self.plan.first_point(task))
 
     def _record(self, batch: Batch, error: Exception) -> None:
         (task,) = batch.tasks
@@ -78,3 +78,9 @@ def _killed(error: Exception) -> bool:
     """Return whether a worker died; where there are none, what knows of them is not loaded."""
     scheduler = sys.modules.get("distributed.scheduler")
     return scheduler is not None and isinstance(error, scheduler.KilledWorker)
+
+
+def point_in_words(point: dict[str, float]) -> str:
+    """Return a grid point in words; measured lines have no Hurst exponent to name."""
+    known = {axis: value for axis, value in point.items() if not math.isnan(value)}
+    return " ".join(f"{axis}={value:.4g}" for axis, value in known.items())

@@ -16,6 +16,7 @@ from ..plan import Plan
 from ..simulate import PHASES, Batch, BatchResult
 from ..study import AXES
 from ..system import counted, duration, peak_bytes, this_maker
+from .failures import point_in_words
 
 if TYPE_CHECKING:
     import xarray as xr
@@ -121,7 +122,7 @@ class Summary:
         for key in sorted(self.tasks, key=lambda key: -self.tasks[key])[:COSTLIEST]:
             task, label = tasks[key]
             point = plan.first_point(task)
-            said = " ".join(f"{axis}={point[axis]:.4g}" for axis in SHOWN)
+            said = point_in_words({axis: point[axis] for axis in SHOWN})
             share = self.tasks[key] / self.used
             lines.append(f"  {share:4.0%}  {said} m={task.steps_per_spacing} {label}".rstrip())
         return ["points that cost most:", *lines]

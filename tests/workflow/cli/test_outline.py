@@ -1,9 +1,14 @@
 """What `plan` prints: points, problems, effects, costs; it computes and writes nothing."""
 
+import json
+import math
 import re
 
+import numpy as np
+
 from elastomer_friction.workflow.cli import outline
-from elastomer_friction.workflow.cli.outline import effect_lines, march_lines
+from elastomer_friction.workflow.cli.outline import effects, march_lines
+from elastomer_friction.workflow.plan.foreseen import expected_errors
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from tests.support.commands import facts, output
 from tests.support.documents import without
@@ -23,13 +28,14 @@ def test_plan_prints_axes_points_problems_and_realizations(capsys, study):
 
 def test_plan_says_which_effects_are_simulated(capsys, study):
     everything = output(capsys, "plan", study)
-    assert "not simulated models: it is not asked for" in everything
+    assert re.search("^not simulated .* models, .*--json says why", everything, re.MULTILINE)
+    why = json.loads(output(capsys, "plan", study, "--json"))["not_simulated"]
+    assert why["models"] == "it is not asked for"
     assert "indentation rate in the force: kept" in everything
     settings = ["--set", 'scene.quantities=["steady"]', "--set", "scene.indentation_rate=false"]
     steady = output(capsys, "plan", study, *settings)
     assert "simulated     steady: steady sliding" in steady
-    assert "not simulated jump: it is not asked for" in steady
-    assert "not simulated relaxation: it is not asked for" in steady
+    assert re.search("^not simulated .* jump, relaxation, ", steady, re.MULTILINE)
     assert "indentation rate in the force: dropped" in steady
 
 
@@ -78,6 +84,36 @@ def test_plan_predicts_time_and_memory(capsys, study):
     assert found["memory"].endswith("samples")
 
 
+def test_plan_leads_with_what_is_computed_what_it_costs_and_the_three_errors(capsys, study):
+    lines = output(capsys, "plan", study).splitlines()
+    firsts = [line.split()[0] for line in lines if not line.startswith(" ")]
+    order = "study result computes points problems variants realizations predicted time memory"
+    assert firsts[:13] == [*order.split(), "standard", "discretisation", "model"]
+    assert sum(line.startswith("not simulated") for line in lines) == 1
+
+
+def test_expected_errors_fall_with_the_lines_and_with_the_steps():
+    few, many = (expected_errors(small_plan(f"study.realizations={n}")) for n in (16, 64))
+    coarse, fine = (
+        expected_errors(small_plan(f"numerics.steps_per_spacing={m}")) for m in (64, 256)
+    )
+    assert few.keys() == {"mu_1", "jump", "relaxation_rate"}
+    for name in few:
+        np.testing.assert_allclose(few[name].chance, 2.0 * many[name].chance)
+        assert np.all(fine[name].discretisation < coarse[name].discretisation)
+
+
+def test_errors_of_a_rubber_of_many_times_are_not_known_before(capsys, study):
+    branches = ["--set", "material.branches=[[5e6, 1e-2]]", "--set", "compare.coarse={}"]
+    found = facts(output(capsys, "plan", study, *branches))
+    assert "not known before the run" in found["standard"]
+    assert "not known before the run" in found["discretisation"]
+
+
+def test_an_axis_of_measured_lines_is_no_number():
+    assert outline._axis_span((math.nan,)) == "of the lines"
+
+
 def test_plan_computes_and_writes_nothing(capsys, study, tmp_path):
     found = facts(output(capsys, "plan", study, "--out", str(tmp_path / "out")))
     assert found["result"].split()[1] == str(tmp_path / "out" / "small.nc")
@@ -111,12 +147,9 @@ SCENE = TEXT.replace("velocity_step = 0.2\n", "") + PROGRAMME
 
 def said(*settings, text=TEXT):
     """Return (what is simulated, what is not): why, by the words that the line begins with."""
-    lines = effect_lines(small_study(*settings, text=text))
     found = ({}, {})
-    for line in lines[:-1]:
-        known = line.startswith("simulated")
-        assert known or line.startswith("not simulated ")
-        name, _, rest = line[14:].partition(":")
+    for known, what in effects(small_study(*settings, text=text)):
+        name, _, rest = what.partition(":")
         assert name not in found[0] | found[1]
         found[not known][name] = rest.strip()
     return found

@@ -1,9 +1,11 @@
 """The pages of reference: as the tables in the code are now, and in the repository."""
 
+import re
 from pathlib import Path
 
 import pytest
 
+import elastomer_friction as ef
 from elastomer_friction.workflow.cli import command_parser
 from elastomer_friction.workflow.reference import PAGES, write_pages
 from elastomer_friction.workflow.result import VARIABLES
@@ -51,3 +53,16 @@ def test_an_entry_says_values_unit_and_default(written):
         in written["keys.md"]
     )
     assert "\n*A number above 0, in Pa. Required.*" in written["keys.md"]
+
+
+def test_every_public_name_of_python_has_its_arguments_and_its_meaning(written):
+    page = written["python.md"]
+    for name in ef.__all__:
+        if name != "__version__":
+            assert f"\n## ef.{name}" in page
+    for method in ("from_result", "steady", "jump", "after_jump", "response"):
+        assert f"\n### KineticLaw.{method}\n\n`{method}(" in page
+    (arguments,) = re.findall(r"^`run\((profile=.*)\)`$", page, re.MULTILINE)
+    said = {word.partition("=")[0] for word in arguments.split(", ")}
+    assert {"material", "programme", "realizations"} <= said
+    assert "\n- `realizations`: lines; with several" in page

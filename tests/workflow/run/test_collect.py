@@ -62,12 +62,15 @@ def test_portions_do_not_show(collector, monkeypatch):
 
 def test_what_is_fitted_from_so_many_blocks_stays_as_it_is(collector, monkeypatch):
     rows = [0, 2]
-    collector.fit(VARIANT, rows, BLOCKS, "fitting")
+    reporter = collector.reporter("fitting", [(VARIANT, rows)], BLOCKS)
+    assert reporter.total > 0.0
+    collector.fit(VARIANT, rows, BLOCKS, reporter)
+    assert reporter.done == pytest.approx(reporter.total)
     assert collector.fitted[""].blocks.tolist() == [4, 0, 4, 0, 0, 0, 0, 0]
     assert collector.summary.phases["fits"] > 0.0
     assert collector.fitted[""].at(rows)["rate_replicates"].shape == (2, JACKKNIFE_GROUPS + 1)
     monkeypatch.setattr(collector, "_load", pytest.fail)
-    assert collector.fit(VARIANT, rows, BLOCKS, "fitting")
+    assert collector.fit(VARIANT, rows, BLOCKS, reporter)
 
 
 def test_failed_tasks_are_marked_and_nothing_left_is_said(collector, store):

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.plan.cost.work import PLAIN
+from elastomer_friction.workflow.run.failures import point_in_words
 from elastomer_friction.workflow.run.summary import Summary
 from elastomer_friction.workflow.simulate.tasks import PHASES
 from elastomer_friction.workflow.system import this_maker
@@ -92,3 +93,8 @@ def test_a_run_says_what_was_read_of_a_file_of_lines():
     (said,) = [line for line in Summary().lines(plan) if line.startswith("lines: ")]
     assert said.startswith("lines: line.csv: 1 line of 10 samples, 1e-06 m apart in the mean")
     assert not any(line.startswith("lines: ") for line in Summary().lines(PLAN))
+
+
+def test_a_point_of_measured_lines_names_no_hurst_exponent():
+    point = {"hurst": float("nan"), "velocity": 0.1}
+    assert point_in_words(point) == "velocity=0.1"

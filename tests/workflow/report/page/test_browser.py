@@ -38,6 +38,11 @@ window.onload = () => {
       if (tip.hidden) return "nothing";
       return `${tip.textContent}, ${box.left >= 0 && box.right <= width ? "in view" : "cut off"}`;
     });
+    const plate = inside.querySelector(".plate[tabindex]");
+    plate.focus();
+    const key = {key: "ArrowRight", bubbles: true};
+    plate.dispatchEvent(new frame.contentWindow.KeyboardEvent("keydown", key));
+    told.push(tip.hidden ? "nothing" : tip.textContent);
     return told.join("|");
   }).join(";");
 };
@@ -60,8 +65,9 @@ def test_page_in_a_browser(folder, tmp_path):
         assert images == shown == 2
         assert font >= least_font
     for told in re.search(r'data-told="([^"]+)"', done.stdout)[1].split(";"):
-        on, near, far = told.split("|")
+        on, near, far, by_key = told.split("|")
         assert on.startswith("rms_slope = 0.02 ± 0.0002\nv₁ = 0.0001 m s⁻¹, H = ")
         assert on.endswith(", in view")
         assert near == on
         assert far == "nothing"
+        assert on == f"{by_key}, in view"

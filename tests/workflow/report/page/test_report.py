@@ -5,6 +5,7 @@ import re
 import shutil
 
 import pytest
+from markupsafe import escape
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan import TYPICAL
@@ -60,7 +61,8 @@ def test_page_holds_the_figures(folder, page):
     drawn = [(folder / f"{name}.png").read_bytes() for name in REPORTED]
     assert [base64.b64decode(image) for image in found] == drawn
     for name in REPORTED:
-        assert f'alt="Figure of the study {name}: ' in page
+        study = read_study(name)
+        assert f'alt="{escape(f"{study.title}. {caption(study)}")}"' in page
 
 
 def test_page_holds_the_claims_that_can_be_judged(page):
@@ -87,7 +89,7 @@ def test_a_caption_is_two_sentences_and_says_how_to_read_a_point(page):
     captions = re.findall(r"<figcaption>(.*?)</figcaption>", page, re.DOTALL)
     assert len(captions) == len(REPORTED)
     for words in captions:
-        assert re.fullmatch(r"([A-Z].+?\.\s+){2}Rest a pointer on a point, .*", words, re.DOTALL)
+        assert re.fullmatch(r'([A-Z].+?\.\s+){2}<span class="aid">Rest a .*', words, re.DOTALL)
 
 
 def test_results_of_a_scale_have_a_page_of_their_own(capsys, tmp_path):
@@ -106,6 +108,27 @@ def test_results_of_a_scale_have_a_page_of_their_own(capsys, tmp_path):
     assert ">smoke scale, 10 realizations<" in page
     assert "<code>make study-fig5 SCALE=smoke</code>" in page
     assert output(capsys, "report", *out) == f"{path}\n"  # of all studies that have the scale
+
+
+def test_the_report_of_an_own_study_is_about_that_study(capsys, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    said = refusal(capsys, "report", "fig5")
+    assert said.endswith("holds no result of fig5; first run: python -m workflow run NAME\n")
+    output(capsys, "new", "mine")
+    data = add(result("fig6"), mu_1=0.1, model_ratio=0.8).assign_attrs(title="My rubber")
+    write_datasets(tmp_path / "mine.nc", {"": data.assign_attrs(study=read_study("mine").text)})
+    page = write_report(tmp_path, []).read_text(encoding="utf-8")
+    assert "<title>My rubber</title>" in page
+    assert "mu_1 of the foundation is 0.8 of that of a half-space" in page
+    for words in ("What the paper says", "#claims", "make ", "have no"):
+        assert words not in page
+    assert '<a href="mine.html">Look through this result</a>' in page
+    assert (tmp_path / "mine.html").is_file()
+
+
+def test_contents_are_by_title(page):
+    contents = re.search(r'aria-label="Contents">(.*?)</nav>', page, re.DOTALL)[1]
+    assert '<a href="#fig5">Jump and steady friction over velocity' in contents
 
 
 def test_smoke_data_wear_a_banner_whatever_their_file_is_called(tmp_path):

@@ -1,6 +1,6 @@
-"""The notebook studies/explore.ipynb runs from top to bottom, and gives what it is stored with.
+"""The notebooks in studies/ run from top to bottom, and give what they are stored with.
 
-Where it is stored with something else: jupyter nbconvert --execute --inplace studies/explore.ipynb.
+Where one is stored with something else: jupyter nbconvert --execute --inplace studies/NAME.ipynb.
 """
 
 import re
@@ -11,7 +11,8 @@ from pathlib import Path
 import nbformat
 import pytest
 
-NOTEBOOK = Path(__file__).resolve().parents[2] / "studies" / "explore.ipynb"
+FOLDER = Path(__file__).resolve().parents[2] / "studies"
+PLOTS = {"explore": 4, "engineer": 2, "cluster": 1}  # of the notebook for each reader
 NUMBER = r"-?\d+\.?\d*(?:[eE][+-]?\d+)?"
 # In a process of its own: the kernel and its event loop stay out of the tests' process.
 EXECUTE = """
@@ -44,33 +45,37 @@ def text_of(outputs):
 
 @pytest.fixture(scope="module")
 def stored():
-    """Return the outputs that the notebook is stored with."""
-    return outputs_of(NOTEBOOK)
+    """Return the outputs that the notebook of a measured rubber is stored with."""
+    return outputs_of(FOLDER / "explore.ipynb")
+
+
+def test_every_notebook_is_tested():
+    assert {path.stem for path in FOLDER.glob("*.ipynb")} == set(PLOTS)
 
 
 @pytest.mark.exhaustive  # in a Jupyter kernel of its own
-def test_it_gives_in_an_empty_folder_what_it_is_stored_with(stored, tmp_path, monkeypatch):
+@pytest.mark.parametrize("name", PLOTS)
+def test_it_gives_in_an_empty_folder_what_it_is_stored_with(name, tmp_path, monkeypatch):
     monkeypatch.setenv("TMPDIR", str(tmp_path))
-    command = [sys.executable, "-c", EXECUTE, str(NOTEBOOK)]
+    notebook = FOLDER / f"{name}.ipynb"
+    command = [sys.executable, "-c", EXECUTE, str(notebook)]
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
-    outputs = outputs_of(tmp_path / "executed.ipynb")
-    assert kinds(outputs) == kinds(stored)
-    now, before = (re.split(NUMBER, text_of(each)) for each in (outputs, stored))
+    outputs, known = outputs_of(tmp_path / "executed.ipynb"), outputs_of(notebook)
+    assert kinds(outputs) == kinds(known)
+    now, before = (re.split(NUMBER, text_of(each)) for each in (outputs, known))
     assert [words.split() for words in now] == [words.split() for words in before]
-    found, known = ([float(n) for n in re.findall(NUMBER, text_of(o))] for o in (outputs, stored))
-    assert found == pytest.approx(known, rel=0.02, abs=2e-4)
+    found, told = ([float(n) for n in re.findall(NUMBER, text_of(o))] for o in (outputs, known))
+    assert found == pytest.approx(told, rel=0.02, abs=2e-4)
 
 
-def test_it_is_stored_with_its_plots_and_numbers_and_without_warnings(stored):
-    parts = [part for cell in stored for part in cell]
+@pytest.mark.parametrize("name", PLOTS)
+def test_it_is_stored_with_its_plots_and_without_warnings_or_paths_of_a_machine(name):
+    outputs = outputs_of(FOLDER / f"{name}.ipynb")
+    parts = [part for cell in outputs for part in cell]
     assert not [part for part in parts if part.get("name") == "stderr"]
-    assert len([part for part in parts if "image/png" in part.get("data", {})]) == 4
-    assert len(re.findall(NUMBER, text_of(stored))) > 40
-
-
-def test_no_path_of_a_machine_is_stored(stored):
-    assert not re.search(r"(^|[\s'\"=])/\w", text_of(stored))
+    assert len([part for part in parts if "image/png" in part.get("data", {})]) == PLOTS[name]
+    assert not re.search(r"(^|[\s'\"=])/\w", text_of(outputs))
 
 
 def test_friction_rises_with_the_velocity_and_relaxes(stored):
