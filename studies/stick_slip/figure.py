@@ -83,7 +83,7 @@ def _diagram(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) -
     ax.set(xscale="log", yscale="log", xlabel="velocity $v$ (m/s)", ylabel="stiffness $k$ (N/m)")
     ax.set_ylim(0.7 * k.min(), 1.4 * k.max())
     ax.set_title("(a) filled: stick and slip")
-    ax.legend(loc="upper left")
+    ax.legend(loc="lower left", frameon=True)
     ax.figure.colorbar(shown, ax=ax, label=r"swing$/\nabla z$")
 
 
@@ -91,7 +91,8 @@ def _forces(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) ->
     """Draw the drive's force on some springs, at the velocity of the largest k_c."""
     at = int(np.nanargmax(critical.values)) if np.isfinite(critical).any() else 0
     point = data.isel(velocity=at)
-    chosen = sorted({0, point.sizes["stiffness"] // 3, point.sizes["stiffness"] - 1})
+    count = point.sizes["stiffness"]
+    chosen = sorted({count // 3, count // 2, count - 1})
     for index, colour in zip(chosen, COLOURS, strict=False):
         one = point.isel(stiffness=index)
         force = one.trace_drive_force / one.normal_force / scale
