@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from dask.system import CPU_COUNT
 
 from ..plan import (
     WHOLE,
@@ -150,6 +149,8 @@ def _axis_span(values: tuple[float, ...]) -> str:
 
 def _on_all_cores(cost: Prediction) -> str:
     """Return how long a run takes on all cores of this machine."""
+    from dask.system import CPU_COUNT  # its configuration is checked before it is imported
+
     words = core_time(cost.low / CPU_COUNT, cost.high / CPU_COUNT).replace("core-", "")
     return f"{words} on {counted(CPU_COUNT, 'worker')} of this machine"
 

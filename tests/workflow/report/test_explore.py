@@ -29,7 +29,9 @@ def file(tmp_path_factory):
         "flag_meanings": "failed fitted a b c d e f",
     }
     data["mu"] = data.speed_ratio * xr.DataArray([1.2, 1.1, 1.0], dims="sample")
-    data = data.assign_coords(time=data.speed_ratio * xr.DataArray([0.0, 1.0, 2.0], dims="sample"))
+    data = data.assign_coords(
+        sample=[0, 1, 2], time=data.speed_ratio * xr.DataArray([0.0, 1.0, 2.0], dims="sample")
+    )
     path = tmp_path_factory.mktemp("explored") / "fig7.nc"
     write_datasets(path, {"": data, "coarse": add(data.copy(), relaxation_rate=1.0)})
     return path
