@@ -79,11 +79,10 @@ def _diagram(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) -
     slips = swing.values > SLIPPING
     shown = ax.scatter(v[slips], k[slips], c=swing.values[slips], s=34, cmap="viridis_r", vmin=0)
     ax.scatter(v[~slips], k[~slips], s=16, facecolors="none", edgecolors="0.6")
-    ax.plot(data.velocity, critical, "-", color=COLOURS[1], lw=1.2, label="$k_c$")
+    ax.plot(data.velocity, critical, "-", color=COLOURS[1], lw=1.2)
     ax.set(xscale="log", yscale="log", xlabel="velocity $v$ (m/s)", ylabel="stiffness $k$ (N/m)")
     ax.set_ylim(0.7 * k.min(), 1.4 * k.max())
-    ax.set_title("(a) filled: stick and slip")
-    ax.legend(loc="lower left", frameon=True)
+    ax.set_title("(a) filled: stick and slip; line: $k_c$")
     ax.figure.colorbar(shown, ax=ax, label=r"swing$/\nabla z$")
 
 
@@ -100,4 +99,6 @@ def _forces(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) ->
         ax.plot(1e3 * one.trace_time, force, color=colour, lw=0.9, label=label)
     ax.set(xlabel="time (ms)", ylabel=r"$F_d/(F_N \nabla z)$")
     ax.set_title(f"(d) force of the drive at $v = {float(point.velocity):.2g}$ m/s")
-    ax.legend()
+    low, high = ax.get_ylim()
+    ax.set_ylim(low - 0.35 * (high - low), high)  # room for the legend
+    ax.legend(loc="lower right")
