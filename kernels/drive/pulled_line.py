@@ -13,12 +13,15 @@ from ..motion.fourier import Shifted
 from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
+from ..rheology.retardation import Retardation
 from ..scene.begin import begun
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
 from .rig import Pose, Rig
 from .slider import Pulled, check_asked, pull_through
 from .spring import Drive
 from .step import Moment, slide_by_samples
+
+SPARE = 0.02  # of the indentation, to what is looked at of a line above it
 
 
 def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarray]:
@@ -35,6 +38,7 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     form = form_of(scene.spectrum, scene.scheme)
     speed = speed_at_start(scene.programme) if scene.start == "steady" else 0.0
     begin = begun(line, scene, form)
+    spare = SPARE * (begin.d - line.z.min()) if isinstance(form, Retardation) else np.inf
     rig = Rig(
         form,
         ConstantForce(scene.load * n),
@@ -42,7 +46,8 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
         begin.p.copy(),
         np.empty(n),
         np.empty(n),
-        np.array([begin.d, begin.d]),
+        np.empty(n, np.int64),
+        np.array([begin.d, begin.d, np.inf, spare]),
     )
     way, start = (-1 if speed < 0.0 else 1), line.slope
     if speed:

@@ -10,7 +10,6 @@ import numpy as np
 
 from ..compile.jit import by_type, kernel
 from ..model.balance import balance
-from ..model.friction import weighed
 from ..rheology.law import law_of, predict, settle
 
 
@@ -41,7 +40,9 @@ class Rig(NamedTuple):
     p: np.ndarray  # shape (n,): forces of the last step, in 4 G dx h
     w: np.ndarray  # shape (n,): where elements would go in the step that is tried
     new: np.ndarray  # shape (n,): forces in it
-    d: np.ndarray  # shape (2,): indentation after the last step, and in that which is tried
+    some: np.ndarray  # shape (n,): elements that can touch in it come first
+    d: np.ndarray  # shape (4,): indentation after the last step, in that which is tried, a cap of
+    # the latter, and by how much it is higher than the former at least
 
 
 class Pose(NamedTuple):
@@ -64,17 +65,52 @@ def _accept(rig, dt):
 
 @kernel
 def _tried(rig, pose, dt):
-    """Return what attempt does, of a line."""
+    """Return what attempt does, of a line.
+
+    Where the line lies above a cap that the indentation does not reach none touches: elements are
+    never pulled up.
+    """
     law = law_of(rig.form, dt)
-    predict(law, rig.memory, rig.p, rig.w)
-    c = pose.z - rig.w
-    d, _ = balance(rig.control, law, pose.z, c, None, rig.d[0], 0)
-    rig.d[1] = d
-    for i in range(c.size):
-        depth = d - c[i]
-        rig.new[i] = law.stiffness * depth if depth > 0.0 else 0.0
-    slope = pose.after + law.lag * (pose.before - pose.after)
-    return weighed(-rig.new, None, slope, 0.0)[1] / c.size, law.lag
+    c = np.empty(rig.p.size)
+    rig.d[1], count = _balanced(rig, law, pose, rig.d[2], c)
+    if rig.d[1] > rig.d[2]:
+        rig.d[1], count = _balanced(rig, law, pose, np.inf, c)
+    d, friction = rig.d[1], 0.0
+    rig.new[:] = 0.0
+    for j in range(count):
+        i = rig.some[j]
+        depth = d - (pose.z[i] - rig.w[i])
+        if depth > 0.0:
+            slope = pose.after[i] + law.lag * (pose.before[i] - pose.after[i])
+            rig.new[i] = law.stiffness * depth
+            friction += rig.new[i] * slope
+    return friction / rig.p.size, law.lag
+
+
+@kernel
+def _balanced(rig, law, pose, cap, c):
+    """Return (d, count) of a step in which the elements alone can touch that are below a cap.
+
+    c : room for n thresholds. The first of ``some`` are those elements, and w is known there.
+    """
+    n, count, i = rig.p.size, 0, 0
+    while i < n:
+        if not pose.z[i] < cap:
+            i += 1
+            continue
+        begin = i
+        while i < n and pose.z[i] < cap:
+            rig.some[count] = i
+            count += 1
+            i += 1
+        predict(law, rig.memory[:, begin:i], rig.p[begin:i], rig.w[begin:i])
+    if count == 0:
+        return np.inf, 0
+    z = np.empty(count)
+    for j in range(count):
+        z[j] = pose.z[rig.some[j]]
+        c[j] = z[j] - rig.w[rig.some[j]]
+    return balance(rig.control, law, z, c[:count], None, rig.d[0], 0)[0], count
 
 
 @kernel
@@ -88,5 +124,6 @@ def _taken(rig, dt):
         normal += rig.new[i]
         touching += rig.new[i] > 0.0
     d = rig.d[1] + law.lag * (rig.d[0] - rig.d[1])
+    rig.d[2] = rig.d[1] + max(rig.d[3], 4.0 * abs(rig.d[1] - rig.d[0]))
     rig.d[0] = rig.d[1]
     return normal / rig.p.size, d, touching / rig.p.size

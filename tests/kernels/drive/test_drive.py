@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import Hold, Sampled, Slide
-from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, run_pulled
+from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, pulled_line, run_pulled
 from elastomer_friction.kernels.half_space.pulled_map import run_pulled_on_half_space
 from elastomer_friction.kernels.half_space.surface import Surface
 from elastomer_friction.kernels.scene import TRACES, run_scene
@@ -196,3 +196,17 @@ def test_where_all_waves_are_as_stiff_a_half_space_is_pulled_as_the_line(spectru
     for name in PULLED_TRACES:
         shift = scene.load if name == "trace_indentation" else 0.0
         np.testing.assert_allclose(found[name] + shift, expected[name], atol=1e-3, err_msg=name)
+
+
+@pytest.mark.parametrize("spare", [pulled_line.SPARE, 0.0])
+@MATERIALS
+def test_elements_that_cannot_touch_change_nothing(monkeypatch, spectrum, spare):
+    line = a_line(20)
+
+    def traces(spare):
+        monkeypatch.setattr(pulled_line, "SPARE", spare)
+        found = pulled(line, THERE_AND_BACK, (0.3, 0.5, 0.2), spectrum, load=0.03)
+        return [found[name] for name in PULLED_TRACES]
+
+    for part, plain in zip(traces(spare), traces(math.inf), strict=True):
+        np.testing.assert_allclose(part, plain, rtol=0.0, atol=1e-11 * np.max(np.abs(plain)))
