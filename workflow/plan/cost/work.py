@@ -42,6 +42,7 @@ DENSE, UNIT = 0.75, 0.32  # of a step in which all elements are moved, and for e
 LEFT, MOVED, MOVED_UNIT = 0.04, 0.8, 0.115  # of one in which those are that can touch
 EDGES = 20.0  # samples of blocks beyond what can touch, for each of (samples of the line)**0.37
 ONE_STEP = 1e-6  # s, of any such step
+PULLED = 4.0  # steps, of one by a drive: 1.5 to 4 where it slides, up to 19 where it often sticks
 SHIFT = 12.0  # steps, to shift the line to between its samples
 NEWTON = 41.0  # sweeps of a steady state at rest
 TANGENT = 6.0  # sweeps, for each internal variable
@@ -130,6 +131,7 @@ def _programme(work: Work) -> Numbers:
             between = int(np.sum(np.abs(moved - np.round(moved)) > 1e-6))  # of a sample
         counts.append((count, between))
     whole, shifted = np.array(counts)[inverse].T
+    whole = whole * (PULLED if work.problem.drive else 1.0)
     return whole * _memory_step(work) + SHIFT * shifted * STEP(work.samples)
 
 
