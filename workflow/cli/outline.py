@@ -160,7 +160,7 @@ def _errors(plan: Plan) -> list[str]:
     found = expected_errors(plan)
     if not found:
         return [
-            "standard error    not known before the run; --accuracy 3% adds lines until it is met",
+            "standard error    not known before the run; the result holds it as NAME_error",
             "discretisation    not known before the run; the result holds it as NAME_bias",
         ]
     chance = [f"{name} {_shares(each.chance)}" for name, each in found.items()]

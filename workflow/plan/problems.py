@@ -42,8 +42,8 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     points["dx"] = length / points["elements"]
     others = study.parts(label, axes_of(study.grid, *Parts._fields))
     settings: dict[Setting, int] = {}
-    share = study.surface.length / (study.force_share(label) * study.surfaces[label].copies)
-    which = np.stack([_settings(parts, points, settings, share) for parts in others], axis=-1)
+    pulled = study.surface.length / (study.force_share(label) * study.surfaces[label].copies)
+    which = np.stack([_settings(parts, points, settings, pulled) for parts in others], axis=-1)
     hurst = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
     columns = (
         hurst[..., None],
