@@ -2,14 +2,13 @@
 
 import math
 from functools import lru_cache, partial
-from typing import Any
 
 import numpy as np
 
 from ..lines.line import Line
 from ..model.force import ConstantForce
 from ..model.friction import weighed
-from ..motion.fourier import Shifted
+from ..motion.fourier import Fractions
 from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
@@ -66,9 +65,9 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
         speed,
         friction if speed else 0.0,
     )
-    surface = PosedLine(line)
+    slide = partial(slide_by_samples, rig, np.tile(line.z, 2), np.tile(line.slope, 2), m)
     scale = scene.load * math.sqrt(float(np.mean(line.slope**2)))
-    pulled = Pulled(rig, surface.pose, partial(_slide, rig, surface), m, scale, first)
+    pulled = Pulled(rig, PosedLine(line).pose, slide, m, scale, first)
     times = np.append(0.0, np.cumsum(steps.dt))[scene.kept]
     found, tries = pull_through(pulled, drive, scene.spectrum, scene.programme, speed != 0.0, times)
     found["trace_indentation"] = found["trace_indentation"] + line.datum
@@ -80,9 +79,7 @@ class PosedLine:
 
     def __init__(self, line: Line) -> None:
         """Take a line as it is at place zero."""
-        self.line = line
-        self.shifted: Shifted | None = None
-        self.z, self.slope = np.tile(line.z, 2), np.tile(line.slope, 2)
+        self.fractions = Fractions(line.z, line.slope, line.steps_per_spacing)
         self.at = lru_cache(maxsize=4)(self._at)
 
     def pose(self, before: float, after: float) -> Pose:
@@ -92,20 +89,6 @@ class PosedLine:
 
     def _at(self, place: float) -> tuple[np.ndarray, np.ndarray]:
         """Return heights and slopes at the elements."""
-        n = self.line.z.size
         whole = math.floor(place)
-        begin = -whole % n
-        if place == whole:
-            return self.z[begin : begin + n], self.slope[begin : begin + n]
-        if self.shifted is None:
-            self.shifted = Shifted(*self.line[:2], self.line.steps_per_spacing)
-        z, slope = self.shifted.by(place - whole)
+        z, slope = self.fractions.at(place - whole)
         return np.roll(z, whole), np.roll(slope, whole)
-
-
-def _slide(rig: Rig, surface: PosedLine, sample: int, *rest: Any) -> tuple:
-    """Return what slide_by_samples does, without the sample at which it ends."""
-    *before, record = rest
-    m = surface.line.steps_per_spacing
-    found = slide_by_samples(rig, surface.z, surface.slope, m, sample, *before, *record)
-    return found[1:]

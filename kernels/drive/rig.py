@@ -1,7 +1,7 @@
 """What is pulled: elements under a surface, and a step of them that is tried before it is taken.
 
-A rig is a NamedTuple, of a line here and of a map in half_space/pulled_map.py; the functions
-declared here are reached by its type.
+A rig is that of a line here, and of a map in half_space/pulled_map.py; the functions declared here
+are reached by its type.
 """
 
 from typing import Any, NamedTuple
@@ -10,6 +10,7 @@ import numpy as np
 
 from ..compile.jit import by_type, kernel
 from ..model.balance import balance
+from ..model.friction import weighed
 from ..rheology.law import law_of, predict, settle
 
 
@@ -75,16 +76,15 @@ def _tried(rig, pose, dt):
     rig.d[1], count = _balanced(rig, law, pose, rig.d[2], c)
     if rig.d[1] > rig.d[2]:
         rig.d[1], count = _balanced(rig, law, pose, np.inf, c)
-    d, friction = rig.d[1], 0.0
+    slope = np.empty(count)
     rig.new[:] = 0.0
     for j in range(count):
         i = rig.some[j]
-        depth = d - (pose.z[i] - rig.w[i])
-        if depth > 0.0:
-            slope = pose.after[i] + law.lag * (pose.before[i] - pose.after[i])
-            rig.new[i] = law.stiffness * depth
-            friction += rig.new[i] * slope
-    return friction / rig.p.size, law.lag
+        depth = rig.d[1] - c[j]
+        rig.new[i] = law.stiffness * depth if depth > 0.0 else 0.0
+        slope[j] = pose.after[i] + law.lag * (pose.before[i] - pose.after[i])
+        c[j] = -rig.new[i]
+    return weighed(c[:count], None, slope, 0.0)[1] / rig.p.size, law.lag
 
 
 @kernel

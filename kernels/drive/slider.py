@@ -113,7 +113,7 @@ class Slider:
         """
         times, kept, (_, least, most, fastest, slips, first, last, _) = self.record
         kept[:, self.number :] = np.array(self.moment)[:, None]
-        kept[5] = times
+        kept[Moment._fields.index("time")] = times
         swing = (most - least) / self.moment.normal
         period = (last - first) / (slips - 1.0) if slips > 1.0 else math.nan
         told = map(np.array, (swing, period, fastest))
@@ -147,7 +147,7 @@ class Slider:
         limits = Limits(self.shortest, end, self.left)
         record = self.record, self.number
         now = self.drive, course, self.motion, self.moment
-        found = self.pulled.slide(sample, *now, limits, self.pace, self.rise, record)
+        found = self.pulled.slide(sample, *now, limits, self.pace, self.rise, *record)
         self.motion, self.moment, self.rise, self.number, tries = found
         self.tries += tries
         gone = self.motion.time > begin

@@ -30,7 +30,7 @@ class Limits(NamedTuple):
 
 
 class Moment(NamedTuple):
-    """What is known where the force of a step acts, in the order of PULLED (slider.py)."""
+    """What is known where the force of a step acts, in the order of PULLED_TRACES (slider.py)."""
 
     mu: float  # in h/dx
     indentation: float  # in h
@@ -90,7 +90,7 @@ class SliderRecord(NamedTuple):
     """What is kept of a slider's way."""
 
     times: np.ndarray  # at which its moments are kept, in tau, increasing
-    kept: np.ndarray  # shape (9, times): those moments
+    kept: np.ndarray  # shape (9, times): those moments, field by field
     tally: np.ndarray  # shape (8,): of sticking and slipping, see ``count_slips``
 
 
@@ -127,7 +127,7 @@ def keep(record, k, before, now, driven):
         share = 1.0
         if now.time > before.time:
             share = (times[k] - before.time) / (now.time - before.time)
-        for row in range(9):
+        for row in range(len(now)):
             kept[row, k] = before[row] + share * (now[row] - before[row])
         k += 1
     return k
@@ -143,7 +143,7 @@ def slide_by_samples(
     samples to a spacing. sample : at which the slider is. limits : its longest time is the end of
     the leg. pace : of the first step, in the place of the time of the one before. rise : as the
     slope of time_of. record, k : of keep.
-    Returns (sample, SliderState, Moment, rise, k, tries).
+    Returns (SliderState, Moment, rise, k, tries).
     """
     n = rig.p.size
     way = 1 if motion.speed > 0.0 else -1
@@ -156,14 +156,14 @@ def slide_by_samples(
         left = limits.longest - motion.time
         longest = min(SLOWER * pace, left)
         if longest <= limits.shortest or left <= REST * motion.dt:
-            return sample, motion, moment, rise, k, all_tries
+            return motion, moment, rise, k, all_tries
         within = Limits(limits.shortest, longest, limits.left)
         dt, pull, friction, rise, tries = time_of(
             rig, pose, drive, course, motion, moved, within, guess, rise
         )
         all_tries += tries
         if np.isnan(dt):
-            return sample, motion, moment, rise, k, all_tries
+            return motion, moment, rise, k, all_tries
         guess = dt * min(max(dt / pace, 0.7), 1.4)
         pace = dt
         motion, now = taken(rig, motion, moved, dt, pull, friction)

@@ -1,6 +1,7 @@
 """A half-space whose surface is pulled through a spring (drive/)."""
 
 import math
+from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -35,25 +36,26 @@ class Places(NamedTuple):
     after: float
 
 
-class MapRig(NamedTuple):
+@dataclass
+class MapRig:
     """A surface on its half-space."""
 
     space: HalfSpace
     moving: Moving
-    body: list[Body]  # one, after the last step
-    found: list[TriedStep]  # one, of the step that is tried
-    passes: list[int]  # one number: of the operator, in all
+    body: Body  # after the last step
+    passes: int  # of the operator, in all
+    found: TriedStep | None = None
 
 
 @attempt.of(MapRig)
 def _attempt(rig, pose, dt):
     law = law_of(rig.space.form, dt)
-    (body,), whole = rig.body, math.floor(pose.after)
+    whole = math.floor(pose.after)
     z, slope = rig.moving.at(pose.after - whole)
     offset = whole % z.shape[1]
-    w, contact = tried(rig.space, body, law, z, offset, STEP_TOLERANCE)
-    rig.passes[0] += contact.passes
-    rig.found[:] = [TriedStep(law, w, contact, offset)]
+    w, contact = tried(rig.space, rig.body, law, z, offset, STEP_TOLERANCE)
+    rig.passes += contact.passes
+    rig.found = TriedStep(law, w, contact, offset)
     before = rig.moving.slope_over(pose.before, offset)
     weight = slope + law.lag * (before - slope)
     normal = rig.space.pressure * side_of(rig.space)
@@ -62,13 +64,11 @@ def _attempt(rig, pose, dt):
 
 @accept.of(MapRig)
 def _accept(rig, dt):
-    (body,), (step,) = rig.body, rig.found
-    old = body.d
-    new = settled_on(body, step.law, step.w, step.contact, step.offset)
-    rig.body[:], rig.found[:] = [new], []
-    touching = np.count_nonzero(new.p > 0.0) / new.p.size
-    d = new.d + step.law.lag * (old - new.d)
-    return float(new.p.mean()) * side_of(rig.space), d, touching
+    old, (law, *found) = rig.body.d, rig.found
+    rig.body = settled_on(rig.body, law, *found)
+    d = rig.body.d + law.lag * (old - rig.body.d)
+    p = rig.body.p
+    return float(p.mean()) * side_of(rig.space), d, np.count_nonzero(p > 0.0) / p.size
 
 
 def side_of(space: HalfSpace) -> float:
@@ -106,9 +106,9 @@ def run_pulled_on_half_space(
         speed,
         mu * normal if speed else 0.0,
     )
-    rig = MapRig(space, moving, [body], [], [passes])
+    rig = MapRig(space, moving, body, passes)
     scale = scene.load * math.sqrt(float(np.mean(surface.slope**2)))
     pulled = Pulled(rig, Places, None, m, scale, first)
     times = np.append(0.0, np.cumsum(steps.dt))[scene.kept]
     found, _ = pull_through(pulled, drive, scene.spectrum, scene.programme, speed != 0.0, times)
-    return found | {"updates": np.array(float(rig.passes[0] * surface.z.size))}
+    return found | {"updates": np.array(float(rig.passes * surface.z.size))}

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..motion.fourier import Shifted
+from ..motion.fourier import Fractions
 from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
@@ -47,17 +47,7 @@ class Moving:
     def __init__(self, surface: Surface) -> None:
         """Take the surface as it is at place zero."""
         self.surface = surface
-        self.shifted: Shifted | None = None
-        self.at = lru_cache(maxsize=4)(self._at)
-
-    def _at(self, fraction: float) -> tuple[np.ndarray, np.ndarray]:
-        """Return heights and slopes a fraction of a sample further."""
-        z, slope, m, _ = self.surface
-        if fraction == 0.0:
-            return z, slope
-        if self.shifted is None:
-            self.shifted = Shifted(z, slope, m)
-        return self.shifted.by(fraction)
+        self.at = Fractions(*surface[:3]).at
 
     def slope_over(self, place: float, offset: int) -> np.ndarray:
         """Return the slopes at a place, at the samples over which those of ``offset`` lie."""

@@ -4,6 +4,8 @@ Linear interpolation would make the mean of z^2 depend on the fraction: a force 
 that drowns the response to a motion of less than a sample.
 """
 
+from functools import lru_cache
+
 import numpy as np
 
 
@@ -31,3 +33,21 @@ class Shifted:
             moved[1, ..., -1] = slope * np.cos(angle) + q * z * np.sin(angle)
         z, slope = np.fft.irfft(moved, self.samples)
         return z, slope
+
+
+class Fractions:
+    """A surface at fractions of a sample: as it is given, or shifted, the last few at hand."""
+
+    def __init__(self, z: np.ndarray, slope: np.ndarray, steps_per_spacing: int) -> None:
+        """Take a surface as Shifted does."""
+        self.given = z, slope, steps_per_spacing
+        self.shifted: Shifted | None = None
+        self.at = lru_cache(maxsize=4)(self._at)
+
+    def _at(self, fraction: float) -> tuple[np.ndarray, np.ndarray]:
+        """Return (heights, slopes) a fraction of a sample further towards +x."""
+        if fraction == 0.0:
+            return self.given[:2]
+        if self.shifted is None:
+            self.shifted = Shifted(*self.given)
+        return self.shifted.by(fraction)
