@@ -9,16 +9,15 @@ from ..lines.line import Line
 from ..model.force import ConstantForce
 from ..model.friction import weighed
 from ..motion.fourier import Fractions
-from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..rheology.retardation import Retardation
 from ..scene.begin import begun
-from ..scene.scene_case import SceneCase, check_scene, scene_steps
+from ..scene.scene_case import SceneCase
 from .rig import Pose, Rig
-from .slider import Pulled, check_asked, pull_through
+from .slider import Pulled, first_moment, kept_times, pull_through, steady_speed
 from .spring import Drive
-from .step import Moment, slide_by_samples
+from .step import slide_by_samples
 
 SPARE = 0.02  # of the indentation, to what is looked at of a line above it
 
@@ -31,11 +30,8 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     "updates" : of elements. Raises ValueError for a scene without meaning.
     """
     m, n = line.steps_per_spacing, line.z.size
-    steps = scene_steps(scene, m)
-    check_scene(scene, steps, False)
-    check_asked(scene.asked)
+    times, speed = kept_times(scene, m), steady_speed(scene)
     form = form_of(scene.spectrum, scene.scheme)
-    speed = speed_at_start(scene.programme) if scene.start == "steady" else 0.0
     begin = begun(line, scene, form)
     spare = SPARE * (begin.d - line.z.min()) if isinstance(form, Retardation) else np.inf
     rig = Rig(
@@ -53,23 +49,12 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
         earlier = np.roll(line.slope, -way)
         start = start + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - start)
     normal, tangential, touching = weighed(-rig.p, None, start, 0.0)
-    friction = tangential / n
-    first = Moment(
-        tangential / normal,
-        begin.d,
-        normal / n,
-        friction,
-        touching / n,
-        0.0,
-        0.0,
-        speed,
-        friction if speed else 0.0,
-    )
+    share = normal / n, tangential / n, touching / n
+    first = first_moment(tangential / normal, begin.d, *share, speed)
     slide = partial(slide_by_samples, rig, np.tile(line.z, 2), np.tile(line.slope, 2), m)
     scale = scene.load * math.sqrt(float(np.mean(line.slope**2)))
     pulled = Pulled(rig, PosedLine(line).pose, slide, m, scale, first)
-    times = np.append(0.0, np.cumsum(steps.dt))[scene.kept]
-    found, tries = pull_through(pulled, drive, scene.spectrum, scene.programme, speed != 0.0, times)
+    found, tries = pull_through(pulled, drive, scene, times)
     found["trace_indentation"] = found["trace_indentation"] + line.datum
     return found | {"updates": np.array(2.0 * tries * n)}
 

@@ -23,6 +23,7 @@ from ..motion.legs import (
 from ..motion.path import NEAR, WHOLE, growth
 from ..rheology.spectrum import Spectrum, shortest_step
 from ..scene.records import TRACES
+from ..scene.scene_case import SceneCase, check_scene, scene_steps
 from .rig import attempt
 from .search import SLOPE, narrow_enough, new_search, next_guess
 from .spring import Course, Drive, Pull, SliderState, course_at, pull_of
@@ -223,29 +224,39 @@ def first_motion(programme: Programme, pulled: Pulled, steady: bool) -> SliderSt
     return SliderState(0.0, 0.0, dt, 0.0, 0.0, -dt, -dt, friction)
 
 
-def check_asked(asked: tuple[str, ...]) -> None:
-    """Raise ValueError for what is not kept of a slider."""
-    if set(asked) - set(KEPT):
-        raise ValueError(f"asked = {sorted(asked)}: of a slider on a spring there is {KEPT}")
+def kept_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
+    """Return when the moments of a slider are kept, in tau.
+
+    A line that the drive moved itself would end the steps that are kept then. Raises ValueError for a scene without meaning, and for what is not kept of a slider.
+    """
+    steps = scene_steps(scene, steps_per_spacing)
+    check_scene(scene, steps, False)
+    if set(scene.asked) - set(KEPT):
+        raise ValueError(f"asked = {sorted(scene.asked)}: of a slider on a spring there is {KEPT}")
+    return np.append(0.0, np.cumsum(steps.dt))[scene.kept]
+
+
+def steady_speed(scene: SceneCase) -> float:
+    """Return the speed of the steady sliding that a scene begins with; 0 where there is none."""
+    return speed_at_start(scene.programme) if scene.start == "steady" else 0.0
+
+
+def first_moment(
+    mu: float, d: float, normal: float, friction: float, touching: float, speed: float
+) -> Moment:
+    """Return the Moment before the first step: the spring is slack where nothing slides."""
+    force = friction if speed else 0.0
+    return Moment(mu, d, normal, friction, touching, 0.0, 0.0, speed, force)
 
 
 def pull_through(
-    pulled: Pulled,
-    drive: Drive,
-    spectrum: Spectrum,
-    programme: Programme,
-    steady: bool,
-    times: np.ndarray,
+    pulled: Pulled, drive: Drive, scene: SceneCase, times: np.ndarray
 ) -> tuple[dict[str, np.ndarray], int]:
-    """Return (traces at some times, tries of steps) of a slider that is pulled; times in tau.
-
-    The spring is stretched by the friction where it begins in steady sliding, else it is slack.
-    """
-    first = first_motion(programme, pulled, steady)
-    stretched = pulled.start.friction / drive.stiffness if steady else 0.0
-    legs = list(courses(programme, stretched))
+    """Return (traces at some times, tries of steps) of a slider that is pulled; times in tau."""
+    first = first_motion(scene.programme, pulled, steady_speed(scene) != 0.0)
+    legs = list(courses(scene.programme, pulled.start.force / drive.stiffness))
     since = 0.5 * float(legs[-1].time[0] + legs[-1].time[-1])
-    slider = Slider(pulled, drive, spectrum, times, since, first)
+    slider = Slider(pulled, drive, scene.spectrum, times, since, first)
     for course in legs:
         slider.follow(course)
     return slider.finished(), slider.tries

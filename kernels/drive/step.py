@@ -94,6 +94,9 @@ class SliderRecord(NamedTuple):
     tally: np.ndarray  # shape (8,): of sticking and slipping, see ``count_slips``
 
 
+SINCE, LEAST, MOST, FASTEST, SLIPS, BEGAN, LATEST, STICKS = range(8)  # of the tally
+
+
 @kernel
 def count_slips(tally, now, driven):
     """Add a moment to the tally, from a time on.
@@ -102,17 +105,17 @@ def count_slips(tally, now, driven):
     number of slips, when the first and the last of them began, and whether the slider sticks. A
     slip begins where it becomes twice as fast as the drive, after it was half as fast at most.
     """
-    if now.time < tally[0] or driven == 0.0:
+    if now.time < tally[SINCE] or driven == 0.0:
         return
-    tally[1], tally[2] = min(tally[1], now.force), max(tally[2], now.force)
+    tally[LEAST], tally[MOST] = min(tally[LEAST], now.force), max(tally[MOST], now.force)
+    tally[FASTEST] = max(tally[FASTEST], abs(now.speed))
     share = now.speed / driven
-    tally[3] = max(tally[3], abs(now.speed))
     if share < 0.5:
-        tally[7] = 1.0
-    elif share > 2.0 and tally[7] > 0.0:
-        tally[7] = 0.0
-        tally[5] = now.time if tally[4] == 0.0 else tally[5]
-        tally[4], tally[6] = tally[4] + 1.0, now.time
+        tally[STICKS] = 1.0
+    elif share > 2.0 and tally[STICKS] > 0.0:
+        tally[STICKS] = 0.0
+        tally[BEGAN] = now.time if tally[SLIPS] == 0.0 else tally[BEGAN]
+        tally[SLIPS], tally[LATEST] = tally[SLIPS] + 1.0, now.time
 
 
 @kernel

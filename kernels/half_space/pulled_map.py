@@ -7,14 +7,12 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..drive.rig import accept, attempt
-from ..drive.slider import Pulled, check_asked, pull_through
+from ..drive.slider import Pulled, first_moment, kept_times, pull_through, steady_speed
 from ..drive.spring import Drive
-from ..drive.step import Moment
 from ..model.friction import mean_slope
-from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
-from ..scene.scene_case import SceneCase, check_scene, scene_steps
+from ..scene.scene_case import SceneCase
 from .body import STEP_TOLERANCE, Body, HalfSpace, settled_on, tried
 from .scenes import Moving, begun_on
 from .surface import Surface
@@ -84,31 +82,18 @@ def run_pulled_on_half_space(
     stiffness : over the modes, where it is not that of a half-space.
     """
     m = surface.steps_per_spacing
-    steps = scene_steps(scene, m)
-    check_scene(scene, steps, False)
-    check_asked(scene.asked)
+    times, speed = kept_times(scene, m), steady_speed(scene)
     form = form_of(scene.spectrum, scene.scheme)
     space, moving = HalfSpace.under(form, surface, scene.load, stiffness), Moving(surface)
     body, passes, lag = begun_on(space, scene)
-    speed = speed_at_start(scene.programme) if scene.start == "steady" else 0.0
     before = moving.slope_over(-math.copysign(1.0, speed), body.offset)
     slope = surface.slope + abs(lag) * (before - surface.slope)
     normal = space.pressure * side_of(space)
     mu = mean_slope(body.p, slope)
-    first = Moment(
-        mu,
-        body.d,
-        normal,
-        mu * normal,
-        np.count_nonzero(body.p > 0.0) / body.p.size,
-        0.0,
-        0.0,
-        speed,
-        mu * normal if speed else 0.0,
-    )
+    touching = np.count_nonzero(body.p > 0.0) / body.p.size
+    first = first_moment(mu, body.d, normal, mu * normal, touching, speed)
     rig = MapRig(space, moving, body, passes)
     scale = scene.load * math.sqrt(float(np.mean(surface.slope**2)))
     pulled = Pulled(rig, Places, None, m, scale, first)
-    times = np.append(0.0, np.cumsum(steps.dt))[scene.kept]
-    found, _ = pull_through(pulled, drive, scene.spectrum, scene.programme, speed != 0.0, times)
+    found, _ = pull_through(pulled, drive, scene, times)
     return found | {"updates": np.array(float(rig.passes * surface.z.size))}

@@ -23,6 +23,7 @@ CAPTION = (
     "(d) the mean force of the drive over time at one velocity, on springs of different stiffness."
 )
 BRANCH = 1e-4  # s, t_b
+NAMES = ("drive_swing", "drive_swing_error")
 SLIPPING = 0.05  # swing over the rms slope from which a line is said to stick and slip
 
 
@@ -67,9 +68,6 @@ def draw(groups: Groups) -> Figure:
         "times of their own, so that the mean swings less than each does.",
     )
     return figure
-
-
-NAMES = ("drive_swing", "drive_swing_error")
 
 
 def _diagram(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) -> None:
