@@ -227,7 +227,8 @@ def first_motion(programme: Programme, pulled: Pulled, steady: bool) -> SliderSt
 def kept_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
     """Return when the moments of a slider are kept, in tau.
 
-    A line that the drive moved itself would end the steps that are kept then. Raises ValueError for a scene without meaning, and for what is not kept of a slider.
+    A line that the drive moved itself would end the steps that are kept then. Raises ValueError for
+    a scene without meaning, and for what is not kept of a slider.
     """
     steps = scene_steps(scene, steps_per_spacing)
     check_scene(scene, steps, False)
