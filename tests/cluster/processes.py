@@ -22,11 +22,16 @@ def free_port() -> int:
         return probe.getsockname()[1]
 
 
-def start(log: Path, *arguments: str, cwd: Path = ROOT, **environment: str) -> subprocess.Popen:
-    """Start ``python -m ...`` in a process group of its own, its output added to a file."""
+def start(
+    log: Path, *arguments: str, cwd: Path = ROOT, before: tuple[str, ...] = (), **environment: str
+) -> subprocess.Popen:
+    """Start ``python -m ...`` in a process group of its own, its output added to a file.
+
+    before : a command that starts it, such as ``ip netns exec``.
+    """
     with log.open("ab") as output:
         return subprocess.Popen(
-            [sys.executable, "-m", *arguments],
+            [*before, sys.executable, "-m", *arguments],
             cwd=cwd,
             env={**os.environ, "PYTHONUNBUFFERED": "1", "GIT_DIR": "/nowhere", **environment},
             stdin=subprocess.DEVNULL,
@@ -36,9 +41,9 @@ def start(log: Path, *arguments: str, cwd: Path = ROOT, **environment: str) -> s
         )
 
 
-def start_scheduler(log: Path, port: int) -> subprocess.Popen:
+def start_scheduler(log: Path, port: int, host: str = "127.0.0.1") -> subprocess.Popen:
     """Start a scheduler that gives up workers as docs/cluster.md advises."""
-    options = ("--host", "127.0.0.1", "--port", str(port), "--no-dashboard")
+    options = ("--host", host, "--port", str(port), "--no-dashboard")
     ttl = {"DASK_DISTRIBUTED__SCHEDULER__WORKER_TTL": "25s"}
     return start(log, "distributed.cli.dask_scheduler", *options, **ttl)
 

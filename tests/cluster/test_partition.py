@@ -1,0 +1,93 @@
+"""A network that fails: a worker on a host of its own (a network namespace), its cable pulled out."""
+
+import os
+import shutil
+import subprocess
+import time
+
+import pytest
+
+from tests.cluster.processes import end, free_port, start, start_scheduler, start_worker
+from tests.cluster.test_stops import Trial
+
+pytestmark = pytest.mark.cluster
+
+HERE, THERE = "10.199.77.1", "10.199.77.2"
+
+
+def ip(*words, check=True):
+    """Run the command ``ip``; return whether it did what it was told."""
+    return subprocess.run(("ip", *words), check=check, capture_output=True).returncode == 0
+
+
+class OtherHost:
+    """A network namespace, joined to this host by one cable."""
+
+    def __init__(self):
+        self.name = f"elastomer-{os.getpid()}"
+        ip("netns", "add", self.name)
+        ip("link", "add", "ef0", "type", "veth", "peer", "name", "ef1", "netns", self.name)
+        ip("addr", "add", f"{HERE}/24", "dev", "ef0")
+        ip("-n", self.name, "addr", "add", f"{THERE}/24", "dev", "ef1")
+        ip("link", "set", "ef0", "up")
+        for device in ("lo", "ef1"):
+            ip("-n", self.name, "link", "set", device, "up")
+
+    def cable(self, state):
+        """Pull the cable out ("down") or put it in again ("up")."""
+        ip("-n", self.name, "link", "set", "ef1", state)
+
+    def remove(self):
+        """Take the host away, and the cable with it."""
+        ip("netns", "delete", self.name, check=False)
+
+
+@pytest.fixture(scope="module")
+def host():
+    """Return the other host."""
+    if shutil.which("ip") is None or os.geteuid():
+        pytest.skip("no network namespaces: only root can make them, with the command ip")
+    other = OtherHost()
+    yield other
+    other.remove()
+
+
+@pytest.fixture(scope="module")
+def folder(tmp_path_factory):
+    """Return the folder of all trials."""
+    return tmp_path_factory.mktemp("partition")
+
+
+@pytest.fixture(scope="module")
+def expected(folder):
+    """Return the bytes of a run that no network disturbs."""
+    peace = Trial(folder / "peace", "--workers", "2", "--batch-seconds", "3")
+    assert peace.ended()[0] == 0
+    return peace.result()
+
+
+@pytest.mark.parametrize("seconds", [8.0, None], ids=["for a while", "for good"])
+def test_a_worker_is_cut_off_during_a_run(host, folder, expected, seconds):
+    """For good: the scheduler gives it up by its worker-ttl; another one computes its batches."""
+    port, own = free_port(), folder / str(seconds)
+    own.mkdir()
+    there = ("ip", "netns", "exec", host.name)
+    address = f"tcp://{HERE}:{port}"
+    processes = [start_scheduler(own / "scheduler.log", port, HERE)]
+    processes.append(start_worker(own / "here.log", address))
+    processes.append(start_worker(own / "there.log", address, before=there))
+    try:
+        trial = Trial(own / "trial", "--scheduler", address)
+        processes.append(trial.driver)
+        trial.wait_for_a_shard()
+        host.cable("down")
+        if seconds is not None:
+            time.sleep(seconds)
+            host.cable("up")
+        status, lines = trial.ended()
+    finally:
+        host.cable("up")
+        for process in processes:
+            end(process)
+    assert status == 0, lines
+    assert trial.result() == expected
