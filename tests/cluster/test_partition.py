@@ -1,4 +1,4 @@
-"""A network that fails: a worker on a host of its own (a network namespace), its cable pulled out."""
+"""A network that fails: the cable of a worker on a host of its own (a namespace) is pulled out."""
 
 import os
 import shutil
@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from tests.cluster.processes import end, free_port, start, start_scheduler, start_worker
+from tests.cluster.processes import end, free_port, start_scheduler, start_worker
 from tests.cluster.test_stops import Trial
 
 pytestmark = pytest.mark.cluster

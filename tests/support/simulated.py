@@ -65,7 +65,7 @@ class Cluster(Workers):
 
     def ask(self) -> "Future[Snapshot]":
         """Return who is there."""
-        begun = [task.key for worker in self.workers.values() for task in worker.processing]
+        begun = {task.key: w.address for w in self.workers.values() for task in w.processing}
         ready = [worker.address for worker in self.running]
         answer: Future[Snapshot] = Future()
         answer.set_result(Snapshot(dict.fromkeys(self.workers, 1), sorted(ready), begun))

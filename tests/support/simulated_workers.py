@@ -70,14 +70,18 @@ class Workers:
         self.workers[at(name)] = Worker(at(name), does)
         self.wake(name)
 
-    def die(self, name: str) -> None:
+    def retire(self, name: str) -> None:
+        """Let a worker end in good order, which dask does not count: those of jobs do in time."""
+        self.die(name, counted=False)
+
+    def die(self, name: str, counted: bool = True) -> None:
         """Let a worker die, if it is there."""
         worker = self.workers.pop(at(name), None)
         if worker is None:
             return
         self.running.discard(worker)
         for task in worker.processing:
-            task.deaths += 1
+            task.deaths += counted
             if task.deaths > ALLOWED_FAILURES:
                 killed = KilledWorker(task.key, worker, ALLOWED_FAILURES)
                 self._end(Arrival(task.key, error=killed))

@@ -61,6 +61,7 @@ class _Work:
     failed: list[str] = field(default_factory=list)  # where it raised: addresses, or ""
     deaths: int = 0  # of workers that had it
     workers: Collection[str] = ()  # who alone may have it; none: anybody
+    where: str = ""  # who has it: an address, when last looked
 
 
 @dataclass
@@ -169,8 +170,9 @@ class _Stream:
         self.watch.look(threads, len(self.in_flight), NO_ANSWER if silent else "")
 
     def _note(self, snapshot: Snapshot, now: float) -> None:
-        """Note who is there; compute again what waits for workers that are gone.
+        """Note who is there; compute again what workers had that are gone.
 
+        Dask would do so as well, but does not count those that retire, as a job's in good time.
         After a stop, shed what nobody had begun when the scheduler was asked.
         """
         blame = self.blame
@@ -178,12 +180,14 @@ class _Stream:
         per_thread = FEW_PER_THREAD if blame.left_out else PER_THREAD
         self.window = max(per_thread * sum(snapshot.threads.values()), LEAST)
         for key, work in [*self.in_flight.items()]:
-            if work.workers and snapshot.threads.keys().isdisjoint(work.workers):
+            gone = work.workers or {work.where} - {""}
+            work.where = snapshot.begun.get(key, "")
+            if gone and snapshot.threads.keys().isdisjoint(gone):
                 self._drop([key])
-                last = cast(Any, SimpleNamespace(address=" or ".join(work.workers)))
+                last = cast(Any, SimpleNamespace(address=" or ".join(gone)))
                 self._fail(work, KilledWorker(key, last, work.deaths))
         if self.asked >= self.stopped:
-            fresh = self.in_flight.keys() - snapshot.begun
+            fresh = self.in_flight.keys() - snapshot.begun.keys()
             self._drop([key for key in fresh if self.pool.pending(key)])
 
     def _drop(self, keys: list[str]) -> None:

@@ -8,7 +8,7 @@ import asyncio
 import concurrent.futures
 import contextlib
 import time
-from collections.abc import Callable, Collection, Iterable
+from collections.abc import Callable, Collection, Iterable, Mapping
 from functools import partial
 from queue import Empty, SimpleQueue
 from typing import Any, NamedTuple, cast
@@ -42,7 +42,7 @@ class Snapshot(NamedTuple):
 
     threads: dict[str, int]
     ready: Collection[str] = ()  # who takes up work; the others are short of memory
-    begun: Collection[str] = ()  # keys of what they compute
+    begun: Mapping[str, str] = {}  # by key of what is on a worker: its address
 
 
 class Pool:
@@ -97,7 +97,8 @@ class Pool:
             )
         except OSError as error:
             raise UserError(LOST) from error
-        return Snapshot(threads, ready, {str(key) for keys in begun.values() for key in keys})
+        where = {str(key): address for address, keys in begun.items() for key in keys}
+        return Snapshot(threads, ready, where)
 
     def _fetch_soon(self, future: Future) -> None:
         if future.key in self._futures:

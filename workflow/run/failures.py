@@ -65,7 +65,8 @@ class Failures:
         if task.key in self.store.failed:
             return  # in another block, meanwhile
         if _killed(error):
-            why = f"its worker died {getattr(error, 'allowed_failures', 0) + 1} times"
+            times = getattr(error, "allowed_failures", 0) + 1
+            why = f"its worker died {times} times, or retired before the job's walltime"
         else:
             why = f"{type(error).__name__}: {error}".splitlines()[0]
         last = batch.first_block + batch.blocks - 1

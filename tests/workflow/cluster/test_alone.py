@@ -25,3 +25,27 @@ def test_two_items_instead_of_one_that_was_alone_are_not_alone():
     assert streamed(cluster, ["both"], retry=retry) == [(2, 2)]
     both = [("both", KilledWorker, False), ("both", OSError, True)]
     assert asked == [*both, (1, KilledWorker, False)]
+
+
+def test_what_outlives_every_worker_is_given_up_once_it_did_so_alone():
+    """Workers of jobs retire before their walltime, of which dask thinks nothing of a task."""
+    asked = []
+
+    def work(item):
+        return (1e9 if item == "endless" else 1.0), item
+
+    def retry(item, error, alone):
+        asked.append((item, type(error), alone))
+        return [] if alone else [item]
+
+    cluster = Cluster(b0=work, c0=work)
+    cluster.replaced = work
+    for i in range(30):
+        for name in "bc":
+            cluster.after(50.0 * (i + 1), cluster.retire, f"{name}{i}")
+    items = ["endless", *range(20)]
+    assert sorted(streamed(cluster, items, retry=retry)) == [(i, i) for i in range(20)]
+    assert asked == [("endless", KilledWorker, alone) for alone in (False, True)]
+    once = [item for item, _ in cluster.tried if item != "endless"]
+    assert sorted(once) == [*range(20)]
+    assert cluster.now < 1000.0 + 8.0 * 50.0 + 30.0

@@ -39,7 +39,10 @@ def test_a_task_whose_worker_died_is_tried_alone_before_it_is_blamed(failures, c
     (first, *_) = failures(BATCH, KILLED, False)
     assert failures(first, KILLED, False) == [first]
     assert failures(first, KILLED, True) == []
-    assert "its worker died 4 times (blocks 0-3)" in capsys.readouterr().err
+    assert (
+        "its worker died 4 times, or retired before the job's walltime (blocks 0-3)"
+        in capsys.readouterr().err
+    )
 
 
 def test_a_failure_is_recorded_by_point_and_said_at_once(failures, capsys):
