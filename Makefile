@@ -19,7 +19,7 @@ NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/,compile/test_cach
   $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos fuzz coverage check docs bench mutation intervals clean
+.PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos trials fuzz coverage check docs bench mutation intervals clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 17
@@ -87,6 +87,9 @@ test-newest: $(TOOLS) ## Try the newest Python of this machine, likewise
 
 chaos: $(TOOLS) ## Kill what computes a study 50 times, compare the result [ARGS="--kills 100 --seed 2"]
 	$(BIN)/python -m tests.tools.chaos $(ARGS)
+
+trials: $(TOOLS) ## Try again all that docs/reliability.md tells, and say what held [ARGS="disk"]
+	$(BIN)/python -m tests.tools.trials $(ARGS)
 
 fuzz: $(TOOLS) ## Fuzz the reader of studies [FUZZ_SECONDS=600]
 	$(BIN)/python -m tests.tools.fuzz
