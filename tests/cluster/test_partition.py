@@ -12,7 +12,9 @@ from tests.cluster.test_stops import Trial
 
 pytestmark = pytest.mark.cluster
 
-HERE, THERE = "10.199.77.1", "10.199.77.2"
+NET = os.getpid() % 250  # two suites may run at once
+HERE, THERE = f"10.199.{NET}.1", f"10.199.{NET}.2"
+CABLE = f"ef{os.getpid()}"  # its end here
 
 
 def ip(*words, check=True):
@@ -26,10 +28,10 @@ class OtherHost:
     name = f"elastomer-{os.getpid()}"
 
     def __init__(self):
-        ip("link", "add", "ef0", "type", "veth", "peer", "name", "ef1", "netns", self.name)
-        ip("addr", "add", f"{HERE}/24", "dev", "ef0")
+        ip("link", "add", CABLE, "type", "veth", "peer", "name", "ef1", "netns", self.name)
+        ip("addr", "add", f"{HERE}/24", "dev", CABLE)
         ip("-n", self.name, "addr", "add", f"{THERE}/24", "dev", "ef1")
-        ip("link", "set", "ef0", "up")
+        ip("link", "set", CABLE, "up")
         for device in ("lo", "ef1"):
             ip("-n", self.name, "link", "set", device, "up")
 
