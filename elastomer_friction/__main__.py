@@ -1,4 +1,4 @@
-"""``elastomer-friction``, ``python -m elastomer_friction``: see workflow/cli/commands.py.
+"""``elastomer-friction``, ``python -m elastomer_friction``: see workflow/cli/command_line.py.
 
 Python looks for modules in the working folder first. It is left out, here and in the processes
 that this one starts, unless the program itself lies there: what lies in a folder that one works
