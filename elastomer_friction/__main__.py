@@ -1,10 +1,11 @@
-"""``elastomer-friction``, ``python -m elastomer_friction``: see workflow/cli/commands.py.
+"""``elastomer-friction``, ``python -m elastomer_friction``: see workflow/cli/command_line.py.
 
 Python looks for modules in the working folder first. It is left out, here and in the processes
 that this one starts, unless the program itself lies there: what lies in a folder that one works
 in, perhaps another user's, is data.
 """
 
+import gc
 import os
 import sys
 from pathlib import Path
@@ -16,6 +17,7 @@ def main() -> int:
         here = ("", str(Path.cwd()))
         sys.path[:] = [place for place in sys.path if place not in here]
         os.environ["PYTHONSAFEPATH"] = "1"
+    gc.set_threshold(100_000, 20, 100)  # importing makes no garbage, and a sixth of it was to look
     try:
         from elastomer_friction.workflow.system import THREADS, forgive_streams
 

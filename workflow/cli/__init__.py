@@ -8,6 +8,6 @@ from typing import TYPE_CHECKING
 from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from .commands import command_parser, main
+    from .command_line import command_parser, main
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

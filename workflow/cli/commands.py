@@ -1,14 +1,12 @@
-"""Command line: elastomer-friction, or python -m workflow, with one command."""
+"""What each command does: `command_line.py` has what can be typed."""
 
 import argparse
 import contextlib
 import json
-import os
 import re
-import sys
 from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple, NoReturn
+from typing import Any
 
 from .. import report, scene
 from ..errors import UserError, printable
@@ -24,19 +22,12 @@ from ..study import (
     read_study,
     study_schema,
 )
-from ..system import make_folder, program, version_of, write_durably
-from .experiments import add_fit_options, add_prony_options, run_fit, run_prony
-from .law_command import add_law_options, run_law
+from ..system import make_folder, program, write_durably
+from .command_line import DONE, FAILED
+from .experiments import run_fit, run_prony
+from .law_command import run_law
 from .outline import outline_grid, outline_measured
-from .run_options import (
-    DONE,
-    FAILED,
-    RESUMABLE,
-    add_run_options,
-    resume_line,
-    run_grid,
-    run_measured_study,
-)
+from .run_options import run_grid, run_measured_study
 
 SHOWN = ["trace", "snapshots"]  # what an animation is drawn from
 TEMPLATE = Path(__file__).with_name("study.toml")
@@ -56,130 +47,6 @@ KINDS: dict[str, dict[str, Callable[..., Any]]] = {
         "status": lambda study, result: ([result_line(result)], {"written": result.is_file()}),
     },
 }
-
-
-def main(arguments: list[str] | None = None) -> int:
-    """Run one command; return the exit status.
-
-    0 done, 2 wrong input or surroundings, 3 done but for problems that failed, 130 interrupted.
-    """
-    command = ""  # not known yet
-    try:
-        parser = command_parser()
-        if "_ARGCOMPLETE" in os.environ:  # a shell asks what could be typed next
-            import argcomplete
-
-            argcomplete.autocomplete(parser)
-        options = parser.parse_args(arguments)
-        command = options.command
-        return COMMANDS[command].run(options)
-    except UserError as error:
-        for each in error.errors:
-            print(f"error: {each}{each.place}", file=sys.stderr)
-        return 2
-    except KeyboardInterrupt:
-        said = resume_line("aborted") if command == "run" else "interrupted"
-        print(said, file=sys.stderr)
-        return RESUMABLE
-
-
-class OneLineParser(argparse.ArgumentParser):
-    """Says in one line what is wrong with the options, as with any other input."""
-
-    def error(self, message: str) -> NoReturn:
-        """Raise UserError."""
-        raise UserError(f"{message}; see {self.prog} --help")
-
-
-def command_parser() -> argparse.ArgumentParser:
-    """Return the parser of the command line, with all commands."""
-    parser = OneLineParser(prog=program(), description=__doc__)
-    version = f"elastomer-friction {version_of('elastomer-friction')}"
-    parser.add_argument("--version", action="version", version=version)
-    commands = parser.add_subparsers(dest="command", required=True)
-    for name, (text, add_options, _) in COMMANDS.items():
-        add_options(commands.add_parser(name, help=text, description=text))
-    return parser
-
-
-def _no_options(command: argparse.ArgumentParser) -> None:
-    """Add nothing."""
-
-
-def _study_options(command: argparse.ArgumentParser) -> None:
-    """Add what says which study is meant, and with which settings."""
-    add: Any = command.add_argument
-    named = add("study", help="a name under studies/ or the path of a TOML file")
-    named.completer = lambda **_: sorted(known_studies())
-    add("--scale", help="one of the study's [scales.NAME] tables")
-    text = "override one setting, e.g. grid.hurst=0.7 (repeatable)"
-    add("--set", action="append", default=[], metavar="TABLE.KEY=VALUE", help=text)
-
-
-def _result_options(command: argparse.ArgumentParser) -> None:
-    """Add what says which result of which study is meant."""
-    _study_options(command)
-    command.add_argument("--accuracy", help="as --set numerics.accuracy=0.01: 1%% or 0.01")
-    text = "folder of results, or path of the .nc file"
-    command.add_argument("--out", default="results", help=text)
-
-
-def _json_options(command: argparse.ArgumentParser) -> None:
-    _result_options(command)
-    text = "print it as JSON: names, numbers in SI units, times in s, memory in bytes"
-    command.add_argument("--json", action="store_true", help=text)
-
-
-def _run_options(command: argparse.ArgumentParser) -> None:
-    _result_options(command)
-    add_run_options(command)
-
-
-def _figure_options(command: argparse.ArgumentParser) -> None:
-    _result_options(command)
-    text = "draws instead of the study's figure.py"
-    command.add_argument("--script", type=Path, help=text)
-
-
-def _animate_options(command: argparse.ArgumentParser) -> None:
-    _study_options(command)
-    command.add_argument("--out", help="the .gif or .mp4 file (results/NAME.gif)")
-
-
-def _explore_options(command: argparse.ArgumentParser) -> None:
-    add: Any = command.add_argument
-    add("result", metavar="RESULT", help="a result file, NAME.nc, or a study whose result is there")
-    add("--scale", help="of the result: one of the study's [scales.NAME] tables")
-    add("--out", type=Path, help="the page (NAME.html beside the result)")
-
-
-def _report_options(command: argparse.ArgumentParser) -> None:
-    add = command.add_argument
-    add("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
-    add("--scale", help="of the results: one of the studies' [scales.NAME] tables")
-    add("--out", default="results", help="folder of results")
-
-
-def _law_options(command: argparse.ArgumentParser) -> None:
-    _study_options(command)
-    add_law_options(command)
-
-
-def _new_options(command: argparse.ArgumentParser) -> None:
-    command.add_argument("name", help="of the study; its folder is made in studies/")
-
-
-def _verify_options(command: argparse.ArgumentParser) -> None:
-    text = "a folder of results, or a study whose results are in --out"
-    command.add_argument("what", metavar="FOLDER|STUDY", help=text, nargs="?", default="results")
-    command.add_argument("--out", default="results", help="folder of results of the study")
-
-
-def _merge_options(command: argparse.ArgumentParser) -> None:
-    command.add_argument("source", help="folder of results whose finished work is taken over")
-    command.add_argument("target", nargs="?", default="results", help="folder that takes it over")
-    text = "go on where the file system of the target has no locks: no run may use it"
-    command.add_argument("--no-lock", action="store_true", help=text)
 
 
 def _study(options: argparse.Namespace) -> tuple[AnyStudy, Path]:
@@ -313,71 +180,21 @@ def _store_in(name: str) -> Path:
     raise UserError(f"{name}: holds no store of finished work")
 
 
-class Command(NamedTuple):
-    """What a command is for, what adds its options, and what does it and returns the status."""
-
-    text: str
-    add_options: Callable[[argparse.ArgumentParser], None]
-    run: Callable[[argparse.Namespace], int]
-
-
-COMMANDS = {
-    "plan": Command("say what a run would do and cost; compute nothing", _json_options, _lines),
-    "run": Command("compute what is missing and write the result file", _run_options, _run),
-    "status": Command("say what is done and what is missing", _json_options, _lines),
-    "figure": Command("draw the figure of a finished run", _figure_options, _figure),
-    "table": Command(
-        "write all coefficients of a finished run as CSV, with units", _result_options, _table
-    ),
-    "animate": Command(
-        "draw one line of a scene on its way, as .gif or .mp4", _animate_options, _animate
-    ),
-    "explore": Command(
-        "write one page of HTML on which a result is looked through, with sliders and no network",
-        _explore_options,
-        _explore,
-    ),
-    "report": Command(
-        "write report.html, or report-SCALE.html: all figures, and the claims of the paper beside "
-        "the results",
-        _report_options,
-        _report,
-    ),
-    "studies": Command(
-        "list the studies that can be named, with their titles", _no_options, _studies
-    ),
-    "new": Command(
-        "write a commented study.toml to start from, in studies/NAME of the working folder",
-        _new_options,
-        _new,
-    ),
-    "schema": Command(
-        "print the JSON schema of study.toml, for editors that check and complete it",
-        _no_options,
-        _schema,
-    ),
-    "prony": Command(
-        "fit a Prony series to measured moduli G' and G'', and print the table [material]",
-        add_prony_options,
-        run_prony,
-    ),
-    "fit": Command(
-        "fit the kinetic law to measured velocity steps, and say what they determine of it",
-        add_fit_options,
-        run_fit,
-    ),
-    "law": Command(
-        "fit a reduced law to the motions of a finished run, or of FILE.nc, and write it for "
-        "others; FILE.json is a law already",
-        _law_options,
-        run_law,
-    ),
-    "verify": Command(
-        "check every line of a journal, every shard and key, and the results; change nothing",
-        _verify_options,
-        _verify,
-    ),
-    "merge": Command(
-        "take over the finished work of another folder of results", _merge_options, _merge
-    ),
+ACTIONS: dict[str, Callable[[argparse.Namespace], int]] = {
+    "plan": _lines,
+    "run": _run,
+    "status": _lines,
+    "figure": _figure,
+    "table": _table,
+    "animate": _animate,
+    "explore": _explore,
+    "report": _report,
+    "studies": _studies,
+    "new": _new,
+    "schema": _schema,
+    "prony": run_prony,
+    "fit": run_fit,
+    "law": run_law,
+    "verify": _verify,
+    "merge": _merge,
 }

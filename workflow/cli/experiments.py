@@ -2,7 +2,6 @@
 
 import argparse
 import math
-import re
 from collections.abc import Callable
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,34 +10,15 @@ import numpy as np
 
 from .. import laboratory  # slow to import: other commands do without
 from ..errors import UserError
-from ..study import FREQUENCIES, INCOMPRESSIBLE, LAWS_OF_SHIFT, MODULI, Moduli, read_moduli
+from ..study import INCOMPRESSIBLE, Moduli, read_moduli
 from ..system import make_folder, write_durably
-from .run_options import DONE
+from .command_line import DONE, FOR_WHOM
 
 if TYPE_CHECKING:
     from ..reduce import PronyFit
 
 LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
 LARGEST_RESIDUAL = 0.15  # rms of G*, of a material
-
-
-def add_prony_options(command: argparse.ArgumentParser) -> None:
-    """Add what the command ``prony`` is told."""
-    add = command.add_argument
-    add("file", help="text file with frequency, G' and G'' or tan delta, or E; or time and G or E")
-    add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
-    # As of -20 argparse must know of -20,0,20 that it is no option, for which it has no other way.
-    command._negative_number_matcher = re.compile(r"-[\d.][\d.,eE+-]*$")
-    add("--temperatures", help="of sweeps in their order, as -20,0,20 in °C (as the file says)")
-    add("--reference", type=float, help="temperature to which sweeps are shifted, in °C (middle)")
-    add("--law", choices=LAWS_OF_SHIFT, help="of the shifts (the one that describes them)")
-    add("--vertical", action="store_true", help="shift moduli too, by b_T")
-    add("--frequency", choices=FREQUENCIES, help="unit of frequencies (header, else rad/s)")
-    add("--modulus", choices=MODULI, help="unit of moduli (header, else Pa)")
-    add("--poisson", type=float, default=INCOMPRESSIBLE, help="ratio, for moduli E (0.5)")
-    add("--branches", type=int, help="branches at most (as few as describe the data as well)")
-    add("--write", choices=FORMS, default="study", help="for whom it is printed (study)")
-    add("--out", help="CSV file for the branches, to be named as material.branches_file")
 
 
 def run_prony(options: argparse.Namespace) -> int:
@@ -174,11 +154,9 @@ def _for_ansys(fit: "PronyFit") -> list[str]:
     return [head, f"TB,PRONY,1,1,{len(shares)},SHEAR", *values]
 
 
-FORMS: dict[str, Callable[["PronyFit"], list[str]]] = {
-    "study": lambda _: [],
-    "abaqus": _for_abaqus,
-    "ansys": _for_ansys,
-}
+FORMS: dict[str, Callable[["PronyFit"], list[str]]] = dict(
+    zip(FOR_WHOM, (lambda _: [], _for_abaqus, _for_ansys), strict=True)
+)
 
 
 def columns_of(words: str, counts: tuple[int, ...] = (3,)) -> tuple[int, ...]:
@@ -198,21 +176,6 @@ def _temperatures(words: str) -> tuple[float, ...]:
     if not all(map(math.isfinite, found)):
         raise UserError(f"--temperatures {words}: must be numbers in °C, as -20,0,20")
     return found
-
-
-def add_fit_options(command: argparse.ArgumentParser) -> None:
-    """Add what the command ``fit`` is told."""
-    add = command.add_argument
-    add("files", nargs="+", metavar="FILE", help="text file with time, velocity and friction")
-    add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
-    add("--time", metavar="UNIT", help="unit of times, as ms (header, else s)")
-    add("--velocity", metavar="UNIT", help="unit of velocities, as mm/min (header, else m/s)")
-    add("--displacement", metavar="UNIT", help="unit of displacements in place of velocities")
-    add("--window", type=float, help="seconds after each step that are fitted, at most (all)")
-    add("--relaxation-time", type=float, help="tau in s, where it is known from elsewhere")
-    add("--hurst", type=float, help="H, where it is known from elsewhere")
-    add("--q-max", type=float, help="q_max in 1/m, where it is known from elsewhere")
-    add("--out", default="results/fit.png", help="figure, as PNG and PDF (results/fit.png)")
 
 
 def run_fit(options: argparse.Namespace) -> int:

@@ -9,29 +9,12 @@ from ..errors import UserError
 from ..result import check_result, open_tree, result_file
 from ..study import read_study
 from ..system import make_folder, write_durably
-from .run_options import DONE
+from .command_line import DONE, STATES
 
 if TYPE_CHECKING:
     from ..law import Law
 
-STATES = 2
-WRITTEN = ("c", "abaqus", "modelica", "fmu", "json")
 OF_A_FIT = ("states", "kind", "held_out", "at", "group")
-
-
-def add_law_options(command: argparse.ArgumentParser) -> None:
-    """Add what the command ``law`` is told besides the study."""
-    add = command.add_argument
-    add("--results", default="results", help="folder of results of the study")
-    add("--group", help="a comparison of the study, in place of the study itself")
-    text = "a place on an axis of the grid (repeatable; an axis of one value needs none)"
-    add("--at", action="append", metavar="AXIS=VALUE", help=text)
-    add("--states", type=int, help=f"exponential states, 0 to 5 ({STATES})")
-    add("--kind", choices=("states", "rate-state", "lugre"), help="of the law (states)")
-    text = "a result of motions to state the error on, in place of quarters (repeatable)"
-    add("--held-out", action="append", metavar="FILE", help=text)
-    add("--write", choices=WRITTEN, help="for whom it is written (nobody: it is told)")
-    add("--out", help="file for what is written (it is printed)")
 
 
 def run_law(options: argparse.Namespace) -> int:

@@ -1,4 +1,4 @@
-"""The command ``run``: its options, what it prints, its exit status."""
+"""The command ``run``: what it prints, its exit status."""
 
 import argparse
 import math
@@ -9,31 +9,13 @@ from pathlib import Path
 
 from ..errors import UserError
 from ..plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
-from ..study import BATCH_SYSTEMS, Measured, Study
+from ..study import Measured, Study
 from ..system import program
+from .command_line import DONE, FAILED, RESUMABLE
 from .outline import announced_plan
 
-DONE, FAILED, RESUMABLE = 0, 3, 130  # exit status
 UNTIMED = 3.0  # s; a study that takes less at the most ends before this machine is measured
 OF_A_CLUSTER = ("scheduler", "workers", "batch_seconds")
-
-
-def add_run_options(command: argparse.ArgumentParser) -> None:
-    """Add the options that only ``run`` has."""
-    add = command.add_argument
-    add("--scheduler", help="address of a dask scheduler, tls://host:port")
-    for name in BATCH_SYSTEMS:
-        text = f"compute in jobs of {name.upper()}, see the table [cluster]"
-        add(f"--{name}", action="store_const", const=name, dest="batch_system", help=text)
-    add("--dashboard", action="store_true", help="start dask's dashboard and say where it is")
-    add("--workers", type=int, help="local worker processes (one per core, none for seconds)")
-    add("--batch-seconds", type=float, help="predicted length of a batch (1 to 10)")
-    add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
-    add("--retry-failed", action="store_true", help="try what failed in earlier runs again")
-    text = "refuse to mix records of different package versions or processors"
-    add("--one-kind", action="store_true", help=text)
-    text = "go on where the file system of the results has no locks: no other run may use it"
-    add("--no-lock", action="store_true", help=text)
 
 
 def run_measured_study(options: argparse.Namespace, study: Measured, result: Path) -> int:

@@ -9,8 +9,11 @@ import matplotlib as mpl
 import numpy as np
 import xarray as xr
 from matplotlib import pyplot as plt
-from matplotlib.animation import FFMpegWriter, FuncAnimation, PillowWriter
+from matplotlib.animation import FFMpegWriter, PillowWriter
+from matplotlib.artist import Artist
 from matplotlib.axes import Axes
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.figure import Figure
 
 from ..errors import UserError
 from ..system import write_durably
@@ -20,6 +23,7 @@ LINE, MAP = ("snapshot_height", "snapshot_displacement"), ("snapshot_pressure",)
 TRACED = ("trace_mu", "trace_time")
 WRITERS: dict[str, Any] = {".gif": PillowWriter, ".mp4": FFMpegWriter}
 FRAMES_PER_SECOND = 20
+DOTS_PER_INCH = 100
 FRAMES = 200  # most; of more snapshots every k-th is drawn
 SHOWN = 400  # most elements in view, those around the deepest contact
 RUBBER, RIGID, TOUCHING = "#9ecae1", "0.75", COLOURS[4]
@@ -47,7 +51,13 @@ def animate(scene: xr.Dataset, path: Path) -> Path:
         drawn = Path(folder) / path.name
         try:
             draw = _pressures if shown == MAP else _creeping
-            _animation(scene, draw).save(drawn, writer=writer, dpi=100)
+            figure, draw_frame = _prepared(scene, draw)
+            draw_frame(0)
+            _keep_what_stays(figure)
+            with writer.saving(figure, str(drawn), dpi=DOTS_PER_INCH):
+                for frame in range(0, scene.sizes["event"], -(-scene.sizes["event"] // FRAMES)):
+                    draw_frame(frame)
+                    writer.grab_frame()
         finally:
             plt.close("all")
         write_durably(path, drawn.read_bytes())
@@ -62,11 +72,10 @@ def check_animation(path: Path) -> None:
         raise UserError(f"{path}: an .mp4 file needs the program ffmpeg; install it or use .gif")
 
 
-def _animation(scene: xr.Dataset, shown: Callable[..., Drawing]) -> FuncAnimation:
-    """Return what is shown of the contact, and beneath it the friction up to each frame."""
-    frames = np.arange(scene.sizes["event"])[:: -(-scene.sizes["event"] // FRAMES)]
+def _prepared(scene: xr.Dataset, shown: Callable[..., Drawing]) -> tuple[Figure, Drawing]:
+    """Return a figure of the contact, and beneath it the friction, and what draws a frame of it."""
     figure, (above, below) = plt.subplots(
-        2, 1, figsize=(5.6, 4.2), gridspec_kw={"height_ratios": [2.0, 1.0]}
+        2, 1, figsize=(5.6, 4.2), dpi=DOTS_PER_INCH, gridspec_kw={"height_ratios": [2.0, 1.0]}
     )
     contact = shown(above, scene)
     time, mu = scene.trace_time.values, scene.trace_mu.values
@@ -75,13 +84,35 @@ def _animation(scene: xr.Dataset, shown: Callable[..., Drawing]) -> FuncAnimatio
     (dot,) = below.plot([], [], "o", color=COLOURS[4], ms=4.0)
     below.set(xlabel="time, s", ylabel="coefficient of friction")
 
-    def draw(frame: int) -> list[Any]:
+    def draw(frame: int) -> None:
         contact(frame)
         line.set_data(time[: frame + 1], mu[: frame + 1])
         dot.set_data(time[frame : frame + 1], mu[frame : frame + 1])
-        return []
 
-    return FuncAnimation(figure, draw, frames=list(frames), blit=False)
+    return figure, draw
+
+
+def _keep_what_stays(figure: Figure) -> None:
+    """Turn the axes of a figure, with their labels, into a picture that lies over its frames.
+
+    They are nearly all that drawing a frame costs.
+    """
+    figure.canvas.draw()
+    figure.set_layout_engine("none")
+    hidden: list[Artist] = [figure.patch]
+    for ax in figure.axes:
+        hidden += [ax.patch, *ax.collections, *ax.lines, *ax.images]
+    for each in hidden:
+        each.set_visible(False)
+    figure.canvas.draw()
+    axes = np.array(cast(FigureCanvasAgg, figure.canvas).buffer_rgba())
+    for each in hidden:
+        each.set_visible(True)
+    for ax in figure.axes:
+        ax.set_axis_off()
+        for text in [*ax.texts]:
+            text.remove()
+    figure.figimage(axes, zorder=10.0)
 
 
 def _pressures(ax: Axes, scene: xr.Dataset) -> Drawing:

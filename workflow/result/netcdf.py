@@ -9,6 +9,7 @@ import os
 import sys
 from collections.abc import Mapping
 from pathlib import Path
+from threading import Lock
 from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
@@ -47,18 +48,19 @@ def write_datasets(path: Path, datasets: Mapping[str, "xr.Dataset"]) -> None:
     Durably: readers keep the old file until the new one is whole. Raises UserError where the disk
     refuses it.
     """
-    import dask
+    from xarray.backends import NetCDF4DataStore
 
-    with replacing(path) as aside, dask.config.set(scheduler=dask.get):
-        # in this thread, or xarray asks a scheduler for its lock
+    with replacing(path) as aside:
         try:
             for label, dataset in datasets.items():
                 if label:  # CF: said at the root alone
                     dataset = dataset.assign_attrs()
                     dataset.attrs.pop("Conventions", None)
-                dataset.to_netcdf(
-                    aside, "a" if label else "w", group=label or None, encoding=_encoding(dataset)
-                )
+                mode, group = "a" if label else "w", label or None
+                # A lock of ours: to_netcdf imports dask's scheduler to ask it for one.
+                store = NetCDF4DataStore.open(str(aside), mode, group=group, lock=Lock())
+                with contextlib.closing(store):
+                    dataset.dump_to_store(store, encoding=_encoding(dataset))
         except (OSError, RuntimeError) as error:
             # HDF5 says "Permission denied", or nothing, where the disk is full: the disk says so
             # to a plain write of as much and more.

@@ -23,6 +23,7 @@ class Maker(NamedTuple):
     processor: str
 
 
+@cache
 def version_of(package: str) -> str:
     """Return the version of an installed package."""
     try:

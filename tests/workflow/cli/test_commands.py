@@ -8,8 +8,8 @@ import sys
 
 import pytest
 
+from elastomer_friction.workflow.cli import command_line, main
 from elastomer_friction.workflow.cli import commands as cli
-from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.cli import run_options as run_command
 from elastomer_friction.workflow.cli.commands import KINDS
 from elastomer_friction.workflow.cli.run_options import paced_plan, resume_line
@@ -33,7 +33,7 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
         raise KeyboardInterrupt
 
     for command, said in (("run", "to resume run again: python -m workflow"), ("plan", "")):
-        monkeypatch.setitem(cli.COMMANDS, command, cli.COMMANDS[command]._replace(run=interrupt))
+        monkeypatch.setitem(cli.ACTIONS, command, interrupt)
         assert main([command, study]) == 130
         err = capsys.readouterr().err
         assert said in err
@@ -41,12 +41,27 @@ def test_second_ctrl_c_ends_with_the_status_of_an_interruption(capsys, study, mo
 
 
 def test_ctrl_c_while_options_are_read_is_one_line(capsys, monkeypatch):
-    def interrupted():
+    def interrupted(_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(cli, "command_parser", interrupted)
+    monkeypatch.setattr(command_line, "command_parser", interrupted)
     assert main(["run", "fig2"]) == 130
-    assert capsys.readouterr().err == "interrupted\n"
+    assert capsys.readouterr().err == "aborted before anything was begun\n"
+
+
+@pytest.mark.parametrize(
+    "words", ["--help", "run --help", "prony --help", "plan fig2 --fast", "draw"]
+)
+def test_help_and_wrong_options_wait_for_no_package(words):
+    heavy = "{'numba', 'dask', 'xarray', 'scipy', 'netCDF4', 'matplotlib'}"
+    code = (
+        "import atexit, sys; from elastomer_friction.workflow.cli import main;"
+        f"atexit.register(lambda: print({heavy} & sys.modules.keys(), file=sys.stderr));"
+        f"sys.exit(main({words.split()}))"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True)
+    assert done.returncode == (0 if "--help" in words else 2)
+    assert done.stderr.endswith("set()\n")
 
 
 def test_ctrl_c_in_a_measured_study_does_not_claim_that_work_was_kept(capsys, powers):

@@ -5,7 +5,7 @@ import tomllib
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.cli.commands import main
+from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.study.effects.material import MATERIAL, read_material
 from elastomer_friction.workflow.study.effects.shifting import Wlf
 from elastomer_friction.workflow.study.settings import checked

@@ -70,7 +70,7 @@ def test_the_disk_itself_is_asked_why_where_hdf5_does_not_know(tmp_path, monkeyp
     def refuse(*_, **__):
         raise PermissionError(errno.EACCES, "Permission denied")
 
-    monkeypatch.setattr(type(dataset), "to_netcdf", refuse)
+    monkeypatch.setattr(type(dataset), "dump_to_store", refuse)
     with pytest.raises(UserError, match=r"cannot be written: .*Permission denied") as error:
         write_datasets(tmp_path / "small.nc", {"": dataset})
     assert isinstance(error.value.__cause__, RuntimeError)  # which may pass

@@ -177,6 +177,16 @@ def test_a_damaged_shard_is_left_out_and_left_as_it_is(folders):
     assert not set(records(WORK[1])) & held(Store(target))
 
 
+def test_a_shard_that_is_damaged_where_it_goes_is_taken_over_anew(folders):
+    source, target = folders
+    path = shard_of(Store(target), WORK[0])
+    path.write_bytes(path.read_bytes()[:-50] + 50 * b"x")
+    said = merge_into(source, target)
+    assert said == ["taken over  3 of 3 shards, 3 records that are new"]
+    assert_holds(Store(target), WORK[0], random_result(WORK[0], 0))
+    assert Verified(target).faults == []
+
+
 def test_the_makers_of_both_are_known_after(folders):
     source, target = folders
     merge_into(source, target)

@@ -1,0 +1,261 @@
+"""Command line: elastomer-friction, or python -m workflow, with one command."""
+
+import argparse
+import os
+import re
+import sys
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, NoReturn
+
+from ..errors import UserError
+from ..system import program, version_of
+
+DONE, WRONG, FAILED, RESUMABLE = 0, 2, 3, 130  # exit status
+STATES = 2  # of a reduced law
+WRITTEN = ("c", "abaqus", "modelica", "fmu", "json")  # as what a reduced law is written
+FOR_WHOM = ("study", "abaqus", "ansys")  # Prony series are printed
+
+
+def main(arguments: list[str] | None = None) -> int:
+    """Run one command; return the exit status.
+
+    0 done, 2 wrong input or surroundings, 3 done but for problems that failed, 130 interrupted.
+    """
+    words = sys.argv[1:] if arguments is None else arguments
+    ended = "aborted before anything was begun"
+    try:
+        if "_ARGCOMPLETE" in os.environ:  # a shell asks what could be typed next
+            import argcomplete
+
+            argcomplete.autocomplete(command_parser())
+        options = command_parser(words).parse_args(words)
+        from .commands import ACTIONS  # what no help needs, and slow to import
+        from .run_options import resume_line
+
+        ended = resume_line("aborted") if options.command == "run" else "interrupted"
+        return ACTIONS[options.command](options)
+    except UserError as error:
+        for each in error.errors:
+            print(f"error: {each}{each.place}", file=sys.stderr)
+        return WRONG
+    except KeyboardInterrupt:
+        print(ended, file=sys.stderr)
+        return RESUMABLE
+
+
+class OneLineParser(argparse.ArgumentParser):
+    """Says in one line what is wrong with the options, as with any other input."""
+
+    def error(self, message: str) -> NoReturn:
+        """Raise UserError."""
+        raise UserError(f"{message}; see {self.prog} --help")
+
+
+def command_parser(words: Sequence[str] | None = None) -> argparse.ArgumentParser:
+    """Return the parser of the command line, with the options of all commands or of those named.
+
+    Options name what rooms know, and some rooms are slow to import.
+    """
+    parser = OneLineParser(prog=program(), description=__doc__)
+    version = f"elastomer-friction {version_of('elastomer-friction')}"
+    parser.add_argument("--version", action="version", version=version)
+    commands = parser.add_subparsers(dest="command", required=True)
+    for name, (text, add_options) in COMMANDS.items():
+        command = commands.add_parser(name, help=text, description=text)
+        if words is None or name in words:
+            add_options(command)
+    return parser
+
+
+def _studies(**_: Any) -> list[str]:
+    """Return the names that a shell completes."""
+    from ..study import known_studies
+
+    return sorted(known_studies())
+
+
+def _no_options(command: argparse.ArgumentParser) -> None:
+    """Add nothing."""
+
+
+def _study_options(command: argparse.ArgumentParser) -> None:
+    """Add what says which study is meant, and with which settings."""
+    add: Any = command.add_argument
+    named = add("study", help="a name under studies/ or the path of a TOML file")
+    named.completer = _studies
+    add("--scale", help="one of the study's [scales.NAME] tables")
+    text = "override one setting, e.g. grid.hurst=0.7 (repeatable)"
+    add("--set", action="append", default=[], metavar="TABLE.KEY=VALUE", help=text)
+
+
+def _result_options(command: argparse.ArgumentParser) -> None:
+    """Add what says which result of which study is meant."""
+    _study_options(command)
+    command.add_argument("--accuracy", help="as --set numerics.accuracy=0.01: 1%% or 0.01")
+    text = "folder of results, or path of the .nc file"
+    command.add_argument("--out", default="results", help=text)
+
+
+def _json_options(command: argparse.ArgumentParser) -> None:
+    _result_options(command)
+    text = "print it as JSON: names, numbers in SI units, times in s, memory in bytes"
+    command.add_argument("--json", action="store_true", help=text)
+
+
+def _figure_options(command: argparse.ArgumentParser) -> None:
+    _result_options(command)
+    text = "draws instead of the study's figure.py"
+    command.add_argument("--script", type=Path, help=text)
+
+
+def _animate_options(command: argparse.ArgumentParser) -> None:
+    _study_options(command)
+    command.add_argument("--out", help="the .gif or .mp4 file (results/NAME.gif)")
+
+
+def _explore_options(command: argparse.ArgumentParser) -> None:
+    add: Any = command.add_argument
+    add("result", metavar="RESULT", help="a result file, NAME.nc, or a study whose result is there")
+    add("--scale", help="of the result: one of the study's [scales.NAME] tables")
+    add("--out", type=Path, help="the page (NAME.html beside the result)")
+
+
+def _report_options(command: argparse.ArgumentParser) -> None:
+    add = command.add_argument
+    add("studies", nargs="*", metavar="STUDY", help="studies to show (all)")
+    add("--scale", help="of the results: one of the studies' [scales.NAME] tables")
+    add("--out", default="results", help="folder of results")
+
+
+def _new_options(command: argparse.ArgumentParser) -> None:
+    command.add_argument("name", help="of the study; its folder is made in studies/")
+
+
+def _verify_options(command: argparse.ArgumentParser) -> None:
+    text = "a folder of results, or a study whose results are in --out"
+    command.add_argument("what", metavar="FOLDER|STUDY", help=text, nargs="?", default="results")
+    command.add_argument("--out", default="results", help="folder of results of the study")
+
+
+def _merge_options(command: argparse.ArgumentParser) -> None:
+    command.add_argument("source", help="folder of results whose finished work is taken over")
+    command.add_argument("target", nargs="?", default="results", help="folder that takes it over")
+    text = "go on where the file system of the target has no locks: no run may use it"
+    command.add_argument("--no-lock", action="store_true", help=text)
+
+
+def _run_options(command: argparse.ArgumentParser) -> None:
+    from ..study import BATCH_SYSTEMS
+
+    _result_options(command)
+    add = command.add_argument
+    add("--scheduler", help="address of a dask scheduler, tls://host:port")
+    for name in BATCH_SYSTEMS:
+        text = f"compute in jobs of {name.upper()}, see the table [cluster]"
+        add(f"--{name}", action="store_const", const=name, dest="batch_system", help=text)
+    add("--dashboard", action="store_true", help="start dask's dashboard and say where it is")
+    add("--workers", type=int, help="local worker processes (one per core, none for seconds)")
+    add("--batch-seconds", type=float, help="predicted length of a batch (1 to 10)")
+    add("--max-failures", type=int, default=10, help="failed problems to go on with (%(default)s)")
+    add("--retry-failed", action="store_true", help="try what failed in earlier runs again")
+    text = "refuse to mix records of different package versions or processors"
+    add("--one-kind", action="store_true", help=text)
+    text = "go on where the file system of the results has no locks: no other run may use it"
+    add("--no-lock", action="store_true", help=text)
+
+
+def _prony_options(command: argparse.ArgumentParser) -> None:
+    from ..study import FREQUENCIES, INCOMPRESSIBLE, LAWS_OF_SHIFT, MODULI
+
+    add = command.add_argument
+    add("file", help="text file with frequency, G' and G'' or tan delta, or E; or time and G or E")
+    add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
+    # As of -20 argparse must know of -20,0,20 that it is no option, for which it has no other way.
+    command._negative_number_matcher = re.compile(r"-[\d.][\d.,eE+-]*$")
+    add("--temperatures", help="of sweeps in their order, as -20,0,20 in °C (as the file says)")
+    add("--reference", type=float, help="temperature to which sweeps are shifted, in °C (middle)")
+    add("--law", choices=LAWS_OF_SHIFT, help="of the shifts (the one that describes them)")
+    add("--vertical", action="store_true", help="shift moduli too, by b_T")
+    add("--frequency", choices=FREQUENCIES, help="unit of frequencies (header, else rad/s)")
+    add("--modulus", choices=MODULI, help="unit of moduli (header, else Pa)")
+    add("--poisson", type=float, default=INCOMPRESSIBLE, help="ratio, for moduli E (0.5)")
+    add("--branches", type=int, help="branches at most (as few as describe the data as well)")
+    add("--write", choices=FOR_WHOM, default="study", help="for whom it is printed (study)")
+    add("--out", help="CSV file for the branches, to be named as material.branches_file")
+
+
+def _fit_options(command: argparse.ArgumentParser) -> None:
+    add = command.add_argument
+    add("files", nargs="+", metavar="FILE", help="text file with time, velocity and friction")
+    add("--columns", help="their columns, from 0, as 0,1,2 (by their names, else their order)")
+    add("--time", metavar="UNIT", help="unit of times, as ms (header, else s)")
+    add("--velocity", metavar="UNIT", help="unit of velocities, as mm/min (header, else m/s)")
+    add("--displacement", metavar="UNIT", help="unit of displacements in place of velocities")
+    add("--window", type=float, help="seconds after each step that are fitted, at most (all)")
+    add("--relaxation-time", type=float, help="tau in s, where it is known from elsewhere")
+    add("--hurst", type=float, help="H, where it is known from elsewhere")
+    add("--q-max", type=float, help="q_max in 1/m, where it is known from elsewhere")
+    add("--out", default="results/fit.png", help="figure, as PNG and PDF (results/fit.png)")
+
+
+def _law_options(command: argparse.ArgumentParser) -> None:
+    _study_options(command)
+    add = command.add_argument
+    add("--results", default="results", help="folder of results of the study")
+    add("--group", help="a comparison of the study, in place of the study itself")
+    text = "a place on an axis of the grid (repeatable; an axis of one value needs none)"
+    add("--at", action="append", metavar="AXIS=VALUE", help=text)
+    add("--states", type=int, help=f"exponential states, 0 to 5 ({STATES})")
+    add("--kind", choices=("states", "rate-state", "lugre"), help="of the law (states)")
+    text = "a result of motions to state the error on, in place of quarters (repeatable)"
+    add("--held-out", action="append", metavar="FILE", help=text)
+    add("--write", choices=WRITTEN, help="for whom it is written (nobody: it is told)")
+    add("--out", help="file for what is written (it is printed)")
+
+
+# What each command is for, and what adds its options; `commands.py` does it.
+COMMANDS: dict[str, tuple[str, Callable[[argparse.ArgumentParser], None]]] = {
+    "plan": ("say what a run would do and cost; compute nothing", _json_options),
+    "run": ("compute what is missing and write the result file", _run_options),
+    "status": ("say what is done and what is missing", _json_options),
+    "figure": ("draw the figure of a finished run", _figure_options),
+    "table": ("write all coefficients of a finished run as CSV, with units", _result_options),
+    "animate": ("draw one line of a scene on its way, as .gif or .mp4", _animate_options),
+    "explore": (
+        "write one page of HTML on which a result is looked through, with sliders and no network",
+        _explore_options,
+    ),
+    "report": (
+        "write report.html, or report-SCALE.html: all figures, and the claims of the paper "
+        "beside the results",
+        _report_options,
+    ),
+    "studies": ("list the studies that can be named, with their titles", _no_options),
+    "new": (
+        "write a commented study.toml to start from, in studies/NAME of the working folder",
+        _new_options,
+    ),
+    "schema": (
+        "print the JSON schema of study.toml, for editors that check and complete it",
+        _no_options,
+    ),
+    "prony": (
+        "fit a Prony series to measured moduli G' and G'', and print the table [material]",
+        _prony_options,
+    ),
+    "fit": (
+        "fit the kinetic law to measured velocity steps, and say what they determine of it",
+        _fit_options,
+    ),
+    "law": (
+        "fit a reduced law to the motions of a finished run, or of FILE.nc, and write it for "
+        "others; FILE.json is a law already",
+        _law_options,
+    ),
+    "verify": (
+        "check every line of a journal, every shard and key, and the results; change nothing",
+        _verify_options,
+    ),
+    "merge": ("take over the finished work of another folder of results", _merge_options),
+}
