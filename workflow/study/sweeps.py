@@ -12,7 +12,7 @@ import numpy as np
 from ..errors import UserError
 from ..text_tables import ZERO, Picked, TextTable, Wanted, picked, picked_by_name, unit_of
 
-TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T[s]?$", "°C")
+TEMPERATURE = Wanted("a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|^T[s]?$", "°C")
 OF_TEMPERATURE = re.compile(
     r"([-+]?\d+(?:[.,]\d+)?)\s*([°º]\s?[CF]|[CK]\b|deg\.?\s?C|celsius)", re.I
 )

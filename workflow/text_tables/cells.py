@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from .numerals import is_missing, is_numeral
 
-DELIMITERS = (";", "\t", ",", None)  # None: any blanks
+DELIMITERS = (";", "\t", "|", ",", None)  # None: any blanks
 COMMENTS = ("#", "%", "//", "!")
 REMARK = re.compile(r"(?:(?<=\s)|(?<=\d))#(?!N/A|DIV|NUM|VALUE).*$")  # behind a row
 SEVERAL = re.compile(r"\d[\s;]+[-+.\d]")  # numbers in one cell: the delimiter is another

@@ -31,7 +31,7 @@ from ..errors import UserError
 from ..plain_files import read_plain
 from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
-from .titles import Title, remarks_of, titles_of
+from .titles import Title, remarks_of, titles_of, unread_line, unread_unit
 from .units import Unit, unit_of
 
 
@@ -58,6 +58,7 @@ class Picked(NamedTuple):
 
 
 SHOWN = 12  # columns in a message
+ANGULAR = r"omega|\u03c9|^w$|angular|circular|kreis"  # names of frequencies whose 1/s are rad/s
 LEAST_BLOCK = 3  # rows, where empty lines or comments alone part blocks
 
 
@@ -78,6 +79,7 @@ class TextTable:
         self.above = tuple(cells.above)  # the lines before the first row
         self.between = cells.between  # (index of the row below, lines) between blocks
         self.titles = titles_of(cells.above, cells.delimiter, self.width)  # empty: none are named
+        self.unread = unread_line(cells.above, cells.delimiter, self.width)
         self.remarks = remarks_of(cells.above, cells.delimiter, self.width)  # name: value
         self.plain = cells.plain
         self.marks = Marks() if cells.plain else self._marks()
@@ -237,7 +239,9 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
             free.remove(own[0])
     missing = [index for index in range(len(wanted)) if index not in places]
     unknown = any(table.title(n).name and not table.title(n).stated for n in free)
-    if missing and (len(missing) != len(free) or (unknown and places)):
+    named = len(missing) > 1 and (bool(table.unread) or any(table.title(n).name for n in free))
+    twice = len(set(places.values())) < len(places)
+    if twice or named or (missing and (len(missing) != len(free) or (unknown and places))):
         raise _unclear(table, wanted, option)
     places |= dict(zip(missing, free, strict=False))
     return [places[index] for index in range(len(wanted))]
@@ -245,7 +249,8 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
 
 def _named(title: Title, one: Wanted) -> bool:
     unit = unit_of(title.unit)
-    fitting = unit is None or not title.stated or _same_family(unit, one)
+    loose = not title.stated and unit is not None and unit.family != "temperature"
+    fitting = unit is None or loose or _same_family(unit, one)
     return bool(title.name) and fitting and bool(re.search(one.names, title.name, re.IGNORECASE))
 
 
@@ -283,9 +288,14 @@ def _read(table: TextTable, one: Wanted, column: int, option: str) -> Picked:
                 f"{where}: is in {title.unit!r}, which is no unit of {one.what}; give {option}"
             )
     else:
+        inside = [word for word in title.name.split()[:-1] if _of_family(Title(unit=word), one)]
+        doubt = "".join(inside[:1]) or unread_unit(title.name) or table.unread
+        doubt = doubt if one.family != "number" else ""
+        if doubt:
+            raise UserError(f"{where}: it is not clear what {doubt!r:.60} says of its unit{way}")
         unit, whose = unit_of(one.default), "assumed"
         assert unit is not None
-    if unit.family == "rate" and one.family == "frequency" and re.match("f", title.name.lower()):
+    if unit.family == "rate" != one.family and not re.search(ANGULAR, title.name, re.IGNORECASE):
         raise UserError(f"{where}: {unit.text!r} may be Hz or rad/s{way}")
     return Picked(column, title, unit.si(table.values(column)), unit, whose, one)
 

@@ -4,20 +4,32 @@ import re
 from itertools import pairwise
 from typing import NamedTuple
 
-from .cells import DELIMITERS, split
+from .cells import DELIMITERS, is_comment, split
 from .numerals import is_numeral
 from .units import unit_of
 
+SHORTEST = 3  # letters of a last word that is taken for a unit which is not known
 NEAR = 4  # lines above the numbers in which names and units of columns are looked for
 BRACKETS = re.compile(
     r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
 )
+UNREAD = "?"  # the name of a column above whose unit a line stands that is not understood
+BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
 ARGUMENTS = frozenset(
     ("t", "ω", "omega", "w", "f", "x", "y", "q", "T", "i", "a", "τ", "delta", "δ", "aT", "a_T")
 )  # E(t), G'(ω)
 LABELLED = re.compile(r"[#%/!\s]*units?\s*[:=]\s*(.*)", re.IGNORECASE)  # units: mm, um
 REMARKED = re.compile(r"[#%/!;\s]*([^:=;\t]+?)\s*[:=]\s*(.*?)\s*[;,\t]*")  # Width: 96 µm
-QUANTITY = re.compile(r"([-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?)\s*(\S.*)?")
+NUMBER = r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?"
+QUANTITY = re.compile(rf"({NUMBER})\s*(\S.*)?")
+SEPARATED = (
+    r"(.*\S)\s+in\s+(\S.*)",
+    r"(.*?\S)\s*/\s*(\S.*)",
+    r"(.*\S)\s*[,;:|]\s*(\S+)",
+    r"(.*\S)[-.](\S+)",  # of which the second is a unit only where it is known
+)
+SHORT = frozenset("abs rel set act avg raw cmd ref log lin tot pos vel lp 1 2 3".split())  # no units either
+ENGLISH = frozenset("in day days turn turns foot feet none at".split())  # words of sentences
 
 
 class Title(NamedTuple):
@@ -30,17 +42,18 @@ class Title(NamedTuple):
 
 def title_of(cell: str) -> Title | None:
     """Return name and unit of a title; None of what is none, as "cut-off 0.8 mm" or "T = 25"."""
-    text = cell.strip().strip('"').strip()
-    if "=" in text or text.endswith(":") or _holds_quantity(text):
+    text = cell.strip()
+    if "=" in text or text.endswith(":") or _holds_quantity(text) or is_numeral(text):
         return None
     bracket = BRACKETS.fullmatch(text)
     if bracket:
         inside = next(part for part in bracket.groups()[1:5] if part is not None).strip()
         name = f"{bracket[1]} {bracket[6]}".strip()
         if inside in ARGUMENTS and not unit_of(inside) and bracket[1]:
-            return Title(text)
+            behind = title_of(f"{bracket[1]}{bracket[6]}")
+            return behind._replace(name=text) if behind and behind.unit else Title(text)
         return Title(name, inside, stated=True) if inside else Title(name)
-    for pattern in (r"(.*\S)\s+in\s+(\S.*)", r"(.*?\S)\s*/\s*(\S.*)", r"(.*\S)\s*,\s*(\S+)"):
+    for pattern in SEPARATED:
         parts = re.fullmatch(pattern, text)
         if parts and unit_of(parts[2]) and not unit_of(text):
             return Title(parts[1], parts[2], stated=True)
@@ -70,10 +83,56 @@ def _holds_quantity(text: str) -> bool:
     words = text.split()
     pairs = pairwise(words)
     return any(
-        re.fullmatch(r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?", one)
+        re.fullmatch(NUMBER, one)
         and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
         for one, other in pairs
     )
+
+
+def unread_unit(name: str) -> str:
+    """Return what in a name may be a unit that is not known, or is in no place for one; else ""."""
+    for pattern in SEPARATED[:-1]:
+        parts = re.fullmatch(pattern, name)
+        if parts:
+            return parts[2]
+    words = [word for word in re.split(r"[\s.-]+", name) if word]
+    if len(words) > 1 and len(words[-1]) <= SHORTEST and words[-1].lower() not in SHORT:
+        return words[-1]
+    return next(filter(_names_unit, words), "")
+
+
+def _names_unit(word: str) -> bool:
+    """Return whether a word is a unit, or holds one as "velocity_mm_s" does."""
+    title = None if word.lower().strip(",.;:()") in ENGLISH else title_of(word)
+    return title is not None and (title.stated or len(title.unit) > 1) and bool(unit_of(title.unit))
+
+
+def unread_line(above: list[str], delimiter: str | None, width: int) -> str:
+    """Return a line near the rows that says what no title has: units, or as many names; else "".
+
+    "Cutoff 0.8 mm" names none: its unit is that of the number before it.
+    """
+    titles = titles_of(above, delimiter, width)
+    known = {title.unit for title in titles} - {""}
+    near = _near(above)
+    if near and not titles and not is_comment(near[0]) and _is_names(near[0], width):
+        return near[0].strip()
+    for line in near:
+        bare = re.sub(rf"(?<![^\W\d]){NUMBER}\s*[^\s,;]+", " ", line)
+        words = [word for word in re.split(r"[\s,;|]+", bare) if word]
+        if any(map(_names_unit, words)) and not any(unit in line for unit in known):
+            return line.strip()
+    return ""
+
+
+def _is_names(line: str, width: int) -> bool:
+    """Return whether a line may name as many columns: of words, and no remark."""
+    return len(line.split()) >= width and title_of(line) is not None and not re.search(":", line)
+
+
+def _near(above: list[str]) -> list[str]:
+    """Return the lines above the rows in which names and units are looked for, the last first."""
+    return [line for line in above if re.search(r"\w", line)][: -NEAR - 1 : -1]
 
 
 def titles_of(above: list[str], delimiter: str | None, width: int) -> tuple[Title, ...]:
@@ -82,12 +141,12 @@ def titles_of(above: list[str], delimiter: str | None, width: int) -> tuple[Titl
     above : the lines before the rows, of which the last NEAR count. A line of units goes with the
     names above it; of several lines with names the one with most units counts, then the last.
     """
-    near = [line for line in above if re.search(r"\w", line)][-NEAR:]
     units: list[str] = []
     best: tuple[Title, ...] = ()
-    for line in reversed(near):
+    for line in _near(above):
         labelled = LABELLED.fullmatch(line)
         cells = _cells_of_title(labelled[1] if labelled else line, delimiter, width)
+        cells = [cell.strip().strip('"').strip() for cell in cells]
         if not cells:
             continue
         only_units = [_bare_unit(cell) for cell in cells]
@@ -106,7 +165,9 @@ def titles_of(above: list[str], delimiter: str | None, width: int) -> tuple[Titl
         if _stated(titles) > _stated(best) or not best:
             best = titles
     if units:
-        return tuple(Title("", unit, bool(unit)) for unit in units)
+        rest = _near(above)[1:2]
+        name = UNREAD if rest and _is_names(rest[0], width) else ""
+        return tuple(Title(name, unit, bool(unit)) for unit in units)
     return best
 
 
@@ -115,15 +176,16 @@ def _stated(titles: tuple[Title, ...]) -> int:
 
 
 def _bare_unit(cell: str) -> str | None:
-    text = cell.strip().strip("[](){}<>").strip()
-    return text if text and (unit_of(text) or text == "#") else None
+    text = cell.strip()
+    bare = text.strip("[](){}<>").strip()
+    known = bare and (unit_of(bare) or bare == "#" or BRACKETED.fullmatch(text))
+    return bare if known else None
 
 
 def _all_units(cells: list[str], labelled: bool) -> bool:
     """Return whether a line holds units alone, one of which is more than a letter or bracketed."""
     filled = [cell for cell in cells if cell.strip()]
-    bracketed = [cell for cell in filled if re.fullmatch(r"[\[(<{].*[\])>}]", cell)]
-    if filled and len(bracketed) == len(filled):
+    if filled and all(map(BRACKETED.fullmatch, filled)):
         return True
     plain = all(map(_bare_unit, filled))
     return bool(filled) and plain and (labelled or any(len(cell) > 1 for cell in filled))
@@ -132,7 +194,7 @@ def _all_units(cells: list[str], labelled: bool) -> bool:
 def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
     """Return the cells of a line of titles, as many as there are columns; none where it is none."""
     text = line.strip("\r\n").lstrip("#%!").removeprefix("//")
-    order = dict.fromkeys((delimiter, *DELIMITERS))
+    order = dict.fromkeys((delimiter, "\t", *DELIMITERS))
     for each in order:
         if each is None:
             continue

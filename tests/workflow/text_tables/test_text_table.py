@@ -145,11 +145,12 @@ MODULI = (OMEGA, STORAGE, LOSS)
     ("text", "numbers", "factor"),
     [
         ("1 2 3\n2 3 4\n", [0, 1, 2], 1.0),
-        ("a b c\n1 2 3\n2 3 4\n", [0, 1, 2], 1.0),
         ("freq_hz,G_storage_MPa,G_loss_MPa\n1,2,3\n2,3,4\n", [0, 1, 2], 1e6),
         ("G' (kPa),G'' (kPa),f (Hz)\n1,2,3\n2,3,4\n", [2, 0, 1], 1e3),
         ("#;T;f;G'';G'\n-;°C;Hz;Pa;kPa\n1;2;3;4;5\n2;3;4;5;6\n", [2, 4, 3], 1e3),
-        ("A (MPa),B (MPa),C (kHz)\n1,2,3\n2,3,4\n", [2, 0, 1], 1e6),
+        ("G' (MPa),B (MPa),C (kHz)\n1,2,3\n2,3,4\n", [2, 0, 1], 1e6),
+        ("f.Hz|G'-MPa|G''; MPa\n1|2|3\n2|3|4\n", [0, 1, 2], 1e6),
+        ('"f" "G\'" "G\'\'"\n"Hz" "kPa" "kPa"\n"1" "2" "3"\n"2" "3" "4"\n', [0, 1, 2], 1e3),
     ],
 )
 def test_columns_by_names_by_units_and_by_their_order(text, numbers, factor):
@@ -178,6 +179,16 @@ def test_columns_and_units_that_are_given():
         ("t [s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "in 's', which is no unit of a frequency"),
         ("f [1/s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "'1/s' may be Hz or rad/s; give --frequency"),
         ("freq,omega,G',G''\n1,2,3,4\n2,3,4,5\n", "not clear"),
+        ("a b c\n1 2 3\n2 3 4\n", "columns 0 a, 1 b, 2 c, from 0: it is not clear"),
+        ("omega,Verlust (MPa),Speicher (MPa)\n1,2,3\n2,3,4\n", "not clear"),
+        ("Frequenz Hz Modul 1 MPa Modul 2 MPa\n1 2 3\n2 3 4\n", "not clear"),
+        ("Kreisfrequenz elastischer Anteil Verlust\n1 2 3\n2 3 4\n", "not clear"),
+        ("f\tG'\tG''\n[Hz]\t[Torr]\t[Torr]\n1\t2\t3\n2\t3\t4\n", "'Torr' .* is not known"),
+        ("f [Hz],storage / Torr,loss / Torr\n1,2,3\n2,3,4\n", "not clear what 'Torr' says of its unit"),
+        ("f [Hz],storage mod,loss mod\n1,2,3\n2,3,4\n", "not clear what 'mod' says of its unit"),
+        ("f [Hz],kPa storage,kPa loss\n1,2,3\n2,3,4\n", "not clear what 'kPa' says of its unit"),
+        ("moduli in MPa\nf G' G''\n1 2 3\n2 3 4\n", "what 'moduli in MPa' says of its unit"),
+        ("nu [1/s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "'1/s' may be Hz or rad/s"),
     ],
 )
 def test_what_the_file_does_not_say_is_refused(text, words):
