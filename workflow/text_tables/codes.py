@@ -16,12 +16,13 @@ class Code(NamedTuple):
     spreads: float  # by how many spreads of the other values it is away from them
 
 
-def missing_code(values: np.ndarray) -> Code | None:
+def missing_code(values: np.ndarray, repeated: bool = True) -> Code | None:
     """Return the code for missing values among finite numbers and NaN, or None where there is none.
 
     It is a number that is known as one (CODES, or larger than 1e29), or the least or largest value
-    where it stands there twice or more; and it lies over FAR spreads from the others, the spread
-    being the distance from their 5th to their 95th percentile.
+    where it stands there twice or more, unless ``repeated`` is false; and it lies over FAR spreads
+    from the others, the spread being the distance from their 5th to their 95th percentile, or the
+    size of equal ones.
     """
     known = values[np.isfinite(values)]
     for value in (known.min(), known.max()) if known.size else ():
@@ -29,9 +30,10 @@ def missing_code(values: np.ndarray) -> Code | None:
         count, others = int(np.count_nonzero(same)), known[~same]
         if others.size < max(3, count):
             continue
-        named = value in CODES or count > 1 or abs(value) > 1e29
+        named = value in CODES or (repeated and count > 1) or abs(value) > 1e29
         low, middle, high = np.percentile(others, (5.0, 50.0, 95.0))
-        away = abs(value - middle) / (high - low) if high > low else 0.0
+        spread = high - low or abs(middle)
+        away = abs(value - middle) / spread if spread else 0.0
         if named and away > FAR:
             return Code(float(value), count, float(away))
     return None

@@ -30,8 +30,9 @@ import numpy as np
 from ..errors import UserError
 from ..plain_files import read_plain
 from .cells import Cells, UnevenRowError, cells_of, is_comment
+from .codes import missing_code
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
-from .titles import Title, remarks_of, titles_of, unread_line, unread_unit
+from .titles import UNREAD, Title, remarks_of, titles_of, unread_line, unread_unit
 from .units import Unit, unit_of
 
 
@@ -55,9 +56,11 @@ class Picked(NamedTuple):
     unit: Unit
     whose: str  # "given", "of the file" or "assumed"
     wanted: Wanted
+    code: float | None = None  # that stands for a missing value
 
 
 SHOWN = 12  # columns in a message
+LOGARITHM = r"^(log|lg|ln)([\W_\d]|$)"  # names of columns that hold logarithms
 ANGULAR = r"omega|\u03c9|^w$|angular|circular|kreis"  # names of frequencies whose 1/s are rad/s
 LEAST_BLOCK = 3  # rows, where empty lines or comments alone part blocks
 
@@ -81,6 +84,7 @@ class TextTable:
         self.titles = titles_of(cells.above, cells.delimiter, self.width)  # empty: none are named
         self.unread = unread_line(cells.above, cells.delimiter, self.width)
         self.remarks = remarks_of(cells.above, cells.delimiter, self.width)  # name: value
+        self._check_blocks()
         self.plain = cells.plain
         self.marks = Marks() if cells.plain else self._marks()
 
@@ -103,6 +107,21 @@ class TextTable:
         """Return the lines before a block; those of the first are ``above``."""
         start = self.blocks[block].start
         return self.above if not start else tuple(dict(self.between).get(start, ()))
+
+    def _check_blocks(self) -> None:
+        """Raise UserError where titles below the first row state other units or another order."""
+        for at, lines in self.between[:-1]:
+            titles = titles_of(lines, self.delimiter, self.width)
+            names = [[title.name for title in each] for each in (titles, self.titles)]
+            units = [[unit_of(title.unit) for title in each] for each in (titles, self.titles)]
+            pairs = zip(*units, strict=False)
+            other = any(one and two and one[1:] != two[1:] for one, two in pairs)
+            if other or (names[0] != names[1] and sorted(names[0]) == sorted(names[1])):
+                raise UserError(
+                    f"{self.key} = {self.name!r}: the titles above line {self.lines[at]} name "
+                    "other units or another order of columns than those above the first row: part "
+                    "the file there"
+                )
 
     @property
     def passed_over(self) -> tuple[str, ...]:
@@ -225,6 +244,8 @@ def picked_by_name(table: TextTable, one: Wanted, option: str = "--columns") -> 
 def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int]:
     """Return the number of the column of each: by names, by units, else by the order."""
     free, places = list(table.numeric), dict[int, int]()
+    if any(title.name == UNREAD for title in table.titles):
+        raise _unclear(table, wanted, option)
     for index, one in enumerate(wanted):
         own = [column for column in free if _named(table.title(column), one)]
         if len(own) > 1:
@@ -275,6 +296,8 @@ def _read(table: TextTable, one: Wanted, column: int, option: str) -> Picked:
     title = table.title(column)
     where = f"{table.key} = {table.name!r}: column {column}{f' {title.name!r}' * bool(title.name)}"
     way = f"; give {one.option}" if one.option else f"; give {option}"
+    if re.match(LOGARITHM, title.name, re.IGNORECASE) and not re.search(one.names, "log"):
+        raise UserError(f"{where}: holds logarithms, not {one.what}: write the numbers themselves")
     if one.unit is not None:
         unit, whose = unit_of(one.unit), "given"
         if unit is None or not _same_family(unit, one):
@@ -297,7 +320,11 @@ def _read(table: TextTable, one: Wanted, column: int, option: str) -> Picked:
         assert unit is not None
     if unit.family == "rate" != one.family and not re.search(ANGULAR, title.name, re.IGNORECASE):
         raise UserError(f"{where}: {unit.text!r} may be Hz or rad/s{way}")
-    return Picked(column, title, unit.si(table.values(column)), unit, whose, one)
+    values = table.values(column)
+    code = missing_code(values, repeated=False)
+    if code is not None:
+        values = np.where(values == code.value, np.nan, values)
+    return Picked(column, title, unit.si(values), unit, whose, one, code and code.value)
 
 
 def told(table: TextTable, columns: Sequence[Picked]) -> str:
@@ -313,7 +340,8 @@ def told(table: TextTable, columns: Sequence[Picked]) -> str:
     if len(table.blocks) > 1:
         text += f"; {len(table.blocks)} blocks"
     if missing:
-        text += f"; {missing} values missing"
+        codes = ", ".join(f"{one.code:g}" for one in columns if one.code is not None)
+        text += f"; {missing} values missing{f' ({codes})' if codes else ''}"
     if table.passed_over:
         text += f"; passed over {len(table.passed_over)} lines of words"
     return text

@@ -9,6 +9,7 @@ from .numerals import is_numeral
 from .units import unit_of
 
 SHORTEST = 3  # letters of a last word that is taken for a unit which is not known
+MOST = 200  # lines above the numbers in which units are looked for that no title has
 NEAR = 4  # lines above the numbers in which names and units of columns are looked for
 BRACKETS = re.compile(
     r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
@@ -28,8 +29,27 @@ SEPARATED = (
     r"(.*\S)\s*[,;:|]\s*(\S+)",
     r"(.*\S)[-.](\S+)",  # of which the second is a unit only where it is known
 )
-SHORT = frozenset("abs rel set act avg raw cmd ref log lin tot pos vel lp 1 2 3".split())  # no units either
-ENGLISH = frozenset("in day days turn turns foot feet none at".split())  # words of sentences
+# Last words of names that are no units.
+SHORT = frozenset(
+    (
+        "abs",
+        "rel",
+        "set",
+        "act",
+        "avg",
+        "raw",
+        "cmd",
+        "ref",
+        "log",
+        "lin",
+        "tot",
+        "pos",
+        "vel",
+        "lp",
+    )
+)
+# Units that are words of sentences, too.
+ENGLISH = frozenset(("in", "day", "days", "turn", "turns", "foot", "feet", "none", "at"))
 
 
 class Title(NamedTuple):
@@ -83,8 +103,7 @@ def _holds_quantity(text: str) -> bool:
     words = text.split()
     pairs = pairwise(words)
     return any(
-        re.fullmatch(NUMBER, one)
-        and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
+        re.fullmatch(NUMBER, one) and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
         for one, other in pairs
     )
 
@@ -96,7 +115,12 @@ def unread_unit(name: str) -> str:
         if parts:
             return parts[2]
     words = [word for word in re.split(r"[\s.-]+", name) if word]
-    if len(words) > 1 and len(words[-1]) <= SHORTEST and words[-1].lower() not in SHORT:
+    if (
+        len(words) > 1
+        and len(words[-1]) <= SHORTEST
+        and words[-1].lower() not in SHORT
+        and not words[-1].isdecimal()
+    ):
         return words[-1]
     return next(filter(_names_unit, words), "")
 
@@ -117,17 +141,21 @@ def unread_line(above: list[str], delimiter: str | None, width: int) -> str:
     near = _near(above)
     if near and not titles and not is_comment(near[0]) and _is_names(near[0], width):
         return near[0].strip()
-    for line in near:
-        bare = re.sub(rf"(?<![^\W\d]){NUMBER}\s*[^\s,;]+", " ", line)
+    for line in reversed(above[-MOST:]):
+        own = {title.unit for title in titles_of([line], delimiter, width)} - {""}
+        if own and own <= known:
+            continue
+        bare = re.sub(rf"(?<![^\W\d]){NUMBER}\s*[^\s,;]+", " ", line.replace('"', " "))
         words = [word for word in re.split(r"[\s,;|]+", bare) if word]
-        if any(map(_names_unit, words)) and not any(unit in line for unit in known):
+        if any(map(_names_unit, words)) or any(map(unit_of, re.findall(r"\bin\s+(\S+)", bare))):
             return line.strip()
     return ""
 
 
 def _is_names(line: str, width: int) -> bool:
     """Return whether a line may name as many columns: of words, and no remark."""
-    return len(line.split()) >= width and title_of(line) is not None and not re.search(":", line)
+    words = [word for word in re.split(r"[\s,;|]+", line) if word]
+    return len(words) >= width and title_of(line) is not None and not re.search(":", line)
 
 
 def _near(above: list[str]) -> list[str]:
@@ -193,7 +221,12 @@ def _all_units(cells: list[str], labelled: bool) -> bool:
 
 def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
     """Return the cells of a line of titles, as many as there are columns; none where it is none."""
-    text = line.strip("\r\n").lstrip("#%!").removeprefix("//")
+    text = line.strip("\r\n")
+    if not re.match(r"%\s*[;\t|,]", text):  # which is the unit of the first column
+        text = text.lstrip("#%!").removeprefix("//")
+    quoted = re.findall(r'"([^"]*)"', text)
+    if len(quoted) == width:
+        return quoted
     order = dict.fromkeys((delimiter, "\t", *DELIMITERS))
     for each in order:
         if each is None:
@@ -201,7 +234,7 @@ def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
         cells = split(text, each)
         while len(cells) > width and not cells[-1]:
             cells.pop()
-        few = each == delimiter and 2 * len(cells) >= width  # empty ones at the end left out
+        few = each == delimiter and 2 * len(cells) >= width and _all_units(cells, labelled=False)
         if 1 < len(cells) <= width and (len(cells) == width or few):
             return cells + [""] * (width - len(cells))
     for found in (re.split(r"\s{2,}|\t", text.strip()), _joined(text)):

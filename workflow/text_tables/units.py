@@ -102,6 +102,10 @@ FOLDED = {word.lower(): own for word, own in reversed(KNOWN.items()) if len(word
 ZERO = 273.15  # K at 0 °C
 CELSIUS = ("°c", "c", "degc", "deg c", "deg. c", "celsius", "degrees celsius", "ºc", "oc")
 FAHRENHEIT = ("°f", "degf", "deg f", "fahrenheit")
+RAISED = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹⁻", "0123456789-")
+SCALED = re.compile(
+    r"[x×*]?\s*(?:10(?:\^|(?=[⁰-⁹⁻¹²³]))|1?[eE])([-+⁻]?[\d⁰-⁹¹²³]+)\s*[*·×x]?\s*(\D.*)"
+)
 CLOCK = ("PM", "AM")  # of a time of day, and not picometres
 FACTOR = re.compile(r"([^\W\d_]+|[%°#–—-]|1(?!\d))\^?\(?([+-]?\d+)?\)?")  # noqa: RUF001
 
@@ -126,6 +130,11 @@ def unit_of(text: str) -> Unit | None:
     Products and quotients of known units are known where they are of one of FAMILIES. The case
     of letters counts where it tells units apart, as mPa from MPa; else MM/S and HZ are known.
     """
+    scaled = SCALED.fullmatch(text.strip().strip("[](){}<>"))
+    if scaled:
+        own = unit_of(scaled[2])
+        power = int(scaled[1].translate(RAISED))
+        return own and own._replace(text=text, factor=own.factor * 10.0**power)
     plain = _plain(text)
     if plain.lower() in CELSIUS:
         return Unit(text, "temperature", 1.0, ZERO)

@@ -184,10 +184,13 @@ def test_columns_and_units_that_are_given():
         ("Frequenz Hz Modul 1 MPa Modul 2 MPa\n1 2 3\n2 3 4\n", "not clear"),
         ("Kreisfrequenz elastischer Anteil Verlust\n1 2 3\n2 3 4\n", "not clear"),
         ("f\tG'\tG''\n[Hz]\t[Torr]\t[Torr]\n1\t2\t3\n2\t3\t4\n", "'Torr' .* is not known"),
-        ("f [Hz],storage / Torr,loss / Torr\n1,2,3\n2,3,4\n", "not clear what 'Torr' says of its unit"),
-        ("f [Hz],storage mod,loss mod\n1,2,3\n2,3,4\n", "not clear what 'mod' says of its unit"),
-        ("f [Hz],kPa storage,kPa loss\n1,2,3\n2,3,4\n", "not clear what 'kPa' says of its unit"),
+        ("f [Hz],storage / Torr,loss / Torr\n1,2,3\n2,3,4\n", "not clear what 'Torr' says"),
+        ("f [Hz],storage mod,loss mod\n1,2,3\n2,3,4\n", "not clear what 'mod' says"),
+        ("f [Hz],kPa storage,kPa loss\n1,2,3\n2,3,4\n", "not clear what 'kPa' says"),
         ("moduli in MPa\nf G' G''\n1 2 3\n2 3 4\n", "what 'moduli in MPa' says of its unit"),
+        ("f [Hz],log storage,log loss\n1,2,3\n2,3,4\n", "logarithms, not a storage modulus"),
+        ("velocities in um/s" + 9 * "\n#" + "\nf G' G''\n1 2 3\n2 3 4\n", "what 'velocities in"),
+        ("f,G',G'' in K\n1,2,3,4,5\n2,3,4,5,6\n", "5 columns without names, from 0: it is not"),
         ("nu [1/s],G' [Pa],G'' [Pa]\n1,2,3\n2,3,4\n", "'1/s' may be Hz or rad/s"),
     ],
 )
@@ -240,3 +243,30 @@ def test_the_micro_sign_in_any_encoding(tmp_path, encoding):
     path = tmp_path / "f.txt"
     path.write_bytes("x (µm),z (µm)\n0,1\n1,2\n".encode(encoding))
     assert [title.unit for title in read_text_table("key", path).titles] == ["µm", "µm"]
+
+
+@pytest.mark.parametrize("title", ["f [Hz],G' [kPa],G'' [MPa]", "f [Hz],G'' [MPa],G' [MPa]"])
+def test_titles_between_rows_that_say_otherwise_are_refused(title):
+    first = "f [Hz],G' [MPa],G'' [MPa]"
+    rows = "1,2,3\n2,3,4\n3,4,5\n"
+    assert len(table(f"{first}\n{rows}{first}\n{rows}").blocks) == 2
+    with pytest.raises(UserError, match="above line 6 name other units or another order of colum"):
+        table(f"{first}\n{rows}{title}\n{rows}")
+
+
+@pytest.mark.parametrize("code", [-9999.0, 999.0, 1e30])
+@pytest.mark.parametrize("usual", [[1.0, 1.0, 1.0, 1.0], [2.0, 3.0, 4.0, 5.0]])
+def test_codes_for_missing_values_are_no_values(code, usual):
+    rows = "".join(f"{n} {value} 1\n" for n, value in enumerate([*usual, code], 1))
+    found = picked(table(f"f G' G''\n{rows}"), MODULI)
+    assert np.isnan(found[1].values).tolist() == [False] * 4 + [True]
+    assert f"1 values missing ({code:g})" in told(table(f"f G' G''\n{rows}"), found)
+
+
+def test_a_number_that_is_far_from_all_others_but_no_code_counts():
+    rows = "".join(f"{n} {value} 1\n" for n, value in enumerate([1, 1, 1, 1, 700, 700], 1))
+    assert picked(table(f"f G' G''\n{rows}"), MODULI)[1].values[-1] == 700.0
+
+
+def test_a_unit_row_that_begins_with_percent_is_no_comment():
+    assert [t.unit for t in table("mu\tt\n%\tms\n1\t2\n3\t4\n").titles] == ["%", "ms"]

@@ -25,6 +25,8 @@ from elastomer_friction.workflow.text_tables import unit_of
         ("rad s⁻¹", "frequency", 1.0),
         ("1/s", "rate", 1.0),
         *((unit, "pressure", 1e6) for unit in ("MPa", "MPA", "N/mm2", "N/mm²", "N mm^-2", "MN/m2")),
+        *((unit, "pressure", 1e6) for unit in ("10^6 Pa", "x10⁶ Pa", "1e6 Pa", "E+3 kPa")),
+        ("10⁻³ m/s", "velocity", 1e-3),
         ("mPa", "pressure", 1e-3),
         ("dyn/cm2", "pressure", 0.1),
         ("psi", "pressure", 6894.757),

@@ -23,6 +23,7 @@ PITCH = re.compile(
 WIDTH = re.compile(r"(width|x[-_ ]?(size|range|length|extent)|scan[-_ ]?(size|width|length))")
 TALL = re.compile(r"(height|y[-_ ]?(size|range|length|extent))")
 VALUE_UNIT = re.compile(r"(value|z|height|data|y)?[-_ ]*units?")
+SCALE = re.compile(r"(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier)[-_ ]*(factor)?")
 MANY = 3  # columns, from which on numbers alone may be a matrix
 
 
@@ -43,6 +44,12 @@ def read_text_lines(asked: Asked) -> Raw:
 
 def _lines_of_table(asked: Asked, table: TextTable) -> Raw:
     _check_columns(asked, table)
+    for name, text in table.remarks.items():
+        if SCALE.fullmatch(name) and quantity_of(text) != (1.0, ""):
+            raise UserError(
+                f"{KEY} = {asked.name!r}: states {name}: {text}, which is not read: multiply the "
+                "heights and leave that line out"
+            )
     if asked.step is not None or len(table.numeric) == 1 or _is_matrix(asked, table):
         return _heights_alone(asked, table)
     if asked.columns:

@@ -176,6 +176,7 @@ def test_a_step_goes_before_positions(tmp_path):
             "the unit 'furlong' of column 0 x is not known: give surfac",
         ),
         ("x (um),a (um),b (um)\n{1}", {}, "give those of positions and of heights"),
+        ("z scale: 10\nx (um),z (um)\n{0}", {}, "states z scale: 10, which is not read"),
         ("{2}", {}, "columns 0 and 1 both go in equal steps"),
         (
             "x (um),z (um)\n{0}",
