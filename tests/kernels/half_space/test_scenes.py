@@ -32,7 +32,7 @@ def test_where_all_waves_are_as_stiff_it_is_the_line(spectrum, start):
     found = run_scene_on_half_space(surface, scene, stiffness=equal)
     for name in TRACES:
         shift = scene.load if name == "trace_indentation" else 0.0
-        np.testing.assert_allclose(found[name] + shift, expected[name], atol=2e-5, err_msg=name)
+        np.testing.assert_allclose(found[name] + shift, expected[name], atol=6e-5, err_msg=name)
 
 
 def test_a_velocity_step_is_that_of_a_case():
