@@ -18,6 +18,7 @@ from ..errors import UserError
 from ..result import open_tree
 from ..study import EVERY_AXIS
 from ..system import make_folder, write_durably
+from .my_rubber import scaled_friction
 from .panels import SYMBOLS, UNITS
 from .unresolved import STATUS
 
@@ -57,6 +58,7 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
         "first": first,
         "status": STATUS,
         "file": name,
+        "rubber": scaled_friction(data),
     }
     environment = Environment(
         autoescape=True,
@@ -70,6 +72,7 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
         title=str(data.attrs["title"]),
         file=name,
         origin=f"{data.attrs['source']}, seed {data.attrs['seed']}, commit {data.attrs['commit']}",
+        rubber=content["rubber"],
         data=Markup(text),
     )
 
