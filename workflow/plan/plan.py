@@ -17,7 +17,7 @@ from .half_space import BRANCH_BYTES, MAP_BYTES
 from .motion import asked_of
 from .variant import Variant, problems_of, variant_of
 
-DRIVER_BYTES = 400e6  # interpreter and libraries of the process that plans and collects
+DRIVER_BYTES = 330e6  # interpreter and libraries of the process that plans and collects
 WORKER_BYTES = 235e6  # interpreter, libraries, machine code
 BYTES_PER_STEP = 65  # of the longest programme
 BYTES_PER_SAMPLE = 130  # line, state and temporaries at the peak
