@@ -19,7 +19,7 @@ NUMERICAL := tests/kernels $(addprefix --ignore=tests/kernels/,compile/test_cach
   $(addprefix tests/hard/test_,corners.py shapes.py domain.py convergence.py scenes.py fits.py units.py)
 STUDIES = $(notdir $(patsubst %/,%,$(dir $(sort $(wildcard studies/*/study.toml)))))
 .DEFAULT_GOAL := help
-.PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos trials fuzz coverage check docs bench mutation intervals clean
+.PHONY: help setup study studies report test test-all test-exhaustive test-cluster test-nojit test-processors test-generic test-rounding test-oldest test-newest chaos trials fuzz coverage check docs wheel bench mutation intervals clean
 
 help: ## List the targets
 	@grep -hE '^[a-z%-]+:.*## ' $(MAKEFILE_LIST) | sed -E 's/:.*## /\t/' | expand -t 17
@@ -111,6 +111,9 @@ docs: $(READY) ## Build the documentation as a site with a search: site/index.ht
 	$(PIP) --editable '.[docs]'
 	$(BIN)/python -m elastomer_friction.workflow.reference
 	NO_MKDOCS_2_WARNING=1 $(BIN)/mkdocs build --strict --quiet
+
+wheel: $(TOOLS) ## Build dist/*.whl, with machine code for x86-64-v3: where it fits none is compiled
+	$(BIN)/python -m tests.tools.wheel
 
 bench: $(TOOLS) ## Print what effects cost, as ratios (accuracy: make study-accuracy)
 	$(BIN)/python -m tests.tools.bench

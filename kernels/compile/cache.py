@@ -3,6 +3,10 @@
 numba's disk cache does not notice an edit in a *called* function of another module, so the
 cache folder carries a hash of all kernel sources: any edit opens a new folder. It lies on a
 disk of the machine itself, and a file damaged there or a full disk cost a compilation, no more.
+
+A wheel brings machine code for x86-64-v3 (`make wheel`). It is copied into a folder that is made,
+and kernels are compiled for that kind of processor then: with the same bits, for want of any
+instruction to reorder sums or to round otherwise.
 """
 
 import atexit
@@ -23,10 +27,15 @@ from pathlib import Path
 from typing import IO, Any
 
 import numba
+from llvmlite.binding import get_host_cpu_features
 from numba.core import event
 from numba.core.caching import FunctionCache, IndexDataCacheFile
 
 NAME = "elastomer-friction"
+PACKAGE = Path(__file__).parents[1]
+SHIPPED = Path(__file__).with_name("shipped")  # in a wheel alone
+V3 = "x86-64-v3"
+V3_HAS = {"avx2", "bmi", "bmi2", "f16c", "fma", "lzcnt", "movbe", "popcnt", "sse4.2", "xsave"}
 WAITING = f"{NAME}:waiting"  # kind of event: this process waits for one that compiles
 OTHERS_WRITE = stat.S_IWGRP | stat.S_IWOTH
 LOCK_SECONDS, POLL_SECONDS = 600.0, 0.05  # to wait for whoever compiles
@@ -79,6 +88,10 @@ def _own_folder(base: Path) -> Path:
     elif stat.S_IMODE(found.st_mode) != 0o700:
         folder.chmod(0o700)
     own = folder / source_hash()
+    if SHIPPED.is_dir() and not own.exists():
+        with tempfile.TemporaryDirectory(dir=folder) as aside, contextlib.suppress(FileExistsError):
+            shutil.copytree(SHIPPED, Path(aside, own.name), copy_function=shutil.copyfile)
+            Path(aside, own.name).rename(own)
     own.mkdir(mode=0o700, exist_ok=True)
     with tempfile.TemporaryFile(dir=own):
         return own
@@ -128,6 +141,10 @@ class CheckedCache(FunctionCache):
         numba.config.CACHE_DIR = FOLDER  # numba forgets it where a variable NUMBA_... changes
         super().__init__(function)
         stamp = self._impl.locator.get_source_stamp()
+        room = Path(function.__code__.co_filename).parent
+        if room.is_relative_to(PACKAGE):  # the folder tells the sources, wherever they lie
+            stamp = room.relative_to(PACKAGE).as_posix()
+            self._cache_path = str(Path(FOLDER, f"{stamp.replace('/', '.')}-{COMPILER}"))
         self._cache_file = _CheckedFile(self._cache_path, self._impl.filename_base, stamp)
 
     def load_overload(self, sig: Any, target_context: Any) -> Any:
@@ -155,13 +172,30 @@ class CheckedCache(FunctionCache):
         or give two versions of a kernel one name.
         """
         try:
+            Path(self._cache_path).mkdir(exist_ok=True)
             with _one_process("index"):
                 super().save_overload(sig, data)
         except Exception as error:
             warnings.warn(f"machine code is not cached: {error}", RuntimeWarning, stacklevel=2)
 
 
+def serve_many() -> None:
+    """Compile for x86-64-v3, where that is what the wheel has machine code for, and this is one.
+
+    It holds for the processes that this one starts, too.
+    """
+    python = f"py{sys.version_info.major}{sys.version_info.minor}"
+    served = (
+        any(SHIPPED.glob(f"*-{COMPILER}/*.{python}.nbi")) and "NUMBA_CPU_NAME" not in os.environ
+    )
+    if served and {name for name, has in get_host_cpu_features().items() if has} >= V3_HAS:
+        os.environ |= {"NUMBA_CPU_NAME": V3, "NUMBA_CPU_FEATURES": ""}
+        numba.config.CPU_NAME, numba.config.CPU_FEATURES = V3, ""
+
+
+COMPILER = f"numba{numba.__version__}"
 FOLDER = _cache_folder()
+serve_many()
 
 
 _turns: list[contextlib.ExitStack] = []  # blocks of ``compiling`` in which nothing was missing yet
