@@ -2,6 +2,7 @@
 
 import os
 import shutil
+import sys
 from pathlib import Path
 
 import numba
@@ -83,6 +84,48 @@ def test_without_a_cache_home_it_is_a_folder_of_our_own_on_this_machine(
     base = tmp_path / f"elastomer-friction-{os.getuid()}"
     assert Path(cache._cache_folder()) == base / "elastomer-friction" / HASH
     assert base.stat().st_mode & 0o777 == 0o700
+
+
+@pytest.fixture
+def shipped(tmp_path, monkeypatch):
+    """Let this be installed from a wheel with machine code; return its folder."""
+    folder = tmp_path / "shipped"
+    python = f"py{sys.version_info.major}{sys.version_info.minor}"
+    (folder / f"model-{cache.COMPILER}").mkdir(parents=True)
+    (folder / f"model-{cache.COMPILER}" / f"march.march-9.{python}.nbi").write_bytes(b"code")
+    folder.chmod(0o777)
+    monkeypatch.setattr(cache, "SHIPPED", folder)
+    return folder
+
+
+def test_machine_code_of_a_wheel_is_copied_once_for_us_alone(home, shipped):
+    folder = Path(cache._cache_folder())
+    (found,) = folder.glob("*/*.nbi")
+    assert found.read_bytes() == b"code"
+    found.write_bytes(b"made here")
+    assert Path(cache._cache_folder()) == folder
+    assert found.read_bytes() == b"made here"
+    assert folder.parent.stat().st_mode & 0o777 == 0o700
+    assert [path.name for path in folder.parent.iterdir()] == [HASH]
+
+
+@pytest.mark.parametrize("lacking", [None, "a user's choice", "fma", "another numba"])
+def test_kernels_are_compiled_for_many_processors_where_a_wheel_has_code_for_them(
+    shipped, monkeypatch, lacking
+):
+    for name in ("NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES"):
+        monkeypatch.setenv(name, "generic")
+        if lacking != "a user's choice":
+            monkeypatch.delenv(name)
+    for name in ("CPU_NAME", "CPU_FEATURES"):
+        monkeypatch.setattr(numba.config, name, None)
+    features = {name: name != lacking for name in cache.V3_HAS}
+    monkeypatch.setattr(cache, "get_host_cpu_features", lambda: features)
+    if lacking == "another numba":
+        monkeypatch.setattr(cache, "COMPILER", "numba0")
+    cache.serve_many()
+    assert (numba.config.CPU_NAME == cache.V3) == (lacking is None)
+    assert (os.environ.get("NUMBA_CPU_NAME") == cache.V3) == (lacking is None)
 
 
 def open_to_the_group(home):
