@@ -139,6 +139,8 @@ class CheckedCache(FunctionCache):
 
     def __init__(self, function: Callable) -> None:
         numba.config.CACHE_DIR = FOLDER  # numba forgets it where a variable NUMBA_... changes
+        if SERVED:  # told to this process alone: a job on another node finds out by itself
+            numba.config.CPU_NAME, numba.config.CPU_FEATURES = V3, ""
         super().__init__(function)
         stamp = self._impl.locator.get_source_stamp()
         room = Path(function.__code__.co_filename).parent
@@ -179,23 +181,17 @@ class CheckedCache(FunctionCache):
             warnings.warn(f"machine code is not cached: {error}", RuntimeWarning, stacklevel=2)
 
 
-def serve_many() -> None:
-    """Compile for x86-64-v3, where that is what the wheel has machine code for, and this is one.
-
-    It holds for the processes that this one starts, too.
-    """
+def is_served() -> bool:
+    """Return whether a wheel has brought machine code for this Python, numba and processor."""
     python = f"py{sys.version_info.major}{sys.version_info.minor}"
-    served = (
-        any(SHIPPED.glob(f"*-{COMPILER}/*.{python}.nbi")) and "NUMBA_CPU_NAME" not in os.environ
-    )
-    if served and {name for name, has in get_host_cpu_features().items() if has} >= V3_HAS:
-        os.environ |= {"NUMBA_CPU_NAME": V3, "NUMBA_CPU_FEATURES": ""}
-        numba.config.CPU_NAME, numba.config.CPU_FEATURES = V3, ""
+    if "NUMBA_CPU_NAME" in os.environ or not any(SHIPPED.glob(f"*-{COMPILER}/*.{python}.nbi")):
+        return False
+    return {name for name, has in get_host_cpu_features().items() if has} >= V3_HAS
 
 
 COMPILER = f"numba{numba.__version__}"
 FOLDER = _cache_folder()
-serve_many()
+SERVED = is_served()
 
 
 _turns: list[contextlib.ExitStack] = []  # blocks of ``compiling`` in which nothing was missing yet
