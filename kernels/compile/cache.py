@@ -139,8 +139,6 @@ class CheckedCache(FunctionCache):
 
     def __init__(self, function: Callable) -> None:
         numba.config.CACHE_DIR = FOLDER  # numba forgets it where a variable NUMBA_... changes
-        if SERVED:  # told to this process alone: a job on another node finds out by itself
-            numba.config.CPU_NAME, numba.config.CPU_FEATURES = V3, ""
         super().__init__(function)
         stamp = self._impl.locator.get_source_stamp()
         room = Path(function.__code__.co_filename).parent
@@ -181,17 +179,27 @@ class CheckedCache(FunctionCache):
             warnings.warn(f"machine code is not cached: {error}", RuntimeWarning, stacklevel=2)
 
 
-def is_served() -> bool:
-    """Return whether a wheel has brought machine code for this Python, numba and processor."""
+def serve_many() -> None:
+    """Compile for x86-64-v3, where a wheel has brought such code and this processor runs it.
+
+    numba forgets what it is told where a variable NUMBA_... changes, so that a variable says it.
+    A job on another node may inherit that, and takes it back where it does not fit.
+    """
     python = f"py{sys.version_info.major}{sys.version_info.minor}"
-    if "NUMBA_CPU_NAME" in os.environ or not any(SHIPPED.glob(f"*-{COMPILER}/*.{python}.nbi")):
-        return False
-    return {name for name, has in get_host_cpu_features().items() if has} >= V3_HAS
+    fits = {name for name, has in get_host_cpu_features().items() if has} >= V3_HAS
+    asked, brought = os.environ.get("NUMBA_CPU_NAME"), SHIPPED.glob(f"*-{COMPILER}/*.{python}.nbi")
+    if asked is None and fits and any(brought):
+        os.environ |= {"NUMBA_CPU_NAME": V3, "NUMBA_CPU_FEATURES": ""}
+        numba.config.reload_config()
+    elif asked == V3 and not fits:
+        for name in ("NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES"):
+            os.environ.pop(name, None)
+        numba.config.reload_config()
 
 
 COMPILER = f"numba{numba.__version__}"
 FOLDER = _cache_folder()
-SERVED = is_served()
+serve_many()
 
 
 _turns: list[contextlib.ExitStack] = []  # blocks of ``compiling`` in which nothing was missing yet

@@ -109,18 +109,26 @@ def test_machine_code_of_a_wheel_is_copied_once_for_us_alone(home, shipped):
     assert [path.name for path in folder.parent.iterdir()] == [HASH]
 
 
-@pytest.mark.parametrize("lacking", [None, "a user's choice", "fma", "another numba"])
+LEFT = {"": cache.V3, "a user's choice": "generic", "fma": None, "another numba": None}
+
+
+@pytest.mark.parametrize("lacking", LEFT)
 def test_machine_code_of_a_wheel_serves_who_has_that_processor_and_numba(
     shipped, monkeypatch, lacking
 ):
-    monkeypatch.delenv("NUMBA_CPU_NAME", raising=False)
-    if lacking == "a user's choice":
-        monkeypatch.setenv("NUMBA_CPU_NAME", "generic")
-    if lacking == "another numba":
-        monkeypatch.setattr(cache, "COMPILER", "numba0")
+    for name in ("NUMBA_CPU_NAME", "NUMBA_CPU_FEATURES"):
+        monkeypatch.setenv(name, "generic")  # and so as it was, after this test
+        if lacking != "a user's choice":
+            del os.environ[name]
+    monkeypatch.setattr(numba.config, "reload_config", lambda: None)
+    monkeypatch.setattr(cache, "COMPILER", "numba0" if "numba" in lacking else cache.COMPILER)
     features = {name: name != lacking for name in cache.V3_HAS}
     monkeypatch.setattr(cache, "get_host_cpu_features", lambda: features)
-    assert cache.is_served() == (lacking is None)
+    cache.serve_many()
+    assert os.environ.get("NUMBA_CPU_NAME") == LEFT[lacking]
+    monkeypatch.setattr(cache, "get_host_cpu_features", dict)  # of a node that it is inherited by
+    cache.serve_many()
+    assert os.environ.get("NUMBA_CPU_NAME") != cache.V3
 
 
 def open_to_the_group(home):
