@@ -95,6 +95,7 @@ FILES = {  # beside small.toml
     "smooth.csv": line_text(SMOOTH),
     "hole.csv": line_text((1, "nan", *HEIGHTS[2:])),
     "holes.csv": line_text((1, 2, 3, 4, *["nan"] * 6)),
+    "scaled.csv": "z scale: 10\n" + line_text(HEIGHTS, "x (um), z (um)"),
     "unknown.csv": line_text(HEIGHTS, "x (um), z (V)"),
     "twice.csv": "x (um), z (nm)\n" + "".join(f"{n % 5}, {z}\n" for n, z in enumerate(HEIGHTS)),
     "steps.csv": "".join(f"{n}, {2 * n}, {z}\n" for n, z in enumerate(HEIGHTS)),

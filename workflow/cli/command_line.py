@@ -192,6 +192,7 @@ def _fit_options(command: argparse.ArgumentParser) -> None:
     add("--time", metavar="UNIT", help="unit of times, as ms (header, else s)")
     add("--velocity", metavar="UNIT", help="unit of velocities, as mm/min (header, else m/s)")
     add("--displacement", metavar="UNIT", help="unit of displacements in place of velocities")
+    add("--stiffness", type=float, help="of a soft machine, in N/m per N of normal force (1/m)")
     add("--window", type=float, help="seconds after each step that are fitted, at most (all)")
     add("--relaxation-time", type=float, help="tau in s, where it is known from elsewhere")
     add("--hurst", type=float, help="H, where it is known from elsewhere")

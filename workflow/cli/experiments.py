@@ -182,6 +182,7 @@ def run_fit(options: argparse.Namespace) -> int:
     """Read, fit, print and draw; return the exit status."""
     known = laboratory.Known(options.relaxation_time, options.hurst, options.q_max)
     positive = {"--window": options.window, "--q-max": known.q_max}
+    positive["--stiffness"] = options.stiffness
     positive["--relaxation-time"] = known.relaxation_time
     for name, value in positive.items():
         if value is not None and not 0.0 < value < float("inf"):
@@ -191,7 +192,7 @@ def run_fit(options: argparse.Namespace) -> int:
     columns = columns_of(options.columns) if options.columns else None
     units = options.time, options.velocity, options.displacement
     records = [laboratory.read_record(Path(f), columns, *units) for f in options.files]
-    fit = laboratory.fit_records(records, known, options.window)
+    fit = laboratory.fit_records(records, known, options.window, options.stiffness)
     print(*laboratory.describe(fit), sep="\n")
     path = Path(options.out)
     make_folder(path.parent)

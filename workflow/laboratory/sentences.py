@@ -41,6 +41,8 @@ def _step(fit: StepFit, least: float) -> list[str]:
     lines.append(
         _line("residual", f"{fit.rms:.2g} rms, {step.time[0]:.3g} to {step.time[-1]:.3g} s after")
     )
+    if fit.stiffness is not None:
+        lines.append(_line("spring", f"{fit.stiffness:g} 1/m, of the machine, is part of the fit"))
     if fit.factor > 1.5:
         said = f"errors are {math.sqrt(fit.factor):.2g} times those of independent samples"
         lines.append(_line("noise", f"is correlated; {said}"))

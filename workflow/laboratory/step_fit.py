@@ -23,6 +23,7 @@ from scipy.optimize import least_squares
 from ..reduce import step_law
 from .estimate import DEVIATIONS, Estimate, correlation_factor, mean
 from .parting import MeasuredStep
+from .spring_fit import fit_behind_spring
 
 RATES = 80  # tried
 SLOWEST = 0.1  # rate times the whole time: slower is a straight line
@@ -44,8 +45,8 @@ OPEN_WITH = {
     TOO_NOISY: ("rate",),
 }
 NEITHER = (
-    "neither law describes it: the machine is soft, or took long to reach the velocity; a stiffer "
-    "one shows the step itself"
+    "neither law describes it: the machine is soft, or took long to reach the velocity: give its "
+    "--stiffness, or use a stiffer one, which shows the step itself"
 )
 UNSURE = "its standard error is more than a third of all that happens"
 
@@ -165,6 +166,7 @@ class StepFit(NamedTuple):
     rms: float  # of the residual
     factor: float  # on the variances, as the noise is correlated
     curve: np.ndarray  # friction by the fit at ``step.time``
+    stiffness: float | None  # 1/m, of the spring that is part of the fit
 
     @property
     def drifts(self) -> bool:
@@ -181,21 +183,23 @@ class StepFit(NamedTuple):
         return a, b, Estimate(length, length * share)
 
 
-def fit_step(step: MeasuredStep, law: str = "ruina") -> StepFit:
+def fit_step(step: MeasuredStep, law: str = "ruina", stiffness: float | None = None) -> StepFit:
     """Fit one step; law : "ruina", which is eq. 6, or "dieterich".
+
+    stiffness : of the machine (1/m), whose spring then is part of the fit; None: it is stiff.
 
     Where friction drifts before the step, and goes on to do so after it, the drift is taken off:
     where that leaves less residual. Its error is part of those of the estimates.
     """
-    plain = _fitted(step, law)
+    plain = _fitted(step, law, stiffness)
     if not abs(plain.drift.value) > DEVIATIONS * plain.drift.error:
         return plain
     span = float(np.ptp(step.before_time)) * step.before.size / (step.before.size - 1)
     per_second = plain.drift.times(1.0 / span)
-    level = _fitted(_levelled(step, per_second.value), law)
+    level = _fitted(_levelled(step, per_second.value), law, stiffness)
     if level.rms >= plain.rms:
         return plain
-    other = _fitted(_levelled(step, per_second.value + per_second.error), law)
+    other = _fitted(_levelled(step, per_second.value + per_second.error), law, stiffness)
     return level._replace(
         step=step,
         drift=plain.drift,
@@ -222,10 +226,12 @@ def _with_drift(own: Estimate, off: Estimate) -> Estimate:
     return Estimate(own.value, math.hypot(own.error, more))
 
 
-def _fitted(step: MeasuredStep, law: str) -> "StepFit":
+def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> "StepFit":
     """Return the fit of one step as it is."""
     if np.ptp(step.after) <= SMALL:
         return _nothing_happens(step, law)
+    if stiffness is not None:
+        return _sprung(step, law, stiffness)
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
     mu_1 = mean(step.before)
@@ -245,6 +251,37 @@ def _fitted(step: MeasuredStep, law: str) -> "StepFit":
         rms=float(np.sqrt(np.mean(fit.residual**2))),
         factor=fit.factor,
         curve=curve,
+        stiffness=None,
+        **found,
+    )
+
+
+def _sprung(step: MeasuredStep, law: str, stiffness: float) -> StepFit:
+    """Return the fit of one step behind the spring of the machine."""
+    fit = fit_behind_spring(step, law, stiffness)
+    size = float(np.max(np.abs(fit.curve - fit.mu_1.value)))
+    levels = {"mu_2": fit.mu_2, "amplitude": fit.amplitude, "jump": fit.jump}
+    found = {name: level.if_below(LARGEST_SHARE * size) for name, level in levels.items()}
+    why = {name: UNSURE for name, level in found.items() if not level.known}
+    rate = Estimate(step.v2 / math.exp(fit.log_length.value), fit.log_length.error)
+    rate = rate._replace(error=rate.value * rate.error).if_below(LARGEST_SHARE * rate.value)
+    if rate.known and rate.value * step.time[-1] < SLOWEST:
+        rate, why["rate"] = Estimate(), TOO_SHORT
+    elif not rate.known:
+        why["rate"] = TOO_NOISY
+    return StepFit(
+        step=step,
+        law=law,
+        mu_1=fit.mu_1,
+        rate=rate,
+        why=why,
+        drift=_drift(step.before),
+        levelled=False,
+        noise=_noise(step.after),
+        rms=float(np.sqrt(np.mean(fit.residual**2))),
+        factor=fit.factor,
+        curve=fit.curve,
+        stiffness=stiffness,
         **found,
     )
 
@@ -283,6 +320,7 @@ def _nothing_happens(step: MeasuredStep, law: str) -> StepFit:
         rms=0.0,
         factor=1.0,
         curve=np.full_like(step.after, mu_2.value),
+        stiffness=None,
     )
 
 

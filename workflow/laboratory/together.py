@@ -224,18 +224,24 @@ class Fit(NamedTuple):
     told: tuple[str, ...] = ()  # what the files were read as, in sentences
 
 
-def fit_records(records: list[Record], known: Known, window: float | None = None) -> Fit:
+def fit_records(
+    records: list[Record],
+    known: Known,
+    window: float | None = None,
+    stiffness: float | None = None,
+) -> Fit:
     """Return the fit of all velocity steps in some records.
 
     known : what is known from elsewhere, ``Known()`` for nothing. window : seconds after each step
-    that are looked at, at most. Raises UserError for a record without a step, or with too few
-    samples after it.
+    that are looked at, at most. stiffness : of the machine over the normal force (1/m), behind
+    whose spring the body slides; None: it does not yield. Raises UserError for a record without a
+    step, or with too few samples after it.
     """
     steps = [step for record in records for step in measured_steps(record, window)]
-    fits = [fit_step(step) for step in steps]
+    fits = [fit_step(step, stiffness=stiffness) for step in steps]
     return Fit(
         steps=fits,
-        ageing=[fit_step(step, "dieterich") for step in steps],
+        ageing=[fit_step(step, "dieterich", stiffness) for step in steps],
         rates=fit_rates(fits, known),
         slope=fit_slope(fits),
         known=known,

@@ -33,7 +33,7 @@ if TYPE_CHECKING:
     from .jackknife import grouped_means, replicates, standard_error
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
     from .prony_fit import PronyFit, fit_prony
-    from .rate_state import LAWS, step_law
+    from .rate_state import LAWS, state_change, step_law
     from .shift_fit import ShiftFit, fit_shifts
     from .superposition import Superposition, superposed
 

@@ -95,6 +95,12 @@ def step_law(law: str, ratio: float) -> Callable:
     return lambda p, s: _dieterich(p, s, ratio)
 
 
+def state_change(law: str, phi: float, log_v: float) -> float:
+    """Return d phi/dt in units of v*/D_c, for phi = ln(v* theta/D_c) at ln(v/v*) = log_v."""
+    v = math.exp(log_v)
+    return -v * (log_v + phi) if law == "ruina" else math.exp(-phi) - v
+
+
 def _ruina(p: np.ndarray, s: np.ndarray, log_ratio: float) -> tuple[np.ndarray, np.ndarray]:
     b, rate = p[:, :1], np.exp(p[:, 1:])
     shape = log_ratio * np.exp(-rate * s)

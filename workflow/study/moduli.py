@@ -54,6 +54,8 @@ RELAXED = Wanted(
     "a relaxation modulus", "pressure", r"modul|relax|^[GE]([\W_]|$)", "Pa", "--modulus"
 )
 OF_YOUNG = re.compile(rf"\bE({PRIME}|{PRIMES}|_|[12p]\b|\b)|young|tens|extens|bend|flex", re.I)
+OF_SHEAR = re.compile(rf"\bG({PRIME}|{PRIMES}|_|[12p]\b|\b)|shear|torsion|parallel", re.I)
+OF_LOADING = re.compile(r"tension|tensile|cantilever|bending|compression", re.I)
 OTHER = re.compile(r"\*|\||complex|complian|dynamic", re.IGNORECASE)  # no G', and no G''
 LEAST = 4  # frequencies
 SAME = 1.005  # ratio of frequencies that are one
@@ -104,9 +106,11 @@ def read_moduli(
         loss = [loss[0] * storage]
         said.append("G'' = G' tan delta")
     measured = storage + 1j * loss[0] if loss else storage
-    if any(OF_YOUNG.search(one.title.name) for one in found[1:]):
+    if _of_young(table, found[1:]):
         measured = measured / (2.0 * (1.0 + poisson))
         said.append(f"Young's moduli E divided by 2 (1 + nu) = {2.0 * (1.0 + poisson):g}")
+    elif not any(OF_SHEAR.search(one.title.name) for one in found[1:]):
+        said.append("taken as shear moduli G, as nothing says that they are Young's E")
     omega = omega if loss else 1.0 / omega
     order = np.argsort(omega, kind="stable")
     omega, measured = omega[order], measured[order]
@@ -118,6 +122,15 @@ def read_moduli(
         omega, measured = _averaged(omega, measured)
         said.append(f"means over 1/{PER_DECADE} of a decade of time: {omega.size}")
     return Moduli(omega, measured, tuple(said), each)
+
+
+def _of_young(table: TextTable, moduli: Sequence[Picked]) -> bool:
+    """Return whether moduli are Young's: by their names, else by the way of loading above them."""
+    names = [one.title.name for one in moduli]
+    if any(map(OF_YOUNG.search, names)) or any(map(OF_SHEAR.search, names)):
+        return any(map(OF_YOUNG.search, names))
+    above = "\n".join(table.above)
+    return bool(OF_LOADING.search(above)) and not OF_SHEAR.search(above)
 
 
 def _over_time(table: TextTable, columns: Sequence[int] | None) -> bool:

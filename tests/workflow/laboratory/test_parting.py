@@ -7,7 +7,7 @@ from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.laboratory.parting import measured_steps, no_steps_of
 from elastomer_friction.workflow.laboratory.record import Record
 from elastomer_friction.workflow.laboratory.sentences import describe
-from elastomer_friction.workflow.laboratory.step_fit import NEITHER, fit_step
+from elastomer_friction.workflow.laboratory.step_fit import fit_step
 from elastomer_friction.workflow.laboratory.together import Known, fit_records
 from tests.workflow.laboratory.given import record
 
@@ -87,29 +87,6 @@ def test_a_drift_that_ends_with_the_step_is_not():
     assert fit.drifts
     assert not fit.levelled
     assert abs(fit.rate.value - 8.0) < 3.0 * fit.rate.error
-
-
-def soft(stiffness, n=400):
-    """Return a step of a machine of this stiffness (1/m), of mu = mu_0 + a ln v, b = 0.03."""
-    a, b, length, v1, v2 = 0.02, 0.015, 1e-5, 1e-6, 1e-5
-    t = np.linspace(-10.0, 15.0, 2 * n)
-    dt, parts = t[1] - t[0], 400
-    mu, theta, found = 0.6, length / v1, []
-    for now in t:
-        found.append(mu)
-        for _ in range(parts):
-            v = v1 * np.exp((mu - 0.6 - b * np.log(theta * v1 / length)) / a)
-            drive = v1 if now < 0.0 else v2
-            mu += dt / parts * stiffness * (drive - v)
-            theta += dt / parts * (1.0 - v * theta / length)
-    noise = 2e-5 * np.random.default_rng(3).standard_normal(t.size)
-    return Record("r", t, np.where(t < 0.0, v1, v2), np.array(found) + noise)
-
-
-def test_a_soft_machine_is_told_from_one_in_which_nothing_relaxes():
-    text = "\n".join(describe(fit_records([soft(600.0)], Known())))
-    assert NEITHER in text
-    assert "nothing relaxes" not in text
 
 
 def test_friction_that_is_constant_is_fitted_without_a_warning(recwarn):

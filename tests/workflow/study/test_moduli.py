@@ -1,5 +1,7 @@
 """Moduli over frequency as instruments write them come in right, or are refused with the way on."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -146,3 +148,19 @@ def test_samples_at_equal_steps_of_time_are_averaged_by_parts_of_a_decade(tmp_pa
 
 def test_a_sweep_that_was_repeated_is_one_material(tmp_path):
     assert read(tmp_path, ROWS + ROWS.replace("2.0", "2.05")).omega.size == 8
+
+
+@pytest.mark.parametrize(
+    ("above", "factor", "words"),
+    [
+        ("Geometry: tension film", 3.0, "Young's moduli E divided by 2 .1 . nu. = 3"),
+        ("mode\tdual cantilever bending", 3.0, "Young's"),
+        ("Geometry: parallel plates; compression 5 %", 1.0, "taken as shear moduli G, as nothing"),
+        ("sample 5", 1.0, "taken as shear moduli G"),
+    ],
+)
+def test_the_way_of_loading_tells_moduli_without_a_letter(tmp_path, above, factor, words):
+    header = "Frequency (rad/s),Storage modulus (Pa),Loss modulus (Pa)"
+    found = read(tmp_path, f"{above}\n{header}\n1,3,6\n2,3,6\n4,3,6\n8,3,6\n")
+    np.testing.assert_allclose(found.values, (3.0 + 6.0j) / factor)
+    assert re.search(words, "\n".join(found.told))

@@ -1,0 +1,128 @@
+"""Fit one velocity step of a machine that yields: its spring is part of the model.
+
+The record holds the velocity V of the load point, behind a spring of the stiffness k, in units of
+the normal force (1/m). The slider follows at v:
+
+    d mu/dt = k (V - v)                       the spring, without inertia
+    mu = mu_1 + a ln(v/v1) + b phi            with phi = ln(v1 theta/D_c), the state of rate_state
+
+so that v follows from mu and phi, and scipy's ``solve_ivp`` integrates both from steady sliding at
+v1. ``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step, which is known to the
+time that the velocity took to change. In the limit of a stiff machine a step is eq. 6.
+Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
+doi:10.1146/annurev.earth.26.1.643, eqs. 3 to 6.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from scipy.integrate import solve_ivp
+from scipy.optimize import least_squares
+
+from ..reduce import state_change
+from .estimate import Estimate, correlation_factor, mean
+from .parting import MeasuredStep
+
+STARTS = np.array([0.01, 0.1, 0.5])  # of the distance slid after the step: D_c that are tried
+SHARES = np.array([0.5, 2.0])  # of the largest change: a ln r that are tried
+LARGEST = 40.0  # of ln(v/v1)
+ACCURACY = 1e-7  # of the integration
+COARSE = 200  # samples on which starts are compared
+MOST = 60  # evaluations of a fit
+
+
+class Sprung(NamedTuple):
+    """The fit of a step behind a spring."""
+
+    curve: np.ndarray  # friction by the fit at ``step.time``
+    residual: np.ndarray  # fit minus data
+    factor: float  # on the variances, as the noise is correlated
+    mu_1: Estimate
+    mu_2: Estimate
+    jump: Estimate  # a ln(v2/v1), of a machine that does not yield
+    amplitude: Estimate  # b ln(v2/v1)
+    log_length: Estimate  # of D_c in m
+
+
+def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
+    """Return the fit of one step; stiffness in 1/m, law : "ruina" or "dieterich"."""
+    before = mean(step.before)
+    size = max(before.error, 1e-12)  # of mu_1, which sliding before the step tells, too
+
+    def residual(p: np.ndarray, every: int = 1) -> np.ndarray:
+        after = step.after[::every]
+        curve = _curve(p, step, step.time[::every], law, stiffness)
+        noise = max(float(np.std(np.diff(after))) / math.sqrt(2.0), 1e-12)
+        return np.append((curve - after) / noise, (p[0] - before.value) / size)
+
+    low, high = _bounds(step)
+    starts = [np.clip(p, low, high) for p in _starts(step, before.value)]
+    coarse = max(step.time.size // COARSE, 1)
+    start = min(starts, key=lambda p: float(np.sum(residual(p, coarse) ** 2)))
+    kinds = {"bounds": (low, high), "x_scale": "jac", "diff_step": 1e-5}
+    start = least_squares(lambda p: residual(p, coarse), start, max_nfev=MOST, **kinds).x
+    found = least_squares(residual, start, max_nfev=MOST, **kinds)
+    curve = _curve(found.x, step, step.time, law, stiffness)
+    rest = curve - step.after
+    factor = correlation_factor(rest)
+    variance = factor * float(found.fun @ found.fun) / max(step.time.size - found.x.size, 1)
+    covariance = variance * np.linalg.pinv(found.jac.T @ found.jac, hermitian=True)
+    return Sprung(curve, rest, factor, *_estimates(found.x, covariance, math.log(step.ratio)))
+
+
+def _estimates(p: np.ndarray, covariance: np.ndarray, log_ratio: float) -> tuple[Estimate, ...]:
+    """Return mu_1, mu_2, jump, amplitude and log D_c of mu_1, ln a, b, ln D_c and a moment."""
+    a = math.exp(p[1])
+    asked = (
+        (p[0], [1.0, 0.0, 0.0]),
+        (p[0] + (a - p[2]) * log_ratio, [1.0, a * log_ratio, -log_ratio]),
+        (a * log_ratio, [0.0, a * log_ratio, 0.0]),
+        (p[2] * log_ratio, [0.0, 0.0, log_ratio]),
+    )
+    levels = [
+        Estimate(float(value), math.sqrt(np.array(weights) @ covariance[:3, :3] @ weights))
+        for value, weights in asked
+    ]
+    return *levels, Estimate(float(p[3]), math.sqrt(covariance[3, 3]))
+
+
+def _bounds(step: MeasuredStep) -> tuple[np.ndarray, np.ndarray]:
+    """Return the ends of mu_1, ln a, b, ln D_c (m) and the moment of the step (s)."""
+    size = float(np.ptp(np.concatenate([step.before, step.after]))) / abs(math.log(step.ratio))
+    least, most = step.v2 * (step.time[1] - step.time[0]) / 30.0, 30.0 * step.v2 * step.time[-1]
+    half = 0.5 * step.change
+    low = [-np.inf, math.log(1e-3 * size), -100.0 * size, math.log(least), -half]
+    high = [np.inf, math.log(1e2 * size), 100.0 * size, math.log(most), half]
+    return np.array(low), np.array(high)
+
+
+def _starts(step: MeasuredStep, mu_1: float) -> list[np.ndarray]:
+    log_ratio = math.log(step.ratio)
+    size = max(float(np.max(np.abs(step.after - mu_1))), 1e-12) / abs(log_ratio)
+    late = float(step.after[-max(step.after.size // 5, 1) :].mean())
+    return [
+        np.array([mu_1, math.log(a), a - (late - mu_1) / log_ratio, math.log(length), 0.0])
+        for a in SHARES * size
+        for length in STARTS * step.v2 * step.time[-1]
+    ]
+
+
+def _curve(
+    p: np.ndarray, step: MeasuredStep, t: np.ndarray, law: str, stiffness: float
+) -> np.ndarray:
+    """Return friction at times t after the step by mu_1, ln a, b, ln D_c and its moment."""
+    mu_1, log_a, b, log_length, moment = p
+    a, length = math.exp(log_a), math.exp(log_length)
+
+    def change(_: float, y: np.ndarray) -> list[float]:
+        log_v = min(max((y[0] - b * y[1]) / a, -LARGEST), LARGEST)  # of v/v1
+        v = step.v1 * math.exp(log_v)
+        return [stiffness * (step.v2 - v), state_change(law, y[1], log_v) * step.v1 / length]
+
+    times = np.maximum(t - moment, 0.0)
+    span = (0.0, float(times[-1]))
+    found = solve_ivp(change, span, [0.0, 0.0], "LSODA", times, rtol=ACCURACY, atol=1e-9)
+    if found.y.shape[1] < t.size:
+        return np.full(t.size, 1e3)  # no machine slides so: far from any data
+    return mu_1 + found.y[0]
