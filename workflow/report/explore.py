@@ -11,7 +11,6 @@ from typing import Any
 
 import numpy as np
 import xarray as xr
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from ..errors import UserError
@@ -19,7 +18,8 @@ from ..result import open_tree
 from ..study import EVERY_AXIS
 from ..system import make_folder, write_durably
 from .my_rubber import scaled_friction
-from .panels import SYMBOLS, UNITS
+from .panels import SYMBOLS, unit_in_words
+from .template import filled_template
 from .unresolved import STATUS
 
 DIGITS = 6  # of a number on the page; errors are larger
@@ -60,15 +60,9 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
         "file": name,
         "rubber": scaled_friction(data),
     }
-    environment = Environment(
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        loader=PackageLoader("elastomer_friction.workflow", "report"),
-    )
     text = json.dumps(content, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
-    return environment.get_template("explore.html.j2").render(
+    return filled_template(
+        "explore.html.j2",
         title=str(data.attrs["title"]),
         file=name,
         origin=f"{data.attrs['source']}, seed {data.attrs['seed']}, commit {data.attrs['commit']}",
@@ -110,13 +104,12 @@ def _role(name: str, dataset: xr.Dataset) -> str:
 def _described(variable: xr.DataArray) -> dict[str, Any]:
     """Return the name, meaning, unit and numbers of a variable; what is not known is None."""
     attrs = variable.attrs
-    unit = str(attrs.get("units", "1"))
     name = str(variable.name)
     told: dict[str, Any] = {
         "name": name,
         "symbol": SYMBOLS.get(name, name),
         "label": str(attrs.get("long_name", name)),
-        "unit": UNITS.get(unit, unit.replace("s-1", "s⁻¹").replace("m-1", "m⁻¹")),
+        "unit": unit_in_words(str(attrs.get("units", "1"))),
         "values": _numbers(variable.values),
     }
     if "flag_meanings" in attrs:

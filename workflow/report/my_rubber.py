@@ -23,7 +23,7 @@ def scaled_friction(data: xr.Dataset) -> dict[str, Any] | None:
     It is None beside Kelvin elements on a foundation, with two velocities or more. ``curves``
     has one entry for each load and H, and ``family`` tells those of one L q_max and one set of x.
     """
-    material = json.loads(data.attrs["study"])["material"] if "study" in data.attrs else {}
+    material = json.loads(data.attrs["study"]).get("material", {})  # that of a measured study: none
     there = all(name in data.variables for name in NEEDED) and set(data.mu_1.dims) == set(AXES)
     if not there or set(material) != KELVIN or data.attrs.get("body") != FOUNDATION:
         return None

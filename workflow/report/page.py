@@ -13,7 +13,6 @@ from pathlib import Path
 from typing import NamedTuple
 
 import xarray as xr
-from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup, escape
 
 from ..errors import UserError
@@ -25,7 +24,8 @@ from .claims import evaluate, known_claims
 from .csv_tables import write_tables
 from .explore import write_explorer
 from .figure import Picture, caption, draw_groups
-from .panels import STYLE, UNITS, HoverPoint, model_in_words
+from .panels import STYLE, HoverPoint, model_in_words, unit_in_words
+from .template import filled_template
 
 NO_BREAK = "\u00a0"
 PLAIN = re.compile(r"holds( within (a factor )?[\d.]+( %)?)?")  # everywhere, without a condition
@@ -93,17 +93,7 @@ def how_to_run(name: str, scale: str | None) -> str:
 
 def render(**context: object) -> str:
     """Return the page; every text in it is escaped."""
-    loader = PackageLoader("elastomer_friction.workflow", "report")
-    environment = Environment(
-        autoescape=True,
-        undefined=StrictUndefined,
-        trim_blocks=True,
-        lstrip_blocks=True,
-        loader=loader,
-    )
-    environment.filters["formula"] = formula
-    environment.filters["verdict_class"] = verdict_class
-    return environment.get_template("report.html.j2").render(**context)
+    return filled_template("report.html.j2", formula, verdict_class, **context)
 
 
 def verdict_class(verdict: str) -> str:
@@ -210,8 +200,7 @@ def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
     text = ", ".join(shown)
     if len(shown) > SHOWN_VALUES:
         text = f"{shown[0]} … {shown[-1]} ({len(shown)} values)"
-    unit = str(axis.attrs["units"])
-    return str(axis.attrs["long_name"]), text, UNITS.get(unit, unit.replace("s-1", "s⁻¹"))
+    return str(axis.attrs["long_name"]), text, unit_in_words(str(axis.attrs["units"]))
 
 
 def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:

@@ -142,7 +142,9 @@ SYMBOLS = {
 }
 
 
-UNITS = {"1": "", "s-1": "s⁻¹", "degree_Celsius": "°C"}  # of the CF conventions, where others read
+def unit_in_words(unit: str) -> str:
+    """Return a unit of the CF conventions as people write it."""
+    return {"1": "", "degree_Celsius": "°C"}.get(unit, unit.replace("-1", "⁻¹").replace("-2", "⁻²"))
 
 
 class HoverPoint(NamedTuple):
