@@ -100,6 +100,8 @@ def still(velocity, count=40):
         (still(0.0), {}, "there is nothing to fit: every motion is at rest"),
         (still(0.1, 5), {}, "there is nothing to fit: the motions hold 5 samples"),
         (still(0.1, 1), {}, "synthetic: holds 1 samples of its trace, too few for a law"),
+        ([], {}, "there is nothing to fit: no result is given"),
+        (still(0.1).assign(resolution_status=0), {}, "no wider than a sample"),
         (xr.Dataset(), {}, 'ask for the quantity "trace"'),
         ("a name", {}, "the result has no trace_time"),
         (still(0.1), {"kind": "magic"}, "kind = 'magic': must be one of states, rate-state, lugre"),
