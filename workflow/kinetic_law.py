@@ -103,8 +103,8 @@ class KineticLaw:
 
         Between the points of the table friction is a power law of the velocity, which is exact
         where it is in proportion to v; it is in proportion to v below the table and constant above
-        it. load : Fbar = F_N/(4 G L h), where it is known: beyond x/Fbar = 1e4 the law then says
-        that it does not hold. Raises UserError for values without meaning.
+        it. fastest : the speed (m/s) up to which the law holds, where known; it warns beyond.
+        time_below_one : b = 1 below x = 1. Raises UserError for values without meaning.
         """
         self.velocity = _floats("velocity", velocity)
         self.friction = _floats("friction", friction)

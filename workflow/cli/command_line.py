@@ -13,7 +13,7 @@ from ..system import program, version_of
 
 DONE, WRONG, FAILED, RESUMABLE = 0, 2, 3, 130  # exit status
 STATES = 2  # of a reduced law
-WRITTEN = ("c", "abaqus", "modelica", "fmu", "json")  # as what a reduced law is written
+WRITTEN = ("c", "abaqus", "modelica", "fortran", "fmu", "json")  # as what a reduced law is written
 FOR_WHOM = ("study", "abaqus", "ansys")  # Prony series are printed
 
 

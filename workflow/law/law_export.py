@@ -1,4 +1,4 @@
-"""A law for other programs: C99, a table of Abaqus, Modelica, a co-simulation FMU, JSON.
+"""A law for other programs: C99, a table of Abaqus, Modelica, Fortran, a co-simulation FMU, JSON.
 
 What is written is made from the templates beside this file, which state the step of memory_law.py
 in the words of each. FMI: Functional Mock-up Interface 2.0.4, Modelica Association, 2022.
@@ -40,7 +40,7 @@ class Exported(NamedTuple):
 
 
 def export_law(law: Law, form: str, name: str = "friction_law") -> Exported:
-    """Return a law in one of FORMS: c, abaqus, modelica, fmu, json.
+    """Return a law in one of FORMS: c, abaqus, modelica, fortran, fmu, json.
 
     name : from which the names of functions, block and model are made. All but json are of a law
     of states. An FMU holds a library for this machine where there is a C compiler, else its
@@ -65,6 +65,7 @@ def _rendered(template: str, law: MemoryLaw, name: str, **more: Any) -> str:
         loader=loader, undefined=StrictUndefined, trim_blocks=True, keep_trailing_newline=True
     )
     filled.filters["number"] = lambda value: repr(float(value))
+    filled.filters["fortran"] = lambda value: f"{float(value):.17e}".replace("e", "d")
     filled.filters["numbers"] = lambda row: ", ".join(repr(float(value)) for value in row)
     source = f"fitted to {law.validity.source}"
     per_motion = [f"rms error {rms:.3g} in {where}" for where, rms in law.validity.motions]
@@ -83,6 +84,10 @@ def _c(law: MemoryLaw, name: str) -> str:
 
 def _modelica(law: MemoryLaw, name: str) -> str:
     return _rendered("law.mo.j2", law, name)
+
+
+def _fortran(law: MemoryLaw, name: str) -> str:
+    return _rendered("law.f.j2", law, name, goals=np.ravel([law.age, *law.target]))
 
 
 def _abaqus(law: MemoryLaw, name: str) -> str:
@@ -132,6 +137,7 @@ FORMS: dict[str, Callable[[MemoryLaw, str], str | Exported]] = {
     "c": _c,
     "abaqus": _abaqus,
     "modelica": _modelica,
+    "fortran": _fortran,
     "fmu": _fmu,
     "json": lambda law, _: law.to_json(),
 }
@@ -139,4 +145,5 @@ TOLD = {
     "c": "a header in C99",
     "abaqus": "a table of *FRICTION for Abaqus: steady friction alone",
     "modelica": "a block of Modelica",
+    "fortran": "Fortran: VFRIC_COEF for Abaqus/Explicit, and a step with states",
 }

@@ -62,6 +62,8 @@ def fit_law(
     if not (isinstance(states, int) and 0 <= states <= MOST_STATES):
         raise UserError(f"states = {states!r}: must be a whole number, 0 to {MOST_STATES}")
     motions = motions_of(results, point)
+    if not motions:
+        raise UserError("there is nothing to fit: no result is given")
     speeds = _speeds(motions)
     motions = [_fine(motion, speeds[0]) for motion in motions]
     kept = [np.isfinite(motion.mu) for motion in motions]

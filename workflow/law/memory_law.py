@@ -20,7 +20,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .reduced_law import Law, LawError, mean_speed
+from .reduced_law import Law, LawError, finite_numbers, mean_speed
 
 SMALL = 1e-6  # of a step over its time, below which a mean is a series
 
@@ -76,7 +76,12 @@ class MemoryLaw(Law):
         if not positive or min(self.rate.min(), self.rate_per_length.min()) < 0.0:
             raise LawError("speeds must increase from above zero, and no rate be below zero")
 
-    def init(self, velocity: float) -> np.ndarray:
+    @property
+    def numbers(self) -> int:
+        """Return how many numbers a state has."""
+        return self.rate.size + 1
+
+    def _init(self, velocity: float) -> np.ndarray:
         """Return (v, g, z_1 ... z_n) of steady sliding."""
         return np.concatenate([[velocity], self._targets(velocity)])
 
@@ -84,7 +89,7 @@ class MemoryLaw(Law):
         odds = odd(v, self.speed, self.target)
         return np.concatenate([[even(v, self.speed, self.age)], odds])
 
-    def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
+    def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
         """Return the state after a step, and mu; see ``Law.step``."""
         x = dt * (mean_speed(state[0], v) * self.rate_per_length + self.rate)
         after = relaxed_to(state[1:], self._targets(state[0]), self._targets(v), x)
@@ -93,6 +98,7 @@ class MemoryLaw(Law):
 
     def steady(self, v: ArrayLike) -> np.ndarray:
         """Return mu_ss(v)."""
+        v = finite_numbers("v", v)
         whole = self.direct + self.target.sum(axis=0)
         return even(v, self.speed, self.age) * odd(v, self.speed, whole)
 

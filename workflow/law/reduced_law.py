@@ -6,6 +6,7 @@ linear in time, and a step of no duration is a jump of it.
 """
 
 import json
+import math
 import warnings
 from abc import ABC, abstractmethod
 from dataclasses import asdict, dataclass, field, fields, replace
@@ -81,17 +82,41 @@ class Law(ABC):
     kind: ClassVar[str]
     validity: Validity = field(default_factory=Validity, kw_only=True)
 
-    @abstractmethod
     def init(self, velocity: float) -> np.ndarray:
-        """Return the state of steady sliding at a velocity, m/s; its first number is that."""
+        """Return the state of steady sliding at a velocity, m/s; its first number is that.
+
+        Raises UserError for a velocity that is no finite number.
+        """
+        return self._init(_finite("velocity", velocity, "m/s"))
 
     @abstractmethod
+    def _init(self, velocity: float) -> np.ndarray:
+        """Return what ``init`` does, of a number that is checked."""
+
     def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
         """Return the state after dt (s), in which the velocity became v (m/s) linearly, and mu.
 
         dt = 0 is a jump of the velocity. Of a constant velocity every division of a time into
-        steps gives the same state. The state that is given stays as it is.
+        steps gives the same state. The state that is given stays as it is. Raises UserError for a
+        negative dt, for what is no finite number, and for a state that is none of this law.
         """
+        v, dt = _finite("v", v, "m/s"), _finite("dt", dt, "s")
+        if dt < 0.0:
+            raise LawError(f"dt = {dt!r}: must not be negative")
+        if np.shape(state) != (self.numbers,) or not np.isfinite(state).all():
+            raise LawError(
+                f"state = {state!r:.60}: must be {self.numbers} finite numbers, as init returns"
+            )
+        return self._step(state, v, dt)
+
+    @property
+    @abstractmethod
+    def numbers(self) -> int:
+        """Return how many numbers a state has."""
+
+    @abstractmethod
+    def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
+        """Return what ``step`` does, of numbers that are checked."""
 
     @abstractmethod
     def steady(self, v: ArrayLike) -> np.ndarray:
@@ -108,7 +133,7 @@ class Law(ABC):
         model, in which mu depends on v times a relaxation time. Raises UserError for factors that
         are not positive.
         """
-        if not 0.0 < factor < np.inf:
+        if not _finite("factor", factor, "1") > 0.0:
             raise LawError(f"factor = {factor!r}: must be greater than zero")
         validity = replace(
             self.validity,
@@ -203,15 +228,34 @@ def _plain(value: Any) -> Any:
 
 
 def _checked(time: ArrayLike, velocity: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    try:
-        t, v = np.asarray(time, dtype=float), np.asarray(velocity, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise LawError(f"time and velocity must hold real numbers: {error}") from error
+    t, v = finite_numbers("time", time), finite_numbers("velocity", velocity)
     if t.shape != v.shape or t.ndim != 1 or not (np.diff(t) >= 0.0).all():
         raise LawError("time must increase, and velocity hold one value per time")
-    if not (np.isfinite(t).all() and np.isfinite(v).all()):
-        raise LawError("time and velocity must be finite")
     return t, v
+
+
+def finite_numbers(name: str, values: ArrayLike) -> np.ndarray:
+    """Return an array. Raises UserError for what is no finite real number, or masked."""
+    try:
+        if np.iscomplexobj(values) or np.ma.is_masked(values):
+            raise ValueError("they are complex or masked")
+        found = np.asarray(values, dtype=float)
+    except (TypeError, ValueError) as error:
+        raise LawError(f"{name} must hold real numbers: {error}") from error
+    if not np.isfinite(found).all():
+        raise LawError(f"{name} must be finite")
+    return found
+
+
+def _finite(name: str, value: Any, unit: str) -> float:
+    """Return a number. Raises UserError for what is no finite one."""
+    try:
+        found = float(value)
+    except (TypeError, ValueError):
+        found = math.nan
+    if not math.isfinite(found):
+        raise LawError(f"{name} = {value!r:.60}: must be a finite number, in {unit}")
+    return found
 
 
 def mean_speed(before: float, after: float) -> float:

@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..errors import UserError
+from ..reduce import RESOLVED, UNRESOLVED
 
 PIECE = 0.1  # change of the velocity, as a share of it, that a step takes at most
 COARSE = 0.05  # of a whole way, that sampled velocities may miss
@@ -96,6 +97,11 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
         parted = [axis for axis in own if chosen.sizes[axis] > 1]
         words = [f"{axis} {float(chosen[axis][own[axis]]):.3g}" for axis in parted]
         title = str(dataset.attrs.get("title", "motion"))
+        if int(np.max(chosen.isel(own).get("resolution_status", RESOLVED))) == UNRESOLVED:
+            raise UserError(
+                f"{title}: its contacts are no wider than a sample (resolution_status); a law is "
+                "fitted to resolved ones: take smaller spacings"
+            )
         found.append(_transient(chosen.isel(own), ", ".join([title, *words])))
     return found
 

@@ -24,7 +24,7 @@ from numpy.typing import ArrayLike
 from ..errors import UserError
 from ..plain_files import read_plain
 from .memory_law import MemoryLaw
-from .reduced_law import FORMAT, WORDS, Law, LawError, Validity, mean_speed
+from .reduced_law import FORMAT, WORDS, Law, LawError, Validity, finite_numbers, mean_speed
 
 LEAST = 1e-300  # m/s, of a speed in a logarithm
 LARGEST = 700.0  # of an exponent
@@ -42,13 +42,18 @@ class RateStateLaw(Law):
     velocity: float  # v*, m/s
     ageing: bool
 
-    def init(self, velocity: float) -> np.ndarray:
+    @property
+    def numbers(self) -> int:
+        """Return how many numbers a state has."""
+        return 2
+
+    def _init(self, velocity: float) -> np.ndarray:
         """Return (v, phi) of steady sliding; at rest as after sliding at the slowest speed."""
         least = self.validity.slowest if self.validity.slowest > 0.0 else 1e-6 * self.velocity
         speed = max(abs(velocity), least)
         return np.array([velocity, math.log(self.velocity / speed)])
 
-    def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
+    def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
         """Return the state after a step, and mu; see ``Law.step``. Speeds count by their mean."""
         speed, phi = max(mean_speed(state[0], v), LEAST), state[1]
         steady, x = math.log(self.velocity / speed), speed * dt / self.length
@@ -66,7 +71,9 @@ class RateStateLaw(Law):
 
     def steady(self, v: ArrayLike) -> np.ndarray:
         """Return mu_ss(v), that of the slowest speed and less with v below it."""
-        flat = [self._mu(each, float(self.init(each)[1])) for each in np.ravel(v)]
+        flat = [
+            self._mu(each, float(self._init(each)[1])) for each in np.ravel(finite_numbers("v", v))
+        ]
         return np.reshape(flat, np.shape(v))
 
     def scaled(self, factor: float) -> dict[str, Any]:
@@ -94,11 +101,16 @@ class LuGreLaw(Law):
         fall = np.exp(-np.minimum((np.asarray(v) / self.stribeck) ** 2, LARGEST))
         return self.coulomb + (self.static - self.coulomb) * fall
 
-    def init(self, velocity: float) -> np.ndarray:
+    @property
+    def numbers(self) -> int:
+        """Return how many numbers a state has."""
+        return 2
+
+    def _init(self, velocity: float) -> np.ndarray:
         """Return (v, s) of steady sliding; at rest the bristle is slack."""
         return np.array([velocity, np.sign(velocity) * float(self._limit(velocity))])
 
-    def step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
+    def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
         """Return the state after a step, and mu; see ``Law.step``. Velocities count by the mean."""
         mean = 0.5 * (state[0] + v)
         limit = float(self._limit(mean))
@@ -110,7 +122,8 @@ class LuGreLaw(Law):
 
     def steady(self, v: ArrayLike) -> np.ndarray:
         """Return mu_ss(v) = g(v) sign(v) + sigma_2 v."""
-        return np.sign(v) * self._limit(v) + self.viscous * np.asarray(v)
+        v = finite_numbers("v", v)
+        return np.sign(v) * self._limit(v) + self.viscous * v
 
     def scaled(self, factor: float) -> dict[str, Any]:
         """Return the parts in s/m and v_s where all times are ``factor`` times as long."""

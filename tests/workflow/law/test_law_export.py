@@ -27,6 +27,28 @@ TIME = np.sort(np.concatenate([np.linspace(0.0, 0.3, 400), [0.1, 0.2]]))
 SWING = 0.05 * (1.0 + 0.6 * np.sin(60.0 * np.pi * TIME)) * np.sign(0.2 - TIME) * (TIME < 0.28)
 
 
+USE = """
+subroutine run(n, t, v, mu) bind(c)
+use iso_c_binding
+use rubber_law
+integer(c_int), value :: n
+real(c_double) :: t(n), v(n), mu(n), state(memories + 1)
+call rubber_init(state, v(1))
+do k = 1, n
+  call rubber_step(state, v(k), t(k) - t(max(k - 1, 1)), mu(k))
+end do
+end subroutine
+subroutine coefficient(n, v, mu, slope) bind(c)
+use iso_c_binding
+integer(c_int), value :: n
+integer :: flags(4)
+real(c_double) :: v(n), mu(n), slope(n, 3), none(n)
+character*80 :: name
+call vfric_coef(mu, slope, n, 1, 1, 1, flags, none, name, name, name, none, v, none, none, none)
+end subroutine
+"""
+
+
 @compiled
 @pytest.mark.parametrize("states", [0, 1, 2])
 def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states):
@@ -56,8 +78,36 @@ def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states):
         assert library.steady(v) == pytest.approx(float(law.steady(v)), rel=1e-13, abs=1e-15)
 
 
+@pytest.mark.skipif(not shutil.which("gfortran"), reason="there is no Fortran compiler")
+@pytest.mark.parametrize("states", [0, 2])
+def test_the_fortran_is_the_law_to_rounding(tmp_path, states):
+    """The subroutine of Abaqus gives steady friction, and the step with states all of the law."""
+    law = memory_law(states).with_validity(LAW.validity)
+    (tmp_path / "rubber.f").write_bytes(export(law, "fortran", "rubber").content)
+    (tmp_path / "vaba_param.inc").write_text("      implicit real*8(a-h, o-z)\n")
+    (tmp_path / "use.f90").write_text(USE)
+    command = ["gfortran", "-O2", "-shared", "-fPIC", "rubber.f", "use.f90", "-o", "use.so"]
+    subprocess.run(command, cwd=tmp_path, check=True)
+    library = ctypes.CDLL(str(tmp_path / "use.so"))
+    numbers = np.ctypeslib.ndpointer(float)
+    library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
+    library.coefficient.argtypes = [ctypes.c_int, numbers, numbers, numbers]
+    mu, expected, state = np.empty_like(TIME), np.empty_like(TIME), law.init(SWING[0])
+    library.run(TIME.size, TIME, SWING, mu)
+    for k, dt in enumerate(np.diff(TIME, prepend=TIME[0])):
+        state, expected[k] = law.step(state, SWING[k], dt)
+    assert mu == pytest.approx(expected, rel=1e-12, abs=1e-12)
+    v = np.array([0.0, 1e-4, 0.0015, 0.03, 0.07, 0.3])
+    steady, slope = np.empty_like(v), np.empty((3, v.size))
+    library.coefficient(v.size, v, steady, slope)
+    assert steady == pytest.approx(law.steady(v), rel=1e-13, abs=1e-15)
+    dv = 1e-5 * v + 1e-9
+    assert slope[0] == pytest.approx((law.steady(v + dv) - law.steady(v)) / dv, rel=1e-3)
+    assert not slope[1:].any()
+
+
 def test_range_error_and_motions_stand_in_every_text():
-    for form, mark in (("c", " * "), ("modelica", "  // "), ("abaqus", "** ")):
+    for form, mark in (("c", " * "), ("modelica", "  // "), ("abaqus", "** "), ("fortran", "! ")):
         text = export(LAW, form, "1 rubber").content.decode()
         said = text.replace(f"\n{mark}", " ")  # of comments over several lines
         assert f"{mark}range: speeds of 0.01 ... 0.1 m/s" in text

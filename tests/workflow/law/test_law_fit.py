@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 import xarray as xr
+from scipy.integrate import solve_ivp
 
 import elastomer_friction as ef
 from elastomer_friction.workflow.law import LuGreLaw, RateStateLaw
@@ -100,6 +101,8 @@ def still(velocity, count=40):
         (still(0.0), {}, "there is nothing to fit: every motion is at rest"),
         (still(0.1, 5), {}, "there is nothing to fit: the motions hold 5 samples"),
         (still(0.1, 1), {}, "synthetic: holds 1 samples of its trace, too few for a law"),
+        ([], {}, "there is nothing to fit: no result is given"),
+        (still(0.1).assign(resolution_status=0), {}, "no wider than a sample"),
         (xr.Dataset(), {}, 'ask for the quantity "trace"'),
         ("a name", {}, "the result has no trace_time"),
         (still(0.1), {"kind": "magic"}, "kind = 'magic': must be one of states, rate-state, lugre"),
@@ -160,7 +163,7 @@ RUBBER = {"shear_modulus": 1e7, "branches": [[7e6, 10.0**k] for k in (-4.0, -3.0
 SURFACE = {"length": 0.01, "hurst": 0.7, "roughness": 1e-5, "spacing": 1e-4}
 
 
-def model(programme):
+def model(programme, **more):
     return ef.scene.run(
         surface=SURFACE,
         material=RUBBER,
@@ -168,8 +171,35 @@ def model(programme):
         programme=programme,
         realizations=4,
         seed=3,
-        numerics={"samples": 1500, "record": "log"},
+        **{"numerics": {"samples": 1500, "record": "log"}, **more},
     )
+
+
+def spring_and_law(law, stiffness, v1, v2, time):
+    """Return the force of a spring over F_N by solve_ivp: the drive goes at v1 over 1 mm, then v2.
+
+    A mass that is too small to matter makes the velocity one of the unknowns.
+    """
+    force, turn = 0.4, 1e-3 / v1
+    begin = law.steady(v1) * force / stiffness
+
+    def stretch(t, x):
+        return begin + v1 * np.minimum(t, turn) + v2 * np.maximum(t - turn, 0.0) - x
+
+    def change(t, y):
+        x, v, *states = y
+        mu = law.step([v, *states], v, 0.0)[1]
+        rates = abs(v) * law.rate_per_length + law.rate
+        pull = (stiffness * stretch(t, x) - force * mu) / (stiffness * 1e-8)
+        return [v, pull, *(rates * (law.init(v)[1:] - states))]
+
+    place, y = np.empty_like(time), [0.0, *law.init(v1)]
+    for first, last in ((0.0, turn), (turn, time[-1])):
+        at = (time >= first) & (time <= last)
+        asked = {"method": "LSODA", "dense_output": True, "rtol": 1e-6, "atol": 1e-9}
+        found = solve_ivp(change, (first, last), y, **asked)
+        place[at], y = found.sol(time[at])[0], found.y[:, -1]
+    return stiffness * stretch(time, place) / force
 
 
 def test_a_motion_of_30_hz_with_rest_and_reversal_is_within_the_stated_error():
@@ -197,3 +227,14 @@ def test_a_motion_of_30_hz_with_rest_and_reversal_is_within_the_stated_error():
     assert found.validity.held_rms < 0.2 * found.validity.usual
     others = [ef.law.fit(model(programme), kind=kind) for kind in ("rate-state", "lugre")]
     assert all(found.validity.rms < other.validity.rms for other in others)
+    for stiffness, v1, v2 in ((1.0, 0.5 * v, v), (3.0, v, 0.5 * v)):
+        pulled = [{"pull": {"velocity": v1, "distance": 1e-3}}]
+        pulled.append({"pull": {"velocity": v2, "distance": 2e-3}})
+        drive = {"drive": {"stiffness": stiffness}, "numerics": {"samples": 200}}
+        line = model(pulled, **drive, quantities=["trace"])
+        speed = line.trace_velocity.values
+        assert np.ptp(speed) > abs(v2 - v1)  # it lags behind its drive and overtakes it
+        force = line.trace_drive_force.values / 0.4
+        off = force - spring_and_law(found, stiffness, v1, v2, line.trace_time.values)
+        assert np.sqrt(np.mean(off**2)) < found.validity.held_rms
+        assert np.max(np.abs(off)) < found.validity.held_largest

@@ -148,13 +148,39 @@ def test_what_is_no_law_is_refused(change, words):
     [
         ([0.0, 1.0], [0.1], "one value per time"),
         ([1.0, 0.0], [0.1, 0.1], "time must increase"),
-        ([0.0, 1.0], [0.1, np.nan], "must be finite"),
+        ([0.0, 1.0], [0.1, np.nan], "velocity must be finite"),
+        ([0.0, 1.0], np.ma.masked_greater([0.1, 9.0], 1.0), "velocity must hold real numbers: .*"),
         (["a"], [0.1], "must hold real numbers"),
     ],
 )
 def test_motions_that_are_none_are_refused(time, velocity, words):
     with pytest.raises(UserError, match=words):
         LAW.run(time, velocity)
+
+
+STATE = LAW.init(0.02)
+
+
+@pytest.mark.parametrize(
+    ("state", "v", "dt", "words"),
+    [
+        (STATE, 0.02, -1.0, "dt = -1.0: must not be negative"),
+        (STATE, 0.02, np.nan, "dt = nan: must be a finite number, in s"),
+        (STATE, np.inf, 0.1, "v = inf: must be a finite number, in m/s"),
+        (STATE, "fast", 0.1, "v = 'fast': must be a finite number, in m/s"),
+        (STATE[:2], 0.02, 0.1, "must be 4 finite numbers, as init returns"),
+        (np.nan * STATE, 0.02, 0.1, "must be 4 finite numbers, as init returns"),
+    ],
+)
+def test_steps_that_are_none_are_refused(state, v, dt, words):
+    with pytest.raises(UserError, match=words):
+        LAW.step(state, v, dt)
+
+
+def test_velocities_that_are_none_are_refused():
+    for call in (LAW.init, LAW.steady):
+        with pytest.raises(UserError, match="must be"):
+            call(np.nan)
 
 
 def test_no_motion_is_no_friction():
