@@ -18,8 +18,8 @@ from ..errors import UserError
 from ..result import open_tree
 from ..study import EVERY_AXIS
 from ..system import make_folder, write_durably
+from .in_words import SYMBOLS, unit_of
 from .my_rubber import scaled_friction
-from .panels import SYMBOLS, UNITS
 from .unresolved import STATUS
 
 DIGITS = 6  # of a number on the page; errors are larger
@@ -110,13 +110,12 @@ def _role(name: str, dataset: xr.Dataset) -> str:
 def _described(variable: xr.DataArray) -> dict[str, Any]:
     """Return the name, meaning, unit and numbers of a variable; what is not known is None."""
     attrs = variable.attrs
-    unit = str(attrs.get("units", "1"))
     name = str(variable.name)
     told: dict[str, Any] = {
         "name": name,
         "symbol": SYMBOLS.get(name, name),
         "label": str(attrs.get("long_name", name)),
-        "unit": UNITS.get(unit, unit.replace("s-1", "s⁻¹").replace("m-1", "m⁻¹")),
+        "unit": unit_of(variable),
         "values": _numbers(variable.values),
     }
     if "flag_meanings" in attrs:

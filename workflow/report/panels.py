@@ -1,6 +1,5 @@
-"""How all figures look: style, colours, error bars, hollow markers, notes below."""
+"""How all figures look: style, colours, error bars, hollow markers, what captions add."""
 
-import textwrap
 from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -10,7 +9,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
 
-from ..study import AXES
+from ..study import EVERY_AXIS
+from .in_words import said, unit_of, with_unit
 from .unresolved import HOLLOW, not_resolved
 
 STYLE: dict[str, Any] = {
@@ -20,7 +20,7 @@ STYLE: dict[str, Any] = {
     "axes.labelsize": 8.5,
     "axes.titlesize": 8.5,
     "axes.titlelocation": "left",
-    "figure.labelsize": 6.0,  # notes below a figure
+    "axes.formatter.useoffset": False,
     "figure.constrained_layout.use": True,
     "legend.fontsize": 7.0,
     "legend.frameon": False,
@@ -34,7 +34,6 @@ STYLE: dict[str, Any] = {
     "pdf.fonttype": 42,
 }
 
-FOOT_CHARACTERS_PER_INCH = 21
 TOLD = 40  # most points of a curve that a pointer can find in the report
 
 # Okabe and Ito: distinguishable with any colour vision.
@@ -45,31 +44,33 @@ RING: dict[str, Any] = {"mfc": "white", "mew": 0.9, "ms": 3.4, "gid": "hollow"}
 
 
 def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "", bars: str = "bars") -> None:
-    """Say under the figure how large the study was, and from which seed.
+    """Say in the caption of a figure how large the study was, and from which seed.
 
-    bars : what shows the standard errors. Where points that are not resolved have been drawn, a
-    legend above the figure says what their hollow markers are.
+    note : sentences that follow. bars : what shows the standard errors. Where points that are not
+    resolved have been drawn, a legend above the figure says so, and the caption what that means.
     """
-    points = int(dataset.realizations.size)
-    plural = "s" if points != 1 else ""
-    text = (
-        f"{points} grid point{plural}, {int(dataset.realizations.max())} realizations each, "
-        f"seed {dataset.attrs['seed']}; {bars}: one jackknife standard error"
+    points, lines = int(dataset.realizations.size), int(dataset.realizations.max())
+    known = f"{bars.capitalize()} show one jackknife standard error"
+    if lines < 2:
+        known = "One line gives no standard error"
+    size = (
+        f"{known}; {points} grid point{'s' * (points != 1)}, {lines} "
+        f"realization{'s' * (lines != 1)} each, seed {dataset.attrs['seed']}."
     )
-    write_below(figure, text, note)
-    lines = [line for ax in figure.axes for line in ax.lines if line.get_gid() == RING["gid"]]
-    if lines:
-        hollow = sum(np.size(line.get_xdata()) for line in lines)
+    rings = [line for ax in figure.axes for line in ax.lines if line.get_gid() == RING["gid"]]
+    hollow = ""
+    if rings:
+        count = sum(np.size(line.get_xdata()) for line in rings)
+        hollow = f"Hollow markers ({count} of the points shown) have {HOLLOW}."
         ring = Line2D([], [], ls="", marker="o", color="0.3", **RING)
-        label = f"{HOLLOW} ({hollow} of the points shown)"
-        figure.legend([ring], [label], loc="outside upper right", fontsize=6, handletextpad=0.2)
+        style: dict[str, Any] = {"loc": "outside upper right", "fontsize": 6, "handletextpad": 0.2}
+        figure.legend([ring], ["hollow: contacts not resolved"], **style)
+    write_below(figure, size, note, hollow)
 
 
 def write_below(figure: Figure, *notes: str) -> None:
-    """Write small lines under the figure, each note wrapped to its width."""
-    width = int(FOOT_CHARACTERS_PER_INCH * figure.get_figwidth())
-    lines = [line for note in notes for line in textwrap.wrap(note, width)]
-    figure.supxlabel("\n".join(lines), color="0.35")
+    """Give the caption of a figure sentences that depend on its result."""
+    figure.set_label(" ".join(filter(None, notes)))
 
 
 def error_bars(
@@ -109,11 +110,15 @@ def error_band(ax: Axes, curve: xr.Dataset, name: str, error: str, **style: Any)
     name, error : variables along "sample". ``style`` : as for matplotlib's plot.
     """
     value, spread = curve[name].values, curve[error].values
-    (line,) = ax.plot(curve.time, value, **style)
-    bounds = value - spread, value + spread
-    ax.fill_between(curve.time, *bounds, color=line.get_color(), alpha=0.25, lw=0)
+    band(ax, curve.time.values, value, spread, **style)
     thinned = curve.isel(sample=slice(None, None, -(-value.size // TOLD)))
     remember(ax, thinned, name, "time", thinned[error].values)
+
+
+def band(ax: Axes, over: Any, value: Any, error: Any, *form: str, **style: Any) -> None:
+    """Draw a curve with a band of its errors. form, style : as for matplotlib's plot."""
+    (line,) = ax.plot(over, value, *form, **style)
+    ax.fill_between(over, value - error, value + error, color=line.get_color(), alpha=0.25, lw=0)
 
 
 def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
@@ -123,26 +128,6 @@ def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
     """
     ratio = np.minimum(error / value, np.log(10.0))
     return [value * -np.expm1(-ratio), value * np.expm1(ratio)]
-
-
-SYMBOLS = {
-    "hurst": "H",
-    "normal_force": "F_N",
-    "spacing": "Δx",
-    "roughness": "h",
-    "velocity": "v₁",
-    "velocity_step": "Δv/v₁",
-    "speed_ratio": "x",
-    "mu_1": "µ₁",
-    "mu": "µ",
-    "jump": "Δµ₀",
-    "jump_over_step": "Δµ₀/(Δv/v₁)",
-    "relaxation_rate": "b",
-    "alpha": "α",
-}
-
-
-UNITS = {"1": "", "s-1": "s⁻¹", "degree_Celsius": "°C"}  # of the CF conventions, where others read
 
 
 class HoverPoint(NamedTuple):
@@ -165,21 +150,17 @@ def remember(
     """
     estimate = points[name]
     # Of an exponent per H alone there is no velocity to name.
-    places = [a for a in AXES if a in points.coords and {*points[a].dims} <= {*estimate.dims}]
+    places = [a for a in EVERY_AXIS if a in points.coords and {*points[a].dims} <= {*estimate.dims}]
     values = {
         each: np.ravel(points[each].broadcast_like(estimate).transpose(*estimate.dims).values)
         for each in (name, over, *places)
     }
     across, up, errors = values[over] + aside, values[name], np.ravel(error)
     for i in np.flatnonzero(np.isfinite(across) & np.isfinite(up)):
-        said = [
-            f"{SYMBOLS.get(name, name)} = {values[name][i]:.4g} ± {errors[i]:.2g}{_unit(estimate)}"
-        ]
-        said += [
-            f"{SYMBOLS.get(each, each)} = {values[each][i]:.4g}{_unit(points[each])}"
-            for each in dict.fromkeys((over, *places))
-        ]
-        text = f"{said[0]}\n{', '.join(said[1:])}"
+        unit = unit_of(estimate)
+        spread = with_unit(errors[i], unit, 2)
+        at = [said(n, values[n][i], unit_of(points[n]), 4) for n in dict.fromkeys((over, *places))]
+        text = f"{said(name, values[name][i], unit, 4)} ± {spread}\n{', '.join(at)}"
         _remembered.setdefault(ax, []).append((across[i], up[i], text))
 
 
@@ -193,20 +174,3 @@ def remembered(figure: Figure) -> list[HoverPoint]:
                 shares = across / figure.bbox.width, 1.0 - up / figure.bbox.height
                 found.append(HoverPoint(float(shares[0]), float(shares[1]), text))
     return found
-
-
-def _unit(variable: xr.DataArray) -> str:
-    unit = str(variable.attrs.get("units", "1")).replace("s-1", "s⁻¹")
-    return "" if unit == "1" else f" {unit}"
-
-
-def model_in_words(data: xr.Dataset) -> str:
-    """Return what the foundation gives of a half-space's friction, "" where that is not known."""
-    if "model_ratio" not in data:
-        return ""
-    known = data.model_ratio.values[np.isfinite(data.model_ratio.values)]
-    if not known.size:
-        return ""
-    ends = dict.fromkeys(f"{value:.2g}" for value in (known.min(), known.max()))
-    some = "" if known.size == data.model_ratio.size else f", as far as known: {known.size} points"
-    return f"mu_1 of the foundation is {' to '.join(ends)} of that of a half-space{some}"
