@@ -32,7 +32,16 @@ if TYPE_CHECKING:
     from .figure import Picture, draw_figure, print_pictures, write_figure
     from .in_words import said, with_unit
     from .page import write_report
-    from .panels import COLOURS, band, error_band, error_bars, foot_line, log_bars, write_below
+    from .panels import (
+        COLOURS,
+        band,
+        error_band,
+        error_bars,
+        foot_line,
+        legend_in_room,
+        log_bars,
+        write_below,
+    )
     from .unresolved import not_resolved, without_unresolved
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

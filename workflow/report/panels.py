@@ -121,6 +121,13 @@ def band(ax: Axes, over: Any, value: Any, error: Any, *form: str, **style: Any) 
     ax.fill_between(over, value - error, value + error, color=line.get_color(), alpha=0.25, lw=0)
 
 
+def legend_in_room(ax: Axes, share: float, **style: Any) -> None:
+    """Put a legend above all curves: the axis grows upwards by a share of its range."""
+    low, high = ax.get_ylim()
+    ax.set_ylim(low, high + share * (high - low))
+    ax.legend(**({"loc": "upper left"} | style))
+
+
 def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
     """Return lengths of error bars that are symmetric in the logarithm: none reaches zero.
 

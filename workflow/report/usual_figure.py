@@ -18,7 +18,7 @@ from matplotlib.figure import Figure
 from ..result import Groups
 from ..study import AXES
 from .in_words import axes_in, mathematical, model_in_words, said, unit_of, with_unit
-from .panels import COLOURS, band, error_bars, foot_line
+from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
 
 CAPTION = (
     "The first panel shows the coefficient of friction over time at points that are spread over "
@@ -119,7 +119,7 @@ def _said(data: xr.Dataset, axis: str) -> str:
 def _label(variable: xr.DataArray) -> str:
     """Return what an axis of a panel is called: its meaning and its unit."""
     words, unit = str(variable.attrs.get("long_name", variable.name)), unit_of(variable)
-    for letters, symbol in (("v1", "$v_1$"), ("dv", "Δv"), ("dx", "Δx")):
+    for letters, symbol in (("v1", "v₁"), ("dv", "Δv"), ("dx", "Δx")):
         words = words.replace(letters, symbol)
     return mathematical(textwrap.fill(f"{words} ({unit})" if unit else words, 34))
 
@@ -147,12 +147,12 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
         words = ", ".join(_said(one, axis) for axis in varied)
         band(ax, one[time], one[mu].values / unit, spread / unit, color=colour, label=words)
     ends = points[time].max(long).values[there]
-    if there.size and ends.max() > DECADES * ends.min():
+    if there.size and mu == "mu" and ends.max() > DECADES * ends.min():
         ax.set_xscale("log")
     over = " over that before" if mu == "mu" and "mu_1" in points else ""
     ax.set(xlabel=label, ylabel=f"friction{over}")
     if varied and there.size:
-        ax.legend(fontsize=5.5)
+        legend_in_room(ax, 0.08 * len(ax.lines), fontsize=5.5)
 
 
 def _estimate(ax: Axes, groups: Groups, name: str, axes: Sequence[str]) -> None:
