@@ -22,7 +22,7 @@ from ..result import BROKEN, Groups, broken, open_result
 from ..study import AnyStudy, load_script
 from ..system import write_durably
 from . import usual_figure
-from .panels import STYLE, HoverPoint, remembered
+from .panels import STYLE, HoverPoint, plain_ticks, remembered
 
 CAPTION_WIDTH = 100  # characters of a line
 
@@ -75,6 +75,7 @@ def write_figure(draw: Callable[[], Drawn], path: Path, caption: str = "") -> li
             drawn = draw()
             figures = drawn if isinstance(drawn, dict) else {"": drawn}
             for name, figure in figures.items():
+                plain_ticks(figure)
                 stem = f"{path.stem}-{name}" if name else path.stem
                 png, pdf = (path.with_name(f"{stem}.{kind}") for kind in ("png", "pdf"))
                 words = f"{caption} {figure.get_label()}".strip()

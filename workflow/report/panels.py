@@ -8,6 +8,7 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from ..study import EVERY_AXIS
 from .in_words import said, unit_of, with_unit
@@ -80,19 +81,17 @@ def error_bars(
     over: str,
     log: bool = False,
     bias: xr.DataArray | float = 0.0,
-    aside: float = 0.0,
     **style: Any,
 ) -> None:
     """Draw an estimate with its standard errors over another variable of a result.
 
     Points whose contacts are not resolved are hollow. ``log`` : bars as of ``log_bars``.
-    ``bias`` : added to the standard errors. ``aside`` : added to the abscissae, for series that
-    stand side by side. ``style`` : as for matplotlib's errorbar.
+    ``bias`` : added to the standard errors. ``style`` : as for matplotlib's errorbar.
     """
     value, error = points[name].values, (points[f"{name}_error"] + bias).values
     bars = log_bars(value, error) if log else error
-    drawn = ax.errorbar(points[over] + aside, value, bars, **style)
-    remember(ax, points, name, over, error, aside)
+    drawn = ax.errorbar(points[over], value, bars, **style)
+    remember(ax, points, name, over, error)
     hollow = not_resolved(points)
     if hollow.shape == value.shape and hollow.any():
         line = drawn.lines[0]
@@ -101,7 +100,7 @@ def error_bars(
         ring["marker"] = "o" if marker in ("None", None, "") else marker
         ring["ms"] = style.get("ms", RING["ms"] - 0.8) + 0.8
         ring["mew"] = min(RING["mew"], 0.3 * ring["ms"])
-        ax.plot(points[over].values[hollow] + aside, value[hollow], zorder=2.5, **ring)
+        ax.plot(points[over].values[hollow], value[hollow], zorder=2.5, **ring)
 
 
 def error_band(ax: Axes, curve: xr.Dataset, name: str, error: str, **style: Any) -> None:
@@ -128,6 +127,19 @@ def legend_in_room(ax: Axes, share: float, **style: Any) -> None:
     ax.legend(**({"loc": "upper left"} | style))
 
 
+def plain_ticks(figure: Figure) -> None:
+    """Label logarithmic axes of two decades or fewer by 1, 2, 5, as a power of ten says little."""
+    for axis in (axis for ax in figure.axes for axis in (ax.xaxis, ax.yaxis)):
+        low, high = sorted(axis.get_view_interval())
+        if axis.get_scale() != "log" or not isinstance(axis.get_major_locator(), LogLocator):
+            continue
+        if high <= 100.0 * low:
+            subs = (1.0, 2.0, 5.0) if high > 5.0 * low else (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0)
+            axis.set_major_locator(LogLocator(subs=subs))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: with_unit(value)))
+        axis.set_minor_formatter(NullFormatter())
+
+
 def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
     """Return lengths of error bars that are symmetric in the logarithm: none reaches zero.
 
@@ -148,12 +160,10 @@ class HoverPoint(NamedTuple):
 _remembered: WeakKeyDictionary[Axes, list[tuple[float, float, str]]] = WeakKeyDictionary()
 
 
-def remember(
-    ax: Axes, points: xr.Dataset, name: str, over: str, error: np.ndarray, aside: float = 0.0
-) -> None:
+def remember(ax: Axes, points: xr.Dataset, name: str, over: str, error: np.ndarray) -> None:
     """Remember the finite points of an estimate that have been drawn over another variable.
 
-    error : as drawn, of the shape of the estimate. aside : by how much they are drawn beside.
+    error : as drawn, of the shape of the estimate.
     """
     estimate = points[name]
     # Of an exponent per H alone there is no velocity to name.
@@ -162,7 +172,7 @@ def remember(
         each: np.ravel(points[each].broadcast_like(estimate).transpose(*estimate.dims).values)
         for each in (name, over, *places)
     }
-    across, up, errors = values[over] + aside, values[name], np.ravel(error)
+    across, up, errors = values[over], values[name], np.ravel(error)
     for i in np.flatnonzero(np.isfinite(across) & np.isfinite(up)):
         unit = unit_of(estimate)
         spread = with_unit(errors[i], unit, 2)

@@ -66,6 +66,13 @@ def draw(groups: Groups) -> Figure:
             _estimate(ax, held, name, tuple(dict.fromkeys((*varied, *FIRST)))[:2])
     for ax in axes[:-1].flat:
         ax.set_xlabel("")
+    if varied and curve:
+        first = axes[0, 0].get_legend_handles_labels()[1]
+        for ax in axes[:, 0]:
+            if ax is axes[0, 0]:
+                legend_in_room(ax, 0.08 * len(first), fontsize=5.5)
+            elif ax.get_legend_handles_labels()[1] != first:
+                ax.legend(loc="upper left", fontsize=5.5)
     if shown and axes[0, -len(shown)].get_legend_handles_labels()[0]:
         axes[0, -len(shown)].legend(fontsize=6)  # the same in all panels of estimates
     notes = [
@@ -151,8 +158,6 @@ def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: lis
         ax.set_xscale("log")
     over = " over that before" if mu == "mu" and "mu_1" in points else ""
     ax.set(xlabel=label, ylabel=f"friction{over}")
-    if varied and there.size:
-        legend_in_room(ax, 0.08 * len(ax.lines), fontsize=5.5)
 
 
 def _estimate(ax: Axes, groups: Groups, name: str, axes: Sequence[str]) -> None:
