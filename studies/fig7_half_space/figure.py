@@ -28,7 +28,7 @@ def draw(groups: Groups) -> Figure:
     for group, form in BODIES.items():
         data = middle_pressure(groups[group])
         for hurst, points, colour in by_hurst(fitted(normalised(data))):
-            style = DOTS | {"color": colour, "fmt": form["marker"]}
+            style = DOTS | {"color": colour, "fmt": form["marker"], "ms": 3.5}
             label = f"$H = {hurst:g}$" if group == HALF_SPACE else None
             _over_x(axes[0, 0], points, "mu_bar", style | {"label": label})
             _over_x(axes[0, 1], points, "jump_bar", style)

@@ -101,9 +101,8 @@ def _table(ax: Axes, dataset: xr.Dataset) -> None:
         "$x > 1$, $\\bar\\mu_1 < 0.3$": error.where((x > 1.0) & ~rough),
         "$x > 1$, $\\bar\\mu_1 > 0.3$": error.where((x > 1.0) & rough),
     }
-    cells = [
-        [f"{share:.0f} %" for share in 100.0 * shares_within(part.values)] for part in rows.values()
-    ]
+    shares = [shares_within(part.values) for part in rows.values()]
+    cells = [[f"{100.0 * share:.0f} %" for share in row] for row in shares]
     table = ax.table(
         cells,
         rowLabels=list(rows),

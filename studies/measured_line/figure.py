@@ -30,7 +30,7 @@ STYLES: dict[str, dict[str, Any]] = {
 }
 ABOVE = (
     ("mu_bar", "$\\mu_1 / \\nabla z$", "(b) steady friction"),
-    ("relaxation_rate", "relaxation rate $b$", "(c) relaxation after the step"),
+    ("relaxation_rate", "relaxation rate $b$ (per $\\tau$)", "(c) relaxation after the step"),
 )
 BELOW = {
     "mu_1": "(d) steady friction $\\mu_1$",

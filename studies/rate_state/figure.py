@@ -158,7 +158,7 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
         ax.axhline(0.0, color="0.5", lw=0.6)
     x = np.array([0.3, 3.0])
     length.plot(x, x, "-", color="0.6", lw=0.8, label="a time, $D_c = v_2 t$")
-    length.legend(loc="lower right")
+    length.legend(loc="center left")
     q_max = np.sort(broad.q_max.values)
     cutoff.xaxis.set_minor_formatter(NullFormatter())
     cutoff.plot(q_max, 1.0 / q_max, "-", color="0.6", lw=0.8, label="$1/q_\\mathrm{max}$")

@@ -11,7 +11,14 @@ from matplotlib.figure import Figure
 from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 from elastomer_friction.studies.master_curve.collapse import UNSHIFTED, Collapse, Curve, collapse
 from elastomer_friction.studies.style import HEAT
-from elastomer_friction.workflow.report import COLOURS, band, error_bars, foot_line, with_unit
+from elastomer_friction.workflow.report import (
+    COLOURS,
+    band,
+    error_bars,
+    foot_line,
+    legend_in_room,
+    with_unit,
+)
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Material, Study, read_study
 
@@ -158,4 +165,4 @@ def _step(ax: Axes, known: dict[str, xr.Dataset]) -> None:
         ax.plot(slip[-1] * 1.3, two / one, "<", color=colour, ms=4.0, clip_on=False)
     ax.set(xscale="log", xlabel="slip since the step (m)", ylabel="$\\mu/\\mu_1$")
     ax.set(title="(f) after a step to $2 v_1$")
-    ax.legend(loc="lower left", fontsize=6.5)
+    legend_in_room(ax, 0.35, loc="upper right", fontsize=6.5)

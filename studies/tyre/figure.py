@@ -26,7 +26,7 @@ def draw(groups: Groups) -> Figure:
             for temperature, colour in zip(data.temperature.values, HEAT, strict=False):
                 points = data.sel(temperature=temperature)
                 error_bars(ax, points, name, "velocity", lw=0.8, color=colour, **form)
-                if theory in points:
+                if group == "" and theory in points:
                     ax.plot(points.velocity, points[theory], ":", color=colour)
         ax.set(xscale="log", xlabel="speed (m/s)")
     for temperature, colour in zip(groups[""].temperature.values, HEAT, strict=False):

@@ -8,7 +8,6 @@ import contextlib
 import io
 import logging
 import sys
-import textwrap
 from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple, cast
@@ -23,8 +22,6 @@ from ..study import AnyStudy, load_script
 from ..system import write_durably
 from . import usual_figure
 from .panels import STYLE, HoverPoint, plain_ticks, remembered
-
-CAPTION_WIDTH = 100  # characters of a line
 
 # It takes the dates of some fonts for wrong, which a reader of a figure need not know.
 logging.getLogger("fontTools").setLevel(logging.ERROR)
@@ -56,9 +53,9 @@ def draw_groups(
     study: AnyStudy, groups: Groups, result: Path, script: Path | None = None
 ) -> list[Picture]:
     """Draw the study's figures from its opened result; as ``draw_figure``."""
-    draw, caption = _script(study, script)
+    drawing = _script(study, script)
     try:
-        return write_figure(lambda: draw(groups), result, caption)
+        return write_figure(lambda: drawing.draw(groups), result, getattr(drawing, "CAPTION", ""))
     except BROKEN as error:
         raise broken(study, result, error) from error
 
@@ -94,7 +91,8 @@ def print_pictures(pictures: list[Picture]) -> None:
     """Print the files of figures, and their captions to standard error."""
     for picture in pictures:
         print(picture.png, picture.pdf, sep="\n")
-        print(textwrap.fill(picture.caption, CAPTION_WIDTH), file=sys.stderr)
+        if picture.caption:
+            print(f"caption: {picture.caption}", file=sys.stderr)
 
 
 def _rendered(figure: Figure, kind: str, stamp: dict[str, str | None]) -> bytes:
@@ -104,15 +102,14 @@ def _rendered(figure: Figure, kind: str, stamp: dict[str, str | None]) -> bytes:
     return content.getvalue()
 
 
-def _script(study: AnyStudy, asked: Path | None) -> tuple[Callable[[Groups], Drawn], str]:
-    """Return the function that draws, and its caption. Raises UserError where there is none."""
+def _script(study: AnyStudy, asked: Path | None) -> Any:
+    """Return the module that draws. Raises UserError where there is none."""
     script = asked or study.folder / "figure.py"
-    if script.is_file():
-        found: Any = load_script(script)
-    elif asked is None and study.kind == "grid":
-        found = usual_figure
-    else:
+    if not script.is_file():
+        if asked is None and study.kind == "grid":
+            return usual_figure
         raise UserError(f"{script}: not found; the study has no figure script")
+    found = load_script(script)
     if getattr(found, "draw", None) is None:
         raise UserError(f"{script}: has no function draw(groups)")
-    return found.draw, getattr(found, "CAPTION", "")
+    return found

@@ -32,7 +32,7 @@ PLAIN = 0.1, 1e3  # between these a number has no prefix
 RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
 
 
-def unit_of(variable: xr.DataArray) -> str:
+def unit_in_words(variable: xr.DataArray) -> str:
     """Return the unit of a variable as people write it, such as m/s; "" for a pure number."""
     unit = str(variable.attrs.get("units", "1"))
     if unit in ("1", "degree_Celsius"):

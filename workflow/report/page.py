@@ -25,7 +25,7 @@ from .claims import evaluate, known_claims
 from .csv_tables import write_tables
 from .explore import write_explorer
 from .figure import Picture, draw_groups
-from .in_words import model_in_words, unit_of
+from .in_words import model_in_words, unit_in_words
 from .panels import STYLE, HoverPoint
 
 NO_BREAK = "\u00a0"
@@ -211,7 +211,7 @@ def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
     text = ", ".join(shown)
     if len(shown) > SHOWN_VALUES:
         text = f"{shown[0]} … {shown[-1]} ({len(shown)} values)"
-    return str(axis.attrs["long_name"]), text, unit_of(axis)
+    return str(axis.attrs["long_name"]), text, unit_in_words(axis)
 
 
 def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:

@@ -11,7 +11,7 @@ from matplotlib.lines import Line2D
 from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from ..study import EVERY_AXIS
-from .in_words import said, unit_of, with_unit
+from .in_words import said, unit_in_words, with_unit
 from .unresolved import HOLLOW, not_resolved
 
 STYLE: dict[str, Any] = {
@@ -35,6 +35,7 @@ STYLE: dict[str, Any] = {
     "pdf.fonttype": 42,
 }
 
+PLAINLY = 1e-3, 2e3  # between these an axis of two decades has plain numbers
 TOLD = 40  # most points of a curve that a pointer can find in the report
 
 # Okabe and Ito: distinguishable with any colour vision.
@@ -128,12 +129,12 @@ def legend_in_room(ax: Axes, share: float, **style: Any) -> None:
 
 
 def plain_ticks(figure: Figure) -> None:
-    """Label logarithmic axes of two decades or fewer by 1, 2, 5, as a power of ten says little."""
+    """Label logarithmic axes of two decades or fewer by 1, 2, 5: a power of ten says little."""
     for axis in (axis for ax in figure.axes for axis in (ax.xaxis, ax.yaxis)):
         low, high = sorted(axis.get_view_interval())
         if axis.get_scale() != "log" or not isinstance(axis.get_major_locator(), LogLocator):
             continue
-        if high <= 100.0 * low:
+        if high < 10.0 * low or PLAINLY[0] <= low < high <= min(100.0 * low, PLAINLY[1]):
             subs = (1.0, 2.0, 5.0) if high > 5.0 * low else (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0)
             axis.set_major_locator(LogLocator(subs=subs))
             axis.set_major_formatter(FuncFormatter(lambda value, _: with_unit(value)))
@@ -174,9 +175,12 @@ def remember(ax: Axes, points: xr.Dataset, name: str, over: str, error: np.ndarr
     }
     across, up, errors = values[over], values[name], np.ravel(error)
     for i in np.flatnonzero(np.isfinite(across) & np.isfinite(up)):
-        unit = unit_of(estimate)
+        unit = unit_in_words(estimate)
         spread = with_unit(errors[i], unit, 2)
-        at = [said(n, values[n][i], unit_of(points[n]), 4) for n in dict.fromkeys((over, *places))]
+        at = [
+            said(n, values[n][i], unit_in_words(points[n]), 4)
+            for n in dict.fromkeys((over, *places))
+        ]
         text = f"{said(name, values[name][i], unit, 4)} ± {spread}\n{', '.join(at)}"
         _remembered.setdefault(ax, []).append((across[i], up[i], text))
 

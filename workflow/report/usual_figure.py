@@ -17,7 +17,7 @@ from matplotlib.figure import Figure
 
 from ..result import Groups
 from ..study import AXES
-from .in_words import axes_in, mathematical, model_in_words, said, unit_of, with_unit
+from .in_words import axes_in, mathematical, model_in_words, said, unit_in_words, with_unit
 from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
 
 CAPTION = (
@@ -120,12 +120,12 @@ def _called(data: xr.Dataset, axis: str) -> str:
 def _said(data: xr.Dataset, axis: str) -> str:
     """Return where a point lies on an axis, such as "T = 60 °C"."""
     name = _called(data, axis)
-    return mathematical(said(name, float(data[name]), unit_of(data[name])))
+    return mathematical(said(name, float(data[name]), unit_in_words(data[name])))
 
 
 def _label(variable: xr.DataArray) -> str:
     """Return what an axis of a panel is called: its meaning and its unit."""
-    words, unit = str(variable.attrs.get("long_name", variable.name)), unit_of(variable)
+    words, unit = str(variable.attrs.get("long_name", variable.name)), unit_in_words(variable)
     for letters, symbol in (("v1", "v₁"), ("dv", "Δv"), ("dx", "Δx")):
         words = words.replace(letters, symbol)
     return mathematical(textwrap.fill(f"{words} ({unit})" if unit else words, 34))
@@ -136,7 +136,7 @@ def _found(data: xr.Dataset) -> str:
     words = []
     for name in _shown(data):
         value, error = float(data[name].squeeze()), float(data[f"{name}_error"].squeeze())
-        words += [f"{said(name, value, unit_of(data[name]))} ± {with_unit(error, digits=2)}"]
+        words += [f"{said(name, value, unit_in_words(data[name]))} ± {with_unit(error, digits=2)}"]
     return f"Found: {'; '.join(words)}." if words else ""
 
 
