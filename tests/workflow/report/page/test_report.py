@@ -5,6 +5,7 @@ import re
 import shutil
 
 import pytest
+import xarray as xr
 from markupsafe import escape
 
 from elastomer_friction.workflow.errors import UserError
@@ -148,7 +149,7 @@ def test_smoke_data_wear_a_banner_whatever_their_file_is_called(tmp_path):
 
 def test_a_point_that_was_drawn_says_its_value_and_error(tmp_path):
     data = result("fig5", hurst=[0.7])
-    v = 1.0 * data.velocity
+    v = xr.DataArray(data.velocity.values, dims="velocity")
     data = add(data, mu_1=v, mu_2=1.2 * v, jump=0.2 * v)
     write_datasets(tmp_path / "fig5.nc", {"": data})
     page = written(tmp_path, "fig5")
