@@ -8,12 +8,11 @@ from typing import Any
 import matplotlib as mpl
 import numpy as np
 import xarray as xr
-from matplotlib.axes import Axes
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import LinearSegmentedColormap, LogNorm, Normalize, to_hex
-from matplotlib.ticker import FuncFormatter, NullLocator
 
 from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.workflow.report import COLOURS
 from elastomer_friction.workflow.study import Study, read_grid_study
 
 CONVERGED, PAPER_STEP = "", "paper_step"  # groups of a result; the first is the study itself
@@ -28,6 +27,12 @@ SCHEMES: dict[str, dict[str, Any]] = {
 }
 PALEST = 0.8  # of a map of colours: beyond, lines are too pale for paper
 X_LABEL = "$x = v_1 \\tau q_\\mathrm{max}$"
+# One form and colour of either body, apart from those of points that are not resolved.
+BODIES: dict[str, dict[str, Any]] = {
+    "": {"marker": "o", "ls": "-"},
+    "foundation": {"marker": "s", "ls": "--"},
+}
+HEAT = (COLOURS[0], COLOURS[3], COLOURS[4])  # of temperatures, from the lowest on
 DOTS: dict[str, Any] = {"fmt": "o", "ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
 
 
@@ -48,14 +53,6 @@ def by_hurst(dataset: xr.Dataset) -> Iterator[tuple[float, xr.Dataset, str]]:
             points.stack(point=points.mu_1.dims),
             to_hex(tuple(colours.to_rgba(np.array([hurst]))[0])),
         )
-
-
-def in_micrometres(ax: Axes, values: np.ndarray) -> None:
-    """Label an axis of lengths in m by these values in micrometres."""
-    ax.set_xticks(values)
-    ax.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{1e6 * value:.3g}"))
-    ax.xaxis.set_minor_locator(NullLocator())
-    ax.set_xlabel("spacing $\\Delta x$ (µm)")
 
 
 def computed_study(data: xr.Dataset) -> Study:

@@ -57,12 +57,11 @@ def draw(groups: Groups) -> Figure:
     _shares(axes[2], dataset)
     for ax in axes[:2]:
         ax.set_xlim(axes[2].get_xlim())
-    foot_line(
-        figure,
-        dataset,
-        "(a, b): points where the model beats eq. 6 by two standard errors; squared error on "
-        "blocks left out",
+    note = (
+        "Panels (a) and (b) have the points at which the model beats eq. 6 by two standard errors "
+        "of the squared error."
     )
+    foot_line(figure, dataset, note)
     return figure
 
 

@@ -34,6 +34,5 @@ def draw(groups: Groups) -> Figure:
             ax.set_xlabel("time after the jump $(t - t_0)/\\tau$")
     axes[0].set_ylabel("coefficient of friction $\\mu$")
     axes[0].legend(loc="lower right")
-    note = "the error is that of the deviation from $\\mu_2$; dotted: $\\mu_2$"
-    foot_line(figure, groups[""], note, bars="bands")
+    foot_line(figure, groups[""], "The error is that of µ − µ₂.", bars="bands")
     return figure

@@ -18,7 +18,7 @@ CAPTION = (
     "Panel (a) shows the steady coefficient of friction over the sliding velocity, with the "
     "regions I, in which friction grows with the velocity, II and III, in which it has reached its "
     "plateau near the rms slope of the surface. Panel (b) shows friction over time for each of "
-    "these velocities, which rises by the same share at the time 10 τ."
+    "these velocities, over that before they all rise by the same share at the time 10 τ."
 )
 JUMP_AT = 10.0  # tau
 END = 20.0
@@ -67,13 +67,14 @@ def _steady(ax: Axes, points: xr.Dataset) -> None:
 
 def _kinetics(ax: Axes, points: xr.Dataset, colours: ScalarMappable) -> None:
     for velocity in points.velocity.values:
-        curve = points.sel(velocity=velocity).dropna("sample", subset=["mu"])
+        one = points.sel(velocity=velocity)
+        over = one[["mu", "mu_2", "deviation_error"]] / one.mu_1
+        curve = one.assign(over).dropna("sample", subset=["mu"])
         after = curve.assign_coords(time=JUMP_AT + curve.time)
         style: dict[str, Any] = {"color": colours.to_rgba(velocity), "lw": 0.8}
         error_band(ax, after, "mu", "deviation_error", **style)
-        ax.plot([0.0, JUMP_AT, JUMP_AT], [curve.mu_1, curve.mu_1, curve.mu[0]], **style)
+        ax.plot([0.0, JUMP_AT, JUMP_AT], [1.0, 1.0, curve.mu[0]], **style)
         ax.plot([after.time[-1], END], [curve.mu[-1], curve.mu_2], **style)
-    ax.set(xlim=(0, END), yscale="log", xlabel="time $t/\\tau$")
-    ax.set_ylabel("coefficient of friction $\\mu$")
+    ax.set(xlim=(0, END), xlabel="time $t/\\tau$", ylabel="$\\mu/\\mu_1$")
     ratio = 1.0 + float(points.velocity_step)
     ax.set_title(f"(b) $v_2 = {ratio:g}\\,v_1$ at $t = {JUMP_AT:g}\\,\\tau$")

@@ -6,7 +6,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import CONVERGED, SCHEMES, VARIANTS, fitted, in_micrometres
+from elastomer_friction.studies.style import CONVERGED, SCHEMES, VARIANTS, fitted
 from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -31,10 +31,18 @@ def draw(groups: Groups) -> Figure:
         if group == CONVERGED:
             nearest = np.abs(rates.relaxation_rate - PAPER_RATE).argmin("spacing")
             _fit(axes[0], points.isel(spacing=nearest))
-    foot_line(figure, groups[CONVERGED], "the caption of the paper gives no spacing")
+    note = (
+        "The first points of (a) lie below the exponential: after the jump friction goes on rising "
+        "for a moment, in which contacts of the old velocity are left; the fit counts them as it "
+        "does the others. The caption of the paper gives no spacing."
+    )
+    foot_line(figure, groups[CONVERGED], note)
     axes[1].axhline(PAPER_RATE, color="k", ls="--", lw=0.8, label="paper, $b = 2.4$")
     axes[1].set(xscale="log", ylim=(0, None), title="(b) rate over spacing")
-    in_micrometres(axes[1], groups[CONVERGED].spacing.values)
+    spacing = groups[CONVERGED].spacing.values
+    axes[1].set_xticks(spacing, [f"{1e6 * value:.3g}" for value in spacing])
+    axes[1].minorticks_off()
+    axes[1].set_xlabel("spacing $\\Delta x$ (µm)")
     axes[1].set_ylabel("relaxation rate $b$ (per $\\tau$)")
     axes[1].legend()
     return figure

@@ -53,12 +53,11 @@ def draw(groups: Groups) -> Figure:
     axes[2].set(xlabel="Hurst exponent $H$", ylabel="$\\alpha$ of $b = x^\\alpha$")
     axes[2].set_title("(c) exponent, $x > 1$")
     axes[2].legend(loc="lower left")
-    foot_line(
-        figure,
-        converged,
-        "(b), (c) with the bound of the bias; lines: eq. 13; below the axis line, in a row for "
-        "each $H$: what was not fitted",
+    note = (
+        "Bars of (b) and (c) include the bound of the bias. Below the grey line are, in a row for "
+        "each H, the points that were not fitted, and why."
     )
+    foot_line(figure, converged, note)
     return figure
 
 

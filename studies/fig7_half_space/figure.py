@@ -8,28 +8,27 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import DOTS, X_LABEL, by_hurst, fitted, normalised
-from elastomer_friction.workflow.report import error_bars, foot_line
+from elastomer_friction.studies.style import BODIES, DOTS, X_LABEL, by_hurst, fitted, normalised
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, with_unit
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "Velocity steps of 20 % are shown on a half-space (full symbols) and on the foundation of the "
-    "paper at the same nominal pressure (open symbols). The panels hold (a) steady friction over "
+    "Velocity steps of 20 % are shown on a half-space (circles) and on the foundation of the "
+    "paper at the same nominal pressure (squares). The panels hold (a) steady friction over "
     "the rms slope, (b) the jump over slope and relative step, which the paper gives as 0.4 on its "
     "plateau, (c) the relaxation rate b with eq. 13 as lines, and (d) the exponent α of b = x^α "
     "for x > 1, which the paper gives as 1 − H."
 )
-HALF_SPACE, FOUNDATION = "", "foundation"
-FACES = {HALF_SPACE: None, FOUNDATION: "white"}  # of symbols; None: filled
+HALF_SPACE = ""
 
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
     figure, axes = plt.subplots(2, 2, figsize=(7.2, 5.6))
-    for group, face in FACES.items():
+    for group, form in BODIES.items():
         data = middle_pressure(groups[group])
         for hurst, points, colour in by_hurst(fitted(normalised(data))):
-            style = DOTS | {"color": colour, "markerfacecolor": face or colour}
+            style = DOTS | {"color": colour, "fmt": form["marker"], "ms": 3.5}
             label = f"$H = {hurst:g}$" if group == HALF_SPACE else None
             _over_x(axes[0, 0], points, "mu_bar", style | {"label": label})
             _over_x(axes[0, 1], points, "jump_bar", style)
@@ -43,7 +42,8 @@ def draw(groups: Groups) -> Figure:
     axes[0, 1].axhline(0.4, color="0.4", lw=0.7, ls=":")
     axes[1, 0].set(ylabel="relaxation rate $b$ (per $\\tau$)", title="(c) relaxation", yscale="log")
     _exponents(axes[1, 1], groups)
-    note = f"nominal pressure {_pressure(groups[HALF_SPACE]):.3g} Pa in (a) to (c), all in (d)"
+    pressure = with_unit(float(middle_pressure(groups[HALF_SPACE]).normal_pressure[0]), "Pa")
+    note = f"The nominal pressure is {pressure} in (a) to (c); (d) is of all pressures."
     foot_line(figure, groups[HALF_SPACE], note)
     return figure
 
@@ -53,10 +53,6 @@ def middle_pressure(data: xr.Dataset) -> xr.Dataset:
     return data.isel(normal_force=[data.sizes["normal_force"] // 2])
 
 
-def _pressure(data: xr.Dataset) -> float:
-    return float(middle_pressure(data).normal_pressure[0])
-
-
 def _over_x(ax: Axes, points: xr.Dataset, name: str, style: dict) -> None:
     error_bars(ax, points, name, "speed_ratio", **style)
     ax.set(xscale="log", xlabel=X_LABEL)
@@ -64,15 +60,9 @@ def _over_x(ax: Axes, points: xr.Dataset, name: str, style: dict) -> None:
 
 def _exponents(ax: Axes, groups: Groups) -> None:
     """Draw the exponents of both bodies over H."""
-    for group, face in FACES.items():
+    for (group, form), colour in zip(BODIES.items(), COLOURS, strict=False):
         data = groups[group]
-        style: dict[str, Any] = {
-            "color": "k",
-            "markerfacecolor": face or "k",
-            "fmt": "o",
-            "ms": 4.0,
-            "ls": "",
-        }
+        style: dict[str, Any] = {"color": colour, "fmt": form["marker"], "ms": 4.0}
         label = "half-space" if group == HALF_SPACE else "foundation"
         error_bars(ax, data, "alpha", "hurst", bias=data.alpha_bias, label=label, **style)
     ax.plot([0, 1], [1, 0], "k--", lw=0.8, label="$1 - H$ (paper)")

@@ -49,14 +49,14 @@ def draw(groups: Groups) -> Figure:
     judged, left_out = without_unresolved(dataset)
     _cumulative(flat[4], judged)
     _table(flat[5], judged)
-    foot_line(figure, dataset, f"(e), (f): without {left_out} unresolved points" * bool(left_out))
+    foot_line(figure, dataset, f"Panels (e) and (f) leave out {left_out} unresolved points.")
     span = np.geomspace(1e-6, 2.0, 100)
     flat[1].plot(span, normalised_jump(span), "k-", lw=1, label="eq. 12", zorder=0)
     for ax, (x_label, y_label, title) in zip(flat, PANELS, strict=True):
         ax.set(xlabel=x_label, ylabel=y_label, title=title)
     for ax in flat[:4]:
         ax.set(xscale="log", yscale="log")
-    crosses = f"standard error over {NOISY:.0%}"
+    crosses = f"standard error over {100.0 * NOISY:g} %"
     flat[0].plot([], [], "x", color="0.3", ms=3.0, mew=0.6, label=crosses)
     flat[0].legend(loc="lower right", fontsize=6)
     flat[1].legend(loc="upper left")
@@ -101,11 +101,12 @@ def _table(ax: Axes, dataset: xr.Dataset) -> None:
         "$x > 1$, $\\bar\\mu_1 < 0.3$": error.where((x > 1.0) & ~rough),
         "$x > 1$, $\\bar\\mu_1 > 0.3$": error.where((x > 1.0) & rough),
     }
-    cells = [[f"{share:.0%}" for share in shares_within(part.values)] for part in rows.values()]
+    shares = [shares_within(part.values) for part in rows.values()]
+    cells = [[f"{100.0 * share:.0f} %" for share in row] for row in shares]
     table = ax.table(
         cells,
         rowLabels=list(rows),
-        colLabels=[f"{limit:.0%}" for limit in LIMITS],
+        colLabels=[f"{100.0 * limit:g} %" for limit in LIMITS],
         bbox=Bbox.from_bounds(0.45, 0.3, 0.55, 0.55),
     )
     table.auto_set_font_size(False)

@@ -16,7 +16,6 @@ from elastomer_friction.workflow.study import Study, read_study
 from .collapse import (
     ALONG_BOTH,
     LARGEST_ERROR,
-    OVERLAP,
     UNSHIFTED,
     WAYS,
     Collapsed,
@@ -34,12 +33,6 @@ CAPTION = (
 MARKERS = ("o", "s", "^", "D")  # of the sizes
 SHORT = ("unshifted", "along $v$", "and $\\mu$")
 NAMES = {"": "SBR", "kelvin": "Kelvin"}
-NOTE = (
-    "read beside: Popov et al., Tribol. Int. 120, 376 (2018), arXiv:1604.03407 (indentation "
-    "robust, shifts along both axes), and Li et al., Phys. Rev. Lett. 111, 034301 (2013) (Kelvin: "
-    "friction below the plateau depends on two combinations of force, speed, size ...); of both "
-    "the abstract was read, not the text"
-)
 
 
 def draw(groups: Groups) -> Figure:
@@ -65,13 +58,13 @@ def draw(groups: Groups) -> Figure:
     beyond = ", ".join(str(each.ways[ALONG_BOTH].left_out) for each in found.values())
     points = ", ".join(str(sum(c.x.size for c in each.family.curves)) for each in found.values())
     rule = (
-        "one shift per curve by least squares over a grid of 0.01 decades (collapse.py), at least "
-        f"{OVERLAP:.0%} of its points over the reference (black); left out: {coarse} points "
-        f"with contacts of fewer than 4 samples; in the order of (g), all without a number or with "
-        f"errors over {LARGEST_ERROR:.0%} {without}, beyond the reference {beyond} of {points}; "
-        "(f): one marker for every curve, side by side"
+        "Each curve has one shift, by least squares with at least two thirds of its points over "
+        f"the reference (black). Left out are {coarse} points with contacts of fewer than 4 "
+        f"samples; of the sets of (g) {without} without a number or with errors over "
+        f"{100.0 * LARGEST_ERROR:g} %, and {beyond} of {points} beyond the reference. Panel (f) "
+        "has the median and the whole range over pairs of curves."
     )
-    foot_line(figure, sound[""][0], f"{rule}; {NOTE}")
+    foot_line(figure, sound[""][0], rule)
     return figure
 
 
@@ -116,7 +109,7 @@ def _shifts(ax: Axes, found: dict[tuple[str, str], Collapsed]) -> None:
         force, along, lift, error = np.array(chosen).T
         label = NAMES[name]
         ax.errorbar(force, along, error, fmt="o-", color=colour, lw=0.7, label=f"{label}, of $v$")
-        ax.plot(force, lift, "s--", color=colour, lw=0.7, mfc="white", label=f"{label}, of $\\mu$")
+        ax.plot(force, lift, "s--", color=colour, lw=0.7, label=f"{label}, of $\\mu$")
     ax.set(xscale="log", xlabel="normal force (N)", ylabel="shift (decades)")
     ax.set_title("(e) shifts over force")
     ax.legend(loc="best", fontsize=5.5)
@@ -128,16 +121,20 @@ def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
     assert isinstance(study, Study)
     material = study.material
     for found, label, colour, marker, aside in (
-        (force, "given force", COLOURS[4], "s", -1.0),
-        (depth, "given indentation", COLOURS[2], "o", 1.0),
+        (force, "given force", COLOURS[4], "s", -0.5),
+        (depth, "given indentation", COLOURS[2], "o", 0.5),
     ):
-        temperature, fitted, error = thermal(found)
-        known = np.log10([material.shift(t) for t in temperature])
-        spread = aside * (1.0 + 4.0 * np.arange(known.size) / max(known.size, 1))
-        style: dict[str, Any] = {"fmt": marker, "color": colour, "ms": 2.0, "lw": 0.5, "capsize": 0}
-        ax.errorbar(temperature + spread, fitted - known, error, label=label, **style)
+        temperature, fitted, _ = thermal(found)
+        off = fitted - np.log10([material.shift(t) for t in temperature])
+        for t in np.unique(temperature):
+            each = off[temperature == t]
+            middle = np.median(each)
+            bar = [[middle - each.min()], [each.max() - middle]]
+            ax.errorbar(t + aside, middle, bar, fmt=marker, color=colour, label=label)
+            label = ""
     ax.axhline(0.0, color="k", lw=0.7, ls="--")
     ax.set_xticks(np.unique(temperature))
+    ax.set_xlim(temperature.min() - 10.0, temperature.max() + 10.0)
     ax.set(xlabel="temperature (°C)", ylabel="fitted $-$ WLF (decades)")
     ax.set_title("(f) shift with temperature")
     ax.legend(loc="best", fontsize=5.5)
@@ -145,16 +142,13 @@ def _thermal(ax: Axes, force: Collapsed, depth: Collapsed) -> None:
 
 def _residuals(ax: Axes, found: dict[tuple[str, str], Collapsed]) -> None:
     """Draw what remains of the differences from the reference, in all ways."""
-    shades = ("0.75", COLOURS[5], COLOURS[0])
-    for k, each in enumerate(found.values()):
-        for j, (way, shade) in enumerate(zip(WAYS, shades, strict=True)):
-            rms = each.ways[way].rms
-            ax.bar(k + 0.27 * (j - 1), rms, 0.25, color=shade, label=SHORT[j] if k == 0 else None)
-            ax.text(k + 0.27 * (j - 1), rms * 1.1, f"{rms:.2g}", ha="center", fontsize=5.0)
+    ways = zip(WAYS, SHORT, ("s", "^", "o"), ("0.5", COLOURS[5], COLOURS[0]), strict=True)
+    for way, label, marker, colour in ways:
+        rms = [each.ways[way].rms for each in found.values()]
+        ax.plot(range(len(rms)), rms, marker, color=colour, label=label)
     symbols = {"force": "$F_N$", "indentation": "$d$"}
     names = [f"{NAMES[name]}\nat {symbols[how]}" for name, how in found]
     ax.set_xticks(range(len(found)), names, fontsize=5.5)
     ax.set(yscale="log", ylabel="rms difference\n(decades of $\\mu$)", title="(g) what remains")
-    low, high = ax.get_ylim()
-    ax.set_ylim(0.7 * low, high * 5.0)
-    ax.legend(loc="upper right", fontsize=5.5, ncols=3, columnspacing=0.5, handlelength=0.7)
+    ax.set(xlim=(-0.5, len(found) - 0.5), ylim=(None, 5.0 * ax.get_ylim()[1]))
+    ax.legend(loc="upper right", fontsize=5.5, ncols=3, columnspacing=0.5, handletextpad=0.1)

@@ -13,7 +13,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import X_LABEL, fitted, normalised
-from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, with_unit
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -30,7 +30,7 @@ STYLES: dict[str, dict[str, Any]] = {
 }
 ABOVE = (
     ("mu_bar", "$\\mu_1 / \\nabla z$", "(b) steady friction"),
-    ("relaxation_rate", "relaxation rate $b$", "(c) relaxation after the step"),
+    ("relaxation_rate", "relaxation rate $b$ (per $\\tau$)", "(c) relaxation after the step"),
 )
 BELOW = {
     "mu_1": "(d) steady friction $\\mu_1$",
@@ -62,9 +62,9 @@ def draw(groups: Groups) -> Figure:
         axes[0, 1].plot([], [], style["fmt"], color="0.3", ms=3.0, label=style["label"])
     axes[0, 1].legend(loc="lower right")
     for force, colour in zip(groups[""].normal_force.values, COLOURS, strict=False):
-        axes[0, 2].plot([], [], "o", color=colour, label=f"$F_N$ = {1e9 * force:g} nN")
+        axes[0, 2].plot([], [], "o", color=colour, label=f"$F_N$ = {with_unit(force, 'N')}")
     axes[0, 2].legend(loc="upper left")
-    foot_line(figure, groups[""], f"lines: {groups[''].attrs['lines']}")
+    foot_line(figure, groups[""], f"The lines are {groups[''].attrs['lines']}.")
     return figure
 
 

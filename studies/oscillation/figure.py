@@ -26,8 +26,8 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.studies.style import computed_study
-from elastomer_friction.workflow.report import COLOURS, foot_line, log_bars
+from elastomer_friction.studies.style import HEAT, computed_study
+from elastomer_friction.workflow.report import COLOURS, foot_line, legend_in_room, log_bars
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import HoldSegment, Oscillate
 
@@ -63,29 +63,25 @@ def draw(groups: Groups) -> Figure:
         _response(axes[0, 1], data, name, colour, label)
     for ax, (name, label), letter in zip(axes[1], LABELS.items(), "cd", strict=True):
         data = groups[name].squeeze()
-        for temperature, colour in zip(SHOWN, COLOURS, strict=False):
+        for temperature, colour in zip(SHOWN, HEAT, strict=True):
             at = data.sel(temperature=temperature)
             factor = float(shift_factors(data)[list(data.temperature.values).index(temperature)])
             text = f"{temperature:g} °C, $a_T = {factor:.2g}$"
             _loop(ax, at, motions(data)[0], float(at.rms_slope), colour, text)
         ax.set_title(f"({letter}) {label}, amplitude {1e3 * motions(data)[0].amplitude:g} mm")
         ax.set(xlabel="velocity over its amplitude", ylabel="$\\mu\\,/\\,\\nabla z$")
-        low, high = ax.get_ylim()
-        ax.set_ylim(low, high + 0.45 * (high - low))  # room for the legend
-        ax.legend(loc="upper left")
+        legend_in_room(ax, 0.45)
     axes[0, 0].set_title(f"(a) amplitude {1e9 * motions(data)[-1].amplitude:g} nm, 20 °C")
     axes[0, 0].set(xlabel="velocity over its amplitude", ylabel="$\\mu$ over that of $G^* - G$")
-    axes[0, 0].set_ylim(top=axes[0, 0].get_ylim()[1] + 0.6)  # room for the legend
-    axes[0, 0].legend(loc="upper left")
+    legend_in_room(axes[0, 0], 0.3)
     axes[0, 1].set_title("(b) small response; lines: $G^*/G - 1$")
-    foot_line(
-        figure,
-        groups[""],
-        "bands: one standard error; nothing is fitted. (b) filled: the part of mu in phase with "
-        "the velocity, hollow: with the displacement, of which a Kelvin element has none. (d) at "
-        "20 °C the rubber has not forgotten where the line stood before, which it passes at its "
-        "largest velocity",
+    note = (
+        "Nothing is fitted. In (b) circles are the part of µ in phase with the velocity, and "
+        "triangles that in phase with the displacement, of which a Kelvin element has none. In (d) "
+        "the rubber at 20 °C has not forgotten where the line stood before, which it passes at its "
+        "largest velocity."
     )
+    foot_line(figure, groups[""], note, bars="bars and bands")
     return figure
 
 
@@ -112,14 +108,14 @@ def _response(ax: Axes, data: xr.Dataset, name: str, colour: str, label: str) ->
     fine = np.geomspace(omega.min() / 2.0, omega.max() * 2.0, 200)
     lines = modulus(data, name, fine)
     parts = (
-        ("mu_quadrature", lines.imag, colour, "-", f"{label}, $G''/G$"),
-        ("mu_in_phase", lines.real, "w", "--", f"{label}, $G'/G - 1$"),
+        ("mu_quadrature", lines.imag, "o", "-", f"{label}, $G''/G$"),
+        ("mu_in_phase", lines.real, "^", "--", f"{label}, $G'/G - 1$"),
     )
-    for variable, line, face, dashes, text in parts:
+    for variable, line, marker, dashes, text in parts:
         if not line.any():
             continue
         value, error = (data[f"{variable}{end}"].values / unit(data) for end in ("", "_error"))
-        style: dict[str, Any] = {"fmt": "o", "color": colour, "mfc": face, "label": text}
+        style: dict[str, Any] = {"fmt": marker, "color": colour, "label": text}
         ax.errorbar(omega, value, log_bars(value, error), **style)
         ax.plot(fine, line, dashes, color=colour, lw=0.8)
     ax.set(xscale="log", yscale="log", xlabel="$\\omega a_T$ (rad/s)")

@@ -20,7 +20,7 @@ from matplotlib.figure import Figure
 from matplotlib.ticker import NullFormatter
 
 from elastomer_friction.workflow.reduce import FITTED, NO_STATE
-from elastomer_friction.workflow.report import COLOURS, error_bars, write_below
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, said
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -42,7 +42,7 @@ TITLES = (
 )
 STYLES: dict[str, dict[str, Any]] = {
     BROAD: {"fmt": "o-", "ms": 3.2, "lw": 0.6},
-    KELVIN: {"fmt": "s--", "ms": 3.2, "lw": 0.6, "mfc": "white"},
+    KELVIN: {"fmt": "s--", "ms": 3.2, "lw": 0.6},
 }
 SHOWN = ("rate_state_a", "rate_state_b", "rate_state_a_minus_b", "rate_state_dc")
 
@@ -89,22 +89,19 @@ def draw(groups: Groups) -> Figure:
     _by_step(axes[1, 2], _middle(broad).isel(velocity=-1), "q_max")
     _dress(axes, broad)
     for velocity, colour in zip(middle[BROAD].velocity.values, COLOURS, strict=False):
-        axes[0, 0].plot([], [], "-", color=colour, label=f"$v_1 = {velocity:g}$ m/s")
+        axes[0, 0].plot([], [], "-", color=colour, label=said("velocity", velocity, "m/s"))
     axes[0, 0].legend(loc="lower right", fontsize=6)
     axes[0, 1].plot([], [], "ko-", ms=3.2, lw=0.6, label="nine branches")
-    axes[0, 1].plot([], [], "ks--", ms=3.2, lw=0.6, mfc="white", label="Kelvin")
+    axes[0, 1].plot([], [], "ks--", ms=3.2, lw=0.6, label="Kelvin")
     for ax in (axes[0, 1], axes[1, 1]):
         ax.legend(loc="upper left")
     axes[1, 2].legend(handles=[axes[1, 2].lines[-1]], loc="lower left")
-    data = groups[BROAD]
-    write_below(
-        figure,
-        f"{data.realizations.size} grid points of either material, "
-        f"{int(data.realizations.max())} realizations each, seed {data.attrs['seed']}; bars: one "
-        "jackknife standard error. " + "; ".join(left_out(groups)) + ".",
-        "Ruina's law; crosses in (d): Dieterich's, rubber. (a-d): middle load, finest spacing; "
-        "(e, f): fastest v1; (f): colours of (e). t = 1 ms. Pluses: not fitted, Kelvin.",
+    note = (
+        "The law is Ruina's; crosses in (d) are Dieterich's for the rubber. Panels (a) to (d) are "
+        "of the middle load and the finest spacing, (e) and (f) of the fastest v₁, and t is 1 ms. "
+        "Pluses are steps that were not fitted. "
     )
+    foot_line(figure, groups[BROAD], note + " ".join(left_out(groups)))
     return figure
 
 
@@ -161,7 +158,7 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
         ax.axhline(0.0, color="0.5", lw=0.6)
     x = np.array([0.3, 3.0])
     length.plot(x, x, "-", color="0.6", lw=0.8, label="a time, $D_c = v_2 t$")
-    length.legend(loc="lower right")
+    length.legend(loc="center left")
     q_max = np.sort(broad.q_max.values)
     cutoff.xaxis.set_minor_formatter(NullFormatter())
     cutoff.plot(q_max, 1.0 / q_max, "-", color="0.6", lw=0.8, label="$1/q_\\mathrm{max}$")
@@ -169,13 +166,13 @@ def _dress(axes: np.ndarray, broad: xr.Dataset) -> None:
 
 def left_out(groups: Groups) -> list[str]:
     """Return how many fits of each material by Ruina's law say nothing, in words."""
-    said = []
+    words = []
     for name, data in groups.items():
         status = data.rate_state_status.sel(law="ruina").values
         none, others = int((status == NO_STATE).sum()), int((status != FITTED).sum())
-        label = "nine branches" if name == BROAD else "Kelvin"
-        said.append(
-            f"{label}: {others} of {status.size} steps not fitted by Ruina's law, {none} of them "
-            "as there is no state (|b| below three errors)"
+        label = "Nine branches" if name == BROAD else "Kelvin"
+        words.append(
+            f"{label}: {others} of {status.size} steps are not fitted by Ruina's law, {none} of "
+            "them as there is no state (|b| below three errors)."
         )
-    return said
+    return words

@@ -15,7 +15,7 @@ from elastomer_friction.studies.style import (
     X_LABEL,
     fitted,
 )
-from elastomer_friction.workflow.report import error_bars, foot_line
+from elastomer_friction.workflow.report import error_bars, foot_line, said
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -26,8 +26,8 @@ CAPTION = (
 LEFT = {"": ("converged", CONVERGED), "euler_1": ("implicit Euler, $m = 1$", PAPER_STEP)}
 FORCE = 0.1  # N, the nearest is shown
 NOTE = (
-    "(a) dotted: the rate at which implicit Euler lets a free element decay, "
-    "$\\ln(1+\\Delta{}t/\\tau)\\,\\tau/\\Delta{}t$ with $\\Delta{}t=\\Delta{}x/mv_2$"
+    "Dotted in (a) is the rate at which implicit Euler lets a free element decay, "
+    "ln(1 + Δt/τ)·τ/Δt with Δt = Δx/(m·v₂). No marker stands where there is no fit; "
 )
 
 
@@ -57,11 +57,7 @@ def draw(groups: Groups) -> Figure:
     axes[0, 0].legend(loc="lower right", ncols=2, columnspacing=0.6, handlelength=1.2)
     axes[0, 2].legend(loc="lower right")
     force = float(shown[""].normal_force)
-    foot_line(
-        figure,
-        groups[""],
-        f"{NOTE}; shown: $F_N$ = {force:g} N; no marker where there is no fit",
-    )
+    foot_line(figure, groups[""], f"{NOTE}{said('normal_force', force, 'N')}.")
     return figure
 
 

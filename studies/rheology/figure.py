@@ -10,7 +10,15 @@ from matplotlib.figure import Figure
 
 from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 from elastomer_friction.studies.master_curve.collapse import UNSHIFTED, Collapse, Curve, collapse
-from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.studies.style import HEAT
+from elastomer_friction.workflow.report import (
+    COLOURS,
+    band,
+    error_bars,
+    foot_line,
+    legend_in_room,
+    with_unit,
+)
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import Material, Study, read_study
 
@@ -27,13 +35,10 @@ LABELS = {
     RUBBER: ("SBR, 13 branches", COLOURS[0], "o"),
 }
 POINTS: dict[str, Any] = {"ms": 2.4, "lw": 0.7}
-HEAT = (COLOURS[5], COLOURS[0], COLOURS[4])
 NOTE = (
-    "read beside: Grosch 1963 (doi:10.1098/rspa.1963.0112), whose friction of rubber over speed at "
-    "several temperatures falls on one bell when shifted by WLF; known here from citations and "
-    "abstracts, not the text. Deformation alone is simulated: no adhesion, so no adhesion peak, "
-    "and no heating. (f): at the speed of each with the largest friction in (b); bands: one "
-    "standard error of $\\mu$, most of it common to a whole curve; triangles: steady at $2 v_1$"
+    "Deformation alone is simulated: no adhesion, so no adhesion peak, and no heating. Panel (f) "
+    "is at the speed of each with the largest friction in (b); its bands are standard errors of "
+    "µ, most of them common to a whole curve, and its triangles the steady values at 2 v₁."
 )
 
 
@@ -55,14 +60,14 @@ def draw(groups: Groups) -> Figure:
     axes[0, 2].legend(loc="lower left", fontsize=6.5)
     for temperature, colour in zip(known[RUBBER].temperature.values, HEAT, strict=False):
         one = known[RUBBER].sel(temperature=temperature)
-        style = POINTS | {"fmt": "o-", "color": colour, "label": f"{temperature:.3g} °C"}
+        style = POINTS | {"fmt": "o-", "color": colour, "label": with_unit(temperature, "°C")}
         error_bars(axes[1, 0], one, "mu_1", "velocity", **style)
     axes[1, 0].set(xscale="log", xlabel="speed $v$ (m/s)", ylabel="coefficient of friction $\\mu$")
     axes[1, 0].set(title="(d) SBR at several temperatures", ylim=(0.0, None))
     axes[1, 0].legend(loc="upper left")
     _master(axes[1, 1], known[RUBBER], materials[RUBBER])
     _step(axes[1, 2], known)
-    foot_line(figure, groups[RUBBER], NOTE)
+    foot_line(figure, groups[RUBBER], NOTE, bars="bars and bands")
     return figure
 
 
@@ -150,16 +155,14 @@ def after_step(point: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
 
 def _step(ax: Axes, known: dict[str, xr.Dataset]) -> None:
     for name, data in known.items():
-        _, colour, _ = LABELS[name]
+        label, colour, _ = LABELS[name]
         warm = warmest(data)
         point = warm.isel(velocity=int(np.argmax(warm.mu_1.values)))  # with the largest friction
-        speed = float(point.velocity)
-        said = f"{speed:g} m/s" if speed >= 1.0 else f"{1e3 * speed:.2g} mm/s"
         slip, mu, error = after_step(point)
         one, two = float(point.mu_1), float(point.mu_2)
-        ax.plot(slip, mu / one, color=colour, label=f"$v_1$ = {said}")
-        ax.fill_between(slip, (mu - error) / one, (mu + error) / one, color=colour, alpha=0.15)
+        said = f"{label}, {with_unit(float(point.velocity), 'm/s')}"
+        band(ax, slip, mu / one, error / one, color=colour, label=said)
         ax.plot(slip[-1] * 1.3, two / one, "<", color=colour, ms=4.0, clip_on=False)
     ax.set(xscale="log", xlabel="slip since the step (m)", ylabel="$\\mu/\\mu_1$")
     ax.set(title="(f) after a step to $2 v_1$")
-    ax.legend(loc="lower left", fontsize=6.5)
+    legend_in_room(ax, 0.35, loc="upper right", fontsize=6.5)

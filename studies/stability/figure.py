@@ -42,10 +42,9 @@ def draw(groups: Groups) -> Figure:
         ax.set_ylabel("load $\\bar F = F_N/(4GLh)$")
     write_below(
         figure,
-        f"$H = {data.hurst:g}$, {data.elements} elements, $m = {data.steps_per_spacing}$ samples "
-        f"each, $v_2/v_1 = 1.2$; {cases} cases with those in the corners, seed "
-        f"{data.attrs['seed']};",
-        "(c, f): pale where contacts are narrower than a sample, which no residual shows",
+        f"H = {data.hurst:g}, {data.elements} elements of m = {data.steps_per_spacing} samples, "
+        f"v₂/v₁ = 1.2; {cases} cases with those in the corners, seed {data.attrs['seed']}.",
+        "Panels (c) and (f) are pale where contacts are narrower than a sample.",
     )
     return figure
 

@@ -1,41 +1,44 @@
 """Friction of a tread rubber over speed at several temperatures, and its three errors."""
 
-from typing import Any
-
 import numpy as np
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.studies.style import BODIES, HEAT
+from elastomer_friction.workflow.report import error_bars, foot_line, with_unit
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
     "Hysteretic friction (a) and real contact area (b) of a tread rubber on a rough surface under "
-    "a nominal pressure, over the speed, at several temperatures: a half-space (full symbols, with "
-    "standard error and bias of the discretisation) and the foundation (open symbols). What lies "
-    "between the two is the error of the model."
+    "a nominal pressure, over the speed, at several temperatures: a half-space (circles), the "
+    "foundation (squares) and Persson's theory (dotted). What lies between the three is the error "
+    "of the model."
 )
-BODIES: dict[str, str | None] = {"": None, "foundation": "white"}  # and the faces of their symbols
+SHOWN = {"mu_1": "mu_persson", "contact_fraction": "area_persson"}
 
 
 def draw(groups: Groups) -> Figure:
     """Return the figure of a result of this study."""
     figure, axes = plt.subplots(1, 2, figsize=(7.2, 3.3))
-    for group, face in BODIES.items():
-        data = groups[group].squeeze()
-        for temperature, colour in zip(data.temperature.values, COLOURS, strict=False):
-            points = data.sel(temperature=temperature)
-            style: dict[str, Any] = {"fmt": "o-", "ms": 3.5, "lw": 0.7, "color": colour}
-            style |= {"markerfacecolor": face or colour}
-            label = f"{temperature:g} °C" if group == "" else None
-            error_bars(axes[0], points, "mu_1", "velocity", label=label, **style)
-            error_bars(axes[1], points, "contact_fraction", "velocity", **style)
-    axes[0].set(xscale="log", xlabel="speed (m/s)", ylabel="coefficient of friction $\\mu$")
-    axes[0].set_title("(a) friction by hysteresis")
+    for ax, (name, theory) in zip(axes, SHOWN.items(), strict=True):
+        for group, form in BODIES.items():
+            data = groups[group].squeeze()
+            for temperature, colour in zip(data.temperature.values, HEAT, strict=False):
+                points = data.sel(temperature=temperature)
+                error_bars(ax, points, name, "velocity", lw=0.8, color=colour, **form)
+                if group == "" and theory in points:
+                    ax.plot(points.velocity, points[theory], ":", color=colour)
+        ax.set(xscale="log", xlabel="speed (m/s)")
+    for temperature, colour in zip(groups[""].temperature.values, HEAT, strict=False):
+        axes[0].plot([], [], "-", color=colour, label=with_unit(temperature, "°C"))
+    for form, label in zip(BODIES.values(), ("half-space", "foundation"), strict=True):
+        axes[1].plot([], [], color="0.3", label=label, **form)
+    axes[1].plot([], [], ":", color="0.3", label="Persson's theory")
+    axes[0].set(ylabel="coefficient of friction $\\mu$", title="(a) friction by hysteresis")
     axes[0].set_ylim(0.0, None)
-    axes[0].legend(loc="best")
-    axes[1].set(xscale="log", yscale="log", xlabel="speed (m/s)", ylabel="share in contact")
-    axes[1].set_title("(b) real contact area")
-    pressure = float(np.ravel(groups[""].normal_pressure)[0])
-    foot_line(figure, groups[""], f"nominal pressure {pressure / 1e3:.3g} kPa")
+    axes[1].set(yscale="log", ylabel="share in contact", title="(b) real contact area")
+    for ax in axes:
+        ax.legend(loc="best")
+    pressure = with_unit(float(np.ravel(groups[""].normal_pressure)[0]), "Pa")
+    foot_line(figure, groups[""], f"The nominal pressure is {pressure}.")
     return figure

@@ -17,7 +17,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.workflow.report import COLOURS, foot_line
+from elastomer_friction.workflow.report import COLOURS, band, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -75,13 +75,11 @@ def draw(groups: Groups) -> Figure:
     axes[1, 2].set_title("(d) lasting: $(\\mu_2 - \\mu_1)/\\ln r$")
     axes[1, 2].set_xlabel("velocity ratio $r = v_2/v_1$")
     axes[0, 2].legend(loc="upper left")
-    foot_line(
-        figure,
-        groups[""],
-        "bands: one standard error of the change; solid: velocity up, dashed: down; dotted: "
-        "$D_c = 1/q_\\mathrm{max}$, the paper's remark. In rate-and-state friction all points of "
-        "(c) are one a, those of (d) one a - b",
+    note = (
+        "Dotted is D_c = 1/q_max, which the paper remarks on. In rate-and-state friction all "
+        "points of (c) are one a, and those of (d) one a − b."
     )
+    foot_line(figure, groups[""], note, bars="bars and bands")
     return figure
 
 
@@ -94,8 +92,7 @@ def _histories(ax: Axes, steps: list[StepWithSlide], name: str, scale: float) ->
         slid = step.slide.slid.values
         change, error = (scale * step.slide[f"{name}{end}"].values for end in ("", "_error"))
         label = f"$r = {step.ratio:g}^{{\\pm 1}}$" if up else None
-        ax.plot(slid, change, "-" if up else "--", color=colour, label=label)
-        ax.fill_between(slid, change - error, change + error, color=colour, alpha=0.25, lw=0)
+        band(ax, slid, change, error, "-" if up else "--", color=colour, label=label)
     reach = float(steps[0].slide.spacing) / np.pi
     ax.axvline(reach, color="0.6", lw=0.7, ls=":")
     ax.axhline(0.0, color="0.7", lw=0.5)

@@ -22,8 +22,8 @@ def refusal(capsys, *arguments: str) -> str:
 
 
 def besides_notes(err: str) -> list[str]:
-    """Return the lines of stderr but for those that name a script before it runs."""
-    return [line for line in err.splitlines() if not line.startswith("note: runs /")]
+    """Return the lines of stderr but for those that name a script, and for captions of figures."""
+    return [line for line in err.splitlines() if not line.startswith(("note: runs /", "caption: "))]
 
 
 def facts(text: str) -> dict[str, str]:

@@ -16,7 +16,7 @@ from matplotlib.axes import Axes
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.report.page import section
-from elastomer_friction.workflow.report.panels import STYLE
+from elastomer_friction.workflow.report.panels import STYLE, plain_ticks
 from elastomer_friction.workflow.run import workers
 from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
@@ -76,6 +76,7 @@ def check_drawing(name: str, groups: Groups) -> None:
         with mpl.rc_context(STYLE):
             drawn = script.draw(groups)
             for figure in drawn.values() if isinstance(drawn, dict) else [drawn]:
+                plain_ticks(figure)
                 figure.canvas.draw()
                 assert figure.axes
                 assert all(ax.has_data() or not ax.axison for ax in figure.axes)

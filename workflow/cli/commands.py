@@ -81,7 +81,7 @@ def _run(options: argparse.Namespace) -> int:
 
 
 def _figure(options: argparse.Namespace) -> int:
-    print(*report.draw_figure(*_checked(options), options.script), sep="\n")
+    report.print_pictures(report.draw_figure(*_checked(options), options.script))
     return DONE
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from .. import laboratory  # slow to import: other commands do without
 from ..errors import UserError
+from ..report import print_pictures
 from ..study import INCOMPRESSIBLE, Moduli, read_moduli
 from ..system import make_folder, write_durably
 from .command_line import DONE, FOR_WHOM
@@ -196,5 +197,5 @@ def run_fit(options: argparse.Namespace) -> int:
     print(*laboratory.describe(fit), sep="\n")
     path = Path(options.out)
     make_folder(path.parent)
-    print(*laboratory.draw_fit(fit, path), sep="\n")
+    print_pictures(laboratory.draw_fit(fit, path))
     return DONE

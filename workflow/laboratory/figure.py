@@ -9,7 +9,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from ..kinetic_law import relaxation_rate
-from ..report import COLOURS, write_below, write_figure
+from ..report import COLOURS, Picture, write_below, write_figure
 from .step_fit import StepFit
 from .together import Fit, Rates, friction_after, predicted_jump
 
@@ -20,8 +20,8 @@ EQ_6, AGEING = COLOURS[4], COLOURS[0]
 MEASURED = "0.6"
 
 
-def draw_fit(fit: Fit, path: Path) -> list[Path]:
-    """Draw the fit as PNG and PDF; return the files. Raises UserError for a disk that refuses."""
+def draw_fit(fit: Fit, path: Path) -> list[Picture]:
+    """Draw the fit as PNG and PDF. Raises UserError for a disk that refuses."""
     return write_figure(lambda: figure_of(fit), path)
 
 
@@ -47,7 +47,7 @@ def figure_of(fit: Fit) -> Figure:
     figure.axes[0].legend(loc="best", fontsize=6)
     count = len(fit.steps)
     drawn = f"The first {MOST_STEPS} of {count} steps are drawn. " if count > MOST_STEPS else ""
-    write_below(figure, f"{drawn}Bars: one standard error, correlated noise counted as it is.")
+    write_below(figure, f"{drawn}Bars show one standard error, correlated noise counted as it is.")
     return figure
 
 

@@ -29,9 +29,19 @@ if TYPE_CHECKING:
     )
     from .csv_tables import write_table
     from .explore import write_explorer
-    from .figure import draw_figure, write_figure
+    from .figure import Picture, draw_figure, print_pictures, write_figure
+    from .in_words import said, with_unit
     from .page import write_report
-    from .panels import COLOURS, error_band, error_bars, foot_line, log_bars, write_below
+    from .panels import (
+        COLOURS,
+        band,
+        error_band,
+        error_bars,
+        foot_line,
+        legend_in_room,
+        log_bars,
+        write_below,
+    )
     from .unresolved import not_resolved, without_unresolved
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -17,8 +17,8 @@ from ..errors import UserError
 from ..result import open_tree
 from ..study import EVERY_AXIS
 from ..system import make_folder, write_durably
+from .in_words import SYMBOLS, unit_in_words
 from .my_rubber import scaled_friction
-from .panels import SYMBOLS, unit_in_words
 from .template import filled_template
 from .unresolved import STATUS
 
@@ -109,7 +109,7 @@ def _described(variable: xr.DataArray) -> dict[str, Any]:
         "name": name,
         "symbol": SYMBOLS.get(name, name),
         "label": str(attrs.get("long_name", name)),
-        "unit": unit_in_words(str(attrs.get("units", "1"))),
+        "unit": unit_in_words(variable),
         "values": _numbers(variable.values),
     }
     if "flag_meanings" in attrs:

@@ -23,8 +23,9 @@ from ..system import program, write_durably
 from .claims import evaluate, known_claims
 from .csv_tables import write_tables
 from .explore import write_explorer
-from .figure import Picture, caption, draw_groups
-from .panels import STYLE, HoverPoint, model_in_words, unit_in_words
+from .figure import Picture, draw_groups
+from .in_words import model_in_words, unit_in_words
+from .panels import STYLE, HoverPoint
 from .template import filled_template
 
 NO_BREAK = "\u00a0"
@@ -112,12 +113,13 @@ def formula(text: str) -> Markup:
 
 
 class Image(NamedTuple):
-    """A figure as data URI, its size in inches, and its points that a pointer can find."""
+    """A figure as data URI, its size in inches, points that a pointer can find, and caption."""
 
     uri: str
     width: float
     height: float
     points: list[HoverPoint]
+    caption: str
 
 
 def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
@@ -156,7 +158,6 @@ def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
         "images": images,
         "files": [file.name for file in files],
         "explorer": explorer,
-        "caption": caption(study),
         "troubles": troubles,
         "parameters": _parameters(study, data),
         "variants": [_variant(g, held) for g, held in groups.items() if "scheme" in held.attrs],
@@ -179,7 +180,7 @@ def _image(picture: Picture) -> Image:
     width, height = struct.unpack(">II", content[16:24])  # PNG: the first chunk
     uri = "data:image/png;base64," + base64.b64encode(content).decode()
     sizes = width / STYLE["savefig.dpi"], height / STYLE["savefig.dpi"]
-    return Image(uri, *sizes, picture.points)
+    return Image(uri, *sizes, picture.points, picture.caption)
 
 
 def _parameters(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str, str]]:
@@ -200,7 +201,7 @@ def _axis(axis: xr.DataArray) -> tuple[str, str, str]:
     text = ", ".join(shown)
     if len(shown) > SHOWN_VALUES:
         text = f"{shown[0]} … {shown[-1]} ({len(shown)} values)"
-    return str(axis.attrs["long_name"]), text, unit_in_words(str(axis.attrs["units"]))
+    return str(axis.attrs["long_name"]), text, unit_in_words(axis)
 
 
 def _variant(group: str, data: xr.Dataset) -> tuple[str, str, str, str]:

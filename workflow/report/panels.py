@@ -1,6 +1,5 @@
-"""How all figures look: style, colours, error bars, hollow markers, notes below."""
+"""How all figures look: style, colours, error bars, hollow markers, what captions add."""
 
-import textwrap
 from typing import Any, NamedTuple
 from weakref import WeakKeyDictionary
 
@@ -9,8 +8,10 @@ import xarray as xr
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 from matplotlib.lines import Line2D
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
-from ..study import AXES
+from ..study import EVERY_AXIS
+from .in_words import said, unit_in_words, with_unit
 from .unresolved import HOLLOW, not_resolved
 
 STYLE: dict[str, Any] = {
@@ -20,7 +21,7 @@ STYLE: dict[str, Any] = {
     "axes.labelsize": 8.5,
     "axes.titlesize": 8.5,
     "axes.titlelocation": "left",
-    "figure.labelsize": 6.0,  # notes below a figure
+    "axes.formatter.useoffset": False,
     "figure.constrained_layout.use": True,
     "legend.fontsize": 7.0,
     "legend.frameon": False,
@@ -34,7 +35,7 @@ STYLE: dict[str, Any] = {
     "pdf.fonttype": 42,
 }
 
-FOOT_CHARACTERS_PER_INCH = 21
+PLAINLY = 1e-3, 2e3  # between these an axis of two decades has plain numbers
 TOLD = 40  # most points of a curve that a pointer can find in the report
 
 # Okabe and Ito: distinguishable with any colour vision.
@@ -45,31 +46,33 @@ RING: dict[str, Any] = {"mfc": "white", "mew": 0.9, "ms": 3.4, "gid": "hollow"}
 
 
 def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "", bars: str = "bars") -> None:
-    """Say under the figure how large the study was, and from which seed.
+    """Say in the caption of a figure how large the study was, and from which seed.
 
-    bars : what shows the standard errors. Where points that are not resolved have been drawn, a
-    legend above the figure says what their hollow markers are.
+    note : sentences that follow. bars : what shows the standard errors. Where points that are not
+    resolved have been drawn, a legend above the figure says so, and the caption what that means.
     """
-    points = int(dataset.realizations.size)
-    plural = "s" if points != 1 else ""
-    text = (
-        f"{points} grid point{plural}, {int(dataset.realizations.max())} realizations each, "
-        f"seed {dataset.attrs['seed']}; {bars}: one jackknife standard error"
+    points, lines = int(dataset.realizations.size), int(dataset.realizations.max())
+    known = f"{bars.capitalize()} show one jackknife standard error"
+    if lines < 2:
+        known = "One line gives no standard error"
+    size = (
+        f"{known}; {points} grid point{'s' * (points != 1)}, {lines} "
+        f"realization{'s' * (lines != 1)} each, seed {dataset.attrs['seed']}."
     )
-    write_below(figure, text, note)
-    lines = [line for ax in figure.axes for line in ax.lines if line.get_gid() == RING["gid"]]
-    if lines:
-        hollow = sum(np.size(line.get_xdata()) for line in lines)
+    rings = [line for ax in figure.axes for line in ax.lines if line.get_gid() == RING["gid"]]
+    hollow = ""
+    if rings:
+        count = sum(np.size(line.get_xdata()) for line in rings)
+        hollow = f"Hollow markers ({count} of the points shown) have {HOLLOW}."
         ring = Line2D([], [], ls="", marker="o", color="0.3", **RING)
-        label = f"{HOLLOW} ({hollow} of the points shown)"
-        figure.legend([ring], [label], loc="outside upper right", fontsize=6, handletextpad=0.2)
+        style: dict[str, Any] = {"loc": "outside upper right", "fontsize": 6, "handletextpad": 0.2}
+        figure.legend([ring], ["hollow: contacts not resolved"], **style)
+    write_below(figure, size, note, hollow)
 
 
 def write_below(figure: Figure, *notes: str) -> None:
-    """Write small lines under the figure, each note wrapped to its width."""
-    width = int(FOOT_CHARACTERS_PER_INCH * figure.get_figwidth())
-    lines = [line for note in notes for line in textwrap.wrap(note, width)]
-    figure.supxlabel("\n".join(lines), color="0.35")
+    """Give the caption of a figure sentences that depend on its result."""
+    figure.set_label(" ".join(filter(None, notes)))
 
 
 def error_bars(
@@ -79,19 +82,17 @@ def error_bars(
     over: str,
     log: bool = False,
     bias: xr.DataArray | float = 0.0,
-    aside: float = 0.0,
     **style: Any,
 ) -> None:
     """Draw an estimate with its standard errors over another variable of a result.
 
     Points whose contacts are not resolved are hollow. ``log`` : bars as of ``log_bars``.
-    ``bias`` : added to the standard errors. ``aside`` : added to the abscissae, for series that
-    stand side by side. ``style`` : as for matplotlib's errorbar.
+    ``bias`` : added to the standard errors. ``style`` : as for matplotlib's errorbar.
     """
     value, error = points[name].values, (points[f"{name}_error"] + bias).values
     bars = log_bars(value, error) if log else error
-    drawn = ax.errorbar(points[over] + aside, value, bars, **style)
-    remember(ax, points, name, over, error, aside)
+    drawn = ax.errorbar(points[over], value, bars, **style)
+    remember(ax, points, name, over, error)
     hollow = not_resolved(points)
     if hollow.shape == value.shape and hollow.any():
         line = drawn.lines[0]
@@ -100,7 +101,7 @@ def error_bars(
         ring["marker"] = "o" if marker in ("None", None, "") else marker
         ring["ms"] = style.get("ms", RING["ms"] - 0.8) + 0.8
         ring["mew"] = min(RING["mew"], 0.3 * ring["ms"])
-        ax.plot(points[over].values[hollow] + aside, value[hollow], zorder=2.5, **ring)
+        ax.plot(points[over].values[hollow], value[hollow], zorder=2.5, **ring)
 
 
 def error_band(ax: Axes, curve: xr.Dataset, name: str, error: str, **style: Any) -> None:
@@ -109,11 +110,35 @@ def error_band(ax: Axes, curve: xr.Dataset, name: str, error: str, **style: Any)
     name, error : variables along "sample". ``style`` : as for matplotlib's plot.
     """
     value, spread = curve[name].values, curve[error].values
-    (line,) = ax.plot(curve.time, value, **style)
-    bounds = value - spread, value + spread
-    ax.fill_between(curve.time, *bounds, color=line.get_color(), alpha=0.25, lw=0)
+    band(ax, curve.time.values, value, spread, **style)
     thinned = curve.isel(sample=slice(None, None, -(-value.size // TOLD)))
     remember(ax, thinned, name, "time", thinned[error].values)
+
+
+def band(ax: Axes, over: Any, value: Any, error: Any, *form: str, **style: Any) -> None:
+    """Draw a curve with a band of its errors. form, style : as for matplotlib's plot."""
+    (line,) = ax.plot(over, value, *form, **style)
+    ax.fill_between(over, value - error, value + error, color=line.get_color(), alpha=0.25, lw=0)
+
+
+def legend_in_room(ax: Axes, share: float, **style: Any) -> None:
+    """Put a legend above all curves: the axis grows upwards by a share of its range."""
+    low, high = ax.get_ylim()
+    ax.set_ylim(low, high + share * (high - low))
+    ax.legend(**({"loc": "upper left"} | style))
+
+
+def plain_ticks(figure: Figure) -> None:
+    """Label logarithmic axes of two decades or fewer by 1, 2, 5: a power of ten says little."""
+    for axis in (axis for ax in figure.axes for axis in (ax.xaxis, ax.yaxis)):
+        low, high = sorted(axis.get_view_interval())
+        if axis.get_scale() != "log" or not isinstance(axis.get_major_locator(), LogLocator):
+            continue
+        if high < 10.0 * low or PLAINLY[0] <= low < high <= min(100.0 * low, PLAINLY[1]):
+            subs = (1.0, 2.0, 5.0) if high > 5.0 * low else (1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0)
+            axis.set_major_locator(LogLocator(subs=subs))
+            axis.set_major_formatter(FuncFormatter(lambda value, _: with_unit(value)))
+        axis.set_minor_formatter(NullFormatter())
 
 
 def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
@@ -123,28 +148,6 @@ def log_bars(value: np.ndarray, error: np.ndarray) -> list[np.ndarray]:
     """
     ratio = np.minimum(error / value, np.log(10.0))
     return [value * -np.expm1(-ratio), value * np.expm1(ratio)]
-
-
-SYMBOLS = {
-    "hurst": "H",
-    "normal_force": "F_N",
-    "spacing": "Δx",
-    "roughness": "h",
-    "velocity": "v₁",
-    "velocity_step": "Δv/v₁",
-    "speed_ratio": "x",
-    "mu_1": "µ₁",
-    "mu": "µ",
-    "jump": "Δµ₀",
-    "jump_over_step": "Δµ₀/(Δv/v₁)",
-    "relaxation_rate": "b",
-    "alpha": "α",
-}
-
-
-def unit_in_words(unit: str) -> str:
-    """Return a unit of the CF conventions as people write it."""
-    return {"1": "", "degree_Celsius": "°C"}.get(unit, unit.replace("-1", "⁻¹").replace("-2", "⁻²"))
 
 
 class HoverPoint(NamedTuple):
@@ -158,30 +161,27 @@ class HoverPoint(NamedTuple):
 _remembered: WeakKeyDictionary[Axes, list[tuple[float, float, str]]] = WeakKeyDictionary()
 
 
-def remember(
-    ax: Axes, points: xr.Dataset, name: str, over: str, error: np.ndarray, aside: float = 0.0
-) -> None:
+def remember(ax: Axes, points: xr.Dataset, name: str, over: str, error: np.ndarray) -> None:
     """Remember the finite points of an estimate that have been drawn over another variable.
 
-    error : as drawn, of the shape of the estimate. aside : by how much they are drawn beside.
+    error : as drawn, of the shape of the estimate.
     """
     estimate = points[name]
     # Of an exponent per H alone there is no velocity to name.
-    places = [a for a in AXES if a in points.coords and {*points[a].dims} <= {*estimate.dims}]
+    places = [a for a in EVERY_AXIS if a in points.coords and {*points[a].dims} <= {*estimate.dims}]
     values = {
         each: np.ravel(points[each].broadcast_like(estimate).transpose(*estimate.dims).values)
         for each in (name, over, *places)
     }
-    across, up, errors = values[over] + aside, values[name], np.ravel(error)
+    across, up, errors = values[over], values[name], np.ravel(error)
     for i in np.flatnonzero(np.isfinite(across) & np.isfinite(up)):
-        said = [
-            f"{SYMBOLS.get(name, name)} = {values[name][i]:.4g} ± {errors[i]:.2g}{_unit(estimate)}"
+        unit = unit_in_words(estimate)
+        spread = with_unit(errors[i], unit, 2)
+        at = [
+            said(n, values[n][i], unit_in_words(points[n]), 4)
+            for n in dict.fromkeys((over, *places))
         ]
-        said += [
-            f"{SYMBOLS.get(each, each)} = {values[each][i]:.4g}{_unit(points[each])}"
-            for each in dict.fromkeys((over, *places))
-        ]
-        text = f"{said[0]}\n{', '.join(said[1:])}"
+        text = f"{said(name, values[name][i], unit, 4)} ± {spread}\n{', '.join(at)}"
         _remembered.setdefault(ax, []).append((across[i], up[i], text))
 
 
@@ -195,20 +195,3 @@ def remembered(figure: Figure) -> list[HoverPoint]:
                 shares = across / figure.bbox.width, 1.0 - up / figure.bbox.height
                 found.append(HoverPoint(float(shares[0]), float(shares[1]), text))
     return found
-
-
-def _unit(variable: xr.DataArray) -> str:
-    unit = str(variable.attrs.get("units", "1")).replace("s-1", "s⁻¹")
-    return "" if unit == "1" else f" {unit}"
-
-
-def model_in_words(data: xr.Dataset) -> str:
-    """Return what the foundation gives of a half-space's friction, "" where that is not known."""
-    if "model_ratio" not in data:
-        return ""
-    known = data.model_ratio.values[np.isfinite(data.model_ratio.values)]
-    if not known.size:
-        return ""
-    ends = dict.fromkeys(f"{value:.2g}" for value in (known.min(), known.max()))
-    some = "" if known.size == data.model_ratio.size else f", as far as known: {known.size} points"
-    return f"mu_1 of the foundation is {' to '.join(ends)} of that of a half-space{some}"

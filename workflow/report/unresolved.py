@@ -8,7 +8,7 @@ import xarray as xr
 from ..reduce import RESOLVED, UNRESOLVED
 
 STATUS = "resolution_status"
-HOLLOW = "hollow: contacts of fewer than 4 samples"
+HOLLOW = "contacts of fewer than 4 samples"
 
 
 def not_resolved(points: xr.Dataset) -> np.ndarray:

@@ -1,9 +1,12 @@
 """The figure of a study without one of its own: friction over time, and what was found of it.
 
 Curves of up to six points, spread over the grid; then mu_1, the jump and b over the longest axis,
-in a colour for each value of the second longest. All other axes are at their first value.
+in a colour for each value of the second longest, in a row for each place on all other axes.
 """
 
+import textwrap
+from collections.abc import Sequence
+from itertools import product
 from typing import Any
 
 import numpy as np
@@ -12,28 +15,27 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from ..result import AXIS_ATTRIBUTES, Groups
+from ..result import Groups
 from ..study import AXES
-from .panels import COLOURS, error_bars, foot_line, model_in_words
+from .in_words import axes_in, mathematical, model_in_words, said, unit_in_words, with_unit
+from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
 
 CAPTION = (
-    "The first panel shows the coefficient of friction over time after the velocity step at points "
-    "that are spread over the grid, with bands of one standard error. The other panels show steady "
-    "friction, the jump and the relaxation rate over the longest axis of the grid, in a colour for "
-    "each value of the second longest."
+    "The first panel shows the coefficient of friction over time at points that are spread over "
+    "the grid. The other panels show what was found over the longest axis of the grid, in a colour "
+    "for each value of the second longest, and in a row for each place on all others."
 )
 MOST_CURVES = MOST_COLOURS = 6
-WANTED = ("mu_1", "jump", "relaxation_rate")  # those that are there, or the first estimates
+MOST_ROWS = 4
+WANTED = (
+    "mu_1",
+    "jump",
+    "relaxation_rate",
+    "healing",
+)  # those that are there, or the first estimates
 DECADES = 10.0  # ratio of the largest to the least value from which on an axis is logarithmic
 FORMS = ("-", "--", ":", "-.")  # of the study and of its comparisons
-SYMBOLS = {
-    "hurst": "$H$",
-    "normal_force": "$F_N$ (N)",
-    "spacing": "$\\Delta x$ (m)",
-    "roughness": "$h$ (m)",
-    "velocity": "$v_1$ (m/s)",
-    "velocity_step": "$\\Delta v/v_1$",
-}
+FIRST = ("velocity", "hurst", "normal_force")  # of axes that are equally long
 LABELS = {
     "mu_1": "steady friction $\\mu_1$",
     "jump": "jump $\\Delta\\mu_0$",
@@ -45,78 +47,135 @@ CURVES = (("time", "mu", "$(t - t_0)/\\tau$"), ("trace_time", "trace_mu", "time 
 def draw(groups: Groups) -> Figure:
     """Return the figure of any result of a grid."""
     data = groups[""]
-    shown = [name for name in WANTED if name in data]
-    if not shown:
-        estimates = [str(n) for n in data.data_vars if f"{n}_error" in data]
-        shown = [n for n in estimates if set(data[n].dims) >= {*AXES}][: len(WANTED)]
+    varied = sorted((a for a in axes_in(data) if data.sizes[a] > 1), key=lambda a: _rank(data, a))
     curve = next((names for names in CURVES if names[1] in data), None)
+    shown = _shown(data) if varied or not curve else []
+    places = list(product(*(range(data.sizes[axis]) for axis in varied[2:])))
+    rows = [dict(zip(varied[2:], places[k], strict=True)) for k in _spread(len(places), MOST_ROWS)]
     panels = len(shown) + (curve is not None)
-    figure, axes = plt.subplots(1, panels, figsize=(1.0 + 2.3 * panels, 3.0), squeeze=False)
-    places = iter(axes[0])
-    if curve:
-        _curves(next(places), data, *curve)
-    for ax, name in zip(places, shown, strict=True):
-        _estimate(ax, groups, name)
+    size = (1.0 + 2.3 * panels, 0.6 + 2.4 * len(rows))
+    figure, axes = plt.subplots(len(rows), panels, figsize=size, squeeze=False, sharey="col")
+    for ax in axes[:, panels - len(shown) :].flat[1:]:
+        ax.sharex(axes[0, panels - len(shown)])
+    for row, place in zip(axes, rows, strict=True):
+        held = {name: each.isel(place, missing_dims="ignore") for name, each in groups.items()}
+        row[0].set_title(", ".join(_said(held[""], axis) for axis in place), fontsize=7)
+        if curve:
+            _curves(row[0], held[""], curve, varied[:2])
+        for ax, name in zip(row[panels - len(shown) :], shown, strict=True):
+            _estimate(ax, held, name, tuple(dict.fromkeys((*varied, *FIRST)))[:2])
+    for ax in axes[:-1].flat:
+        ax.set_xlabel("")
+    if varied and curve:
+        first = axes[0, 0].get_legend_handles_labels()[1]
+        for ax in axes[:, 0]:
+            if ax is axes[0, 0]:
+                legend_in_room(ax, 0.08 * len(first), fontsize=5.5)
+            elif ax.get_legend_handles_labels()[1] != first:
+                ax.legend(loc="upper left", fontsize=5.5)
     if shown and axes[0, -len(shown)].get_legend_handles_labels()[0]:
         axes[0, -len(shown)].legend(fontsize=6)  # the same in all panels of estimates
-    others = [axis for axis in _by_length(data)[2:] if data.sizes[axis] > 1]
-    values = [f"{AXIS_ATTRIBUTES[axis][1]} {float(data[axis][0]):.3g}" for axis in others]
-    note = f"estimates are shown at the first of several values: {', '.join(values)}"
-    bars = "bars and bands" if curve else "bars"
-    notes = [note * bool(others), model_in_words(data).replace("mu_1", "µ₁")]
-    foot_line(figure, data, "; ".join(filter(None, notes)), bars=bars)
+    notes = [
+        _drawn(len(varied) > 1 and data.sizes[varied[1]], MOST_COLOURS, "values of the second"),
+        _drawn(len(places), MOST_ROWS, "places on the other axes"),
+        f"{model}." if (model := model_in_words(data).replace("mu_1", "µ₁")) else "",
+        "" if shown else _found(data),
+    ]
+    foot_line(figure, data, " ".join(filter(None, notes)), "bars and bands" if curve else "bars")
     return figure
 
 
-def _by_length(data: xr.Dataset) -> list[str]:
-    """Return the axes of the grid, the longest first."""
-    order = ("velocity", "hurst", "normal_force", "velocity_step", "spacing", "roughness")
-    return sorted(order, key=lambda axis: -data.sizes[axis])
+def _rank(data: xr.Dataset, axis: str) -> tuple[int, int]:
+    """Return what sorts axes: the longest first."""
+    return -data.sizes[axis], FIRST.index(axis) if axis in FIRST else len(FIRST)
 
 
-def _curves(ax: Axes, data: xr.Dataset, time: str, mu: str, label: str) -> None:
+def _spread(size: int, most: int) -> list[int]:
+    """Return at most so many numbers below a size, spread evenly from first to last."""
+    return np.unique(np.linspace(0, size - 1, min(size, most)).round().astype(int)).tolist()
+
+
+def _drawn(size: int, most: int, what: str) -> str:
+    """Return that not all of something is drawn, "" where it is."""
+    return f"Of {size} {what} {most} are drawn." if size > most else ""
+
+
+def _shown(data: xr.Dataset) -> list[str]:
+    """Return which estimates are drawn: of those that are known somewhere."""
+    known = [
+        str(name)
+        for name, values in data.data_vars.items()
+        if f"{name}_error" in data and {*AXES} <= {*values.dims} <= {*axes_in(data)}
+    ]
+    known = [name for name in known if np.isfinite(data[name]).any()]
+    return [name for name in WANTED if name in known] or known[: len(WANTED)]
+
+
+def _called(data: xr.Dataset, axis: str) -> str:
+    """Return the name of an axis, or of the pressures that stand in place of its forces."""
+    given = "normal_pressure" in data.coords and axis == "normal_force"
+    return "normal_pressure" if given else axis
+
+
+def _said(data: xr.Dataset, axis: str) -> str:
+    """Return where a point lies on an axis, such as "T = 60 °C"."""
+    name = _called(data, axis)
+    return mathematical(said(name, float(data[name]), unit_in_words(data[name])))
+
+
+def _label(variable: xr.DataArray) -> str:
+    """Return what an axis of a panel is called: its meaning and its unit."""
+    words, unit = str(variable.attrs.get("long_name", variable.name)), unit_in_words(variable)
+    for letters, symbol in (("v1", "v₁"), ("dv", "Δv"), ("dx", "Δx")):
+        words = words.replace(letters, symbol)
+    return mathematical(textwrap.fill(f"{words} ({unit})" if unit else words, 34))
+
+
+def _found(data: xr.Dataset) -> str:
+    """Return the estimates of a single point, in words."""
+    words = []
+    for name in _shown(data):
+        value, error = float(data[name].squeeze()), float(data[f"{name}_error"].squeeze())
+        words += [f"{said(name, value, unit_in_words(data[name]))} ± {with_unit(error, digits=2)}"]
+    return f"Found: {'; '.join(words)}." if words else ""
+
+
+def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: list[str]) -> None:
     """Draw friction over time with bands at points spread over the grid."""
+    time, mu, label = curve
     long = [dim for dim in data[mu].dims if dim in ("sample", "event")]
     points = data.stack(point=[dim for dim in data[mu].dims if dim not in long])
     there = np.flatnonzero(points[mu].notnull().any(long))
-    chosen = np.unique(np.linspace(0, there.size - 1, MOST_CURVES).round().astype(int))
-    varied = [axis for axis in _by_length(data) if data.sizes[axis] > 1][:2]
     error = {"mu": "deviation_error"}.get(mu, f"{mu}_error")
-    for k, colour in zip(there[chosen] if there.size else [], COLOURS, strict=False):
-        one = points.isel(point=k)
-        one = one.dropna(long[0], subset=[mu])
+    for k, colour in zip(_spread(there.size, MOST_CURVES), COLOURS, strict=False):
+        one = points.isel(point=there[k]).dropna(long[0], subset=[mu])
         unit = float(one.mu_1) if mu == "mu" and "mu_1" in one else 1.0
-        values, band = one[mu].values / unit, (one[error].values if error in one else 0.0) / unit
-        said = ", ".join(f"{float(one[axis]):.3g}" for axis in varied)
-        ax.plot(one[time], values, color=colour, label=said)
-        ax.fill_between(one[time], values - band, values + band, color=colour, alpha=0.25, lw=0)
+        spread = one[error].values if error in one else 0.0
+        words = ", ".join(_said(one, axis) for axis in varied)
+        band(ax, one[time], one[mu].values / unit, spread / unit, color=colour, label=words)
+    ends = points[time].max(long).values[there]
+    if there.size and mu == "mu" and ends.max() > DECADES * ends.min():
+        ax.set_xscale("log")
     over = " over that before" if mu == "mu" and "mu_1" in points else ""
     ax.set(xlabel=label, ylabel=f"friction{over}")
-    if varied and there.size:
-        ax.legend(title=", ".join(SYMBOLS[axis] for axis in varied), fontsize=6, title_fontsize=6)
 
 
-def _estimate(ax: Axes, groups: Groups, name: str) -> None:
+def _estimate(ax: Axes, groups: Groups, name: str, axes: Sequence[str]) -> None:
     """Draw an estimate over the longest axis, for some values of the second longest."""
-    data = groups[""]
-    along, across = _by_length(data)[:2]
-    size = data.sizes[across]
-    picked = np.unique(np.linspace(0, size - 1, min(size, MOST_COLOURS)).round().astype(int))
+    data, (along, across) = groups[""], axes
+    over = _called(data, along)
     for form, (group, held) in zip(FORMS, groups.items(), strict=False):
         if name not in held or held.sizes[along] != data.sizes[along]:
             continue
+        size = held.sizes[across]
         rest = {dim: 0 for dim in held[name].dims if dim not in (along, across)}
-        for k, colour in zip(picked, COLOURS, strict=False):
+        for k, colour in zip(_spread(size, MOST_COLOURS), COLOURS, strict=False):
             line = held.isel(rest).isel({across: k})
-            value = f"{SYMBOLS[across].partition(' (')[0]} = {float(line[across]):.3g}"
-            label = group or (value if size > 1 else None)
             style: dict[str, Any] = {"color": colour, "ls": form, "marker": "o"}
-            said = label if not group or k == picked[0] else None
-            error_bars(ax, line, name, along, label=said, **style)
-    values = data[along].values
-    if values.min() > 0.0 and values.max() > DECADES * values.min():
-        ax.set_xscale("log")
-    found = data[name].values[np.isfinite(data[name].values)]
-    if found.size and found.min() > 0.0 and found.max() > DECADES * found.min():
-        ax.set_yscale("log")
-    ax.set(xlabel=SYMBOLS[along], ylabel=LABELS.get(name, name))
+            label = group or (_said(line, across) if size > 1 else None)
+            error_bars(ax, line, name, over, label=None if group and k else label, **style)
+    values, found = data[over].values, data[name].values[np.isfinite(data[name].values)]
+    for scale, numbers in (ax.set_xscale, values), (ax.set_yscale, found):
+        if numbers.size and numbers.min() > 0.0 and numbers.max() >= DECADES * numbers.min():
+            scale("log")
+    ax.set(xlabel=_label(data[over]), ylabel=LABELS.get(name) or _label(data[name]))

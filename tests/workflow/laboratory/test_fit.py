@@ -118,15 +118,15 @@ def test_several_steps_have_their_rates_and_jumps_drawn_with_errors(tmp_path):
     assert len(rates.containers[0].lines[0].get_xdata()) == 3
     assert rates.get_legend().get_texts()
     assert jumps.get_legend() is not None
-    files = draw_fit(fit, tmp_path / "f.png")
-    assert [file.name for file in files] == ["f.png", "f.pdf"]
+    (drawn,) = draw_fit(fit, tmp_path / "f.png")
+    assert (drawn.png.name, drawn.pdf.name) == ("f.png", "f.pdf")
 
 
 def test_more_steps_than_fit_on_a_page_are_said():
     fit = fit_records([record(seed, n=60, span=1.0) for seed in range(MOST_STEPS + 1)], Known())
     figure = figure_of(fit)
     assert len(figure.axes) == 2 * MOST_STEPS + 2
-    assert figure._supxlabel.get_text().startswith("The first 12 of 13 steps are drawn.")
+    assert figure.get_label().startswith("The first 12 of 13 steps are drawn.")
 
 
 def test_a_step_without_a_rate_is_drawn_too():

@@ -9,15 +9,18 @@ from matplotlib.figure import Figure
 
 from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
 from elastomer_friction.workflow.report.figure import write_figure
+from elastomer_friction.workflow.report.in_words import unit_in_words, with_unit
 from elastomer_friction.workflow.report.panels import (
     STYLE,
     error_band,
     error_bars,
     foot_line,
     log_bars,
+    plain_ticks,
     remembered,
 )
-from elastomer_friction.workflow.report.usual_figure import draw
+from elastomer_friction.workflow.report.usual_figure import MOST_ROWS, draw
+from tests.support.commands import besides_notes
 from tests.support.results import assert_refused, call
 from tests.support.synthetic import add, result, with_rates
 
@@ -39,10 +42,11 @@ def test_bars_are_symmetric_in_the_logarithm_and_at_most_a_decade():
 
 def test_the_foot_says_how_large_the_study_was():
     figure = Figure(figsize=(8.0, 3.0))
-    foot_line(figure, result("fig7"), "and a note")
-    (text, note) = figure._supxlabel.get_text().splitlines()
-    assert text.startswith("28 grid points, 10 realizations each, seed 2014; bars: one jackknife")
-    assert note == "and a note"
+    foot_line(figure, result("fig7"), "And a note.")
+    assert figure.get_label() == (
+        "Bars show one jackknife standard error; 28 grid points, 10 realizations each, seed 2014. "
+        "And a note."
+    )
 
 
 COARSE = 1
@@ -83,7 +87,9 @@ def test_a_legend_says_what_hollow_markers_are_and_how_many():
     foot_line(figure, points)
     (legend,) = figure.legends
     (text,) = legend.get_texts()
-    assert text.get_text() == "hollow: contacts of fewer than 4 samples (2 of the points shown)"
+    assert text.get_text() == "hollow: contacts not resolved"
+    said = "Hollow markers (2 of the points shown) have contacts of fewer than 4 samples."
+    assert figure.get_label().endswith(said)
     plain, ax = plt.subplots(layout="constrained")
     error_bars(ax, points.isel(point=slice(2, None)), "rms_slope", "velocity", fmt="s")
     foot_line(plain, points)
@@ -119,15 +125,15 @@ def test_points_are_where_they_are_drawn_and_say_what_they_are(ax, over_velocity
     over_velocity = over_velocity.assign_coords(
         velocity=("velocity", np.linspace(0.2, 1.4, 7), {"units": "m s-1"})
     )
-    error_bars(ax, over_velocity, "share", "velocity", bias=0.05, aside=0.01, fmt="o")
+    error_bars(ax, over_velocity, "share", "velocity", bias=0.05, fmt="o")
     ax.set(xlim=(0.0, 1.0), ylim=(0.0, 1.0))
     found = remembered(ax.figure)
-    assert len(found) == 4  # 0.21 ... 0.81; the others lie outside
-    assert [point.x for point in found] == pytest.approx([0.21, 0.41, 0.61, 0.81])
-    assert [point.y for point in found] == pytest.approx([0.5] * 4)
+    assert len(found) == 5  # 0.2 ... 1.0; the others lie outside
+    assert [point.x for point in found] == pytest.approx([0.2, 0.4, 0.6, 0.8, 1.0])
+    assert [point.y for point in found] == pytest.approx([0.5] * 5)
     value, place = found[1].text.split("\n")
     assert value == "share = 0.5 ± 0.15"
-    assert place.startswith("v₁ = 0.4 m s⁻¹, H = 0.7, F_N = 0.1 N, Δx = 2e-06 m, h = 1e-05 m")
+    assert place.startswith("v₁ = 0.4 m/s, H = 0.7, F_N = 0.1 N, Δx = 2 µm, h = 10 µm")
 
 
 def test_a_number_that_is_not_known_is_no_point(ax, over_velocity):
@@ -164,18 +170,30 @@ def with_curves(data):
     return data.assign(time=time + 0.0 * mu, mu=mu, deviation_error=error)
 
 
-def test_estimates_are_drawn_over_the_longest_axis_with_a_colour_for_the_next():
+def test_estimates_are_drawn_over_the_longest_axis_with_a_colour_for_the_next_and_rows_for_others():
     figure = draw({"": estimates()})
-    labels = [ax.get_ylabel().partition("$")[0] for ax in figure.axes]
-    assert labels == ["steady friction ", "jump ", "relaxation rate "]
-    assert [ax.get_legend() is None for ax in figure.axes] == [False, True, True]
-    for ax in figure.axes:
-        assert ax.get_xlabel() == "$v_1$ (m/s)"
-        assert len(ax.containers) == 3
-        assert (ax.get_xscale(), ax.get_yscale()) == ("log", "log")
-    texts = [text.get_text() for text in figure.axes[0].get_legend().get_texts()]
-    assert texts == ["$H$ = 0.3", "$H$ = 0.5", "$H$ = 0.7"]
-    assert "normal force F_N 0.1" in figure._supxlabel.get_text()
+    axes = np.reshape(figure.axes, (-1, 3))  # a row for each load
+    assert len(axes) == estimates().sizes["normal_force"] > 1
+    for row in axes:
+        labels = [ax.get_ylabel().partition("$")[0] for ax in row]
+        assert labels == ["steady friction ", "jump ", "relaxation rate "]
+        assert all(len(ax.containers) == 3 for ax in row)
+        assert {(ax.get_xscale(), ax.get_yscale()) for ax in row} == {("log", "log")}
+    assert all("m/s" in ax.get_xlabel() for ax in axes[-1])
+    assert [ax.get_title("left") for ax in axes[:, 0]] == ["$F_N$ = 0.1 N", "$F_N$ = 1 N"]
+    legend = axes[0, 0].get_legend()
+    assert [text.get_text() for text in legend.get_texts()] == ["H = 0.3", "H = 0.5", "H = 0.7"]
+
+
+def test_of_more_places_than_rows_the_caption_says_how_many_are_drawn():
+    data = xr.concat(
+        [estimates().assign_coords(temperature=t) for t in (0.0, 20.0, 60.0)], "temperature"
+    )
+    figure = draw({"": data})
+    assert len(figure.axes) == 3 * MOST_ROWS
+    assert "Of 6 places on the other axes 4 are drawn." in figure.get_label()
+    titles = [ax.get_title("left") for ax in figure.axes]
+    assert any("60" in title for title in titles)
 
 
 def test_curves_of_six_points_that_have_one_with_their_bands():
@@ -194,14 +212,58 @@ def test_a_comparison_is_drawn_beside_the_study():
 def test_a_single_point_and_other_quantities_have_a_figure_too():
     one = result("fig7", hurst=[0.7], normal_force=[0.1], velocity=[0.1])
     figure = draw({"": add(one, peak=0.1, healing=0.2)})
-    assert {"rms_slope", "peak"} & {ax.get_ylabel() for ax in figure.axes}
+    assert {"rms_slope", "peak", "healing"} & {ax.get_ylabel() for ax in figure.axes}
 
 
-def test_points_that_failed_leave_gaps():
+def test_a_single_point_has_its_curve_alone_and_its_numbers_in_the_caption():
+    figure = draw({"": with_curves(estimates()).isel(velocity=[3], hurst=[0], normal_force=[0])})
+    assert len(figure.axes) == 1
+    assert "Found: µ₁ = " in figure.get_label()
+
+
+def test_points_that_failed_leave_gaps_and_what_failed_everywhere_is_not_drawn():
     data = estimates()
-    figure = draw({"": data.assign(mu_1=data.mu_1 * np.nan)})
+    some = data.assign(mu_1=data.mu_1.where(data.velocity > 2e-4))
+    none = data.assign(mu_1=data.mu_1 * np.nan)
+    rows = data.sizes["normal_force"]
+    for failed, panels in ((some, 3), (none, 2)):
+        figure = draw({"": failed})
+        figure.canvas.draw()
+        assert len(figure.axes) == panels * rows
+
+
+@pytest.mark.parametrize(
+    ("value", "unit", "said"),
+    [
+        (1e-5, "s", "10 µs"),
+        (1e6, "Pa", "1 MPa"),
+        (0.24, "m/s", "0.24 m/s"),
+        (4e-3, "m/s", "4 mm/s"),
+        (-30.0, "°C", "−30 °C"),
+        (2e-5, "", "2·10⁻⁵"),
+        (1e-6, "1/s", "10⁻⁶ 1/s"),
+        (1234.0, "", "1230"),
+    ],
+)
+def test_numbers_are_written_as_people_do(value, unit, said):
+    assert with_unit(value, unit) == said
+
+
+def test_units_are_written_as_people_do():
+    units = {"m s-1": "m/s", "s-1": "1/s", "N m-1": "N/m", "degree_Celsius": "°C", "1": ""}
+    for unit, words in units.items():
+        assert unit_in_words(xr.DataArray(0.0, attrs={"units": unit})) == words
+
+
+def test_narrow_logarithmic_axes_have_plain_numbers():
+    figure, (narrow, wide) = plt.subplots(1, 2)
+    for ax, end in ((narrow, 8.0), (wide, 1e5)):
+        ax.set(xscale="log", xlim=(1.0, end))
+    plain_ticks(figure)
     figure.canvas.draw()
-    assert len(figure.axes) == 3
+    texts = [[t.get_text() for t in ax.get_xticklabels(which="both")] for ax in (narrow, wide)]
+    assert {"1", "2", "5"} <= {*texts[0]}
+    assert any("10^{" in text for text in texts[1])
 
 
 BROKEN = """
@@ -217,7 +279,7 @@ def test_the_same_result_gives_the_same_figure_as_png_and_pdf(capsys, shown):
     drawn = []
     for _ in range(2):
         status, out, err = call(capsys, "figure", shown)
-        assert (status, err) == (0, "")
+        assert (status, besides_notes(err)) == (0, [])
         assert out.split() == [str(shown / f"small.{kind}") for kind in ("png", "pdf")]
         drawn.append([(shown / f"small.{kind}").read_bytes() for kind in ("png", "pdf")])
     assert drawn[0] == drawn[1]
@@ -244,6 +306,7 @@ def test_a_study_without_a_script_has_the_usual_figure(capsys, shown):
     status, out, err = call(capsys, "figure", shown)
     assert (status, err) == (0, "")
     assert out.split() == [str(shown / f"small.{kind}") for kind in ("png", "pdf")]
+    assert b"The first panel shows" in (shown / "small.png").read_bytes()
 
 
 def test_a_script_that_is_asked_for_draws_instead(capsys, shown, tmp_path):
@@ -258,7 +321,8 @@ def test_a_script_that_is_asked_for_draws_instead(capsys, shown, tmp_path):
 
 
 def test_several_figures_go_by_their_names(tmp_path):
-    files = write_figure(lambda: {"": Figure(), "more": Figure()}, tmp_path / "a.nc")
+    drawn = write_figure(lambda: {"": Figure(), "more": Figure()}, tmp_path / "a.nc")
+    files = [file for picture in drawn for file in (picture.png, picture.pdf)]
     names = ["a.png", "a.pdf", "a-more.png", "a-more.pdf"]
     assert [file.name for file in files] == names
     assert all(file.is_file() for file in files)

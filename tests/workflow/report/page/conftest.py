@@ -1,5 +1,7 @@
 """One report for all tests of the page."""
 
+from types import SimpleNamespace
+
 import pytest
 from matplotlib.figure import Figure
 
@@ -8,6 +10,8 @@ from elastomer_friction.workflow.report.page import write_report
 from elastomer_friction.workflow.report.panels import error_bars
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from tests.support.synthetic import add, result, write_figure_8
+
+CAPTION = "The rms slope is shown. Its errors are, too."
 
 
 def draw(groups):
@@ -27,7 +31,9 @@ def report():
 
     def write(folder):
         with pytest.MonkeyPatch.context() as patch:
-            patch.setattr(figure, "_script", lambda *_: draw)
+            patch.setattr(
+                figure, "_script", lambda study, _: SimpleNamespace(draw=draw, CAPTION=CAPTION)
+            )
             return write_report(folder, [])
 
     return write

@@ -66,7 +66,7 @@ def test_page_in_a_browser(folder, tmp_path):
         assert font >= least_font
     for told in re.search(r'data-told="([^"]+)"', done.stdout)[1].split(";"):
         on, near, far, by_key = told.split("|")
-        assert on.startswith("rms_slope = 0.02 ± 0.0002\nv₁ = 0.0001 m s⁻¹, H = ")
+        assert on.startswith("rms_slope = 0.02 ± 0.0002\nv₁ = 100 µm/s, H = ")
         assert on.endswith(", in view")
         assert near == on
         assert far == "nothing"

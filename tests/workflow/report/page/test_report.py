@@ -5,12 +5,13 @@ import re
 import shutil
 
 import pytest
+import xarray as xr
 from markupsafe import escape
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan import TYPICAL
+from elastomer_friction.workflow.report import figure
 from elastomer_friction.workflow.report.claims import known_claims
-from elastomer_friction.workflow.report.figure import caption
 from elastomer_friction.workflow.report.page import (
     formula,
     section,
@@ -24,6 +25,7 @@ from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from tests.support.commands import output, refusal
 from tests.support.synthetic import add, result
+from tests.workflow.report.page.conftest import CAPTION
 
 REPORTED = ("fig5", "fig8")
 
@@ -62,7 +64,7 @@ def test_page_holds_the_figures(folder, page):
     assert [base64.b64decode(image) for image in found] == drawn
     for name in REPORTED:
         study = read_study(name)
-        assert f'alt="{escape(f"{study.title}. {caption(study)}")}"' in page
+        assert f'alt="{escape(f"{study.title}. {CAPTION}")}"' in page
 
 
 def test_page_holds_the_claims_that_can_be_judged(page):
@@ -147,7 +149,8 @@ def test_smoke_data_wear_a_banner_whatever_their_file_is_called(tmp_path):
 
 def test_a_point_that_was_drawn_says_its_value_and_error(tmp_path):
     data = result("fig5", hurst=[0.7])
-    data = add(data, mu_1=data.velocity, mu_2=1.2 * data.velocity, jump=0.2 * data.velocity)
+    v = xr.DataArray(data.velocity.values, dims="velocity")
+    data = add(data, mu_1=v, mu_2=1.2 * v, jump=0.2 * v)
     write_datasets(tmp_path / "fig5.nc", {"": data})
     page = written(tmp_path, "fig5")
     drawn = r'<circle cx="([\d.]+)" cy="([\d.]+)" r="4"><title>(.*?)</title>'
@@ -156,7 +159,7 @@ def test_a_point_that_was_drawn_says_its_value_and_error(tmp_path):
     texts = [text for _, _, text in points]
     for name in ("µ₁", "Δµ₀/(Δv/v₁)"):
         (first, *_) = (text for text in texts if text.startswith(f"{name} = 0.01 ± 0.0001"))
-        assert "\nv₁ = 0.01 m s⁻¹, H = 0.7, F_N = 0.1 N, " in first
+        assert "\nv₁ = 10 mm/s, H = 0.7, F_N = 0.1 N, " in first
     width, height = map(int, re.search(r'viewBox="0 0 (\d+) (\d+)"', page).groups())
     assert all(0 < float(x) < width and 0 < float(y) < height for x, y, _ in points)
 
@@ -223,13 +226,14 @@ SENTENCE = r"[A-Z][^.]*(?:(?:eqs?\.|\d\.\d)[^.]*)*\."
 
 @pytest.mark.parametrize("name", known_studies())
 def test_every_study_has_a_caption_of_two_sentences(name):
-    assert re.fullmatch(f"{SENTENCE} {SENTENCE}", caption(read_study(name)))
+    assert re.fullmatch(f"{SENTENCE} {SENTENCE}", figure._script(read_study(name), None).CAPTION)
 
 
 def test_a_study_without_a_script_has_the_caption_of_the_usual_figure(tmp_path):
     path = tmp_path / "mine.toml"
     path.write_text(known_studies()["fig6"].read_text(encoding="utf-8"), encoding="utf-8")
-    assert caption(read_study(str(path))).startswith("The first panel shows")
+    drawing = figure._script(read_study(str(path)), None)
+    assert drawing.CAPTION.startswith("The first panel shows")
 
 
 @pytest.mark.parametrize("name", known_studies())

@@ -1,0 +1,80 @@
+"""What a variable, a number with its unit, and a point of a result are called."""
+
+import re
+
+import numpy as np
+import xarray as xr
+from matplotlib.ticker import EngFormatter
+
+from ..study import EVERY_AXIS
+
+SYMBOLS = {
+    "hurst": "H",
+    "normal_force": "F_N",
+    "normal_pressure": "p",
+    "spacing": "Δx",
+    "roughness": "h",
+    "velocity": "v₁",
+    "velocity_step": "Δv/v₁",
+    "prescribed_indentation": "d",
+    "temperature": "T",
+    "hold": "t_h",
+    "stiffness": "k",
+    "speed_ratio": "x",
+    "mu_1": "µ₁",
+    "mu": "µ",
+    "jump": "Δµ₀",
+    "jump_over_step": "Δµ₀/(Δv/v₁)",
+    "relaxation_rate": "b",
+    "alpha": "α",
+}
+PLAIN = 0.1, 1e3  # between these a number has no prefix
+RAISED = str.maketrans("-0123456789", "⁻⁰¹²³⁴⁵⁶⁷⁸⁹")
+
+
+def unit_in_words(variable: xr.DataArray) -> str:
+    """Return the unit of a variable as people write it, such as m/s; "" for a pure number."""
+    unit = str(variable.attrs.get("units", "1"))
+    if unit in ("1", "degree_Celsius"):
+        return "" if unit == "1" else "°C"
+    above, below = re.subn(r" ?([A-Za-z]+)-1\b", "", unit)[0], re.findall(r"([A-Za-z]+)-1\b", unit)
+    return "/".join([above or "1", *below])
+
+
+def with_unit(value: float, unit: str = "", digits: int = 3) -> str:
+    """Return a number for a reader: 10 µm, 1 MPa, 0.05 m/s, 2·10⁻⁵, never 1e-05."""
+    rounded = float(f"{value:.{digits}g}")
+    plain = rounded == 0.0 or PLAIN[0] <= abs(rounded) < PLAIN[1] or not np.isfinite(rounded)
+    if unit[:1].isalpha() and not plain:
+        return EngFormatter(unit)(rounded)
+    mantissa, _, power = f"{rounded:g}".partition("e")
+    if power:
+        mantissa = f"{mantissa}·".removeprefix("1·") + f"10{str(int(power)).translate(RAISED)}"
+    return f"{mantissa.replace('-', '−')} {unit}".rstrip()
+
+
+def said(name: str, value: float, unit: str = "", digits: int = 3) -> str:
+    """Return what the value of a variable is, such as "H = 0.7" or "Δx = 2 µm"."""
+    return f"{SYMBOLS.get(name, name)} = {with_unit(value, unit, digits)}"
+
+
+def mathematical(text: str) -> str:
+    """Return a text with its symbols set, of which some have an index."""
+    return re.sub(r"\b(\w)_(\w)\b", r"$\1_\2$", text)
+
+
+def axes_in(data: xr.Dataset) -> list[str]:
+    """Return the axes of the grid that are dimensions of a result, in their order."""
+    return [axis for axis in EVERY_AXIS if axis in data.dims]
+
+
+def model_in_words(data: xr.Dataset) -> str:
+    """Return what the foundation gives of a half-space's friction, "" where that is not known."""
+    if "model_ratio" not in data:
+        return ""
+    known = data.model_ratio.values[np.isfinite(data.model_ratio.values)]
+    if not known.size:
+        return ""
+    ends = dict.fromkeys(f"{value:.2g}" for value in (known.min(), known.max()))
+    some = "" if known.size == data.model_ratio.size else f", as far as known: {known.size} points"
+    return f"mu_1 of the foundation is {' to '.join(ends)} of that of a half-space{some}"
