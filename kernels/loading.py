@@ -25,26 +25,26 @@ from .lines.self_affine import amplitudes
 from .model.force import ConstantForce
 from .quick.case import Case, Quantities
 from .quick.cases import run_cases
-from .quick.contacts.fine_line import mark_touchable, marked
+from .quick.contacts.between_samples import slide_between
 from .quick.contacts.loads import How
-from .quick.contacts.part import Part, slide_on
-from .quick.contacts.refined import MARGIN, curvatures_of
+from .quick.contacts.on_lines import slide_on
+from .quick.contacts.smooth_line import smooth_line
 from .quick.contacts.steady_friction import AtSpeed, Grounds
 from .quick.march.active import active_march
 from .quick.march.given import March, SteadyState
 from .quick.relaxation import Ends, plain_relaxations
-from .quick.steady.carry import NO_GAPS, Decay, carry
+from .quick.steady.carry import Decay
 from .quick.steady.spans import SPAN, TURN
 from .quick.steady.stack import Stack, spans_of_line
 from .rheology.forms import form_of
-from .rheology.kelvin import SCHEMES, Kelvin
+from .rheology.kelvin import SCHEMES
 from .rheology.law import State, law_of
 from .rheology.spectrum import KELVIN
 
 ROOT = Path(__file__).resolve().parents[1]
 STEPS = 4  # per spacing
 FEW, MANY = np.array([1]), np.array([4])  # steps: marched plainly, and by lists
-WIDE, NARROW = (0.1, 1.0), (1e-3, 100.0)  # load and speed: as sampled, and refined
+WIDE, NARROW = (0.1, 1.0), (1e-3, 100.0)  # load and speed: as sampled, and between the samples
 
 
 def load(scheme: str, asked: Quantities) -> None:
@@ -61,8 +61,9 @@ def load(scheme: str, asked: Quantities) -> None:
         with _helped(scheme, asked):
             at_speed, nobody = AtSpeed.of(scheme, STEPS, WIDE[1], (1.2,), (1.2,)), np.empty((1, 0))
             how = How(float(STEPS), at_speed.share, True)
-            slide_on(at_speed.law, Part(_stack(line)), at_speed.at_speeds, nobody[0], nobody, how)
-            _load_fine(line, at_speed.law)
+            slide_on(at_speed.law, _stack(line), at_speed.at_speeds, nobody[0], nobody, how)
+            smooth = smooth_line(line.z, line.slope, 1.0 / STEPS)
+            slide_between(smooth, WIDE[1], nobody[0], nobody[0], nobody[0])
             law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
         run_cases(line, cases, asked)
 
@@ -84,15 +85,6 @@ def load_half(scheme: str, rate: bool) -> None:
         steady = SteadyState(Decay(*law), sums, np.zeros(sums.size + 1), state.d)
         march = March(z, slope, spans, law, law, steady, steady, 0.0)
         active_march(march, control, MANY)
-
-
-def _load_fine(line: Line, law: Kelvin) -> None:
-    """Compile what is asked of a line and a state before its contacts are refined."""
-    spans, state = spans_of_line(_stack(line), 0), State(np.zeros_like(line.z), WIDE[0])
-    stay = np.zeros(line.z.size // SPAN)
-    carry(Decay(*law), line.z, spans, stay, state.d, None, state.w, NO_GAPS)
-    curvatures_of(line)
-    marked(mark_touchable(line.z, line.slope, spans, state, 1.0 / STEPS, MARGIN), SPAN)
 
 
 def _stack(line: Line) -> Stack:

@@ -32,7 +32,7 @@ class Case(NamedTuple):
     kept_steps: tuple[np.ndarray, ...]  # per ratio: the steps at which the relaxation is kept
     scheme: str
     spectrum: Spectrum = KELVIN
-    refine: bool = True  # read the friction of narrow contacts from finer samples than the line's
+    refine: bool = True  # follow narrow contacts between the samples of the line
 
     @property
     def plain(self) -> bool:
@@ -49,7 +49,7 @@ class Seconds(NamedTuple):
     marching: float
 
 
-STEADY, JUMP = (Seconds._fields.index(name) for name in ("steady", "jump"))
+STEADY, JUMP, MARCHING = range(len(Seconds._fields))
 
 
 class Outcome(NamedTuple):
@@ -88,21 +88,20 @@ class PhaseClocks:
         self.spent = [[0.0] * cases for _ in Seconds._fields]
         self.last = working_time()
 
-    def lap(self, steady: list[float], jump: float = 0.0) -> None:
-        """Book the time: work of the steady state of every case, of the jumps the same in all."""
+    def lap(self, steady: np.ndarray, jump: np.ndarray | float = 0.0) -> None:
+        """Book the time: work of the steady state of every case, and of the jumps."""
         now = working_time()
-        each = (now - self.last) / (sum(steady) + len(steady) * jump)
-        for case, work in enumerate(steady):
-            self.spent[STEADY][case] += each * work
-            self.spent[JUMP][case] += each * jump
+        jumps = np.broadcast_to(jump, steady.shape)
+        each = (now - self.last) / max(float(steady.sum() + jumps.sum()), 1.0)
+        for case in range(steady.size):
+            self.spent[STEADY][case] += each * float(steady[case])
+            self.spent[JUMP][case] += each * float(jumps[case])
         self.last = now
 
-    def lap_alone(self, case: int, **work: float) -> None:
-        """Book the time to one case: work by the name of a phase."""
+    def lap_march(self, case: int) -> None:
+        """Book the time to the march of one case."""
         now = working_time()
-        each = (now - self.last) / sum(work.values())
-        for phase, done in work.items():
-            self.spent[Seconds._fields.index(phase)][case] += each * done
+        self.spent[MARCHING][case] += now - self.last
         self.last = now
 
     def seconds(self, case: int) -> Seconds:

@@ -12,7 +12,7 @@ from ..control.printed_eq3 import PrintedForce
 from ..lines.line import Line
 from ..model.force import ConstantForce
 from .case import Case, Outcome, PhaseClocks, Quantities, Seconds
-from .contacts.steady_friction import Grounds, Sliding, refine, steady_friction
+from .contacts.steady_friction import Grounds, Sliding, follow_narrow, steady_friction
 from .march.active import active_march
 from .march.given import March, SteadyState
 from .memory_case import run_memory_case
@@ -69,7 +69,12 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
     lines, n = grounds.stack.z.shape
     loads, clocks = some.loads * n, PhaseClocks(len(some.cases))
     one = steady_friction(grounds, some.at_speed, loads)
-    clocks.lap(_work(one), jump=len(some.at_speed.others) * n * lines)
+    jumping = len(some.at_speed.others)
+    clocks.lap(_work(one), jump=jumping * n * lines)
+    refine = some.cases[0].refine
+    if refine:
+        events = follow_narrow(one)
+        clocks.lap(events, 0.3 * jumping * events)  # as measured
     twos = []
     for k, later in enumerate(some.following):
         two = one
@@ -77,13 +82,15 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
             guesses = np.ascontiguousarray(one.found.ahead[..., k])
             two = steady_friction(grounds, later, loads, guesses)
             clocks.lap(_work(two))
+            if refine:
+                clocks.lap(follow_narrow(two))
         twos.append(two)
     return [_under_load(one, twos, i, some, asked, clocks) for i in range(len(some.cases))]
 
 
-def _work(found: Sliding) -> list[float]:
+def _work(found: Sliding) -> np.ndarray:
     """Return the work under every load on all the lines, in samples."""
-    return (found.updates + found.grounds.stack.z.shape[1]).sum(axis=0).tolist()
+    return (found.updates + found.grounds.stack.z.shape[1]).sum(axis=0)
 
 
 def _under_load(
@@ -98,19 +105,12 @@ def _under_load(
 
     twos : steady sliding at each v2, or nothing.
     """
-    case, (lines, n) = some.cases[i], one.grounds.stack.z.shape
-    for j in range(lines):
-        if case.refine and refine(one, j, i):
-            jumping = float(len(one.at_speed.others) * n)
-            clocks.lap_alone(i, steady=one.updates[j, i] + n, jump=jumping)
+    case, (lines, _) = some.cases[i], one.grounds.stack.z.shape
     work = one.updates[:, i].copy()
     mu_2 = np.full((lines, len(case.ratios)), np.nan)
     curves: list[list[np.ndarray]] = [[] for _ in range(lines)]
     for k, two in enumerate(twos):
         if two is not one:
-            for j in range(lines):
-                if case.refine and refine(two, j, i):
-                    clocks.lap_alone(i, steady=1.0)
             work += two.updates[:, i]
         mu_2[:, k] = two.mu[:, i]
         if asked.relaxation:
@@ -119,7 +119,7 @@ def _under_load(
             for own, curve in zip(curves, found, strict=True):
                 own.append(curve)
             work += updates
-            clocks.lap_alone(i, marching=1.0)
+            clocks.lap_march(i)
     jumps = one.found.jumps[:, i] if asked.jump else np.full(mu_2.shape, np.nan)
     seconds = Seconds(*(spent / lines for spent in clocks.seconds(i)))
     nothing = some.nothing

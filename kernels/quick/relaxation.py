@@ -8,7 +8,7 @@ from ..compile.jit import kernel
 from ..model.friction import lagged_slope, step_average
 from ..model.march import march
 from ..rheology.law import State
-from .steady.carry import Decay, Gaps, carry
+from .steady.carry import Decay, carry
 from .steady.stack import spans_in
 
 
@@ -30,12 +30,11 @@ def plain_relaxations(stack, law, one, two, control, kept_steps):
     lines, n = stack.z.shape
     curves = np.empty((lines, kept_steps.size))
     updates = np.zeros(lines, np.int64)
-    no_gaps = Gaps(np.empty(0), np.empty(0), np.empty(0))
     for k in range(lines):
         z, spans = stack.z[k], spans_in(stack, k)
         before, after = np.empty(n), np.empty(n)
-        carry(one.decay, z, spans, one.stay[k], one.d[k], None, before, no_gaps)
-        carry(two.decay, z, spans, two.stay[k], two.d[k], None, after, no_gaps)
+        carry(one.decay, z, spans, one.stay[k], one.d[k], None, before)
+        carry(two.decay, z, spans, two.stay[k], two.d[k], None, after)
         weight = lagged_slope(stack.slope[k], law.lag)
         state = State(before, one.d[k])
         # d stays between its steady values but for a transient. It never exceeds what one element

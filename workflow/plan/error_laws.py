@@ -8,7 +8,7 @@ of lines, which come in quartets; 290 problems, Fbar 1e-3 ... 25, x 0.25 ... 600
 over 16 quartets; right within 1.7 for two in three.
 
 They take a problem, or many of them together (problems.py), and steps for each. refine : whether
-narrow contacts are read from finer samples.
+narrow contacts are followed between the samples.
 """
 
 from collections.abc import Callable
@@ -17,7 +17,7 @@ from typing import NamedTuple, Protocol
 import numpy as np
 
 from ...kernels import KELVIN
-from ...kernels.quick.contacts.refined import LEAST_STEPS
+from ...kernels.quick.contacts.between_samples import LEAST_STEPS
 from ..simulate import Problem
 from ..study import FOUNDATION
 from .problems import Numbers, expected_rate, speed_ratio, viscous_pressure
@@ -34,7 +34,7 @@ def known(problem: Problem) -> Numbers:
 
 
 def mu_1_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of mu_1 (and mu_2): second order, but for contacts that are refined."""
+    """Return the error of mu_1 (and mu_2): second order, but for contacts that are followed."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
     line = (elements / 88.0) ** (-1.22 * problem.hurst)
@@ -46,7 +46,7 @@ def mu_1_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers
 
 
 def jump_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of the jump: second order, but for contacts that are refined."""
+    """Return the error of the jump: second order, but for contacts that are followed."""
     _, elements, load, speed, _ = problem[:5]
     contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
     line = (elements / 94.0) ** (-1.36 * problem.hurst)
@@ -58,7 +58,7 @@ def jump_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers
 
 
 def _refined(steps: Numbers, coarse: Numbers, finer: Numbers) -> Numbers:
-    """Return the error where refinement, from LEAST_STEPS on, bounds it to ``finer``."""
+    """Return the error where following contacts, from LEAST_STEPS on, bounds it to ``finer``."""
     return np.where(steps >= LEAST_STEPS, np.minimum(coarse, finer), coarse)
 
 
@@ -70,7 +70,7 @@ def _slides(problem: Problem) -> Numbers:
 def relaxation_rate_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
     """Return the error of b as expected before anything is computed; see ``rate_error``.
 
-    A march is on the samples of the line, whether steady states are refined or not.
+    A march is on the samples of the line, whether contacts of steady states are followed or not.
     """
     return rate_error(problem, steps, contact_width(problem) * steps, expected_rate(problem))
 

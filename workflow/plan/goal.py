@@ -10,7 +10,7 @@ import numpy as np
 
 from ...kernels import KELVIN, QUARTET
 from ...kernels.model.limits import SPEEDS
-from ...kernels.quick.contacts.refined import LEAST_STEPS
+from ...kernels.quick.contacts.between_samples import LEAST_STEPS
 from ...kernels.rheology.spectrum import shortest_step
 from ..errors import UserError
 from ..simulate import Problem
@@ -159,10 +159,10 @@ def least_steps(problem: Problem, scene: Scene) -> Numbers:
 def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Numbers:
     """Return m: the given number, or for "auto" the least that keeps BIAS of all that is asked.
 
-    Steady friction and jumps do so with 4 (quick/contacts/refined.py), a relaxation where steps
-    and contacts are resolved (error_laws.py). For contacts alone m goes up to MOST_FOR_CONTACTS and
-    as far as a line fits into a worker; what is coarse then is marked in the result. First order
-    schemes take FIRST_ORDER times as many.
+    Steady friction and jumps do so with 4 (quick/contacts/between_samples.py), a relaxation where
+    steps and contacts are resolved (error_laws.py). For contacts alone m goes up to
+    MOST_FOR_CONTACTS and as far as a line fits into a worker; what is coarse then is marked in the
+    result. First order schemes take FIRST_ORDER times as many.
     """
     steps: Numbers = numerics.steps_per_spacing
     if steps is None and problem.surface.body == HALF_SPACE:

@@ -55,24 +55,22 @@ class How(NamedTuple):
 
 
 @kernel
-def slide(decay, z, slope, spans, speeds, loads, guesses, how, gaps, into):
+def slide(decay, z, slope, spans, speeds, loads, guesses, how, into):
     """Fill ``into``, which is Found, for steady sliding of one line under all loads.
 
     decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, all NaN where there
-    are none. gaps : as of carry.
+    are none.
     """
     n, own = z.size, speeds.thresholds
     contacts, rooms = room_for(slope, speeds.own), (room_for_all(n), room_for_pressed(n))
     table, jumps, rates, entered, ahead = into
-    d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses, gaps)
+    d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses)
     for i in range(loads.size):
         load, pieces, held = loads[i], 1, n
         if full[i]:
             _list_whole_line(z, d[i], contacts)
         else:
-            d[i], used, held, pieces = indentation(
-                decay, z, spans, own.stay, load, d[i], contacts, gaps
-            )
+            d[i], used, held, pieces = indentation(decay, z, spans, own.stay, load, d[i], contacts)
             sweeps[i] += used
         listed = first(contacts, pieces)
         for k in range(speeds.ahead.size):
@@ -114,7 +112,7 @@ def _weigh(at, speeds, contacts, load, d, full, how, rooms, jumps, rates):
 
 
 @kernel
-def _indentations(decay, z, spans, own, loads, guesses, gaps):
+def _indentations(decay, z, spans, own, loads, guesses):
     """Return (d, sweeps, full): where the whole line touches, d itself, elsewhere near it."""
     size = loads.size
     d, full, sweeps = np.empty(size), np.empty(size, np.bool_), np.zeros(size, np.int64)
@@ -131,7 +129,7 @@ def _indentations(decay, z, spans, own, loads, guesses, gaps):
         for k in range(count):
             near[k] = elastic_guess(z, spans.deepest, partly[k])
     steps = POWER_STEPS if guessed else STEPS
-    near = approach(decay, z, spans, own.stay, partly[:count], near[:count], steps, gaps)
+    near = approach(decay, z, spans, own.stay, partly[:count], near[:count], steps)
     for k in range(count):
         d[some[k]], sweeps[some[k]] = near[k], steps
     return d, sweeps, full

@@ -1,4 +1,4 @@
-"""Friction of steady sliding and of the jumps from it, at as many samples as the contacts need."""
+"""Friction of steady sliding and of the jumps from it, between the samples where that is needed."""
 
 from collections.abc import Sequence
 from functools import cached_property
@@ -10,12 +10,13 @@ from ...lines.line import Line
 from ...model.friction import corrected_share
 from ...rheology.kelvin import SCHEMES, Kelvin
 from ...rheology.law import State
-from ..steady.carry import NO_GAPS, Decay, carry
+from ..steady.carry import Decay, carry
 from ..steady.spans import Spans, add_rises
-from ..steady.stack import Stack, alone, spans_of_line, stack_of, stacked
+from ..steady.stack import Stack, spans_of_line, stack_of, stacked
+from .between_samples import LEAST_STEPS, NARROW, Columns, slide_between
 from .loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, Found, How
-from .part import Part, slide_on
-from .refined import NARROW, Refined, curvatures_of, refined
+from .on_lines import slide_on
+from .smooth_line import SmoothLine, smooth_line
 
 
 class Ground:
@@ -31,9 +32,12 @@ class Ground:
         return spans_of_line(self.stack, self.row)
 
     @cached_property
-    def curvature(self) -> np.ndarray | None:
-        """z'', shape (n,), where the line is known between its samples."""
-        return curvatures_of(self.line)
+    def smooth(self) -> SmoothLine | None:
+        """The line between its samples, where it is known there."""
+        line, steps = self.line, self.line.steps_per_spacing
+        if not line.band_limited or steps < LEAST_STEPS:
+            return None
+        return smooth_line(line.z, line.slope, 1.0 / steps)
 
 
 class Grounds(NamedTuple):
@@ -88,25 +92,29 @@ class Sliding(NamedTuple):
     stay: np.ndarray  # shape (lines, spans): thresholds above which contact lasts (Thresholds)
     decay: Decay
     loads: np.ndarray  # n Fbar, shape (loads,)
-    found: Found  # of refined contacts its jumps are those of finer samples
+    found: Found  # its jumps are those of narrow contacts, once these are followed
     d: np.ndarray  # indentation over the deepest sample, from which a march starts, in h
     full: np.ndarray  # whether the whole line touches
     mu: np.ndarray  # in h/dx
     contact: np.ndarray  # share of the line
     indentation: np.ndarray  # in h, over the mean line
-    samples: np.ndarray  # of the line per contact; below 1 where finer ones tell
+    samples: np.ndarray  # of the line per contact; any number where contacts are followed
     updates: np.ndarray  # of elements, the measure of cost
-    seen: dict[tuple[int, int], Refined]  # (line, load) -> finer samples, if friction is read there
+    followed: np.ndarray  # whether contacts are, between the samples
 
     def samples_seen(self, j: int, i: int) -> float:
-        """Return the samples per contact that the friction on line j under load i rests on."""
-        return self.seen[j, i].samples if (j, i) in self.seen else float(self.samples[j, i])
+        """Return the samples per contact that the friction on line j under load i rests on.
+
+        Contacts that are followed between the samples are as good as those wide enough not to be.
+        """
+        samples = float(self.samples[j, i])
+        return max(samples, NARROW) if self.followed[j, i] else samples
 
     def state(self, j: int, i: int) -> State:
         """Return the state on line j under load i, on its samples."""
         ground, d = self.grounds.each[j], float(self.d[j, i])
         w = np.empty_like(ground.line.z)
-        carry(self.decay, ground.line.z, ground.spans, self.stay[j], d, None, w, NO_GAPS)
+        carry(self.decay, ground.line.z, ground.spans, self.stay[j], d, None, w)
         return State(w, d)
 
 
@@ -116,14 +124,14 @@ def steady_friction(
     """Return steady sliding on every line, its friction and its jumps to other speeds.
 
     loads : n Fbar, guesses : of d, shape (lines, loads). What is found under a load depends on
-    its own guess and on no other load or line. Narrow contacts are to be refined after it.
+    its own guess and on no other load or line. Narrow contacts are to be followed after it.
     """
     one = grounds.each[0].line
     if guesses is None:
         guesses = np.full((len(grounds.each), loads.size), np.nan)
     how = How(float(one.steps_per_spacing), at_speed.share, one.band_limited)
-    stay, decay, found, _ = slide_on(
-        at_speed.law, Part(grounds.stack), at_speed.at_speeds, loads, guesses, how
+    stay, decay, found = slide_on(
+        at_speed.law, grounds.stack, at_speed.at_speeds, loads, guesses, how
     )
     table = found.table
     datum = np.array([[ground.line.datum] for ground in grounds.each])
@@ -141,29 +149,32 @@ def steady_friction(
         table[..., INDENTATION] + datum,
         table[..., SAMPLES],
         table[..., SWEEPS] * one.z.size,
-        {},
+        np.zeros(guesses.shape, bool),
     )
 
 
-def refine(sliding: Sliding, j: int, i: int) -> bool:
-    """Read friction and jumps on line j under load i from finer samples, if contacts are narrow.
+def follow_narrow(sliding: Sliding) -> np.ndarray:
+    """Read friction and jumps from contacts that are followed between the samples, where narrow.
 
-    Return whether that was tried. Lines that are not known between their samples stay as they are.
+    Return how many patches of contact were come to under every load, on all lines. Lines that are
+    not known between their samples stay as they are, and so does what rounding hides.
     """
-    ground, at_speed = sliding.grounds.each[j], sliding.at_speed
-    samples = float(sliding.samples[j, i])
-    if samples >= NARROW or ground.curvature is None:
-        return False
-    line, speeds = ground.line, (at_speed.speed, *at_speed.others)
-    state, load = sliding.state(j, i), float(sliding.loads[i])
-    stack, curvature = alone(sliding.grounds.stack, j), ground.curvature
-    found = refined(line, stack, curvature, speeds, at_speed.scheme, load, state, samples)
-    if found is None:
-        return True
-    sliding.seen[j, i] = found
-    sliding.mu[j, i], sliding.contact[j, i] = found.mu, found.contact
-    sliding.indentation[j, i] = found.d + line.datum
-    sliding.samples[j, i] = found.samples / found.fold
-    sliding.updates[j, i] += found.updates
-    sliding.found.jumps[j, i] = found.jumps
-    return True
+    at_speed, events = sliding.at_speed, np.zeros(sliding.loads.size)
+    for j, ground in enumerate(sliding.grounds.each):
+        narrow = np.flatnonzero(sliding.samples[j] < NARROW)
+        if narrow.size == 0 or ground.smooth is None:
+            continue
+        speeds, d = (at_speed.speed, np.array(at_speed.others, float)), sliding.d[j, narrow]
+        table, jumps = slide_between(ground.smooth, *speeds, sliding.loads[narrow], d)
+        found = Columns(*table.T)
+        some = found.events > 0.0
+        at = j, narrow[some]
+        n, steps = ground.line.z.size, ground.line.steps_per_spacing
+        sliding.followed[at] = True
+        sliding.mu[at], sliding.found.jumps[at] = found.mu[some], jumps[some]
+        sliding.contact[at] = np.minimum(found.length[some] * steps / n, 1.0)
+        sliding.indentation[at] = found.d[some] + ground.line.datum
+        sliding.samples[at] = found.median[some] * steps
+        sliding.updates[at] += found.events[some]
+        events[narrow] += found.events
+    return events

@@ -7,8 +7,6 @@ nothing to the mean. That sum has terms of one sign: it is known to rounding, at
 
 from typing import NamedTuple
 
-import numpy as np
-
 from ...compile.jit import kernel
 from ...rheology.law import NEGLIGIBLE, reach
 from .contacts import begin_sum, end_sum, enter_span, join_pieces, leave_piece, open_piece
@@ -23,21 +21,6 @@ class Decay(NamedTuple):
     within: float  # the sum of what is left at the samples of a span
 
 
-class Gaps(NamedTuple):
-    """What elements go through that come to a span over samples that are left out.
-
-    Of every span, and of the samples behind the last whole one; of none where no sample is left
-    out.
-    """
-
-    left: np.ndarray  # of a displacement after the gap; 1 where there is none
-    within: np.ndarray  # the sum of what is left at its samples
-    entered: np.ndarray  # with which displacement they went in, in the last sweep; it is filled
-
-
-NO_GAPS = Gaps(np.empty(0), np.empty(0), np.empty(0))
-
-
 @kernel
 def decay_of(law):
     """Return the Decay of a law whose elements remember u alone."""
@@ -50,13 +33,12 @@ def decay_of(law):
 
 
 @kernel
-def carry(decay, z, spans, stay, d, contacts, w, gaps):
+def carry(decay, z, spans, stay, d, contacts, w):
     """Carry the elements once round the line, from its deepest sample against the motion.
 
     decay, spans, stay : Decay, Spans and largest thresholds (spans.py) of the line z, shape (n,).
     d : indentation, which reaches the deepest sample. contacts : filled, or None. w : free
-    displacements, shape (n,), filled, or None. gaps : where samples are left out, all of them
-    higher than d; of no spans where none is.
+    displacements, shape (n,), filled, or None.
     Return (-sum u, its derivative with respect to d, touching samples, pieces of contact).
     """
     n, deepest = z.size, spans.deepest
@@ -73,11 +55,6 @@ def carry(decay, z, spans, stay, d, contacts, w, gaps):
             b = j // SPAN
             low = b * SPAN
             if j == min(low + SPAN, n) - 1:
-                if gaps.left.size > 0 and gaps.left[b] < 1.0:
-                    left, within = gaps.left[b], gaps.within[b]
-                    gaps.entered[b] = u
-                    total, slope = total - within * u, slope + within * du
-                    u, du = (left * u if u < -NEGLIGIBLE else 0.0), left * du
                 enter_span(contacts, b, u)
             if j == low + SPAN - 1 and low >= last:
                 left = decay.span * u if u < -NEGLIGIBLE else 0.0

@@ -13,7 +13,7 @@ import numpy as np
 from ...compile.jit import kernel
 from ...model.contact import excess_at, solve_indentation
 from ...model.steady import steady_indentation
-from .carry import Decay, Gaps, carry
+from .carry import Decay, carry
 from .contacts import Contacts
 from .spans import Spans
 
@@ -36,15 +36,15 @@ def elastic_guess(z, deepest, load):
 
 
 @kernel
-def approach(decay, z, spans, stay, loads, guesses, steps, gaps):
+def approach(decay, z, spans, stay, loads, guesses, steps):
     """Return d near the roots under all loads n Fbar. Each follows from its own load and guess.
 
-    decay, z, spans, stay, gaps : as of carry. guesses : of d. steps : sweeps for each load.
+    decay, z, spans, stay : as of carry. guesses : of d. steps : sweeps for each load.
     """
     d = guesses.copy()
     for i in range(loads.size):
         for step in range(steps):
-            total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None, gaps)
+            total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None)
             d[i] = _next(step, d[i], total, slope, loads[i], z[spans.deepest])
     return d
 
@@ -75,24 +75,23 @@ class Carried(NamedTuple):
     spans: Spans
     stay: np.ndarray
     contacts: Contacts  # filled
-    gaps: Gaps
     pieces: np.ndarray  # of contact, shape (1,): filled
 
 
 @excess_at.of(Carried)
 def _excess_of_carried(contact, load, d):
-    decay, z, spans, stay, contacts, gaps, pieces = contact
-    total, slope, touching, pieces[0] = carry(decay, z, spans, stay, d, contacts, None, gaps)
+    decay, z, spans, stay, contacts, pieces = contact
+    total, slope, touching, pieces[0] = carry(decay, z, spans, stay, d, contacts, None)
     return total - load, slope, touching
 
 
 @kernel
-def indentation(decay, z, spans, stay, load, near, contacts, gaps):
+def indentation(decay, z, spans, stay, load, near, contacts):
     """Return (d, sweeps, touching, pieces) of steady sliding under the load n Fbar.
 
     touching : samples; contacts are filled with so many pieces.
-    decay, z, spans, stay, contacts, gaps : as of carry. near : d as approach leaves it.
+    decay, z, spans, stay, contacts : as of carry. near : d as approach leaves it.
     """
-    elements = Carried(decay, z, spans, stay, contacts, gaps, np.zeros(1, np.int64))
+    elements = Carried(decay, z, spans, stay, contacts, np.zeros(1, np.int64))
     d, sweeps, touching = steady_indentation(elements, load, near, False, z.size, CLOSE)
     return d, sweeps, touching, elements.pieces[0]

@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import SCHEMES, Case, Quantities, run_case, run_cases
 from elastomer_friction.kernels.quick import cases
-from elastomer_friction.kernels.quick.contacts.refined import NARROW
+from elastomer_friction.kernels.quick.contacts.between_samples import NARROW
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
     AtSpeed,
     Grounds,

@@ -22,7 +22,7 @@ from elastomer_friction.kernels.quick.contacts.touching import (
     room_for_all,
     steepest,
 )
-from elastomer_friction.kernels.quick.steady.carry import NO_GAPS, carry, decay_of
+from elastomer_friction.kernels.quick.steady.carry import carry, decay_of
 from elastomer_friction.kernels.quick.steady.contacts import first, room_for
 from elastomer_friction.kernels.quick.steady.spans import SPAN
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
@@ -40,7 +40,7 @@ class Listed:
         self.state, _ = steady_sliding(self.law, z, self.total)
         room = room_for(slope, speed)
         self.decay = decay_of(self.law)
-        *_, pieces = carry(self.decay, z, self.spans, own.stay, self.state.d, room, None, NO_GAPS)
+        *_, pieces = carry(self.decay, z, self.spans, own.stay, self.state.d, room, None)
         self.contacts = first(room, pieces)
         self.touching = list_touching(z, slope, self.contacts, room_for_all(z.size))
 

@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels import SCHEMES, Line, steady_sliding
 from elastomer_friction.kernels.model.steady import sweep
-from elastomer_friction.kernels.quick.steady.carry import NO_GAPS, carry, decay_of
+from elastomer_friction.kernels.quick.steady.carry import carry, decay_of
 from elastomer_friction.kernels.quick.steady.contacts import room_for
 from elastomer_friction.kernels.quick.steady.spans import spans_of
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
@@ -53,8 +53,8 @@ def both(line, speed, load, scheme="exponential"):
     total, slope, count = sweep(law, line.z, d, spans.deepest, plain)
     contacts = room_for(line.slope, speed)
     round_the_line = decay_of(law), line.z, spans, own.stay, d
-    found = carry(*round_the_line, contacts, None, NO_GAPS)
+    found = carry(*round_the_line, contacts, None)
     expected = law.stiffness * total, law.stiffness * slope, count
-    assert found == carry(*round_the_line, None, w, NO_GAPS)  # whatever is filled
-    assert found == carry(*round_the_line, None, None, NO_GAPS)
+    assert found == carry(*round_the_line, None, w)  # whatever is filled
+    assert found == carry(*round_the_line, None, None)
     return d, plain, expected, w, found, contacts

@@ -7,7 +7,7 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import steady_sliding
 from elastomer_friction.kernels.quick.steady.ahead import indentation_ahead
-from elastomer_friction.kernels.quick.steady.carry import NO_GAPS, carry, decay_of
+from elastomer_friction.kernels.quick.steady.carry import carry, decay_of
 from elastomer_friction.kernels.quick.steady.contacts import first, room_for
 from elastomer_friction.kernels.quick.steady.sliding import (
     POWER_STEPS,
@@ -27,8 +27,8 @@ def solved(line, speed, load, guess=None, scheme="exponential"):
     steps = STEPS if guess is None else POWER_STEPS
     guess = elastic_guess(line.z, spans.deepest, total) if guess is None else guess
     to = decay, line.z, spans, own.stay
-    (near,) = approach(*to, np.array([total]), np.array([guess]), steps, NO_GAPS)
-    d, after, _, _ = indentation(*to, total, near, room_for(line.slope, speed), NO_GAPS)
+    (near,) = approach(*to, np.array([total]), np.array([guess]), steps)
+    d, after, _, _ = indentation(*to, total, near, room_for(line.slope, speed))
     return d, steps + after
 
 
@@ -76,9 +76,9 @@ def test_what_is_found_under_a_load_depends_on_no_other_load():
     loads = line.z.size * np.geomspace(0.3, 10.0, 20)
     guesses = np.array([elastic_guess(line.z, spans.deepest, load) for load in loads])
     to = decay_of(law), line.z, spans, own.stay
-    together = approach(*to, loads, guesses, STEPS, NO_GAPS)
+    together = approach(*to, loads, guesses, STEPS)
     for some in (slice(0, 1), slice(3, 7), slice(2, 20), slice(None, None, -1)):
-        found = approach(*to, loads[some].copy(), guesses[some].copy(), STEPS, NO_GAPS)
+        found = approach(*to, loads[some].copy(), guesses[some].copy(), STEPS)
         np.testing.assert_array_equal(found, together[some])
 
 
@@ -90,7 +90,7 @@ def guessed(given, ratio):
     law, spans, own = known(line, speed)
     (_, d), _ = steady_sliding(law, line.z, total)
     room = room_for(line.slope, speed)
-    *_, touching, pieces = carry(decay_of(law), line.z, spans, own.stay, d, room, None, NO_GAPS)
+    *_, touching, pieces = carry(decay_of(law), line.z, spans, own.stay, d, room, None)
     later = known(line, ratio * speed)[0]
     once = decay_of(later).once
     guess = indentation_ahead(once, line.z, d, total, touching, first(room, pieces))

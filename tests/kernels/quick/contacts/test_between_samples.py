@@ -1,4 +1,4 @@
-"""Narrow contacts on refined lines: the parabola's closed form, finer lines, never a wrong sign."""
+"""Narrow contacts, between samples: the model on fine samples, the parabola's closed form."""
 
 from types import SimpleNamespace
 
@@ -18,36 +18,35 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.lines.self_affine import mode_numbers
-from elastomer_friction.kernels.quick.contacts.fine_line import curvatures, interpolate
-from elastomer_friction.kernels.quick.contacts.refined import (
-    FINE,
-    NARROW,
-    curvatures_of,
-    finer,
-    refined,
-)
+from elastomer_friction.kernels.quick.contacts.between_samples import NARROW, slide_between
 from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
+from elastomer_friction.kernels.quick.contacts.smooth_line import (
+    curvatures,
+    first_zero,
+    height,
+    quintic,
+    smooth_line,
+    steepness,
+)
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
     AtSpeed,
     Grounds,
-    refine,
+    follow_narrow,
     steady_friction,
 )
-from elastomer_friction.kernels.quick.steady.stack import stack_of
 from tests.sizes import size
 
 
 def one_load(line, speed, scheme, load, others=()):
-    """Return what is found under a load; ``seen`` is None where the samples of the line will do."""
+    """Return what is found under a load."""
     pace = AtSpeed.of(scheme, line.steps_per_spacing, speed, others)
     found = steady_friction(Grounds.of([line]), pace, np.array([load]))
-    refine(found, 0, 0)
-    names = ("d", "mu", "contact", "indentation", "updates", "full", "samples")
+    follow_narrow(found)
+    names = ("followed", "d", "mu", "contact", "indentation", "updates", "full", "samples")
     return SimpleNamespace(
         **{name: getattr(found, name)[0, 0] for name in names},
         jumps=found.found.jumps[0, 0],
         state=found.state(0, 0),
-        seen=found.seen.get((0, 0)),
         samples_seen=found.samples_seen(0, 0),
     )
 
@@ -161,58 +160,123 @@ def test_steady_friction_is_positive_and_within_the_slopes(hurst, load, x, steps
     assert found.samples > 0.0
 
 
-@settings(max_examples=size(40, 5))
-@given(st.floats(-4.0, 1.0), st.floats(-2.0, 3.0), st.sampled_from(sorted(SCHEMES)))
-def test_a_part_of_a_fine_line_is_as_all_of_it(power, speed, scheme):
-    """Steady sliding on fine samples everywhere, which few of them can tell as well."""
-    line = line_of(4, 5, 0.3, 40)
-    load, v = 10.0**power * line.z.size, 10.0**speed
-    law = SCHEMES[scheme](1.0 / (4 * v))
-    state, _ = steady_sliding(law, line.z, load)
-    samples = samples_per_contact(state.d - (line.z - state.w))
-    stack = stack_of(line.z.reshape(1, -1), line.slope.reshape(1, -1))
-    curvature = curvatures_of(line)
-    found = refined(line, stack, curvature, (v, 1.2 * v), scheme, load, state, samples)
-    if found is None or found.fold > size(64, 8):
-        return
-    heights, slopes = interpolate(
-        line.z, line.slope, curvature, np.arange(line.z.size), 0.25, found.fold
-    )
-    law = SCHEMES[scheme](1.0 / (4 * found.fold * v))
-    w, d = steady_sliding(law, heights, load * found.fold)[0]
-    mu, _, contact = quadrature(heights, slopes, w, d, v, v, load * found.fold)
-    after, _, _ = quadrature(heights, slopes, w, d, v, 1.2 * v, load * found.fold)
-    steepest = np.abs(slopes).max()
-    rounding = 1e-10 + 1e-13 * (d + v * steepest) * law.stiffness / 10.0**power
-    assert found.d == pytest.approx(d, rel=rounding, abs=1e-12)
-    assert found.contact == pytest.approx(contact, rel=rounding)
-    assert found.jumps[0] == pytest.approx(after - mu, abs=rounding * steepest)
-    assert found.samples == samples_per_contact(d - (heights - w)) >= 0.5 * FINE
-    if 4 * found.fold * v > 3.0 and mu > 0.0:  # else there is more to it (friction.py)
-        assert found.mu == pytest.approx(mu, abs=rounding * steepest)
+def fine(line, smooth, fold):
+    """Return heights over the deepest sample, slopes and that height, at so many times as many."""
+    t = 1.0 - np.arange(fold) / fold
+    parts = [
+        quintic(line.z, line.slope, smooth.curvature, smooth.spacing, j) for j in range(line.z.size)
+    ]
+    z = np.concatenate([height(c, t) for c in parts])
+    slope = np.concatenate([-steepness(c, t) / smooth.spacing for c in parts])
+    return z - z.min(), slope, z.min()
 
 
-@pytest.mark.parametrize(
-    ("samples", "fold"),
-    [(20.0, 4), (12.0, 4), (10.0, 6), (6.0, 8), (5.0, 12), (1.0, 48)],
+@settings(max_examples=size(60, 12))
+@given(
+    st.sampled_from([0.0, 0.3, 1.0]),
+    st.floats(-6.0, 3.0).map(lambda power: 10.0**power),
+    st.floats(-0.5, 3.0).map(lambda power: 10.0**power),
+    st.sampled_from([1.2, 0.5, 5.0]),
+    st.integers(0, 99),
 )
-def test_fine_samples_are_as_many_as_contacts_need_and_hardly_more(samples, fold):
-    assert finer(samples) == fold
-    assert FINE <= samples * fold < 1.7 * FINE
+def test_contacts_are_those_of_the_model_on_fine_samples_of_the_line(hurst, load, x, ratio, index):
+    """The plain model, which knows nothing of patches, bounds or events, at any load and speed."""
+    line, v = line_of(4, index, hurst, 30), x / np.pi
+    smooth = smooth_line(line.z, line.slope, 0.25)
+    guess = np.array([steady_sliding(SCHEMES["exponential"](0.25 / v), line.z, 120.0 * load)[0].d])
+    table, jumps = slide_between(smooth, v, np.array([ratio * v]), np.array([120.0 * load]), guess)
+    d, mu, length, median, events = table[0]
+    fold = int(np.clip(64.0 / median, 16, size(4096, 1024)))
+    z, slope, lowest = fine(line, smooth, fold)
+    total, law = load * z.size, SCHEMES["exponential"](0.25 / (fold * v))
+    w, near = steady_sliding(law, z, total)[0]
+    one, _, share = quadrature(z, slope, w, near, v, v, total)
+    other, _, _ = quadrature(z, slope, w, near, v, ratio * v, total)
+    patch = samples_per_contact(near - (z - w))
+    close = 0.02 + 60.0 / patch**2  # of slopes: what quadrature of so many samples keeps
+    assert events > 0.0
+    assert d == pytest.approx(near + lowest, abs=1e-3 * (near + 1e-3))
+    assert mu == pytest.approx(one, rel=close)
+    assert jumps[0, 0] == pytest.approx(other - one, rel=3.0 * close, abs=1e-9)
+    assert length == pytest.approx(30.0 * share, rel=0.05 + 20.0 / patch**2)
+
+
+@settings(max_examples=size(200, 40))
+@given(
+    st.lists(st.floats(-1.0, 1.0), min_size=6, max_size=6),
+    st.floats(-1.0, 0.0),
+    st.floats(1e-3, 10.0),
+)
+def test_the_first_zero_is_the_first(coefficients, u, a):
+    c = (u + abs(coefficients[0]) + 0.01, *coefficients[1:])
+    t = np.linspace(0.0, 1.0, 2001)
+    f = height(c, t) - u * np.exp(-a * t)
+    zero = first_zero(c, u, a, 0.0, 1.0, True)
+    below = np.flatnonzero(f <= 0.0)
+    if f[-1] < 0.0:  # sure to be found: then all before it is positive, or a second zero as well
+        assert 0.0 < zero <= 1.0
+        assert abs(height(c, zero) - u * np.exp(-a * zero)) < 1e-9
+    elif below.size == 0:
+        assert zero > 1.0 or abs(height(c, zero) - u * np.exp(-a * zero)) < 1e-5
+
+
+def test_bounds_hold_between_samples_and_are_close():
+    line = line_of(4)
+    smooth = smooth_line(line.z, line.slope, 0.25)
+    z, slope, lowest = fine(line, smooth, 16)
+    z, slope = (z + lowest).reshape(-1, 16), slope.reshape(-1, 16)
+    bounds = [
+        (z.min(axis=1), smooth.low),
+        (smooth.high, z.max(axis=1)),
+        (slope.min(axis=1), smooth.flat),
+    ]
+    for above, below in bounds:
+        assert (below <= above + 1e-12).all()
+        assert np.quantile(above - below, 0.9) < 0.05 * np.ptp(above)
+    np.testing.assert_allclose(smooth.area, 0.25 * z.mean(axis=1), atol=0.02 * np.ptp(z))
+
+
+def test_a_smooth_line_is_the_line():
+    fold, coarse = 8, line_of(4)
+    found, _, lowest = fine(coarse, smooth_line(coarse.z, coarse.slope, 0.25), fold)
+    z = line_of(4 * fold)
+    order = int(np.argmin(np.abs(z.z + z.datum - coarse.z[0] - coarse.datum)))
+    expected = np.roll(z.z, -order) + z.datum - coarse.datum
+    np.testing.assert_allclose(found + lowest, expected, atol=2e-6)
+
+
+@settings(max_examples=size(40, 10))
+@given(st.floats(-3.0, 0.5), st.floats(-1.0, 3.0), st.floats(0.0, 1.0))
+def test_how_many_samples_there_are_plays_no_part(power, fast, hurst):
+    """Steady friction and jump of m = 4 and m = 16, in contacts that are narrow at both."""
+    load, x = 10.0**power, 10.0**fast
+    found = [slide(line_of(m, 2, hurst, 100), x, load) for m in (4, 16)]
+    if all(one.followed for one in found):
+        assert found[0].mu == pytest.approx(found[1].mu, rel=3e-4)
+        assert found[0].jumps[0] == pytest.approx(found[1].jumps[0], rel=2e-3)
+        assert found[0].contact == pytest.approx(found[1].contact, rel=1e-3)
+        assert found[0].samples == pytest.approx(0.25 * found[1].samples, rel=1e-2)
+
+
+def test_depths_that_are_rounding_are_left_to_the_samples():
+    line = line_of(4)
+    found = one_load(line, 1.0, "exponential", 1e-60)
+    assert not found.followed
+    assert found.mu > 0.0
 
 
 def test_wide_contacts_are_left_as_they_are():
     line = line_of(4)
     found = slide(line, 1.0, load=0.5)
     assert found.samples >= NARROW
-    assert found.seen is None
+    assert not found.followed
 
 
 def test_lines_that_are_not_smooth_are_left_as_they_are():
     line = line_of(4)._replace(band_limited=False)
     found = slide(line, 1e4)
     assert found.samples == 1.0
-    assert found.seen is None
+    assert not found.followed
     assert np.isfinite([found.mu, found.jumps[0]]).all()
 
 
@@ -233,16 +297,14 @@ def slide_with_jumps(speed, load, steps=8, scheme="exponential"):
 def test_wide_contacts_are_seen_on_the_line_itself():
     _, found = slide_with_jumps(0.1, 3.0)
     assert found.samples == found.samples_seen >= NARROW
-    assert found.seen is None
+    assert not found.followed
 
 
-def test_narrow_contacts_are_seen_on_finer_samples_of_a_part_of_the_line():
+def test_narrow_contacts_are_seen_between_the_samples():
     line, found = slide_with_jumps(100.0, 1e-3)
-    assert found.seen.fold > 1
-    assert found.samples_seen == found.seen.samples == found.seen.fold * found.samples
-    assert found.samples < NARROW
+    assert found.followed
+    assert found.samples < found.samples_seen == NARROW
     assert found.updates > line.z.size
-    assert found.seen.updates < 0.1 * line.z.size * found.seen.fold
     assert 0.0 < found.contact < 0.01
 
 
@@ -254,16 +316,16 @@ def test_jump_has_the_sign_of_the_step_and_vanishes_with_it(speed, load):
     assert same == pytest.approx(0.0, abs=1e-12)
 
 
-def test_few_samples_that_are_refined_agree_with_many():
+def test_few_samples_agree_with_many():
     few, many = slide_with_jumps(30.0, 1e-2, 4)[1], slide_with_jumps(30.0, 1e-2, 64)[1]
     assert few.mu == pytest.approx(many.mu, rel=0.02)
     assert few.indentation == pytest.approx(many.indentation, rel=0.02)
     assert few.contact == pytest.approx(many.contact, rel=0.05)
 
 
-def test_rigid_shapes_of_samples_alone_are_never_refined():
+def test_rigid_shapes_of_samples_alone_are_never_followed():
     z = np.abs(np.linspace(-1.0, 1.0, 64, endpoint=False))
     slope = np.sign(np.linspace(-1.0, 1.0, 64, endpoint=False)) / 32.0
     line = Line.from_samples(z, slope, 8)
     assert not line.band_limited
-    assert one_load(line, 10.0, "exponential", 1e-3 * z.size).seen is None
+    assert not one_load(line, 10.0, "exponential", 1e-3 * z.size).followed

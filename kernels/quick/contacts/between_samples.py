@@ -1,0 +1,182 @@
+"""Steady sliding where contacts are narrow, and jumps from it, between the samples of a line.
+
+At light load and high speed an element stays behind the line and only the front of the highest
+peaks touches, over less than a sample. The line is a smooth function known by its heights and
+slopes, so that its contacts are followed between the samples (events.py).
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ...compile.jit import kernel
+from .events import AREA, BOTTOM, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
+from .smooth_line import first_zero, height, pressure, products, quintic, squared
+
+LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-4
+NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump
+CLOSE = 3e-4  # of the load: an excess whose square is as good as none
+JUMP_CLOSE = 5e-3  # the same of the pressures that a jump adds
+MOST_TURNS = 40
+LEAST_DEPTH = 1e-9  # of what the line rises beside its deepest point: a depth that is no rounding
+
+
+class Columns(NamedTuple):
+    """What is found of every load, each of shape (loads,)."""
+
+    d: np.ndarray  # over the deepest sample, in h
+    mu: np.ndarray  # in h/dx
+    length: np.ndarray  # of contact, in dx
+    median: np.ndarray  # width of patches, over the load, in dx
+    events: np.ndarray  # patches that were come to in all turns; none where nothing is found
+
+
+class Integrals(NamedTuple):
+    """Integrals over a contact, x in dx."""
+
+    length: float
+    rise: float  # of z'
+    square: float  # of z'^2
+
+
+@kernel
+def slide_between(line, speed, others, loads, guesses):
+    """Return (table, jumps) of steady sliding of a SmoothLine at a speed, a row for each load.
+
+    others : speeds that are jumped to, vbar. loads : n Fbar. guesses : of d. The table has the
+    Columns; of jumps, shape (loads, others), each is a change of mu.
+    """
+    h, patches = line.spacing, room_for_patches(line.z.size)
+    table, jumps = np.zeros((loads.size, 5)), np.zeros((loads.size, others.size))
+    for i in range(loads.size):
+        load = h * loads[i]
+        contact, turns = _balanced(line, speed, load, guesses[i], patches)
+        if turns == 0:
+            continue
+        sums = _sums(line, contact, patches)
+        change = (load - contact.force) / contact.rate  # of d, which is left to first order
+        work = contact.work + speed * sums.square
+        table[i, 0] = contact.d + change
+        table[i, 1] = (work + change * (sums.rise + contact.turn)) / load
+        table[i, 2] = sums.length
+        table[i, 3] = _median_width(contact, speed, patches)
+        table[i, 4] = turns * contact.patches
+        for k in range(others.size):
+            jumps[i, k] = _jump(line, (speed, others[k]), contact, sums, patches)
+    return table, jumps
+
+
+@kernel
+def _balanced(line, speed, load, guess, patches):
+    """Return (Contact that carries the load, eq. 4, turns), by Newton's method; no turns: none.
+
+    load : integral of p in dx. The force is an increasing, convex function of d (model/steady.py);
+    the first step would be exact were it a power of the depth.
+    """
+    j, _, deepest = line.deepest
+    least = LEAST_DEPTH * (max(line.z[j], line.z[j + 1 if j + 1 < line.z.size else 0]) - deepest)
+    d, turns = guess, 0
+    while True:
+        contact = turn(line, speed, d, patches)
+        excess, turns = contact.force - load, turns + 1
+        if abs(excess) <= CLOSE * load:
+            return contact, turns
+        if turns == 1:
+            power = (d - deepest) * contact.rate / contact.force
+            up, down = power + 1.0, power - 1.0
+            ratio = (down * contact.force + up * load) / (up * contact.force + down * load)
+            d = deepest + (d - deepest) * ratio
+        else:
+            d -= excess / contact.rate
+        if turns == MOST_TURNS or not d - deepest > least:
+            return contact, 0
+
+
+@kernel
+def _sums(line, contact, patches):
+    """Return the Integrals over the patches of a contact."""
+    z, slope, bend, h, _, _, _, _, _, squares, (first, _, _) = line
+    after, at = patches
+    length = rise = square = 0.0
+    for k in range(contact.patches):
+        length, rise = length + at[k, WIDTH], rise + at[k, RISE]
+        for i in range(after[k, TOP], after[k, BOTTOM] + 1):
+            j = first - i if i <= first else first - i + z.size
+            start = at[k, TOP] if i == after[k, TOP] else 0.0
+            stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0
+            if stop - start == 1.0:
+                square += squares[j]
+            else:
+                square += squared(quintic(z, slope, bend, h, j), start, stop) / h
+    return Integrals(length, rise, square)
+
+
+@kernel
+def _jump(line, speeds, contact, sums, patches):
+    """Return by how much mu (in h/dx) changes at the moment of a jump from one speed to another.
+
+    What touches stays, and p changes by d' + (v2 - v1) z' where it stays positive (friction.py).
+    Were all of it pressed, eq. 4 would give d', which falls where some is not.
+    """
+    own, other = speeds
+    more = other - own
+    rate, close = -more * sums.rise / sums.length, JUMP_CLOSE * min(1.0, abs(more) / own)
+    for _ in range(MOST_TURNS):
+        lost = _unpressed(line, other, contact.d + rate, patches, contact.patches)
+        excess = rate * sums.length + more * sums.rise - lost[0]
+        change = excess / (sums.length - lost[2])
+        if abs(excess) <= close * contact.force:
+            break
+        rate -= change
+    work = rate * sums.rise + more * sums.square - lost[1] - change * (sums.rise - lost[3])
+    return work / contact.force
+
+
+@kernel
+def _unpressed(line, speed, deep, patches, count):
+    """Return integrals of p, p z', 1 and z' over what of a contact would have a pressure p < 0.
+
+    deep : d + d', with p = d + d' - z + vbar z'.
+    """
+    z, slope, bend, h, _, high, flat, _, _, _, (first, _, _) = line
+    after, at = patches
+    force = work = length = rise = 0.0
+    for k in range(count):
+        for i in range(after[k, TOP], after[k, BOTTOM] + 1):
+            j = first - i if i <= first else first - i + z.size
+            if deep + speed * flat[j] > high[j]:
+                continue
+            t = at[k, TOP] if i == after[k, TOP] else 0.0
+            stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0
+            c = quintic(z, slope, bend, h, j)
+            p = pressure(c, deep, speed / h)
+            pull = (-p[0], -p[1], -p[2], -p[3], -p[4], -p[5])
+            pressed, fresh = height(p, t) > 0.0, True
+            for _ in range(MOST_EVENTS):
+                zero = first_zero(p if pressed else pull, 0.0, 0.0, t, stop, fresh)
+                end = min(zero, stop)
+                if not pressed:
+                    some, along = products(p, c, t, end)
+                    force, work = force + h * some, work - along
+                    length, rise = length + h * (end - t), rise + height(c, t) - height(c, end)
+                if zero > stop:
+                    break
+                t, pressed, fresh = end, not pressed, False
+    return force, work, length, rise
+
+
+@kernel
+def _median_width(contact, speed, patches):
+    """Return the median over the load of the width of patches, in dx."""
+    count, last = contact.patches, contact.patches - 1
+    width = patches.at[:count, WIDTH].copy()
+    force = patches.at[:count, AREA] + speed * patches.at[:count, RISE]
+    if last > 0:
+        width[0], force[0] = width[0] + width[last], force[0] + force[last]
+        width, force = width[:last], force[:last]
+    half, total = 0.5 * force.sum(), 0.0
+    for k in np.argsort(width, kind="mergesort"):
+        total += force[k]
+        if total >= half:
+            return width[k]
+    return width.max()

@@ -1,0 +1,112 @@
+"""Steady sliding of Kelvin elements on a smooth line, from event to event.
+
+Against the motion an element lands where the line comes down to its free displacement, and leaves
+where its pressure d - z + vbar z' (eq. 3) vanishes. Between these events forces and friction (eqs.
+4 and 5) are integrals in closed form: what is found is that of the line, whatever its samples.
+
+Where an element leaves, its pressure is zero, and where it lands, its displacement is continuous.
+So the force has the derivative with respect to d that it would have if the events stayed in place.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ...compile.jit import kernel
+from ...rheology.law import NEGLIGIBLE
+from ..steady.spans import SPAN
+from .smooth_line import first_zero, height, integral, pressure, quintic, steepness
+
+MOST_EVENTS = 4  # in an interval: more are rounding
+TOP, BOTTOM = 0, 1  # ends of a patch: where elements land and where they leave
+AREA, WIDTH, RISE = 2, 3, 4
+
+
+class Patches(NamedTuple):
+    """The patches of a contact, in the order in which elements come to them."""
+
+    after: np.ndarray  # shape (most, 2): the intervals of TOP and BOTTOM, counted from the deepest
+    at: np.ndarray  # shape (most, 5): t in them; integral of d - z, width in dx, z_TOP - z_BOTTOM
+
+
+class Contact(NamedTuple):
+    """What one turn round the line at constant indentation gives; integrals are over x in dx."""
+
+    d: float  # indentation, in h
+    force: float  # integral of -u
+    rate: float  # its derivative with respect to d
+    work: float  # integral of (d - z) z' over the contact
+    turn: float  # by how much z' weighed with p changes at leading edges, for each dd
+    patches: int  # the last one, which comes to the deepest point, goes on with the first
+
+
+@kernel
+def room_for_patches(n):
+    """Return Patches with room for as many as there can be on n intervals."""
+    most = n * MOST_EVENTS // 2 + 2  # pages that are never written take no memory
+    return Patches(np.empty((most, 2), np.int64), np.empty((most, 5)))
+
+
+@kernel
+def turn(line, speed, d, patches):
+    """Return the Contact at the indentation d; fill in the patches.
+
+    d lies over the deepest point, where the turn begins, in contact, and ends. An interval has
+    events only where bounds of its heights and slopes leave room for them.
+    """
+    z, slope, bend, h, low, high, flat, lowest, areas, _, (start, begin, deepest) = line
+    after, at = patches
+    n, a, i, j, t, count = z.size, h / speed, 0, start, begin, 0
+    once, span = math.exp(-a), math.exp(-a * SPAN)
+    force = rate = work = turning = area = width = u = left = since = 0.0
+    held, top = True, deepest - d
+    after[0, TOP], at[0, TOP] = 0, begin
+    while i <= n:
+        if t == 0.0 and held:
+            while i < n and d + speed * flat[j] > high[j]:
+                area, width = area + (h * d - areas[j]), width + h
+                i, j = i + 1, j - 1 if j > 0 else n - 1
+        elif t == 0.0:
+            while i < n:
+                b = j // SPAN
+                if j == b * SPAN + SPAN - 1 and i + SPAN <= n and lowest[b] - d >= span * u:
+                    u = span * u if u < -NEGLIGIBLE else 0.0
+                    i, j = i + SPAN, b * SPAN - 1 if b > 0 else n - 1
+                elif low[j] - d >= once * u:
+                    u = once * u if u < -NEGLIGIBLE else 0.0
+                    i, j = i + 1, j - 1 if j > 0 else n - 1
+                else:
+                    break
+        c, stop, fresh = quintic(z, slope, bend, h, j), 1.0 if i < n else begin, True
+        over, p = (c[0] - d, c[1], c[2], c[3], c[4], c[5]), pressure(c, d, speed / h)
+        for _ in range(MOST_EVENTS):
+            if held:
+                zero = first_zero(p, 0.0, 0.0, t, stop, True)
+                end = min(zero, stop)
+                area, width = area - h * integral(over, t, end), width + h * (end - t)
+                if zero > stop:
+                    break
+                t, held, fresh, u = zero, False, False, height(over, zero)
+                left, since = u, i + t
+                after[count, BOTTOM], at[count, BOTTOM] = i, t
+                at[count, AREA], at[count, WIDTH], at[count, RISE] = area, width, top - u
+                force, rate, count = force + area, rate + width, count + 1
+                area = width = 0.0
+            else:
+                zero = first_zero(over, u, a, t, stop, fresh)
+                if zero > stop and i < n:
+                    u = u * math.exp(-a * (stop - t)) if u < -NEGLIGIBLE else 0.0
+                    break
+                t, held = min(zero, stop), True
+                top = height(over, t)
+                lost = -math.expm1(-a * (i + t - since))
+                force, rate = force - speed * lost * left, rate + speed * lost
+                work += 0.5 * left * left * lost * (2.0 - lost)
+                turning -= speed / h * lost * steepness(c, t)
+                after[count, TOP], at[count, TOP] = i, t
+        i, j, t = i + 1, j - 1 if j > 0 else n - 1, 0.0
+    after[count, BOTTOM], at[count, BOTTOM] = n, begin
+    at[count, AREA], at[count, WIDTH], at[count, RISE] = area, width, top - (deepest - d)
+    force, rate, count = force + area, rate + width, count + 1
+    return Contact(d, force, rate, work, turning, count)

@@ -1,0 +1,245 @@
+"""A smooth line between its samples: polynomials, bounds and sums of them, and their zeros.
+
+Interval j lies between the samples j and j + 1. In it the line is the polynomial of fifth degree
+that has the height, slope and curvature of both. It is gone through as elements go, against the
+motion: t runs from 0 at sample j + 1 to 1 at sample j.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+from ...compile.jit import kernel
+from ..steady.spans import SPAN
+
+THIRD_NODE = math.sqrt(0.6)
+NEVER = 2.0  # a t behind every interval
+SURE = 1e-4  # of an interval, or of the way to where f is least: steps so small are the last ones
+HALVINGS = 60  # at most: then an interval is as short as its rounding
+# Points and weights of Gauss and Legendre from 0 to 1, exact to the ninth degree.
+GAUSS = tuple(
+    (0.5 + 0.5 * x, 0.5 * w) for x, w in np.transpose(np.polynomial.legendre.leggauss(5)).tolist()
+)
+
+
+class SmoothLine(NamedTuple):
+    """A line between its samples, and what is shared by all loads and speeds; n intervals."""
+
+    z: np.ndarray  # in h, shape (n,), as the next two
+    slope: np.ndarray  # in h/dx
+    curvature: np.ndarray  # in h/dx^2
+    spacing: float  # of the samples, in dx
+    low: np.ndarray  # shape (n,): not above any height in the interval
+    high: np.ndarray  # shape (n,): not below any
+    flat: np.ndarray  # shape (n,): not above any slope
+    lowest: np.ndarray  # shape (n // SPAN,): the same of so many intervals
+    area: np.ndarray  # shape (n,): integral of z over the interval
+    square: np.ndarray  # shape (n,): integral of z'^2
+    deepest: tuple[int, float, float]  # interval, t and height of the deepest point
+
+
+@kernel
+def curvatures(z, slope, spacing):
+    """Return z'' (in h/dx^2), shape (n,), of eighth order, from five heights and slopes each."""
+    n = z.size
+    found = np.empty(n)
+    for j in range(n):
+        one, two = (j + 1) % n, (j + 2) % n
+        rise = 64.0 / 27.0 * ((z[one] - z[j]) - (z[j] - z[j - 1]))
+        rise += 7.0 / 54.0 * ((z[two] - z[j]) - (z[j] - z[(j - 2) % n]))
+        turn = 8.0 / 9.0 * (slope[one] - slope[j - 1])
+        turn += 1.0 / 36.0 * (slope[two] - slope[(j - 2) % n])
+        found[j] = rise / spacing**2 - turn / spacing
+    return found
+
+
+@kernel
+def smooth_line(z, slope, spacing):
+    """Return the SmoothLine of samples. z (in h), slope (in h/dx) : shape (n,)."""
+    n = z.size
+    bend = curvatures(z, slope, spacing)
+    low, high, flat, area, square = np.empty(n), np.empty(n), np.empty(n), np.empty(n), np.empty(n)
+    lowest = np.full(n // SPAN, np.inf)
+    for j in range(n):
+        c = quintic(z, slope, bend, spacing, j)
+        b = bernstein(c)
+        low[j] = min(min(min(b[0], b[1]), min(b[2], b[3])), min(b[4], b[5]))
+        high[j] = max(max(max(b[0], b[1]), max(b[2], b[3])), max(b[4], b[5]))
+        rise = max(max(b[1] - b[0], b[2] - b[1]), max(b[3] - b[2], b[4] - b[3]))
+        flat[j] = -5.0 / spacing * max(rise, b[5] - b[4])
+        if j // SPAN < lowest.size:
+            lowest[j // SPAN] = min(lowest[j // SPAN], low[j])
+        area[j] = spacing * (b[0] + b[1] + b[2] + b[3] + b[4] + b[5]) / 6.0
+        square[j] = squared(c, 0.0, 1.0) / spacing
+    deepest = _deepest_point(z, slope, bend, spacing, low)
+    return SmoothLine(z, slope, bend, spacing, low, high, flat, lowest, area, square, deepest)
+
+
+@kernel
+def quintic(z, slope, curvature, h, j):
+    """Return the six coefficients of the height in interval j, a polynomial in t. h : spacing."""
+    k = j + 1 if j + 1 < z.size else 0
+    rise, s, t = z[j] - z[k], -h * slope[k], -h * slope[j]
+    b, c = 0.5 * h * h * curvature[k], 0.5 * h * h * curvature[j]
+    p3 = 10.0 * rise - 6.0 * s - 4.0 * t - 3.0 * b + c
+    p4 = -15.0 * rise + 8.0 * s + 7.0 * t + 3.0 * b - 2.0 * c
+    p5 = 6.0 * rise - 3.0 * s - 3.0 * t - b + c
+    return z[k], s, b, p3, p4, p5
+
+
+@kernel
+def bernstein(c):
+    """Return six numbers between whose extremes the polynomial stays from t = 0 to 1."""
+    c0, c1, c2, c3, c4, c5 = c
+    return (
+        c0,
+        c0 + c1 / 5.0,
+        c0 + 0.4 * c1 + c2 / 10.0,
+        c0 + 0.6 * c1 + 0.3 * c2 + c3 / 10.0,
+        c0 + 0.8 * c1 + 0.6 * c2 + 0.4 * c3 + c4 / 5.0,
+        c0 + c1 + c2 + c3 + c4 + c5,
+    )
+
+
+@kernel
+def pressure(c, d, lag):
+    """Return the coefficients of p = d - z + vbar z' (eq. 3). lag : vbar over the spacing."""
+    c0, c1, c2, c3, c4, c5 = c
+    return (
+        d - c0 - lag * c1,
+        -c1 - 2.0 * lag * c2,
+        -c2 - 3.0 * lag * c3,
+        -c3 - 4.0 * lag * c4,
+        -c4 - 5.0 * lag * c5,
+        -c5,
+    )
+
+
+@kernel
+def height(c, t):
+    """Return the value of a polynomial."""
+    return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * (c[4] + t * c[5]))))
+
+
+@kernel
+def steepness(c, t):
+    """Return the derivative of a polynomial."""
+    return c[1] + t * (2.0 * c[2] + t * (3.0 * c[3] + t * (4.0 * c[4] + t * 5.0 * c[5])))
+
+
+@kernel
+def integral(c, start, stop):
+    """Return the integral of a polynomial from t = start to stop, by Gauss and Legendre."""
+    middle, half = 0.5 * (start + stop), 0.5 * (stop - start)
+    out = THIRD_NODE * half
+    return (
+        half
+        * (8.0 * height(c, middle) + 5.0 * (height(c, middle - out) + height(c, middle + out)))
+        / 9.0
+    )
+
+
+@kernel
+def squared(c, start, stop):
+    """Return the integral of the square of the derivative from t = start to stop."""
+    total = 0.0
+    for node, weight in GAUSS:
+        slope = steepness(c, start + node * (stop - start))
+        total += weight * slope * slope
+    return total * (stop - start)
+
+
+@kernel
+def products(p, c, start, stop):
+    """Return the integrals from t = start to stop of a polynomial, and of it times that of c'."""
+    one = other = 0.0
+    for node, weight in GAUSS:
+        t = start + node * (stop - start)
+        some = weight * height(p, t)
+        one += some
+        other += some * steepness(c, t)
+    return one * (stop - start), other * (stop - start)
+
+
+@kernel
+def _deepest_point(z, slope, bend, spacing, low):
+    """Return (interval, t, height) of the deepest point of the line."""
+    best, at, least = 0, 1.0, np.inf
+    for j in range(z.size):
+        if low[j] < least:
+            c = quintic(z, slope, bend, spacing, j)
+            inside = steepness(c, 0.0) < 0.0 < steepness(c, 1.0)
+            for t in (1.0, _valley(c, 0.0, 0.0, 0.0, 1.0) if inside else 0.0):
+                if height(c, t) < least:
+                    best, at, least = j, t, height(c, t)
+    return best, at, least
+
+
+@kernel
+def _valley(c, u, a, start, stop):
+    """Return where f of first_zero is least: it falls at start and rises at stop."""
+    low, high = start, stop
+    t = 0.5 * (start + stop)
+    for _ in range(HALVINGS):
+        _, slope, bend = three_at(c, u, a, start, t)
+        if slope < 0.0:
+            low = t
+        else:
+            high = t
+        new = t - slope / bend
+        if not low < new < high:
+            new = 0.5 * (low + high)
+        if abs(new - t) <= SURE * SURE:
+            return new
+        t = new
+    return t
+
+
+@kernel
+def first_zero(c, u, a, start, stop, fresh):
+    """Return the first t from start to stop where f is not positive; NEVER, where it is throughout.
+
+    f(t) = c(t) - u e^(-a (t - start)), u <= 0. fresh : whether f is positive at ``start``; else
+    it is zero there and positive at first, and is looked for where f is negative at ``stop`` alone.
+    """
+    begin, fall = height(c, start) - u, steepness(c, start) + a * u
+    if fresh and begin <= 0.0:
+        return start
+    end, rise, _ = three_at(c, u, a, start, stop)
+    if end >= 0.0:
+        if not fresh or fall >= 0.0 or rise <= 0.0:
+            return NEVER
+        stop = _valley(c, u, a, start, stop)
+        end, _, _ = three_at(c, u, a, start, stop)
+        if end >= 0.0:
+            return NEVER
+    low, high, width = start, stop, stop - start
+    fall *= width
+    root = math.sqrt(max(fall * fall - 4.0 * (end - begin - fall) * begin, 0.0))
+    t = start + width * (2.0 * begin / (root - fall))  # of the parabola
+    if not (fresh and low < t < high):
+        t = 0.5 * (low + high)
+    for _ in range(HALVINGS):
+        value, slope, bend = three_at(c, u, a, start, t)
+        if value >= 0.0:
+            low = t
+        else:
+            high = t
+        new = t - 2.0 * value * slope / (2.0 * slope * slope - value * bend)
+        if abs(value) <= SURE * abs(slope) and abs(value * bend) <= SURE * slope * slope:
+            return min(max(new, start), stop)
+        if not low < new < high:
+            new = 0.5 * (low + high)
+        t = new
+    return t
+
+
+@kernel
+def three_at(c, u, a, start, t):
+    """Return c(t) - u e^(-a (t - start)), its derivative and the second one."""
+    bend = 2.0 * c[2] + t * (6.0 * c[3] + t * (12.0 * c[4] + t * 20.0 * c[5]))
+    if u == 0.0:
+        return height(c, t), steepness(c, t), bend
+    left = u * math.exp(-a * (t - start))
+    return height(c, t) - left, steepness(c, t) + a * left, bend - a * a * left
