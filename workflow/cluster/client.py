@@ -49,8 +49,7 @@ def open_client(
         "distributed.scheduler.worker-ttl": SILENT_WORKER,
         "distributed.scheduler.worker-saturation": 1.0,  # none waits on a worker: Ctrl-C ends soon
         "distributed.admin.low-level-log-length": 0,  # or the last 1000 messages stay in memory
-        # Every loop asks 50 times a second whether it is late, and every worker looks 100 times at
-        # what it does: together a tenth of a core, with nothing to do.
+        # Loops that ask whether they are late, and profiles, take a tenth of a core of the idle.
         "distributed.admin.tick.interval": "1s",
         "distributed.worker.profile.enabled": dashboard,  # where somebody looks at it
         **{f"distributed.nanny.pre-spawn-environ.{k}": v for k, v in THREADS.items()},

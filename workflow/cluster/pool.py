@@ -59,8 +59,7 @@ class Pool:
     def submit(self, items: Iterable[Any], workers: Collection[str] = ()) -> list[str]:
         """Give out items, to some workers alone if any are named; return their keys."""
         where: dict[str, Any] = {"workers": [*workers]} if workers else {}
-        args = (self._function, [*items])
-        futures = self._client.map(*args, pure=False, key=self._name, **where)
+        futures = self._client.map(self._function, [*items], pure=False, key=self._name, **where)
         self._futures |= {str(future.key): future for future in futures}
         for future in futures:
             future.add_done_callback(self._fetch_soon)
@@ -71,8 +70,7 @@ class Pool:
         found = []
         with contextlib.suppress(Empty):
             found.append(self._arrivals.get(timeout=seconds))
-            while True:
-                found.append(self._arrivals.get_nowait())
+            found += [self._arrivals.get_nowait() for _ in range(self._arrivals.qsize())]
         return [arrival for arrival in found if self._futures.pop(arrival.key, None)]
 
     def drop(self, keys: Iterable[str]) -> None:
