@@ -222,7 +222,7 @@ def asked_of(study: Study) -> Quantities:
     )
 
 
-RECORDED = ("stick_slip", "energy", "contact_lengths", "snapshots", "state")
+RECORDED = ("stick_slip", "cycle_mean", "energy", "contact_lengths", "snapshots", "state")
 FINER = 4  # lines that are run with halved steps too
 
 

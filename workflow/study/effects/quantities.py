@@ -51,6 +51,9 @@ QUANTITIES = {
         needs=("trace",),
         asks=(SWUNG,),
     ),
+    "cycle_mean": Quantity(
+        "mean friction over the later half of the cycles of an oscillation", asks=(SWUNG,)
+    ),
     "healing": Quantity(
         "static peak of the friction after a hold", needs=("trace",), asks=(FORCE, HELD)
     ),

@@ -19,9 +19,9 @@ from .programme import (
     Segment,
     first_speed,
     first_velocity,
-    hold_durations,
     holds,
     is_relative,
+    listed_values,
     velocity_steps,
 )
 from .quantities import (
@@ -93,9 +93,9 @@ class Scene(NamedTuple):
         return self.control == INDENTATION and self.indentation_history is None
 
     @property
-    def holds(self) -> tuple[float, ...]:
-        """Return the durations (s) of the dimension "hold"; none without it."""
-        return hold_durations(self.programme)
+    def listed(self) -> dict[str, tuple[float, ...]]:
+        """Return the dimensions of the result whose values its programme gives."""
+        return listed_values(self.programme)
 
     @property
     def typical_speed(self) -> float:
