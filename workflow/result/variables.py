@@ -222,6 +222,7 @@ SCENES = {
         comment="over the later half of the cycles of the last oscillation, from all its steps; "
         "the mean over the lines",
     ),
+    "mu_cycle_share": Variable("mean friction in an oscillation over mu_1"),
     "stored_energy": Variable("energy stored in the foundation", ENERGY, "J", EVENT),
     "dissipated_energy": Variable("energy dissipated since the start", ENERGY, "J", EVENT),
     "work": Variable("work of friction and normal force since the start", ENERGY, "J", EVENT),

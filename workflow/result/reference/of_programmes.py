@@ -65,6 +65,10 @@ EVENTS = {
         "the mean of µ over time. Coulomb's law of friction, with one µ, makes it (2/π) asin(v/v̂) "
         "times µ where the mean velocity v is below the amplitude v̂ of the velocity, else µ."
     ),
+    "mu_cycle_share": (
+        "`mu_cycle_mean` over µ₁, where `steady` is asked for too. Lines scatter together, so that "
+        "its error is smaller than that of either."
+    ),
 }
 ENERGY = {
     "stored_energy": "The elastic energy of all elements, free ones too.",
