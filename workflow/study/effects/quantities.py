@@ -71,13 +71,7 @@ USUAL = ("steady", "jump", "relaxation")
 WITHOUT_DASHPOT = ("steady", "relaxation", "peak")
 OF_A_PROGRAMME = ("steady", "trace")
 AT_AN_INDENTATION = ("trace",)
-OF_A_DRIVE = (
-    "steady",
-    "persson",
-    "trace",
-    "healing",
-    "stick_slip",
-)
+OF_A_DRIVE = ("steady", "persson", "trace", "healing", "rate_state", "stick_slip")
 OF_ELEMENTS = ("energy", "contact_lengths", "state")
 
 
