@@ -2,11 +2,11 @@
 
 With one coefficient of friction mu, whose sign is that of the velocity v + v^ cos(omega t), the
 mean is (2/pi) asin(v/v^) mu for v < v^, and mu above (V. L. Popov, Contact Mechanics and Friction,
-2nd ed., Springer 2017, ch. 20, cited from memory). Here mu depends on the velocity. Where the
-oscillation is slow the mean is that of steady friction at the velocities it passes, of which nothing
-is fitted: it is taken from the same lines at other temperatures. Where the amplitude of the
-displacement is small beside the shortest wave, contacts are not renewed within a cycle, the
-oscillation adds no mean force, and friction stays as it is without it.
+Springer 2010, cited from memory). Here mu depends on the velocity. Where the oscillation is slow,
+the mean is that of steady friction at the velocities that it passes. Nothing of that is fitted: it
+is taken from the same lines at other temperatures. Where the amplitude of the displacement is small
+beside the shortest wave, contacts are not renewed within a cycle, and the mean friction stays what
+it is without an oscillation.
 """
 
 import numpy as np
@@ -14,6 +14,7 @@ import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
+from matplotlib.ticker import NullFormatter
 
 from elastomer_friction.studies.style import computed_study
 from elastomer_friction.workflow.report import COLOURS, foot_line
@@ -49,16 +50,15 @@ def quasi_steady(data: xr.Dataset, temperature: float, ratio: np.ndarray) -> np.
     Steady friction over the velocity is that over the temperature; between the points it is
     linear in logarithms, and below them proportional to the velocity. ratio : v^/v.
     """
-    order = np.argsort(fastness(data))
-    x, mu = fastness(data)[order], data.mu_1.isel(velocity_amplitude=0, frequency=0).values[order]
-    own = float(np.interp(temperature, *(v[::-1] for v in (data.temperature.values[order], x))))
+    shift, mu = fastness(data), data.mu_1.isel(velocity_amplitude=0, frequency=0).values
+    here = list(data.temperature.values).index(temperature)
+    order = np.argsort(shift)
+    x, log_mu = shift[order], np.log(mu[order])
     angle = 2.0 * np.pi * (np.arange(4000) + 0.5) / 4000
-    along = own * (1.0 + ratio[:, None] * np.cos(angle))
+    along = shift[here] * (1.0 + ratio[:, None] * np.cos(angle))
     low = np.minimum(np.abs(along) / x[0], 1.0)
-    steady = low * np.exp(np.interp(np.log(np.abs(along)), np.log(x), np.log(mu)))
-    return np.mean(np.sign(along) * steady, axis=1) / np.exp(
-        np.interp(np.log(own), np.log(x), np.log(mu))
-    )
+    steady = low * np.exp(np.interp(np.log(np.abs(along)), np.log(x), log_mu))
+    return np.mean(np.sign(along) * steady, axis=1) / mu[here]
 
 
 def draw(groups: Groups) -> Figure:
@@ -71,7 +71,14 @@ def draw(groups: Groups) -> Figure:
             for end in ("", "_error")
         )
         axes[0, 0].errorbar(
-            fastness(data), mu, error, fmt=f"{marker}-", ms=3, lw=0.7, color="0.4", label=LABELS[name]
+            fastness(data),
+            mu,
+            error,
+            fmt=f"{marker}-",
+            ms=3,
+            lw=0.7,
+            color="0.4",
+            label=LABELS[name],
         )
         for place, colour in zip(PLACES[name], COLOURS, strict=False):
             at = list(data.temperature.values).index(place)
@@ -100,10 +107,10 @@ def draw(groups: Groups) -> Figure:
         figure,
         groups[""],
         "Black: Coulomb's law, one coefficient of friction. Dashed: mean of steady friction over "
-        "the velocities of a cycle, from (a); nothing is fitted. Bars: one standard error of the "
-        "share. Amplitude of the displacement in (c), at v^ = v: "
+        "the velocities of a cycle, from (a); nothing is fitted. (c): amplitudes "
+        "of the displacement times q_max, where that of the velocity is v: "
         + ", ".join(f"{_turns(data, f):.2g}" for f in data.frequency.values)
-        + " over q_max.",
+        + ".",
     )
     return figure
 
@@ -120,7 +127,13 @@ def _share(
     at = data.sel(temperature=temperature, frequency=frequency)
     ratio = at.velocity_amplitude.values / float(at.velocity)
     ax.errorbar(
-        ratio, at.mu_cycle_share, at.mu_cycle_share_error, fmt="o", ms=3.5, color=colour, label=label
+        ratio,
+        at.mu_cycle_share,
+        at.mu_cycle_share_error,
+        fmt="o",
+        ms=3.5,
+        color=colour,
+        label=label,
     )
     if frequency == data.frequency.values[0]:
         fine = np.geomspace(0.4, 12.0, 100)
@@ -130,7 +143,10 @@ def _share(
 def _dress(ax: Axes, data: xr.Dataset) -> None:
     """Draw Coulomb's law, and label the axes."""
     fine = np.geomspace(0.4, 12.0, 200)
-    ax.plot(fine, coulomb(fine), "k-", lw=1.0)
+    ax.plot(fine, coulomb(fine), "k-", lw=1.0, label="Coulomb")
     ax.set(xscale="log", ylim=(-0.03, 1.15), xlabel="$\\hat{v}/v$")
+    ax.set_xticks([0.5, 1.0, 2.0, 5.0, 10.0])
+    ax.xaxis.set_major_formatter("{x:g}")
+    ax.xaxis.set_minor_formatter(NullFormatter())
     ax.set_ylabel("$\\bar\\mu/\\mu_1$")
     ax.legend(loc="lower left")
