@@ -91,7 +91,7 @@ def draw(groups: Groups) -> Figure:
         figure,
         groups[""],
         "(b) bands: Dieterich's b ln(1 + v t_h/D_c), b and D_c from a velocity step of the line, "
-        "nothing fitted to the holds. Fixed place: a spring of 1 MN/m.",
+        "nothing fitted to the holds. A spring of 1 MN/m is the fixed place.",
     )
     return figure
 
@@ -106,7 +106,7 @@ def _left(ax: Axes, point: xr.Dataset) -> None:
     ax.axhline(0.0, color="0.7", lw=0.5)
     ax.set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
     ax.set_ylabel("$\\mu\\,/\\,\\mu$ before the hold")
-    ax.set_title(f"(c) nine branches, $v = {float(point.velocity):g}$ m/s: end of the hold")
+    ax.set_title(f"(c) end of the hold, $v = {float(point.velocity):g}$ m/s, nine branches")
 
 
 def _after(ax: Axes, point: xr.Dataset) -> None:
