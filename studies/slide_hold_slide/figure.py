@@ -80,7 +80,7 @@ def draw(groups: Groups) -> Figure:
     for stiffness, style in zip(data.stiffness.values, STYLES, strict=True):
         label = "fixed place" if stiffness == data.stiffness[-1] else f"$k = {stiffness:g}$ N/m"
         axes[0, 1].plot([], [], ms=3, lw=0.6, color="0.3", label=label, **style)
-    axes[0, 0].legend(loc="lower left")
+    axes[0, 0].legend(loc="upper left")
     axes[0, 1].legend(loc="upper left")
     axes[0, 0].set_title("(a) Kelvin element; vertical: $\\tau$")
     axes[0, 1].set_title("(b) nine branches; vertical: longest time")
@@ -91,7 +91,7 @@ def draw(groups: Groups) -> Figure:
         figure,
         groups[""],
         "(b) bands: Dieterich's b ln(1 + v t_h/D_c), b and D_c from a velocity step of the line, "
-        "nothing fitted to the holds. A spring of 1 MN/m is the fixed place.",
+        "nothing fitted to the holds. Fixed place: on 1 MN/m.",
     )
     return figure
 
