@@ -80,7 +80,7 @@ def draw(groups: Groups) -> Figure:
     for stiffness, style in zip(data.stiffness.values, STYLES, strict=True):
         label = "fixed place" if stiffness == data.stiffness[-1] else f"$k = {stiffness:g}$ N/m"
         axes[0, 1].plot([], [], ms=3, lw=0.6, color="0.3", label=label, **style)
-    axes[0, 0].legend(loc="upper left")
+    axes[0, 0].legend(loc="center right")
     axes[0, 1].legend(loc="upper left")
     axes[0, 0].set_title("(a) Kelvin element; vertical: $\\tau$")
     axes[0, 1].set_title("(b) nine branches; vertical: longest time")
