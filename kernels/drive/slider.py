@@ -96,12 +96,18 @@ class Slider:
         self.number = keep(self.record, 0, self.moment, self.moment, 0.0)
 
     def follow(self, course: Course) -> None:
-        """Follow the drive through a leg; the last step ends with it."""
+        """Follow the drive through a leg; the last step ends with it.
+
+        What is kept at the end of the leg is of that step, and not between it and the leg after.
+        """
         end, begin = float(course.time[-1]), float(course.speed[0])
         self.pace = self.motion.dt if begin == self.driven else FIRST_OF_LEG * self.motion.dt
         self.driven, self.course = float(course.speed[-1]), course
         while self._left(end):
             self._step(course, end)
+        at_end = self.moment._replace(time=end, place=self.motion.place)
+        self.number = keep(self.record, self.number, self.moment, at_end, self.driven)
+        self.moment = at_end
 
     def _left(self, end: float) -> bool:
         """Return whether there is anything left of a leg."""

@@ -10,18 +10,20 @@ from typing import NamedTuple
 
 import numpy as np
 
+from ..model.friction import weighed
 from ..motion.fourier import Fractions
 from ..motion.legs import speed_at_start
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..scene.begin import charge_branches, glassy_stiffness
+from ..scene.cycles import add_impulses, mean_of, spell_of
 from ..scene.records import TRACES, Trace, keep_motion, keep_trace
 from ..scene.scene_case import Saved, SceneCase, check_scene, scene_steps
 from .body import Body, HalfSpace, move_on, rest_on
 from .sliding_body import slide_steadily
 from .surface import Surface
 
-KEPT = ("trace", "snapshots")  # what of a scene is there for a half-space
+KEPT = ("trace", "cycle_mean", "snapshots")  # what of a scene is there for a half-space
 
 
 class StepEnds(NamedTuple):
@@ -78,6 +80,7 @@ def run_scene_on_half_space(
     space, moving = HalfSpace.under(form, surface, scene.load, stiffness), Moving(surface)
     body, passes, lag = begun_on(space, scene)
     trace = Trace(*np.empty((len(TRACES), scene.kept.size)))
+    spell = spell_of(scene, steps)
     frames = np.empty((scene.frames.size if "snapshots" in scene.asked else 0, *surface.z.shape))
     kept = {int(number): k for k, number in enumerate(scene.kept)}
     shown = {int(number): k for k, number in enumerate(scene.frames[: len(frames)])}
@@ -93,6 +96,10 @@ def run_scene_on_half_space(
             heights = moving.at(place - whole)[0]
             body, used = move_on(space, body, own, heights, whole % n)
             passes += used
+        if spell is not None and spell.after < step <= spell.last:
+            slope = _slope_felt(body, moving, StepEnds(places[step - 1], place, lag, old))
+            sums = weighed(-body.p.ravel(), None, slope, 0.0)
+            add_impulses(spell, sums, way.dt[step - 1])
         if step in kept:
             before = places[step - 1] if step else -math.copysign(1.0, lag)
             k, lag = kept[step], abs(lag)
@@ -107,7 +114,13 @@ def run_scene_on_half_space(
     found = dict(zip(TRACES, trace, strict=True)) if "trace" in scene.asked else {}
     if "snapshots" in scene.asked:
         found["snapshot_pressure"] = frames
-    return found | {"updates": np.array(float(passes * surface.z.size))}
+    return found | mean_of(spell) | {"updates": np.array(float(passes * surface.z.size))}
+
+
+def _slope_felt(body: Body, moving: Moving, ends: StepEnds) -> np.ndarray:
+    """Return the slopes where the force of a step acts, shape (rows n,)."""
+    before, now = (moving.slope_over(place, body.offset).ravel() for place in ends[:2])
+    return now + ends.lag * (before - now)
 
 
 def _keep(trace: Trace, k: int, body: Body, moving: Moving, ends: StepEnds) -> None:

@@ -10,20 +10,22 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..model.balance import balance
+from ..model.friction import weighed
 from ..rheology.law import Elements, displacement, law_of, predict, settle
+from .cycles import add_impulses
 from .energy import book, keep_energies
 from .records import count_lengths, keep_frame, keep_motion, keep_trace
 
 
 @kernel
-def follow(form, control, track, elements, done, kept, frames, trace, ledger, lengths, film):
+def follow(form, control, track, elements, done, kept, frames, trace, ledger, lengths, film, spell):
     """Take elements along a track; return (elements, passes) at its end.
 
     form : of the material (rheology/law.py). control : what the indentation follows from
     (control). track : the line at every step (motion/track.py). elements : before the first
     step; their arrays are left alone. done : number of steps before this track.
     kept, frames : increasing numbers of the steps to be kept in trace, ledger and lengths, and
-    in film: recorders or None.
+    in film: recorders or None. spell : or None.
     passes : over the thresholds, in all steps.
     """
     n = elements.p.size
@@ -54,6 +56,10 @@ def follow(form, control, track, elements, done, kept, frames, trace, ledger, le
             frame += 1
         settle(law, memory, w, p, new)
         p, new = new, p
+        if spell is not None and spell.after < step <= spell.last:
+            before, now = seen_at(track.slope, track, s, n), seen_at(track.slope, track, s + 1, n)
+            sums = weighed(-p, None, now + law.lag * (before - now), 0.0)
+            add_impulses(spell, sums, track.dt[s])
         if k < kept.size and step == kept[k]:
             _keep(k, form, law, track, s, old, d, memory, p, trace, ledger, lengths)
             k += 1

@@ -32,6 +32,7 @@ from ..rheology.scaled import (
     look_ahead,
     settle_and_predict,
 )
+from .cycles import add_impulses
 from .energy import keep_energies
 from .follow import book_step, first_after, seen_at
 from .records import count_lengths, keep_forces, keep_frame, keep_motion
@@ -107,7 +108,7 @@ def _memory(blocks, n):
 
 @kernel
 def follow_blocks(
-    form, control, track, state, done, ends, kept, frames, trace, ledger, lengths, film
+    form, control, track, state, done, ends, kept, frames, trace, ledger, lengths, film, spell
 ):
     """Take BlockElements along a track; return (state, passes).
 
@@ -147,6 +148,8 @@ def follow_blocks(
         keeping, ending = k < kept.size and step == kept[k], end < ends.size and step == ends[end]
         if ending or (keeping and ledger is not None):
             _predict(law, blocks, p, older, step, some, z, rows)
+        if spell is not None and spell.after < step <= spell.last:
+            add_impulses(spell, _sums(law.lag, track, s, some, p), track.dt[s])
         if keeping:
             _keep(k, form, law, track, s, old, d, blocks, some, p, trace, ledger, lengths)
             k += 1
@@ -273,7 +276,7 @@ def _keep(k, form, law, track, s, old, d, blocks, some, p, trace, ledger, length
     """Keep a step as number k of those that are kept."""
     n = track.z.shape[1] // 2
     if trace is not None:
-        _keep_trace(trace, k, law.lag, track, s, some, p, old, d)
+        keep_forces(trace, k, law.lag, _sums(law.lag, track, s, some, p), n, old, d)
         keep_motion(trace, k, law.lag, track, s)
     if ledger is not None:
         keep_energies(ledger, k, form, _memory(blocks, n), p.reshape(-1)[:n])
@@ -282,8 +285,8 @@ def _keep(k, form, law, track, s, old, d, blocks, some, p, trace, ledger, length
 
 
 @kernel
-def _keep_trace(trace, k, lag, track, s, some, p, old, d):
-    """Keep the forces of a step, which act on elements of some blocks alone."""
+def _sums(lag, track, s, some, p):
+    """Return the sums of eq. 5 of a step, whose forces act on elements of some blocks alone."""
     n = track.z.shape[1] // 2
     before, now = seen_at(track.slope, track, s, n), seen_at(track.slope, track, s + 1, n)
     threshold, slope = np.zeros((some.size, BLOCK)), np.zeros((some.size, BLOCK))
@@ -293,8 +296,7 @@ def _keep_trace(trace, k, lag, track, s, some, p, old, d):
         for i in range(new_slope.size):
             threshold[row, i] = -p[b, i]
             slope[row, i] = new_slope[i] + lag * (old_slope[i] - new_slope[i])
-    sums = weighed(threshold.reshape(-1), None, slope.reshape(-1), 0.0)
-    keep_forces(trace, k, lag, sums, n, old, d)
+    return weighed(threshold.reshape(-1), None, slope.reshape(-1), 0.0)
 
 
 @kernel

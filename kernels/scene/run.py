@@ -5,23 +5,31 @@ import numpy as np
 from ..control.indentation import PrescribedIndentation
 from ..lines.line import Line
 from ..model.force import ConstantForce
-from ..motion.legs import last_speed, speed_at_start
+from ..motion.legs import Steps, last_speed, speed_at_start
 from ..motion.track import Track, tracks
 from ..rheology.forms import form_of
 from ..rheology.law import Elements, displacement, law_of
 from ..rheology.retardation import Retardation
 from .begin import Form, begun
+from .cycles import mean_of, spell_of
 from .energy import ENERGIES, Ledger, stored_energy
 from .follow import follow
 from .march_blocks import elements_of, follow_blocks, in_blocks
 from .records import TRACES, Film, Lengths, Trace, count_lengths, keep_frame, keep_trace
-from .scene_case import START, Saved, SceneCase, check_scene, indentation_at, scene_steps
+from .scene_case import (
+    START,
+    Saved,
+    SceneCase,
+    check_scene,
+    indentation_at,
+    scene_steps,
+)
 
 
 class Recorders:
     """The recorders of a scene; those that are not asked for are None."""
 
-    def __init__(self, scene: SceneCase, line: Line) -> None:
+    def __init__(self, scene: SceneCase, line: Line, steps: Steps) -> None:
         """Make room for all that is asked for."""
         asked, kept, n = scene.asked, scene.kept.size, line.z.size
         self.kept, self.frames = scene.kept, scene.frames
@@ -34,6 +42,7 @@ class Recorders:
         self.film = None
         if "snapshots" in asked:
             self.film = Film(*np.empty((2, scene.frames.size, n)))
+        self.spell = spell_of(scene, steps)
 
     def start(
         self, form: Form, line: Line, track: Track, elements: Elements, lag: float, speed: float
@@ -60,7 +69,7 @@ class Recorders:
 
     def all(self) -> tuple:
         """Return the last arguments of follow."""
-        recorders = (self.trace, self.ledger, self.lengths, self.film)
+        recorders = (self.trace, self.ledger, self.lengths, self.film, self.spell)
         return self.kept, self.frames, *recorders
 
     def values(self, datum: float) -> dict[str, np.ndarray]:
@@ -75,7 +84,7 @@ class Recorders:
             values["contact_length"] = self.lengths.counts / max(self.kept.size, 1)
         if self.film is not None:
             values["snapshot_height"], values["snapshot_displacement"] = self.film
-        return values
+        return values | mean_of(self.spell)
 
 
 def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[str, np.ndarray]:
@@ -89,6 +98,8 @@ def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[
     each (kept,). mu is NaN where nothing touches; the start has the velocity that follows.
     energy : "stored_energy", "dissipated_energy", "work", "closing_work" (4 G L h^2), (kept,);
     all but the first are sums from the start.
+    cycle_mean : "mu_cycle_mean", mean friction over mean normal force (h/dx) in the later half of
+    the cycles of the last oscillation.
     contact_lengths : "contact_length" (bins,), mean number of contacts over the kept steps.
     snapshots : "snapshot_height" (line over the undeformed foundation) and
     "snapshot_displacement" (of the elements), (frames, n), in h.
@@ -105,7 +116,7 @@ def run_scene(line: Line, scene: SceneCase, state: Saved | None = None) -> dict[
         times = np.cumsum(np.append(begin.time, steps.dt))[1:]
         control = PrescribedIndentation(indentation_at(scene, times, line.datum))
     elements = Elements(begin.memory, begin.p, begin.d)
-    recorders = Recorders(scene, line)
+    recorders = Recorders(scene, line, steps)
     lag, speed = 0.0, speed_at_start(scene.programme)
     if state is None and scene.start == "steady":
         lag = np.copysign(law_of(form, 1.0 / (m * abs(speed))).lag, speed)

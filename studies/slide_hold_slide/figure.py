@@ -1,9 +1,9 @@
 """Slide, hold, slide: static peak of the friction over the duration of the hold.
 
-The hold is at a fixed position, so that friction decays to zero in it; an experiment holds the
-drive, and the machine's stiffness keeps some friction. To be read beside Dieterich's law of healing
-(C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998)), of which b and D_c are those of the
-velocity step at the end of each run, by Ruina's law: nothing is fitted to the holds. Beside it S.
+The drive is held, as in an experiment, and the line creeps on as its spring slackens; the stiffest
+spring holds the line at a fixed place, where friction decays to zero. To be read beside Dieterich's
+law of healing (C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998)), of which b and D_c are
+those of a velocity step of the line, by Ruina's law: nothing is fitted to the holds. Beside it S.
 Hulikal, K. Bhattacharya, N. Lapusta, arXiv:1811.03811 (an array of viscoelastic elements: static
 friction that goes on growing tells of many relaxation times), F. Landes, A. Rosso, E. Jagla,
 arXiv:1503.07847 (slide-hold-slide of viscoelastic spring-blocks), and O. Ronsin, K. L.
@@ -11,6 +11,8 @@ Coeyrehourcq, "State, rate and temperature-dependent sliding friction of elastom
 glass, where deformation is negligible: kinetics, not magnitudes). The abstracts of Hulikal et al.
 and of Ronsin and Coeyrehourcq were read, the others are cited from memory.
 """
+
+from typing import Any
 
 import numpy as np
 import xarray as xr
@@ -23,15 +25,21 @@ from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "A line slides, rests for a while and slides on, and panels (a) and (b) show by how much the "
-    "static peak afterwards exceeds the friction before, over the duration of the rest and for two "
-    "materials. Panel (c) shows which share of the friction is left at the end of the rest, and "
-    "panel (d) how friction passes its peak over the distance slid."
+    "A line slides, its drive rests for a while and goes on, and panels (a) and (b) show by how "
+    "much the static peak afterwards exceeds the friction before, over the duration of the rest, "
+    "for two materials, on springs and at a fixed place. Panel (c) shows which share of the "
+    "friction is left at the end of the rest, and panel (d) how friction passes its peak over the "
+    "distance slid."
 )
 KELVIN, RUBBER = "", "rubber"
 TAU = 1e-3  # s, of the Kelvin element; the middle of the rubber's times
 LONGEST = 0.1  # s, of the rubber
-SHOWN = (0, 3, 4, 5, 6, 8)  # holds in panel (d)
+SHOWN = (0, 4, 5, 8)  # holds in panel (d)
+STYLES: tuple[dict[str, Any], ...] = (  # of the springs, the softest first
+    {"marker": "s", "mfc": "white", "ls": ":"},
+    {"marker": "^", "mfc": "white", "ls": "--"},
+    {"marker": "o", "ls": "-"},
+)
 
 
 def law(point: xr.Dataset, hold: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
@@ -56,57 +64,66 @@ def draw(groups: Groups) -> Figure:
         data = groups[name].squeeze()
         for index, colour in zip(range(data.sizes["velocity"]), COLOURS, strict=False):
             point = data.isel(velocity=index)
-            label = f"$v = {float(point.velocity):g}$ m/s"
-            error_bars(ax, point, "healing", "hold", fmt="o", color=colour, label=label)
+            for spring, style in enumerate(STYLES):
+                own = point.isel(stiffness=spring)
+                error_bars(ax, own, "healing", "hold", ms=3, lw=0.6, color=colour, **style)
             holds = point.hold.values
             hold = np.geomspace(holds[0], holds[-1], 100)
-            if name == KELVIN:
-                healed = -np.expm1(-hold / TAU) * float(point.healing[-1])
-                ax.plot(hold, healed, "--", color=colour, lw=0.7)
-            else:
-                rise, error = law(point, hold)
-                ax.plot(hold, rise, "-", color=colour, lw=0.7)
+            if name == RUBBER:
+                rise, error = law(point.isel(stiffness=-1), hold)
                 ax.fill_between(hold, rise - error, rise + error, color=colour, alpha=0.2, lw=0)
-            before = point.static_peak - point.healing
-            share, error = (point[f"mu_end_of_hold{end}"] / before for end in ("", "_error"))
-            form = "o-" if name == KELVIN else "s--"
-            axes[1, 0].errorbar(point.hold, share, error, fmt=form, color=colour)
         ax.set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
         ax.axvline(TAU if name == KELVIN else LONGEST, color="0.6", lw=0.7, ls=":")
         ax.axhline(0.0, color="0.7", lw=0.5)
-        ax.legend(loc="upper left")
-    axes[0, 0].set_title("(a) Kelvin element; dotted: $\\tau$")
-    axes[0, 1].set_title("(b) nine branches; dotted: longest time")
+    for velocity, colour in zip(data.velocity.values, COLOURS, strict=False):
+        axes[0, 0].plot([], [], "-", color=colour, label=f"$v = {velocity:g}$ m/s")
+    for stiffness, style in zip(data.stiffness.values, STYLES, strict=True):
+        label = "fixed place" if stiffness == data.stiffness[-1] else f"$k = {stiffness:g}$ N/m"
+        axes[0, 1].plot([], [], ms=3, lw=0.6, color="0.3", label=label, **style)
+    axes[0, 0].legend(loc="center right")
+    axes[0, 1].legend(loc="upper left")
+    axes[0, 0].set_title("(a) Kelvin element; vertical: $\\tau$")
+    axes[0, 1].set_title("(b) nine branches; vertical: longest time")
     axes[0, 0].set_ylabel("static peak $-$ $\\mu$ before the hold")
-    axes[1, 0].axhline(0.0, color="0.7", lw=0.5)
-    axes[1, 0].set_title("(c) friction at the end of the hold")
-    axes[1, 0].set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
-    axes[1, 0].set_ylabel("$\\mu\\,/\\,\\mu$ before the hold")
+    _left(axes[1, 0], groups[RUBBER].squeeze().isel(velocity=0))
     _after(axes[1, 1], groups[RUBBER].squeeze().isel(velocity=0))
     foot_line(
         figure,
         groups[""],
-        "(a) dashed: 1 - exp(-t_h/tau) to the last point. (b) bands: Dieterich's b ln(1 + v t_h/"
-        "D_c), b and D_c from a velocity step, nothing fitted to the holds. (c) circles: Kelvin, "
-        "squares: nine branches. The hold is at a fixed position; experiments hold the drive.",
+        "(b) bands: Dieterich's b ln(1 + v t_h/D_c), b and D_c from a velocity step of the line, "
+        "nothing fitted to the holds. Fixed place: on 1 MN/m.",
     )
     return figure
 
 
+def _left(ax: Axes, point: xr.Dataset) -> None:
+    """Draw which share of the friction is left at the end of the hold, on every spring."""
+    for index, style in enumerate(STYLES):
+        own = point.isel(stiffness=index)
+        before = own.static_peak - own.healing
+        share, error = (own[f"mu_end_of_hold{end}"] / before for end in ("", "_error"))
+        ax.errorbar(own.hold, share, error, ms=3, lw=0.8, color=COLOURS[0], **style)
+    ax.axhline(0.0, color="0.7", lw=0.5)
+    ax.set(xscale="log", xlabel="duration of the hold $t_h$ (s)")
+    ax.set_ylabel("$\\mu\\,/\\,\\mu$ before the hold")
+    ax.set_title(f"(c) end of the hold, $v = {float(point.velocity):g}$ m/s, nine branches")
+
+
 def _after(ax: Axes, point: xr.Dataset) -> None:
-    """Draw the friction over the distance slid after holds of different lengths."""
+    """Draw the friction over the distance slid after holds, at a fixed place and on a spring."""
     colours = plt.get_cmap("viridis")(np.linspace(PALEST, 0.0, len(SHOWN)))
     for index, colour in zip(SHOWN, colours, strict=True):
-        one = point.isel(hold=index)
-        rest = one.isel(event=one.trace_segment.values == 1)
-        slide = one.isel(event=one.trace_segment.values == 2)
-        slid = slide.trace_distance - float(rest.trace_distance[-1])
-        mu, error = slide.trace_mu.values, slide.trace_mu_error.values
-        ax.plot(slid, mu, color=colour, label=f"{float(one.hold):.0e} s")
-        ax.fill_between(slid, mu - error, mu + error, color=colour, alpha=0.2, lw=0)
-    ax.axhline(float(point.mu_1[0]), color="0.4", lw=0.7, ls=":")
+        for spring in (-1, 0):
+            one = point.isel(hold=index, stiffness=spring)
+            rest = one.isel(event=one.trace_segment.values == 1)
+            slide = one.isel(event=one.trace_segment.values == 2)
+            slid = slide.trace_distance - float(rest.trace_distance[-1])
+            mu, error = slide.trace_mu.values, slide.trace_mu_error.values
+            label = f"{float(one.hold):.0e} s" if spring else None
+            ax.plot(slid, mu, STYLES[spring]["ls"], color=colour, label=label)
+            ax.fill_between(slid, mu - error, mu + error, color=colour, alpha=0.2, lw=0)
     ax.set(xscale="log", xlabel="distance since the hold (m)", ylabel="$\\mu$")
-    ax.set_title(f"(d) nine branches, $v = {float(point.velocity):g}$ m/s, after holds")
+    ax.set_title(f"(d) the same, after holds; dotted: $k = {float(point.stiffness[0]):g}$ N/m")
     low, high = ax.get_ylim()
     ax.set_ylim(low, high + 0.25 * (high - low))  # room for the legend
-    ax.legend(loc="upper center", ncols=3)
+    ax.legend(loc="upper center", ncols=2)

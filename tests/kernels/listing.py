@@ -45,7 +45,7 @@ def listings() -> dict[str, list[str]]:
     twice, steps = np.tile(z, (1, 2)), np.zeros(2, np.int64)
     track = Track(twice, twice, steps, steps, np.ones(1), np.ones(2), np.ones(2))
     elements, none = Elements(np.zeros((1, 4)), np.zeros(4), 2.0), np.arange(0)
-    off = (0, none, none, None, None, None, None)
+    off = (0, none, none, None, None, None, None, None)
     return {
         "steady_sliding": instructions(steady_sliding, kelvin, z, 4.0),
         "march": instructions(march, kelvin, control, z, z, state, np.array([2]), 4.0),

@@ -24,7 +24,7 @@ from tests.kernels.scene.given import SOLID, a_line
 from tests.sizes import PLAIN_PYTHON
 
 ROOT = Path(__file__).resolve().parents[2]
-RECORDERS = ("trace", "ledger", "lengths", "film")
+RECORDERS = ("trace", "ledger", "lengths", "film", "spell")
 EFFECTS = (
     "elastomer_friction.kernels.control.indentation",
     "elastomer_friction.kernels.control.printed_eq3",
@@ -91,7 +91,7 @@ def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
     (track,) = tracks(line.z, line.slope, 4, steps_of((Slide(1.0, 1.0),), 4), 0.0, 0.0)
     elements = relaxed(form, line.z, control.load, np.nan)
     none = np.arange(0)
-    arguments = (form, control, track, elements, 0, none, none, None, None, None, None)
+    arguments = (form, control, track, elements, 0, none, none, None, None, None, None, None)
     stripped = len(instructions(names["follow"], *arguments))
     assert len(instructions(function, *arguments)) <= 1.02 * stripped
     trace = Trace(*np.empty((8, 0)))

@@ -1,9 +1,14 @@
-"""Slide, hold, slide: a Kelvin element heals in tau, a broad spectrum until its longest time."""
+"""Slide, hold, slide: a Kelvin element heals in tau, a broad spectrum until its longest time.
+
+So at a fixed place, which the stiffest spring is; on softer ones the line creeps on in the hold.
+"""
 
 import numpy as np
 import pytest
 
 from elastomer_friction.studies.slide_hold_slide.figure import LONGEST, TAU, law
+from elastomer_friction.workflow import scene
+from elastomer_friction.workflow.study import read_study
 from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
@@ -12,26 +17,25 @@ pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 @pytest.fixture(scope="module")
 def groups(tmp_path_factory):
     """Return the groups of the study."""
-    folder = tmp_path_factory.mktemp("holds")
-    return run(folder, "slide_hold_slide", "study.realizations=24")
+    return run(tmp_path_factory.mktemp("holds"), "slide_hold_slide")
 
 
 @pytest.fixture(scope="module")
 def slow(groups):
-    """Return both materials at the lower velocity."""
-    return {name: data.squeeze().isel(velocity=0) for name, data in groups.items()}
+    """Return both materials at the lower velocity and a fixed place."""
+    return {name: data.squeeze().isel(velocity=0, stiffness=-1) for name, data in groups.items()}
 
 
 @pytest.fixture(scope="module")
 def fast(groups):
-    """Return both materials at the higher velocity."""
-    return {name: data.squeeze().isel(velocity=1) for name, data in groups.items()}
+    """Return both materials at the higher velocity and a fixed place."""
+    return {name: data.squeeze().isel(velocity=1, stiffness=-1) for name, data in groups.items()}
 
 
 def test_a_kelvin_element_heals_in_tau(fast):
     healing = fast[""].healing / fast[""].healing[-1]
     assert healing[0] < 0.2
-    late = healing.isel(hold=fast[""].hold.values >= 9.0 * TAU)
+    late = healing.isel(hold=fast[""].hold.values >= 20.0 * TAU)
     assert late.values == pytest.approx(1.0, abs=1e-2)
     assert float(fast[""].healing[-1]) > 3.0 * float(fast[""].healing_error[-1])
 
@@ -56,7 +60,7 @@ def test_holds_follow_the_law_of_dieterich_with_what_the_step_says(slow):
     assert ratio[-1] < 0.8  # the law goes on
 
 
-def test_friction_decays_in_a_hold_at_a_fixed_position(fast):
+def test_friction_decays_in_a_hold_at_a_fixed_place(fast):
     left = {name: p.mu_end_of_hold / (p.static_peak - p.healing) for name, p in fast.items()}
     hold = fast[""].hold.values
     some = (hold > 5.0 * TAU) & (hold < 20.0 * TAU)
@@ -65,11 +69,48 @@ def test_friction_decays_in_a_hold_at_a_fixed_position(fast):
     assert abs(left["rubber"].values[-1]) < 1e-3
 
 
-def test_friction_before_the_hold_is_steady(slow, fast):
-    for points in (slow, fast):
-        for point in points.values():
-            before = point.static_peak - point.healing
-            np.testing.assert_allclose(before, point.mu_1, rtol=0.05)
+def test_friction_before_the_hold_is_steady(groups):
+    for data in groups.values():
+        point = data.squeeze()
+        before = point.static_peak - point.healing
+        np.testing.assert_allclose(before, point.mu_1, rtol=0.05)
+
+
+def test_the_stiffest_spring_holds_the_line_as_a_programme_of_the_line_does(slow):
+    """The same lines, slid and held themselves; to errors of a step by the drive."""
+    study = read_study("slide_hold_slide", "smoke")
+    point = slow["rubber"]
+    found = scene.run(
+        surface={"hurst": 0.7, "roughness": 1e-5, "spacing": 1e-4, "length": 0.01},
+        material={"shear_modulus": 1e7, "branches": [[7e6, t] for t in np.geomspace(1e-5, 0.1, 9)]},
+        normal_force=0.4,
+        programme=[
+            {"slide": {"velocity": 0.024, "distance": 5e-5}},
+            {"hold": {"duration": {"geomspace": [1e-5, 1e1, 9]}}},
+            {"slide": {"velocity": 0.024, "distance": 1e-3}},
+        ],
+        quantities=["trace", "healing"],
+        numerics={"record": "log", "samples": 256},
+        realizations=study.realizations,
+        seed=study.seed,
+    )
+    for name in ("healing", "mu_end_of_hold"):
+        atol = 0.01 * float(point.mu_1[0])
+        np.testing.assert_allclose(point[name], found[name], rtol=0.02, atol=atol, err_msg=name)
+
+
+def test_on_a_softer_spring_more_friction_is_left_and_less_is_healed(groups):
+    data = groups["rubber"].squeeze()
+    middle = (data.hold.values > 1e-3) & (data.hold.values < LONGEST)
+    left = data.mu_end_of_hold.isel(hold=middle).transpose("stiffness", ...).values
+    assert (np.diff(left, axis=0) < 0.0).all()
+    healed = data.healing.isel(hold=data.hold.values > TAU).transpose("stiffness", ...).values
+    assert (np.diff(healed, axis=0) > 0.0).all()
+
+
+def test_a_kelvin_element_heals_on_no_soft_spring(groups):
+    late = groups[""].squeeze().healing.isel(velocity=1, hold=-1)
+    assert abs(float(late[0])) < 0.2 * float(late[-1])
 
 
 def test_figure_is_drawn(groups):

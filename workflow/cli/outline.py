@@ -407,7 +407,7 @@ def _motion(study: Study) -> Iterator[tuple[bool, str]]:
 
 
 def _quantities(study: Study) -> Iterator[tuple[bool, str]]:
-    alone = study.realizations == 1 and not study.scene.holds
+    alone = study.realizations == 1 and not study.scene.listed
     for name, quantity in QUANTITIES.items():
         if name in study.scene.quantities:
             yield True, f"{name}: {quantity.effect}"

@@ -8,10 +8,11 @@ import numpy as np
 
 from ..errors import UserError
 from ..reduce import RESOLVED, UNRESOLVED
+from ..study import LISTED
 
 PIECE = 0.1  # change of the velocity, as a share of it, that a step takes at most
 COARSE = 0.05  # of a whole way, that sampled velocities may miss
-MOVED = ("velocity", "hold")  # axes along which the motion alone differs
+MOVED = ("velocity", *LISTED)  # axes along which the motion alone differs
 NEEDED = ("trace_time", "trace_velocity", "trace_distance", "trace_segment", "trace_mu")
 
 

@@ -16,7 +16,7 @@ from ...kernels import (
     Spectrum,
     rms_slope,
 )
-from ...kernels.drive import Drive
+from ...kernels.drive import TOLERANCE, Drive, courses
 from ...kernels.half_space.surface import rms_slope_of
 from ..errors import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory, bounded_counts, programme_steps
@@ -190,9 +190,12 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
 def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
     """Raise UserError for more than MOST_STEPS steps, and for some that are lost in rounding.
 
-    steps : numbers of them per spacing, of problems that share this programme.
+    So too for a drive that never moves the line. steps : numbers of them per spacing, of problems
+    that share this programme.
     """
     programme = problem.programme
+    if problem.drive and problem.start != "steady":
+        _check_pull(problem, problem.drive)
     for m in np.unique(steps) if programme else ():
         counts = bounded_counts(problem, int(m), origin)
         if counts.sum() > MOST_STEPS:
@@ -209,6 +212,24 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
             raise UserError(f"scene.programme: {error} (lengths in dx, times in tau)") from error
 
 
+def _check_pull(problem: Problem, drive: Drive) -> None:
+    """Raise UserError where the force of a drive is never told from none: the line sticks for good.
+
+    A line at rest under the load bears no friction, and creeps under any force that is told.
+    """
+    way = list(courses(problem.programme, 0.0))
+    stretch = max(np.abs(course.place).max() for course in way)
+    most = drive.stiffness * stretch
+    most += drive.damping * max(np.abs(course.speed).max() for course in way)
+    share = float(np.min(most / (problem.load * problem.surface.slope)))
+    if share <= TOLERANCE:
+        raise UserError(
+            f"scene.drive.stiffness: the spring pulls with {share:.2g} of F_N times the rms slope "
+            f"at most, and forces are balanced to {TOLERANCE:g} of it: the line never moves; give "
+            "a larger stiffness, or a longer way of the drive"
+        )
+
+
 def asked_of(study: Study) -> Quantities:
     """Return what the kernels are asked for; a relaxation starts from the jump."""
     asked = study.scene.quantities
@@ -222,7 +243,7 @@ def asked_of(study: Study) -> Quantities:
     )
 
 
-RECORDED = ("stick_slip", "energy", "contact_lengths", "snapshots", "state")
+RECORDED = ("stick_slip", "cycle_mean", "energy", "contact_lengths", "snapshots", "state")
 FINER = 4  # lines that are run with halved steps too
 
 

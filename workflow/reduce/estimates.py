@@ -42,6 +42,9 @@ def reduce_blocks(blocks: Blocks) -> Estimates:
             _relaxations(estimates, blocks, deviation[:, :, 1:])
         reduce_steps(estimates, blocks, time, curves, values)
     reduce_programmes(estimates, blocks)
+    if "steady" in asked and "cycle_mean" in asked:
+        mean = replicates(blocks.values["mu_cycle_mean"], 1)
+        enter(estimates, "mu_cycle_share", mean / values["mu_1"])
     if "finer" in blocks.values:
         _halved(estimates, blocks)
     return estimates

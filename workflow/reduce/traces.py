@@ -115,10 +115,9 @@ def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
     if "loop" in asked:
         names = ("trace_time", "trace_mu", "trace_friction_force")
         _each(estimates, blocks, loop, *map(means.__getitem__, names))
-    for name in SLIPS if "stick_slip" in asked else ():
-        enter(estimates, name, replicates(values[name], 1))
-    if "contact_lengths" in asked:
-        enter(estimates, "contact_length", replicates(values["contact_length"], 1))
+    for name in (*SLIPS, "mu_cycle_mean", "contact_length"):
+        if name in values:
+            enter(estimates, name, replicates(values[name], 1))
     estimates |= {name: own.mean(axis=1) for name, own in values.items() if name.startswith(ALONE)}
 
 

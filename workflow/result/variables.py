@@ -216,6 +216,13 @@ SCENES = {
     "loop_work": Variable("work of friction in the last cycle of an oscillation", ENERGY, "J"),
     "mu_in_phase": Variable("amplitude of mu in phase with the displacement", SLOPE),
     "mu_quadrature": Variable("amplitude of mu in phase with the velocity", SLOPE),
+    "mu_cycle_mean": Variable(
+        "mean friction over mean normal force in an oscillation",
+        SLOPE,
+        comment="over the later half of the cycles of the last oscillation, from all its steps; "
+        "the mean over the lines",
+    ),
+    "mu_cycle_share": Variable("mean friction in an oscillation over mu_1"),
     "stored_energy": Variable("energy stored in the foundation", ENERGY, "J", EVENT),
     "dissipated_energy": Variable("energy dissipated since the start", ENERGY, "J", EVENT),
     "work": Variable("work of friction and normal force since the start", ENERGY, "J", EVENT),

@@ -18,6 +18,7 @@ from ..simulate import block_means
 from ..study import (
     FOUNDATION,
     HALF_SPACE,
+    LISTED,
     Profile,
     Study,
     given_map,
@@ -169,7 +170,7 @@ def computed(study: Study, resumed: Saved | None = None) -> xr.Dataset:
     plan = make_plan(study, origin=resumed.origin if resumed else START)
     (variant,) = plan.variants
     dataset = build_dataset(plan, variant, _estimates(plan, variant, resumed), {})
-    single = {axis: 0 for axis in study.axes if axis != "hold"}
+    single = {axis: 0 for axis in study.axes if axis not in LISTED}
     return _in_seconds(dataset.isel(single), study)
 
 

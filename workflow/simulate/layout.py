@@ -69,6 +69,7 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
         "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, kept),
         "stick_slip": dict.fromkeys(SLIPS, ()),
+        "cycle_mean": {"mu_cycle_mean": ()},
         "energy": dict.fromkeys(ENERGIES, kept),
         "contact_lengths": {"contact_length": (BINS,)},
         "snapshots": _snapshots(task, (*kept, samples)),

@@ -15,6 +15,7 @@ if TYPE_CHECKING:
         GAS,
         HALF_SPACE,
         LAWS_OF_SHIFT,
+        LISTED,
         QUANTITIES,
         Arrhenius,
         FromFile,

@@ -10,7 +10,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
-from .effects import Material, Scene, with_hold
+from .effects import Material, Scene, with_one_of
 from .settings import Key, one_or_several
 from .surfaces import Surface
 
@@ -42,8 +42,8 @@ class Axis(NamedTuple):
         return parts._replace(**{self.table: with_it})
 
 
-def _held(scene: Scene, duration: float) -> Scene:
-    return scene._replace(programme=with_hold(scene.programme, duration))
+def _with_one(axis: str, scene: Scene, value: float) -> Scene:
+    return scene._replace(programme=with_one_of(scene.programme, axis, value))
 
 
 def _pulled(scene: Scene, stiffness: float) -> Scene:
@@ -60,8 +60,18 @@ ROWS = (
     Axis("velocity_step", "1", "relative velocity jump dv/v1"),
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),
-    Axis("hold", "s", "duration of the hold", "scene", _held),
+    Axis("hold", "s", "duration of the hold", "scene", partial(_with_one, "hold")),
     Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _pulled, "drive"),
+    Axis(
+        "velocity_amplitude",
+        "m s-1",
+        "amplitude of the velocity of the oscillation",
+        "scene",
+        partial(_with_one, "velocity_amplitude"),
+    ),
+    Axis(
+        "frequency", "Hz", "frequency of the oscillation", "scene", partial(_with_one, "frequency")
+    ),
 )
 EVERY_AXIS = {row.name: row for row in ROWS}
 AXES = tuple(EVERY_AXIS)[:6]  # that every result has; another is there where it has values

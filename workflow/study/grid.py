@@ -155,7 +155,7 @@ def read_grid(
         grid["spacing"] = _spacings(grid["spacing"], surface)
         for each in parts_at(parts, several, axes_of(several, "surface")):
             check_cutoff(each.surface, grid["spacing"])
-    grid |= several | {"hold": scene.holds}
+    grid |= several | scene.listed
     found = {axis: grid[axis] for axis in EVERY_AXIS if grid.get(axis)}
     points = math.prod(map(len, found.values()))
     if points > MOST_POINTS:

@@ -11,7 +11,7 @@ from ...kernels import QUARTET
 from ..errors import UserError
 from .axes import EVERY_AXIS, Grid, Parts, parts_at, separated, with_value
 from .cluster import HERE, Cluster, read_cluster
-from .effects import FOUNDATION, Material, Scene, check_quantities, read_scene_table
+from .effects import FOUNDATION, LISTED, Material, Scene, check_quantities, read_scene_table
 from .grid import read_grid
 from .numerics import USUAL, Numerics
 from .settings import filled
@@ -147,7 +147,7 @@ def read_grid_study(
     head |= _lines_in_blocks(asked, block, surfaces)
     single = head["realizations"] == 1
     surfaces = {label: _told_of_blocks(own, head) for label, own in surfaces.items()}
-    alone = one_point and single and not scene.holds
+    alone = one_point and single and not scene.listed
     check_quantities(scene, materials, alone)
     check_bodies(scene, surfaces)
     _check_energy(scene, variants)
@@ -178,7 +178,7 @@ def _check_energy(scene: Scene, variants: Mapping[str, Numerics]) -> None:
 
 def _one_point(grid: Grid) -> None:
     for axis, values in grid.items():
-        if len(values) > 1 and axis != "hold":
+        if len(values) > 1 and axis not in LISTED:
             raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
 
 

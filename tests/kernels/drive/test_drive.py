@@ -9,7 +9,7 @@ from elastomer_friction.kernels import Hold, Sampled, Slide
 from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, pulled_line, run_pulled
 from elastomer_friction.kernels.half_space.pulled_map import run_pulled_on_half_space
 from elastomer_friction.kernels.half_space.surface import Surface
-from elastomer_friction.kernels.scene import TRACES, run_scene
+from elastomer_friction.kernels.scene import TRACES, run_scene, scene_steps
 from tests.kernels.scene.given import DAMPED, KELVIN, PRONY, SOLID, a_line, a_scene
 from tests.sizes import PLAIN_PYTHON
 
@@ -134,6 +134,18 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     swing = float(slipping["drive_swing"]) * LOAD
     loading = swing / (0.3 * critical * scale_of(line) * speeds[1])
     assert 0.2 * loading < float(slipping["slip_period"]) < 4.0 * loading
+
+
+def test_what_is_kept_at_the_end_of_a_hold_is_of_the_hold():
+    """With a dashpot friction jumps as the drive goes on: no share of that is in the hold."""
+    legs = (Slide(1.3, 3.0), Hold(30.0), Slide(1.3, 3.0))
+    line = a_line(20)
+    scene = a_scene(legs, KELVIN, M)
+    steps = scene_steps(scene, M)
+    end = int(np.flatnonzero(steps.leg == 1)[-1]) + 1  # the number of the last step of the hold
+    mu = run_pulled(line, scene, Drive(1e5 * scale_of(line)))["trace_mu"]
+    assert abs(mu[end]) < 1e-2 * mu[0]
+    assert mu[end + 1] > 0.1 * mu[0]
 
 
 def test_a_spring_that_is_slack_is_stretched_before_anything_slides():

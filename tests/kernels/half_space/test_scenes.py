@@ -26,11 +26,11 @@ def test_where_all_waves_are_as_stiff_it_is_the_line(spectrum, start):
     line = a_line(12)
     n = line.z.size
     surface = Surface.from_samples((line.z + line.datum)[None], line.slope[None], M)
-    scene = a_scene(EVERY, spectrum, M, start=start)
+    scene = a_scene(EVERY, spectrum, M, start=start, asked=("trace", "cycle_mean"))
     expected = run_scene(line, scene)
     equal = np.full((1, n // 2 + 1), M / n)
     found = run_scene_on_half_space(surface, scene, stiffness=equal)
-    for name in TRACES:
+    for name in (*TRACES, "mu_cycle_mean"):
         shift = scene.load if name == "trace_indentation" else 0.0
         np.testing.assert_allclose(found[name] + shift, expected[name], atol=6e-5, err_msg=name)
 

@@ -7,7 +7,7 @@ import numpy as np
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Sampled, Slide
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
-from elastomer_friction.kernels.scene import SceneCase, run_scene, scene_steps
+from elastomer_friction.kernels.scene import ASKED, SceneCase, run_scene, scene_steps
 from tests.lines import random_line
 from tests.sizes import size
 
@@ -24,6 +24,8 @@ EVERY = (  # every kind of leg, with ends between samples
     Oscillation(0.1, 0.02, 1.0, 1),
     Sampled((0.0, 3.0, 5.0, 7.0), (0.7, 0.0, 0.0, -0.4)),
 )
+
+OF_ANY = tuple(name for name in ASKED if name != "cycle_mean")  # to be asked of any motion
 
 
 def a_line(elements=None, hurst=0.7, m=4, seed=3):

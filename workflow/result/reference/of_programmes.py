@@ -59,6 +59,16 @@ EVENTS = {
     "mu_quadrature": (
         "µ″ of the same: the viscous response, in phase with the velocity and proportional to G″."
     ),
+    "mu_cycle_mean": (
+        "∫ F_x dt/∫ F_N dt of each line over the later half of the cycles of the last oscillation, "
+        "from all steps, kept or not; the mean over the lines. Under a given normal force it is "
+        "the mean of µ over time. Coulomb's law of friction, with one µ, makes it (2/π) asin(v/v̂) "
+        "times µ where the mean velocity v is below the amplitude v̂ of the velocity, else µ."
+    ),
+    "mu_cycle_share": (
+        "`mu_cycle_mean` over µ₁, where `steady` is asked for too. Lines scatter together, so that "
+        "its error is smaller than that of either."
+    ),
 }
 ENERGY = {
     "stored_energy": "The elastic energy of all elements, free ones too.",

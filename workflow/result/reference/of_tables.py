@@ -14,7 +14,7 @@ SECTIONS: dict[str, Mapping[str, str]] = {
     "Exponents, one for each H (quantity `relaxation`)": steps.EXPONENTS,
     "Fits beyond eq. 6 (quantity `models`)": steps.MODELS,
     "Along a programme (quantity `trace`)": of_programmes.TRACE,
-    "Peaks, holds and loops (quantities `peak`, `healing`, `loop`)": of_programmes.EVENTS,
+    "Peaks, holds and loops (`peak`, `healing`, `loop`, `cycle_mean`)": of_programmes.EVENTS,
     "Rate and state (quantity `rate_state`)": of_programmes.RATE_STATE,
     "Energy and lengths of contacts (quantities `energy`, `contact_lengths`)": of_programmes.ENERGY,
     "A single line (quantities `snapshots`, `state`)": of_programmes.ALONE,

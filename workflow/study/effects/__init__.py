@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from .drive_keys import DRIVE, Spring
     from .material import MATERIAL, Material, read_material
     from .programme import (
+        LISTED,
         FromFile,
         HoldSegment,
         Oscillate,
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
         SlideSegment,
         Velocity,
         velocity_steps,
-        with_hold,
+        with_one_of,
     )
     from .quantities import FORCE, OF_ELEMENTS, QUANTITIES, judged
     from .scene import SCENE, Scene, check_quantities, read_scene_table, why_not

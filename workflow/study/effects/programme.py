@@ -4,6 +4,8 @@ import math
 from itertools import pairwise
 from typing import NamedTuple
 
+LISTED = ("hold", "velocity_amplitude", "frequency")  # axes whose values a segment gives
+
 
 class Velocity(NamedTuple):
     """A velocity, positive in the direction of sliding, as such or as a share of another."""
@@ -52,6 +54,21 @@ class Oscillate(NamedTuple):
     amplitude: float  # m
     frequency: float  # Hz
     cycles: int
+    velocity_amplitude: float | None = None  # m/s, where it was given in place of the other
+    several: tuple[tuple[str, tuple[float, ...]], ...] = ()  # dimensions of the result
+
+    def with_one(self, axis: str, value: float) -> "Oscillate":
+        """Return the oscillation with one value of what was given as a list."""
+        if axis == "frequency":
+            return self._replace(frequency=value).of_its_velocity()
+        return self._replace(velocity_amplitude=value).of_its_velocity()
+
+    def of_its_velocity(self) -> "Oscillate":
+        """Return it with the amplitude that follows from that of the velocity, where it does."""
+        if self.velocity_amplitude is None:
+            return self
+        omega = 2.0 * math.pi * self.frequency
+        return self._replace(amplitude=self.velocity_amplitude / omega)
 
 
 class FromFile(NamedTuple):
@@ -106,17 +123,27 @@ def holds(programme: Programme) -> list[int]:
     ]
 
 
-def hold_durations(programme: Programme) -> tuple[float, ...]:
-    """Return the durations (s) of the hold that was given a list of them; none without it."""
-    return next((s.durations for s in programme if isinstance(s, HoldSegment) and s.several), ())
+def listed_values(programme: Programme) -> dict[str, tuple[float, ...]]:
+    """Return the values of what was given as a list: axis of the result -> values."""
+    found: dict[str, tuple[float, ...]] = {}
+    for segment in programme:
+        if isinstance(segment, HoldSegment) and segment.several:
+            found["hold"] = segment.durations
+        elif isinstance(segment, Oscillate):
+            found |= segment.several
+    return found
 
 
-def with_hold(programme: Programme, duration: float) -> Programme:
-    """Return the programme in which the hold of several durations has one of them (s)."""
-    return tuple(
-        HoldSegment((duration,)) if isinstance(s, HoldSegment) and s.several else s
-        for s in programme
-    )
+def with_one_of(programme: Programme, axis: str, value: float) -> Programme:
+    """Return the programme with one value of what was given as a list."""
+
+    def own(segment: Segment) -> Segment:
+        if isinstance(segment, Oscillate) and axis in dict(segment.several):
+            return segment.with_one(axis, value)
+        held = axis == "hold" and isinstance(segment, HoldSegment) and segment.several
+        return HoldSegment((value,)) if held else segment
+
+    return tuple(map(own, programme))
 
 
 def first_velocity(programme: Programme) -> Velocity | None:

@@ -51,6 +51,9 @@ QUANTITIES = {
         needs=("trace",),
         asks=(SWUNG,),
     ),
+    "cycle_mean": Quantity(
+        "mean friction over the later half of the cycles of an oscillation", asks=(SWUNG,)
+    ),
     "healing": Quantity(
         "static peak of the friction after a hold", needs=("trace",), asks=(FORCE, HELD)
     ),
@@ -68,13 +71,7 @@ USUAL = ("steady", "jump", "relaxation")
 WITHOUT_DASHPOT = ("steady", "relaxation", "peak")
 OF_A_PROGRAMME = ("steady", "trace")
 AT_AN_INDENTATION = ("trace",)
-OF_A_DRIVE = (
-    "steady",
-    "persson",
-    "trace",
-    "healing",
-    "stick_slip",
-)
+OF_A_DRIVE = ("steady", "persson", "trace", "healing", "rate_state", "stick_slip")
 OF_ELEMENTS = ("energy", "contact_lengths", "state")
 
 

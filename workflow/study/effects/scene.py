@@ -19,9 +19,9 @@ from .programme import (
     Segment,
     first_speed,
     first_velocity,
-    hold_durations,
     holds,
     is_relative,
+    listed_values,
     velocity_steps,
 )
 from .quantities import (
@@ -93,9 +93,9 @@ class Scene(NamedTuple):
         return self.control == INDENTATION and self.indentation_history is None
 
     @property
-    def holds(self) -> tuple[float, ...]:
-        """Return the durations (s) of the dimension "hold"; none without it."""
-        return hold_durations(self.programme)
+    def listed(self) -> dict[str, tuple[float, ...]]:
+        """Return the dimensions of the result whose values its programme gives."""
+        return listed_values(self.programme)
 
     @property
     def typical_speed(self) -> float:
@@ -323,7 +323,8 @@ def _given(need: str, scene: Scene, alone: bool) -> bool:
 WORDS = {
     PROGRAMME: "there is no [[scene.programme]]",
     PULLED_BY: "nothing is pulled; give [scene.drive] and a programme of segments pull",
-    DRIVEN: "is not computed of a line on a spring; ask for trace, stick_slip, steady or healing",
+    DRIVEN: "is not computed of a line on a spring; ask for trace, stick_slip, healing, "
+    "steady or rate_state",
     STEP: "the programme has no velocity step, which is one slide after another at another "
     "velocity of the same sign",
     HELD: "the programme has no hold between two slides",

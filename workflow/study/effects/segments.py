@@ -1,6 +1,5 @@
 """Read [[scene.programme]]: one table per segment, with one kind of segment in each."""
 
-import math
 from collections.abc import Callable
 from functools import partial
 from itertools import pairwise
@@ -152,22 +151,24 @@ OSCILLATE = {
         usual="none",
     ),
     "velocity_amplitude": Key(
-        positive,
-        "The amplitude of the velocity, 2π `frequency` times that of the displacement.",
+        partial(one_or_several, positive),
+        "The amplitude of the velocity, 2π `frequency` times that of the displacement. A list "
+        "makes it a dimension of the result.",
         "Doubled, a loop of small amplitude dissipates four times the work.",
         "m/s",
         default=None,
         usual="none",
     ),
     "frequency": Key(
-        positive,
-        "The frequency of the oscillation.",
+        partial(one_or_several, positive),
+        "The frequency of the oscillation. A list makes it a dimension of the result.",
         "Doubled, the response is that of the material at twice the frequency.",
         "Hz",
     ),
     "cycles": Key(
         partial(integer, least=1),
-        "The number of cycles. The loop is evaluated in the last one.",
+        "The number of cycles. The loop is evaluated in the last one, the mean over cycles in the "
+        "later half of them.",
         "Doubled, the march takes twice as long and the start is forgotten better.",
     ),
 }
@@ -294,10 +295,18 @@ def _oscillate(where: str, table: Any, _: Path) -> Oscillate:
     if given["velocity"] is None and given["ratio"] is None:
         given["velocity"] = 0.0
     kind = _one_of(where, given, "velocity", "ratio")
-    size = _one_of(where, given, "amplitude", "velocity_amplitude")
-    omega = 2.0 * math.pi * given["frequency"] if size == "velocity_amplitude" else 1.0
+    _one_of(where, given, "amplitude", "velocity_amplitude")
+    lists = {key: own for key, own in given.items() if isinstance(own, tuple)}
+    first = given | {key: values[0] for key, values in lists.items()}
     velocity = Velocity(given[kind], kind == "ratio")
-    return Oscillate(velocity, given[size] / omega, given["frequency"], given["cycles"])
+    return Oscillate(
+        velocity,
+        first["amplitude"],
+        first["frequency"],
+        first["cycles"],
+        first["velocity_amplitude"],
+        tuple(lists.items()),
+    ).of_its_velocity()
 
 
 def _file(where: str, name: Any, folder: Path) -> FromFile:
@@ -375,6 +384,12 @@ KINDS: dict[str, Callable[[str, Any, Path], Segment]] = {
 }
 
 
+ONE_LIST: dict[type[HoldSegment | Oscillate], str] = {
+    HoldSegment: "hold: only one hold of a programme may have a list of durations",
+    Oscillate: "oscillate: only one oscillation of a programme may have lists",
+}
+
+
 def read_programme(key: str, value: object, folder: Path) -> Programme:
     """Return the segments of a list of tables; files are found from ``folder``.
 
@@ -383,11 +398,11 @@ def read_programme(key: str, value: object, folder: Path) -> Programme:
     if not isinstance(value, list) or not 1 <= len(value) <= MOST_SEGMENTS:
         raise UserError(f"{key} = {value!r:.60}: must be a list of 1 to {MOST_SEGMENTS} segments")
     programme = tuple(_segment(f"{key}[{i}]", entry, folder) for i, entry in enumerate(value))
-    lists = [i for i, s in enumerate(programme) if isinstance(s, HoldSegment) and s.several]
-    if len(lists) > 1:
-        raise UserError(
-            f"{key}[{lists[1]}].hold: only one hold of a programme may have a list of durations"
-        )
+    several = [(i, s) for i, s in enumerate(programme) if isinstance(s, HoldSegment | Oscillate)]
+    for kind, words in ONE_LIST.items():
+        lists = [i for i, segment in several if isinstance(segment, kind) and segment.several]
+        if len(lists) > 1:
+            raise UserError(f"{key}[{lists[1]}].{words}")
     for i, (before, after) in enumerate(pairwise(programme), 1):
         if isinstance(before, RampSegment) and isinstance(after, Oscillate):
             _check_mean(f"{key}[{i}].oscillate", before.last, after.velocity)

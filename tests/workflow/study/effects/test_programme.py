@@ -14,11 +14,11 @@ from elastomer_friction.workflow.study.effects.programme import (
     Velocity,
     first_speed,
     first_velocity,
-    hold_durations,
     holds,
     is_relative,
+    listed_values,
     velocity_steps,
-    with_hold,
+    with_one_of,
 )
 from elastomer_friction.workflow.study.effects.segments import read_programme
 from tests.support.small import FILES
@@ -109,9 +109,25 @@ def test_a_hold_heals_between_slides():
 
 def test_the_durations_of_a_list_make_one_programme_each():
     programme = (SLOW, SEVERAL, FAST, REST)
-    assert hold_durations(programme) == (1.0, 10.0)
-    assert with_hold(programme, 10.0) == (SLOW, HoldSegment((10.0,)), FAST, REST)
-    assert hold_durations((SLOW, REST)) == ()
+    assert listed_values(programme) == {"hold": (1.0, 10.0)}
+    assert with_one_of(programme, "hold", 10.0) == (SLOW, HoldSegment((10.0,)), FAST, REST)
+    assert listed_values((SLOW, REST, SWING)) == {}
+
+
+def test_lists_of_an_oscillation_make_one_programme_each(tmp_path):
+    """At several frequencies the amplitude that was given stays, of velocity or of displacement."""
+    swing = {"ratio": 1.0, "frequency": [10, 40], "cycles": 3}
+    both = {"oscillate": swing | {"velocity_amplitude": [0.5, 2.0]}}
+    programme = read(tmp_path, {"hold": {"duration": [1.0, 2.0]}}, both)
+    axes = {"hold": (1.0, 2.0), "velocity_amplitude": (0.5, 2.0), "frequency": (10.0, 40.0)}
+    assert listed_values(programme) == axes
+    assert programme[1].amplitude == 0.5 / (2.0 * math.pi * 10.0)
+    for axis in ("velocity_amplitude", "frequency", "hold"):
+        programme = with_one_of(programme, axis, axes[axis][1])
+    assert programme[1].amplitude == 2.0 / (2.0 * math.pi * 40.0)
+    assert programme[0] == HoldSegment((2.0,))
+    one = read(tmp_path, {"oscillate": swing | {"amplitude": 1e-4}})
+    assert with_one_of(one, "frequency", 40.0)[0].amplitude == 1e-4
 
 
 def test_where_a_programme_begins():

@@ -118,7 +118,15 @@ def reasons(scene, material=KELVIN, alone=False):
 
 
 def test_the_scene_of_the_paper_has_no_programme():
-    of_programmes = {"trace", "stick_slip", "loop", "healing", "energy", "contact_lengths"}
+    of_programmes = {
+        "trace",
+        "stick_slip",
+        "loop",
+        "cycle_mean",
+        "healing",
+        "energy",
+        "contact_lengths",
+    }
     assert reasons(Scene()) == of_programmes | {"snapshots", "state"}
 
 
@@ -129,7 +137,16 @@ def test_without_a_dashpot_nothing_jumps():
 def test_what_is_defined_at_a_normal_force():
     scene = Scene(programme=EVERYTHING, control="indentation")
     left = set(QUANTITIES) - reasons(scene, alone=True)
-    assert left == {"models", "trace", "loop", "energy", "contact_lengths", "snapshots", "state"}
+    assert left == {
+        "models",
+        "trace",
+        "loop",
+        "cycle_mean",
+        "energy",
+        "contact_lengths",
+        "snapshots",
+        "state",
+    }
 
 
 def test_a_repeated_list_meets_itself():
