@@ -21,7 +21,7 @@ from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
 from elastomer_friction.studies.style import PALEST
-from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
+from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, with_unit
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -36,8 +36,8 @@ TAU = 1e-3  # s, of the Kelvin element; the middle of the rubber's times
 LONGEST = 0.1  # s, of the rubber
 SHOWN = (0, 4, 5, 8)  # holds in panel (d)
 STYLES: tuple[dict[str, Any], ...] = (  # of the springs, the softest first
-    {"marker": "s", "mfc": "white", "ls": ":"},
-    {"marker": "^", "mfc": "white", "ls": "--"},
+    {"marker": "s", "ls": ":"},
+    {"marker": "^", "ls": "--"},
     {"marker": "o", "ls": "-"},
 )
 
@@ -119,7 +119,7 @@ def _after(ax: Axes, point: xr.Dataset) -> None:
             slide = one.isel(event=one.trace_segment.values == 2)
             slid = slide.trace_distance - float(rest.trace_distance[-1])
             mu, error = slide.trace_mu.values, slide.trace_mu_error.values
-            label = f"{float(one.hold):.0e} s" if spring else None
+            label = with_unit(float(one.hold), "s", 2) if spring else None
             ax.plot(slid, mu, STYLES[spring]["ls"], color=colour, label=label)
             ax.fill_between(slid, mu - error, mu + error, color=colour, alpha=0.2, lw=0)
     ax.set(xscale="log", xlabel="distance since the hold (m)", ylabel="$\\mu$")
