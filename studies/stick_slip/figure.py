@@ -76,11 +76,11 @@ def _diagram(ax: Axes, data: xr.Dataset, scale: float, critical: xr.DataArray) -
     v, k = np.meshgrid(data.velocity, data.stiffness)
     slips = swing.values > SLIPPING
     shown = ax.scatter(v[slips], k[slips], c=swing.values[slips], s=34, cmap="viridis_r", vmin=0)
-    ax.scatter(v[~slips], k[~slips], s=16, facecolors="none", edgecolors="0.6")
+    ax.plot(v[~slips], k[~slips], ".", ms=3, color="0.6")
     ax.plot(data.velocity, critical, "-", color=COLOURS[1], lw=1.2)
     ax.set(xscale="log", yscale="log", xlabel="velocity $v$ (m/s)", ylabel="stiffness $k$ (N/m)")
     ax.set_ylim(0.7 * k.min(), 1.4 * k.max())
-    ax.set_title("(a) filled: stick and slip; line: $k_c$")
+    ax.set_title("(a) coloured: stick and slip; line: $k_c$")
     ax.figure.colorbar(shown, ax=ax, label=r"swing$/\nabla z$")
 
 
