@@ -21,11 +21,10 @@ from elastomer_friction.workflow.report import COLOURS, foot_line
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "A line slides while it oscillates along its way. Panel (a) shows steady friction over the "
-    "velocity, and panel (b) by how much a slow oscillation lowers the mean friction of a rubber, "
-    "over the amplitude of the velocity and at three places of panel (a), beside Coulomb's law and "
-    "the mean of steady friction. Panel (c) shows the same at one of them for several frequencies, "
-    "and panel (d) that of a Kelvin element."
+    "A line slides while it oscillates along its way, beside Coulomb's law. Panel (a) shows steady "
+    "friction over the velocity, panel (b) by how much a slow oscillation lowers the mean friction "
+    "of a rubber at three places of (a), over the amplitude of the velocity, panel (c) the same at "
+    "one of them for several frequencies, and panel (d) that of a Kelvin element."
 )
 LABELS = {"": "Kelvin element", "rubber": "nine branches"}
 PLACES = {"": (5.3, 20.0, 59.9), "rubber": (5.3, 32.9, 49.6)}  # °C, in panels (b) and (d)
