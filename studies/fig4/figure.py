@@ -32,8 +32,8 @@ def draw(groups: Groups) -> Figure:
             nearest = np.abs(rates.relaxation_rate - PAPER_RATE).argmin("spacing")
             _fit(axes[0], points.isel(spacing=nearest))
     note = (
-        "The first points of (a) lie below the exponential, which is not the whole law. The caption "
-        "of the paper gives no spacing."
+        "The first points of (a) lie below the exponential, which is not the whole law. The "
+        "caption of the paper gives no spacing."
     )
     foot_line(figure, groups[CONVERGED], note)
     axes[1].axhline(PAPER_RATE, color="k", ls="--", lw=0.8, label="paper, $b = 2.4$")
