@@ -7,7 +7,7 @@ from typing import Any
 
 import numba
 from numba import types
-from numba.extending import overload
+from numba.extending import overload, register_jitable
 
 from .cache import CheckedCache
 from .linking import PartCompiler
@@ -31,6 +31,15 @@ def kernel(function: Callable) -> Callable:
         with contextlib.suppress(RuntimeError):  # no folder at all can be written
             compiled._cache = CheckedCache(function)
     return compiled
+
+
+def either_way(function: Callable) -> Callable:
+    """Leave a function to Python as it is; kernels that call it compile it.
+
+    So it reaches arguments that are not compiled as well, and does not cross to machine code and
+    back within one call.
+    """
+    return register_jitable(**PART)(function)
 
 
 def _by_types_alone(template_of: Callable) -> Callable:

@@ -1,7 +1,8 @@
 """What is pulled: elements under a surface, and a step of them that is tried before it is taken.
 
-A rig is that of a line here, and of a map in half_space/pulled_map.py; the functions declared here
-are reached by its type.
+A rig is a line here, whose elements are all stepped; one in block_rig.py, of whose elements those
+alone are that can touch; or a map in half_space/pulled_map.py. The functions declared here are
+reached by its type.
 """
 
 from typing import Any, NamedTuple
@@ -11,12 +12,13 @@ import numpy as np
 from ..compile.jit import by_type, kernel
 from ..model.balance import balance
 from ..model.friction import weighed
-from ..rheology.law import law_of, predict, settle
+from ..rheology.law import Elements, law_of, predict, settle
+from .posed_line import PosedLine, heights_at, seen_from, slope_at
 
 
 @by_type
-def attempt(rig, pose, dt):
-    """Return (friction, lag) of a step that ends in a pose; the rig keeps what is found.
+def attempt(rig, places, dt):
+    """Return (friction, lag) of a step between two Places; the rig keeps what is found.
 
     friction : F_x in the units of the drive (spring.py). lag : where within the step it acts,
     before its end, as a share of it.
@@ -37,26 +39,25 @@ class Rig(NamedTuple):
 
     form: Any  # of the material (rheology/forms.py)
     control: Any  # what the indentation follows from (model/balance.py)
+    line: PosedLine
     memory: np.ndarray  # shape (M, n): of the elements
     p: np.ndarray  # shape (n,): forces of the last step, in 4 G dx h
     w: np.ndarray  # shape (n,): where elements would go in the step that is tried
     new: np.ndarray  # shape (n,): forces in it
-    some: np.ndarray  # shape (n,): elements that can touch in it come first
-    d: np.ndarray  # shape (4,): indentation after the last step, in that which is tried, a cap of
-    # the latter, and by how much it is higher than the former at least
+    d: np.ndarray  # shape (2,): indentation after the last step, and in that which is tried
+    sums: np.ndarray  # shape (2,): of forces in that, and of elements that touch
 
 
-class Pose(NamedTuple):
-    """A line as the elements see it at the end of a step, and its slopes before the step."""
-
-    z: np.ndarray  # shape (n,), in h
-    before: np.ndarray  # slopes, shape (n,), in h/dx
-    after: np.ndarray  # slopes at the end
+def plain_rig(form: Any, control: Any, line: PosedLine, elements: Elements) -> Rig:
+    """Return a rig of elements that have taken no step, of any material."""
+    memory, p, d = elements
+    room = np.empty_like(p), np.empty_like(p), np.full(2, d), np.empty(2)
+    return Rig(form, control, line, memory.copy(), p.copy(), *room)
 
 
 @attempt.of(Rig)
-def _attempt(rig, pose, dt):
-    return _tried(rig, pose, dt)
+def _attempt(rig, places, dt):
+    return _tried(rig, places, dt)
 
 
 @accept.of(Rig)
@@ -65,65 +66,44 @@ def _accept(rig, dt):
 
 
 @kernel
-def _tried(rig, pose, dt):
-    """Return what attempt does, of a line.
-
-    Where the line lies above a cap that the indentation does not reach none touches: elements are
-    never pulled up.
-    """
-    law = law_of(rig.form, dt)
-    c = np.empty(rig.p.size)
-    rig.d[1], count = _balanced(rig, law, pose, rig.d[2], c)
-    if rig.d[1] > rig.d[2]:
-        rig.d[1], count = _balanced(rig, law, pose, np.inf, c)
-    slope = np.empty(count)
-    rig.new[:] = 0.0
-    for j in range(count):
-        i = rig.some[j]
-        depth = rig.d[1] - c[j]
+def _tried(rig, places, dt):
+    """Return what attempt does."""
+    law, n = law_of(rig.form, dt), rig.p.size
+    z = np.empty(n)
+    heights_at(rig.line, *seen_from(rig.line, places.after), z)
+    predict(law, rig.memory, rig.p, rig.w)
+    c = z - rig.w
+    rig.d[1] = balance(rig.control, law, z, c, None, rig.d[0], 0)[0]
+    for i in range(n):
+        depth = rig.d[1] - c[i]
         rig.new[i] = law.stiffness * depth if depth > 0.0 else 0.0
-        slope[j] = pose.after[i] + law.lag * (pose.before[i] - pose.after[i])
-        c[j] = -rig.new[i]
-    return weighed(c[:count], None, slope, 0.0)[1] / rig.p.size, law.lag
+    some = np.flatnonzero(rig.new)
+    return friction_of(rig, places, law.lag, some, rig.new[some]), law.lag
 
 
 @kernel
-def _balanced(rig, law, pose, cap, c):
-    """Return (d, count) of a step in which the elements alone can touch that are below a cap.
+def friction_of(rig, places, lag, some, p):
+    """Return the friction of a step between two places (eq. 5), and note the other sums.
 
-    c : room for n thresholds. The first of ``some`` are those elements, and w is known there.
+    some : elements that touch, p : their forces. lag : where within the step they act.
     """
-    n, count, i = rig.p.size, 0, 0
-    while i < n:
-        if not pose.z[i] < cap:
-            i += 1
-            continue
-        begin = i
-        while i < n and pose.z[i] < cap:
-            rig.some[count] = i
-            count += 1
-            i += 1
-        predict(law, rig.memory[:, begin:i], rig.p[begin:i], rig.w[begin:i])
-    if count == 0:
-        return np.inf, 0
-    z = np.empty(count)
-    for j in range(count):
-        z[j] = pose.z[rig.some[j]]
-        c[j] = z[j] - rig.w[rig.some[j]]
-    return balance(rig.control, law, z, c[:count], None, rig.d[0], 0)[0], count
+    line, n = rig.line, rig.line.polynomials.shape[1] // 2
+    (before, s), (after, t) = seen_from(line, places.before), seen_from(line, places.after)
+    slope = np.empty(some.size)
+    for j in range(some.size):
+        slope[j] = slope_at(line, after + some[j], t)
+        if lag > 0.0:
+            slope[j] += lag * (slope_at(line, before + some[j], s) - slope[j])
+    rig.sums[0], friction, rig.sums[1] = weighed(-p, None, slope, 0.0)
+    return friction / n
 
 
 @kernel
 def _taken(rig, dt):
-    """Return what accept does, of a line."""
+    """Return what accept does."""
     law = law_of(rig.form, dt)
     settle(law, rig.memory, rig.w, rig.p, rig.new)
-    normal, touching = 0.0, 0
-    for i in range(rig.p.size):
-        rig.p[i] = rig.new[i]
-        normal += rig.new[i]
-        touching += rig.new[i] > 0.0
+    rig.p[:] = rig.new
     d = rig.d[1] + law.lag * (rig.d[0] - rig.d[1])
-    rig.d[2] = rig.d[1] + max(rig.d[3], 4.0 * abs(rig.d[1] - rig.d[0]))
     rig.d[0] = rig.d[1]
-    return normal / rig.p.size, d, touching / rig.p.size
+    return rig.sums[0] / rig.p.size, d, rig.sums[1] / rig.p.size

@@ -1,9 +1,4 @@
-"""A slider that is pulled through a programme of its drive: it finds its own way.
-
-Steps of sliding end at samples (step.py). Between samples the slider sticks: its steps are those
-of a hold, by a factor longer each time, and how far it creeps in one is what balances the forces.
-At a fraction of a sample the surface is shifted by Fourier (motion/fourier.py).
-"""
+"""A slider that is pulled through a programme of its drive: how it begins, and what is kept."""
 
 import math
 from collections.abc import Callable, Iterator
@@ -20,34 +15,28 @@ from ..motion.legs import (
     leg_duration,
     speed_at_start,
 )
-from ..motion.path import NEAR, WHOLE, growth
-from ..rheology.spectrum import Spectrum, shortest_step
+from ..motion.path import growth
+from ..rheology.spectrum import shortest_step
 from ..scene.records import TRACES
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
-from .rig import attempt
-from .search import SLOPE, narrow_enough, new_search, next_guess
-from .spring import Course, Drive, Pull, SliderState, course_at, pull_of
-from .step import REST, SLOWER, TOLERANCE, Limits, Moment, SliderRecord, keep, taken, time_of
+from .slider_record import Moment, SliderRecord, keep
+from .spring import Course, Drive, SliderState
+from .step import TOLERANCE, Going, Pulled
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
 SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # of the second half of the last leg
 KEPT = ("trace", "stick_slip")
-LEAST_PLACE = 1e-12  # in samples: less is rounding
-FIRST = 0.1  # of a search, in samples
 FIRST_OF_LEG = 0.25  # of the step before: where the velocity of the drive jumps
-SOON = 2.0  # times the step before a sample may be off, at the speed of that, to be tried
 FREE = 1e3  # times the shortest step in which forces are not lost in rounding: of a free slider
 
 
-class Pulled(NamedTuple):
-    """A surface and elastomer as the march of a slider needs them."""
+class Start(NamedTuple):
+    """A slider before its first step."""
 
     rig: Any  # that attempt and accept know (rig.py)
-    pose: Callable[[float, float], Any]  # of a step from one place to another, in samples
-    slide: Callable[..., Any] | None  # slide_by_samples, where there is such a thing
     steps_per_spacing: int
     scale: float  # load times rms slope, in the units of the drive
-    start: Moment
+    moment: Moment
 
 
 def courses(programme: Programme, place: float) -> Iterator[Course]:
@@ -69,160 +58,10 @@ def courses(programme: Programme, place: float) -> Iterator[Course]:
         now, place = now + float(times[-1]), place + float(moved[-1])
 
 
-class Slider:
-    """A slider on its way."""
-
-    def __init__(
-        self,
-        pulled: Pulled,
-        drive: Drive,
-        spectrum: Spectrum,
-        times: np.ndarray,
-        since: float,
-        first: SliderState,
-    ) -> None:
-        """Take a slider before its first step.
-
-        times : at which its moments are kept, in tau. since : time from which slips are counted.
-        """
-        self.pulled, self.drive, self.motion, self.moment = pulled, drive, first, pulled.start
-        self.shortest = FREE * shortest_step(spectrum)
-        self.left = TOLERANCE * pulled.scale
-        self.rise = self.fall = 0.0  # of the force left over: with time, and with the place
-        tally = np.array([since, math.inf, -math.inf, 0.0, 0.0, math.nan, math.nan, 0.0])
-        self.record = SliderRecord(times, np.empty((len(PULLED_TRACES), times.size)), tally)
-        self.pace, self.driven = first.dt, first.speed  # of steps, and of the drive
-        self.tries = 0
-        self.number = keep(self.record, 0, self.moment, self.moment, 0.0)
-
-    def follow(self, course: Course) -> None:
-        """Follow the drive through a leg; the last step ends with it.
-
-        What is kept at the end of the leg is of that step, and not between it and the leg after.
-        """
-        end, begin = float(course.time[-1]), float(course.speed[0])
-        self.pace = self.motion.dt if begin == self.driven else FIRST_OF_LEG * self.motion.dt
-        self.driven, self.course = float(course.speed[-1]), course
-        while self._left(end):
-            self._step(course, end)
-        at_end = self.moment._replace(time=end, place=self.motion.place)
-        self.number = keep(self.record, self.number, self.moment, at_end, self.driven)
-        self.moment = at_end
-
-    def _left(self, end: float) -> bool:
-        """Return whether there is anything left of a leg."""
-        return end - self.motion.time > REST * self.motion.dt
-
-    def finished(self) -> dict[str, np.ndarray]:
-        """Return the traces, and SLIPS; what lies behind the last moment is as it was then.
-
-        The swing is that of the drive's force over the normal force, in h/dx, the period in tau.
-        """
-        times, kept, (_, least, most, fastest, slips, first, last, _) = self.record
-        kept[:, self.number :] = np.array(self.moment)[:, None]
-        kept[Moment._fields.index("time")] = times
-        swing = (most - least) / self.moment.normal
-        period = (last - first) / (slips - 1.0) if slips > 1.0 else math.nan
-        told = map(np.array, (swing, period, fastest))
-        return dict(zip((*PULLED_TRACES, *SLIPS), (*kept, *told), strict=True))
-
-    def _sample(self) -> float:
-        """Return the place in samples, whole but for rounding."""
-        place = self.motion.place * self.pulled.steps_per_spacing
-        whole = round(place)
-        return float(whole) if abs(place - whole) <= WHOLE * max(1.0, abs(whole)) else place
-
-    def _step(self, course: Course, end: float) -> None:
-        """Take one step to the next sample, or less far; or many, as long as whole ones go."""
-        motion, m = self.motion, self.pulled.steps_per_spacing
-        place, left = self._sample(), end - self.motion.time
-        low, high = math.ceil(place - NEAR) - 1.0, math.floor(place + NEAR) + 1.0
-        ahead = high if motion.speed > 0.0 else low
-        if abs(ahead - place) <= SOON * m * abs(motion.speed) * self.pace:
-            if self.pulled.slide and place == round(place):
-                gone = self._slide(int(place), course, end)
-            else:
-                gone = self._to(ahead, place, course, min(SLOWER * self.pace, left))
-            if gone:
-                return
-        self._creep((low, high), place, course, min(growth(m) * self.pace, left))
-
-    def _slide(self, sample: int, course: Course, end: float) -> bool:
-        """Slide on by whole samples as long as it goes; return whether by any."""
-        assert self.pulled.slide is not None
-        begin = self.motion.time
-        limits = Limits(self.shortest, end, self.left)
-        record = self.record, self.number
-        now = self.drive, course, self.motion, self.moment
-        found = self.pulled.slide(sample, *now, limits, self.pace, self.rise, *record)
-        self.motion, self.moment, self.rise, self.number, tries = found
-        self.tries += tries
-        gone = self.motion.time > begin
-        self.pace = self.motion.dt if gone else self.pace
-        return gone
-
-    def _to(self, ahead: float, place: float, course: Course, longest: float) -> bool:
-        """Step to a sample if it takes no longer than that; return whether."""
-        if longest <= self.shortest:
-            return False
-        moved = (ahead - place) / self.pulled.steps_per_spacing
-        pose = self.pulled.pose(place, ahead)
-        limits = Limits(self.shortest, longest, self.left)
-        dt, pull, friction, self.rise, tries = plainly(time_of)(
-            self.pulled.rig,
-            pose,
-            self.drive,
-            course,
-            self.motion,
-            moved,
-            limits,
-            0.9 * longest,
-            self.rise,
-        )
-        self.tries += tries
-        if math.isnan(dt):
-            return False
-        self._take(moved, dt, pull, friction)
-        return True
-
-    def _creep(self, edges: tuple[float, float], place: float, course: Course, dt: float) -> None:
-        """Find how far the slider goes in a time dt, between two samples; or when it is there."""
-        motion, m = self.motion, self.pulled.steps_per_spacing
-        low, high = edges[0] - place, edges[1] - place
-        notes = new_search(self.fall, FIRST)
-        x = min(max(m * motion.speed * dt, low), high)
-        while True:
-            friction, lag = attempt(self.pulled.rig, self.pulled.pose(place, place + x), dt)
-            pull = pull_of(self.drive, course, motion, x / m, dt, lag, friction)
-            self.tries += 1
-            ahead = next_guess(notes, x, -pull.excess)
-            if (x >= high and pull.excess > 0.0) or (x <= low and pull.excess < 0.0):
-                if not self._to(place + x, place, course, dt):
-                    self._take(x / m, dt, pull, friction)
-                return
-            if abs(pull.excess) <= self.left or narrow_enough(notes, LEAST_PLACE):
-                self.fall = float(notes[SLOPE])
-                self._take(x / m, dt, pull, friction)
-                return
-            x = min(max(ahead, low), high)
-
-    def _take(self, moved: float, dt: float, pull: Pull, friction: float) -> None:
-        """Take the step that was tried last."""
-        self.motion, now = plainly(taken)(self.pulled.rig, self.motion, moved, dt, pull, friction)
-        driven = course_at(self.course, now.time)[1]
-        self.number = keep(self.record, self.number, self.moment, now, driven)
-        self.moment, self.pace = now, dt
-
-
-def plainly(function: Callable) -> Callable:
-    """Return a kernel as plain Python: it reaches rigs that are not compiled as well."""
-    return getattr(function, "py_func", function)
-
-
-def first_motion(programme: Programme, pulled: Pulled, steady: bool) -> SliderState:
+def first_motion(programme: Programme, start: Start, steady: bool) -> SliderState:
     """Return the motion before the first step: steady sliding, or none."""
-    speed, m = speed_at_start(programme), pulled.steps_per_spacing
-    first, friction = programme[0], pulled.start.friction
+    speed, m = speed_at_start(programme), start.steps_per_spacing
+    first, friction = programme[0], start.moment.friction
     if steady:
         dt = 1.0 / (m * abs(speed))
         return SliderState(0.0, 0.0, dt, speed, 0.0, -dt, -dt, friction)
@@ -257,13 +96,47 @@ def first_moment(
 
 
 def pull_through(
-    pulled: Pulled, drive: Drive, scene: SceneCase, times: np.ndarray
+    follow: Callable[[Pulled, Course, Going], Going],
+    start: Start,
+    drive: Drive,
+    scene: SceneCase,
+    times: np.ndarray,
 ) -> tuple[dict[str, np.ndarray], int]:
-    """Return (traces at some times, tries of steps) of a slider that is pulled; times in tau."""
-    first = first_motion(scene.programme, pulled, steady_speed(scene) != 0.0)
-    legs = list(courses(scene.programme, pulled.start.force / drive.stiffness))
+    """Return (traces at some times, tries of steps) of a slider that is pulled; times in tau.
+
+    follow : as follow_leg. What is kept at the end of a leg is of its last step, and not between it
+    and the leg after.
+    """
+    legs = list(courses(scene.programme, start.moment.force / drive.stiffness))
     since = 0.5 * float(legs[-1].time[0] + legs[-1].time[-1])
-    slider = Slider(pulled, drive, scene.spectrum, times, since, first)
+    tally = np.array([since, math.inf, -math.inf, 0.0, 0.0, math.nan, math.nan, 0.0])
+    kept = np.empty((len(PULLED_TRACES), times.size))
+    record = SliderRecord(times, kept, np.zeros(1, np.int64), tally)
+    m, drive = start.steps_per_spacing, Drive(*map(float, drive))
+    limits = FREE * shortest_step(scene.spectrum), TOLERANCE * start.scale, growth(m)
+    search = np.zeros(2), np.zeros(1, np.int64)
+    pulled = Pulled(start.rig, m, drive, *limits, record, *search)
+    motion, moment = first_motion(scene.programme, start, steady_speed(scene) != 0.0), start.moment
+    keep(record, moment, moment, 0.0)
+    driven = motion.speed
     for course in legs:
-        slider.follow(course)
-    return slider.finished(), slider.tries
+        jumps, driven = float(course.speed[0]) != driven, float(course.speed[-1])
+        pace = FIRST_OF_LEG * motion.dt if jumps else motion.dt
+        motion, last, _ = follow(pulled, course, Going(motion, moment, pace))
+        moment = last._replace(time=float(course.time[-1]), place=motion.place)
+        keep(record, last, moment, driven)
+    return finished(record, moment), int(pulled.tries[0])
+
+
+def finished(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]:
+    """Return the traces, and SLIPS; what lies behind the last moment is as it was then.
+
+    The swing is that of the drive's force over the normal force, in h/dx, the period in tau.
+    """
+    times, kept, count, (_, least, most, fastest, slips, began, latest, _) = record
+    kept[:, count[0] :] = np.array(last)[:, None]
+    kept[Moment._fields.index("time")] = times
+    swing = (most - least) / last.normal
+    period = (latest - began) / (slips - 1.0) if slips > 1.0 else math.nan
+    told = map(np.array, (swing, period, fastest))
+    return dict(zip((*PULLED_TRACES, *SLIPS), (*kept, *told), strict=True))

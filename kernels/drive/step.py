@@ -1,175 +1,169 @@
-"""The time of a step: a slider goes to the next sample, and when it arrives balances the forces.
+"""The steps of a slider: to the next sample, or less far.
 
-Where that would last much longer than the step before, it sticks (slider.py). A slider that comes
-free quicker than anything in the elastomer answers goes on in the shortest time that doubles tell.
+A step of sliding ends at a sample, and its time is the unknown: when the slider arrives the forces
+are balanced. Where that would last much longer than the step before, it sticks: its steps are those
+of a hold, by a factor longer each time, and how far it creeps in one is what balances the forces. A
+slider that comes free quicker than anything in the elastomer answers goes on in the shortest time
+that doubles tell.
+
+All of it is one kernel for a line, and plain Python for a map.
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..compile.jit import kernel
-from .rig import Pose, accept, attempt
+from ..compile.jit import either_way, kernel
+from ..motion.path import NEAR, WHOLE
+from .posed_line import Places
+from .rig import accept, attempt
 from .search import SLOPE, narrow_enough, new_search, next_guess
-from .spring import SliderState, course_at, pull_of
+from .slider_record import Moment, SliderRecord, keep
+from .spring import Course, Drive, Pull, SliderState, course_at, pull_of
 
 TOLERANCE = 1e-5  # of the force that is left over, relative to load times rms slope
 LEAST_LOG = 1e-13  # of the logarithm of a time: smaller is rounding
-FIRST = 0.5  # of the first step of a search, in that logarithm
+LEAST_PLACE = 1e-12  # in samples: less is rounding
+FIRST = 0.5  # of the first step of a search, in the logarithm of a time
+FIRST_CREEP = 0.1  # the same in samples
 SLOWER = 1.5  # a step lasts so many times the one before at most, or the slider sticks
+SOON = 2.0  # times the step before a sample may be off, at the speed of that, to be tried
+CHANGE = 1.4  # of the speed from one step to the next, that is expected at most
 REST = 1e-3  # of a step: what is left of a leg is left to the next one
 
 
-class Limits(NamedTuple):
-    """Between what the time of a step is looked for, and how closely."""
+class Pulled(NamedTuple):
+    """What is pulled, and by what."""
 
-    shortest: float  # in tau
-    longest: float  # in tau
+    rig: Any  # that attempt and accept know (rig.py)
+    steps_per_spacing: int
+    drive: Drive
+    shortest: float  # time of a step, in tau
     left: float  # of the force, at most
+    growth: float  # of the time of a step while the slider sticks
+    record: SliderRecord
+    slopes: np.ndarray  # shape (2,): of the force left over with the logarithm of a time, and with
+    # the place in samples, as last known, or 0
+    tries: np.ndarray  # shape (1,): of steps
 
 
-class Moment(NamedTuple):
-    """What is known where the force of a step acts, in the order of PULLED_TRACES (slider.py)."""
+RISE, FALL = range(2)  # of the slopes
 
-    mu: float  # in h/dx
-    indentation: float  # in h
-    normal: float  # in the units of the load
-    friction: float  # in the units of the drive
-    touching: float  # share of the surface
-    time: float  # in tau
-    place: float  # of the slider, in dx
-    speed: float  # in dx/tau
-    force: float  # of the drive
+
+class Going(NamedTuple):
+    """A slider on its way."""
+
+    motion: SliderState
+    moment: Moment
+    pace: float  # of its steps, in tau
+
+
+class BalancedStep(NamedTuple):
+    """A step at whose end the forces are balanced, as it was tried last."""
+
+    dt: float  # NaN where there is none
+    pull: Pull
+    friction: float
+
+
+@either_way
+def follow_leg(pulled: Pulled, course: Course, going: Going) -> Going:
+    """Follow the drive through a leg; the last step ends with it."""
+    end, m = course.time[-1], pulled.steps_per_spacing
+    while end - going.motion.time > REST * going.motion.dt:
+        motion, pace, left = going.motion, going.pace, end - going.motion.time
+        place = m * motion.place
+        if abs(place - np.floor(place + 0.5)) <= WHOLE * max(1.0, abs(place)):
+            place = np.floor(place + 0.5)
+        edges = np.ceil(place - NEAR) - 1.0, np.floor(place + NEAR) + 1.0
+        ahead = edges[1] if motion.speed > 0.0 else edges[0]
+        moved = (ahead - place) / m
+        if abs(moved) <= SOON * abs(motion.speed) * pace:
+            guess = moved / expected_speed(motion, motion.dt)
+            longest = min(SLOWER * pace, left)
+            found = time_of(pulled, Places(place, ahead), course, motion, longest, guess)
+            if not math.isnan(found.dt):
+                going = go(pulled, course, going, moved, found)
+                continue
+        going = creep(pulled, course, going, place, edges, min(pulled.growth * pace, left))
+    return going
 
 
 @kernel
-def time_of(rig, pose, drive, course, motion, moved, limits, guess, slope):
-    """Return (dt, Pull, friction, slope, tries) of a step by ``moved``, in dx.
+def expected_speed(motion, dt):
+    """Return the speed of a step that comes, if it goes on changing as it has.
 
-    dt : NaN where it would last longer than the limit. guess : of it. slope : of the force left
-    over, with the logarithm of the time, or 0. The rig keeps the step that was tried last.
+    Not far from what it was: behind the place where forces are balanced next there may be others.
     """
+    expected, speed = motion.speed + 0.5 * motion.rate * (dt + motion.dt), abs(motion.speed)
+    way = 1.0 if motion.speed > 0.0 else -1.0
+    return way * min(max(way * expected, speed / CHANGE), speed * CHANGE)
+
+
+@either_way
+def time_of(pulled, places, course, motion, longest, guess):
+    """Find the time of a step between two places, from a guess.
+
+    It is NaN where that would be longer than ``longest``. The rig keeps the step that was tried
+    last.
+    """
+    moved = (places.after - places.before) / pulled.steps_per_spacing
     way = 1.0 if moved > 0.0 else -1.0
-    notes = new_search(slope, FIRST)
-    shortest, longest = math.log(limits.shortest), math.log(limits.longest)
-    x = min(max(math.log(guess), shortest), longest)
-    tries = 0
+    notes = new_search(pulled.slopes[RISE], FIRST)
+    low, high = math.log(pulled.shortest), math.log(max(longest, pulled.shortest))
+    x = min(max(math.log(guess), low), high)
     while True:
         dt = math.exp(x)
-        friction, lag = attempt(rig, pose, dt)
-        pull = pull_of(drive, course, motion, moved, dt, lag, friction)
+        friction, lag = attempt(pulled.rig, places, dt)
+        pull = pull_of(pulled.drive, course, motion, moved, dt, lag, friction)
         excess = way * pull.excess
-        tries += 1
+        pulled.tries[0] += 1
         ahead = next_guess(notes, x, excess)
-        if x >= longest and excess < 0.0:
-            dt = np.nan
-        elif (
-            abs(excess) > limits.left
-            and (x > shortest or excess < 0.0)
-            and not narrow_enough(notes, LEAST_LOG)
-        ):
-            x = min(max(ahead, shortest), longest)
-            continue
-        return dt, pull, friction, notes[SLOPE], tries
+        late = x >= high and (excess < 0.0 or high <= low)
+        near = abs(excess) <= pulled.left or narrow_enough(notes, LEAST_LOG)
+        if late or near or (x <= low and excess > 0.0):
+            pulled.slopes[RISE] = notes[SLOPE]
+            return BalancedStep(np.nan if late else dt, pull, friction)
+        x = min(max(ahead, low), high)
 
 
-@kernel
-def taken(rig, motion, moved, dt, pull, friction):
-    """Take the step that was tried last; return (SliderState, Moment)."""
-    normal, d, touching = accept(rig, dt)
-    speed = moved / dt
-    mu = friction / normal if normal > 0.0 else np.nan
-    moment = Moment(mu, d, normal, friction, touching, pull.felt, pull.place, speed, pull.force)
+@either_way
+def creep(pulled, course, going, place, edges, dt):
+    """Go as far as the slider goes in a time dt, between two samples; or when it is there."""
+    motion, m = going.motion, pulled.steps_per_spacing
+    low, high = edges[0] - place, edges[1] - place
+    notes = new_search(pulled.slopes[FALL], FIRST_CREEP)
+    x = min(max(m * expected_speed(motion, dt) * dt, low), high)
+    while True:
+        places = Places(place, place + x)
+        friction, lag = attempt(pulled.rig, places, dt)
+        pull = pull_of(pulled.drive, course, motion, x / m, dt, lag, friction)
+        found = BalancedStep(dt, pull, friction)
+        pulled.tries[0] += 1
+        ahead = next_guess(notes, x, -pull.excess)
+        if (x >= high and pull.excess > 0.0) or (x <= low and pull.excess < 0.0):
+            if dt > pulled.shortest:
+                sooner = time_of(pulled, places, course, motion, dt, 0.9 * dt)
+                found = found if math.isnan(sooner.dt) else sooner
+            break
+        if abs(pull.excess) <= pulled.left or narrow_enough(notes, LEAST_PLACE):
+            pulled.slopes[FALL] = notes[SLOPE]
+            break
+        x = min(max(ahead, low), high)
+    return go(pulled, course, going, x / m, found)
+
+
+@either_way
+def go(pulled, course, going, moved, found):
+    """Take the step that was tried last."""
+    motion, pull, dt = going.motion, found.pull, found.dt
+    normal, d, touching = accept(pulled.rig, dt)
+    mu = found.friction / normal if normal > 0.0 else np.nan
+    forces = mu, d, normal, found.friction, touching
+    moment = Moment(*forces, pull.felt, pull.place, moved / dt, pull.force)
+    keep(pulled.record, going.moment, moment, course_at(course, moment.time)[1])
     end, place = motion.time + dt, motion.place + moved
     known = pull.rate, pull.rated, pull.felt
-    return SliderState(end, place, dt, speed, *known, friction), moment
-
-
-class SliderRecord(NamedTuple):
-    """What is kept of a slider's way."""
-
-    times: np.ndarray  # at which its moments are kept, in tau, increasing
-    kept: np.ndarray  # shape (9, times): those moments, field by field
-    tally: np.ndarray  # shape (8,): of sticking and slipping, see ``count_slips``
-
-
-SINCE, LEAST, MOST, FASTEST, SLIPS, BEGAN, LATEST, STICKS = range(8)  # of the tally
-
-
-@kernel
-def count_slips(tally, now, driven):
-    """Add a moment to the tally, from a time on.
-
-    tally : that time; the least and the greatest force of the drive; the highest speed; the
-    number of slips, when the first and the last of them began, and whether the slider sticks. A
-    slip begins where it becomes twice as fast as the drive, after it was half as fast at most.
-    """
-    if now.time < tally[SINCE] or driven == 0.0:
-        return
-    tally[LEAST], tally[MOST] = min(tally[LEAST], now.force), max(tally[MOST], now.force)
-    tally[FASTEST] = max(tally[FASTEST], abs(now.speed))
-    share = now.speed / driven
-    if share < 0.5:
-        tally[STICKS] = 1.0
-    elif share > 2.0 and tally[STICKS] > 0.0:
-        tally[STICKS] = 0.0
-        tally[BEGAN] = now.time if tally[SLIPS] == 0.0 else tally[BEGAN]
-        tally[SLIPS], tally[LATEST] = tally[SLIPS] + 1.0, now.time
-
-
-@kernel
-def keep(record, k, before, now, driven):
-    """Keep what lies between two moments at the times asked for; return the number kept.
-
-    k : the number kept before. driven : speed of the drive. Linear in between.
-    """
-    times, kept = record.times, record.kept
-    count_slips(record.tally, now, driven)
-    while k < times.size and times[k] <= now.time:
-        share = 1.0
-        if now.time > before.time:
-            share = (times[k] - before.time) / (now.time - before.time)
-        for row in range(len(now)):
-            kept[row, k] = before[row] + share * (now[row] - before[row])
-        k += 1
-    return k
-
-
-@kernel
-def slide_by_samples(
-    rig, z, slope, m, sample, drive, course, motion, moment, limits, pace, rise, record, k
-):
-    """Take whole samples towards where the slider goes, until it sticks or the leg ends.
-
-    z, slope : two periods of the line, shape (2 n,), in h and h/dx, as place zero has them; m
-    samples to a spacing. sample : at which the slider is. limits : its longest time is the end of
-    the leg. pace : of the first step, in the place of the time of the one before. rise : as the
-    slope of time_of. record, k : of keep.
-    Returns (SliderState, Moment, rise, k, tries).
-    """
-    n = rig.p.size
-    way = 1 if motion.speed > 0.0 else -1
-    moved = way / m
-    all_tries = 0
-    guess = pace
-    while True:
-        begin, end = -sample % n, -(sample + way) % n
-        pose = Pose(z[end : end + n], slope[begin : begin + n], slope[end : end + n])
-        left = limits.longest - motion.time
-        longest = min(SLOWER * pace, left)
-        if longest <= limits.shortest or left <= REST * motion.dt:
-            return motion, moment, rise, k, all_tries
-        within = Limits(limits.shortest, longest, limits.left)
-        dt, pull, friction, rise, tries = time_of(
-            rig, pose, drive, course, motion, moved, within, guess, rise
-        )
-        all_tries += tries
-        if np.isnan(dt):
-            return motion, moment, rise, k, all_tries
-        guess = dt * min(max(dt / pace, 0.7), 1.4)
-        pace = dt
-        motion, now = taken(rig, motion, moved, dt, pull, friction)
-        k = keep(record, k, moment, now, course_at(course, now.time)[1])
-        moment = now
-        sample += way
+    motion = SliderState(end, place, dt, moved / dt, *known, found.friction)
+    return Going(motion, moment, dt)

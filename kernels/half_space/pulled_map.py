@@ -7,8 +7,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..drive.rig import accept, attempt
-from ..drive.slider import Pulled, first_moment, kept_times, pull_through, steady_speed
+from ..drive.slider import Start, first_moment, kept_times, pull_through, steady_speed
 from ..drive.spring import Drive
+from ..drive.step import follow_leg
 from ..model.friction import mean_slope
 from ..rheology.forms import form_of
 from ..rheology.law import law_of
@@ -27,13 +28,6 @@ class TriedStep(NamedTuple):
     offset: int  # of the surface
 
 
-class Places(NamedTuple):
-    """Where the surface is before a step and after it, in samples."""
-
-    before: float
-    after: float
-
-
 @dataclass
 class MapRig:
     """A surface on its half-space."""
@@ -46,15 +40,15 @@ class MapRig:
 
 
 @attempt.of(MapRig)
-def _attempt(rig, pose, dt):
+def _attempt(rig, places, dt):
     law = law_of(rig.space.form, dt)
-    whole = math.floor(pose.after)
-    z, slope = rig.moving.at(pose.after - whole)
+    whole = math.floor(places.after)
+    z, slope = rig.moving.at(places.after - whole)
     offset = whole % z.shape[1]
     w, contact = tried(rig.space, rig.body, law, z, offset, STEP_TOLERANCE)
     rig.passes += contact.passes
     rig.found = TriedStep(law, w, contact, offset)
-    before = rig.moving.slope_over(pose.before, offset)
+    before = rig.moving.slope_over(places.before, offset)
     weight = slope + law.lag * (before - slope)
     normal = rig.space.pressure * side_of(rig.space)
     return normal * mean_slope(contact.p, weight), law.lag
@@ -94,6 +88,5 @@ def run_pulled_on_half_space(
     first = first_moment(mu, body.d, normal, mu * normal, touching, speed)
     rig = MapRig(space, moving, body, passes)
     scale = scene.load * math.sqrt(float(np.mean(surface.slope**2)))
-    pulled = Pulled(rig, Places, None, m, scale, first)
-    found, _ = pull_through(pulled, drive, scene, times)
+    found, _ = pull_through(follow_leg, Start(rig, m, scale, first), drive, scene, times)
     return found | {"updates": np.array(float(rig.passes * surface.z.size))}

@@ -116,7 +116,7 @@ def follow_blocks(
     what is kept, are as of ``follow``. The arrays of the state are changed.
     """
     blocks, p, older, d = state
-    n, passes, count, rows = track.z.shape[1] // 2, 0, 0, _room(blocks.seen.size)
+    n, passes, count, rows = track.z.shape[1] // 2, 0, 0, room_for_blocks(blocks.seen.size)
     lowest, cap, at, chosen = _lowest(track.z), np.inf, 0, d
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
     law = law_of(form, track.dt[0])
@@ -126,18 +126,18 @@ def follow_blocks(
             law = law_of(form, track.dt[s])
         look_ahead(law, blocks.scales)
         z, old = seen_at(track.z, track, s + 1, n), d
-        if s == 0 or _apart(track.begin[s + 1], at, n) > SLACK:
+        if s == 0 or round_apart(track.begin[s + 1], at, n) > SLACK:
             at = track.begin[s + 1]
-            cap = np.inf if ledger is not None else _cap(old, chosen, lowest)
-            count, chosen = _choose(rows.active, lowest, at, n, cap, blocks.pressed), old
-        d, used = _balanced(control, law, blocks, p, older, step, count, rows, z, old)
+            cap = np.inf if ledger is not None else cap_over(old, chosen, lowest)
+            count, chosen = choose_blocks(rows.active, lowest, at, n, cap, blocks.pressed), old
+        d, used = balance_blocks(control, law, blocks, p, older, step, count, rows, z, old)
         while rows.springs.highest[0] > cap:  # what was left out would have been looked at
-            cap = _cap(rows.springs.highest[0], old, lowest)
-            count = _choose(rows.active, lowest, at, n, cap, blocks.pressed)
-            d, used = _balanced(control, law, blocks, p, older, step, count, rows, z, old)
+            cap = cap_over(rows.springs.highest[0], old, lowest)
+            count = choose_blocks(rows.active, lowest, at, n, cap, blocks.pressed)
+            d, used = balance_blocks(control, law, blocks, p, older, step, count, rows, z, old)
         passes += used
         some = rows.active[:count]
-        _press(law, blocks.pressed, older, some, rows.springs.c, d)
+        press_blocks(law, blocks.pressed, older, some, rows.springs.c, d)
         p, older = older, p
         if film is not None and frame < frames.size and step == frames[frame]:
             _keep_frame(film, frame, law, blocks, p, older, step, z, d)
@@ -161,7 +161,7 @@ def follow_blocks(
 
 
 @kernel
-def _room(blocks):
+def room_for_blocks(blocks):
     """Return Rows for as many blocks as there are."""
     springs = SpringRows(np.empty((blocks, BLOCK)), np.empty(1))
     return Rows(np.empty(blocks, np.int64), springs, np.empty(3 * BLOCK))
@@ -178,7 +178,7 @@ def _lowest(z):
 
 
 @kernel
-def _cap(d, before, lowest):
+def cap_over(d, before, lowest):
     """Return a cap above the indentation, and above some of the line.
 
     before : the indentation of a while ago: it may go on changing as it has.
@@ -189,14 +189,14 @@ def _cap(d, before, lowest):
 
 
 @kernel
-def _apart(one, other, n):
+def round_apart(one, other, n):
     """Return how many samples lie between two, round the period."""
     apart = abs(one - other)
     return min(apart, n - apart)
 
 
 @kernel
-def _choose(active, lowest, begin, n, cap, pressed):
+def choose_blocks(active, lowest, begin, n, cap, pressed):
     """List the blocks that can touch while the line moves by SLACK, or do; return their number."""
     count = 0
     for b in range(pressed.size):
@@ -212,7 +212,7 @@ def _choose(active, lowest, begin, n, cap, pressed):
 
 
 @kernel
-def _balanced(control, law, blocks, p, older, step, count, rows, z, old):
+def balance_blocks(control, law, blocks, p, older, step, count, rows, z, old):
     """Return (d, passes) of a step, taken with the first blocks that are active alone."""
     _predict(law, blocks, p, older, step - 1, rows.active[:count], z, rows)
     rows.springs.highest[0] = -np.inf
@@ -244,7 +244,7 @@ def _predict(law, blocks, p, older, step, some, z, rows):
 
 
 @kernel
-def _press(law, pressed, new, some, c, d):
+def press_blocks(law, pressed, new, some, c, d):
     """Fill the rows of ``new`` that belong to some blocks with the forces of this step."""
     for row in range(some.size):
         b = some[row]
@@ -302,7 +302,7 @@ def _sums(lag, track, s, some, p):
 @kernel
 def _keep_frame(film, frame, law, blocks, p, older, step, z, d):
     """Keep the line and all elements at the end of a step, of which no memory knows yet."""
-    room, every = _room(blocks.seen.size), np.arange(blocks.seen.size)
+    room, every = room_for_blocks(blocks.seen.size), np.arange(blocks.seen.size)
     _predict(law, blocks, older, p, step - 1, every, np.zeros_like(z), room)
     u, forces = -room.springs.c.reshape(-1)[: z.size], p.reshape(-1)
     for i in range(z.size):

@@ -10,8 +10,9 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
+from ...lines.polynomials import height, quintic
 from .events import AREA, BOTTOM, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
-from .smooth_line import first_zero, height, pressure, products, quintic, squared
+from .smooth_line import first_zero, pressure, products, squared
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-4
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump

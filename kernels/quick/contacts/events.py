@@ -14,9 +14,10 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import kernel
+from ...lines.polynomials import height, quintic, steepness
 from ...rheology.law import NEGLIGIBLE
 from ..steady.spans import SPAN
-from .smooth_line import first_zero, height, integral, pressure, quintic, steepness
+from .smooth_line import first_zero, integral, pressure
 
 MOST_EVENTS = 4  # in an interval: more are rounding
 TOP, BOTTOM = 0, 1  # ends of a patch: where elements land and where they leave

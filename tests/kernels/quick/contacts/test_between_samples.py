@@ -17,17 +17,11 @@ from elastomer_friction.kernels import (
     rms_slope,
     steady_sliding,
 )
+from elastomer_friction.kernels.lines.polynomials import curvatures, height, quintic, steepness
 from elastomer_friction.kernels.lines.self_affine import mode_numbers
 from elastomer_friction.kernels.quick.contacts.between_samples import NARROW, slide_between
 from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
-from elastomer_friction.kernels.quick.contacts.smooth_line import (
-    curvatures,
-    first_zero,
-    height,
-    quintic,
-    smooth_line,
-    steepness,
-)
+from elastomer_friction.kernels.quick.contacts.smooth_line import first_zero, smooth_line
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
     AtSpeed,
     Grounds,

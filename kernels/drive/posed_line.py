@@ -1,0 +1,72 @@
+"""A line at any place, as the elements of a foundation at rest see it."""
+
+from typing import NamedTuple
+
+import numpy as np
+
+from ..compile.jit import kernel
+from ..lines.line import Line
+from ..lines.polynomials import bernstein, curvatures, quintic, steepness
+from ..scene.march_blocks import CELL
+
+
+class Places(NamedTuple):
+    """Where a surface is before a step and after it, in samples."""
+
+    before: float
+    after: float
+
+
+class PosedLine(NamedTuple):
+    """Two periods of a line, interval by interval (lines/polynomials.py)."""
+
+    polynomials: np.ndarray  # shape (6, 2 n): coefficients of the heights, in h
+    lowest: np.ndarray  # not above any height in cells of CELL intervals
+    steps_per_spacing: float
+
+
+def posed(line: Line) -> PosedLine:
+    """Return a line that can be seen at any place."""
+    return _posed(line.z, line.slope, float(line.steps_per_spacing))
+
+
+@kernel
+def _posed(z, slope, m):
+    n, spacing = z.size, 1.0 / m
+    bend = curvatures(z, slope, spacing)
+    polynomials = np.empty((6, 2 * n))
+    lowest = np.full((2 * n + CELL - 1) // CELL, np.inf)
+    for j in range(2 * n):
+        c = quintic(z, slope, bend, spacing, j % n)
+        b = bernstein(c)
+        for power in range(6):
+            polynomials[power, j] = c[power]
+            lowest[j // CELL] = min(lowest[j // CELL], b[power])
+    return PosedLine(polynomials, lowest, m)
+
+
+@kernel
+def seen_from(line, place):
+    """Return (j, t): the interval in which element 0 is, and where there; place : in samples."""
+    whole = np.floor(place)
+    return (-int(whole) - 1) % (line.polynomials.shape[1] // 2), place - whole
+
+
+@kernel
+def heights_at(line, j, t, z):
+    """Fill z with the heights at elements in a row, the first of which is in interval j, at t."""
+    c0, c1, c2, c3, c4, c5 = line.polynomials[:, j : j + z.size]
+    if t == 0.0:
+        z[:] = c0
+        return
+    for i in range(z.size):
+        z[i] = c0[i] + t * (c1[i] + t * (c2[i] + t * (c3[i] + t * (c4[i] + t * c5[i]))))
+
+
+@kernel
+def slope_at(line, j, t):
+    """Return the slope at t of interval j, in h/dx."""
+    c, m = line.polynomials, line.steps_per_spacing
+    if t == 0.0:
+        return -m * c[1, j]
+    return -m * steepness((c[0, j], c[1, j], c[2, j], c[3, j], c[4, j], c[5, j]), t)
