@@ -36,6 +36,7 @@ from elastomer_friction.kernels import (
     scene_steps,
     steady_sliding,
 )
+from elastomer_friction.kernels.drive import Drive, run_pulled
 from tests.kernels.scene import given
 from tests.tools.march_costs import march_costs
 
@@ -70,6 +71,32 @@ def a_scene(programme: Programme, spectrum: Spectrum, **changes: object) -> Scen
     usual: dict = {"load": LOAD, "start": "relaxed", "edges": edges}
     scene = given.a_scene(programme, spectrum, M, **usual | changes)
     return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64)))
+
+
+def pulled(line: Line, spectrum: Spectrum, stiffness: float) -> tuple[Callable, Callable]:
+    """Return a run of a slider on a spring, stiff over load times slope, and one that is moved."""
+    start = "steady" if stiffness >= 1.0 else "relaxed"
+    scene = a_scene(SLIDE, spectrum, start=start)
+    drive = Drive(stiffness * LOAD * math.sqrt(float(np.mean(line.slope**2))))
+    return partial(run_pulled, line, scene, drive), partial(run_scene, line, scene)
+
+
+def drive_costs() -> None:
+    """Print what a programme costs where a spring pulls, over the same of a line that is moved."""
+    print(f"\nPull over slide (N = {ELEMENTS_OF_SCENES}, m = {M})\n")
+    print("| material | stiff spring, slides through | soft spring, creeps |\n|---|---|---|")
+    for name, spectrum in (("Kelvin", KELVIN), ("K = 13", branches(13))):
+        ratios = []
+        for stiffness in (1.0, 2e-3):
+            runs = pulled(a_line(), spectrum, stiffness)
+            taken = [min(each) for each in zip(*in_turns(runs), strict=True)]
+            ratios.append(taken[0] / taken[1])
+        print(f"| {name} | {ratios[0]:.2f} | {ratios[1]:.2f} |")
+
+
+def in_turns(runs: tuple[Callable, ...]) -> list[list[float]]:
+    """Return the CPU time of some runs, taken in turns."""
+    return [[seconds(run, 1) for run in runs] for _ in range(REPEATS)]
 
 
 def scenes() -> dict[str, tuple[Line, SceneCase, str]]:
@@ -171,3 +198,4 @@ if __name__ == "__main__":
     march_costs()
     effects()
     scene_costs()
+    drive_costs()
