@@ -158,18 +158,20 @@ def first_zero(c, u, a, start, stop, fresh):
         if end >= 0.0:
             return NEVER
     low, high, width = start, stop, stop - start
-    fall *= width
-    root = math.sqrt(max(fall * fall - 4.0 * (end - begin - fall) * begin, 0.0))
-    t = start + width * (2.0 * begin / (root - fall))  # of the parabola
-    if not (fresh and low < t < high):
-        t = 0.5 * (low + high)
+    t = 0.5 * (low + high)
+    if fresh:
+        fall *= width
+        root = math.sqrt(max(fall * fall - 4.0 * (end - begin - fall) * begin, 0.0))
+        guess = start + width * (2.0 * begin / (root - fall))  # of the parabola
+        t = guess if low < guess < high else t
     for _ in range(HALVINGS):
         value, slope, bend = three_at(c, u, a, start, t)
         if value >= 0.0:
             low = t
         else:
             high = t
-        new = t - 2.0 * value * slope / (2.0 * slope * slope - value * bend)
+        bottom = 2.0 * slope * slope - value * bend
+        new = t - 2.0 * value * slope / bottom if bottom != 0.0 else t
         if abs(value) <= SURE * abs(slope) and abs(value * bend) <= SURE * slope * slope:
             return min(max(new, start), stop)
         if not low < new < high:
