@@ -17,7 +17,8 @@ def main() -> int:
         here = ("", str(Path.cwd()))
         sys.path[:] = [place for place in sys.path if place not in here]
         os.environ["PYTHONSAFEPATH"] = "1"
-    gc.set_threshold(100_000, 20, 100)  # importing makes no garbage, and a sixth of it was to look
+    # Looking for garbage takes a sixth of the time of importing, which makes none.
+    gc.set_threshold(100_000, 20, 100)
     try:
         from elastomer_friction.workflow.system import THREADS, forgive_streams
 

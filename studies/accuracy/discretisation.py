@@ -152,8 +152,8 @@ def climb(
 ) -> xr.Dataset:
     """Return what a scheme gives over m; errors are those on the lines of the reference.
 
-    refine : whether narrow contacts are refined, as "auto" does. The deviation of one realization
-    is that at a middle m, on all lines.
+    refine : whether narrow contacts are followed between samples, as "auto" does. The deviation of
+    one realization is that at a middle m, on all lines.
     """
     paired, elements = limit.limit.mu_1.size, surfaces[0].elements
     rows, apart = [], []
@@ -190,8 +190,8 @@ def discretisations(
 ) -> tuple[xr.Dataset, xr.Dataset]:
     """Return errors, times, orders and what follows from them for all points.
 
-    The first dataset is of both schemes with narrow contacts refined, as "auto" does. The second
-    is of the exponential scheme with nothing refined, as in a study whose m is a number. Errors
+    The first dataset is of both schemes with narrow contacts followed between the samples, as
+    "auto" does. The second is of the exponential scheme as sampled, as where m is given. Errors
     are relative, those of curves to the jump; missing at m that a point does not need.
     """
     found, plain = [], []

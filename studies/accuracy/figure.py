@@ -18,7 +18,7 @@ CAPTION = (
 )
 MARKS = ("o", "s", "^")  # of the compared points
 NAMES = {"mu_1": "$\\mu_1$", "jump": "$\\Delta\\mu_0$", "rate": "$b$", "curve": "$\\mu(t)$"}
-REFINED = ("mu_1", "jump", "curve")  # a curve ends at mu_2; b is that of the march alone
+FOLLOWED = ("mu_1", "jump", "curve")  # a curve ends at mu_2; b is that of the march alone
 NUMBERED = (1, 4, 16, 64)  # m that are written
 LIMITS = (1e-6, 10.0)
 
@@ -34,8 +34,8 @@ def _discretisation(groups: Groups) -> Figure:
     for ax, (name, label), letter in zip(axes.flat, NAMES.items(), "abcd", strict=True):
         drawn = [(data.sel(scheme="exponential"), "exponential", "o-")]
         drawn += [(data.sel(scheme="implicit-euler"), "implicit Euler", "s--")]
-        if name in REFINED:
-            drawn += [(groups["as_sampled"], "exponential, not refined", "^-.")]
+        if name in FOLLOWED:
+            drawn += [(groups["as_sampled"], "exponential, as sampled", "^-.")]
         for (held, said, form), colour in zip(drawn, COLOURS, strict=False):
             draw_ladder(ax, held.sel(quantity=name), said, form, colour)
         ax.set(xscale="log", yscale="log", ylim=LIMITS, xlabel="CPU ms per realization")
@@ -50,7 +50,7 @@ def _discretisation(groups: Groups) -> Figure:
         "marker is one m = 1, 2, 4, …, of which some are written; errors are rms over lines, times "
         "those of a process. References are Richardson extrapolations, whose error of µ₁ is at "
         f"most {with_unit(worst, digits=1)}; the error of a curve is relative to the jump. "
-        "Narrow contacts are refined, except where m is a number in a study.",
+        "Narrow contacts are followed between the samples, but for what is called as sampled.",
     )
     return figure
 

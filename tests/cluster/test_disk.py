@@ -17,7 +17,7 @@ from tests.support.small import write_study
 
 pytestmark = pytest.mark.cluster
 
-OPTIONS = ("--set", "study.realizations=40", "--batch-seconds", "1e-9", "--workers", "1")
+OPTIONS = ("--set", "study.realizations=240", "--batch-seconds", "1e-9", "--workers", "1")
 
 
 @pytest.fixture(scope="module")

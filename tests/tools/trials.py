@@ -1,9 +1,10 @@
 """Try again all that docs/reliability.md says was tried; print what held and what broke.
 
-    python -m tests.tools.trials            some twenty minutes on two cores
+    python -m tests.tools.trials            some ten minutes on two cores
     python -m tests.tools.trials disk       the rows alone that hold a word
 
-The page is the list: the last column of its tables names the tests of a row.
+The page is the list: the last column of its tables names the files of tests of a row, which broke
+where any test of a file did.
 """
 
 import re
@@ -17,6 +18,7 @@ from typing import NamedTuple
 
 ROOT = Path(__file__).parents[2]
 PAGE = ROOT / "docs" / "reliability.md"
+TEST_FILE = re.compile(r"`(tests/[\w/]+/test_\w+\.py)`")
 WIDTH = 90  # letters of a trial that are printed
 
 
@@ -31,7 +33,7 @@ def trials(text: str) -> list[Trial]:
     """Return the rows of all tables of a page."""
     rows = [line.strip("|").split(" | ") for line in text.splitlines() if line.startswith("| ")]
     rows = [row for row in rows if row[0].strip() != "what was tried"]
-    return [Trial(row[0].strip(), (*re.findall(r"`(tests/[\w/]+\.py)`", row[-1]),)) for row in rows]
+    return [Trial(row[0].strip(), tuple(TEST_FILE.findall(row[-1]))) for row in rows]
 
 
 def outcomes(files: list[str]) -> dict[str, Counter[str]]:

@@ -41,21 +41,6 @@ class Spans(NamedTuple):
 
 
 @kernel
-def spans_of(z, slope):
-    """Return the Spans of a line. z (in h), slope (in h/dx) : shape (n,)."""
-    count = z.size // SPAN
-    lowest, first, height, steepest = (
-        np.empty(count),
-        np.empty(count),
-        np.empty(count),
-        np.empty(count),
-    )
-    rows, whole = np.empty((count + 1, TURN + 1)), np.empty(4)
-    deepest = fill_spans(z, slope, Spans(lowest, first, height, steepest, rows, whole, 0))
-    return Spans(lowest, first, height, steepest, rows, whole, deepest)
-
-
-@kernel
 def fill_spans(z, slope, spans):
     """Fill the arrays of Spans with what they are of a line; return the deepest sample."""
     n, count = z.size, z.size // SPAN

@@ -2,7 +2,9 @@
 
 import pytest
 
+from elastomer_friction.workflow.cli.command_line import WRITTEN
 from elastomer_friction.workflow.law import read
+from elastomer_friction.workflow.law.law_export import FORMS
 from elastomer_friction.workflow.result import write_datasets
 from tests.support.commands import output, refusal
 from tests.workflow.law.given import memory_law, result
@@ -17,6 +19,11 @@ def path(tmp_path_factory):
     groups = {"": memory_law(1), "other": memory_law(0)}
     write_datasets(found, {name: result(law, **MARKS) for name, law in groups.items()})
     return found
+
+
+def test_the_command_knows_every_form_of_a_law():
+    """It names them itself, for a help text that imports no law."""
+    assert tuple(FORMS) == WRITTEN
 
 
 def test_it_is_told_and_written_and_read_again(capsys, path, tmp_path):

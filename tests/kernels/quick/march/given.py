@@ -16,9 +16,10 @@ from elastomer_friction.kernels import (
 from elastomer_friction.kernels.model.steady import sweep
 from elastomer_friction.kernels.quick.march.given import March, SteadyState
 from elastomer_friction.kernels.quick.steady.carry import decay_of
-from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises, spans_of
+from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
 from elastomer_friction.kernels.rheology.law import State
+from tests.kernels.quick.steady.given import spans_of
 from tests.lines import random_line
 
 

@@ -15,8 +15,9 @@ from elastomer_friction.kernels.quick.march.lists import add_sample, add_span, l
 from elastomer_friction.kernels.quick.march.load_balance import STRIP, foresee, in_order, overlap_of
 from elastomer_friction.kernels.quick.march.narrow import closer_bounds
 from elastomer_friction.kernels.quick.march.runs import classes_of
-from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises, spans_of
+from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises
 from tests.kernels.quick.march.given import Jump, dense, setting_of, states_of
+from tests.kernels.quick.steady.given import spans_of
 from tests.sizes import size
 
 LAW = SCHEMES["exponential"](0.3)

@@ -7,7 +7,7 @@ from elastomer_friction.kernels import SCHEMES, Line, steady_sliding
 from elastomer_friction.kernels.model.steady import sweep
 from elastomer_friction.kernels.quick.steady.carry import carry, decay_of
 from elastomer_friction.kernels.quick.steady.contacts import room_for
-from elastomer_friction.kernels.quick.steady.spans import spans_of
+from elastomer_friction.kernels.quick.steady.spans import SPAN, TURN, Spans, fill_spans
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
 from tests.lines import random_line
 
@@ -31,6 +31,14 @@ everywhere = pytest.mark.parametrize(
 def line_of(hurst, elements, m, seed=3):
     """Return a random line."""
     return Line.from_samples(*random_line(elements, hurst, m, seed), m, band_limited=True)
+
+
+def spans_of(z, slope):
+    """Return the Spans of a line."""
+    count = z.size // SPAN
+    rows, whole = np.empty((count + 1, TURN + 1)), np.empty(4)
+    spans = Spans(*(np.empty(count) for _ in range(4)), rows, whole, 0)
+    return spans._replace(deepest=fill_spans(z, slope, spans))
 
 
 def known(line, speed, scheme="exponential"):

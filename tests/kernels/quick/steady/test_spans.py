@@ -15,9 +15,15 @@ from elastomer_friction.kernels.quick.steady.spans import (
     TURN,
     WORK,
     add_rises,
-    spans_of,
 )
-from tests.kernels.quick.steady.given import LOADS, known, line_of, on_every_line, touching
+from tests.kernels.quick.steady.given import (
+    LOADS,
+    known,
+    line_of,
+    on_every_line,
+    spans_of,
+    touching,
+)
 
 
 @on_every_line
