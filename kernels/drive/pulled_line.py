@@ -16,7 +16,8 @@ from ..scene.scene_case import SceneCase
 from .block_rig import block_rig
 from .posed_line import posed
 from .rig import plain_rig
-from .slider import Start, first_moment, kept_times, pull_through, steady_speed
+from .slider import Start, kept_times, pull_through, steady_speed
+from .slider_record import Moment
 from .spring import Drive
 from .step import follow_leg
 
@@ -34,7 +35,7 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     times, speed = kept_times(scene, m), steady_speed(scene)
     form = form_of(scene.spectrum, scene.scheme)
     begin = begun(line, scene, form)
-    control, place = ConstantForce(scene.load * n), posed(line)
+    control, place = ConstantForce(scene.load * n), posed(line.z, line.slope, float(m))
     elements = Elements(begin.memory, begin.p, begin.d)
     rig_of = block_rig if isinstance(form, Retardation) else plain_rig
     rig = rig_of(form, control, place, elements)
@@ -43,8 +44,8 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
         earlier = np.roll(line.slope, -way)
         start = start + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - start)
     normal, tangential, touching = weighed(-begin.p, None, start, 0.0)
-    share = normal / n, tangential / n, touching / n
-    first = first_moment(tangential / normal, begin.d, *share, speed)
+    share, pull = (normal / n, tangential / n, touching / n), tangential / n if speed else 0.0
+    first = Moment(tangential / normal, begin.d, *share, 0.0, 0.0, speed, pull)
     scale = scene.load * math.sqrt(float(np.mean(line.slope**2)))
     found, tries = pull_through(follow_line, Start(rig, m, scale, first), drive, scene, times)
     found["trace_indentation"] = found["trace_indentation"] + line.datum

@@ -36,7 +36,7 @@ class Start(NamedTuple):
     rig: Any  # that attempt and accept know (rig.py)
     steps_per_spacing: int
     scale: float  # load times rms slope, in the units of the drive
-    moment: Moment
+    moment: Moment  # its spring is slack where nothing slides
 
 
 def courses(programme: Programme, place: float) -> Iterator[Course]:
@@ -85,14 +85,6 @@ def kept_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
 def steady_speed(scene: SceneCase) -> float:
     """Return the speed of the steady sliding that a scene begins with; 0 where there is none."""
     return speed_at_start(scene.programme) if scene.start == "steady" else 0.0
-
-
-def first_moment(
-    mu: float, d: float, normal: float, friction: float, touching: float, speed: float
-) -> Moment:
-    """Return the Moment before the first step: the spring is slack where nothing slides."""
-    force = friction if speed else 0.0
-    return Moment(mu, d, normal, friction, touching, 0.0, 0.0, speed, force)
 
 
 def pull_through(
