@@ -56,18 +56,15 @@ def jump_between(
     return np.where(flat, small, mean) * log_ratio
 
 
-def exponent(x: ArrayLike, hurst: float, time_below_one: bool = False) -> np.ndarray:
-    """Return alpha of b = x^alpha (eq. 13): 1 for x < 1 and 1 - H above.
-
-    ``time_below_one`` replaces the branch x < 1 by b = 1, which is what the model gives when it
-    is converged in time (docs/model.md, "Where the program departs from the paper").
-    """
-    return np.where(np.asarray(x) < 1.0, 0.0 if time_below_one else 1.0, 1.0 - hurst)
-
-
 def relaxation_rate(x: ArrayLike, hurst: float, time_below_one: bool = False) -> np.ndarray:
-    """Return b = x^alpha (eq. 13), x = v2 tau q_max after the step; see ``exponent``."""
-    return np.asarray(x, dtype=float) ** exponent(x, hurst, time_below_one)
+    """Return b = x^alpha (eq. 13), x = v2 tau q_max after the step.
+
+    alpha is 1 for x < 1 and 1 - H above. ``time_below_one`` replaces the branch x < 1 by b = 1,
+    which is what the model gives when it is converged in time (docs/model.md, "Where the program
+    departs from the paper").
+    """
+    x = np.asarray(x, dtype=float)
+    return x ** np.where(x < 1.0, 0.0 if time_below_one else 1.0, 1.0 - hurst)
 
 
 class BeyondKineticLawWarning(UserWarning):
@@ -104,16 +101,17 @@ class KineticLaw:
         """
         self.velocity = finite_numbers("velocity", velocity)
         self.friction = finite_numbers("friction", friction)
-        numbers = {"relaxation_time": relaxation_time, "q_max": q_max, "rms_slope": rms_slope}
-        whole = [finite_numbers(*each) for each in ({**numbers, "hurst": hurst}).items()]
+        names = ("relaxation_time", "q_max", "rms_slope", "hurst")
+        given = (relaxation_time, q_max, rms_slope, hurst)
+        *positive, share = map(finite_numbers, names, given)
         if self.velocity.ndim != 1 or self.velocity.shape != self.friction.shape:
             raise LawError("velocity and friction must be one-dimensional and of one length")
         if self.velocity.size < 2 or (np.diff(self.velocity) <= 0).any() or self.velocity[0] <= 0:
             raise LawError("velocity must hold two or more increasing positive values")
         if not (self.friction > 0.0).all():
-            raise LawError("friction must be positive and finite")
-        positive = all(each.ndim == 0 and each > 0.0 for each in whole[:3])
-        if not positive or whole[3].ndim or not 0.0 <= whole[3] <= 1.0:
+            raise LawError("friction must be positive")
+        known = share.ndim == 0 and 0.0 <= share <= 1.0
+        if not known or any(each.ndim or each <= 0.0 for each in positive):
             raise LawError("relaxation_time, q_max, rms_slope must be positive, hurst in [0, 1]")
         if fastest is not None and not fastest > 0.0:
             raise LawError("fastest must be positive")

@@ -19,7 +19,7 @@ from scipy.optimize import least_squares
 from ..errors import UserError
 from ..given_motion import finely
 from .memory_law import MemoryLaw, even, odd, relaxed_to
-from .reduced_law import Law, Validity, mean_speed
+from .reduced_law import Law, Validity, followed, mean_speed
 from .transients import PIECE, Transient, motions_of
 from .usual_laws import KINDS, LuGreLaw, RateStateLaw
 
@@ -171,8 +171,8 @@ class _Memory:
 
     def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, states: int) -> None:
         self.motions, self.speeds, self.states = motions, speeds, states
-        self.odd = [odd(m.velocity, speeds, np.eye(speeds.size)).T for m in motions]
         eye = np.eye(speeds.size)
+        self.odd = [odd(m.velocity, speeds, eye).T for m in motions]
         self.even = [even(m.velocity, speeds, eye).T for m in motions]
         self.dt = [np.diff(m.time) for m in motions]
         self.way = [_ways(m) for m in motions]
@@ -344,7 +344,7 @@ def _left_out(
 
 def _row_differences(law: Law, motion: Transient) -> np.ndarray:
     """Return mu of the law less that of the model at every row of a motion."""
-    return law.followed(motion.time, motion.velocity) - motion.mu
+    return followed(law, motion.time, motion.velocity) - motion.mu
 
 
 def _differences(law: Law, motions: Sequence[Transient], kept: Kept) -> list[np.ndarray]:

@@ -153,15 +153,7 @@ class Law(ABC):
             )
             said += " law was fitted; the speed is clamped there"
             warnings.warn(said, BeyondLawWarning, stacklevel=2)
-        return self.followed(t, v)[last]
-
-    def followed(self, t: np.ndarray, v: np.ndarray) -> np.ndarray:
-        """Return mu of one step from each row of a motion to the next, as they are given."""
-        mu = np.zeros(t.size)
-        state = self.init(v[0]) if v.size else None
-        for k, dt in enumerate(np.diff(t, prepend=t[:1])):
-            state, mu[k] = self.step(state, v[k], dt)
-        return mu
+        return followed(self, t, v)[last]
 
     def compare(self, results: Any, point: dict[str, Any] | None = None) -> list[Compared]:
         """Return every motion of one or several results of the model, and the law beside it.
@@ -215,6 +207,17 @@ class Law(ABC):
     def outside(self) -> str:
         """Return what the law does outside its range."""
         return "its formula goes on; nothing is clamped"
+
+
+def followed(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Return mu of one step from each row of a motion to the next, as they are given."""
+    mu = np.zeros(t.size)
+    if not v.size:
+        return mu
+    state = law.init(v[0])
+    for k, dt in enumerate(np.diff(t, prepend=t[:1])):
+        state, mu[k] = law.step(state, v[k], dt)
+    return mu
 
 
 def _short(value: Any) -> str:
