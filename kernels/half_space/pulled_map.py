@@ -8,7 +8,6 @@ import numpy as np
 
 from ..drive.rig import accept, attempt
 from ..drive.slider import Start, kept_times, pull_through, steady_speed
-from ..drive.slider_record import Moment
 from ..drive.spring import Drive
 from ..drive.step import follow_leg
 from ..model.friction import mean_slope
@@ -86,9 +85,7 @@ def run_pulled_on_half_space(
     normal = space.pressure * side_of(space)
     mu = mean_slope(body.p, slope)
     touching = np.count_nonzero(body.p > 0.0) / body.p.size
-    pull = mu * normal if speed else 0.0
-    first = Moment(mu, body.d, normal, mu * normal, touching, 0.0, 0.0, speed, pull)
     rig = MapRig(space, moving, body, passes)
-    scale = scene.load * math.sqrt(float(np.mean(surface.slope**2)))
-    found, _ = pull_through(follow_leg, Start(rig, m, scale, first), drive, scene, times)
+    start = Start(rig, m, surface.slope, (mu, body.d, normal, mu * normal, touching))
+    found, _ = pull_through(follow_leg, start, drive, scene, times)
     return found | {"updates": np.array(float(rig.passes * surface.z.size))}

@@ -9,7 +9,7 @@ squares at every trial (variable projection: G. H. Golub and V. Pereyra, SIAM J.
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -279,18 +279,17 @@ class _Usual:
         way, _, parts = _extent(motions)
         length = math.log(0.05 * way / parts)
         if kind == RateStateLaw.kind:
-            self.makes = [self._slip, self._ageing]
+            self.makes: list[Callable] = [
+                partial(self._aged, ageing=ageing) for ageing in (False, True)
+            ]
             self.first = np.array([-2.0, 0.05, length, 1.0])
         else:
             self.makes = [self._lugre]
             self.first = np.array([math.log(self.level) - length, 0.0, 0.0, 0.0, 0.0, 0.0])
 
-    def _slip(self, p: np.ndarray, ageing: bool = False) -> Law:
+    def _aged(self, p: np.ndarray, ageing: bool) -> Law:
         a, b, mu = self.level * math.exp(p[0]), self.level * p[1], self.level * p[3]
         return RateStateLaw(a, b, math.exp(p[2]), mu, self.middle, ageing, validity=self.validity)
-
-    def _ageing(self, p: np.ndarray) -> Law:
-        return self._slip(p, True)
 
     def _lugre(self, p: np.ndarray) -> Law:
         coulomb, static = map(float, self.level * np.exp(p[3:5]))

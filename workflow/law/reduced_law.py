@@ -35,11 +35,10 @@ class Validity:
     that of the fastest above. longest_rest : s. normal_force : N, of the motions. rms, largest :
     of mu of the law less that of the model, on the motions that it was fitted to. held_rms,
     held_largest : the same on motions that it was not fitted to, the worst of them: its stated
-    error. usual : rms of
-    mu itself. model_error : rms standard error of mu in the model. left : share of the variance of
-    mu that is left when mu is a function of the velocity alone. motions : what it was fitted to,
-    with the rms error on each. held_out : what was held out, in words. window : how much was
-    fitted, in words. source : of the result.
+    error. usual : rms of mu itself. model_error : rms standard error of mu in the model. left :
+    share of the variance of mu that is left when mu is a function of the velocity alone. motions :
+    what it was fitted to, with the rms error on each. held_out, window : what was held out and how
+    much was fitted, in words. source : of the result.
     """
 
     slowest: float = float("nan")
