@@ -23,7 +23,7 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .errors import UserError
+from .given_motion import LawError, finely, finite_numbers, given_motion
 
 PLATEAU = 0.4  # eq. 11
 LARGEST_SHARE_OF_LOAD = 0.2  # that eta v h is of F_N: beyond it too few peaks touch
@@ -56,22 +56,15 @@ def jump_between(
     return np.where(flat, small, mean) * log_ratio
 
 
-def exponent(x: ArrayLike, hurst: float, time_below_one: bool = False) -> np.ndarray:
-    """Return alpha of b = x^alpha (eq. 13): 1 for x < 1 and 1 - H above.
-
-    ``time_below_one`` replaces the branch x < 1 by b = 1, which is what the model gives when it
-    is converged in time (docs/model.md, "Where the program departs from the paper").
-    """
-    return np.where(np.asarray(x) < 1.0, 0.0 if time_below_one else 1.0, 1.0 - hurst)
-
-
 def relaxation_rate(x: ArrayLike, hurst: float, time_below_one: bool = False) -> np.ndarray:
-    """Return b = x^alpha (eq. 13), x = v2 tau q_max after the step; see ``exponent``."""
-    return np.asarray(x, dtype=float) ** exponent(x, hurst, time_below_one)
+    """Return b = x^alpha (eq. 13), x = v2 tau q_max after the step.
 
-
-class NoLawError(UserError, ValueError):
-    """Values without meaning for the law."""
+    alpha is 1 for x < 1 and 1 - H above. ``time_below_one`` replaces the branch x < 1 by b = 1,
+    which is what the model gives when it is converged in time (docs/model.md, "Where the program
+    departs from the paper").
+    """
+    x = np.asarray(x, dtype=float)
+    return x ** np.where(x < 1.0, 0.0 if time_below_one else 1.0, 1.0 - hurst)
 
 
 class BeyondKineticLawWarning(UserWarning):
@@ -106,20 +99,22 @@ class KineticLaw:
         it. fastest : the speed (m/s) up to which the law holds, where known; it warns beyond.
         time_below_one : b = 1 below x = 1. Raises UserError for values without meaning.
         """
-        self.velocity = _floats("velocity", velocity)
-        self.friction = _floats("friction", friction)
-        numbers = [_floats("a number", n) for n in (relaxation_time, q_max, rms_slope, hurst)]
+        self.velocity = finite_numbers("velocity", velocity)
+        self.friction = finite_numbers("friction", friction)
+        names = ("relaxation_time", "q_max", "rms_slope", "hurst")
+        given = (relaxation_time, q_max, rms_slope, hurst)
+        *positive, share = map(finite_numbers, names, given)
         if self.velocity.ndim != 1 or self.velocity.shape != self.friction.shape:
-            raise NoLawError("velocity and friction must be one-dimensional and of one length")
+            raise LawError("velocity and friction must be one-dimensional and of one length")
         if self.velocity.size < 2 or (np.diff(self.velocity) <= 0).any() or self.velocity[0] <= 0:
-            raise NoLawError("velocity must hold two or more increasing positive values")
-        if not (np.isfinite(self.friction).all() and (self.friction > 0.0).all()):
-            raise NoLawError("friction must be positive and finite")
-        positive = all(0.0 < float(n) < np.inf for n in numbers[:3] if n.ndim == 0)
-        if any(n.ndim for n in numbers) or not (positive and 0.0 <= float(numbers[3]) <= 1.0):
-            raise NoLawError("relaxation_time, q_max, rms_slope must be positive, hurst in [0, 1]")
+            raise LawError("velocity must hold two or more increasing positive values")
+        if not (self.friction > 0.0).all():
+            raise LawError("friction must be positive")
+        known = share.ndim == 0 and 0.0 <= share <= 1.0
+        if not known or any(each.ndim or each <= 0.0 for each in positive):
+            raise LawError("relaxation_time, q_max, rms_slope must be positive, hurst in [0, 1]")
         if fastest is not None and not fastest > 0.0:
-            raise NoLawError("fastest must be positive")
+            raise LawError("fastest must be positive")
         self.relaxation_time = relaxation_time
         self.hurst = hurst
         self.q_max = q_max
@@ -152,15 +147,15 @@ class KineticLaw:
             for axis, value in (point or {}).items():
                 chosen = chosen.sel({axis: value}, method="nearest")
         except (AttributeError, LookupError, TypeError, ValueError) as error:
-            raise NoLawError(f"the dataset, or the point in it, is none: {error}") from error
+            raise LawError(f"the dataset, or the point in it, is none: {error}") from error
         if "velocity_step" in chosen.dims:  # of no influence on what is steady at v1
             chosen = chosen.isel(velocity_step=0)
         chosen = chosen.squeeze()
         open_axes = [str(axis) for axis in chosen.dims if axis != "velocity"]
         if open_axes:
-            raise NoLawError(f"point must say where along {', '.join(open_axes)}")
+            raise LawError(f"point must say where along {', '.join(open_axes)}")
         if "velocity" not in chosen.dims:
-            raise NoLawError("velocity must hold two or more increasing positive values")
+            raise LawError("velocity must hold two or more increasing positive values")
         chosen = chosen.sortby("velocity")
         viscosity = float(chosen["shear_modulus"]) * float(chosen["tau"])
         fastest = float(chosen["normal_force"]) / (viscosity * float(chosen["roughness"]))
@@ -180,7 +175,7 @@ class KineticLaw:
         v = np.asarray(v, dtype=float)
         speed = np.abs(v)
         table = np.log(self.velocity), np.log(self.friction)
-        inside = np.exp(np.interp(np.log(self._at_least(speed)), *table))
+        inside = np.exp(np.interp(np.log(np.maximum(speed, self.velocity[0])), *table))
         return np.sign(v) * inside * np.minimum(speed / self.velocity[0], 1.0)
 
     def jump(self, v1: ArrayLike, v2: ArrayLike) -> np.ndarray:
@@ -221,15 +216,12 @@ class KineticLaw:
         taken in small parts, each with the rate at its own velocity. Warns where the law does not
         hold. Raises UserError for times that decrease and for what is not finite.
         """
-        time, velocity = _floats("time", time), _floats("velocity", velocity)
-        if time.shape != velocity.shape or time.ndim != 1 or not (np.diff(time) >= 0).all():
-            raise NoLawError("time must increase, and velocity hold one value per time")
-        if not (np.isfinite(time).all() and np.isfinite(velocity).all()):
-            raise NoLawError("time and velocity must be finite")
+        time, velocity = given_motion(time, velocity)
         if not time.size:
             return np.zeros(0)
         self._warn(velocity)
-        t, v, last = self._pieces(time, velocity)
+        least = min(self.velocity[0], 1.0 / (self.relaxation_time * self.q_max))
+        t, v, last = finely(time, velocity, least, PIECE)
         over = self._jumps_from_rest(v) - self.steady(v)  # what a quick change leaves over
         decay = np.diff(t) / self.relaxation_times(0.5 * (v[1:] + v[:-1]))
         keep = np.exp(-decay)
@@ -239,41 +231,18 @@ class KineticLaw:
             excess[k + 1] = excess[k] * keep[k] + fresh[k]
         return self.steady(velocity) + excess[last]
 
-    def _pieces(
-        self, time: np.ndarray, velocity: np.ndarray
-    ) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-        """Return times and velocities between which rates are constant, and where samples stand.
-
-        Speeds change by a small share of them, or of those at which all is linear in them.
-        """
-        least = min(self.velocity[0], 1.0 / (self.relaxation_time * self.q_max))
-        place = np.arcsinh(velocity / least)
-        parts = np.maximum(np.ceil(np.abs(np.diff(place)) / PIECE), 1.0).astype(int)
-        last = np.concatenate([[0], np.cumsum(parts)])
-        sample = np.interp(np.arange(last[-1] + 1), last, np.arange(last.size))
-        v = least * np.sinh(np.interp(sample, np.arange(last.size), place))
-        v[last] = velocity
-        of = np.repeat(np.arange(parts.size), parts)
-        change = velocity[of + 1] - velocity[of]
-        along = np.where(change == 0.0, 1.0, (v[1:] - velocity[of]) / np.where(change, change, 1.0))
-        t = np.concatenate([time[:1], time[of] + along * (time[of + 1] - time[of])])
-        return t, v, last
-
     def _jumps_from_rest(self, v: ArrayLike) -> np.ndarray:
         """Return the sum of all small jumps (eq. 12) from rest to v; its differences are jumps."""
         v = np.asarray(v, dtype=float)
         speed, mu = np.abs(v), np.abs(self.steady(v))
         limit = PLATEAU * self.rms_slope
         k = np.clip(np.searchsorted(self.velocity, speed, "right") - 1, 0, None)
-        since = np.log(self._at_least(speed) / self.velocity[k])
+        since = np.log(np.maximum(speed, self.velocity[0]) / self.velocity[k])
         known = np.where(speed < self.velocity[0], self.friction[0], mu)
         above = self._sums[k] + jump_between(self.friction[k], known, since, self.rms_slope)
         return np.sign(v) * np.where(
             speed < self.velocity[0], limit * np.arcsinh(mu / limit), above
         )
-
-    def _at_least(self, speed: np.ndarray) -> np.ndarray:
-        return np.maximum(speed, self.velocity[0])
 
     def _warn(self, v: np.ndarray) -> None:
         """Warn where a velocity lies beyond the table, or beyond where eqs. 12 to 16 hold."""
@@ -286,13 +255,3 @@ class KineticLaw:
             said = f"{fastest:g} m/s is above {self.fastest:.3g} m/s, up to which the kinetic law "
             said += "holds: so few peaks touch that it errs by as much as friction changes"
             warnings.warn(said, BeyondKineticLawWarning, stacklevel=3)
-
-
-def _floats(name: str, values: ArrayLike) -> np.ndarray:
-    """Return real numbers. Raises UserError for what is none, and for a mask that hides some."""
-    try:
-        if np.iscomplexobj(values) or np.ma.is_masked(values):
-            raise ValueError("they are complex or masked")
-        return np.asarray(values, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise NoLawError(f"{name} must hold real numbers: {error}") from error

@@ -59,17 +59,6 @@ def block_rig(form: Any, control: Any, line: PosedLine, elements: Elements) -> B
 
 @attempt.of(BlockRig)
 def _attempt(rig, places, dt):
-    return _tried(rig, places, dt)
-
-
-@accept.of(BlockRig)
-def _accept(rig, dt):
-    return _taken(rig, dt)
-
-
-@kernel
-def _tried(rig, places, dt):
-    """Return what attempt does."""
     law, n, old = law_of(rig.form, dt), rig.z.size, rig.d[D]
     look_ahead(law, rig.blocks.scales)
     begin, t = seen_from(rig.line, places.after)
@@ -110,9 +99,8 @@ def _balance(rig, law, begin, t):
     rig.d[TRIED] = found[0]
 
 
-@kernel
-def _taken(rig, dt):
-    """Return what accept does."""
+@accept.of(BlockRig)
+def _accept(rig, dt):
     law = law_of(rig.form, dt)
     rig.number[TAKEN] += 1
     rig.number[LAST] = 1 - rig.number[LAST]

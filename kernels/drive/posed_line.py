@@ -5,7 +5,6 @@ from typing import NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
-from ..lines.line import Line
 from ..lines.polynomials import bernstein, curvatures, quintic, steepness
 from ..scene.march_blocks import CELL
 
@@ -25,13 +24,9 @@ class PosedLine(NamedTuple):
     steps_per_spacing: float
 
 
-def posed(line: Line) -> PosedLine:
-    """Return a line that can be seen at any place."""
-    return _posed(line.z, line.slope, float(line.steps_per_spacing))
-
-
 @kernel
-def _posed(z, slope, m):
+def posed(z, slope, m):
+    """Return a line that can be seen at any place; m : samples per spacing, a float."""
     n, spacing = z.size, 1.0 / m
     bend = curvatures(z, slope, spacing)
     polynomials = np.empty((6, 2 * n))

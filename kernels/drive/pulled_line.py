@@ -1,7 +1,5 @@
 """A line that is pulled: its elements, how it begins, and what is kept of it."""
 
-import math
-
 import numpy as np
 
 from ..compile.jit import kernel
@@ -16,7 +14,7 @@ from ..scene.scene_case import SceneCase
 from .block_rig import block_rig
 from .posed_line import posed
 from .rig import plain_rig
-from .slider import Start, first_moment, kept_times, pull_through, steady_speed
+from .slider import Start, kept_times, pull_through, steady_speed
 from .spring import Drive
 from .step import follow_leg
 
@@ -34,18 +32,17 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
     times, speed = kept_times(scene, m), steady_speed(scene)
     form = form_of(scene.spectrum, scene.scheme)
     begin = begun(line, scene, form)
-    control, place = ConstantForce(scene.load * n), posed(line)
+    control, place = ConstantForce(scene.load * n), posed(line.z, line.slope, float(m))
     elements = Elements(begin.memory, begin.p, begin.d)
     rig_of = block_rig if isinstance(form, Retardation) else plain_rig
     rig = rig_of(form, control, place, elements)
-    way, start = (-1 if speed < 0.0 else 1), line.slope
+    way, slope = (-1 if speed < 0.0 else 1), line.slope
     if speed:
         earlier = np.roll(line.slope, -way)
-        start = start + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - start)
-    normal, tangential, touching = weighed(-begin.p, None, start, 0.0)
-    share = normal / n, tangential / n, touching / n
-    first = first_moment(tangential / normal, begin.d, *share, speed)
-    scale = scene.load * math.sqrt(float(np.mean(line.slope**2)))
-    found, tries = pull_through(follow_line, Start(rig, m, scale, first), drive, scene, times)
+        slope = slope + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - slope)
+    normal, tangential, touching = weighed(-begin.p, None, slope, 0.0)
+    forces = tangential / normal, begin.d, normal / n, tangential / n, touching / n
+    start = Start(rig, m, line.slope, forces)
+    found, tries = pull_through(follow_line, start, drive, scene, times)
     found["trace_indentation"] = found["trace_indentation"] + line.datum
     return found | {"updates": np.array(2.0 * tries * n)}

@@ -57,17 +57,6 @@ def plain_rig(form: Any, control: Any, line: PosedLine, elements: Elements) -> R
 
 @attempt.of(Rig)
 def _attempt(rig, places, dt):
-    return _tried(rig, places, dt)
-
-
-@accept.of(Rig)
-def _accept(rig, dt):
-    return _taken(rig, dt)
-
-
-@kernel
-def _tried(rig, places, dt):
-    """Return what attempt does."""
     law, n = law_of(rig.form, dt), rig.p.size
     z = np.empty(n)
     heights_at(rig.line, *seen_from(rig.line, places.after), z)
@@ -98,9 +87,8 @@ def friction_of(rig, places, lag, some, p):
     return friction / n
 
 
-@kernel
-def _taken(rig, dt):
-    """Return what accept does."""
+@accept.of(Rig)
+def _accept(rig, dt):
     law = law_of(rig.form, dt)
     settle(law, rig.memory, rig.w, rig.p, rig.new)
     rig.p[:] = rig.new

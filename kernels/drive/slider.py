@@ -35,8 +35,8 @@ class Start(NamedTuple):
 
     rig: Any  # that attempt and accept know (rig.py)
     steps_per_spacing: int
-    scale: float  # load times rms slope, in the units of the drive
-    moment: Moment
+    slope: np.ndarray  # of the surface, in h/dx
+    forces: tuple[float, float, float, float, float]  # of a Moment, from mu to touching
 
 
 def courses(programme: Programme, place: float) -> Iterator[Course]:
@@ -58,15 +58,16 @@ def courses(programme: Programme, place: float) -> Iterator[Course]:
         now, place = now + float(times[-1]), place + float(moved[-1])
 
 
-def first_motion(programme: Programme, start: Start, steady: bool) -> SliderState:
-    """Return the motion before the first step: steady sliding, or none."""
-    speed, m = speed_at_start(programme), start.steps_per_spacing
-    first, friction = programme[0], start.moment.friction
-    if steady:
+def first_motion(programme: Programme, m: int, first: Moment) -> SliderState:
+    """Return the motion before the first step: steady sliding, or none; m : steps per spacing."""
+    speed = speed_at_start(programme)
+    if first.speed:
         dt = 1.0 / (m * abs(speed))
-        return SliderState(0.0, 0.0, dt, speed, 0.0, -dt, -dt, friction)
-    dt = FIRST_OF_LEG / (m * abs(speed)) if speed else FIRST_OF_HOLD * leg_duration(first)
-    return SliderState(0.0, 0.0, dt, 0.0, 0.0, -dt, -dt, friction)
+    elif speed:
+        dt = FIRST_OF_LEG / (m * abs(speed))
+    else:
+        dt = FIRST_OF_HOLD * leg_duration(programme[0])
+    return SliderState(0.0, 0.0, dt, first.speed, 0.0, -dt, -dt, first.friction)
 
 
 def kept_times(scene: SceneCase, steps_per_spacing: int) -> np.ndarray:
@@ -87,14 +88,6 @@ def steady_speed(scene: SceneCase) -> float:
     return speed_at_start(scene.programme) if scene.start == "steady" else 0.0
 
 
-def first_moment(
-    mu: float, d: float, normal: float, friction: float, touching: float, speed: float
-) -> Moment:
-    """Return the Moment before the first step: the spring is slack where nothing slides."""
-    force = friction if speed else 0.0
-    return Moment(mu, d, normal, friction, touching, 0.0, 0.0, speed, force)
-
-
 def pull_through(
     follow: Callable[[Pulled, Course, Going], Going],
     start: Start,
@@ -107,16 +100,20 @@ def pull_through(
     follow : as follow_leg. What is kept at the end of a leg is of its last step, and not between it
     and the leg after.
     """
-    legs = list(courses(scene.programme, start.moment.force / drive.stiffness))
+    speed, friction = steady_speed(scene), start.forces[Moment._fields.index("friction")]
+    force = friction if speed else 0.0  # the spring is slack where nothing slides
+    moment = Moment(*start.forces, 0.0, 0.0, speed, force)
+    legs = list(courses(scene.programme, force / drive.stiffness))
     since = 0.5 * float(legs[-1].time[0] + legs[-1].time[-1])
     tally = np.array([since, math.inf, -math.inf, 0.0, 0.0, math.nan, math.nan, 0.0])
     kept = np.empty((len(PULLED_TRACES), times.size))
     record = SliderRecord(times, kept, np.zeros(1, np.int64), tally)
     m, drive = start.steps_per_spacing, Drive(*map(float, drive))
-    limits = FREE * shortest_step(scene.spectrum), TOLERANCE * start.scale, growth(m)
+    scale = scene.load * math.sqrt(float(np.mean(start.slope**2)))
+    limits = FREE * shortest_step(scene.spectrum), TOLERANCE * scale, growth(m)
     search = np.zeros(2), np.zeros(1, np.int64)
     pulled = Pulled(start.rig, m, drive, *limits, record, *search)
-    motion, moment = first_motion(scene.programme, start, steady_speed(scene) != 0.0), start.moment
+    motion = first_motion(scene.programme, m, moment)
     keep(record, moment, moment, 0.0)
     driven = motion.speed
     for course in legs:

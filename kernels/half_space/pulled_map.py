@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..drive.rig import accept, attempt
-from ..drive.slider import Start, first_moment, kept_times, pull_through, steady_speed
+from ..drive.slider import Start, kept_times, pull_through, steady_speed
 from ..drive.spring import Drive
 from ..drive.step import follow_leg
 from ..model.friction import mean_slope
@@ -85,8 +85,7 @@ def run_pulled_on_half_space(
     normal = space.pressure * side_of(space)
     mu = mean_slope(body.p, slope)
     touching = np.count_nonzero(body.p > 0.0) / body.p.size
-    first = first_moment(mu, body.d, normal, mu * normal, touching, speed)
     rig = MapRig(space, moving, body, passes)
-    scale = scene.load * math.sqrt(float(np.mean(surface.slope**2)))
-    found, _ = pull_through(follow_leg, Start(rig, m, scale, first), drive, scene, times)
+    start = Start(rig, m, surface.slope, (mu, body.d, normal, mu * normal, touching))
+    found, _ = pull_through(follow_leg, start, drive, scene, times)
     return found | {"updates": np.array(float(rig.passes * surface.z.size))}

@@ -13,22 +13,29 @@ import subprocess
 import tempfile
 import textwrap
 import zipfile
-from collections.abc import Callable
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from ..errors import printable
+from ..given_motion import LawError
 from ..system import VERSION
 from .memory_law import MemoryLaw
-from .reduced_law import Law, LawError
+from .reduced_law import Law
 
 WIDTH = 92  # of comments
 BETWEEN = 4  # rows of a table of Abaqus for each of ours
 EPOCH = (1980, 1, 1, 0, 0, 0)  # of the files of an FMU: one law gives the same bytes
 COMPILERS = ("cc", "gcc", "clang")
 FLAGS = ("-std=c99", "-O2", "-fPIC", "-shared", "-ffp-contract=off")
+TEXTS = {  # template, and what is made of it
+    "c": ("law.h.j2", "a header in C99"),
+    "abaqus": ("law.inp.j2", "a table of *FRICTION for Abaqus: steady friction alone"),
+    "modelica": ("law.mo.j2", "a block of Modelica"),
+    "fortran": ("law.f.j2", "Fortran: VFRIC_COEF for Abaqus/Explicit, and a step with states"),
+}
+FORMS = (*TEXTS, "fmu", "json")
 LINUX = {"x86_64": "linux64", "i686": "linux32"}  # machine -> folder of FMI 2.0
 
 
@@ -52,11 +59,14 @@ def export_law(law: Law, form: str, name: str = "friction_law") -> Exported:
         return Exported(law.to_json().encode() + b"\n", "the law as JSON")
     if not isinstance(law, MemoryLaw):
         raise LawError(f"{form}: takes laws of the kind states, not {law.kind}; write json")
-    found = FORMS[form](law, re.sub(r"\W+", "_", re.sub(r"^(?=\d)|^$", "_", name), flags=re.ASCII))
-    return found if isinstance(found, Exported) else Exported(found.encode(), TOLD[form])
+    name = re.sub(r"\W+", "_", re.sub(r"^(?=\d)|^$", "_", name), flags=re.ASCII)
+    if form == "fmu":
+        return _fmu(law, name)
+    template, told = TEXTS[form]
+    return Exported(_rendered(template, law, name), told)
 
 
-def _rendered(template: str, law: MemoryLaw, name: str, **more: Any) -> str:
+def _rendered(template: str, law: MemoryLaw, name: str, guid: str = "") -> bytes:
     """Return a template filled in."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -74,37 +84,29 @@ def _rendered(template: str, law: MemoryLaw, name: str, **more: Any) -> str:
         for each in (source, *law.told()[1:], *per_motion)
         for line in textwrap.wrap(printable(each), WIDTH)
     ]
-    names = {"name": name, "upper": name.upper(), "version": VERSION, "told": told}
-    return filled.get_template(template).render(law=law, **names, **more)
-
-
-def _c(law: MemoryLaw, name: str) -> str:
-    return _rendered("law.h.j2", law, name)
-
-
-def _modelica(law: MemoryLaw, name: str) -> str:
-    return _rendered("law.mo.j2", law, name)
-
-
-def _fortran(law: MemoryLaw, name: str) -> str:
-    return _rendered("law.f.j2", law, name, goals=np.ravel([law.age, *law.target]))
-
-
-def _abaqus(law: MemoryLaw, name: str) -> str:
     corners = np.concatenate([[0.0], law.speed])
     at = np.interp(np.arange(0, corners.size - 0.99, 1 / BETWEEN), range(corners.size), corners)
-    rows = list(zip(law.steady(at), at, strict=True))
-    lost = law.validity.usual * float(np.sqrt(law.validity.left))
-    return _rendered("law.inp.j2", law, name, rows=rows, lost=lost)
+    text = filled.get_template(template).render(
+        law=law,
+        name=name,
+        upper=name.upper(),
+        version=VERSION,
+        told=told,
+        guid=guid,
+        goals=np.ravel([law.age, *law.target]),
+        rows=list(zip(law.steady(at), at, strict=True)),
+        lost=law.validity.usual * float(np.sqrt(law.validity.left)),
+    )
+    return text.encode()
 
 
 def _fmu(law: MemoryLaw, name: str) -> Exported:
-    header = _c(law, name)
-    guid = "{" + hashlib.sha256(header.encode()).hexdigest()[:32] + "}"
+    header = _rendered("law.h.j2", law, name)
+    guid = "{" + hashlib.sha256(header).hexdigest()[:32] + "}"
     files = {
-        "modelDescription.xml": _rendered("modelDescription.xml.j2", law, name, guid=guid).encode(),
-        f"sources/{name}.h": header.encode(),
-        "sources/fmu.c": _rendered("fmu.c.j2", law, name, guid=guid).encode(),
+        "modelDescription.xml": _rendered("modelDescription.xml.j2", law, name, guid),
+        f"sources/{name}.h": header,
+        "sources/fmu.c": _rendered("fmu.c.j2", law, name, guid),
     }
     compiler = next(filter(None, map(shutil.which, COMPILERS)), None)
     folder = LINUX.get(platform.machine()) if platform.system() == "Linux" else None
@@ -131,19 +133,3 @@ def _library(compiler: str, files: dict[str, bytes]) -> bytes:
         if made.returncode:
             raise LawError(f"fmu: {compiler} says: {made.stderr.strip().splitlines()[-1:]}")
         return (Path(folder) / "law.so").read_bytes()
-
-
-FORMS: dict[str, Callable[[MemoryLaw, str], str | Exported]] = {
-    "c": _c,
-    "abaqus": _abaqus,
-    "modelica": _modelica,
-    "fortran": _fortran,
-    "fmu": _fmu,
-    "json": lambda law, _: law.to_json(),
-}
-TOLD = {
-    "c": "a header in C99",
-    "abaqus": "a table of *FRICTION for Abaqus: steady friction alone",
-    "modelica": "a block of Modelica",
-    "fortran": "Fortran: VFRIC_COEF for Abaqus/Explicit, and a step with states",
-}

@@ -9,7 +9,7 @@ squares at every trial (variable projection: G. H. Golub and V. Pereyra, SIAM J.
 import math
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import Any
 
 import numpy as np
@@ -17,9 +17,10 @@ from scipy.linalg import lstsq
 from scipy.optimize import least_squares
 
 from ..errors import UserError
+from ..given_motion import finely
 from .memory_law import MemoryLaw, even, odd, relaxed_to
-from .reduced_law import Law, Validity
-from .transients import Transient, finely, motions_of
+from .reduced_law import Law, Validity, followed, mean_speed
+from .transients import PIECE, Transient, motions_of
 from .usual_laws import KINDS, LuGreLaw, RateStateLaw
 
 LEAST_SAMPLES = 20
@@ -139,7 +140,7 @@ def _speeds(motions: Sequence[Transient]) -> np.ndarray:
 
 def _fine(motion: Transient, least: float) -> Transient:
     """Return a motion with rows between, where its velocity changes; they hold no friction."""
-    time, velocity, last = finely(motion.time, motion.velocity, least)
+    time, velocity, last = finely(motion.time, motion.velocity, least, PIECE)
     mu, error = np.full(time.size, np.nan), np.full(time.size, np.nan)
     mu[last], error[last] = motion.mu, motion.error
     segment = motion.segment[np.minimum(np.searchsorted(last, np.arange(time.size)), last.size - 1)]
@@ -170,11 +171,11 @@ class _Memory:
 
     def __init__(self, motions: Sequence[Transient], speeds: np.ndarray, states: int) -> None:
         self.motions, self.speeds, self.states = motions, speeds, states
-        self.odd = [odd(m.velocity, speeds, np.eye(speeds.size)).T for m in motions]
         eye = np.eye(speeds.size)
+        self.odd = [odd(m.velocity, speeds, eye).T for m in motions]
         self.even = [even(m.velocity, speeds, eye).T for m in motions]
         self.dt = [np.diff(m.time) for m in motions]
-        self.way = [_mean_speeds(m.velocity) * dt for m, dt in zip(motions, self.dt, strict=True)]
+        self.way = [_ways(m) for m in motions]
         self.memory = lru_cache(4 * (states + 1) * len(motions))(self._memory)
         self.bends = _bends(speeds)
         self.usual = _rms([m.mu[np.isfinite(m.mu)] for m in motions])
@@ -278,18 +279,17 @@ class _Usual:
         way, _, parts = _extent(motions)
         length = math.log(0.05 * way / parts)
         if kind == RateStateLaw.kind:
-            self.makes = [self._slip, self._ageing]
+            self.makes: list[Callable] = [
+                partial(self._aged, ageing=ageing) for ageing in (False, True)
+            ]
             self.first = np.array([-2.0, 0.05, length, 1.0])
         else:
             self.makes = [self._lugre]
             self.first = np.array([math.log(self.level) - length, 0.0, 0.0, 0.0, 0.0, 0.0])
 
-    def _slip(self, p: np.ndarray, ageing: bool = False) -> Law:
+    def _aged(self, p: np.ndarray, ageing: bool) -> Law:
         a, b, mu = self.level * math.exp(p[0]), self.level * p[1], self.level * p[3]
         return RateStateLaw(a, b, math.exp(p[2]), mu, self.middle, ageing, validity=self.validity)
-
-    def _ageing(self, p: np.ndarray) -> Law:
-        return self._slip(p, True)
 
     def _lugre(self, p: np.ndarray) -> Law:
         coulomb, static = map(float, self.level * np.exp(p[3:5]))
@@ -343,29 +343,21 @@ def _left_out(
 
 def _row_differences(law: Law, motion: Transient) -> np.ndarray:
     """Return mu of the law less that of the model at every row of a motion."""
-    state, mu = law.init(motion.velocity[0]), np.empty(motion.time.size)
-    before = motion.time[0]
-    for k, (t, v) in enumerate(zip(motion.time, motion.velocity, strict=True)):
-        state, mu[k] = law.step(state, v, t - before)
-        before = t
-    return mu - motion.mu
+    return followed(law, motion.time, motion.velocity) - motion.mu
 
 
 def _differences(law: Law, motions: Sequence[Transient], kept: Kept) -> list[np.ndarray]:
     return [_row_differences(law, m)[own] for m, own in zip(motions, kept, strict=True)]
 
 
-def _mean_speeds(v: np.ndarray) -> np.ndarray:
-    """Return the mean of |v| between rows, of velocities that are linear between them."""
-    before, after = v[:-1], v[1:]
-    turned = before * after < 0.0
-    apart = np.where(turned, np.abs(after - before), 1.0)
-    return 0.5 * np.where(turned, (before**2 + after**2) / apart, np.abs(before) + np.abs(after))
+def _ways(motion: Transient) -> np.ndarray:
+    """Return how far a motion goes between rows, m."""
+    return np.diff(motion.time) * list(map(mean_speed, motion.velocity[:-1], motion.velocity[1:]))
 
 
 def _extent(motions: Sequence[Transient]) -> tuple[float, float, int]:
     """Return how far (m) and how long (s) all motions go, and how many segments they have."""
-    way = sum(float(_mean_speeds(m.velocity) @ np.diff(m.time)) for m in motions)
+    way = sum(float(_ways(m).sum()) for m in motions)
     time = sum(float(m.time[-1] - m.time[0]) for m in motions)
     return way, time, sum(len(list(m.parts())) for m in motions)
 

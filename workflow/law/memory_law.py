@@ -20,7 +20,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .reduced_law import Law, LawError, finite_numbers, mean_speed
+from ..given_motion import LawError, finite_numbers
+from .reduced_law import Law, mean_speed
 
 SMALL = 1e-6  # of a step over its time, below which a mean is a series
 

@@ -15,16 +15,12 @@ from typing import Any, ClassVar, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import UserError
-from .transients import finely, motions_of
+from ..given_motion import LawError, finely, given_motion
+from .transients import PIECE, motions_of
 
 FORMAT = 1  # of the JSON
 WORDS = ("motions", "held_out", "window", "source")  # of a Validity; the rest are numbers
 BEYOND = 1.0 + 1e-9  # times the fastest speed: rounding
-
-
-class LawError(UserError, ValueError):
-    """Values without meaning for a law."""
 
 
 class BeyondLawWarning(UserWarning):
@@ -39,11 +35,10 @@ class Validity:
     that of the fastest above. longest_rest : s. normal_force : N, of the motions. rms, largest :
     of mu of the law less that of the model, on the motions that it was fitted to. held_rms,
     held_largest : the same on motions that it was not fitted to, the worst of them: its stated
-    error. usual : rms of
-    mu itself. model_error : rms standard error of mu in the model. left : share of the variance of
-    mu that is left when mu is a function of the velocity alone. motions : what it was fitted to,
-    with the rms error on each. held_out : what was held out, in words. window : how much was
-    fitted, in words. source : of the result.
+    error. usual : rms of mu itself. model_error : rms standard error of mu in the model. left :
+    share of the variance of mu that is left when mu is a function of the velocity alone. motions :
+    what it was fitted to, with the rms error on each. held_out, window : what was held out and how
+    much was fitted, in words. source : of the result.
     """
 
     slowest: float = float("nan")
@@ -110,9 +105,9 @@ class Law(ABC):
         return self._step(state, v, dt)
 
     @property
-    @abstractmethod
     def numbers(self) -> int:
-        """Return how many numbers a state has."""
+        """Return how many numbers a state has: the velocity and one more, of most laws."""
+        return 2
 
     @abstractmethod
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
@@ -150,19 +145,14 @@ class Law(ABC):
         taken in small parts, so that v(t) counts and not its samples. Warns beyond the fastest
         speed. Raises UserError for times that decrease and for what is not finite.
         """
-        t, v, last = finely(*_checked(time, velocity), self.validity.slowest)
+        t, v, last = finely(*given_motion(time, velocity), self.validity.slowest, PIECE)
         if v.size and np.max(np.abs(v)) > self.validity.fastest * BEYOND:
             said = (
                 f"{np.max(np.abs(v)):g} m/s is above {self.validity.fastest:g} m/s, up to which the"
             )
             said += " law was fitted; the speed is clamped there"
             warnings.warn(said, BeyondLawWarning, stacklevel=2)
-        mu = np.zeros(t.size)
-        if v.size:
-            state, mu[0] = self.step(self.init(v[0]), v[0], 0.0)
-        for k in range(1, t.size):
-            state, mu[k] = self.step(state, v[k], t[k] - t[k - 1])
-        return mu[last]
+        return followed(self, t, v)[last]
 
     def compare(self, results: Any, point: dict[str, Any] | None = None) -> list[Compared]:
         """Return every motion of one or several results of the model, and the law beside it.
@@ -213,9 +203,20 @@ class Law(ABC):
             f"error {known.model_error:.3g}",
         ]
 
-    @abstractmethod
     def outside(self) -> str:
         """Return what the law does outside its range."""
+        return "its formula goes on; nothing is clamped"
+
+
+def followed(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
+    """Return mu of one step from each row of a motion to the next, as they are given."""
+    mu = np.zeros(t.size)
+    if not v.size:
+        return mu
+    state = law.init(v[0])
+    for k, dt in enumerate(np.diff(t, prepend=t[:1])):
+        state, mu[k] = law.step(state, v[k], dt)
+    return mu
 
 
 def _short(value: Any) -> str:
@@ -225,26 +226,6 @@ def _short(value: Any) -> str:
 def _plain(value: Any) -> Any:
     """Return a value as JSON knows it: what is not finite as a word."""
     return str(value) if isinstance(value, float) and not np.isfinite(value) else value
-
-
-def _checked(time: ArrayLike, velocity: ArrayLike) -> tuple[np.ndarray, np.ndarray]:
-    t, v = finite_numbers("time", time), finite_numbers("velocity", velocity)
-    if t.shape != v.shape or t.ndim != 1 or not (np.diff(t) >= 0.0).all():
-        raise LawError("time must increase, and velocity hold one value per time")
-    return t, v
-
-
-def finite_numbers(name: str, values: ArrayLike) -> np.ndarray:
-    """Return an array. Raises UserError for what is no finite real number, or masked."""
-    try:
-        if np.iscomplexobj(values) or np.ma.is_masked(values):
-            raise ValueError("they are complex or masked")
-        found = np.asarray(values, dtype=float)
-    except (TypeError, ValueError) as error:
-        raise LawError(f"{name} must hold real numbers: {error}") from error
-    if not np.isfinite(found).all():
-        raise LawError(f"{name} must be finite")
-    return found
 
 
 def _finite(name: str, value: Any, unit: str) -> float:

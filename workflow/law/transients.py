@@ -40,35 +40,6 @@ class Transient(NamedTuple):
                 yield f"segment {number}, {ends} m/s", rows
 
 
-def finely(
-    time: np.ndarray, velocity: np.ndarray, least: float
-) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return times and velocities in small changes, and where the given samples stand in them.
-
-    A change is PIECE of the speed at most, or of ``least`` (m/s, NaN: not known), below which
-    friction is linear in the velocity; a jump stays one.
-    """
-    if not time.size:
-        return time, velocity, np.zeros(0, int)
-    change, duration = np.diff(velocity), np.diff(time)
-    least = least if 0.0 < least < np.inf else max(1e-3 * float(np.max(np.abs(velocity))), 1e-300)
-    place = np.arcsinh(velocity / least)
-    parts = np.where(duration > 0.0, np.ceil(np.abs(np.diff(place)) / PIECE), 1.0)
-    parts = np.maximum(parts, 1.0).astype(int)
-    last = np.concatenate([[0], np.cumsum(parts)])
-    at = np.interp(np.arange(last[-1] + 1), last, np.arange(last.size))
-    of = np.minimum(at.astype(int), max(change.size - 1, 0))
-    v = least * np.sinh(np.interp(at, np.arange(last.size), place))
-    v[last] = velocity
-    if not change.size:
-        return time, velocity, last
-    moved = np.where(change[of] != 0.0, change[of], 1.0)
-    along = np.where(change[of] != 0.0, (v - velocity[of]) / moved, at - of)
-    t = time[of] + np.clip(along, 0.0, 1.0) * duration[of]
-    t[last] = time
-    return t, v, last
-
-
 def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
     """Return the motions of a result with the quantity "trace", one of every hold and velocity.
 

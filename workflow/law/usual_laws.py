@@ -22,9 +22,10 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..errors import UserError
+from ..given_motion import LawError, finite_numbers
 from ..plain_files import read_plain
 from .memory_law import MemoryLaw
-from .reduced_law import FORMAT, WORDS, Law, LawError, Validity, finite_numbers, mean_speed
+from .reduced_law import FORMAT, WORDS, Law, Validity, mean_speed
 
 LEAST = 1e-300  # m/s, of a speed in a logarithm
 LARGEST = 700.0  # of an exponent
@@ -41,11 +42,6 @@ class RateStateLaw(Law):
     mu: float  # mu* at v*
     velocity: float  # v*, m/s
     ageing: bool
-
-    @property
-    def numbers(self) -> int:
-        """Return how many numbers a state has."""
-        return 2
 
     def _init(self, velocity: float) -> np.ndarray:
         """Return (v, phi) of steady sliding; at rest as after sliding at the slowest speed."""
@@ -80,10 +76,6 @@ class RateStateLaw(Law):
         """Return v* where all times are ``factor`` times as long."""
         return {"velocity": self.velocity / factor}
 
-    def outside(self) -> str:
-        """Return what the law does outside its range."""
-        return "its formula goes on; nothing is clamped"
-
 
 @dataclass(frozen=True)
 class LuGreLaw(Law):
@@ -100,11 +92,6 @@ class LuGreLaw(Law):
     def _limit(self, v: ArrayLike) -> Any:
         fall = np.exp(-np.minimum((np.asarray(v) / self.stribeck) ** 2, LARGEST))
         return self.coulomb + (self.static - self.coulomb) * fall
-
-    @property
-    def numbers(self) -> int:
-        """Return how many numbers a state has."""
-        return 2
 
     def _init(self, velocity: float) -> np.ndarray:
         """Return (v, s) of steady sliding; at rest the bristle is slack."""
@@ -129,10 +116,6 @@ class LuGreLaw(Law):
         """Return the parts in s/m and v_s where all times are ``factor`` times as long."""
         damping = {"damping": self.damping * factor, "viscous": self.viscous * factor}
         return {**damping, "stribeck": self.stribeck / factor}
-
-    def outside(self) -> str:
-        """Return what the law does outside its range."""
-        return "its formula goes on; nothing is clamped"
 
 
 KINDS: dict[str, type[Law]] = {law.kind: law for law in (MemoryLaw, RateStateLaw, LuGreLaw)}

@@ -184,12 +184,11 @@ def test_it_goes_as_well_the_other_way(spectrum):
         np.testing.assert_allclose(other[f"trace_{name}"], expected, atol=5e-3, err_msg=name)
 
 
-@pytest.mark.parametrize("scheme", ["exponential", "implicit-euler"])
-def test_both_schemes_go_to_one_limit(scheme):
+def test_both_schemes_go_to_one_limit():
     line = a_line(12, m=32)
     found = [
         pulled(line, (Slide(1.3, 2.0), Slide(2.6, 3.0)), (1.0,), m=32, scheme=each)
-        for each in ("exponential", scheme)
+        for each in ("exponential", "implicit-euler")
     ]
     np.testing.assert_allclose(found[0]["trace_mu"], found[1]["trace_mu"], atol=0.02)
 

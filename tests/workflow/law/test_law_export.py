@@ -13,7 +13,7 @@ import pytest
 
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.law import LuGreLaw, export, read
-from elastomer_friction.workflow.law.reduced_law import Validity
+from elastomer_friction.workflow.law.reduced_law import Validity, followed
 from tests.workflow.law.given import memory_law
 
 LAW = memory_law().with_validity(
@@ -69,11 +69,9 @@ def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states):
     numbers = np.ctypeslib.ndpointer(float)
     library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
     library.steady.argtypes, library.steady.restype = [ctypes.c_double], ctypes.c_double
-    mu, expected, state = np.empty_like(TIME), np.empty_like(TIME), law.init(SWING[0])
+    mu = np.empty_like(TIME)
     library.run(TIME.size, TIME, SWING, mu)
-    for k, dt in enumerate(np.diff(TIME, prepend=TIME[0])):
-        state, expected[k] = law.step(state, SWING[k], dt)
-    assert mu == pytest.approx(expected, rel=1e-12, abs=1e-12)
+    assert mu == pytest.approx(followed(law, TIME, SWING), rel=1e-12, abs=1e-12)
     for v in (-0.3, -0.03, 0.0, 1e-4, 0.001, 0.05, 0.1):
         assert library.steady(v) == pytest.approx(float(law.steady(v)), rel=1e-13, abs=1e-15)
 
@@ -92,11 +90,9 @@ def test_the_fortran_is_the_law_to_rounding(tmp_path, states):
     numbers = np.ctypeslib.ndpointer(float)
     library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
     library.coefficient.argtypes = [ctypes.c_int, numbers, numbers, numbers]
-    mu, expected, state = np.empty_like(TIME), np.empty_like(TIME), law.init(SWING[0])
+    mu = np.empty_like(TIME)
     library.run(TIME.size, TIME, SWING, mu)
-    for k, dt in enumerate(np.diff(TIME, prepend=TIME[0])):
-        state, expected[k] = law.step(state, SWING[k], dt)
-    assert mu == pytest.approx(expected, rel=1e-12, abs=1e-12)
+    assert mu == pytest.approx(followed(law, TIME, SWING), rel=1e-12, abs=1e-12)
     v = np.array([0.0, 1e-4, 0.0015, 0.03, 0.07, 0.3])
     steady, slope = np.empty_like(v), np.empty((3, v.size))
     library.coefficient(v.size, v, steady, slope)
@@ -175,18 +171,10 @@ def test_the_fmu_is_valid_and_runs_as_the_law_does(tmp_path):
 def test_the_sources_of_the_fmu_link_beside_others(tmp_path):
     with zipfile.ZipFile(io.BytesIO(export(LAW, "fmu", "rubber").content)) as whole:
         whole.extractall(tmp_path)
-    command = [
-        COMPILER,
-        "-std=c99",
-        "-Wall",
-        "-Werror",
-        "-DFMI2_FUNCTION_PREFIX=rubber_",
-    ]
-    subprocess.run([*command, "-c", "fmu.c"], cwd=tmp_path / "sources", check=True)
-    named = subprocess.run(
-        ["nm", "fmu.o"], cwd=tmp_path / "sources", capture_output=True, text=True
-    )
-    assert " T rubber_fmi2DoStep" in named.stdout
+    strict = ["-std=c99", "-Wall", "-Werror", "-DFMI2_FUNCTION_PREFIX=rubber_"]
+    sources = tmp_path / "sources"
+    subprocess.run([COMPILER, *strict, "-c", "fmu.c"], cwd=sources, check=True)
+    assert b" T rubber_fmi2DoStep" in subprocess.check_output(["nm", "fmu.o"], cwd=sources)
 
 
 def test_without_a_compiler_the_fmu_has_its_sources_alone(monkeypatch):

@@ -136,17 +136,10 @@ def test_points_of_a_grid_are_chosen_and_holds_are_motions(known):
     kept = np.isfinite(twice.mu)
     assert twice.mu[kept].tolist() == (2.0 * one.trace_mu.values).tolist()
     names = ["trace_time", "trace_velocity", "trace_distance", "trace_mu"]
-    holds = xr.concat(
-        [
-            one,
-            other.pad(event=(0, one.sizes["event"] - other.sizes["event"]))[names].assign(
-                trace_segment=other.trace_segment.pad(
-                    event=(0, one.sizes["event"] - other.sizes["event"]), constant_values=-1
-                )
-            ),
-        ],
-        "hold",
-    ).assign_coords(hold=[1.0, 5.0])
+    less = (0, one.sizes["event"] - other.sizes["event"])
+    segment = other.trace_segment.pad(event=less, constant_values=-1)
+    other = other.pad(event=less)[names].assign(trace_segment=segment)
+    holds = xr.concat([one, other], "hold").assign_coords(hold=[1.0, 5.0])
     first, second = ef.law.transients_of(holds)
     assert [first.name, second.name] == ["synthetic, hold 1", "synthetic, hold 5"]
     assert np.isfinite(second.mu).sum() == 8 * 40

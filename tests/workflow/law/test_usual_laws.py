@@ -1,4 +1,4 @@
-"""Rate-and-state friction and LuGre beside their closed forms."""
+"""Rate-and-state friction and LuGre beside their closed forms, and what every law keeps."""
 
 import numpy as np
 import pytest
@@ -6,6 +6,7 @@ import pytest
 from elastomer_friction.workflow.law import LuGreLaw, RateStateLaw, read
 from elastomer_friction.workflow.law.reduced_law import Validity
 from elastomer_friction.workflow.reduce import step_law
+from tests.workflow.law.given import memory_law
 
 A, B, LENGTH, V = 0.01, 0.015, 1e-5, 1e-3
 LUGRE = LuGreLaw(stiffness=2e4, damping=0.01, viscous=0.4, coulomb=0.5, static=0.7, stribeck=0.01)
@@ -49,7 +50,7 @@ def test_lugre_is_a_spring_at_first_and_its_curve_in_the_end():
     assert LUGRE.step(LUGRE.init(-0.01), -0.01, 1.0)[1] == pytest.approx(-float(LUGRE.steady(0.01)))
 
 
-@pytest.mark.parametrize("law", LAWS, ids=lambda law: law.kind)
+@pytest.mark.parametrize("law", [*LAWS, memory_law()], ids=lambda law: law.kind)
 def test_steps_are_exact_odd_and_shift_with_the_times_of_the_material(law):
     state, _ = law.step(law.init(V), 4 * V, 0.0)
     whole, mu = law.step(state, 4 * V, 4e-3)
@@ -63,4 +64,4 @@ def test_steps_are_exact_odd_and_shift_with_the_times_of_the_material(law):
     assert law.run(time, -velocity) == pytest.approx(-mu, rel=1e-12)
     assert law.shifted(5.0).run(5.0 * time, velocity / 5.0) == pytest.approx(mu, rel=1e-9)
     assert read(law.to_json()).to_json() == law.to_json()
-    assert "nothing is clamped" in "\n".join(law.told())
+    assert ("nothing is clamped" in "\n".join(law.told())) == (law in LAWS)
