@@ -11,9 +11,7 @@ from ... import kernels
 from ...kernels import (
     MOST_STEPS,
     Origin,
-    Programme,
     Quantities,
-    Spectrum,
     rms_slope,
 )
 from ...kernels.drive import TOLERANCE, Drive, courses
@@ -62,39 +60,8 @@ class Scale(NamedTuple):
     stiffness: float  # E* L of the lines, N/m
 
 
-class Setting(NamedTuple):
-    """The fields of a problem that follow from material, lines and scene, not from the grid."""
-
-    spectrum: Spectrum
-    surface: LineShape
-    programme: Programme = ()
-    speeds: tuple[float, float] | None = None  # speed and ratio; None: those of the grid
-    start: str = "steady"
-    indentation: float | ScaledHistory | None = None
-    drive: Drive | None = None
-
-    def problem(
-        self, hurst: float, elements: int, load: float, speed: float, ratio: float
-    ) -> Problem:
-        """Return the problem of a point of the grid."""
-        speed, ratio = self.speeds or (speed, ratio)
-        return Problem(
-            hurst,
-            elements,
-            load,
-            speed,
-            ratio,
-            self.spectrum,
-            surface=self.surface,
-            programme=self.programme,
-            start=self.start,
-            indentation=self.indentation,
-            drive=self.drive,
-        )
-
-
-def setting(own: Setting, scene: Scene, scale: Scale, depth: float) -> Setting:
-    """Return a setting with what a scene adds to it at a point.
+def with_scene(own: Problem, scene: Scene, scale: Scale, depth: float) -> Problem:
+    """Return a problem with what a scene adds to it at a point, where it has a programme.
 
     depth : prescribed indentation, m; NaN where the study has none.
     """
@@ -110,9 +77,11 @@ def setting(own: Setting, scene: Scene, scale: Scale, depth: float) -> Setting:
     elif scene.control == "indentation":
         indentation = rounded(depth / scale.roughness)
     programme = tuple(_leg(segment, scale) for segment in scene.segments)
+    speed, ratio = _speeds(scene, scale)
     return own._replace(
+        speed=speed,
+        ratio=ratio,
         programme=programme,
-        speeds=_speeds(scene, scale),
         start=scene.start,
         indentation=indentation,
         drive=_drive(scene.drive, scale),

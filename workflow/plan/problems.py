@@ -20,7 +20,7 @@ from ..errors import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
 from ..study import HALF_SPACE, Material, Parts, Study, axes_of, check_load
-from .motion import Scale, Setting, canonical, line_modes, rounded, setting
+from .motion import Scale, canonical, line_modes, rounded, with_scene
 
 LEAST_CHANGE = 1e-13  # |dv/v1| vbar; below it rounding is over 1e-3 of the jump
 TYPICAL_HURST = 0.8  # of measured lines, for predictions of cost alone
@@ -41,20 +41,24 @@ def distinct_problems(study: Study, label: str = "") -> tuple[list[Problem], np.
     points["elements"] = np.round(length / points["spacing"]).astype(int)
     points["dx"] = length / points["elements"]
     others = study.parts(label, axes_of(study.grid, *Parts._fields))
-    settings: dict[Setting, int] = {}
+    settings: dict[Problem, int] = {}
     pulled = study.surface.length / (study.force_share(label) * study.surfaces[label].copies)
     which = np.stack([_settings(parts, points, settings, pulled) for parts in others], axis=-1)
-    hurst = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
+    known = np.where(np.isnan(points["hurst"]), TYPICAL_HURST, points["hurst"])
     columns = (
-        hurst[..., None],
+        known[..., None],
         points["elements"][..., None],
         *_numbers(study, label, others, points),
     )
     rows = [np.broadcast_to(own, which.shape).ravel().tolist() for own in (*columns, which)]
     found: dict[tuple, int] = {}
     index = [found.setdefault(row, len(found)) for row in zip(*rows, strict=True)]
-    every = list(settings)
-    problems = [every[row[-1]].problem(*row[:-1]) for row in found]
+    every, problems = list(settings), []
+    for hurst, elements, load, speed, ratio, setting in found:
+        own = every[setting]._replace(hurst=hurst, elements=elements, load=load)
+        if not own.programme:  # which says the speeds itself
+            own = own._replace(speed=speed, ratio=ratio)
+        problems.append(own)
     return problems, np.array(index).reshape(study.shape)
 
 
@@ -97,9 +101,10 @@ def _numbered(*columns: Numbers) -> np.ndarray:
     return np.unique(found, return_inverse=True)[1]
 
 
-def _settings(parts: Parts, points: Points, found: dict[Setting, int], length: float) -> np.ndarray:
+def _settings(parts: Parts, points: Points, found: dict[Problem, int], length: float) -> np.ndarray:
     """Return per point the index of its setting among those found, and find those that lack.
 
+    A setting is a problem without its numbers: what follows from material, lines and scene.
     length : of the lines that a drive pulls together, m.
     """
     names = ["elements"]
@@ -111,7 +116,7 @@ def _settings(parts: Parts, points: Points, found: dict[Setting, int], length: f
     spectrum, tau, nan = _rounded_spectrum(parts.material), parts.material.tau, math.nan
     stiffness = parts.material.contact_modulus * length
     plain = {
-        count: Setting(spectrum, line_modes(parts.surface, count))
+        count: Problem(0.0, 0, 0.0, 0.0, 0.0, spectrum, line_modes(parts.surface, count))
         for count in {int(row[0]) for row in different}
     }
     index = []
@@ -120,7 +125,7 @@ def _settings(parts: Parts, points: Points, found: dict[Setting, int], length: f
         units = at("dx", nan), tau, at("roughness", nan)
         scale = Scale(*units, at("velocity", nan), stiffness)
         depth = at("prescribed_indentation", nan)
-        own = setting(plain[int(row[0])], parts.scene, scale, depth)
+        own = with_scene(plain[int(row[0])], parts.scene, scale, depth)
         index.append(found.setdefault(own, len(found)))
     return np.array(index)[inverse].reshape(points["elements"].shape)
 

@@ -1,6 +1,6 @@
 """The page of every variable of a result."""
 
-from ..result import AXIS_ATTRIBUTES, DescribedVariable, described_variables
+from ..result import AXIS_ATTRIBUTES, FLAGS, SECTIONS, VARIABLES
 from ..study import AXES, EVERY_AXIS
 
 HEAD = """# Every variable of a result
@@ -36,36 +36,37 @@ def results_page() -> str:
     lines += ["| name | meaning | unit |", "|---|---|---|"]
     lines += [f"| `{n}` | {said} | {unit} |" for n, (unit, said) in AXIS_ATTRIBUTES.items()]
     lines.append("")
-    explained: dict[tuple[str, ...], str] = {}  # flags -> the first variable that has them
-    for title, variables in described_variables().items():
+    explained: dict[str, str] = {}  # flags -> the first variable that has them
+    for title, meanings in SECTIONS.items():
         lines.append(f"## {title}\n")
-        for variable in variables:
-            lines += [*_entry(variable), *_flags(variable, explained)]
+        for name, text in meanings.items():
+            lines += [*_entry(name, text), *_flags(name, explained)]
     return "\n".join(lines)
 
 
-def _entry(variable: DescribedVariable) -> list[str]:
+def _entry(name: str, text: str) -> list[str]:
+    variable = VARIABLES[name]
     beyond = [f"`{dim}`" for dim in variable.dims if dim not in AXES]
     dims = " × ".join(["Grid", *beyond])
     if not set(AXES) <= set(variable.dims):
         dims = " × ".join(f"`{dim}`" for dim in variable.dims) or "A single number"
     unit = "" if variable.units == "1" else f", in {variable.units}"
     place = [f"*{dims}{unit}.*\n"] if f"{dims}{unit}" != "Grid" else []
-    return [f"### {variable.name}\n", *place, f"{_plain(variable.text)}\n"]
+    return [f"### {name}\n", *place, f"{_plain(text)}\n"]
 
 
-def _flags(variable: DescribedVariable, explained: dict[tuple[str, ...], str]) -> list[str]:
+def _flags(name: str, explained: dict[str, str]) -> list[str]:
     """Return the table of flags, or a link to the variable that has the same."""
-    if not variable.flags:
+    if name not in FLAGS:
         return []
-    first = explained.setdefault(variable.flags, variable.name)
-    if first != variable.name:
+    first = explained.setdefault(FLAGS[name], name)
+    if first != name:
         return [f"Its flags are those of [`{first}`](#{first}).\n"]
-    said = dict(_meanings(variable.comment))
+    said = dict(_meanings(VARIABLES[name].comment))
     rows = []
-    for value, name in enumerate(variable.flags, -1):
-        more = f": {said[name]}" if name in said else ""
-        rows.append(f"| {value} | `{name}`{more} |".replace("| -1", "| −1"))
+    for value, flag in enumerate(("failed", *FLAGS[name].split()), -1):
+        more = f": {said[flag]}" if flag in said else ""
+        rows.append(f"| {value} | `{flag}`{more} |".replace("| -1", "| −1"))
     return ["| flag | meaning |", "|---|---|", *rows, ""]
 
 

@@ -71,7 +71,10 @@ def write_report(folder: Path, names: list[str], scale: str | None = None) -> Pa
         codes = {str(held[ROOT].attrs["code"]) for held in groups.values()}
     of_paper = any((study.folder / "claims.py").is_file() for study in present)
     absent = [study for study in studies if study not in present] if of_paper or asked else []
-    page = render(
+    page = filled_template(
+        "report.html.j2",
+        formula,
+        verdict_class,
         of_paper=of_paper,
         claims=claims,
         unjudged=len(judges) - len(claims),
@@ -90,11 +93,6 @@ def how_to_run(name: str, scale: str | None) -> str:
     if Path("Makefile").is_file() and Path("studies").is_dir():
         return f"make study-{name}{f' SCALE={scale}' if scale else ''}"
     return f"{program()} run {name}{f' --scale {scale}' if scale else ''}"
-
-
-def render(**context: object) -> str:
-    """Return the page; every text in it is escaped."""
-    return filled_template("report.html.j2", formula, verdict_class, **context)
 
 
 def verdict_class(verdict: str) -> str:

@@ -14,11 +14,14 @@ from tests.support.sweeps import examples
 TIME = np.linspace(0.02, 4.0, 63)
 
 
-def noisy(rows, seed=1):
+EVEN = np.ones(TIME.size)
+
+
+def decaying(rows, offset=0.0, size=0.02, seed=1):
     """Return decaying curves with noise."""
     rng = np.random.default_rng(seed)
     rate = rng.uniform(0.5, 2.0, (rows, 1))
-    return np.exp(-rate * TIME) + 0.02 * rng.standard_normal((rows, TIME.size))
+    return np.exp(-rate * TIME) + offset + size * rng.standard_normal((rows, TIME.size))
 
 
 @settings(max_examples=examples(40))
@@ -31,7 +34,7 @@ def test_exact_curves_give_their_parameters(size, rate, exponent):
 
 
 def test_noisy_curves_are_fitted_as_by_an_independent_solver():
-    curves = noisy(6)
+    curves = decaying(6)
     found = fit_curves(one_exponential, TIME, curves, np.array([1.0, 0.0]))
     for p, curve in zip(found, curves, strict=True):
         expected, _ = curve_fit(lambda t, a, b: a * np.exp(-b * t), TIME, curve, (1.0, 1.0))
@@ -39,7 +42,7 @@ def test_noisy_curves_are_fitted_as_by_an_independent_solver():
 
 
 def test_a_row_does_not_depend_on_its_company():
-    curves, start = noisy(8), np.array([1.0, 0.0])
+    curves, start = decaying(8), np.array([1.0, 0.0])
     together = fit_curves(one_exponential, TIME, curves, start)
     for row in range(8):
         alone = fit_curves(one_exponential, TIME, curves[row : row + 1], start)
@@ -55,16 +58,6 @@ def test_a_fit_that_cannot_succeed_ends_no_worse_than_it_began(curve):
             np.sum((one_exponential(p[None], TIME)[0][0] - curve) ** 2) for p in (found[0], start)
         )
     assert after <= before or np.isnan(before)
-
-
-EVEN = np.ones(TIME.size)
-
-
-def decaying(rows, offset=0.0, size=0.02, seed=1):
-    """Return decaying curves with noise."""
-    rng = np.random.default_rng(seed)
-    rate = rng.uniform(0.5, 2.0, (rows, 1))
-    return np.exp(-rate * TIME) + offset + size * rng.standard_normal((rows, TIME.size))
 
 
 @settings(max_examples=examples(60))

@@ -2,7 +2,6 @@
 
 import json
 import re
-import subprocess
 
 import numpy as np
 import pytest
@@ -10,9 +9,9 @@ import xarray as xr
 
 from elastomer_friction.workflow.report.explore import explorer_page
 from elastomer_friction.workflow.result.netcdf import open_tree, write_datasets
+from tests.support.browser import in_a_browser, told_by
 from tests.support.commands import output, refusal
 from tests.support.synthetic import add, result, with_rates
-from tests.workflow.report.page.test_browser import BROWSER, QUIET
 
 
 @pytest.fixture(scope="module")
@@ -127,19 +126,13 @@ addEventListener("load", () => setTimeout(() => {
 </script>"""
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no chromium on the path")
+@in_a_browser
 @pytest.mark.parametrize("width", [1280, 500])
 def test_controls_in_a_browser(page, tmp_path, width):
     path = tmp_path / "page.html"
     path.write_text(page.replace("</main>", f"</main>{CONTROLS}"), encoding="utf-8")
-    size = (f"--window-size={width},900", f"--user-data-dir={tmp_path / 'profile'}")
-    command = [BROWSER, *QUIET, *size, "--dump-dom", path.as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
-    found = re.search(r'data-told="([^"]*)"', done.stdout)
-    assert found, done.stderr
-    first, without, again, slid, alone, tip, zoomed, whole, x, sliders, fits, keys = found[1].split(
-        "|"
-    )
+    (told,) = told_by(path, tmp_path / "profile", "told", width=width)
+    first, without, again, slid, alone, tip, zoomed, whole, x, sliders, fits, keys = told.split("|")
     # Seven velocities, two forces or H in colours, the study and its comparison; one is not known.
     assert (int(first), int(without), int(again)) == (27, 14, 27)
     assert int(slid) in (27, 28)

@@ -1,8 +1,6 @@
 """The panel "my rubber" of the page: what it says is what the kinetic law says in Python."""
 
 import json
-import re
-import subprocess
 from urllib.parse import unquote
 
 import numpy as np
@@ -12,8 +10,8 @@ from elastomer_friction.workflow.kinetic_law import KineticLaw
 from elastomer_friction.workflow.report.explore import explorer_page
 from elastomer_friction.workflow.report.my_rubber import scaled_friction
 from elastomer_friction.workflow.result.netcdf import open_tree, write_datasets
+from tests.support.browser import in_a_browser, told_by
 from tests.support.synthetic import add, result
-from tests.workflow.report.page.test_browser import BROWSER, QUIET
 
 FORCES = [0.1, 1.0, 10.0]
 SCALES = {"shear_modulus": 3.0, "roughness": 0.5, "tau": 0.01, "q_max": 0.2}
@@ -60,12 +58,8 @@ def in_browser(page, folder, script, width=1280):
     )
     path = folder / "page.html"
     path.write_text(page.replace("</body>", f"{told}</body>"), encoding="utf-8")
-    size = (f"--window-size={width},900", f"--user-data-dir={folder / 'profile'}")
-    command = [BROWSER, *QUIET, *size, "--dump-dom", path.as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
-    found = re.search(r'data-told="([^"]*)"', done.stdout)
-    assert found, done.stderr
-    return json.loads(unquote(found[1]))
+    (left,) = told_by(path, folder / "profile", "told", width=width)
+    return json.loads(unquote(left))
 
 
 def laws(dataset):
@@ -92,7 +86,7 @@ const ask = (rubber, steps) => steps.map(([v1, v2]) => {
 """
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no chromium on the path")
+@in_a_browser
 @pytest.mark.filterwarnings(
     "ignore::elastomer_friction.workflow.kinetic_law.BeyondKineticLawWarning"
 )
@@ -114,7 +108,7 @@ def test_the_page_and_python_have_one_law(data, page, tmp_path):
     np.testing.assert_allclose(found, np.array(expected, dtype=float), rtol=1e-9)
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no chromium on the path")
+@in_a_browser
 def test_between_loads_friction_is_their_power_law_and_beyond_them_refused(page, tmp_path):
     script = """
 const {own, curves} = held.rubber, rubber = {...own, family: curves[0].family};

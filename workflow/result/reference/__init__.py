@@ -8,6 +8,6 @@ from typing import TYPE_CHECKING
 from ...lazy import public_names
 
 if TYPE_CHECKING:
-    from .of_tables import DescribedVariable, described_variables
+    from .of_tables import SECTIONS
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -3,19 +3,8 @@
 Nothing sticks out sideways, and a pointer on a point shows what is said of it.
 """
 
-import re
-import shutil
-import subprocess
+from tests.support.browser import in_a_browser, told_by
 
-import pytest
-
-BROWSER = shutil.which("chromium") or shutil.which("chromium-browser") or shutil.which("chrome")
-QUIET = (
-    *("--headless", "--no-sandbox", "--no-first-run", "--disable-gpu", "--disable-quic"),
-    *("--disable-background-networking", "--disable-component-update", "--disable-sync"),
-    "--allow-file-access-from-files",  # the page that measures reads the frames it holds
-    "--virtual-time-budget=5000",
-)
 SCREENS = {1280: 15, 390: 16}  # width -> the smallest font that can be read there
 MEASURE = """
 <script>
@@ -49,23 +38,20 @@ window.onload = () => {
 </script></body></html>"""
 
 
-@pytest.mark.skipif(BROWSER is None, reason="no chromium on the path")
+@in_a_browser
 def test_page_in_a_browser(folder, tmp_path):
     style = "height:2000px;border:0;width:"
     frames = [f'<iframe style="{style}{width}px" src="report.html"></iframe>' for width in SCREENS]
     outer = folder / "measure.html"
     outer.write_text("<!DOCTYPE html><html><body>" + "".join(frames) + MEASURE, encoding="utf-8")
-    command = [BROWSER, *QUIET, f"--user-data-dir={tmp_path}", "--dump-dom", outer.as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
-    measured = re.search(r'data-found="([\d.; ]+)"', done.stdout)
-    assert measured, done.stderr
-    for (width, least_font), found in zip(SCREENS.items(), measured[1].split(";"), strict=True):
+    measured, told = told_by(outer, tmp_path, "found", "told")
+    for (width, least_font), found in zip(SCREENS.items(), measured.split(";"), strict=True):
         scroll_width, images, shown, font = (float(value) for value in found.split())
         assert scroll_width <= width
         assert images == shown == 2
         assert font >= least_font
-    for told in re.search(r'data-told="([^"]+)"', done.stdout)[1].split(";"):
-        on, near, far, by_key = told.split("|")
+    for each in told.split(";"):
+        on, near, far, by_key = each.split("|")
         assert on.startswith("rms_slope = 0.02 ± 0.0002\nv₁ = 100 µm/s, H = ")
         assert on.endswith(", in view")
         assert near == on
