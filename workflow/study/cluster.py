@@ -204,7 +204,6 @@ CLUSTER = {
         "run with your rights.",
         default=HERE.prologue,
         values="one line of text, or a list of them",
-        usual="none",
         schema={"type": ["string", "array"], "items": TEXT},
     ),
     "tls_ca_file": Key(
@@ -212,7 +211,6 @@ CLUSTER = {
         "A PEM file with the certificate of who has signed those of a scheduler `tls://…`.",
         default=HERE.tls_ca_file,
         values="the path of a file",
-        usual="none",
         schema=TEXT,
     ),
     "tls_cert": Key(
@@ -220,7 +218,6 @@ CLUSTER = {
         "A PEM file with the certificate that shows that scheduler who you are.",
         default=HERE.tls_cert,
         values="the path of a file",
-        usual="none",
         schema=TEXT,
     ),
     "tls_key": Key(
@@ -228,7 +225,6 @@ CLUSTER = {
         "A PEM file with the key of that certificate, unless the certificate's file holds it.",
         default=HERE.tls_key,
         values="the path of a file",
-        usual="none",
         schema=TEXT,
     ),
 }

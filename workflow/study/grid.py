@@ -74,7 +74,6 @@ GRID = {
         "Doubled, F_N doubles.",
         "Pa",
         default=(),
-        usual="none",
     ),
     "spacing": Key(
         partial(checked_values, positive),

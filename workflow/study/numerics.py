@@ -92,7 +92,6 @@ NUMERICS = {
         "for it, in place of `study.realizations`.",
         "Doubled, it takes a quarter of the lines, and often fewer steps.",
         default=None,
-        usual="none",
     ),
     "max_realizations": Key(
         partial(integer, least=1),
@@ -122,7 +121,6 @@ NUMERICS = {
         "without `record`.",
         "Doubled, a trace has half as many points.",
         default=None,
-        usual="none",
     ),
 }
 

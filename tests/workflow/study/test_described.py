@@ -95,8 +95,9 @@ def test_a_check_in_words(check, said):
         (1_000_000, "1000000"),  # a whole number, where 1e+06 is none
         (True, "`true`"),
         ("line", '`"line"`'),
-        ("", ""),
-        (None, ""),
+        ("", "none"),
+        ((), "none"),
+        (None, "none"),
     ],
 )
 def test_a_default_as_toml_has_it(default, said):

@@ -199,7 +199,6 @@ MATERIAL = {
         default=(),
         values="a list of `[g_b, t_b]`, 200 at most, g_b from 1e-9 to 1e9 times `shear_modulus`, "
         "t_b from 1e-30 to 1e30",
-        usual="none",
         schema={
             "type": "array",
             "maxItems": MOST_BRANCHES,
@@ -213,7 +212,6 @@ MATERIAL = {
         "`*VISCOELASTIC`) are read too. The command `prony` writes one from measured moduli.",
         default="",
         values="the name of a file",
-        usual="none",
     ),
     **SHIFTS,
     "temperature": Key(
@@ -224,7 +222,6 @@ MATERIAL = {
         "°C",
         default=None,
         values="a number above `reference` − c2, or within the table",
-        usual="none",
     ),
     "poisson": Key(
         partial(within, least=0.0, most=0.5),

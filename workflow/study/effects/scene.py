@@ -237,7 +237,6 @@ SCENE = {
         "between the times and constant beyond them, in place of `grid.prescribed_indentation`.",
         default="",
         values="the name of a file",
-        usual="none",
     ),
     "start": Key(
         partial(choice, known=(STEADY, RELAXED, FRESH)),
@@ -268,7 +267,6 @@ SCENE = {
         default=None,
         values="a list of up to 1000 segments: `slide`, `hold`, `ramp`, `oscillate` or `file`, or "
         "all of them `pull`",
-        usual="none",
     ),
 }
 USUAL_SCENE = Scene()._asdict()

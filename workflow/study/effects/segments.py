@@ -69,7 +69,6 @@ SLIDE = {
         "m/s",
         default=None,
         values="a number other than 0",
-        usual="none",
         schema=NOT_ZERO,
     ),
     "ratio": Key(
@@ -78,7 +77,6 @@ SLIDE = {
         "Doubled, the line slides twice as fast.",
         default=None,
         values="a number other than 0",
-        usual="none",
         schema=NOT_ZERO,
     ),
     "distance": Key(
@@ -87,7 +85,6 @@ SLIDE = {
         "Doubled, the march of this segment takes twice as long.",
         "m",
         default=None,
-        usual="none",
     ),
     "duration": Key(
         positive,
@@ -95,7 +92,6 @@ SLIDE = {
         "Doubled, the march of this segment takes twice as long.",
         "s",
         default=None,
-        usual="none",
     ),
 }
 RAMP = {
@@ -107,7 +103,6 @@ RAMP = {
         "m/s",
         default=None,
         values="two numbers, `[first, last]`",
-        usual="none",
         schema=pair(NUMBER, NUMBER),
     ),
     "ratio": Key(
@@ -116,7 +111,6 @@ RAMP = {
         "Doubled, the line moves twice as far in the same time.",
         default=None,
         values="two numbers, `[first, last]`",
-        usual="none",
         schema=pair(NUMBER, NUMBER),
     ),
     "duration": Key(
@@ -140,7 +134,6 @@ OSCILLATE = {
         "The mean velocity as a multiple of `grid.velocity`.",
         "Doubled, the mean motion is twice as fast.",
         default=None,
-        usual="none",
     ),
     "amplitude": Key(
         positive,
@@ -148,7 +141,6 @@ OSCILLATE = {
         "Doubled, a loop of small amplitude dissipates four times the work.",
         "m",
         default=None,
-        usual="none",
     ),
     "velocity_amplitude": Key(
         partial(one_or_several, positive),
@@ -157,7 +149,6 @@ OSCILLATE = {
         "Doubled, a loop of small amplitude dissipates four times the work.",
         "m/s",
         default=None,
-        usual="none",
     ),
     "frequency": Key(
         partial(one_or_several, positive),
@@ -188,7 +179,6 @@ PULL = {
         "Doubled, the drive goes twice as fast, and the line after it.",
         "m/s",
         default=None,
-        usual="none",
     ),
     "ratio": Key(
         _not_zero,
@@ -196,7 +186,6 @@ PULL = {
         "Doubled, the drive goes twice as fast.",
         default=None,
         values="a number other than 0",
-        usual="none",
         schema=NOT_ZERO,
     ),
     "file": Key(
@@ -205,7 +194,6 @@ PULL = {
         '`{"time": …, "velocity": …}` takes two arrays in its place.',
         default=None,
         values="the name of a file with 2 to 100000 rows",
-        usual="none",
     ),
     "distance": Key(
         positive,
@@ -213,7 +201,6 @@ PULL = {
         "Doubled, the march of this segment takes twice as long.",
         "m",
         default=None,
-        usual="none",
     ),
     "duration": Key(
         partial(one_or_several, positive),
@@ -222,7 +209,6 @@ PULL = {
         "Doubled, the march of this segment takes twice as long, or ages longer.",
         "s",
         default=None,
-        usual="none",
     ),
 }
 FILE = {  # the one segment that is no table

@@ -209,7 +209,6 @@ SHIFTS = {
         "c2 = reference − T₀ and c1 = B/(c2 ln 10).",
         default=None,
         values="`{c1 = …, c2 = …, reference = …}`",
-        usual="none",
     ),
     "arrhenius": Key(
         lambda key, value: Arrhenius(**read_table(key, value, ARRHENIUS)),
@@ -217,7 +216,6 @@ SHIFTS = {
         "temperatures in K, in place of `wlf`.",
         default=None,
         values="`{activation_energy = …, reference = …}`",
-        usual="none",
     ),
     "shifts": Key(
         _shift_table,
@@ -226,7 +224,6 @@ SHIFTS = {
         "one from moduli at several temperatures.",
         default=None,
         values="a list of `[T, log₁₀ a_T]`, two at least",
-        usual="none",
         schema={"type": "array", "minItems": 2, "items": pair(NUMBER, NUMBER)},
     ),
     "shifts_file": Key(
@@ -235,6 +232,5 @@ SHIFTS = {
         "a_T or ln a_T is read as such.",
         default="",
         values="the name of a file",
-        usual="none",
     ),
 }

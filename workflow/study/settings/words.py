@@ -53,16 +53,17 @@ def _taken(check: Callable[..., Any]) -> str:
 
 
 def default_of(key: Key) -> str:
-    """Return the default of a key in words or as TOML has it; "" where nobody says it."""
+    """Return the default of a key in words or as TOML has it; "none" where it is empty."""
     if key.usual:
         return key.usual
     if key.default is REQUIRED:
         return "required"
+    if key.default in (None, "", ()):
+        return "none"
     if isinstance(key.default, bool):
         return f"`{str(key.default).lower()}`"
-    if isinstance(key.default, int | float):
-        return as_toml(key.default)
-    return f"`{as_toml(key.default)}`" if isinstance(key.default, str) and key.default else ""
+    told = as_toml(key.default)
+    return f"`{told}`" if isinstance(key.default, str) else told
 
 
 def as_toml(value: object) -> str:
