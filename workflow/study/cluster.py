@@ -120,6 +120,10 @@ def _prologue(key: str, value: object) -> tuple[str, ...]:
     return tuple(_line(key, line) for line in (value if isinstance(value, list) else [value]))
 
 
+ONE_WORD = partial(
+    Key, _word, default="", values="one word", schema={"type": "string", "pattern": f"^{WORD}$"}
+)
+PEM = partial(Key, _line, default="", values="the path of a file", schema=TEXT)
 CLUSTER = {
     "where": Key(
         _where,
@@ -166,29 +170,17 @@ CLUSTER = {
         values='a time such as `"12:00:00"` or `"1-00:00:00"`, at least a minute',
         schema={"type": "string", "pattern": "^([0-9]+-)?[0-9]+(:[0-9]+){0,2}$"},
     ),
-    "queue": Key(
-        _word,
+    "queue": ONE_WORD(
         "The queue, or partition, of the batch system.",
-        default=HERE.queue,
-        values="one word",
         usual="that of the batch system",
-        schema={"type": "string", "pattern": f"^{WORD}$"},
     ),
-    "account": Key(
-        _word,
+    "account": ONE_WORD(
         "The account to which the jobs are charged.",
-        default=HERE.account,
-        values="one word",
         usual="that of the batch system",
-        schema={"type": "string", "pattern": f"^{WORD}$"},
     ),
-    "interface": Key(
-        _word,
+    "interface": ONE_WORD(
         'The network interface by which nodes reach each other, such as `"ib0"`.',
-        default=HERE.interface,
-        values="one word",
         usual="that which the system chooses",
-        schema={"type": "string", "pattern": f"^{WORD}$"},
     ),
     "log_folder": Key(
         _line,
@@ -206,26 +198,14 @@ CLUSTER = {
         values="one line of text, or a list of them",
         schema={"type": ["string", "array"], "items": TEXT},
     ),
-    "tls_ca_file": Key(
-        _line,
+    "tls_ca_file": PEM(
         "A PEM file with the certificate of who has signed those of a scheduler `tls://…`.",
-        default=HERE.tls_ca_file,
-        values="the path of a file",
-        schema=TEXT,
     ),
-    "tls_cert": Key(
-        _line,
+    "tls_cert": PEM(
         "A PEM file with the certificate that shows that scheduler who you are.",
-        default=HERE.tls_cert,
-        values="the path of a file",
-        schema=TEXT,
     ),
-    "tls_key": Key(
-        _line,
+    "tls_key": PEM(
         "A PEM file with the key of that certificate, unless the certificate's file holds it.",
-        default=HERE.tls_key,
-        values="the path of a file",
-        schema=TEXT,
     ),
 }
 

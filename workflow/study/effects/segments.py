@@ -61,23 +61,21 @@ def _pair(key: str, value: object) -> tuple[float, float]:
     return number(f"{key}[0]", value[0]), number(f"{key}[1]", value[1])
 
 
+NOT_ZERO_OR_LEFT_OUT = partial(
+    Key, _not_zero, default=None, values="a number other than 0", schema=NOT_ZERO
+)
+TWO_OR_LEFT_OUT = partial(
+    Key, _pair, default=None, values="two numbers, `[first, last]`", schema=pair(NUMBER, NUMBER)
+)
 SLIDE = {
-    "velocity": Key(
-        _not_zero,
+    "velocity": NOT_ZERO_OR_LEFT_OUT(
         "The velocity, backwards if negative. Give it or `ratio`.",
         "Doubled, x doubles, and the same distance takes half the time.",
         "m/s",
-        default=None,
-        values="a number other than 0",
-        schema=NOT_ZERO,
     ),
-    "ratio": Key(
-        _not_zero,
+    "ratio": NOT_ZERO_OR_LEFT_OUT(
         "The velocity as a multiple of `grid.velocity`.",
         "Doubled, the line slides twice as fast.",
-        default=None,
-        values="a number other than 0",
-        schema=NOT_ZERO,
     ),
     "distance": Key(
         positive,
@@ -95,23 +93,15 @@ SLIDE = {
     ),
 }
 RAMP = {
-    "velocity": Key(
-        _pair,
+    "velocity": TWO_OR_LEFT_OUT(
         "The velocities at the beginning and at the end, linear in time between them. Give them "
         "or `ratio`.",
         "Doubled, the line moves twice as far in the same time, in twice as many steps.",
         "m/s",
-        default=None,
-        values="two numbers, `[first, last]`",
-        schema=pair(NUMBER, NUMBER),
     ),
-    "ratio": Key(
-        _pair,
+    "ratio": TWO_OR_LEFT_OUT(
         "Both velocities as multiples of `grid.velocity`.",
         "Doubled, the line moves twice as far in the same time.",
-        default=None,
-        values="two numbers, `[first, last]`",
-        schema=pair(NUMBER, NUMBER),
     ),
     "duration": Key(
         positive,
@@ -180,13 +170,9 @@ PULL = {
         "m/s",
         default=None,
     ),
-    "ratio": Key(
-        _not_zero,
+    "ratio": NOT_ZERO_OR_LEFT_OUT(
         "The velocity of the drive as a multiple of `grid.velocity`.",
         "Doubled, the drive goes twice as fast.",
-        default=None,
-        values="a number other than 0",
-        schema=NOT_ZERO,
     ),
     "file": Key(
         as_text,
