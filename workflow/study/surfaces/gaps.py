@@ -1,7 +1,5 @@
 """Samples that are missing, in lines as they were measured: counted, filled in or left out."""
 
-from typing import NamedTuple
-
 import numpy as np
 
 from ...errors import UserError
@@ -11,15 +9,8 @@ GAPS = ("refuse", "fill", "drop")
 MOST_FILLED = 0.5  # of the samples of a line that may be filled in
 
 
-class Whole(NamedTuple):
-    """Lines without gaps."""
-
-    heights: np.ndarray  # shape (lines, n)
-    told: str  # what was missing and what was done; "" where nothing was
-
-
-def without_gaps(what: str, heights: np.ndarray, gaps: str) -> Whole:
-    """Return lines without missing samples.
+def without_gaps(what: str, heights: np.ndarray, gaps: str) -> tuple[np.ndarray, str]:
+    """Return lines without missing samples, and in words what was done; "" where none was missing.
 
     heights : shape (lines, n); NaN, and codes such as -9999, are missing samples. gaps : one of
     GAPS. ``fill`` draws a straight line between the samples on either side, or goes on with the
@@ -38,7 +29,7 @@ def without_gaps(what: str, heights: np.ndarray, gaps: str) -> Whole:
             f"{code.spreads:.2g} times the spread of the others)"
         )
     if not gone.any():
-        return Whole(heights, "")
+        return heights, ""
     lines = gone.any(axis=1)
     place = f" in {int(lines.sum())} of {lines.size} lines" if lines.size > 1 else ""
     if gaps == "refuse":
@@ -54,8 +45,8 @@ def without_gaps(what: str, heights: np.ndarray, gaps: str) -> Whole:
                 f'{what}: {said} are missing{place}: surface.gaps = "drop" leaves no line; "fill" '
                 "fills them in by straight lines"
             )
-        return Whole(heights[~lines], f"{said} are missing{place}, which were left out")
-    return Whole(_filled(what, heights, gone), f"{said} were missing{place} and were filled in")
+        return heights[~lines], f"{said} are missing{place}, which were left out"
+    return _filled(what, heights, gone), f"{said} were missing{place} and were filled in"
 
 
 def _filled(what: str, heights: np.ndarray, gone: np.ndarray) -> np.ndarray:
