@@ -2,7 +2,7 @@
 
 import math
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 LISTED = ("hold", "velocity_amplitude", "frequency")  # axes whose values a segment gives
 
@@ -56,12 +56,6 @@ class Oscillate(NamedTuple):
     cycles: int
     velocity_amplitude: float | None = None  # m/s, where it was given in place of the other
     several: tuple[tuple[str, tuple[float, ...]], ...] = ()  # dimensions of the result
-
-    def with_one(self, axis: str, value: float) -> "Oscillate":
-        """Return the oscillation with one value of what was given as a list."""
-        if axis == "frequency":
-            return self._replace(frequency=value).of_its_velocity()
-        return self._replace(velocity_amplitude=value).of_its_velocity()
 
     def of_its_velocity(self) -> "Oscillate":
         """Return it with the amplitude that follows from that of the velocity, where it does."""
@@ -139,7 +133,8 @@ def with_one_of(programme: Programme, axis: str, value: float) -> Programme:
 
     def own(segment: Segment) -> Segment:
         if isinstance(segment, Oscillate) and axis in dict(segment.several):
-            return segment.with_one(axis, value)
+            changed: dict[str, Any] = {axis: value}
+            return segment._replace(**changed).of_its_velocity()
         held = axis == "hold" and isinstance(segment, HoldSegment) and segment.several
         return HoldSegment((value,)) if held else segment
 
