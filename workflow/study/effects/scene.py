@@ -201,10 +201,6 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
         )
 
 
-def _read_drive(key: str, value: object) -> dict[str, Any]:
-    return read_table(key, value, DRIVE)
-
-
 SCENE = {
     "body": BODY,
     "quantities": Key(
@@ -252,7 +248,7 @@ SCENE = {
         default=1,
     ),
     "drive": Key(
-        _read_drive,
+        lambda key, value: read_table(key, value, DRIVE),
         "What the line is pulled through by segments `pull`, whose motion is then that of the "
         "drive. The spring begins stretched by steady friction, or slack where the scene does not "
         "begin in steady sliding.",
