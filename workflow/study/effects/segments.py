@@ -37,7 +37,6 @@ from .programme import (
 
 MOST_SEGMENTS = 1000
 PULLED = "pull"  # the kind of segment of a programme that is a drive's
-SIZES = ("distance", "duration")
 MOST_SAMPLES = 100_000  # of a file
 TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", "a header with units that are known")
 VELOCITY = TIME._replace(
@@ -252,7 +251,8 @@ def _pull(where: str, table: Any, folder: Path) -> Segment:
             f"{where}.duration = {list(given['duration'])!r:.60}: several values are for a drive "
             "that is held, at velocity 0"
         )
-    return SlideSegment(Velocity(given[kind], kind == "ratio"), *(given[k] for k in SIZES))
+    velocity = Velocity(given[kind], kind == "ratio")
+    return SlideSegment(velocity, given["distance"], given["duration"])
 
 
 def _ramp(where: str, table: Any, _: Path) -> RampSegment:
