@@ -32,21 +32,23 @@ class Axis(NamedTuple):
     unit: str  # as a result file has it
     long_name: str
     table: str = "grid"  # of the study in which its values stand, or the part that they change
-    put: Callable[[Any, float], Any] | None = None  # a part with a value; None: its own field
+    put: Callable[[Any, str, float], Any] | None = None  # part, axis, value; None: its field
     within: str = ""  # the table in that table in which its values stand
 
     def changed(self, parts: Parts, value: float) -> Parts:
         """Return the parts of a study with one value of this axis."""
         own = getattr(parts, self.table)
-        with_it = self.put(own, value) if self.put else own._replace(**{self.name: value})
+        with_it = (
+            self.put(own, self.name, value) if self.put else own._replace(**{self.name: value})
+        )
         return parts._replace(**{self.table: with_it})
 
 
-def _with_one(axis: str, scene: Scene, value: float) -> Scene:
+def _with_one(scene: Scene, axis: str, value: float) -> Scene:
     return scene._replace(programme=with_one_of(scene.programme, axis, value))
 
 
-def _pulled(scene: Scene, stiffness: float) -> Scene:
+def _pulled(scene: Scene, _: str, stiffness: float) -> Scene:
     assert scene.drive is not None
     return scene._replace(drive=scene.drive._replace(stiffness=stiffness))
 
@@ -60,18 +62,16 @@ ROWS = (
     Axis("velocity_step", "1", "relative velocity jump dv/v1"),
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),
-    Axis("hold", "s", "duration of the hold", "scene", partial(_with_one, "hold")),
+    Axis("hold", "s", "duration of the hold", "scene", _with_one),
     Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _pulled, "drive"),
     Axis(
         "velocity_amplitude",
         "m s-1",
         "amplitude of the velocity of the oscillation",
         "scene",
-        partial(_with_one, "velocity_amplitude"),
+        _with_one,
     ),
-    Axis(
-        "frequency", "Hz", "frequency of the oscillation", "scene", partial(_with_one, "frequency")
-    ),
+    Axis("frequency", "Hz", "frequency of the oscillation", "scene", _with_one),
 )
 EVERY_AXIS = {row.name: row for row in ROWS}
 AXES = tuple(EVERY_AXIS)[:6]  # that every result has; another is there where it has values
