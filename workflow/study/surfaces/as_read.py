@@ -67,6 +67,15 @@ def plain(values: Any) -> np.ndarray:
     return np.ma.filled(np.ma.asarray(values, dtype=float), np.nan)
 
 
+def check_numbered(asked: Asked) -> None:
+    """Raise UserError where columns of a file that has no names are asked for by name."""
+    if not all(isinstance(column, int) for column in asked.columns):
+        raise UserError(
+            f"surface.columns = {list(asked.columns)!r}: {asked.name!r} has numbered columns, "
+            "from 0"
+        )
+
+
 def lines_of(asked: Asked, raw: Raw) -> Lines:
     """Return lines in m: in equal steps, without gaps, with units that somebody names.
 

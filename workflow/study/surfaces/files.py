@@ -7,7 +7,7 @@ import numpy as np
 from ...errors import UserError
 from ...plain_files import open_plain, read_plain
 from ...text_tables import archive_kind, is_text
-from .as_read import KEY, Asked, Lines, Raw, apart, lines_of, plain
+from .as_read import KEY, Asked, Lines, Raw, apart, check_numbered, lines_of, plain
 from .positions import rounding
 from .text_lines import read_text_lines
 
@@ -48,10 +48,7 @@ def _npy(asked: Asked) -> Raw:
     if not isinstance(values, np.ndarray):
         raise ValueError("holds several arrays")
     columns = asked.columns or (USUAL_COLUMNS if asked.step is None else (0,))
-    if not all(isinstance(column, int) for column in columns):
-        raise UserError(
-            f"surface.columns = {list(columns)!r}: {asked.name!r} has numbered columns, from 0"
-        )
+    check_numbered(asked)
     if values.ndim == 1 and asked.step is not None:
         values = values[:, None]
     if values.ndim != 2 or values.shape[1] <= max(columns) or values.dtype.kind not in "fiu":

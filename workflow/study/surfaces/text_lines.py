@@ -9,7 +9,7 @@ import numpy as np
 
 from ...errors import UserError
 from ...text_tables import TextTable, Title, quantity_of, read_text_table, unit_of
-from .as_read import KEY, LEAST_SAMPLES, Asked, Raw, apart, metres
+from .as_read import KEY, LEAST_SAMPLES, Asked, Raw, apart, check_numbered, metres
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
 
 INDEX = r"^(index|idx|no\.?|nr\.?|n|i|#|number|point|sample|row|line|id)$"
@@ -43,7 +43,12 @@ def read_text_lines(asked: Asked) -> Raw:
 
 
 def _lines_of_table(asked: Asked, table: TextTable) -> Raw:
-    _check_columns(asked, table)
+    check_numbered(asked)
+    if any(column not in table.numeric for column in asked.columns):
+        raise UserError(
+            f"surface.columns = {list(asked.columns)!r}: {asked.name!r} holds {table.columns_told}"
+            f", numbers in {', '.join(map(str, table.numeric))}"
+        )
     for name, text in table.remarks.items():
         if SCALE.fullmatch(name) and quantity_of(text) != (1.0, ""):
             raise UserError(
@@ -60,19 +65,6 @@ def _lines_of_table(asked: Asked, table: TextTable) -> Raw:
         return raw or _columns(asked, table, (found[0], found[2]), "by their names")
     whose = "by their names" if table.titles else "the first two, as nothing names others"
     return _columns(asked, table, found, whose)
-
-
-def _check_columns(asked: Asked, table: TextTable) -> None:
-    if not all(isinstance(column, int) for column in asked.columns):
-        raise UserError(
-            f"surface.columns = {list(asked.columns)!r}: {asked.name!r} has numbered columns, "
-            "from 0"
-        )
-    if any(column not in table.numeric for column in asked.columns):
-        raise UserError(
-            f"surface.columns = {list(asked.columns)!r}: {asked.name!r} holds {table.columns_told}"
-            f", numbers in {', '.join(map(str, table.numeric))}"
-        )
 
 
 def _columns(asked: Asked, table: TextTable, columns: tuple, whose: str) -> Raw:
