@@ -202,7 +202,8 @@ def _lines_in_blocks(
     asked, block : as the study gives them. Without them there are as many lines as were measured,
     in blocks of those that are alike; a line alone is its own block.
     """
-    profile = _measured_lines(surfaces)
+    measured = (own.profile for own in surfaces.values() if own.lines == "measured")
+    profile = next(filter(None, measured), None)  # of the first whose measured lines slide
     lines = None if profile is None else len(profile.heights)
     if asked is None and lines is None:
         raise UserError("study.realizations: missing")
@@ -221,12 +222,6 @@ def _lines_in_blocks(
         return found | {"realizations": taken, "realizations_per_block": size}
     drawn = any(own.profile is None and own.body == FOUNDATION for own in surfaces.values())
     return found | _blocks(realizations, block or 1, drawn)
-
-
-def _measured_lines(surfaces: dict[str, Surface]) -> Profile | None:
-    """Return the lines of the first surface whose measured lines slide; None without one."""
-    own = (each.profile for each in surfaces.values() if each.lines == "measured")
-    return next((profile for profile in own if profile is not None), None)
 
 
 def _told_of_blocks(surface: Surface, head: Mapping[str, Any]) -> Surface:

@@ -68,19 +68,16 @@ def read_map(asked: Asked, detrend: str, periodic: str) -> MapProfile:
     check_not_flat(what, levelled, square)
     copies = PERIODICS[periodic]
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
+    assumed = " (assumed)" if lines.apart is None else ""
     cut = "" if rows == samples else f"; the middle {side} x {side} of {rows} x {samples}"
     notes = (
-        f"{lines.notes}; a map, rows as far apart as samples{_whose(lines.apart)}{cut}; {detrend} "
+        f"{lines.notes}; a map, rows as far apart as samples{assumed}{cut}; {detrend} "
         f"removed, {periodic}"
     )
     found = map_profile(whole[None], copies * lines.step * side, copies, notes)
     check_slope(what, "check surface.units", found)
     said = f"; h = {found.roughness:.4g} m, rms slope {found.slope:.4g}"
     return found._replace(notes=found.notes + said)
-
-
-def _whose(apart: float | None) -> str:
-    return " (assumed)" if apart is None else ""
 
 
 def _levelled(heights: np.ndarray, detrend: str) -> np.ndarray:
