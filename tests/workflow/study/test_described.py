@@ -24,6 +24,7 @@ from elastomer_friction.workflow.study.settings import (
     values_of,
     within,
 )
+from elastomer_friction.workflow.study.settings.key import REQUIRED
 from elastomer_friction.workflow.study.tables import EVERY_TABLE, HEAD, TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.small import TEXT
@@ -98,14 +99,11 @@ def test_a_check_in_words(check, said):
         ("", "none"),
         ((), "none"),
         (None, "none"),
+        (REQUIRED, "required"),
     ],
 )
 def test_a_default_as_toml_has_it(default, said):
     assert default_of(Key(number, default=default)) == said
-
-
-def test_a_key_without_a_default_is_required():
-    assert default_of(Key(number)) == "required"
 
 
 def test_lists_of_numbers_and_of_texts_are_as_toml_has_them():

@@ -80,7 +80,7 @@ def test_a_special_file_of_measurements_is_refused(tmp_path, capsys, make, comma
     assert f"cannot be read: {why}" in refusal(capsys, command, str(tmp_path / "special.csv"))
 
 
-@pytest.mark.parametrize("make", [pipe, device, vast])
+@SPECIAL
 def test_a_special_study_is_refused_and_those_beside_it_are_listed(
     tmp_path, capsys, monkeypatch, make
 ):

@@ -53,10 +53,6 @@ def test_where_it_begins():
     assert read(programme=[HOLD, SLIDE]).start_velocity(0.7) == 0.7
 
 
-def test_the_list_is_repeated():
-    assert len(read(programme=[SLIDE, FASTER], repeat=3).segments) == 6
-
-
 def test_fresh_without_a_dashpot():
     assert read(GLASSY, programme=[SLIDE], start="fresh").start == "fresh"
 

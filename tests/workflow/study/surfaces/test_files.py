@@ -125,13 +125,6 @@ def test_arrays_that_are_no_table_are_refused(tmp_path):
         read(path)
 
 
-def test_names_of_columns_are_for_netcdf_alone(tmp_path):
-    path = tmp_path / "l.txt"
-    np.savetxt(path, Z.T)
-    with pytest.raises(UserError, match=r"surface.columns = \['x', 'z'\]: 'l.txt' has numbered"):
-        read(path, ("x", "z"))
-
-
 def instrument(tmp_path):
     """Return the path of a file that is neither text nor known here."""
     path = tmp_path / "scan.di"
@@ -189,13 +182,6 @@ def test_surface_topography_itself(tmp_path):
     lines = read(tmp_path / "map.map")
     np.testing.assert_allclose(lines.heights, Z * 1e-9)
     assert lines.step == pytest.approx(0.5e-9)
-
-
-def test_an_archive_is_to_be_unpacked(tmp_path):
-    for name in ("lines.zip", "lines.txt"):
-        (tmp_path / name).write_bytes(b"PK\x03\x04 no more")
-        with pytest.raises(UserError, match="is a zip archive: unpack it and name one of its file"):
-            read(tmp_path / name)
 
 
 def test_heights_of_an_array_without_positions(tmp_path):
