@@ -32,41 +32,36 @@ def commands_page() -> str:
     """Return the page of commands as Markdown."""
     parser = command_parser()
     commands = {
-        name: (command, [_row(a) for a in command._actions if not _is_help(a)])
+        name: (command, [a for a in command._actions if not isinstance(a, argparse._HelpAction)])
         for action in parser._actions
         if isinstance(action, argparse._SubParsersAction)
         for name, command in action.choices.items()
     }
     takers: dict[str, list[str]] = {}
-    for name, (_, rows) in commands.items():
-        for row in rows:
+    for name, (_, actions) in commands.items():
+        for row in map(_row, actions):
             takers.setdefault(row, []).append(name)
     common = {row: names for row, names in takers.items() if len(names) >= COMMON}
     lines = [COMMANDS_HEAD]
     for row, names in common.items():
         lines.append(f"{row} {', '.join(f'`{name}`' for name in names)} |")
     lines.append("")
-    for name, (command, rows) in commands.items():
-        lines += _command(name, command, [row for row in rows if row not in common])
+    for name, (command, actions) in commands.items():
+        rows = [row for row in map(_row, actions) if row not in common]
+        lines += _command(name, str(command.description), actions, rows)
     return "\n".join(lines)
 
 
-def _command(name: str, command: argparse.ArgumentParser, rows: list[str]) -> list[str]:
-    actions = [action for action in command._actions if not _is_help(action)]
+def _command(name: str, text: str, actions: list[argparse.Action], rows: list[str]) -> list[str]:
     places = [_place(action) for action in actions if not action.option_strings]
     options = " [OPTIONS]" if any(action.option_strings for action in actions) else ""
     usage = " ".join([name, *places]) + options
-    text = str(command.description)
     return [
         f"## {name}\n",
         f"`elastomer-friction {usage}`\n",
         f"{text[0].upper()}{text[1:]}.\n",
         *(["| argument | meaning |", "|---|---|", *rows, ""] if rows else []),
     ]
-
-
-def _is_help(action: argparse.Action) -> bool:
-    return isinstance(action, argparse._HelpAction)
 
 
 def _row(action: argparse.Action) -> str:
