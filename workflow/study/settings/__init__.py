@@ -11,7 +11,6 @@ if TYPE_CHECKING:
     from .checks import (
         as_table,
         as_text,
-        axis_values,
         checked_values,
         choice,
         flag,
