@@ -222,21 +222,17 @@ def march_lines(variant: Variant) -> list[str]:
 
 def _model(plan: Plan) -> list[str]:
     """Return what the choice of the body does to mu_1, where that is known."""
-    found = []
-    for variant in plan.variants[:1] if "steady" in plan.study.scene.quantities else ():
-        problems = [task.problem for task in variant.tasks]
-        ratios = np.array([model_ratio(one, variant.lines.normalisation)[0] for one in problems])
-        known = ratios[~np.isnan(ratios)]
-        if known.size:
-            some = (
-                "" if known.size == ratios.size else f" at {known.size} of {ratios.size} problems"
-            )
-            found = [
-                f"model       the foundation gives {_span(known, 2)} of a half-space here{some}"
-            ]
-        else:
-            found = ["model       foundation over half-space: not known here"]
-    return found
+    if "steady" not in plan.study.scene.quantities:
+        return []
+    variant = plan.variants[0]
+    ratios = np.array(
+        [model_ratio(t.problem, variant.lines.normalisation)[0] for t in variant.tasks]
+    )
+    known = ratios[~np.isnan(ratios)]
+    if not known.size:
+        return ["model       foundation over half-space: not known here"]
+    some = "" if known.size == ratios.size else f" at {known.size} of {ratios.size} problems"
+    return [f"model       the foundation gives {_span(known, 2)} of a half-space here{some}"]
 
 
 def _span(values: np.ndarray, digits: int = 4) -> str:

@@ -28,7 +28,7 @@ if TYPE_CHECKING:
         this_machine,
     )
     from .error_laws import LAWS, first_order_rate_error, known, rate_error
-    from .foreseen import ExpectedErrors, expected_errors
+    from .foreseen import expected_errors
     from .goal import (
         BIAS,
         FIRST_ORDER,

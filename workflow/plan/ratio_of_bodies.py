@@ -57,15 +57,15 @@ def model_ratio(problem: Problem, normalisation: str = "modal") -> tuple[float, 
         return UNKNOWN
     place = place_of(problem, normalisation)
     table = _table().get(place.kind, {})
-    found = _between(table, place.waves, lambda own: _of_hurst(own, place), np.log)
+
+    def at_hurst(own: dict[float, Any]) -> np.ndarray | None:
+        return _between(own, place.hurst, lambda points: _of_point(points, place), float)
+
+    found = _between(table, place.waves, at_hurst, np.log)
     if found is None:
         return UNKNOWN
     ratio = math.exp(found[0])
     return ratio, ratio * float(found[1])
-
-
-def _of_hurst(table: dict, place: InTable) -> np.ndarray | None:
-    return _between(table, place.hurst, lambda own: _of_point(own, place), lambda value: value)
 
 
 def _of_point(own: dict[str, np.ndarray], place: InTable) -> np.ndarray | None:
@@ -105,30 +105,23 @@ def _between(
 @cache
 def _table() -> dict[str, dict[float, dict[float, dict[str, np.ndarray]]]]:
     """Return kind -> waves -> H -> columns, ratio and error over (load, speed_ratio)."""
-    with TABLE.open(encoding="utf-8") as file:
-        rows = list(csv.DictReader(file))
     found: dict = {}
-    for row in rows:
-        of_waves = found.setdefault(row["kind"], {}).setdefault(float(row["waves"]), {})
-        of_waves.setdefault(float(row["hurst"]), []).append(row)
-    for of_waves in found.values():
-        for of_hurst in of_waves.values():
-            for hurst, own in of_hurst.items():
-                of_hurst[hurst] = _columns(own)
-    return found
-
-
-def _columns(rows: list[dict[str, str]]) -> dict[str, np.ndarray]:
-    speeds = sorted({float(row["speed_ratio"]) for row in rows})
-    loads = sorted({float(row["load"]) for row in rows})
-    grid = np.full((2, len(loads), len(speeds)), np.nan)
-    for row in rows:
-        at = loads.index(float(row["load"])), speeds.index(float(row["speed_ratio"]))
-        ratio = float(row["ratio"])
-        grid[(0, *at)], grid[(1, *at)] = math.log(ratio), float(row["error"]) / ratio
+    with TABLE.open(encoding="utf-8") as file:
+        for row in csv.DictReader(file):
+            of_waves = found.setdefault(row.pop("kind"), {})
+            waves, hurst, load, x, ratio, error = map(float, row.values())
+            points = of_waves.setdefault(waves, {}).setdefault(hurst, {})
+            points[load, x] = math.log(ratio), error / ratio
     return {
-        "load": np.array(loads),
-        "speed_ratio": np.array(speeds),
-        "ratio": grid[0],
-        "error": grid[1],
+        kind: {
+            waves: {hurst: _columns(points) for hurst, points in own.items()}
+            for waves, own in of_waves.items()
+        }
+        for kind, of_waves in found.items()
     }
+
+
+def _columns(points: dict[tuple[float, float], tuple[float, float]]) -> dict[str, np.ndarray]:
+    loads, speeds = (np.unique(each) for each in zip(*points, strict=True))
+    grid = np.array([[points.get((f, x), UNKNOWN) for x in speeds] for f in loads])
+    return {"load": loads, "speed_ratio": speeds, "ratio": grid[..., 0], "error": grid[..., 1]}

@@ -9,7 +9,6 @@ from ...kernels import ENERGIES, Programme
 from ...kernels.drive import PULLED_TRACES
 from ..plan import Plan, Variant, line_slope
 from ..simulate import (
-    Layout,
     Task,
     kept_steps,
     programme_steps,
@@ -57,9 +56,8 @@ def blocks_of(
     scalars : shape (tasks, blocks, len(SCALARS)). rows : (tasks, blocks, width), as laid out by
     simulate/layout.py. What differs in length between tasks is filled up with NaN.
     """
-    parts = [
-        unpack(own, _layout(plan, variant, task)) for own, task in zip(rows, tasks, strict=True)
-    ]
+    how = plan.asked, variant.numerics.scheme, variant.recording
+    parts = [unpack(own, row_layout(t, *how)) for own, t in zip(rows, tasks, strict=True)]
     traces = {name for name in parts[0] if name in (*PULLED_TRACES, *ENERGIES)}
     values = {
         name: np.stack([_filled(p[name], variant.events if name in traces else 0) for p in parts])
@@ -81,15 +79,10 @@ def blocks_of(
     )
 
 
-def _layout(plan: Plan, variant: Variant, task: Task) -> Layout:
-    return row_layout(task, plan.asked, variant.numerics.scheme, variant.recording)
-
-
 def _filled(values: np.ndarray, length: int) -> np.ndarray:
     """Return values with NaN after the last along the last axis, up to a length."""
-    missing = max(length - values.shape[-1], 0) if length else 0
-    ends = [(0, 0)] * (values.ndim - 1) + [(0, missing)]
-    return np.pad(values, ends, constant_values=np.nan) if missing else values
+    ends = [(0, 0)] * (values.ndim - 1) + [(0, max(length - values.shape[-1], 0))]
+    return np.pad(values, ends, constant_values=np.nan) if ends[-1][1] else values
 
 
 def _legs(variant: Variant, tasks: list[Task]) -> np.ndarray:

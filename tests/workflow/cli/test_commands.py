@@ -108,16 +108,18 @@ def test_a_result_of_another_accuracy_is_not_drawn(capsys, study, finished):
 
 
 def test_plan_and_status_as_data(capsys, study, tmp_path):
-    planned = json.loads(output(capsys, "plan", study, "--json", "--out", str(tmp_path)))
+    out = tmp_path / "out"
+    planned = json.loads(output(capsys, "plan", study, "--json", "--out", str(out)))
     assert planned["axes"]["hurst"] == [0.3, 0.7]
     assert (planned["points"], planned["variants"]) == (8, ["", "coarse"])
-    assert planned["result"] == str(tmp_path / "small.nc")
+    assert planned["result"] == str(out / "small.nc")
     assert planned["settings"] == study
     low, high = planned["predicted_core_seconds_interval"]
     assert low <= planned["predicted_core_seconds"] <= high
-    found = json.loads(output(capsys, "status", study, "--json", "--out", str(tmp_path)))
+    found = json.loads(output(capsys, "status", study, "--json", "--out", str(out)))
     assert (found["records"], found["records_done"], found["written"]) == (64, 0, False)
     assert found["state"] == "not running"
+    assert not out.exists()  # nothing is computed, nothing written
 
 
 OF_FILES = """
@@ -239,15 +241,6 @@ def test_a_machine_is_measured_for_what_takes_longer_than_that(
     plan = paced_plan(small_study(f"study.realizations={realizations}"))
     assert len(asked) == measured
     assert plan.pace == (fast.pace if known or measured else TYPICAL)
-
-
-def test_status_before_a_run(capsys, study, tmp_path):
-    found = facts(output(capsys, "status", study, "--out", str(tmp_path / "out")))
-    assert found["done"] == "done        0 of 64 records (problem x block)"
-    assert "core-hours, predicted" in found["remaining"]
-    assert found["run"] == "run         not running"
-    assert found["result"].endswith("small.nc (not written yet)")
-    assert not (tmp_path / "out").exists()
 
 
 def test_status_after_a_run(capsys, study, finished):

@@ -114,12 +114,6 @@ def test_an_axis_of_measured_lines_is_no_number():
     assert outline._axis_span((math.nan,)) == "of the lines"
 
 
-def test_plan_computes_and_writes_nothing(capsys, study, tmp_path):
-    found = facts(output(capsys, "plan", study, "--out", str(tmp_path / "out")))
-    assert found["result"].split()[1] == str(tmp_path / "out" / "small.nc")
-    assert not (tmp_path / "out").exists()
-
-
 def test_plan_says_when_realizations_are_rounded_up(capsys, study):
     found = facts(output(capsys, "plan", study, "--set", "study.realizations=10"))
     words = "realizations 12 each (10 rounded up to whole quartets of lines), 192 in all"

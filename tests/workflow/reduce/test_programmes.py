@@ -113,12 +113,14 @@ TIME = np.array([[0.0, 1.0, 2.0, 3.0, np.nan]])
 ALIKE = np.repeat(TIME[:, None, :], 3, axis=1)  # in every block
 MOVED = {"trace_time": ALIKE, "trace_distance": 0.7 * ALIKE, "trace_velocity": 0.0 * ALIKE + 0.7}
 LEGS = 0.0 * TIME
+TRACES = ("trace_mu", "trace_indentation", "trace_contact_fraction")
+TRACES += ("trace_normal_force", "trace_friction_force")
 
 
-def blocks(quantities, **values):
+def blocks(quantities, noise=0.0, **values):
     """Return one task of three blocks with parts of its row."""
     rng = np.random.default_rng(3)
-    made = {name: value + 0.01 * rng.standard_normal((1, 3, 1)) for name, value in values.items()}
+    made = {name: value + noise * rng.standard_normal((1, 3, 1)) for name, value in values.items()}
     speeds, programmes = np.array([[1.0, 2.0]]), ((Slide(2.0, 6.0),),)
     slopes, scalars = np.ones(1), np.zeros((1, 3, 6))
     how = quantities, False, speeds, programmes, LEGS
@@ -134,10 +136,7 @@ def test_the_balance_is_taken_at_the_last_sample_that_is_there():
         "closing_work": 0.1 * way,
     }
     estimates = {}
-    found = blocks(("energy",), **energies)
-    made = {name: v + np.zeros((1, 3, 1)) for name, v in energies.items()}
-    found = found._replace(values=MOVED | made)
-    reduce_programmes(estimates, found)
+    reduce_programmes(estimates, blocks(("energy",), **energies))
     assert estimates["balance_residual"] == pytest.approx([(9.9 - 3.0 - 6.0 - 0.3) / 6.0])
     assert estimates["trace_segment"].tolist() == [[0, 0, 0, 0, -1]]
 
@@ -147,21 +146,16 @@ def test_traces_are_means_with_errors_and_nothing_else_is_there():
     trace = np.broadcast_to(TIME[:, None, :], (1, 3, EVENTS))
     reduce_programmes(estimates, blocks(("steady",), trace_mu=trace))
     assert not estimates
-    names = ("mu", "indentation", "normal_force", "friction_force", "contact_fraction")
-    parts = {f"trace_{name}": trace for name in names}
-    reduce_programmes(estimates, blocks(("trace",), **parts))
+    reduce_programmes(estimates, blocks(("trace",), 0.01, **dict.fromkeys(TRACES, trace)))
     assert estimates["trace_mu"][0, :4] == pytest.approx([0.0, 1.0, 2.0, 3.0], abs=0.05)
     assert (estimates["trace_mu_error"][0, :4] > 0.0).all()
 
 
 def test_when_and_where_is_exact_where_all_lines_move_alike_and_else_a_mean_with_its_error():
-    trace = np.zeros((1, 3, EVENTS))
-    others = ("mu", "indentation", "normal_force", "friction_force", "contact_fraction")
-    parts = {f"trace_{name}": trace for name in others}
+    parts = dict.fromkeys(TRACES, np.zeros((1, 3, EVENTS)))
     slower = MOVED["trace_velocity"] - np.array([0.0, 0.1, 0.2])[:, None]
     estimates = {}
-    found = blocks(("trace",), **parts, trace_velocity=slower)
-    reduce_programmes(estimates, found._replace(values=MOVED | parts | {"trace_velocity": slower}))
+    reduce_programmes(estimates, blocks(("trace",), **parts, trace_velocity=slower))
     for name in ("trace_time", "trace_distance"):
         np.testing.assert_array_equal(estimates[name], MOVED[name][:, 0])
         assert (estimates[f"{name}_error"][0, :4] == 0.0).all()
@@ -171,10 +165,8 @@ def test_when_and_where_is_exact_where_all_lines_move_alike_and_else_a_mean_with
 
 def test_a_change_counts_from_the_leg_before_and_its_error_is_that_of_the_difference():
     trace = np.array([1.0, 2.0, 5.0, 7.0, np.nan]) + np.arange(3.0)[None, :, None]
-    parts = dict.fromkeys(("trace_normal_force", "trace_friction_force"), trace)
-    parts |= dict.fromkeys(("trace_mu", "trace_indentation", "trace_contact_fraction"), trace)
     legs = np.array([[0.0, 0.0, 1.0, 1.0, np.nan]])
-    found = blocks(("trace",), **parts)._replace(values=MOVED | parts, legs=legs)
+    found = blocks(("trace",), **dict.fromkeys(TRACES, trace))._replace(legs=legs)
     estimates = {}
     reduce_programmes(estimates, found)
     for name in ("trace_mu", "trace_indentation"):
@@ -188,8 +180,7 @@ def test_the_peak_is_that_above_the_friction_before():
     curves = (1.0 + 0.5 * time * np.exp(1.0 - time))[:, None, :] + np.zeros((1, 4, 1))
     before, after = np.ones((1, 4)), np.full((1, 4), 1.1)
     estimates = {}
-    found = blocks(("peak",), initial_rate=np.ones((1, 3)))
-    found = found._replace(values={"initial_rate": np.ones((1, 3))})
+    found = blocks(("peak",))._replace(values={"initial_rate": np.ones((1, 3))})
     reduce_steps(estimates, found, time, curves, {"mu_1": before, "mu_2": after})
     assert estimates["peak"] == pytest.approx([0.5], rel=1e-3)
     assert estimates["peak_time"] == pytest.approx([1.0], rel=1e-3)

@@ -59,16 +59,15 @@ ALL = Quantities()
 BRANCH = Spectrum((1.0,), (1.0,), 1.0)
 
 
-def parts(elements=2500, march_steps=100, asked=ALL):
+def parts_of(problem, steps=4, march_steps=100, asked=ALL, kept=(), **how):
+    """Return the typical time of a problem by part."""
+    work = Work(problem, steps, march_steps, **how)
+    return typical_seconds(asked, work, Recording(64, asked=kept))
+
+
+def parts(elements=2500, **how):
     """Return the typical time of a task by part."""
-    problem = Problem(0.7, elements, 0.05, 1.0, 1.2)
-    return typical_seconds(asked, Work(problem, 4, march_steps), Recording(64))
-
-
-def parts_of(problem, steps, march_steps, loads=1):
-    """Return the typical time of a problem by part, where so many loads share its sweeps."""
-    work = Work(problem, steps, march_steps, True, loads, loads)
-    return typical_seconds(ALL, work, Recording(64))
+    return parts_of(Problem(0.7, elements, 0.05, 1.0, 1.2), **how)
 
 
 def seconds(**what):
@@ -91,9 +90,7 @@ def test_more_work_takes_more_time(less):
 
 def test_loads_at_a_speed_and_tasks_on_lines_share_what_they_can():
     def whole(count, **shared):
-        problem = Problem(0.7, 2500, 0.05, 1.0, 1.2)
-        work = Work(problem, 4, 100, True, **shared)
-        return {part: count * t for part, t in typical_seconds(ALL, work, Recording(64)).items()}
+        return {part: count * t for part, t in parts(**shared).items()}
 
     alone, together = whole(20), whole(20, loads=20, tasks=20)
     for part in ("steady", "jump", "calls"):
@@ -124,17 +121,13 @@ def test_branches_and_programmes_are_work_of_another_kind():
 def scene(*legs, speed=1.0, ratio=1.0, asked=ALL, start="steady"):
     """Return the typical time of elements with a branch that are taken through legs, by part."""
     problem = Problem(0.7, 500, 0.1, speed, ratio, BRANCH, programme=legs, start=start)
-    return typical_seconds(asked, Work(problem, 4, 0), Recording(64, asked=("trace",)))
+    return parts_of(problem, 4, 0, asked, ("trace",))
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
 def test_what_cannot_touch_is_left_out_of_the_marches_of_branches(scheme):
     light, heavy = (
-        typical_seconds(
-            ALL,
-            Work(Problem(0.7, 5000, load, 1.0, 1.2, BRANCH), 4, 100, scheme=scheme),
-            Recording(64),
-        )["marching"]
+        parts_of(Problem(0.7, 5000, load, 1.0, 1.2, BRANCH), scheme=scheme)["marching"]
         for load in (0.01, 10.0)
     )
     assert (heavy > 3.0 * light) == (scheme == "exponential")
@@ -182,7 +175,7 @@ def test_full_contact_takes_no_marching_to_speak_of():
 
 def test_narrow_contacts_are_dear_where_they_are_followed():
     at = Problem(0.2, 10_000, 0.1, 30.0, 1.2)
-    followed, plain = (parts_of(at, m, 20, loads=20)["steady"] for m in (8, 2))
+    followed, plain = (parts_of(at, m, 20, loads=20, tasks=20)["steady"] for m in (8, 2))
     assert followed > 3.0 * plain > 0.0
 
 
