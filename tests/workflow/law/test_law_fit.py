@@ -157,15 +157,30 @@ SURFACE = {"length": 0.01, "hurst": 0.7, "roughness": 1e-5, "spacing": 1e-4}
 
 
 def model(programme, **more):
+    usual = {"material": RUBBER, "realizations": 4, "numerics": {"samples": 1500, "record": "log"}}
     return ef.scene.run(
-        surface=SURFACE,
-        material=RUBBER,
-        normal_force=0.4,
-        programme=programme,
-        realizations=4,
-        seed=3,
-        **{"numerics": {"samples": 1500, "record": "log"}, **more},
+        surface=SURFACE, normal_force=0.4, programme=programme, seed=3, **{**usual, **more}
     )
+
+
+def test_a_law_serves_another_temperature_by_the_shift_of_its_times():
+    """Of WLF, log10 a_T = -8 (T - T_ref)/(60 K + T - T_ref): at 30 K above, 1/464 of the times."""
+    a = 10.0 ** (-8.0 * 30.0 / 90.0)
+    laws = []
+    for temperature, factor in ((20.0, 1.0), (50.0, a)):
+        shift = {"temperature": temperature, "wlf": {"c1": 8.0, "c2": 60.0, "reference": 20.0}}
+        speeds = 0.024 / factor * np.array([0.2, 1.0, 0.5, 0.2, 1.0])
+        legs = [{"slide": {"velocity": float(v), "distance": 1e-3}} for v in speeds]
+        numerics = {"samples": 200, "record": "log"}
+        found = model(legs, material={**RUBBER, **shift}, numerics=numerics, realizations=1)
+        laws.append(ef.law.fit(found, states=1))
+    own, other = laws[0].shifted(a), laws[1]
+    assert own.validity.fastest == pytest.approx(other.validity.fastest)
+    v = np.geomspace(other.validity.slowest, other.validity.fastest, 9)
+    assert own.steady(v) == pytest.approx(other.steady(v), rel=1e-3)
+    time = np.linspace(0.0, 0.05 * a, 101)
+    swing = 0.012 / a * (1.0 + 0.6 * np.sin(time / time[-1] * 9.0))
+    assert own.run(time, swing) == pytest.approx(other.run(time, swing), rel=1e-2)
 
 
 def spring_and_law(law, stiffness, v1, v2, time):
