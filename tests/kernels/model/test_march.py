@@ -143,19 +143,6 @@ def test_steady_sliding_stays_steady(scheme, m, hurst, load, speed, control):
     np.testing.assert_allclose(mu, expected, rtol=1e-10, atol=1e-11)
 
 
-@pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("scene", SCENES[:4], ids=str)
-def test_march_ends_in_the_steady_state_of_the_new_speed(scene, scheme):
-    jump = Jump(scene, scheme, elements=60)
-    w, d = jump.steady(jump.after)
-    # 35 tau and at least two turns of the line: e^-35 is forgotten.
-    steps = 2 * jump.z.size + int(35 * scene.m * scene.speed * scene.ratio)
-    mu, found, _ = jump.march([1, steps], 1.2 * max(d, jump.d))
-    assert found[1] == pytest.approx(d, rel=1e-11)
-    assert mu[1] == pytest.approx(step_average(jump.weight, jump.z - w, d), rel=1e-9, abs=1e-10)
-    assert abs(found[0] / d - 1.0) > 1e-9  # it was not there from the start
-
-
 def test_only_the_recorded_steps_are_kept_and_arguments_left_alone():
     jump = Jump(SCENES[3], "exponential", elements=60)
     arguments = (jump.z, jump.weight, jump.state.w)
