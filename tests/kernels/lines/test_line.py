@@ -29,7 +29,7 @@ def test_line_starts_at_its_top_and_counts_from_its_bottom():
     given = Line.from_samples(np.roll(line.z, 5) + 3.0, np.roll(line.slope, 5), M)
     np.testing.assert_allclose(given.z, line.z, atol=1e-14)
     np.testing.assert_array_equal(given.slope, line.slope)
-    assert (given.datum, given.steps_per_spacing) == (3.0, M)
+    assert (given.datum, given.steps_per_spacing, given.band_limited) == (3.0, M, False)
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])
