@@ -7,7 +7,6 @@ from hypothesis import strategies as st
 from elastomer_friction.kernels import SCHEMES, Case, Line, Quantities, amplitudes, run_case
 from elastomer_friction.studies.stability.probe import Motion, probe
 from tests.hard.bounds import EPS, MARGIN, assert_stable, bounds
-from tests.reference_march import constants, steady
 from tests.sizes import size
 from tests.support.sweeps import examples
 
@@ -94,13 +93,3 @@ def test_cyclic_shifts_change_nothing_but_rounding(motion, shift):
     # A line is turned to its top: the same numbers to the bit, wherever it was cut.
     again = Line.from_samples(rolled.line.z, np.roll(motion.line.slope, shift), 1)
     np.testing.assert_array_equal(again.z, motion.line.z)
-
-
-@FEW
-@given(motions())
-def test_the_mirror_image_moving_the_other_way_is_the_same(motion):
-    mirrored = motion.line.z[::-1].copy()
-    decay, _, _ = constants(motion.scheme, motion.step(1.0)[0])
-    _, _, expected = steady(mirrored, motion.load, decay, direction=-1)
-    # The reference takes the load from mean(-u): eps K of it is lost, as K (1 - E) = 1.
-    assert abs(indentation(motion) / expected - 1.0) <= bounds(motion)["steady"]
