@@ -9,7 +9,6 @@ from elastomer_friction.kernels import (
     amplitudes,
     draw_phases,
     equivalent_amplitudes,
-    equivalent_spectrum,
     matching_rolloff,
     power_spectrum,
     rms_height,
@@ -62,13 +61,6 @@ def test_integral_normalisation_of_the_paper(hurst, ratio):
 def test_unknown_normalisation_is_refused():
     with pytest.raises(ValueError, match="modal"):
         amplitudes(0.7, 50, "peak")
-
-
-@pytest.mark.parametrize("hurst", HURST)
-def test_power_law_of_the_amplitudes(hurst):
-    """A_k ~ q_k^-(H + 1/2): doubling the wave number divides by 2^(H + 1/2)."""
-    amplitude = amplitudes(hurst, 64)
-    assert amplitude[3] / amplitude[7] == pytest.approx(2.0 ** (hurst + 0.5), rel=1e-13)
 
 
 @pytest.mark.parametrize("hurst", HURST)
@@ -217,11 +209,6 @@ def test_a_self_affine_surface_gives_the_self_affine_line(hurst):
     amplitude = equivalent_amplitudes(lambda q: q ** (-2.0 * hurst - 2.0), N, N)
     expected = amplitudes(hurst, N)
     np.testing.assert_allclose(amplitude / amplitude[0], expected / expected[0], rtol=1e-12)
-
-
-def test_the_rule():
-    q = np.array([0.5, 2.0])
-    np.testing.assert_allclose(equivalent_spectrum(q, np.ones(2)), [np.pi, 4.0 * np.pi])
 
 
 @pytest.mark.parametrize("bad", [-1.0, np.nan])

@@ -89,15 +89,6 @@ def test_the_caps_leave_one_piece_and_several():
     assert min(counts) == 1
 
 
-def test_elements_that_never_touch_decay_and_pass_by(scene):
-    """After k steps the element of sample j + k is at sample j, its displacement times E^k."""
-    z, state, cap = scene
-    at = where(z, cap)
-    for k, (c, low) in enumerate(sliding(z, state, cap, lambda _: -10.0), 1):
-        expected = LAW.decay**k * state.w[(at + k) % ELEMENTS]
-        np.testing.assert_allclose(low - c, expected, rtol=1e-12, atol=1e-14)
-
-
 def test_what_decays_away_in_a_gap_is_zero_and_no_subnormal_number():
     z, state, cap = scene_of(CAPS["few"])
     rings = start_rings(Kelvin(1e-12, 1.0, 0.5), z, state, *touchable(z, cap))
@@ -135,14 +126,6 @@ def test_the_shift_is_that_of_every_mode(elements, m, fraction):
     z, slope = Shifted(*sample_line(amplitude, phases, elements, m), m).by(fraction)
     np.testing.assert_allclose(z, np.cos(at) @ amplitude, atol=1e-13)
     np.testing.assert_allclose(slope, -np.sin(at) @ (amplitude * q), atol=1e-13)
-
-
-def test_the_energy_of_a_line_does_not_depend_on_the_fraction():
-    rng = np.random.default_rng(2)
-    z = rng.normal(size=63)
-    shifted = Shifted(z, np.zeros_like(z), 1)
-    sums = [np.sum(shifted.by(f)[0] ** 2) for f in (0.0, 0.25, 0.5, 0.9)]
-    np.testing.assert_allclose(sums, np.sum(z**2), rtol=1e-13)
 
 
 PROGRAMME = (Slide(1.0, 3.3), Hold(1.0), Oscillation(0.0, 0.2, 0.3, 1), Slide(-2.0, 5.0))
