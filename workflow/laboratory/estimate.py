@@ -55,6 +55,11 @@ def correlation_factor(residual: np.ndarray) -> float:
     return max(float(sums[last]) * (1.0 + (2 * last + 1) / n), 1.0)
 
 
+def noise_of(changes: np.ndarray) -> float:
+    """Return the standard deviation of noise from the differences of neighbours, of any sign."""
+    return float(np.median(np.abs(changes))) / (0.6745 * math.sqrt(2.0))
+
+
 def mean(values: np.ndarray) -> Estimate:
     """Return the mean of a stretch of samples, shape (samples,)."""
     n = values.size

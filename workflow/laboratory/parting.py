@@ -10,7 +10,8 @@ from typing import NamedTuple
 import numpy as np
 
 from ..errors import UserError
-from .estimate import DEVIATIONS
+from ..system import counted
+from .estimate import DEVIATIONS, noise_of
 from .record import Record
 
 LEAST_CHANGE = 0.02  # of log velocity: the smallest step that is looked for
@@ -63,11 +64,11 @@ def no_steps_of(record: Record) -> list[str]:
     rests = sum(each.sign == 0.0 for each in stretches)
     reversals = sum(one.sign * two.sign < 0.0 for one, two in pairwise(stretches))
     backwards = sum(each.sign < 0.0 for each in stretches)
-    named = ((rests, "stretches at rest"), (reversals, "reversals"))
-    counts = [f"{count} {what}" for count, what in named if count]
+    named = ((rests, "rest"), (reversals, "reversal"))
+    counts = [counted(count, what) for count, what in named if count]
     said = [f"left out: {' and '.join(counts)}, which are no velocity steps"] if counts else []
     if backwards:
-        said.append(f"{backwards} stretches slide backwards; they are turned round")
+        said.append(f"{counted(backwards, 'backward slide')}, turned round")
     return said
 
 
@@ -103,8 +104,8 @@ def _even(v: np.ndarray) -> np.ndarray:
     if not moving.size:
         return v
     slow = np.flatnonzero((np.abs(v) <= np.median(moving)) & (v != 0.0))
-    changes = np.abs(np.diff(v[slow]))[np.diff(slow) == 1]
-    noise = float(np.median(changes)) / (0.6745 * np.sqrt(2.0)) if changes.size else 0.0
+    changes = np.diff(v[slow])[np.diff(slow) == 1]
+    noise = noise_of(changes) if changes.size else 0.0
     return np.arcsinh(v / max(SMOOTH * noise, SLOWEST * float(moving.max())))
 
 
@@ -156,7 +157,7 @@ def constant_stretches(values: np.ndarray) -> list[slice]:
     as the means of the parts differ; parts that are short, or in which they go up or down, are a
     change of velocity that takes its time. Neighbours of one mean are one stretch.
     """
-    noise = float(np.median(np.abs(np.diff(values)))) / (0.6745 * np.sqrt(2.0))
+    noise = noise_of(np.diff(values))
     open_parts, done = [(0, values.size)], []
     while open_parts:
         start, stop = open_parts.pop()

@@ -3,6 +3,7 @@
 import math
 from statistics import fmean
 
+from ..system import counted
 from .estimate import Estimate
 from .step_fit import NEITHER, NOTHING, POOR, StepFit
 from .together import APART, Fit, Rates
@@ -66,7 +67,7 @@ def _together(fit: Fit) -> list[str]:
     rates = fit.rates
     if rates is None:
         return ["no step determines its rate; tau, H and q_max are not determined"]
-    lines = [f"{len(fit.steps)} steps at {rates.speeds} speeds with a rate"]
+    lines = [f"{counted(len(fit.steps), 'step')} at {counted(rates.speeds, 'speed')} with a rate"]
     if rates.exponent.known:
         at = f"{shown(rates.rate)} 1/s at {rates.at:.3g} m/s"
         lines.append(_line("power law of the rate", f"exponent {shown(rates.exponent)}, {at}"))

@@ -21,7 +21,7 @@ import numpy as np
 from scipy.optimize import least_squares
 
 from ..reduce import step_law
-from .estimate import DEVIATIONS, Estimate, correlation_factor, mean
+from .estimate import DEVIATIONS, Estimate, correlation_factor, mean, noise_of
 from .parting import MeasuredStep
 from .spring_fit import fit_behind_spring
 
@@ -247,7 +247,7 @@ def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> "StepFit":
         why=reasons,
         drift=_drift(step.before),
         levelled=False,
-        noise=_noise(step.after),
+        noise=noise_of(np.diff(step.after)),
         rms=float(np.sqrt(np.mean(fit.residual**2))),
         factor=fit.factor,
         curve=curve,
@@ -277,7 +277,7 @@ def _sprung(step: MeasuredStep, law: str, stiffness: float) -> StepFit:
         why=why,
         drift=_drift(step.before),
         levelled=False,
-        noise=_noise(step.after),
+        noise=noise_of(np.diff(step.after)),
         rms=float(np.sqrt(np.mean(fit.residual**2))),
         factor=fit.factor,
         curve=fit.curve,
@@ -294,12 +294,6 @@ def _drift(values: np.ndarray) -> Estimate:
     rest = values - values.mean() - rise * place
     variance = rest @ rest / (rest.size - 2) * correlation_factor(rest)
     return Estimate(rise, math.sqrt(variance / weight))
-
-
-def _noise(values: np.ndarray) -> float:
-    """Return the standard deviation of noise, from the differences of neighbours."""
-    changes = np.abs(np.diff(values))
-    return float(np.median(changes)) / (0.6745 * math.sqrt(2.0))
 
 
 def _nothing_happens(step: MeasuredStep, law: str) -> StepFit:

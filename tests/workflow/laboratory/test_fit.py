@@ -57,6 +57,7 @@ def test_one_step_has_a_jump_and_a_rate_and_no_tau():
     lines = describe(fit_records([record()], Known()))
     text = "\n".join(lines)
     assert lines[0] == "r0.txt: from 0.1 to 0.12 m/s"
+    assert "1 step at 1 speed with a rate" in lines
     assert "  jump                    0.0" in text
     assert "  Ruina's law (eq. 6)     a = " in text
     assert "  Dieterich's law         a = " in text
