@@ -8,7 +8,8 @@ the normal force (1/m). The slider follows at v:
 
 so that v follows from mu and phi, and scipy's ``solve_ivp`` integrates both from steady sliding at
 v1. ``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step, which is known to the
-time that the velocity took to change. In the limit of a stiff machine a step is eq. 6.
+time that the velocity took to change: a stiff machine's friction tells a and the moment together
+alone, so that the fit would otherwise rest on rounding. In the limit of a stiff machine a step is eq. 6.
 Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
 doi:10.1146/annurev.earth.26.1.643, eqs. 3 to 6.
 """
@@ -49,12 +50,14 @@ def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
     """Return the fit of one step; stiffness in 1/m, law : "ruina" or "dieterich"."""
     before = mean(step.before)
     size = max(before.error, 1e-12)  # of mu_1, which sliding before the step tells, too
+    spread = step.change / math.sqrt(12.0)  # of the moment, which is alike likely in the change
 
     def residual(p: np.ndarray, every: int = 1) -> np.ndarray:
         after = step.after[::every]
         curve = _curve(p, step, step.time[::every], law, stiffness)
         noise = max(float(np.std(np.diff(after))) / math.sqrt(2.0), 1e-12)
-        return np.append((curve - after) / noise, (p[0] - before.value) / size)
+        known = ((p[0] - before.value) / size, p[4] / spread)
+        return np.append((curve - after) / noise, known)
 
     low, high = _bounds(step)
     starts = [np.clip(p, low, high) for p in _starts(step, before.value)]
