@@ -9,7 +9,8 @@ the normal force (1/m). The slider follows at v:
 so that v follows from mu and phi, and scipy's ``solve_ivp`` integrates both from steady sliding at
 v1. ``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step, which is known to the
 time that the velocity took to change: a stiff machine's friction tells a and the moment together
-alone, so that the fit would otherwise rest on rounding. In the limit of a stiff machine a step is eq. 6.
+alone, so that the fit would otherwise rest on rounding. In the limit of a stiff machine a step is
+eq. 6.
 Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
 doi:10.1146/annurev.earth.26.1.643, eqs. 3 to 6.
 """
