@@ -31,8 +31,8 @@ class Scene(NamedTuple):
     ratio: float
 
 
-# Many stretches, few, one; speeding up and slowing down; partial and full contact; four
-# so fast that the memory of the elements reaches across the gaps.
+# Many stretches, few, one; speeding up and slowing down; partial and full contact; the last
+# three so fast that the memory of the elements reaches across the gaps.
 SCENES = [
     Scene(0.0, 4, 0.01, 0.15, 1.3),
     Scene(0.0, 3, 5e-3, 0.2, 0.8),
@@ -44,7 +44,6 @@ SCENES = [
     Scene(0.3, 1, 0.3, 20.0, 1.2),
     Scene(0.7, 1, 0.1, 40.0, 0.8),
     Scene(0.0, 2, 0.5, 6.0, 1.5),
-    Scene(0.0, 1, 25.0, 30.0 / np.pi, 3.0),  # near full contact: z[0] touches, the line has no gap
 ]
 ELEMENTS = 60
 
@@ -107,6 +106,17 @@ def test_march_is_the_reference_march(scene, scheme, control, kind, cap_factor):
     np.testing.assert_allclose(found_mu, mu, rtol=1e-9, atol=1e-9)
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_eq_3_as_printed_holds_elements_all_round_the_line(scheme):
+    """Near full contact z[0] touches: the end of the line is reached straight from there."""
+    jump = Jump(Scene(0.0, 1, 25.0, 30.0 / np.pi, 3.0), scheme)
+    steps = 40
+    mu, d = jump.reference(steps, RigidElements)
+    found_mu, found_d, _ = jump.march(np.arange(1, steps + 1), np.inf, PrintedForce)
+    np.testing.assert_allclose(found_d, d, rtol=1e-11)
+    np.testing.assert_allclose(found_mu, mu, rtol=1e-9, atol=1e-9)
+
+
 def test_the_cap_does_not_change_the_march():
     """Leaving out what cannot touch must be exact, whatever the memory."""
     jump = Jump(Scene(0.7, 1, 0.1, 100.0, 1.2), "exponential", elements=600, seed=5)
@@ -141,6 +151,19 @@ def test_steady_sliding_stays_steady(scheme, m, hurst, load, speed, control):
     np.testing.assert_allclose(d, jump.d, rtol=1e-12)
     expected = step_average(jump.weight, jump.z - jump.state.w, jump.d)
     np.testing.assert_allclose(mu, expected, rtol=1e-10, atol=1e-11)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("scene", SCENES[:4], ids=str)
+def test_march_ends_in_the_steady_state_of_the_new_speed(scene, scheme):
+    jump = Jump(scene, scheme, elements=60)
+    w, d = jump.steady(jump.after)
+    # 35 tau and at least two turns of the line: e^-35 is forgotten.
+    steps = 2 * jump.z.size + int(35 * scene.m * scene.speed * scene.ratio)
+    mu, found, _ = jump.march([1, steps], 1.2 * max(d, jump.d))
+    assert found[1] == pytest.approx(d, rel=1e-11)
+    assert mu[1] == pytest.approx(step_average(jump.weight, jump.z - w, d), rel=1e-9, abs=1e-10)
+    assert abs(found[0] / d - 1.0) > 1e-9  # it was not there from the start
 
 
 def test_only_the_recorded_steps_are_kept_and_arguments_left_alone():

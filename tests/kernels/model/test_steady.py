@@ -125,6 +125,22 @@ def test_extreme_loads_and_speeds_need_few_sweeps(scheme, load, speed):
     assert np.isfinite(quadrature(z, slope, w, d, speed, speed, load * z.size)).all()
 
 
+@pytest.mark.parametrize("scheme", SCHEMES)
+def test_force_increases_convexly_with_the_indentation(scheme):
+    z, _ = random_line(80, 0.7, 2, seed=6)
+    law = SCHEMES[scheme](0.2)
+    depths = np.linspace(0.05, 6.0, 40)
+    w = np.empty_like(z)
+    found = [sweep(law, z, d, np.argmin(z), w)[:2] for d in depths]
+    force, slope = np.array(found).T
+    assert np.all(np.diff(force) > 0.0)
+    assert np.all(np.diff(slope) >= -1e-12)
+    # Convex: secants lie between the tangents at their ends.
+    secant = np.diff(force) / np.diff(depths)
+    assert np.all(slope[:-1] <= secant + 1e-11)
+    assert np.all(secant <= slope[1:] + 1e-11)
+
+
 @pytest.mark.parametrize("deepest", [0, 1, 40, 78, 79])
 def test_one_sweep_visits_every_sample_once_wherever_it_starts(deepest):
     z = 2.0 + np.cos(np.arange(80) * 0.31)

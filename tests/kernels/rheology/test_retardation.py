@@ -111,6 +111,10 @@ def test_times_that_differ_in_their_last_bit():
     assert np.allclose(compliance(close), compliance(one), rtol=1e-14)
 
 
+def test_kelvin_element_is_one_unit():
+    assert retardation(MATERIALS["Kelvin"]) == (0.0, np.ones(1), np.ones(1))
+
+
 def test_equal_times_are_added_up_slowest_first():
     moduli, times = merged(Spectrum((1.0, 2.0, 4.0), (0.5, 3.0, 0.5), 0.0))
     assert times.tolist() == [3.0, 0.5]

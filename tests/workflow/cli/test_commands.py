@@ -243,6 +243,15 @@ def test_a_machine_is_measured_for_what_takes_longer_than_that(
     assert plan.pace == (fast.pace if known or measured else TYPICAL)
 
 
+def test_status_before_a_run(capsys, study, tmp_path):
+    found = facts(output(capsys, "status", study, "--out", str(tmp_path / "out")))
+    assert found["done"] == "done        0 of 64 records (problem x block)"
+    assert "core-hours, predicted" in found["remaining"]
+    assert found["run"] == "run         not running"
+    assert found["result"].endswith("small.nc (not written yet)")
+    assert not (tmp_path / "out").exists()
+
+
 def test_status_after_a_run(capsys, study, finished):
     found = facts(output(capsys, "status", study, "--out", str(finished.path)))
     assert found["done"].startswith("done        64 of 64 records")

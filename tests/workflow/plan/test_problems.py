@@ -170,3 +170,9 @@ def test_material_and_programme_enter_the_key():
     assert found[0] & found[1]  # the hold that both have
     for other in found[2:]:
         assert found[0].isdisjoint(other)
+
+
+@pytest.mark.parametrize("value", [0.1, 1e-300, 3.0])
+def test_rounding_is_to_twelve_digits(value):
+    assert rounded(value) == pytest.approx(value, rel=1e-12)
+    assert rounded(rounded(value) * (1.0 + 1e-14)) == rounded(value)

@@ -87,6 +87,15 @@ def test_free_asymptote_finds_the_rate_over_an_offset():
     assert found.rate[0] < 1.3  # with mu_2 known to be zero
 
 
+def test_pure_noise_is_no_relaxation():
+    found = []
+    for seed in range(100):
+        noise = np.random.default_rng(seed).standard_normal((20, 63))
+        found.append(fit_relaxation(SHARE, replicates(noise, 0), 1.0).status)
+    assert found.count(NO_RELAXATION) >= 95  # one in 100 is beyond 3 standard errors of 20 blocks
+    assert FITTED not in found
+
+
 def test_rounding_is_judged_against_the_slope():
     curve = 3e-15 * np.exp(-SHARE)
     assert fit(curve, slope=0.1).status == FITTED

@@ -80,7 +80,9 @@ def test_one_measured_line_is_a_study_without_standard_errors(tmp_path):
     study = measured_study(tmp_path, 1)
     assert (study.realizations, study.blocks) == (1, 1)
     assert study.surface.told.endswith("no standard error is known: errors are NaN")
-    with pytest.raises(UserError, match="only 1 line was measured; "):
+    with pytest.raises(
+        UserError, match=r"only 1 line was measured; .* \"random-phase\", there may"
+    ):
         measured_study(tmp_path, 1, "study.realizations = 4")
 
 
@@ -220,6 +222,8 @@ def test_measured_lines_limit_the_realizations_of_all():
     settings = (*OWN_LINE, 'surface.lines="random-phase"', 'compare.own.lines="measured"')
     answer = complaint(*settings, "study.realizations=4", text=MEASURED)
     assert answer.startswith("study.realizations = 4: only 2 lines were measured; of random lines")
+    lines = OWN_LINE[:2]
+    assert complaint(*lines, "study.realizations=4", text=MEASURED) == answer
 
 
 def test_a_walltime_that_is_not_quoted_is_a_time_too():

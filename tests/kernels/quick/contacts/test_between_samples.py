@@ -18,6 +18,7 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.lines.polynomials import curvatures, height, quintic, steepness
+from elastomer_friction.kernels.lines.self_affine import mode_numbers
 from elastomer_friction.kernels.quick.contacts.between_samples import NARROW, slide_between
 from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
 from elastomer_friction.kernels.quick.contacts.smooth_line import first_zero, smooth_line
@@ -100,6 +101,11 @@ def test_four_samples_per_spacing_are_as_good_as_many(x):
     """The line of the issue: with m = 4 mu_1 was 0.05 grad z from x = 1e4 on, whatever x."""
     fine = mean_friction(32, x)
     np.testing.assert_allclose(mean_friction(4, x), fine, rtol=0.01)
+
+
+def test_friction_of_a_single_peak_falls_with_the_root_of_the_speed():
+    at = [mean_friction(8, x)[0] for x in (1e4, 1e5, 1e6, 1e7)]
+    np.testing.assert_allclose(np.diff(np.log10(at)), -0.5, atol=0.01)
 
 
 def parabola_friction(radius, load, speed):
@@ -254,12 +260,27 @@ def test_depths_that_are_rounding_are_left_to_the_samples():
     assert found.mu > 0.0
 
 
+def test_wide_contacts_are_left_as_they_are():
+    line = line_of(4)
+    found = slide(line, 1.0, load=0.5)
+    assert found.samples >= NARROW
+    assert not found.followed
+
+
 def test_lines_that_are_not_smooth_are_left_as_they_are():
     line = line_of(4)._replace(band_limited=False)
     found = slide(line, 1e4)
     assert found.samples == 1.0
     assert not found.followed
     assert np.isfinite([found.mu, found.jumps[0]]).all()
+
+
+def test_where_the_samples_fall_plays_no_part():
+    """A shift by half a sample is a smaller part of a contact than a hundredth."""
+    phases = draw_phases(np.random.default_rng(1), ELEMENTS)
+    shifted = phases + np.pi * mode_numbers(ELEMENTS) / ELEMENTS / 4
+    one, other = (slide(line_of(4, phases=p), 1e3).mu for p in (phases, shifted))
+    assert one == pytest.approx(other, rel=2e-3)
 
 
 def slide_with_jumps(speed, load, steps=8, scheme="exponential"):
@@ -288,3 +309,18 @@ def test_jump_has_the_sign_of_the_step_and_vanishes_with_it(speed, load):
     faster, slower, same = found.jumps
     assert faster > 0.0 > slower
     assert same == pytest.approx(0.0, abs=1e-12)
+
+
+def test_few_samples_agree_with_many():
+    few, many = slide_with_jumps(30.0, 1e-2, 4)[1], slide_with_jumps(30.0, 1e-2, 64)[1]
+    assert few.mu == pytest.approx(many.mu, rel=0.02)
+    assert few.indentation == pytest.approx(many.indentation, rel=0.02)
+    assert few.contact == pytest.approx(many.contact, rel=0.05)
+
+
+def test_rigid_shapes_of_samples_alone_are_never_followed():
+    z = np.abs(np.linspace(-1.0, 1.0, 64, endpoint=False))
+    slope = np.sign(np.linspace(-1.0, 1.0, 64, endpoint=False)) / 32.0
+    line = Line.from_samples(z, slope, 8)
+    assert not line.band_limited
+    assert not one_load(line, 10.0, "exponential", 1e-3 * z.size).followed

@@ -84,6 +84,11 @@ SWING = Oscillate(Velocity(0.0), 1e-4, 10.0, 3)
 FILE = FromFile((0.0, 1.0, 2.0), (0.0, -0.2, 0.4))
 
 
+def test_a_velocity_is_one_or_a_share_of_that_of_the_grid():
+    assert Velocity(0.1).at(7.0) == 0.1
+    assert Velocity(1.5, relative=True).at(2.0) == 3.0
+
+
 def test_how_long_a_slide_takes():
     assert SLOW.seconds(9.0) == pytest.approx(1e-2)
     assert FAST.seconds(9.0) == 2.0

@@ -53,6 +53,10 @@ def test_where_it_begins():
     assert read(programme=[HOLD, SLIDE]).start_velocity(0.7) == 0.7
 
 
+def test_the_list_is_repeated():
+    assert len(read(programme=[SLIDE, FASTER], repeat=3).segments) == 6
+
+
 def test_fresh_without_a_dashpot():
     assert read(GLASSY, programme=[SLIDE], start="fresh").start == "fresh"
 
@@ -69,6 +73,8 @@ PROGRAMME = "scene.programme=[{slide={velocity=0.1, distance=1e-3}}, {hold={dura
 
 
 def test_axes_of_a_study_are_those_of_its_scene():
+    text = small_study().text
+    assert '"velocity"' in text
     study = small_study(
         PROGRAMME,
         "scene.control=indentation",
