@@ -7,10 +7,10 @@ the normal force (1/m). The slider follows at v:
     mu = mu_1 + a ln(v/v1) + b phi            with phi = ln(v1 theta/D_c), the state of rate_state
 
 so that v follows from mu and phi, and scipy's ``solve_ivp`` integrates both from steady sliding at
-v1. ``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step, which is known to the
-time that the velocity took to change: a stiff machine's friction tells a and the moment together
-alone, so that the fit would otherwise rest on rounding. In the limit of a stiff machine a step is
-eq. 6.
+v1. ``least_squares`` fits mu_1, ln a, b, ln D_c and the moment of the step. The moment lies within
+the time that the velocity took to change, and the fit is told so: where the machine is stiff, a
+later step and a larger a give the same friction, and the data alone do not tell one from the other.
+In the limit of a stiff machine a step is eq. 6.
 Source: C. Marone, Annu. Rev. Earth Planet. Sci. 26, 643 (1998),
 doi:10.1146/annurev.earth.26.1.643, eqs. 3 to 6.
 """
@@ -51,7 +51,7 @@ def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
     """Return the fit of one step; stiffness in 1/m, law : "ruina" or "dieterich"."""
     before = mean(step.before)
     size = max(before.error, 1e-12)  # of mu_1, which sliding before the step tells, too
-    spread = step.change / math.sqrt(12.0)  # of the moment, which is alike likely in the change
+    spread = step.change / math.sqrt(12.0)  # of a moment that may be anywhere in the change
 
     def residual(p: np.ndarray, every: int = 1) -> np.ndarray:
         after = step.after[::every]
