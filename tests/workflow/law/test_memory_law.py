@@ -47,11 +47,26 @@ def test_a_jump_is_the_direct_effect_and_then_sums_of_exponentials():
     )
 
 
+def test_steps_at_a_constant_velocity_do_not_depend_on_their_number():
+    start, _ = LAW.step(LAW.init(0.01), 0.07, 0.0)
+    whole, mu = LAW.step(start, 0.07, 0.02)
+    state = start
+    parts = np.random.default_rng(1).uniform(size=30)
+    for dt in 0.02 * parts / parts.sum():
+        state, last = LAW.step(state, 0.07, dt)
+    assert state == pytest.approx(whole, rel=1e-12)
+    assert last == pytest.approx(mu, rel=1e-12)
+
+
 def test_at_rest_what_is_remembered_of_the_motion_fades_with_its_times_alone():
     state, _ = LAW.step(LAW.init(0.05), 0.0, 0.0)
     after, mu = LAW.step(state, 0.0, 0.01)
     assert after[2:] == pytest.approx(state[2:] * np.exp(-0.01 * LAW.rate[1:]), rel=1e-13)
     assert mu == pytest.approx(after[1] * after[2:].sum(), rel=1e-13)
+
+
+def test_it_is_antisymmetric_to_the_bit():
+    assert LAW.run(TIME, -SWING).tolist() == (-LAW.run(TIME, SWING)).tolist()
 
 
 def test_an_independent_integrator_gives_the_same():
@@ -85,6 +100,13 @@ def test_a_ramp_counts_and_not_its_samples():
     time = np.linspace(0.0, 0.2, 4001)
     fine = LAW.run(time, np.interp(time, *ends))
     assert LAW.run(*ends) == pytest.approx(fine[[0, 2000, 4000]], abs=2e-3 * np.abs(fine).max())
+
+
+def test_longer_times_of_the_material_are_slower_motions():
+    slower = LAW.shifted(7.0)
+    assert slower.run(7.0 * TIME, SWING / 7.0) == pytest.approx(LAW.run(TIME, SWING), rel=1e-10)
+    with pytest.raises(UserError, match=r"factor = 0.0: must be greater than zero"):
+        LAW.shifted(0.0)
 
 
 def test_it_warns_above_its_range():
@@ -155,10 +177,10 @@ def test_steps_that_are_none_are_refused(state, v, dt, words):
         LAW.step(state, v, dt)
 
 
-def test_numbers_that_are_none_are_refused():
-    for call, value in ((LAW.init, np.nan), (LAW.steady, np.nan), (LAW.shifted, 0.0)):
+def test_velocities_that_are_none_are_refused():
+    for call in (LAW.init, LAW.steady):
         with pytest.raises(UserError, match="must be"):
-            call(value)
+            call(np.nan)
 
 
 def test_no_motion_is_no_friction():
