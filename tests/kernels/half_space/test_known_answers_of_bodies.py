@@ -9,7 +9,7 @@ Int. J. Solids Struct. 30, 1635 (1993); G. Carbone and C. Putignano, J. Mech. Ph
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.half_space.body import HalfSpace, at_samples, displaced
+from elastomer_friction.kernels.half_space.body import HalfSpace, at_samples
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.contact import solve_contact
 from elastomer_friction.kernels.half_space.sliding_body import SlidingBody, slide_steadily
@@ -21,6 +21,7 @@ from elastomer_friction.kernels.half_space.waves import (
 )
 from elastomer_friction.kernels.quick.case import Case, Quantities
 from elastomer_friction.kernels.rheology.forms import form_of
+from elastomer_friction.kernels.rheology.law import displacement
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
 from tests.kernels.half_space.test_limits import BRANCHES, STEPS, closed_friction, rough
 
@@ -155,7 +156,7 @@ def test_the_work_of_friction_is_what_is_lost(spectrum: Spectrum) -> None:
 
 def displacement_of(spectrum: Spectrum, body, surface: Surface) -> np.ndarray:
     form = form_of(spectrum, "exponential")
-    u = displaced(form, body.memory, body.depth)
+    u = displacement(form, body.memory, body.depth)
     return at_samples(u, body.offset, surface.z.shape)
 
 
