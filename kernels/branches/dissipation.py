@@ -20,18 +20,14 @@ import numpy as np
 from ..compile.jit import kernel
 from ..lines.line import Line
 from ..model.friction import lagged_slope, mean_slope
+from ..rheology.forms import Form
 from ..rheology.law import Elements, law_of
 from ..rheology.prony import moments
-from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
 
 def friction_by_loss(
-    units: Retardation,
-    form: Retardation | RelaxationForm,
-    line: Line,
-    elements: Elements,
-    speed: float,
+    units: Retardation, form: Form, line: Line, elements: Elements, speed: float
 ) -> tuple[float, float]:
     """Return (mu, contact): friction in h/dx and the share of samples in contact.
 
@@ -55,9 +51,7 @@ def friction_by_loss(
     return way * share * lost + (1.0 - share) * summed, contact
 
 
-def step_friction(
-    form: Retardation | RelaxationForm, line: Line, elements: Elements, speed: float
-) -> float:
+def step_friction(form: Form, line: Line, elements: Elements, speed: float) -> float:
     """Return mu of steady sliding (eq. 5) as a step of the march gives it; arguments as above."""
     way = 1 if speed > 0.0 else -1
     lag = law_of(form, 1.0 / (line.steps_per_spacing * abs(speed))).lag

@@ -8,14 +8,12 @@ import numpy as np
 
 from ..lines.line import Line
 from ..model.friction import quadrature
+from ..rheology.forms import Form
 from ..rheology.law import Elements, displacement, lasting, law_of
-from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 
 
-def friction_jump(
-    form: Retardation | RelaxationForm, line: Line, elements: Elements, speed: float, ratio: float
-) -> float:
+def friction_jump(form: Form, line: Line, elements: Elements, speed: float, ratio: float) -> float:
     """Return the jump of mu (h/dx) from steady sliding at ``speed`` to ``ratio`` times it.
 
     form : of the material (rheology/forms.py). elements : of steady sliding (steady_memory.py).

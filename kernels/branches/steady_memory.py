@@ -18,6 +18,7 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..model.contact import solve_indentation
+from ..rheology.forms import Form
 from ..rheology.law import (
     Elements,
     law_of,
@@ -28,8 +29,6 @@ from ..rheology.law import (
     settle,
     settle_one,
 )
-from ..rheology.relaxed import RelaxationForm
-from ..rheology.retardation import Retardation
 
 TURNS = 60  # at most; a few are enough
 EXACT = 1e-13  # residual that is as good as none
@@ -45,9 +44,7 @@ class SteadyMemory(NamedTuple):
     residual: float  # what is left of the equations, relative
 
 
-def steady_memory(
-    form: Retardation | RelaxationForm, z: np.ndarray, speed: float, load: float
-) -> SteadyMemory:
+def steady_memory(form: Form, z: np.ndarray, speed: float, load: float) -> SteadyMemory:
     """Return the steady state of sliding under the load sum_i f_i = load.
 
     form : of the material (rheology/forms.py). z : heights of the line, shape (n,), in h.
@@ -57,16 +54,12 @@ def steady_memory(
     return _found(form, z, speed, load, start)
 
 
-def steady_at(
-    form: Retardation | RelaxationForm, z: np.ndarray, speed: float, d: float
-) -> SteadyMemory:
+def steady_at(form: Form, z: np.ndarray, speed: float, d: float) -> SteadyMemory:
     """Return the steady state of sliding at a given indentation d (in h), as steady_memory."""
     return _found(form, z, speed, np.nan, d)
 
 
-def _found(
-    form: Retardation | RelaxationForm, z: np.ndarray, speed: float, load: float, d: float
-) -> SteadyMemory:
+def _found(form: Form, z: np.ndarray, speed: float, load: float, d: float) -> SteadyMemory:
     """Return the steady state under a load, from a first guess d, or at d if the load is NaN.
 
     Heights and d are counted from the deepest sample: what presses in is known to rounding then.

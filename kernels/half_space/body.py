@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..compile.jit import kernel
-from ..rheology.law import displacement, lasting, law_of, memories, predict, rest, settle
+from ..rheology.law import lasting, law_of, predict, rest, settle
 from .contact import ElasticContact, Operator, press
 from .surface import Surface
 from .waves import half_space_stiffness
@@ -137,7 +137,7 @@ def rest_on(space: HalfSpace, stiffness: float = 1.0) -> tuple[Body, int]:
     """
     found = press(stiffness * space.surface.z, space.pressure, space.operator, None, TOLERANCE)
     depth = at_elements(found.depth, 0)
-    memory = rested(space.form, depth / stiffness)
+    memory = rest(space.form, depth / stiffness)
     return Body(memory, depth, found.p, found.d / stiffness, 0), found.passes
 
 
@@ -148,24 +148,6 @@ def take(law, memory, w, depth, new):
 
 
 @kernel
-def rested(form, depth):
-    """Return the memory of elements that have been pressed like this for ever."""
-    return rest(form, depth)
-
-
-@kernel
-def displaced(form, memory, depth):
-    """Return the displacements of the elements, shape (rows n,), in h."""
-    return displacement(form, memory, depth)
-
-
-@kernel
 def lasting_depth(form, memory):
     """Return (viscosity, A p without the dashpot's part at no rate)."""
     return lasting(form, memory)
-
-
-@kernel
-def count_memories(form):
-    """Return M."""
-    return memories(form)

@@ -6,7 +6,7 @@ Only what is asked for is computed.
 import numpy as np
 
 from ..model.friction import mean_slope
-from ..quick.case import Case, Outcome, PhaseClock, Quantities, Seconds
+from ..quick.case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 from ..rheology.forms import form_of
 from .body import Body, HalfSpace, take_step
 from .instant import friction_jumps, initial_rates
@@ -26,11 +26,11 @@ def run_case(
     own steady value. refine of a case has no meaning here. stiffness : over the modes, where it is
     not that of a half-space. Raises ValueError where no steady state is found.
     """
-    clock = PhaseClock()
+    clock = PhaseClocks()
     space = HalfSpace.under(form_of(case.spectrum, case.scheme), surface, case.load, stiffness)
     one = slide_steadily(space, case.spectrum, case.speed)
     passes = one.passes
-    clock.lap("steady")
+    clock.lap_phase(STEADY)
     count = len(case.ratios)
     jumps, rates, mu_2 = np.full((3, count), np.nan)
     if asked.jump and case.ratios:
@@ -39,19 +39,19 @@ def run_case(
     if asked.initial_rate and case.ratios:
         rates, used = initial_rates(space, case.spectrum, one, case.speed, case.ratios)
         passes += used
-    clock.lap("jump")
+    clock.lap_phase(JUMP)
     curves = []
     for k, ratio in enumerate(case.ratios):
         if not (asked.steady or asked.relaxation):
             continue
         two = slide_steadily(space, case.spectrum, ratio * case.speed, one.body)
         passes, mu_2[k] = passes + two.passes, two.mu
-        clock.lap("steady")
+        clock.lap_phase(STEADY)
         if asked.relaxation:
             curve, used = _relaxation(space, one.body, two, case.kept_steps[k])
             curves.append(two.mu + (curve - two.step_mu))
             passes += used
-            clock.lap("marching")
+            clock.lap_phase(MARCHING)
     return Outcome(
         one.mu,
         one.body.d,
@@ -61,7 +61,7 @@ def run_case(
         jumps,
         curves,
         passes * surface.z.size,
-        Seconds(**clock.spent),
+        clock.seconds(),
         rates,
     )
 

@@ -82,30 +82,6 @@ class Operator(NamedTuple):
         return np.fft.irfft(self.modes, p.shape[1], axis=1, out=out)
 
 
-def solve_contact(
-    gap: np.ndarray,
-    mean_pressure: float,
-    stiffness: np.ndarray,
-    pressure0: np.ndarray | None,
-    tolerance: float,
-) -> tuple[np.ndarray, float, int]:
-    """Return (p, d, passes): pressures, the distance of approach, and passes of the operator.
-
-    gap : height of the rigid surface over the body without pressure, shape (rows, n).
-    mean_pressure : > 0. stiffness : over the modes of a real transform, shape
-    (rows, n//2 + 1); that of the mean is not used. pressure0 : where to start from, or None.
-    tolerance : rms of g over the contact, relative to the rms of A p. p is in units of the
-    stiffness times those of the gap. Raises ValueError where a stiffness is not positive.
-    """
-    operator = Operator.of(stiffness, gap.shape[1])
-    start = None
-    if pressure0 is not None:
-        p = pressure0 * (mean_pressure / pressure0.mean())
-        start = ElasticContact(p, operator.displaced(p, np.empty_like(p)), 0.0, 1)
-    found = press(gap, mean_pressure, operator, start, tolerance)
-    return found.p, found.d, found.passes
-
-
 def press(
     gap: np.ndarray,
     mean_pressure: float,
@@ -114,10 +90,12 @@ def press(
     tolerance: float,
     allowed: np.ndarray | None = None,
 ) -> ElasticContact:
-    """Solve the contact, as solve_contact.
+    """Solve the contact; p is in units of the stiffness times those of the gap.
 
-    start : pressures of the same mean, where they are allowed, and A p of them; or None. allowed :
-    where p may be positive, or None for everywhere.
+    gap : height of the rigid surface over the body without pressure, shape (rows, n).
+    mean_pressure : > 0. start : pressures of the same mean, where they are allowed, and A p of
+    them; or None. tolerance : rms of g over the contact, relative to the rms of A p. allowed :
+    where p may be positive, or None for everywhere. Raises ValueError where none is found.
     """
     allowed = np.ones(gap.shape, np.bool_) if allowed is None else allowed
     if start is None:

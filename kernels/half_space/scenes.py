@@ -17,22 +17,13 @@ from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..scene.begin import charge_branches, glassy_stiffness
 from ..scene.cycles import add_impulses, mean_of, spell_of
-from ..scene.records import TRACES, Trace, keep_motion, keep_trace
+from ..scene.records import TRACES, Trace, keep_forces, keep_motion
 from ..scene.scene_case import Saved, SceneCase, check_scene, scene_steps
 from .body import Body, HalfSpace, move_on, rest_on
 from .sliding_body import slide_steadily
 from .surface import Surface
 
 KEPT = ("trace", "cycle_mean", "snapshots")  # what of a scene is there for a half-space
-
-
-class StepEnds(NamedTuple):
-    """Where a step ends, and how it weighs the slopes at its two ends."""
-
-    before: float  # in samples
-    now: float
-    lag: float  # of the force, as a share of the step before its end
-    old: float  # approach before the step, in h
 
 
 class Way(NamedTuple):
@@ -96,14 +87,21 @@ def run_scene_on_half_space(
             heights = moving.at(place - whole)[0]
             body, used = move_on(space, body, own, heights, whole % n)
             passes += used
-        if spell is not None and spell.after < step <= spell.last:
-            slope = _slope_felt(body, moving, StepEnds(places[step - 1], place, lag, old))
-            sums = weighed(-body.p.ravel(), None, slope, 0.0)
+        averaged = spell is not None and spell.after < step <= spell.last
+        if averaged or step in kept:
+            before = places[step - 1] if step else -math.copysign(1.0, lag)
+            lag = abs(lag)
+            earlier, now = (
+                moving.slope_over(place, body.offset).ravel() for place in (before, places[step])
+            )
+            sums = weighed(-body.p.ravel(), None, now + lag * (earlier - now), 0.0)
+        if averaged:
             add_impulses(spell, sums, way.dt[step - 1])
         if step in kept:
-            before = places[step - 1] if step else -math.copysign(1.0, lag)
-            k, lag = kept[step], abs(lag)
-            _keep(trace, k, body, moving, StepEnds(before, places[step], lag, old))
+            k = kept[step]
+            keep_forces(trace, k, lag, sums, body.p.size, old, body.d)
+            trace.normal_force[k] *= n / m  # the side of the surface, in dx
+            trace.friction_force[k] *= n / m
             if step:
                 keep_motion(trace, k, lag, way, step - 1)
             else:
@@ -115,21 +113,6 @@ def run_scene_on_half_space(
     if "snapshots" in scene.asked:
         found["snapshot_pressure"] = frames
     return found | mean_of(spell) | {"updates": np.array(float(passes * surface.z.size))}
-
-
-def _slope_felt(body: Body, moving: Moving, ends: StepEnds) -> np.ndarray:
-    """Return the slopes where the force of a step acts, shape (rows n,)."""
-    before, now = (moving.slope_over(place, body.offset).ravel() for place in ends[:2])
-    return now + ends.lag * (before - now)
-
-
-def _keep(trace: Trace, k: int, body: Body, moving: Moving, ends: StepEnds) -> None:
-    """Keep friction, forces and contact of a step as number k."""
-    slopes = [moving.slope_over(place, body.offset).ravel() for place in ends[:2]]
-    keep_trace(trace, k, ends.lag, *slopes, ends.old, body.d, body.p.ravel())
-    side = body.p.shape[1] / moving.surface.steps_per_spacing  # in dx
-    trace.normal_force[k] *= side
-    trace.friction_force[k] *= side
 
 
 def begun_on(space: HalfSpace, scene: SceneCase) -> tuple[Body, int, float]:

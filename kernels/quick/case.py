@@ -67,24 +67,10 @@ class Outcome(NamedTuple):
     initial_rate: np.ndarray  # shape (ratios,): d mu/dt at t0+, per tau; NaN where not asked for
 
 
-class PhaseClock:
-    """Books the time since its last reading to a phase."""
-
-    def __init__(self) -> None:
-        self.spent = dict.fromkeys(Seconds._fields, 0.0)
-        self.last = working_time()
-
-    def lap(self, phase: str) -> None:
-        """Book the time to a phase."""
-        now = working_time()
-        self.spent[phase] += now - self.last
-        self.last = now
-
-
 class PhaseClocks:
-    """Books the time since its last reading to phases of several cases, in proportion to work."""
+    """Books the time since its last reading to phases of cases, in proportion to work."""
 
-    def __init__(self, cases: int) -> None:
+    def __init__(self, cases: int = 1) -> None:
         self.spent = [[0.0] * cases for _ in Seconds._fields]
         self.last = working_time()
 
@@ -98,12 +84,12 @@ class PhaseClocks:
             self.spent[JUMP][case] += each * float(jumps[case])
         self.last = now
 
-    def lap_march(self, case: int) -> None:
-        """Book the time to the march of one case."""
+    def lap_phase(self, phase: int, case: int = 0) -> None:
+        """Book the time to a phase of one case."""
         now = working_time()
-        self.spent[MARCHING][case] += now - self.last
+        self.spent[phase][case] += now - self.last
         self.last = now
 
-    def seconds(self, case: int) -> Seconds:
+    def seconds(self, case: int = 0) -> Seconds:
         """Return what a case has taken."""
         return Seconds(*[phase[case] for phase in self.spent])

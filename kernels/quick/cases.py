@@ -11,7 +11,7 @@ import numpy as np
 from ..control.printed_eq3 import PrintedForce
 from ..lines.line import Line
 from ..model.force import ConstantForce
-from .case import Case, Outcome, PhaseClocks, Quantities, Seconds
+from .case import MARCHING, Case, Outcome, PhaseClocks, Quantities, Seconds
 from .contacts.steady_friction import Grounds, Sliding, follow_narrow, steady_friction
 from .march.active import active_march
 from .march.given import March, SteadyState
@@ -119,7 +119,7 @@ def _under_load(
             for own, curve in zip(curves, found, strict=True):
                 own.append(curve)
             work += updates
-            clocks.lap_march(i)
+            clocks.lap_phase(MARCHING, i)
     jumps = one.found.jumps[:, i] if asked.jump else np.full(mu_2.shape, np.nan)
     seconds = Seconds(*(spent / lines for spent in clocks.seconds(i)))
     nothing = some.nothing

@@ -14,7 +14,7 @@ from ..rheology.forms import form_of
 from ..rheology.law import Elements
 from ..rheology.retardation import Retardation
 from ..scene import Saved, SceneCase, run_scene
-from .case import Case, Outcome, PhaseClock, Quantities, Seconds
+from .case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 from .contacts.samples import samples_per_contact
 
 
@@ -24,9 +24,9 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
     The relaxation curve is mu_2 plus the deviation of the march from its own steady value, as for
     a Kelvin element. Without a dashpot the jump is zero, and the rate of mu is what jumps.
     """
-    clock = PhaseClock()
+    clock = PhaseClocks()
     one, mu_1, contact, work = _steady(line, case, case.speed)
-    clock.lap("steady")
+    clock.lap_phase(STEADY)
     count = len(case.ratios)
     mu_2, jump, rate = np.full(count, np.nan), np.full(count, np.nan), np.full(count, np.nan)
     curves = []
@@ -37,22 +37,21 @@ def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:
         if asked.initial_rate:
             units = _units(case)
             rate[k] = initial_rate(units, line, one, case.speed, ratio) if units.glass else np.nan
-        clock.lap("jump")
+        clock.lap_phase(JUMP)
         if not (asked.steady or asked.relaxation):
             continue
         two, mu_2[k], _, swept = _steady(line, case, speed)
         work += swept
-        clock.lap("steady")
+        clock.lap_phase(STEADY)
         if asked.relaxation:
             curve = _relaxation(line, case, one, speed, case.kept_steps[k])
             form = form_of(case.spectrum, case.scheme)
             curves.append(mu_2[k] + (curve - step_friction(form, line, two, speed)))
             work += line.z.size * int(case.kept_steps[k][-1])
-            clock.lap("marching")
-    seconds = Seconds(**clock.spent)
+            clock.lap_phase(MARCHING)
     depth = one.d + line.datum
     samples = samples_per_contact(one.p)
-    return Outcome(mu_1, depth, contact, samples, mu_2, jump, curves, work, seconds, rate)
+    return Outcome(mu_1, depth, contact, samples, mu_2, jump, curves, work, clock.seconds(), rate)
 
 
 def _steady(line: Line, case: Case, speed: float) -> tuple[Elements, float, float, int]:

@@ -8,13 +8,14 @@ from .relaxed import RelaxationForm, relaxation
 from .retardation import Retardation, retardation
 from .spectrum import Spectrum
 
-FORMS: dict[str, Callable[[Spectrum], Retardation | RelaxationForm]] = {
+Form = Retardation | RelaxationForm
+FORMS: dict[str, Callable[[Spectrum], Form]] = {
     prony.SCHEME: retardation,
     relaxed.SCHEME: relaxation,
 }
 
 
 @lru_cache(maxsize=100)
-def form_of(spectrum: Spectrum, scheme: str) -> Retardation | RelaxationForm:
+def form_of(spectrum: Spectrum, scheme: str) -> Form:
     """Return the form of a material for a time scheme. Raises ValueError as retardation does."""
     return FORMS[scheme](spectrum)

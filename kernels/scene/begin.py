@@ -7,15 +7,13 @@ from ..lines.line import Line
 from ..model.contact import solve_indentation
 from ..model.steady import steady_sliding, sweep
 from ..motion.legs import speed_at_start
-from ..rheology.forms import form_of
+from ..rheology.forms import Form, form_of
 from ..rheology.kelvin import SCHEMES
 from ..rheology.law import Elements, rest
 from ..rheology.relaxed import RelaxationForm
 from ..rheology.retardation import Retardation
 from ..rheology.spectrum import KELVIN, Spectrum
 from .scene_case import Saved, SceneCase, indentation_at
-
-Form = Retardation | RelaxationForm
 
 
 def begun(line: Line, scene: SceneCase, form: Form) -> Saved:

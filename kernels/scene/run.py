@@ -7,10 +7,10 @@ from ..lines.line import Line
 from ..model.force import ConstantForce
 from ..motion.legs import Steps, last_speed, speed_at_start
 from ..motion.track import Track, tracks
-from ..rheology.forms import form_of
+from ..rheology.forms import Form, form_of
 from ..rheology.law import Elements, displacement, law_of
 from ..rheology.retardation import Retardation
-from .begin import Form, begun
+from .begin import begun
 from .cycles import mean_of, spell_of
 from .energy import ENERGIES, Ledger, stored_energy
 from .follow import follow

@@ -14,7 +14,7 @@ from collections.abc import Callable
 import numpy as np
 
 from elastomer_friction.kernels.half_space.body import HalfSpace, take_step
-from elastomer_friction.kernels.half_space.contact import solve_contact
+from elastomer_friction.kernels.half_space.contact import Operator, press
 from elastomer_friction.kernels.half_space.sliding_body import slide_steadily
 from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes, rms_slope_of
 from elastomer_friction.kernels.half_space.waves import half_space_stiffness
@@ -63,8 +63,13 @@ def main() -> None:
         slope = rms_slope_of(amplitudes, elements)
         surface = Surface.drawn(np.random.default_rng(1), amplitudes, elements, M)
         stiffness, pressure = half_space_stiffness(surface.z.shape, M), LOAD * slope
-        exact = solve_contact(surface.z, pressure, stiffness, None, 1e-12)[0]
-        ways = [lambda s=surface, k=stiffness, p=pressure: solve_contact(s.z, p, k, None, OURS)[0]]
+        n = surface.z.shape[1]
+        exact = press(surface.z, pressure, Operator.of(stiffness, n), None, 1e-12).p
+        ways = [
+            lambda s=surface, k=stiffness, p=pressure, n=n: (
+                press(s.z, p, Operator.of(k, n), None, OURS).p
+            )
+        ]
         with contextlib.suppress(ImportError):
             ways.append(by_tamaas(surface, elements, pressure))
         found = [fastest(way, 2 if elements > 64 else 5) for way in ways]

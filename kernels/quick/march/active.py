@@ -7,8 +7,8 @@ from ..contacts.pressed import weighed_in_fours
 from .bounds import first_bounds, widened
 from .crossings import Steady, arrivals_of
 from .lists import lists_of
-from .load_balance import NOTHING_ELSE, foresee
-from .narrow import march_narrowing
+from .load_balance import foresee
+from .narrow import ROOM, ROOM_OF_RATE, march_shortening
 from .runs import classes_of
 from .stepping import Stand
 
@@ -38,10 +38,10 @@ def active_march(march, control, kept_steps, margins=MARGINS):
         # Averaged over a step (model/friction.py).
         settled = (sums.moment + moment) / (sums.depth + depth)
         arrivals = arrivals_of(law, lists, runs, steady, march.z, last)
-        where = runs, lists, sums, arrivals, NOTHING_ELSE
-        # Without the layer of narrow.py: march_on(march, ..., into).
-        inside, now, _, used = march_narrowing(
-            march, control, where, bounds, stand, last, into, (attempt, spread)
+        where = runs, lists, sums, arrivals
+        room = ROOM[attempt - 1] * spread[0], ROOM_OF_RATE[attempt - 1] * spread[1]
+        inside, now, _, used = march_shortening(
+            march, control, where, bounds, stand, last, into, 1.0, room
         )
         work += used + march.z.size
         if inside or attempt == len(margins) or not np.isfinite(now.d):

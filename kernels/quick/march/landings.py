@@ -14,7 +14,6 @@ import numpy as np
 
 from ...compile.jit import kernel
 from .crossings import FORGOTTEN
-from .load_balance import beside, keep_past
 
 SAME = 2e-15  # of d: displacements that differ by rounding
 
@@ -70,9 +69,13 @@ def landed(landings):
     return Landings(landings.reference, landings.tally, crossing, some, landings.past)
 
 
-@beside.of(Landings)
-def _landing(others, step, d, row):
-    reference, tally, crossing, distances, past = others
+@kernel
+def beside(landings, step, d, row):
+    """Return (how many samples there are, the sum over them) at the indentation d in a step.
+
+    Of their overlaps (row 0), or of those times lagged slopes (row 1).
+    """
+    reference, tally, crossing, distances, past = landings
     one = other = 0.0
     whole = distances.size - distances.size % 2
     for i in range(0, whole, 2):
@@ -83,11 +86,6 @@ def _landing(others, step, d, row):
         q = distances[whole]
         one += crossing[row, q] * (past[step - q] - reference)
     return tally[0], (tally[2 * row] * (d - reference) + tally[2 * row + 1]) - (one + other)
-
-
-@keep_past.of(Landings)
-def _remember(others, step, d):
-    others.past[step] = d
 
 
 @kernel

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import by_type, kernel
+from ...compile.jit import kernel
 from ...model.contact import excess_at, indentation_under, lowest_of, overlap
 from .given import advance
 
@@ -22,38 +22,6 @@ def foresee(control, march):
     law, d = march.law, march.start.d
     new = max(d + FARTHER * march.rate / law.stiffness, NEARER * d)
     return min(new, law.decay * d + control.load / law.stiffness)
-
-
-class NothingElse(NamedTuple):
-    """Listed samples and those in sums are all that touches. A layer may know of others."""
-
-    samples: float  # none
-
-
-NOTHING_ELSE = NothingElse(0.0)
-
-
-@by_type
-def beside(others, step, d, row):
-    """Return (how many others touch, the sum over them) at the indentation d in a step.
-
-    Of their overlaps (row 0), or of those times lagged slopes (row 1).
-    """
-
-
-@by_type
-def keep_past(others, step, d):
-    """Keep the indentation at the end of a step, if the others depend on it."""
-
-
-@beside.of(NothingElse)
-def _nothing_beside(others, step, d, row):
-    return others.samples, 0.0
-
-
-@keep_past.of(NothingElse)
-def _nothing_to_remember(others, step, d):
-    pass
 
 
 class PartlyListed(NamedTuple):
@@ -87,8 +55,8 @@ def next_indentation(control, law, lists, sums, more, d, guess):
     """Return (d, advanced, passes): the new indentation, D of the samples in sums, passes over c.
 
     Solves n (D - level) + sum (level - a) + sum max(0, d - c) = load / K (eq. 4).
-    more : how many samples touch beside both, and their overlap were d to stay (beside). d : the
-    old indentation. guess : of the new one. d is infinite where nothing can carry the load.
+    more : how many samples touch beside both, and their overlap were d to stay (landings.py).
+    d : the old indentation. guess : of the new one. d is infinite where nothing can carry the load.
     """
     load = control.load / law.stiffness - more[1]
     carried = sums.samples * (d / law.stiffness - sums.level) + sums.depth

@@ -1,8 +1,6 @@
 """Shorter lists in a long march: what is still open within narrower bounds, of what was listed.
 
-This is a layer over stepping.py, which does without: where active.py calls march_on in place of
-march_narrowing, with the same arguments but the last, this file and landings.py are not used. It
-is worth several times the steps of long marches in which d moves far (docs/speed.md).
+It is worth several times the steps of long marches in which d moves far (docs/speed.md).
 What always touches goes on to, and so does what never does: nothing but the runs is looked at.
 Where elements always land that have left contact, they are summed (landings.py).
 The recursion of gaps g is that of runs.py; as the elements on their way are known, displacements
@@ -43,30 +41,19 @@ class Reach(NamedTuple):
 
 
 @kernel
-def march_narrowing(march, control, where, bounds, stand, last, into, given):
-    """March on as march_on does, and make shorter lists on the way; return what it does.
-
-    given : number of the attempt, from 1 on, and the spread of d and of D at first.
-    """
-    attempt, spread = given
-    room = ROOM[attempt - 1] * spread[0], ROOM_OF_RATE[attempt - 1] * spread[1]
-    return march_shortening(march, control, where, bounds, stand, last, into, 1.0, room)
-
-
-@kernel
 def march_shortening(march, control, where, bounds, stand, last, into, worth, room):
     """March on as march_on does. Shorter lists are made where what they save exceeds what it costs.
 
-    worth : by which what they save is multiplied. room : that they leave at least to d and to D,
-    beyond what was seen of these.
+    where : runs, lists, sums and arrivals. worth : by which what they save is multiplied. room :
+    that they leave at least to d and to D, beyond what was seen of these.
     """
-    law, (runs, lists, sums, arrivals, _) = march.law, where
+    law, (runs, lists, sums, arrivals) = march.law, where
     landings = no_landings(march.end.d, stand.d, last)
     work, due, w = 0, FIRST_DUE, np.empty(march.z.size)
     while True:
-        where = runs, lists, sums, arrivals, landings
+        known = runs, lists, sums, arrivals, landings
         inside, stand, seen, used = march_on(
-            march, control, where, bounds, stand, min(due, last), into
+            march, control, known, bounds, stand, min(due, last), into
         )
         work += used
         left, d = last - stand.step, stand.d
@@ -76,7 +63,7 @@ def march_shortening(march, control, where, bounds, stand, last, into, worth, ro
         if worth * gain(bounds, closer, lists, arrivals[1], left) > 1.0:
             elements_aloft(law, lists, runs, arrivals[1], d, w, left)
             past = landings.past[: stand.step + 1]
-            runs, lists, sums, landings = narrowed(law, march.z, closer, where, past, w, left)
+            runs, lists, sums, landings = narrowed(law, march.z, closer, known, past, w, left)
             arrivals = arrivals_of(law, lists, runs, State(w, d), march.z, left)
             bounds = closer
             work += lists.c.size + arrivals[1].values.size

@@ -6,7 +6,8 @@ from ...compile.jit import kernel
 from ..contacts.pressed import weighed_in_fours
 from .bounds import NOTHING, are_within, including
 from .crossings import arrive, depart
-from .load_balance import beside, keep_past, next_indentation
+from .landings import beside
+from .load_balance import next_indentation
 
 
 class Stand(NamedTuple):
@@ -23,11 +24,11 @@ class Stand(NamedTuple):
 def march_on(march, control, where, bounds, stand, last, into):
     """March on to step ``last`` as long as the bounds hold; return (inside, stand, seen, work).
 
-    where : runs, lists, sums, arrivals, and what touches beside them (load_balance.py). into :
+    where : runs, lists, sums, arrivals, and landings. into :
     kept_steps, and mu and indentation at them, which are filled in. seen : bounds of d and D on
     the way. work : element updates.
     """
-    law, (_, lists, sums, arrivals, others) = march.law, where
+    law, (_, lists, sums, arrivals, landings) = march.law, where
     kept_steps, mu, indentation = into
     _, kept, d, guess, advanced = stand
     seen, work = NOTHING, 0
@@ -35,16 +36,16 @@ def march_on(march, control, where, bounds, stand, last, into):
         move_listed(law, lists, d)
         arrive(law, lists, arrivals, d)
         old = d
-        more = beside(others, step, old, 0)
+        more = beside(landings, step, old, 0)
         d, advanced, passes = next_indentation(control, law, lists, sums, more, old, guess)
         work += passes * lists.c.size + arrivals[1].at.size
         if not are_within(bounds, d, advanced):
             return False, Stand(step, kept, d, guess, advanced), seen, work
         guess = d + (d - old)
-        keep_past(others, step, d)
+        landings.past[step] = d
         depart(lists, arrivals[1], d)
         if step == kept_steps[kept]:
-            more = beside(others, step, d, 0)[1], beside(others, step, d, 1)[1]
+            more = beside(landings, step, d, 0)[1], beside(landings, step, d, 1)[1]
             mu[kept] = average(lists, sums, more, d, advanced)
             indentation[kept] = d
             kept += 1

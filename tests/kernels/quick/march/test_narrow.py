@@ -11,14 +11,9 @@ from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.quick.march.active import MARGINS, active_march
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
 from elastomer_friction.kernels.quick.march.crossings import Steady, arrivals_of
-from elastomer_friction.kernels.quick.march.landings import land, landed, no_landings
+from elastomer_friction.kernels.quick.march.landings import beside, land, landed, no_landings
 from elastomer_friction.kernels.quick.march.lists import lists_of
-from elastomer_friction.kernels.quick.march.load_balance import (
-    NOTHING_ELSE,
-    beside,
-    foresee,
-    keep_past,
-)
+from elastomer_friction.kernels.quick.march.load_balance import foresee
 from elastomer_friction.kernels.quick.march.narrow import march_shortening
 from elastomer_friction.kernels.quick.march.runs import classes_of
 from elastomer_friction.kernels.quick.march.stepping import Stand, march_on
@@ -35,13 +30,15 @@ def followed(setting, control, steps, narrowing=True, margin=0.1):
     arrivals = arrivals_of(setting.law, lists, runs, steady, setting.z, steps)
     kept = np.arange(1, steps + 1)
     mu, d = np.full(steps, np.nan), np.full(steps, np.nan)
-    where = runs, lists, sums, arrivals, NOTHING_ELSE
+    where = runs, lists, sums, arrivals
     stand = Stand(0, 0, setting.start.d, guess, np.nan)
-    march = setting, control, where, bounds, stand, steps, (kept, mu, d)
+    others = bounds, stand, steps, (kept, mu, d)
     if narrowing:
-        inside, _, _, work = march_shortening(*march, 1e9, (0.0, 0.0))
+        found = march_shortening(setting, control, where, *others, 1e9, (0.0, 0.0))
     else:
-        inside, _, _, work = march_on(*march)
+        landings = no_landings(setting.end.d, setting.start.d, steps)
+        found = march_on(setting, control, (*where, landings), *others)
+    inside, _, _, work = found
     return mu, d, inside, work
 
 
@@ -136,8 +133,7 @@ def test_sums_are_those_of_samples_one_by_one():
     landings = landed(landings)
     assert landings.distances.tolist() == [2, 4]
     past = np.append(PAST, now)
-    for k in range(past.size):
-        keep_past(landings, k, past[k])
+    landings.past[: past.size] = past
     each = [now - z + LAW.decay**q * (height - past[step - q]) for height, z, q, _ in samples]
     weights = [weight for *_, weight in samples]
     assert beside(landings, step, now, 0) == (3.0, pytest.approx(sum(each), rel=1e-13))
