@@ -10,18 +10,14 @@ from typing import Any, NoReturn
 
 from ..errors import UserError
 from ..system import program, version_of
+from .exit_status import RESUMABLE, WRONG
 
-DONE, WRONG, FAILED, RESUMABLE = 0, 2, 3, 130  # exit status
-STATES = 2  # of a reduced law
 WRITTEN = ("c", "abaqus", "modelica", "fortran", "fmu", "json")  # as what a reduced law is written
 FOR_WHOM = ("study", "abaqus", "ansys")  # Prony series are printed
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """Run one command; return the exit status.
-
-    0 done, 2 wrong input or surroundings, 3 done but for problems that failed, 130 interrupted.
-    """
+    """Run one command; return the exit status."""
     words = sys.argv[1:] if arguments is None else arguments
     ended = "aborted before anything was begun"
     try:
@@ -207,7 +203,7 @@ def _law_options(command: argparse.ArgumentParser) -> None:
     add("--group", help="a comparison of the study, in place of the study itself")
     text = "a place on an axis of the grid (repeatable; an axis of one value needs none)"
     add("--at", action="append", metavar="AXIS=VALUE", help=text)
-    add("--states", type=int, help=f"exponential states, 0 to 5 ({STATES})")
+    add("--states", type=int, help="exponential states, 0 to 5 (2)")
     add("--kind", choices=("states", "rate-state", "lugre"), help="of the law (states)")
     text = "a result of motions to state the error on, in place of quarters (repeatable)"
     add("--held-out", action="append", metavar="FILE", help=text)

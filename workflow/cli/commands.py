@@ -23,7 +23,7 @@ from ..study import (
     study_schema,
 )
 from ..system import make_folder, program, write_durably
-from .command_line import DONE, FAILED
+from .exit_status import DONE, FAILED
 from .experiments import run_fit, run_prony
 from .law_command import run_law
 from .outline import outline_grid, outline_measured

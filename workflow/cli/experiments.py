@@ -13,7 +13,7 @@ from ..errors import UserError
 from ..report import print_pictures
 from ..study import INCOMPRESSIBLE, Moduli, read_moduli
 from ..system import make_folder, write_durably
-from .command_line import DONE, FOR_WHOM
+from .exit_status import DONE
 
 if TYPE_CHECKING:
     from ..reduce import PronyFit
@@ -155,9 +155,11 @@ def _for_ansys(fit: "PronyFit") -> list[str]:
     return [head, f"TB,PRONY,1,1,{len(shares)},SHEAR", *values]
 
 
-FORMS: dict[str, Callable[["PronyFit"], list[str]]] = dict(
-    zip(FOR_WHOM, (lambda _: [], _for_abaqus, _for_ansys), strict=True)
-)
+FORMS: dict[str, Callable[["PronyFit"], list[str]]] = {
+    "study": lambda _: [],
+    "abaqus": _for_abaqus,
+    "ansys": _for_ansys,
+}
 
 
 def columns_of(words: str, counts: tuple[int, ...] = (3,)) -> tuple[int, ...]:

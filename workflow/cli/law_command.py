@@ -9,7 +9,7 @@ from ..errors import UserError
 from ..result import check_result, open_tree, result_file
 from ..study import read_study
 from ..system import make_folder, write_durably
-from .command_line import DONE, STATES
+from .exit_status import DONE
 
 if TYPE_CHECKING:
     from ..law import Law
@@ -65,7 +65,7 @@ def _fitted(options: argparse.Namespace) -> tuple[Path, "Law"]:
     others = [_dataset(Path(name), None) for name in options.held_out or ()]
     found = law.fit(
         _dataset(path, options.group),
-        states=STATES if options.states is None else options.states,
+        states=2 if options.states is None else options.states,
         kind=options.kind or "states",
         held_out=others or None,
         point=dict(map(_place, options.at or ())),

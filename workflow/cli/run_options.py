@@ -11,7 +11,7 @@ from ..errors import UserError
 from ..plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
 from ..study import Measured, Study
 from ..system import program
-from .command_line import DONE, FAILED, RESUMABLE
+from .exit_status import DONE, FAILED, RESUMABLE
 from .outline import announced_plan
 
 UNTIMED = 3.0  # s; a study that takes less at the most ends before this machine is measured

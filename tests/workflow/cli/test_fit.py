@@ -5,6 +5,7 @@ import tomllib
 import numpy as np
 import pytest
 
+from elastomer_friction.workflow.cli import command_line, experiments
 from elastomer_friction.workflow.study.effects.material import MATERIAL, read_material
 from elastomer_friction.workflow.study.effects.shifting import Wlf
 from elastomer_friction.workflow.study.settings import checked
@@ -179,6 +180,11 @@ def test_a_relaxation_test_that_ends_early_says_what_it_leaves_open(capsys, tmp_
     low, high = (float(part.split()[0]) for part in text.split("modulus: ")[1].split("...")[:2])
     assert low <= 1e6 <= high
     assert "it wants times beyond 0.1 s" in text
+
+
+def test_the_command_knows_everybody_a_series_is_printed_for():
+    """It names them itself, for a help text that imports no laboratory."""
+    assert tuple(experiments.FORMS) == command_line.FOR_WHOM
 
 
 @pytest.mark.parametrize("form", ["abaqus", "ansys"])
