@@ -4,8 +4,10 @@ import dataclasses
 
 import pytest
 
+from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.index import Index
+from elastomer_friction.workflow.store.shard import digest
 from elastomer_friction.workflow.store.store import DamagedShard, Store
 from elastomer_friction.workflow.system import Maker
 from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
@@ -97,14 +99,14 @@ def test_what_a_shard_does_not_hold_is_no_longer_told_of_it_once_it_is_read(tmp_
         assert_holds(again, COMPANIES[0], result)
 
 
-def test_a_failure_is_known_until_it_is_tried_again():
+def test_a_line_that_tells_of_more_records_than_its_bytes_can_hold_is_nonsense():
     index = Index()
-    for entry in ({"failed": "a", "why": "no root"}, {"failed": "b", "why": "NaN"}):
-        index.replay(entry)
-    assert index.failed == {"a": "no root", "b": "NaN"}
-    index.replay({"retry": "a"})
-    index.replay({"retry": "c"})  # never failed
-    assert index.failed == {"b": "NaN"}
+    index.replay({"part": digest(32 * b"0"), "keys": 32 * "0"})
+    line = {"shard": "a", "records": 3, "chunks": [[digest(32 * b"0"), 0, 3]]}
+    with pytest.raises(ValueError, match="3 records, not 3, in 143 bytes"):
+        index.replay(line | {"bytes": 3 * 8 * len(SCALARS) - 1})
+    index.replay(line | {"bytes": 3 * 8 * len(SCALARS)})
+    assert index.sizes == {"a": 144}
 
 
 def test_a_part_whose_keys_do_not_match_its_checksum_is_not_taken_up(tmp_path):

@@ -9,7 +9,7 @@ import pytest
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store import journal
-from elastomer_friction.workflow.store.store import Store
+from elastomer_friction.workflow.store.store import Store, is_edited, store_folder
 from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import random_result
 
@@ -90,6 +90,35 @@ def test_numbers_that_netcdf_takes_for_missing_ones_come_back_bit_for_bit(tmp_pa
     store.add([(WORK[0], result)])
     assert_holds(store, WORK[0], result)
     assert type(store.read(records(WORK[0]), 1)[0]) is np.ndarray
+
+
+def test_failures_are_remembered_until_they_are_to_be_tried_again(tmp_path):
+    store = Store(tmp_path)
+    for key in ("aa", "bb"):
+        store.record_failure(key, f"{key} overflowed")
+    told = {"aa": "aa overflowed", "bb": "bb overflowed"}
+    assert store.failed == Store(tmp_path).failed == told
+    before = (tmp_path / journal.NAME).read_bytes()
+    store.forget_failures({"cc"})
+    assert (tmp_path / journal.NAME).read_bytes() == before
+    store.forget_failures({"bb", "cc"})
+    assert store.failed == Store(tmp_path).failed == {"aa": "aa overflowed"}
+
+
+def test_a_result_that_was_edited_is_known_where_its_store_is(tmp_path):
+    result = tmp_path / "fig2.nc"
+    result.write_bytes(b"as a run wrote it")
+    assert not is_edited(result)  # no store says how it was
+    store_folder(result).mkdir()
+    store = Store(store_folder(result))
+    store.enter_result(result)
+    assert Store(store.folder).wrote(result)
+    assert not is_edited(result)
+    result.write_bytes(b"as a run wrote it, and more")
+    assert not Store(store.folder).wrote(result)
+    assert is_edited(result)
+    store.enter_result(result)  # by a later run
+    assert not is_edited(result)
 
 
 SHARD = {"shard": "x\n", "bytes": 17, "records": 0, "chunks": []}

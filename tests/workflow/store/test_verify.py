@@ -1,5 +1,9 @@
 """Stores that are checked or joined: what is wrong is found and named, and nothing else changes."""
 
+import errno
+import fcntl
+
+import numpy as np
 import pytest
 
 from elastomer_friction.workflow.errors import UserError
@@ -92,6 +96,17 @@ def test_a_spoilt_line_is_named_by_its_number(store, line):
     assert not any("not understood" in fault for fault in faults)
 
 
+def test_a_result_that_was_edited_is_a_fault(tmp_path):
+    result = tmp_path / "fig2.nc"
+    result.write_bytes(b"as a run wrote it")
+    (tmp_path / "store").mkdir()
+    store = reopened(tmp_path / "store")
+    store.enter_result(result)
+    assert verified(store.folder).faults == []
+    result.write_bytes(b"by hand")
+    assert verified(store.folder).faults == [f"{result}: is not as a run wrote it"]
+
+
 def test_every_key_is_compared_with_what_the_journal_tells(store):
     entries = [entry for entry, _ in journal.entries(store.folder)]
     shards = [entry for entry in entries if "shard" in entry]
@@ -164,6 +179,26 @@ def test_records_that_differ_are_counted(folders):
     said = merge_into(source, target)
     assert said[0] == "differing   1 records are in both, but not to the bit"
     assert_holds(Store(target), WORK[4], random_result(WORK[4], 4))  # as it was
+
+
+def test_one_number_that_differs_makes_a_record_differ(folders):
+    source, target = folders
+    result = random_result(WORK[4], 4)
+    result.scalars[0, 0, 0] = np.nextafter(result.scalars[0, 0, 0], np.inf)
+    Store(source).add([(WORK[4], result)])
+    assert merge_into(source, target)[0].startswith("differing   1 records")
+
+
+def test_where_there_are_no_locks_a_store_is_joined_only_if_that_is_asked_for(folders, monkeypatch):
+    def no_locks(*_):
+        raise OSError(errno.ENOLCK, "No locks available")
+
+    monkeypatch.setattr(fcntl, "flock", no_locks)
+    with pytest.raises(UserError, match="then go on with --no-lock"):
+        merge_into(*folders)
+    assert merge_into(*folders, no_lock=True) == [
+        "taken over  2 of 3 shards, 2 records that are new"
+    ]
 
 
 def test_a_damaged_shard_is_left_out_and_left_as_it_is(folders):
