@@ -10,6 +10,7 @@ from ..lazy import public_names
 if TYPE_CHECKING:
     from .codes import missing_code
     from .numerals import archive_kind, decoded, is_text
+    from .remarks import quantity_of
     from .text_table import (
         Picked,
         TextTable,
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
         table_of_text,
         told,
     )
-    from .titles import Title, quantity_of
+    from .titles import UNREAD, Title
     from .units import FAMILIES, ZERO, Unit, unit_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -139,7 +139,7 @@ def _shape(sample: list[str]) -> tuple[str | None, int]:
             continue
         score: Counter[int] = Counter()
         for row in rows:
-            several = sum(1 for cell in row if SEVERAL.search(cell))
+            several = sum(1 for cell in row if cell in DELIMITERS or SEVERAL.search(cell))
             score[len(row)] += sum(map(is_numeral, row)) - 3 * several
         width, points = max(score.items(), key=lambda item: item[1], default=(1, 0))
         if points > best[0]:

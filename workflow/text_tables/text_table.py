@@ -32,7 +32,8 @@ from ..plain_files import read_plain
 from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .codes import missing_code
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
-from .titles import UNREAD, Title, remarks_of, titles_of, unread_line, unread_unit
+from .remarks import remarks_of
+from .titles import UNREAD, Title, titles_of, unread_line, unread_unit
 from .units import Unit, unit_of
 
 
@@ -244,8 +245,6 @@ def picked_by_name(table: TextTable, one: Wanted, option: str = "--columns") -> 
 def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int]:
     """Return the number of the column of each: by names, by units, else by the order."""
     free, places = list(table.numeric), dict[int, int]()
-    if any(title.name == UNREAD for title in table.titles):
-        raise _unclear(table, wanted, option)
     for index, one in enumerate(wanted):
         own = [column for column in free if _named(table.title(column), one)]
         if len(own) > 1:
@@ -261,11 +260,21 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
     missing = [index for index in range(len(wanted)) if index not in places]
     unknown = any(table.title(n).name and not table.title(n).stated for n in free)
     named = len(missing) > 1 and (bool(table.unread) or any(table.title(n).name for n in free))
+    named = named or (bool(missing) and any(title.name == UNREAD for title in table.titles))
+    named = named or (not table.titles and _names_several(table, wanted))
     twice = len(set(places.values())) < len(places)
     if twice or named or (missing and (len(missing) != len(free) or (unknown and places))):
         raise _unclear(table, wanted, option)
     places |= dict(zip(missing, free, strict=False))
     return [places[index] for index in range(len(wanted))]
+
+
+def _names_several(table: TextTable, wanted: Sequence[Wanted]) -> bool:
+    """Return whether the line above the rows names several columns, though not which."""
+    line = next(filter(re.compile(r"\w").search, reversed(table.above)), "")
+    words = line.lstrip("#%!/ ").split()
+    found = [any(re.search(one.names, word, re.IGNORECASE) for word in words) for one in wanted]
+    return sum(found) > 1
 
 
 def _named(title: Title, one: Wanted) -> bool:
@@ -312,8 +321,10 @@ def _read(table: TextTable, one: Wanted, column: int, option: str) -> Picked:
             )
     else:
         inside = [word for word in title.name.split()[:-1] if _of_family(Title(unit=word), one)]
-        doubt = "".join(inside[:1]) or unread_unit(title.name) or table.unread
-        doubt = doubt if one.family != "number" else ""
+        other = unit_of(title.unit)  # not set off, and of another family
+        foreign = title.unit if other and other.family != "number" else ""
+        unread = table.unread if one.family != "number" else ""
+        doubt = "".join(inside[:1]) or foreign or unread_unit(title.name, one.names) or unread
         if doubt:
             raise UserError(f"{where}: it is not clear what {doubt!r:.60} says of its unit{way}")
         unit, whose = unit_of(one.default), "assumed"
@@ -341,7 +352,11 @@ def told(table: TextTable, columns: Sequence[Picked]) -> str:
         text += f"; {len(table.blocks)} blocks"
     if missing:
         codes = ", ".join(f"{one.code:g}" for one in columns if one.code is not None)
-        text += f"; {missing} values missing{f' ({codes})' if codes else ''}"
+        text += f"; {_several(missing, 'value')} missing{f' ({codes})' if codes else ''}"
     if table.passed_over:
-        text += f"; passed over {len(table.passed_over)} lines of words"
+        text += f"; passed over {_several(len(table.passed_over), 'line')} of words"
     return text
+
+
+def _several(number: int, thing: str) -> str:
+    return f"{number} {thing}{'s' * (number != 1)}"

@@ -1,4 +1,4 @@
-"""Names and units of columns from the lines above the numbers, and what else is stated there."""
+"""Names and units of columns from the lines above the numbers."""
 
 import re
 from itertools import pairwise
@@ -8,46 +8,34 @@ from .cells import DELIMITERS, is_comment, split
 from .numerals import is_numeral
 from .units import unit_of
 
-SHORTEST = 3  # letters of a last word that is taken for a unit which is not known
 MOST = 200  # lines above the numbers in which units are looked for that no title has
 NEAR = 4  # lines above the numbers in which names and units of columns are looked for
 BRACKETS = re.compile(
     r"(.*?)\s*(?:\[([^\[\]]*)\]|\(([^()]*)\)|<([^<>]*)>|\{([^{}]*)\})([^\[\](){}<>]*)"
 )
+LONGEST = 3  # words of a unit, as mm per s
 UNREAD = "?"  # the name of a column above whose unit a line stands that is not understood
 BRACKETED = re.compile(r"[\[(<{].*[\])>}]")
 ARGUMENTS = frozenset(
     ("t", "ω", "omega", "w", "f", "x", "y", "q", "T", "i", "a", "τ", "delta", "δ", "aT", "a_T")
 )  # E(t), G'(ω)
+COMMENT = re.compile(r"^\s*(?:#+|%(?=%\s*[;\t|,])|%+|!+|//)")
 LABELLED = re.compile(r"[#%/!\s]*units?\s*[:=]\s*(.*)", re.IGNORECASE)  # units: mm, um
-REMARKED = re.compile(r"[#%/!;\s]*([^:=;\t]+?)\s*[:=]\s*(.*?)\s*[;,\t]*")  # Width: 96 µm
 NUMBER = r"[-+]?\d[\d.,:]*(?:[eE][-+]?\d+)?"
-QUANTITY = re.compile(rf"({NUMBER})\s*(\S.*)?")
-SEPARATED = (
-    r"(.*\S)\s+in\s+(\S.*)",
-    r"(.*?\S)\s*/\s*(\S.*)",
-    r"(.*\S)\s*[,;:|]\s*(\S+)",
-    r"(.*\S)[-.](\S+)",  # of which the second is a unit only where it is known
+# What may stand between a name and its unit; where it is a blank or _, the unit is not set off.
+SEPARATOR = re.compile(r"\s+in\s+|\s+[-\u2013]\s+|\s*[/,;:|]\s*|(?<=\S)[-.]\s*|[\s_]+")
+SET_OFF = re.compile(r"\s+in\s+|\s+[-\u2013]\s+|\s*[/,;:|]\s*")  # behind which no name goes on
+# Last words of names, which are no units.
+NAMING = (
+    "abs absolute act actual amplitude angular average avg axis channel cmd coef coeff "
+    "coefficient command commanded corrected d data delta displacement drive elapsed factor "
+    "filt filtered force frequency friction horizontal index lateral length lin load log lp "
+    "mean measured moduli modulus motor nominal normal number of oscillation point pos "
+    "position prime ratio raw ref rel relative sensor set setpoint shear signal slider "
+    "speed stage step storage strain stress target test time tot total value values vel "
+    "velocity vertical x y z \u03b4"
 )
-# Last words of names that are no units.
-SHORT = frozenset(
-    (
-        "abs",
-        "rel",
-        "set",
-        "act",
-        "avg",
-        "raw",
-        "cmd",
-        "ref",
-        "log",
-        "lin",
-        "tot",
-        "pos",
-        "vel",
-        "lp",
-    )
-)
+OF_NAMES = frozenset(NAMING.split())
 # Units that are words of sentences, too.
 ENGLISH = frozenset(("in", "day", "days", "turn", "turns", "foot", "feet", "none", "at"))
 
@@ -73,29 +61,20 @@ def title_of(cell: str) -> Title | None:
             behind = title_of(f"{bracket[1]}{bracket[6]}")
             return behind._replace(name=text) if behind and behind.unit else Title(text)
         return Title(name, inside, stated=True) if inside else Title(name)
-    for pattern in SEPARATED:
-        parts = re.fullmatch(pattern, text)
-        if parts and unit_of(parts[2]) and not unit_of(text):
-            return Title(parts[1], parts[2], stated=True)
     if len(text) > 1 and unit_of(text):
         return Title("", text, stated=True)
-    return _last_words(text)
+    return _parted(text)
 
 
-def _last_words(text: str) -> Title:
-    """Return a title whose last word is a unit: G_storage_MPa, velocity_mm_s, Lateral um."""
-    parts = [part for part in text.split("_") if part]
-    for count in (2, 1):
-        unit = "/".join(parts[-count:]) if "per" not in parts else text.rpartition("_per_")[2]
-        if "per" in parts:
-            before = text.rpartition("_per_")[0].rpartition("_")
-            unit, name = f"{before[2]}/{unit}", before[0]
-        else:
-            name = "_".join(parts[:-count])
-        if name and unit_of(unit):
-            return Title(name, unit)
-    name, _, last = text.rpartition(" ")
-    return Title(name.strip(), last) if name and unit_of(last) else Title(text)
+def _parted(text: str) -> Title:
+    """Return a title parted before its longest unit: v in mm/s, Lateral. um, velocity_mm_per_s."""
+    for match in SEPARATOR.finditer(text):
+        name, unit, between = text[: match.start()], text[match.end() :], match[0].strip()
+        unit = re.sub("_per_|_", "/", unit) if between == "_" else unit
+        counted = match[0] in ("-", ".") and unit == "1"  # Height-1 is a name
+        if name and unit_of(unit) and not counted and not re.match(r"/|in\s", unit):
+            return Title(name, unit, stated=between not in ("", "_"))
+    return Title(text)
 
 
 def _holds_quantity(text: str) -> bool:
@@ -108,20 +87,20 @@ def _holds_quantity(text: str) -> bool:
     )
 
 
-def unread_unit(name: str) -> str:
-    """Return what in a name may be a unit that is not known, or is in no place for one; else ""."""
-    for pattern in SEPARATED[:-1]:
-        parts = re.fullmatch(pattern, name)
-        if parts:
-            return parts[2]
-    words = [word for word in re.split(r"[\s.-]+", name) if word]
-    if (
-        len(words) > 1
-        and len(words[-1]) <= SHORTEST
-        and words[-1].lower() not in SHORT
-        and not words[-1].isdecimal()
-    ):
-        return words[-1]
+def unread_unit(name: str, names: str) -> str:
+    """Return what in a name may be a unit that is not known, or is in no place for one; else "".
+
+    names : a pattern of the words that name such a column, of which its last word may be one.
+    """
+    words = [word for word in re.split(r"[\s.-]+|_(?=\w\w|V\b)", name) if word]
+    last = words[-1] if len(words) > 1 and not words[-1].isdecimal() else ""
+    set_off = SET_OFF.search(name)
+    tail = name[set_off.start() :] if set_off else ""
+    for text in filter(None, (tail, last)):
+        word = SET_OFF.sub("", text, count=1) if text is tail else text
+        any_case = re.IGNORECASE if len(text) > 1 else 0  # V is no velocity, but volts
+        if word.lower() not in OF_NAMES and not re.search(names, text, any_case):
+            return word
     return next(filter(_names_unit, words), "")
 
 
@@ -145,7 +124,7 @@ def unread_line(above: list[str], delimiter: str | None, width: int) -> str:
         own = {title.unit for title in titles_of([line], delimiter, width)} - {""}
         if own and own <= known:
             continue
-        bare = re.sub(rf"(?<![^\W\d]){NUMBER}\s*[^\s,;]+", " ", line.replace('"', " "))
+        bare = re.sub(rf"(?<![\w^.-]){NUMBER}\s*[^\s,;]+", " ", line.replace('"', " "))
         words = [word for word in re.split(r"[\s,;|]+", bare) if word]
         if any(map(_names_unit, words)) or any(map(unit_of, re.findall(r"\bin\s+(\S+)", bare))):
             return line.strip()
@@ -171,32 +150,42 @@ def titles_of(above: list[str], delimiter: str | None, width: int) -> tuple[Titl
     """
     units: list[str] = []
     best: tuple[Title, ...] = ()
-    for line in _near(above):
-        labelled = LABELLED.fullmatch(line)
-        cells = _cells_of_title(labelled[1] if labelled else line, delimiter, width)
-        cells = [cell.strip().strip('"').strip() for cell in cells]
+    near = _near(above)
+    for place, line in enumerate(near):
+        cells, labelled = _cells_of_line(line, delimiter, width)
         if not cells:
             continue
-        only_units = [_bare_unit(cell) for cell in cells]
-        if not units and not best and _all_units(cells, bool(labelled)):
-            units = [unit or "" for unit in only_units]
+        names = _cells_of_line("".join(near[place + 1 : place + 2]), delimiter, width)[0]
+        if not units and not _stated(best) and _all_units(cells, labelled, bool(names or best)):
+            units = [_bare_unit(cell) or cell for cell in cells]
+            if best:
+                return _with_units(best, units)
             continue
         found = [title_of(cell) for cell in cells]
         if any(title is None for title in found) or all(map(is_numeral, filter(None, cells))):
             continue
         titles = tuple(title for title in found if title is not None)
         if units:
-            return tuple(
-                own._replace(unit=unit, stated=True) if unit else own
-                for own, unit in zip(titles, units, strict=True)
-            )
+            return _with_units(titles, units)
         if _stated(titles) > _stated(best) or not best:
             best = titles
     if units:
-        rest = _near(above)[1:2]
+        rest = near[1:2]
         name = UNREAD if rest and _is_names(rest[0], width) else ""
         return tuple(Title(name, unit, bool(unit)) for unit in units)
     return best
+
+
+def _cells_of_line(line: str, delimiter: str | None, width: int) -> tuple[list[str], bool]:
+    """Return the cells of a line of titles, and whether it says that they are units."""
+    labelled = LABELLED.fullmatch(line)
+    cells = _cells_of_title(labelled[1] if labelled else line, delimiter, width)
+    return [re.sub(r'^"(.*)"$', r"\1", cell.strip()).strip() for cell in cells], bool(labelled)
+
+
+def _with_units(titles: tuple[Title, ...], units: list[str]) -> tuple[Title, ...]:
+    pairs = zip(titles, units, strict=True)
+    return tuple(own._replace(unit=unit, stated=True) if unit else own for own, unit in pairs)
 
 
 def _stated(titles: tuple[Title, ...]) -> int:
@@ -210,23 +199,33 @@ def _bare_unit(cell: str) -> str | None:
     return bare if known else None
 
 
-def _all_units(cells: list[str], labelled: bool) -> bool:
-    """Return whether a line holds units alone, one of which is more than a letter or bracketed."""
+def _all_units(cells: list[str], labelled: bool, named: bool) -> bool:
+    """Return whether a line holds units alone, one of which is more than a letter or bracketed.
+
+    named : whether names stand above it; half of its cells may then be no unit that is known.
+    """
     filled = [cell for cell in cells if cell.strip()]
-    if filled and all(map(BRACKETED.fullmatch, filled)):
+    if filled and (labelled or all(map(BRACKETED.fullmatch, filled))):
         return True
-    plain = all(map(_bare_unit, filled))
-    return bool(filled) and plain and (labelled or any(len(cell) > 1 for cell in filled))
+    known = list(filter(_bare_unit, filled))
+    sure = any(len(cell) > 1 or cell in "1-%#" for cell in known)
+    if len(known) == len(filled):
+        return any(len(cell) > 1 for cell in filled)
+    return named and sure and 2 * len(known) >= len(filled)
 
 
 def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
     """Return the cells of a line of titles, as many as there are columns; none where it is none."""
     text = line.strip("\r\n")
     if not re.match(r"%\s*[;\t|,]", text):  # which is the unit of the first column
-        text = text.lstrip("#%!").removeprefix("//")
+        text = COMMENT.sub("", text)
     quoted = re.findall(r'"([^"]*)"', text)
     if len(quoted) == width:
         return quoted
+    if delimiter is None and len(wide := re.split(r"\s{2,}|\t", text.strip())) == width:
+        return wide
+    if units := _units_alone(text.split(), width):
+        return units
     order = dict.fromkeys((delimiter, "\t", *DELIMITERS))
     for each in order:
         if each is None:
@@ -234,13 +233,24 @@ def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
         cells = split(text, each)
         while len(cells) > width and not cells[-1]:
             cells.pop()
-        few = each == delimiter and 2 * len(cells) >= width and _all_units(cells, labelled=False)
+        if delimiter is None and any(map(_begins_with_unit, cells)):  # of the name before it
+            continue
+        if len(cells) == 2 * width and all(map(_bare_unit, cells[1::2])):
+            return [f"{name} [{unit}]" for name, unit in zip(*[iter(cells)] * 2, strict=True)]
+        few = (
+            each == delimiter
+            and 2 * len(cells) >= width
+            and _all_units(cells, labelled=False, named=False)
+        )
         if 1 < len(cells) <= width and (len(cells) == width or few):
             return cells + [""] * (width - len(cells))
-    for found in (re.split(r"\s{2,}|\t", text.strip()), _joined(text)):
-        if len(found) == width:
-            return found
-    return _by_units(text, width)
+    joined = _joined(text)
+    return joined if len(joined) == width else _by_units(text, width)
+
+
+def _begins_with_unit(cell: str) -> bool:
+    first, _, rest = cell.partition(" ")
+    return bool(rest) and unit_of(first) is not None and unit_of(cell) is None
 
 
 def _joined(text: str) -> list[str]:
@@ -256,38 +266,38 @@ def _by_units(text: str, width: int) -> list[str]:
     bracketed = re.findall(r"[^\[\]()]*[\[(][^\])]*[\])]", text)
     if len(bracketed) == width:
         return [cell.strip() for cell in bracketed]
-    found, words = [], []
-    for word in text.split():
-        words.append(word)
-        if len(words) > 1 and unit_of(word):
-            found.append(" ".join(words))
-            words = []
-    return found if len(found) == width and not words else []
+    words = re.sub(r"\s+([-\u2013])\s+(?=\S)", "\0\\1\0", text).split()
+    found, start = list[str](), 0
+    for end in range(1, len(words) + 1):
+        own = title_of(_together(words[start:end]))
+        if end <= start or own is None or not own.name or not own.unit:
+            continue
+        for stop in range(min(end + LONGEST, len(words)), end, -1):
+            longer = title_of(_together(words[start:stop]))
+            if longer is not None and longer.unit and longer.name == own.name:
+                break
+        else:
+            stop = end
+        found.append(_together(words[start:stop]))
+        start = stop
+    found += [_together(words[start:])] * (start < len(words))  # the last may have no unit
+    return found if len(found) == width else []
 
 
-def remarks_of(above: list[str], delimiter: str | None, width: int) -> dict[str, str]:
-    """Return what lines such as "Width: 96 µm" or "pitch = 0.5 um" state, by names in lower case.
-
-    A line may hold several, and one of two cells, in a table of other rows, a name and its value.
-    """
-    found: dict[str, str] = {}
-    for line in above:
-        cells = split(line, delimiter) if delimiter is not None else []
-        if len(cells) == 2 != width and all(cells):
-            found.setdefault(cells[0].lower(), cells[1])
-        for part in re.split(r"[,;\t]\s*(?=[^\W\d])", line.strip()):
-            match = REMARKED.fullmatch(part.strip())
-            if match and match[2]:
-                found.setdefault(match[1].strip().lower(), match[2].strip('" '))
-    return found
+def _together(words: list[str]) -> str:
+    return " ".join(words).replace("\0", " ")
 
 
-def quantity_of(text: str) -> tuple[float, str] | None:
-    """Return number and unit of a text such as "0.5 um"; None of any other text."""
-    match = QUANTITY.fullmatch(text.strip())
-    if not match:
-        return None
-    try:
-        return float(match[1].replace(",", ".")), (match[2] or "").strip()
-    except ValueError:
-        return None
+def _units_alone(words: list[str], width: int) -> list[str]:
+    """Return as many units as there are columns, of one word or several; none where they do not."""
+    found, start = list[str](), 0
+    while start < len(words):
+        ends = range(min(start + LONGEST, len(words)), start, -1)
+        own = next(
+            (" ".join(words[start:e]) for e in ends if _bare_unit(" ".join(words[start:e]))), ""
+        )
+        if not own:
+            return []
+        found.append(own)
+        start += len(own.split())
+    return found if len(found) == width else []

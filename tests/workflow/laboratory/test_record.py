@@ -57,7 +57,7 @@ def test_options_go_before_the_header(tmp_path):
 def test_missing_samples_are_passed_over_and_equal_stamps_spread(tmp_path):
     found = read(tmp_path, "0 1 0.3\n0 1 0.3\n1 1 nan\n1 1 0.3\n2 1 0.3\n2 1 0.3\n")
     np.testing.assert_allclose(found.time, [0.0, 0.5, 1.0, 2.0, 2.5])
-    assert "1 values missing" in found.told[0]
+    assert "1 value missing" in found.told[0]
     assert found.told[1] == "2 samples have the time of the one before; spread"
 
 

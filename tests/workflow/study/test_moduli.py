@@ -87,7 +87,7 @@ def test_young_s_moduli_are_divided_and_that_is_said(tmp_path, names):
 def test_rows_in_which_a_value_is_missing_are_passed_over_and_counted(tmp_path):
     found = read(tmp_path, ROWS + "1e3 5.0 nan\n")
     np.testing.assert_array_equal(found.values, VALUES)
-    assert "1 values missing" in found.told[0]
+    assert "1 value missing" in found.told[0]
 
 
 @pytest.mark.parametrize(

@@ -91,6 +91,15 @@ def test_a_word_is_refused_in_a_column_that_is_read():
         ("t / s\tv / mm·s⁻¹\n0\t1\n1\t2\n", ["s", "mm·s⁻¹"]),
         ("Lateral position [um] Raw height [nm]\n0 1\n1 2\n", ["um", "nm"]),
         ("position/mm;height_um\n0;1\n1;2\n", ["mm", "um"]),
+        ("Slide velocity mm/s,x. 10^-6 m\n0,1\n1,2\n", ["mm/s", "10^-6 m"]),
+        ("v - mm per s\ttime-ms\n0\t1\n1\t2\n", ["mm per s", "ms"]),
+        ("time; s v; mm s-1\n0 1\n1 2\n", ["s", "mm s-1"]),
+        ("x; um;height; nm\n0;1\n1;2\n", ["um", "nm"]),
+        ("mm;um\nx;z\n0;1\n1;2\n", ["mm", "um"]),
+        ("# mu\tt\n#%\tms\n0\t1\n1\t2\n", ["%", "ms"]),
+        ("x z\nmil 10^-6 m\n0 1\n1 2\n", ["mil", "10^-6 m"]),
+        ("velocity time friction\nmV s 1\n0 1 2\n1 2 3\n", ["mV", "s", "1"]),
+        ("# units: counts, um\n0 1\n1 2\n", ["counts", "um"]),
         ("E(t) [Pa],t [s]\n0,1\n1,2\n", ["Pa", "s"]),
     ],
 )
@@ -126,6 +135,7 @@ def test_remarks_blocks_and_what_is_passed_over():
     ("text", "remarks"),
     [
         ("dx=0.5um, unit=nm\n1\n2\n3\n", {"dx": "0.5um", "unit": "nm"}),
+        ("XY calibration;277;nm/pixel\n1;2;3;4;5\n2;3;4;5;6\n", {"xy calibration": "277 nm/pixel"}),
         ("Width (µm),20\nUnit,nm\n1,2,3,4,5\n2,3,4,5,6\n", {"width (µm)": "20", "unit": "nm"}),
     ],
 )
@@ -185,6 +195,12 @@ def test_columns_and_units_that_are_given():
         ("Kreisfrequenz elastischer Anteil Verlust\n1 2 3\n2 3 4\n", "not clear"),
         ("f\tG'\tG''\n[Hz]\t[Torr]\t[Torr]\n1\t2\t3\n2\t3\t4\n", "'Torr' .* is not known"),
         ("f [Hz],storage / Torr,loss / Torr\n1,2,3\n2,3,4\n", "not clear what 'Torr' says"),
+        ("f,storage foo,loss\n1,2,3\n2,3,4\n", "not clear what 'foo' says"),
+        ("f,storage. counts,loss\n1,2,3\n2,3,4\n", "not clear what 'counts' says"),
+        ("f,storage.digits,loss\n1,2,3\n2,3,4\n", "not clear what 'digits' says"),
+        ("f,storage_V,loss\n1,2,3\n2,3,4\n", "not clear what 'V' says"),
+        ("f,storage s,loss s\n1,2,3\n2,3,4\n", "not clear what 's' says"),
+        ("# storage loss and a frequency\n1 2 3\n2 3 4\n", "not clear which"),
         ("f [Hz],storage mod,loss mod\n1,2,3\n2,3,4\n", "not clear what 'mod' says"),
         ("f [Hz],kPa storage,kPa loss\n1,2,3\n2,3,4\n", "not clear what 'kPa' says"),
         ("moduli in MPa\nf G' G''\n1 2 3\n2 3 4\n", "what 'moduli in MPa' says of its unit"),
@@ -216,7 +232,7 @@ def test_what_was_read_is_one_line():
     found = table("f (Hz),G' (MPa),G''\n1,2,3\n2,nan,4\n")
     assert told(found, picked(found, MODULI)) == (
         "f.txt: 2 rows; column 0 f as a frequency in Hz, column 1 G' as a storage modulus in MPa, "
-        "column 2 G'' as a loss modulus in Pa (assumed); 1 values missing"
+        "column 2 G'' as a loss modulus in Pa (assumed); 1 value missing"
     )
 
 
@@ -260,7 +276,7 @@ def test_codes_for_missing_values_are_no_values(code, usual):
     rows = "".join(f"{n} {value} 1\n" for n, value in enumerate([*usual, code], 1))
     found = picked(table(f"f G' G''\n{rows}"), MODULI)
     assert np.isnan(found[1].values).tolist() == [False] * 4 + [True]
-    assert f"1 values missing ({code:g})" in told(table(f"f G' G''\n{rows}"), found)
+    assert f"1 value missing ({code:g})" in told(table(f"f G' G''\n{rows}"), found)
 
 
 def test_a_number_that_is_far_from_all_others_but_no_code_counts():

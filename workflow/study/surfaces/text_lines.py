@@ -8,7 +8,7 @@ import re
 import numpy as np
 
 from ...errors import UserError
-from ...text_tables import TextTable, Title, quantity_of, read_text_table, unit_of
+from ...text_tables import UNREAD, TextTable, Title, quantity_of, read_text_table, unit_of
 from .as_read import KEY, LEAST_SAMPLES, Asked, Raw, apart, check_numbered, metres
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
 
@@ -18,12 +18,15 @@ POSITION = r"^(x|s)$|pos|dist|later|scan|travel|absciss|length|^x\b"
 HEIGHT = r"^z$|height|raw|profil|depth|topo|elev|amplitude|surface|^z\b"
 PITCH = re.compile(
     r"(pitch|step|(sampl\w*|point|data|x|lateral)?[-_ ]*(spacing|step|interval|increment|pitch)"
-    r"|d_?x|delta[-_ ]?x|x[-_ ]?(scale|resolution))"
+    r"|d_?x|delta[-_ ]?x|x[-_ ]?(scale|resolution)|xy?[-_ ]?calibration|pixel[-_ ]?size)"
 )
+OF_A_SAMPLE = re.compile(r"\s*(/|per\s)\s*(pixel|px|point|pt|sample)s?$", re.IGNORECASE)
 WIDTH = re.compile(r"(width|x[-_ ]?(size|range|length|extent)|scan[-_ ]?(size|width|length))")
 TALL = re.compile(r"(height|y[-_ ]?(size|range|length|extent))")
 VALUE_UNIT = re.compile(r"(value|z|height|data|y)?[-_ ]*units?")
-SCALE = re.compile(r"(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier)[-_ ]*(factor)?")
+SCALE = re.compile(
+    r"(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)[-_ ]*(factor)?"
+)
 MANY = 3  # columns, from which on numbers alone may be a matrix
 
 
@@ -37,7 +40,8 @@ def read_text_lines(asked: Asked) -> Raw:
     table = read_text_table(KEY, asked.path, asked.name)
     raw = _lines_of_table(asked, table)
     if table.passed_over:
-        over = f"; {len(table.passed_over)} lines of words below the first row passed over"
+        lines = "line" if len(table.passed_over) == 1 else "lines"
+        over = f"; {len(table.passed_over)} {lines} of words below the first row passed over"
         raw = raw._replace(told=raw.told + over)
     return raw
 
@@ -157,7 +161,7 @@ def _quantity_of_remarks(asked: Asked, table: TextTable, names: re.Pattern[str])
         own = quantity[1] or "".join(re.findall(r"[\[(](.*?)[\])]", name))
         if not own and asked.units and names is PITCH:  # a bare width may be a count of samples
             own = asked.units[0]
-        factor = metres(own)
+        factor = metres(OF_A_SAMPLE.sub("", own))
         if factor is not None and quantity[0] > 0.0:
             return quantity[0] * factor
     return None
@@ -189,6 +193,8 @@ def _found_columns(asked: Asked, table: TextTable) -> tuple[int, ...]:
     if not table.titles:
         points = len(numeric) == MANY and repeats(table.values(numeric[0]))
         return numeric[:MANY] if points else numeric[:2]
+    if any(table.title(n).name == UNREAD for n in numeric):
+        raise _not_clear(asked, table)
     own = [n for n in numeric if not _is_other(table.title(n))]
     lengths = [n for n in own if metres(table.title(n).unit) is not None]
     for some in (own, lengths):
@@ -202,7 +208,11 @@ def _found_columns(asked: Asked, table: TextTable) -> tuple[int, ...]:
         z = [n for n in some if _named_as(table, n, HEIGHT)]
         if len(x) == len(z) == 1 and x != z:
             return x[0], z[0]
-    raise UserError(
+    raise _not_clear(asked, table)
+
+
+def _not_clear(asked: Asked, table: TextTable) -> UserError:
+    return UserError(
         f"{KEY} = {asked.name!r}: holds {table.columns_told}, from 0: give those of positions and "
         "of heights, as surface.columns = [0, 1], or surface.step in place of positions"
     )

@@ -1,0 +1,69 @@
+"""Headers as people and instruments write them: a unit is obeyed, or the file is refused."""
+
+import itertools
+import random
+
+import numpy as np
+import pytest
+
+from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.text_tables import Wanted, decoded, picked, table_of_text
+
+WANTED = (
+    Wanted("a time", "time", r"time|^t$", "s"),
+    Wanted("a velocity", "velocity", r"vel|speed|^v([_ ]|$)", "m/s"),
+    Wanted("a coefficient of friction", "number", r"fric|^(mu|\u00b5)([_ ]|$)|cof", "1"),
+)
+NAMES = (("t", "Time", "Test time"), ("v", "Slide velocity", "speed"), ("mu", "COF", "Friction"))
+UNITS = (
+    {"s": 1.0, "ms": 1e-3, "min": 60.0, "seconds": 1.0},
+    {"m/s": 1.0, "\u00b5m/s": 1e-6, "mm per s": 1e-3, "MM/S": 1e-3, "mm\u00b7s\u207b\u00b9": 1e-3},
+    {"1": 1.0, "-": 1.0, "%": 0.01},
+)
+UNKNOWN = ("foo", "counts", "V", "a.u.", "lsb")
+STYLES = (
+    *("{n} [{u}]", "{n} ({u})", "{n}({u})", "{n}/{u}", "{n} / {u}", "{n}, {u}", "{n} in {u}"),
+    *("{n}_{u}", "{n} {u}", "{n}.{u}", "{n}. {u}", "{n}-{u}", "{n} - {u}", "{n}: {u}", "{n} <{u}>"),
+)
+DELIMITERS = (";", "\t", " | ", "  ", " ")
+ROWS = np.array([[0.0, 1.0, 0.5], [0.5, 1.0, 0.51], [1.5, 2.0, 0.53], [2.5, 2.0, 0.52]])
+
+
+def header(names, units, style, delimiter):
+    """Return lines of titles: in one line, or units below or above the names."""
+    if style in ("below", "above"):
+        lines = [delimiter.join(names), delimiter.join(units)]
+        return lines if style == "below" else lines[::-1]
+    pairs = zip(names, units, strict=True)
+    return [delimiter.join(style.format(n=name, u=unit) for name, unit in pairs)]
+
+
+@pytest.mark.parametrize("style", [*STYLES, "below", "above"])
+def test_units_are_obeyed_or_refused(style):
+    chance, right = random.Random(style), 0
+    for comment, delimiter, _ in itertools.product(("", "# ", "%"), DELIMITERS, range(4)):
+        order = chance.sample(range(3), 3)
+        names = [chance.choice(NAMES[n]) for n in order]
+        units = [chance.choice(list(UNITS[n])) for n in order]
+        factors = np.array([UNITS[n][unit] for n, unit in zip(order, units, strict=True)])
+        unknown = chance.random() < 0.2
+        if unknown:
+            units[order.index(chance.randrange(2))] = chance.choice(UNKNOWN)
+        lines = [comment + line for line in header(names, units, style, delimiter)]
+        lines += [delimiter.join(f"{cell:.9g}" for cell in row) for row in ROWS[:, order] / factors]
+        text = "Operator: B. Test\nCutoff 0.8 mm\n" + "\n".join(lines)
+        try:
+            found = picked(table_of_text("key", "f.txt", decoded(text.encode())), WANTED)
+        except UserError:
+            continue
+        assert not unknown, text
+        right += 1
+        values = np.transpose([one.values for one in found])
+        np.testing.assert_allclose(values, ROWS, rtol=1e-7, err_msg=text)
+    assert right >= 24  # of about 48 that a person would read
+
+
+def test_a_quotient_in_a_name_is_no_unit():
+    share = Wanted("a share", "number", r"/ ?G_?0", "1")
+    table = table_of_text("key", "f.txt", "G_i/G_0,t\n0.5,1\n0.2,2\n")
+    assert picked(table, (share, WANTED[0]))[0].number == 0
