@@ -2,6 +2,7 @@
 
 import contextlib
 import shlex
+import socket
 import subprocess
 import sys
 import tempfile
@@ -10,6 +11,7 @@ from pathlib import Path
 from typing import Any
 
 import dask
+from distributed.utils import get_ip_interface
 from tornado.ioloop import IOLoop
 
 from ..errors import UserError
@@ -34,8 +36,10 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
     """Yield a cluster whose scheduler is here and whose workers are ``cluster.jobs`` jobs.
 
     All have a certificate of this run, which lies in a folder of our own beside the jobs' logs.
-    Raises UserError where the batch system is not there or would refuse the jobs.
+    Raises UserError where the batch system or the network interface is not there, and where the
+    jobs would be refused.
     """
+    _check_interface(cluster.interface)
     name, logs = cluster.where, Path(cluster.log_folder)
     try:
         import dask_jobqueue
@@ -56,6 +60,19 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
         _try_submitting(name, jobs.job_script())
         jobs.adapt(minimum_jobs=cluster.jobs, maximum_jobs=cluster.jobs, interval=ADAPT_SECONDS)
         yield jobs
+
+
+def _check_interface(name: str) -> None:
+    try:
+        if name:
+            get_ip_interface(name)
+    except ValueError:  # no such interface, or none with an address
+        known = ", ".join(own for _, own in socket.if_nameindex())
+        raise UserError(
+            f"cluster.interface = {name!r}: is no network interface of this machine that has an "
+            f"address; there are {known}: give the one by which the nodes reach this machine, or "
+            "leave the key out"
+        ) from None
 
 
 def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[str, Any]:
