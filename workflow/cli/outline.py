@@ -3,6 +3,7 @@
 import math
 import sys
 from collections.abc import Iterator
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -42,6 +43,8 @@ from ..system import core_time, counted
 SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes
 LONG = 1.0  # s, a wait that is announced
+PATIENCE = 120.0  # s of a run, beyond which a first look at steady friction alone is offered
+MUCH = 10.0  # times as long as that
 
 
 Said = tuple[list[str], dict[str, Any]]  # lines to print, and the same as data
@@ -127,6 +130,7 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
         *_realizations(plan),
         f"predicted   {core_time(cost.low, cost.high)}",
         f"time        {_on_all_cores(cost)}, as measured on {speed}",
+        *_first_look(plan, cost),
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
         f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
         f"longest line {plan.longest_line()} samples",
@@ -153,6 +157,24 @@ def _on_all_cores(cost: Prediction) -> str:
 
     words = core_time(cost.low / CPU_COUNT, cost.high / CPU_COUNT).replace("core-", "")
     return f"{words} on {counted(CPU_COUNT, 'worker')} of this machine"
+
+
+def _first_look(plan: Plan, cost: Prediction) -> list[str]:
+    """Return how soon steady friction alone would be there, where all takes long."""
+    from dask.system import CPU_COUNT
+
+    study, scene = plan.study, plan.study.scene
+    asks_more = "steady" in scene.quantities and len(scene.quantities) > 1
+    if cost.high < PATIENCE * CPU_COUNT or not asks_more or scene.programme:
+        return []
+    steady = replace(study, scene=scene._replace(quantities=("steady",)))
+    alone = make_plan(steady, plan.pace).prediction()
+    if MUCH * alone.high > cost.high:
+        return []
+    return [
+        f"first look  steady friction alone takes {_on_all_cores(alone)}, with "
+        "--set 'scene.quantities=[\"steady\"]'; the run of all reuses nothing of it"
+    ]
 
 
 def _errors(plan: Plan) -> list[str]:

@@ -20,12 +20,18 @@ HALVED = 2  # times the steps per spacing
 
 
 def add_finer(
-    batch: Batch, layouts: list[Layout], cases: list, finer: list, curves: np.ndarray
+    batch: Batch,
+    layouts: list[Layout],
+    cases: list,
+    finer: list,
+    curves: np.ndarray,
+    spent: np.ndarray,
 ) -> None:
     """Add to the first blocks of all what halved steps change on the first line of each.
 
     cases, finer : what is run on every line, and the same with HALVED times the steps. curves :
-    sums over the lines of each block, shape (tasks, blocks, values).
+    sums over the lines of each block, shape (tasks, blocks, values). spent : s in each phase, shape
+    (tasks, phases), to which what this takes is added.
     """
     body = body_of(batch)
     _, draw = body.drawing(batch)
@@ -37,6 +43,7 @@ def add_finer(
                 body.run([line], own) for line, own in zip(lines, (prepared, halved), strict=True)
             )
             for rows, *pair in zip(shared, before, after, strict=True):
+                spent[rows, 1:] += sum(np.array(own.seconds) for own in pair) / len(rows)
                 for k, row in enumerate(rows):
                     _add(batch, lines, (k, row), pair, layouts[row], curves[row, block])
 

@@ -63,7 +63,7 @@ def block_means(batch: Batch) -> BatchResult:
             some.append((draw(number), BlockSums(scalars[:, block], curves[:, block], before)))
         _add_realizations(batch, layouts, cases, some, spent)
     if batch.recording.finer > batch.first_block:
-        add_finer(batch, layouts, cases, _cases(batch, HALVED), curves)
+        add_finer(batch, layouts, cases, _cases(batch, HALVED), curves, spent)
     for row, (width, places) in enumerate(zip(widths, layouts, strict=True)):
         curves[row, :, width:] = np.nan
         for name, (first, shape) in places.items():

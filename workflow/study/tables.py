@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from ..errors import Complaints
+from ..errors import Complaints, UserError
 from .axes import with_lists
 from .cluster import CLUSTER
 from .effects import (
@@ -128,5 +128,14 @@ def _checked(
                     with complaints:
                         found[name][label] = checked(f"{where}{name}.{label}", own, COMPARE)
             elif name in keys:
+                _check_place(f"{where}{name}", table, keys[name])
                 found[name] = checked(f"{where}{name}", table, keys[name])
     return found
+
+
+def _check_place(where: str, table: object, keys: Keys) -> None:
+    """Raise UserError for a key that another table has, as grid.temperature, naming that table."""
+    for key in as_table(where, table):
+        homes = [name for name, own in TABLES.items() if key in own]
+        if key not in keys and len(homes) == 1:
+            raise UserError(f"{where}.{key}: unknown key; it belongs into [{homes[0]}]")

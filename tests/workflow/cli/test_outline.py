@@ -120,6 +120,16 @@ def test_plan_says_when_realizations_are_rounded_up(capsys, study):
     assert found["realizations"] == words
 
 
+def test_a_long_run_is_offered_a_first_look_at_steady_friction(capsys, study, monkeypatch):
+    assert "first look" not in output(capsys, "plan", study)
+    monkeypatch.setattr(outline, "PATIENCE", 0.0)
+    monkeypatch.setattr(outline, "MUCH", 1.0)
+    found = facts(output(capsys, "plan", study))
+    assert "steady friction alone takes about " in found["first"]
+    steady = output(capsys, "plan", study, "--set", 'scene.quantities=["steady"]')
+    assert "first look" not in steady  # it is one
+
+
 def test_a_plan_of_many_points_is_announced(capsys, monkeypatch):
     plan = small_plan()
     for seconds, said in ((0.9, ""), (2.1, "Planning 16 points, about 2 s.\n")):

@@ -7,12 +7,14 @@ from elastomer_friction.kernels import (
     Case,
     Line,
     Quantities,
+    Seconds,
     amplitudes,
     draw_phases,
     run_case,
     sample_line,
 )
 from elastomer_friction.workflow import scene
+from elastomer_friction.workflow.simulate.bodies import BODIES
 from elastomer_friction.workflow.simulate.kept import record_steps, record_times
 from elastomer_friction.workflow.simulate.layout import row_layout, unpack
 from elastomer_friction.workflow.simulate.realizations import block_means
@@ -42,6 +44,18 @@ def outcome(batch, line, times):
     kept = times * record_steps(task.march_steps, batch.recording.samples, problem.spectrum)
     case = Case(problem.load, problem.speed, (problem.ratio,), (kept,), batch.scheme)
     return run_case(Line.measured(batch.heights[line], steps), case, QUANTITIES)
+
+
+def test_what_halved_steps_take_is_booked_in_its_phase(batch, monkeypatch):
+    run = BODIES["foundation"].run
+
+    def slow(lines, prepared):
+        once = Seconds(*[1.0 for _ in Seconds._fields])
+        return [[own._replace(seconds=once) for own in each] for each in run(lines, prepared)]
+
+    monkeypatch.setitem(BODIES, "foundation", BODIES["foundation"]._replace(run=slow))
+    spent = block_means(batch).spent[:, 1:]
+    assert np.all(spent == 2.0 + 2.0 * 2.0)  # two lines, and each again with both steps
 
 
 def test_records_of_measured_lines_hold_what_halved_steps_change(batch):
