@@ -16,7 +16,7 @@ import numpy as np
 
 from ..errors import UserError
 from ..simulate import CODE
-from ..store import is_edited
+from ..store import is_as_written
 from ..study import AnyStudy
 from ..system import program, replacing
 
@@ -178,7 +178,7 @@ def check_result(study: AnyStudy, path: Path, *, asked: bool) -> None:
 def edited(path: Path) -> str:
     """Return what is to be said of a result that is not as a run wrote it, or nothing."""
     said = "is not as a run wrote it: it was changed or replaced since; run the study again"
-    return said if is_edited(path) else ""
+    return said if is_as_written(path) is False else ""
 
 
 def broken(study: AnyStudy, path: Path, error: Exception) -> UserError:

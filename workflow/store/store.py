@@ -21,6 +21,7 @@ from ..system import (
     Patience,
     clear_leftovers,
     digest_of,
+    make_folder,
     read_whole,
     sizes_in,
     write_durably,
@@ -37,16 +38,27 @@ def store_folder(result: Path) -> Path:
     return result.parent / "store"
 
 
-def is_edited(result: Path) -> bool:
-    """Return whether the store beside a result tells of a file of this name, but not as it is.
+def enter_result(result: Path) -> None:
+    """Note durably in the store beside a result, made if need be, how a run has written it.
 
-    Nothing is known of a result without a store, or beside one that cannot be read.
+    It is one line, appended in one piece: who measures needs no lock of the folder for it.
+    """
+    folder = store_folder(result)
+    make_folder(folder)
+    first: list[Entry] = [] if journal.size(folder) else [{"format": journal.FORMAT}]
+    journal.append(folder, [*first, {"result": result.name, "digest": digest_of(result)}])
+
+
+def is_as_written(result: Path) -> bool | None:
+    """Return whether a result is as a run has written it, by the store beside it.
+
+    None where nothing is known of it: there is no store, or none that can be read or tells of it.
     """
     with contextlib.suppress(UserError):
         entries = journal.entries(store_folder(result))
         written = {entry["digest"] for entry, _ in entries if entry.get("result") == result.name}
-        return bool(written) and digest_of(result) not in written
-    return False
+        return digest_of(result) in written if written else None
+    return None
 
 
 class DamagedShard(Exception):
@@ -104,10 +116,6 @@ class Store:
     def begin(self, what: str) -> None:
         """Note durably that a run begins: shards from here on may belong to another study."""
         self._write([{"run": what}])
-
-    def enter_result(self, result: Path) -> None:
-        """Note durably that a run has written a result file, as it is now."""
-        self._write([{"result": result.name, "digest": digest_of(result)}])
 
     def wrote(self, result: Path) -> bool:
         """Return whether a result file is as a run has written it."""
