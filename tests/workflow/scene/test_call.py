@@ -164,6 +164,8 @@ def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
         ({"length": 5e-324}, "rms slope of the heights is inf"),
         ({"length": 5e-324, "body": "half-space"}, "rms slope of the heights is inf"),
         ({"profile": 10**400}, "profile: must be an array of heights"),
+        ({"normal_force": {"linspace": [0, 1.797e308, 4]}}, "grid.normal_force"),
+        ({"normal_force": {"geomspace": [1, 1.7976931348622103e308, 2]}}, "grid.normal_force"),
         ({"normal_force": 1e12}, "grid.normal_force"),
         ({"material": 3.0}, "material = 3.0: must be a dictionary"),
         ({"quantities": ["jump"]}, "jump"),

@@ -1,4 +1,4 @@
-"""Whatever ``scene.run`` is called with, it returns a dataset or refuses, in one line for each fault.
+"""Whatever ``scene.run`` is called with, it returns a dataset or says what is wrong in lines.
 
 ``make fuzz`` runs the same for FUZZ_SECONDS (tests/tools/fuzz.py).
 """
@@ -21,7 +21,8 @@ from elastomer_friction.workflow.study.effects import DRIVE, MATERIAL
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from elastomer_friction.workflow.study.numerics import NUMERICS
 from elastomer_friction.workflow.study.surfaces import SURFACE
-from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL as BRANCHED, heights, slide
+from tests.workflow.scene.scenes import KELVIN, LENGTH, heights, slide
+from tests.workflow.scene.scenes import MATERIAL as BRANCHED
 from tests.workflow.study.test_fuzz import FUZZ, NUMBERS, VALUES
 
 N = 32
@@ -34,6 +35,7 @@ RANDOM = {
 }
 MAP = {"profile": np.add.outer(heights(16), heights(16)), "body": "half-space"}
 SLIDES = [slide(0.1, 16), slide(0.2, 16)]
+SLIDE = slide(0.1, 8)
 HOLD = {"hold": {"duration": [1e-4, 1e-3]}}
 SWING = {"oscillate": {"amplitude": 1e-7, "frequency": 100.0, "cycles": 2}}
 RAMP = {"ramp": {"velocity": [0.1, 0.2], "duration": 5e-5}}
@@ -42,7 +44,7 @@ ARRAYS = {"time": np.array([0.0, 5e-5]), "velocity": np.array([0.1, 0.2])}
 SCENES = [
     PROFILE | {"programme": SLIDES},
     PROFILE | {"programme": SLIDES, "material": BRANCHED, "quantities": ["steady", "relaxation"]},
-    PROFILE | {"programme": [slide(0.1, 8), HOLD, slide(0.1, 8)], "quantities": ["trace", "healing"]},
+    PROFILE | {"programme": [SLIDE, HOLD, SLIDE], "quantities": ["trace", "healing"]},
     PROFILE | {"programme": [SWING], "start": "relaxed", "quantities": ["trace", "loop", "energy"]},
     PROFILE | {"programme": [RAMP, ARRAYS], "quantities": ["trace", "contact_lengths", "state"]},
     PROFILE | {"programme": [PULL], "drive": {"stiffness": 100.0}, "start": "relaxed"},
@@ -154,9 +156,7 @@ ARGUMENTS = {
     "seed": ODD,
     "state": ODD,
 }
-ONE_CHANGE = st.one_of(
-    *(st.tuples(st.just(name), values) for name, values in ARGUMENTS.items())
-)
+ONE_CHANGE = st.one_of(*(st.tuples(st.just(name), values) for name, values in ARGUMENTS.items()))
 
 
 class TooLong(Exception):
