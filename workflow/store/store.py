@@ -24,6 +24,7 @@ from ..system import (
     make_folder,
     read_whole,
     sizes_in,
+    unreadable,
     write_durably,
 )
 from . import journal, shard
@@ -95,9 +96,9 @@ class Store:
                 self._set_aside(name, "missing")
             elif found[name] != size:
                 self._set_aside(name, f"{found[name]} bytes instead of {size}")
-        for name in sorted(found.keys() - known.keys()):
-            if self._path(name).is_file():
-                self._enter_unknown(name)
+        self._enter_unknown(
+            [name for name in sorted(found.keys() - known.keys()) if self._path(name).is_file()]
+        )
 
     def __contains__(self, record: Any) -> bool:
         """Return whether a record is stored durably."""
@@ -156,11 +157,11 @@ class Store:
     def _path(self, name: str) -> Path:
         return self.folder / f"{name}.nc"
 
-    def _load(self, name: str) -> shard.Contents:
+    def _load(self, name: str, tried: str = "") -> shard.Contents:
         """Return what a shard holds. Raises DamagedShard once one that is spoilt is set aside."""
         path = self._path(name)
         try:
-            return shard.decode(name, self.patience(partial(read_whole, path)))
+            return shard.decode(name, self.patience(partial(read_whole, path)), tried)
         except UserError as error:
             if not isinstance(error.__cause__, FileNotFoundError):
                 raise  # the disk refuses to read it: no fault of the shard
@@ -176,16 +177,20 @@ class Store:
         """Enter every shard by what it holds itself, as the journal was wrong about one."""
         path = self.folder / journal.NAME
         print(f"warning: {path} is wrong about {name}: every shard is read anew", file=sys.stderr)
-        for known in list(self.index.sizes):
-            self._enter_unknown(known)
+        self._enter_unknown(list(self.index.sizes))
 
-    def _enter_unknown(self, name: str) -> None:
-        """Enter a shard by what it holds itself, if it is sound."""
-        with contextlib.suppress(DamagedShard):
-            contents = self._load(name)
-            self._drop(name)
-            size = self._path(name).stat().st_size
-            self.enter(name, size, contents.batches, contents.makers)
+    def _enter_unknown(self, names: list[str]) -> None:
+        """Enter shards by what they hold themselves, those that are sound.
+
+        Nobody says where they are from: a process of its own reads them first.
+        """
+        tried = self.patience(partial(unreadable, [self._path(name) for name in names]))
+        for name in names:
+            with contextlib.suppress(DamagedShard):
+                contents = self._load(name, tried.get(self._path(name), ""))
+                self._drop(name)
+                size = self._path(name).stat().st_size
+                self.enter(name, size, contents.batches, contents.makers)
 
     def _set_aside(self, name: str, why: str) -> None:
         path = self._path(name)
