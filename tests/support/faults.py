@@ -99,3 +99,12 @@ def copies(sound: Path, path: Path, contents: list[bytes]) -> Iterator[Path]:
         shutil.copytree(sound, folder)
         (folder / path.name).write_bytes(content)
         yield folder
+
+
+def endless(content: bytes) -> bytes:
+    """Return a netCDF file of which the first object of its global heap is its own next.
+
+    The length of an object leads the HDF5 library to the next one, and here for ever to the same.
+    """
+    at = content.index(b"GCOL") + 16 + 8  # its head, and the number of the object
+    return content[:at] + (2**64 - 16).to_bytes(8, "little") + content[at + 8 :]

@@ -37,6 +37,7 @@ from ..study import (
 )
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
+LEAST_ROUNDING = 0.02  # of what is left over: from 1 on steps are halved for ever
 
 
 def canonical(values: np.ndarray) -> np.ndarray:
@@ -163,7 +164,7 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
     that share this programme.
     """
     programme = problem.programme
-    if problem.drive and problem.start != "steady":
+    if problem.drive:
         _check_pull(problem, problem.drive)
     for m in np.unique(steps) if programme else ():
         counts = bounded_counts(problem, int(m), origin)
@@ -182,20 +183,27 @@ def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:
 
 
 def _check_pull(problem: Problem, drive: Drive) -> None:
-    """Raise UserError where the force of a drive is never told from none: the line sticks for good.
+    """Raise UserError where the force of a drive is never told from none, or lost in rounding.
 
-    A line at rest under the load bears no friction, and creeps under any force that is told.
+    A line at rest under the load bears no friction, and creeps under any force that is told. What
+    rounding adds to a force must lie well below what is left over when forces are balanced.
     """
     way = list(courses(problem.programme, 0.0))
     stretch = max(np.abs(course.place).max() for course in way)
     most = drive.stiffness * stretch
     most += drive.damping * max(np.abs(course.speed).max() for course in way)
-    share = float(np.min(most / (problem.load * problem.surface.slope)))
-    if share <= TOLERANCE:
+    share = most / (problem.load * problem.surface.slope)
+    if problem.start != "steady" and np.min(share) <= TOLERANCE:
         raise UserError(
-            f"scene.drive.stiffness: the spring pulls with {share:.2g} of F_N times the rms slope "
-            f"at most, and forces are balanced to {TOLERANCE:g} of it: the line never moves; give "
-            "a larger stiffness, or a longer way of the drive"
+            f"scene.drive.stiffness: the spring pulls with {np.min(share):.2g} of F_N times the "
+            f"rms slope at most, and forces are balanced to {TOLERANCE:g} of it: the line never "
+            "moves; give a larger stiffness, or a longer way of the drive"
+        )
+    if np.max(share) * np.finfo(float).eps > LEAST_ROUNDING * TOLERANCE:
+        raise UserError(
+            f"scene.drive: spring and damper pull with up to {np.max(share):.2g} of F_N times the "
+            f"rms slope, and forces are balanced to {TOLERANCE:g} of it, which is lost in "
+            "rounding; give a smaller stiffness or damping"
         )
 
 

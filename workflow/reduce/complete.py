@@ -1,6 +1,6 @@
 """What a result says beside its estimates: contacts resolved, bias, and exponents of all tasks."""
 
-from functools import lru_cache
+from functools import lru_cache, partial
 from typing import NamedTuple
 
 import numpy as np
@@ -77,16 +77,16 @@ def _of_model(tasks: list[Task], normalisation: str) -> Estimates:
 def _of_persson(tasks: list[Task], lines: Surface) -> Estimates:
     """Return friction and contact area at v1 by Persson's theory, of the spectrum of the study."""
     found = np.empty((len(tasks), 2))
+    waves_of = lru_cache(maxsize=100)(partial(_waves, lines))
     for row, task in enumerate(tasks):
         problem = task.problem
-        waves = _waves(lines, *problem[:2], problem.surface)
+        waves = waves_of(*problem[:2], problem.surface)
         found[row] = persson_theory(
             waves, problem.spectrum, nominal_pressure(problem), problem.ends[0]
         )
     return {"mu_persson": found[:, 0], "area_persson": found[:, 1]}
 
 
-@lru_cache(maxsize=100)
 def _waves(lines: Surface, hurst: float, elements: int, shape: LineShape) -> Waves:
     own, modes = lines.spectrum, (shape.rolloff, shape.cutoff)
     if own is not None and lines.profile is not None:

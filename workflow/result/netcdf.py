@@ -16,9 +16,9 @@ import numpy as np
 
 from ..errors import UserError
 from ..simulate import CODE
-from ..store import is_edited
+from ..store import is_as_written
 from ..study import AnyStudy
-from ..system import program, replacing
+from ..system import program, replacing, unreadable
 
 if TYPE_CHECKING:  # slow to import: plan and status do without
     import xarray as xr
@@ -119,9 +119,14 @@ def open_tree(path: str | os.PathLike[str]) -> "xr.DataTree":
 
 
 def _groups(path: Path) -> dict[str, "xr.Dataset"]:
-    """Return group -> dataset of a result file. Raises UserError where it is none."""
+    """Return group -> dataset of a result file. Raises UserError where it is none.
+
+    One of which nobody knows that a run wrote it so is read by a process of its own first.
+    """
     import xarray as xr
 
+    if not is_as_written(path) and (why := unreadable([path])):
+        raise UserError(f"{path}: cannot be read as netCDF: {why[path]}")
     try:
         groups: dict[str, xr.Dataset] = xr.open_groups(path, engine="netcdf4")
     except (AttributeError, OSError, RuntimeError, ValueError) as error:
@@ -178,7 +183,7 @@ def check_result(study: AnyStudy, path: Path, *, asked: bool) -> None:
 def edited(path: Path) -> str:
     """Return what is to be said of a result that is not as a run wrote it, or nothing."""
     said = "is not as a run wrote it: it was changed or replaced since; run the study again"
-    return said if is_edited(path) else ""
+    return said if is_as_written(path) is False else ""
 
 
 def broken(study: AnyStudy, path: Path, error: Exception) -> UserError:

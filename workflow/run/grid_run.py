@@ -20,7 +20,7 @@ from ..plan import (
     total_seconds,
 )
 from ..simulate import load_kernels
-from ..store import DamagedShard, Store, WriteBuffer, store_folder
+from ..store import DamagedShard, Store, WriteBuffer, enter_result, store_folder
 from ..study import LOCAL
 from ..system import (
     Interrupt,
@@ -122,7 +122,7 @@ class _Run:
             if datasets:
                 with self.summary.filing():
                     self.patience(partial(results.write_datasets, self.result, datasets))
-                    self.store.enter_result(self.result)
+                    self.patience(partial(enter_result, self.result))
                 self.summary.written = True
                 self.summary.say_accuracy(self.plan, self.result)
             state = "finished" if datasets else "interrupted" if self.interrupt() else "stopped"

@@ -41,15 +41,17 @@ def toml_value(name: str, value: Any) -> Any:
     """Return a value as TOML gives it: arrays and tuples as lists, numbers of numpy as numbers.
 
     An array without dimensions is a number. Raises UserError, naming the argument, for a mask that
-    hides something and for what lies within itself.
+    hides something, for times in units of numpy, and for what lies within itself.
     """
     if np.ma.is_masked(value):
         raise UserError(f"{name}: holds values that are masked; fill or leave them out first")
     try:
         if isinstance(value, Mapping):
             return {str(key): toml_value(name, each) for key, each in value.items()}
-        if isinstance(value, np.ndarray | np.generic):
-            return value.tolist()
+        if isinstance(value, np.ndarray | np.generic | xr.DataArray):
+            if value.dtype.kind in "mM":
+                raise UserError(f"{name}: holds dates or timedelta64; give times as numbers in s")
+            return np.asarray(value).tolist()
         if isinstance(value, list | tuple):
             return [toml_value(name, each) for each in value]
     except RecursionError:

@@ -9,7 +9,7 @@ from ..lazy import public_names
 
 if TYPE_CHECKING:
     from .merge import merge_into
-    from .store import DamagedShard, Store, is_edited, store_folder
+    from .store import DamagedShard, Store, enter_result, is_as_written, store_folder
     from .verify import Verified, holds_a_store
     from .write_buffer import WriteBuffer
 

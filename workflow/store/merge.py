@@ -7,7 +7,7 @@ from pathlib import Path
 import numpy as np
 
 from ..errors import UserError
-from ..system import hold, read_whole, sizes_in, write_durably
+from ..system import hold, read_whole, sizes_in, unreadable, write_durably
 from . import journal
 from .shard import Contents, NoShard, decode, digest, shard_sizes
 from .store import DamagedShard, Store
@@ -29,13 +29,13 @@ def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str
         into.prepare()
         into.begin("merge")
         said, taken, records, differing = [], 0, 0, 0
-        names = sorted(shard_sizes(sizes_in(source)))
-        for name in names:
-            content = read_whole(source / f"{name}.nc")
-            if _is_there(into, name, content):
-                continue
+        paths = {name: source / f"{name}.nc" for name in sorted(shard_sizes(sizes_in(source)))}
+        other = {n: path for n, path in paths.items() if not _is_there(into, n, read_whole(path))}
+        tried = unreadable([*other.values()])
+        for name, path in other.items():
+            content = read_whole(path)
             try:
-                contents = decode(name, content)
+                contents = decode(name, content, tried.get(path, ""))
             except (NoShard, ValueError) as error:
                 said.append(f"left out    {name}.nc: {error}")
                 continue
@@ -47,7 +47,7 @@ def merge_into(source: Path, target: Path, *, no_lock: bool = False) -> list[str
                 taken, records = taken + 1, records + fresh
     if differing:
         said.append(f"differing   {differing} records are in both, but not to the bit")
-    return [*said, f"taken over  {taken} of {len(names)} shards, {records} records that are new"]
+    return [*said, f"taken over  {taken} of {len(paths)} shards, {records} records that are new"]
 
 
 def _is_there(into: Store, name: str, content: bytes) -> bool:

@@ -94,9 +94,10 @@ def encode(finished: Finished) -> bytes:
     return bytes(data.close())
 
 
-def decode(name: str, content: bytes) -> Contents:
+def decode(name: str, content: bytes, unreadable: str = "") -> Contents:
     """Return what a shard of this name holds by its bytes.
 
+    unreadable : why they cannot be read, where that was tried before: HDF5 opens them no more.
     Raises NoShard for what another program or version has written, and ValueError for damage and
     for what contradicts itself. No more is read than the bytes hold.
     """
@@ -108,6 +109,8 @@ def decode(name: str, content: bytes) -> Contents:
     if not version:
         raise NoShard("is no shard of this program")
     try:
+        if unreadable:
+            raise OSError(unreadable)
         with netCDF4.Dataset("shard.nc", memory=content) as data:
             data.set_auto_maskandscale(False)
             _check_arrays(data, len(content))

@@ -21,8 +21,10 @@ from ..system import (
     Patience,
     clear_leftovers,
     digest_of,
+    make_folder,
     read_whole,
     sizes_in,
+    unreadable,
     write_durably,
 )
 from . import journal, shard
@@ -37,16 +39,27 @@ def store_folder(result: Path) -> Path:
     return result.parent / "store"
 
 
-def is_edited(result: Path) -> bool:
-    """Return whether the store beside a result tells of a file of this name, but not as it is.
+def enter_result(result: Path) -> None:
+    """Note durably in the store beside a result, made if need be, how a run has written it.
 
-    Nothing is known of a result without a store, or beside one that cannot be read.
+    It is one line, appended in one piece: who measures needs no lock of the folder for it.
+    """
+    folder = store_folder(result)
+    make_folder(folder)
+    first: list[Entry] = [] if journal.size(folder) else [{"format": journal.FORMAT}]
+    journal.append(folder, [*first, {"result": result.name, "digest": digest_of(result)}])
+
+
+def is_as_written(result: Path) -> bool | None:
+    """Return whether a result is as a run has written it, by the store beside it.
+
+    None where nothing is known of it: there is no store, or none that can be read or tells of it.
     """
     with contextlib.suppress(UserError):
         entries = journal.entries(store_folder(result))
         written = {entry["digest"] for entry, _ in entries if entry.get("result") == result.name}
-        return bool(written) and digest_of(result) not in written
-    return False
+        return digest_of(result) in written if written else None
+    return None
 
 
 class DamagedShard(Exception):
@@ -83,9 +96,9 @@ class Store:
                 self._set_aside(name, "missing")
             elif found[name] != size:
                 self._set_aside(name, f"{found[name]} bytes instead of {size}")
-        for name in sorted(found.keys() - known.keys()):
-            if self._path(name).is_file():
-                self._enter_unknown(name)
+        self._enter_unknown(
+            [name for name in sorted(found.keys() - known.keys()) if self._path(name).is_file()]
+        )
 
     def __contains__(self, record: Any) -> bool:
         """Return whether a record is stored durably."""
@@ -104,10 +117,6 @@ class Store:
     def begin(self, what: str) -> None:
         """Note durably that a run begins: shards from here on may belong to another study."""
         self._write([{"run": what}])
-
-    def enter_result(self, result: Path) -> None:
-        """Note durably that a run has written a result file, as it is now."""
-        self._write([{"result": result.name, "digest": digest_of(result)}])
 
     def wrote(self, result: Path) -> bool:
         """Return whether a result file is as a run has written it."""
@@ -148,11 +157,11 @@ class Store:
     def _path(self, name: str) -> Path:
         return self.folder / f"{name}.nc"
 
-    def _load(self, name: str) -> shard.Contents:
+    def _load(self, name: str, tried: str = "") -> shard.Contents:
         """Return what a shard holds. Raises DamagedShard once one that is spoilt is set aside."""
         path = self._path(name)
         try:
-            return shard.decode(name, self.patience(partial(read_whole, path)))
+            return shard.decode(name, self.patience(partial(read_whole, path)), tried)
         except UserError as error:
             if not isinstance(error.__cause__, FileNotFoundError):
                 raise  # the disk refuses to read it: no fault of the shard
@@ -168,16 +177,20 @@ class Store:
         """Enter every shard by what it holds itself, as the journal was wrong about one."""
         path = self.folder / journal.NAME
         print(f"warning: {path} is wrong about {name}: every shard is read anew", file=sys.stderr)
-        for known in list(self.index.sizes):
-            self._enter_unknown(known)
+        self._enter_unknown(list(self.index.sizes))
 
-    def _enter_unknown(self, name: str) -> None:
-        """Enter a shard by what it holds itself, if it is sound."""
-        with contextlib.suppress(DamagedShard):
-            contents = self._load(name)
-            self._drop(name)
-            size = self._path(name).stat().st_size
-            self.enter(name, size, contents.batches, contents.makers)
+    def _enter_unknown(self, names: list[str]) -> None:
+        """Enter shards by what they hold themselves, those that are sound.
+
+        Nobody says where they are from: a process of its own reads them first.
+        """
+        tried = self.patience(partial(unreadable, [self._path(name) for name in names]))
+        for name in names:
+            with contextlib.suppress(DamagedShard):
+                contents = self._load(name, tried.get(self._path(name), ""))
+                self._drop(name)
+                size = self._path(name).stat().st_size
+                self.enter(name, size, contents.batches, contents.makers)
 
     def _set_aside(self, name: str, why: str) -> None:
         path = self._path(name)

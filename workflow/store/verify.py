@@ -4,7 +4,7 @@ from collections import defaultdict
 from pathlib import Path
 
 from ..errors import UserError
-from ..system import LOCK, digest_of, read_whole, sizes_in
+from ..system import LOCK, digest_of, read_whole, sizes_in, unreadable
 from . import journal
 from .index import Index
 from .shard import Contents, NoShard, decode, shard_sizes
@@ -30,6 +30,7 @@ class Verified:
         sizes = sizes_in(folder)
         shards = shard_sizes(sizes)
         self.shards = len(shards)
+        self.unreadable = unreadable([folder / f"{name}.nc" for name in sorted(shards)])
         self.sound = sum(self._is_sound(name) for name in sorted(shards))
         results = {name: folder.parent / name for name in self.index.results.values()}
         self.results = {name: path for name, path in results.items() if path.is_file()}
@@ -79,8 +80,9 @@ class Verified:
     def _is_sound(self, name: str) -> bool:
         """Return whether a shard holds what it says and what the journal tells; note what not."""
         found = f"{name}.nc"
+        path = self.folder / found
         try:
-            contents = decode(name, read_whole(self.folder / found))
+            contents = decode(name, read_whole(path), self.unreadable.get(path, ""))
         except (UserError, ValueError) as error:
             self.faults.append(f"{found}: damaged ({error})")
             return False

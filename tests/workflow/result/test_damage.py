@@ -9,7 +9,7 @@ import xarray as xr
 
 from elastomer_friction.workflow.result.netcdf import write_datasets
 from tests.support.commands import refusal
-from tests.support.faults import DAMAGE, flipped
+from tests.support.faults import DAMAGE, endless, flipped
 from tests.support.results import OLD, READERS, WRITTEN, assert_refused, call, contents, rewritten
 from tests.support.synthetic import result
 
@@ -40,7 +40,7 @@ def test_a_flipped_bit_in_a_variable_is_noticed(capsys, shown):
     content = path.read_bytes()
     path.write_bytes(flipped(content, content.index(number)))
     for command in READERS:
-        assert "small.nc: cannot be used by small" in assert_refused(capsys, command, shown)
+        assert "small.nc: cannot be read as netCDF: " in assert_refused(capsys, command, shown)
 
 
 def test_a_result_that_promises_more_than_memory_holds_is_refused(capsys, shown):
@@ -58,7 +58,16 @@ def test_a_result_that_promises_more_than_memory_holds_is_refused(capsys, shown)
             vast.createVariable(name, variable.dtype, variable.dimensions, chunksizes=chunks)
     (shown / "sound.nc").unlink()
     for command in READERS:
-        assert "small.nc: cannot be used by small" in assert_refused(capsys, command, shown)
+        assert "small.nc: cannot be read as netCDF: " in assert_refused(capsys, command, shown)
+
+
+def test_a_forged_result_whose_reading_does_not_end_is_refused(capsys, shown):
+    path = shown / "small.nc"
+    path.write_bytes(endless(path.read_bytes()))
+    for command in READERS:
+        assert "cannot be read as netCDF: reading it does not end" in assert_refused(
+            capsys, command, shown
+        )
 
 
 def test_a_result_without_an_axis_is_refused(capsys, shown):

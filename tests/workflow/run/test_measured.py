@@ -4,9 +4,11 @@ import json
 import math
 import os
 
+import netCDF4
 import pytest
 import xarray as xr
 
+from elastomer_friction.workflow.cli import main
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.plan import TYPICAL, WHOLE, Pace
 from elastomer_friction.workflow.plan.cost.machine import Learned, label
@@ -28,6 +30,23 @@ def test_all_groups_are_written_with_their_origin(powers, tmp_path, capsys):
         assert groups[group].attrs["seed"] == 5
         assert json.loads(groups[group].attrs["study"])["measure"]["powers"] == 3
         groups[group].close()
+
+
+def test_a_measured_result_that_was_edited_is_named(powers, tmp_path, capsys):
+    study, result = str(powers / "study.toml"), tmp_path / "out" / "powers.nc"
+    commands = (["table", study, "--out", str(result.parent)], ["verify", str(result.parent)])
+    run_measured(read_study(study), result, TYPICAL)
+    assert [main(command) for command in commands] == [0, 0]
+    said = "is not as a run wrote it"
+    assert said not in "".join(capsys.readouterr())
+    with netCDF4.Dataset(result, "a") as file:
+        file["found"][:] = 2.0 * file["found"][:]
+    assert [main(command) for command in commands] == [0, 3]
+    out, err = capsys.readouterr()
+    assert f"fault       {result}: {said}" in out
+    assert f"note: {result}: {said}" in err
+    run_measured(read_study(study), result, TYPICAL)
+    assert [main(command) for command in commands] == [0, 0]
 
 
 def test_an_interrupted_measurement_leaves_the_earlier_result(powers, tmp_path):

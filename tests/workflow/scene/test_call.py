@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.errors import UserError
@@ -140,6 +141,15 @@ def test_an_array_without_dimensions_is_a_number_and_a_mask_that_hides_nothing_i
     assert run(**given).identical(run(material=KELVIN))
 
 
+def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
+    own = {"time": xr.DataArray([0.0, 5e-4]), "velocity": xr.DataArray([0.1, 0.2])}
+    other = {name: values.values for name, values in own.items()}
+    asked = {"quantities": ["steady", "persson", "trace"]}
+    found = run(own, profile=xr.DataArray(heights()), **asked)
+    assert found.identical(run(other, **asked))
+    assert found.mu_persson > 0.0
+
+
 @pytest.mark.parametrize(
     ("changed", "words"),
     [
@@ -149,6 +159,13 @@ def test_an_array_without_dimensions_is_a_number_and_a_mask_that_hides_nothing_i
         ({"length": -1.0}, "length = -1.0: must be greater than zero"),
         ({"profile": heights() * 1e3}, "slope"),
         ({"profile": heights() * 1e-6}, "slope"),
+        ({"profile": heights() * 1e306}, "rms slope of the heights is"),
+        ({"profile": heights() * 1e306, "body": "half-space"}, "rms slope of the heights is"),
+        ({"length": 5e-324}, "rms slope of the heights is inf"),
+        ({"length": 5e-324, "body": "half-space"}, "rms slope of the heights is inf"),
+        ({"profile": 10**400}, "profile: must be an array of heights"),
+        ({"normal_force": {"linspace": [0, 1.797e308, 4]}}, "grid.normal_force"),
+        ({"normal_force": {"geomspace": [1, 1.7976931348622103e308, 2]}}, "grid.normal_force"),
         ({"normal_force": 1e12}, "grid.normal_force"),
         ({"material": 3.0}, "material = 3.0: must be a dictionary"),
         ({"quantities": ["jump"]}, "jump"),
@@ -163,6 +180,8 @@ def test_an_array_without_dimensions_is_a_number_and_a_mask_that_hides_nothing_i
         ({"material": KELVIN | {"branches": ENDLESS}}, "material: holds values within values"),
         ({"body": np.array([1, 2])}, "scene.body = [1, 2]: must be one of"),
         ({"quantities": None, "normal_force": None, "prescribed_indentation": 1e-6}, "quantities"),
+        ({"body": xr.DataArray([1, 2])}, "scene.body = [1, 2]: must be one of"),
+        ({"programme": [{"hold": {"duration": np.timedelta64(1, "ns")}}]}, "times as numbers in s"),
         ({"state": 3}, "state = 3: must be a dataset"),
     ],
 )

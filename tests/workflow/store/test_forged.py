@@ -10,6 +10,7 @@ from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.merge import merge_into
 from elastomer_friction.workflow.store.shard import ARRAYS, FORMAT, decode, digest
 from elastomer_friction.workflow.store.verify import Verified
+from tests.support.faults import endless
 from tests.support.shards import BATCH, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import MAKER, random_result
 
@@ -81,22 +82,26 @@ def test_what_is_forged_would_be_sound_without_its_fault(tmp_path):
     assert found.records == [("01" * 16, 0), ("01" * 16, 1)]
 
 
-@pytest.mark.parametrize("how", FORGED.values(), ids=FORGED)
-def test_a_shard_that_contradicts_itself_is_left_out_everywhere(tmp_path, capsys, how):
+def test_shards_that_contradict_themselves_are_left_out_everywhere(tmp_path, capsys):
     stores = [filled(tmp_path / name, WORK[:1])[0].folder for name in ("ours", "theirs")]
-    content = forged(tmp_path, **how)
-    path = stores[0] / f"{digest(content)}.nc"
-    path.write_bytes(content)
-    (fault,) = Verified(stores[0]).faults
-    assert fault.startswith(f"{path.name}: damaged (it is not made as a shard is: ")
-    (left_out, taken) = merge_into(*stores)
-    assert left_out.startswith(f"left out    {path.name}: it is not made as a shard is: ")
-    assert taken == "taken over  0 of 2 shards, 0 records that are new"
+    (sound,) = stores[0].glob("*.nc")
+    contents = [forged(tmp_path, **how) for how in FORGED.values()]
+    contents.append(endless(sound.read_bytes()))
+    for content in contents:
+        (stores[0] / f"{digest(content)}.nc").write_bytes(content)
+    names = sorted(map(digest, contents))
+    assert len(names) == len(FORGED) + 1
+    said = "it is not made as a shard is: "
+    for fault, name in zip(sorted(Verified(stores[0]).faults), names, strict=True):
+        assert fault.startswith(f"{name}.nc: damaged ({said}")
+    *left_out, taken = merge_into(*stores)
+    for line, name in zip(left_out, names, strict=True):
+        assert line.startswith(f"left out    {name}.nc: {said}")
+    assert taken == f"taken over  0 of {len(names) + 1} shards, 0 records that are new"
     assert held(reopened(stores[0])) == set(records(WORK[0]))
-    said = capsys.readouterr().err
-    assert said.startswith(f"warning: {path} is damaged (it is not made as a shard is: ")
-    assert said.count("\n") == 1
-    assert path.with_suffix(".damaged").read_bytes() == content
+    for line, name in zip(capsys.readouterr().err.splitlines(), names, strict=True):
+        assert line.startswith(f"warning: {stores[0] / name}.nc is damaged ({said}")
+        assert digest((stores[0] / f"{name}.damaged").read_bytes()) == name
 
 
 def shard_of_journal(**told):

@@ -9,7 +9,12 @@ import pytest
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store import journal
-from elastomer_friction.workflow.store.store import Store, is_edited, store_folder
+from elastomer_friction.workflow.store.store import (
+    Store,
+    enter_result,
+    is_as_written,
+    store_folder,
+)
 from tests.support.shards import BATCH, SAMPLES, WORK, assert_holds, filled, held, records, reopened
 from tests.support.small import random_result
 
@@ -108,17 +113,16 @@ def test_failures_are_remembered_until_they_are_to_be_tried_again(tmp_path):
 def test_a_result_that_was_edited_is_known_where_its_store_is(tmp_path):
     result = tmp_path / "fig2.nc"
     result.write_bytes(b"as a run wrote it")
-    assert not is_edited(result)  # no store says how it was
-    store_folder(result).mkdir()
-    store = Store(store_folder(result))
-    store.enter_result(result)
-    assert Store(store.folder).wrote(result)
-    assert not is_edited(result)
+    assert is_as_written(result) is None  # no store says how it was
+    folder = store_folder(result)
+    enter_result(result)
+    assert Store(folder).wrote(result)
+    assert is_as_written(result) is True
     result.write_bytes(b"as a run wrote it, and more")
-    assert not Store(store.folder).wrote(result)
-    assert is_edited(result)
-    store.enter_result(result)  # by a later run
-    assert not is_edited(result)
+    assert not Store(folder).wrote(result)
+    assert is_as_written(result) is False
+    enter_result(result)  # by a later run
+    assert is_as_written(result) is True
 
 
 SHARD = {"shard": "x\n", "bytes": 17, "records": 0, "chunks": []}

@@ -10,7 +10,7 @@ from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.merge import merge_into
 from elastomer_friction.workflow.store.shard import digest
-from elastomer_friction.workflow.store.store import Store
+from elastomer_friction.workflow.store.store import Store, enter_result
 from elastomer_friction.workflow.store.verify import Verified
 from elastomer_friction.workflow.system.lock import hold
 from tests.support.faults import DAMAGE
@@ -99,12 +99,10 @@ def test_a_spoilt_line_is_named_by_its_number(store, line):
 def test_a_result_that_was_edited_is_a_fault(tmp_path):
     result = tmp_path / "fig2.nc"
     result.write_bytes(b"as a run wrote it")
-    (tmp_path / "store").mkdir()
-    store = reopened(tmp_path / "store")
-    store.enter_result(result)
-    assert verified(store.folder).faults == []
+    enter_result(result)
+    assert verified(tmp_path / "store").faults == []
     result.write_bytes(b"by hand")
-    assert verified(store.folder).faults == [f"{result}: is not as a run wrote it"]
+    assert verified(tmp_path / "store").faults == [f"{result}: is not as a run wrote it"]
 
 
 def test_every_key_is_compared_with_what_the_journal_tells(store):

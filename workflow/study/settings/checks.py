@@ -123,4 +123,5 @@ def _spaced(key: str, spec: dict[str, Any]) -> tuple[float, ...]:
     count = integer(f"{key}.{kind}[2]", args[2], 1, MOST_VALUES)
     if kind == "geomspace" and first * last <= 0.0:
         raise UserError(f"{key}.geomspace = {args!r}: both ends must be of one sign, not zero")
-    return tuple(float(f"{value:.12g}") for value in SPACES[kind](first, last, count))
+    with np.errstate(over="ignore"):  # what lies beyond any number is refused as infinite
+        return tuple(float(f"{value:.12g}") for value in SPACES[kind](first, last, count))

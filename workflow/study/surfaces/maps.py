@@ -19,6 +19,7 @@ from .profile import (
     check_slope,
     given_heights,
     make_periodic,
+    quietly,
 )
 
 
@@ -38,9 +39,10 @@ class MapProfile(Profile):
     @property
     def slope(self) -> float:
         """Return the rms of the full gradient over all maps."""
-        return rms_slope_of(self.amplitudes, self.heights.shape[-1]) / self.spacing
+        return float(np.divide(rms_slope_of(self.amplitudes, self.heights.shape[-1]), self.spacing))
 
 
+@quietly
 def read_map(asked: Asked, detrend: str, periodic: str) -> MapProfile:
     """Return the prepared map of a file, the largest square in its middle. Raises UserError.
 
@@ -96,6 +98,7 @@ def _levelled(heights: np.ndarray, detrend: str) -> np.ndarray:
     return heights - (basis @ fitted).reshape(heights.shape)
 
 
+@quietly
 def given_map(heights: object, length: float) -> MapProfile:
     """Return the map of heights given in m, shape (n, n), or (n,) of a line contact; one period.
 

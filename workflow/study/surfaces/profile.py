@@ -13,6 +13,7 @@ from .files import read_lines
 
 SLOPES = 1e-5, 30.0  # of lines with heights and lengths in one unit
 LOADS = 1e-8, 1e6  # F_N/(4 G L h)
+quietly = np.errstate(all="ignore")  # heights of 1e200 m, lengths of 1e-320 m: the slope refuses
 
 
 class Profile(NamedTuple):
@@ -43,9 +44,10 @@ class Profile(NamedTuple):
     @property
     def slope(self) -> float:
         """Return the spectral rms slope over all lines."""
-        return rms_slope(self.amplitudes, self.heights.shape[1]) / self.spacing
+        return float(np.divide(rms_slope(self.amplitudes, self.heights.shape[1]), self.spacing))
 
 
+@quietly
 def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
     """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
     lines = read_lines(asked)
@@ -67,6 +69,7 @@ def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
     return profile._replace(notes=profile.notes + said, alike=alike(levelled))
 
 
+@quietly
 def given_profile(heights: object, length: float) -> Profile:
     """Return the profile of heights given in m, shape (n,) or (lines, n), one period each.
 
@@ -94,7 +97,7 @@ def given_heights(heights: object) -> np.ndarray:
     """
     try:
         return np.atleast_2d(plain(heights))
-    except (TypeError, ValueError):
+    except (OverflowError, TypeError, ValueError):
         raise UserError("profile: must be an array of heights in m") from None
 
 
