@@ -16,6 +16,7 @@ FLAGS = {
     "nogil": True,  # a scheduler must be able to talk to a worker while a kernel runs
     "no_cfunc_wrapper": True,  # nobody calls them from C; a tenth of the time to compile
     "error_model": "numpy",  # division by zero gives inf as in numpy, loops stay vectorizable
+    "_nrt": True,  # said, or it would be as in the caller that is compiled first
 }
 
 PART = {**FLAGS, "no_cpython_wrapper": True, "pipeline_class": PartCompiler}
@@ -23,9 +24,22 @@ PART = {**FLAGS, "no_cpython_wrapper": True, "pipeline_class": PartCompiler}
 
 def kernel(function: Callable) -> Callable:
     """Compile a function, or leave it as it is under NUMBA_DISABLE_JIT=1."""
-    compiled = numba.njit(**FLAGS)(function)
+    return _compiled(function, counts=True)
+
+
+def borrowing(function: Callable) -> Callable:
+    """Compile a function that neither makes an array nor returns one: what it is given outlives it.
+
+    It counts no references. To count those of all arrays of some NamedTuples takes as long as to
+    step hundreds of elements. Numba raises an error where an array is made after all.
+    """
+    return _compiled(function, counts=False)
+
+
+def _compiled(function: Callable, counts: bool) -> Callable:
+    compiled = numba.njit(**FLAGS | {"_nrt": counts})(function)
     if compiled is not function:  # Python calls it as usual, kernels link its part in
-        part = numba.njit(**PART)(function)
+        part = numba.njit(**PART | {"_nrt": counts})(function)
         compiled.get_call_template = _by_types_alone(part.get_call_template)
         compiled.get_overload = part.get_overload
         with contextlib.suppress(RuntimeError):  # no folder at all can be written
@@ -66,15 +80,20 @@ class by_type:
     package, whose hash tells states of the cache apart. Raises TypeError for a type without one.
     """
 
-    def __init__(self, declared: Callable) -> None:
+    def __init__(self, declared: Callable, counts: bool = True) -> None:
         functools.update_wrapper(self, declared)
         self.name = declared.__name__
         self.bodies: dict[Any, Callable] = {}
 
-        @overload(self, jit_options=PART)
+        @overload(self, jit_options=PART | {"_nrt": counts})
         @functools.wraps(declared)
         def compiled(first: Any, *others: Any) -> Callable | None:
             return self.bodies.get(getattr(first, "instance_class", None))
+
+    @classmethod
+    def borrowing(cls, declared: Callable) -> "by_type":
+        """Decorate a declaration whose bodies are all as ``borrowing`` functions."""
+        return cls(declared, counts=False)
 
     def __call__(self, first: Any, *others: Any) -> Any:
         """Run the body for the type of ``first``, as compiled kernels do by themselves."""

@@ -25,7 +25,7 @@ def balance(control, law, z, c, noted, d, step):
     """
 
 
-@by_type
+@by_type.borrowing
 def balance_rows(control, law, rows, d, step):
     """Return the same of elements with internal variables; rows : SpringRows (contact.py).
 

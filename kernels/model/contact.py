@@ -22,10 +22,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import by_type, kernel
+from ..compile.jit import borrowing, by_type, kernel
 
 
-@by_type
+@by_type.borrowing
 def excess_at(contact, load, d):
     """Return (what it carries at d beyond the load, the derivative with respect to d, number).
 
@@ -38,7 +38,7 @@ def lowest_of(contact, load):
     """Return (the lowest threshold, d at which some element alone would carry the load)."""
 
 
-@kernel
+@borrowing
 def indentation_under(contact, load, guess):
     """Return (d, passes) at which a contact carries load > 0 (eq. 4), from any ``guess``.
 
@@ -77,6 +77,7 @@ class SpringRows(NamedTuple):
 
     c: np.ndarray  # as of Springs, shape (rows, length)
     highest: np.ndarray  # shape (1,): the highest indentation at which it was asked
+    sums: np.ndarray  # room, of the length of a row, which is a power of two
 
 
 class UnlikeSprings(NamedTuple):
@@ -95,7 +96,7 @@ def _excess_of_springs(contact, load, d):
 @excess_at.of(SpringRows)
 def _excess_of_spring_rows(contact, load, d):
     contact.highest[0] = max(contact.highest[0], d)
-    force, count = overlap_of_rows(contact.c, d)
+    force, count = overlap_of_rows(contact.c, d, contact.sums)
     return force - load, count, count
 
 
@@ -172,13 +173,16 @@ def overlap(c, d):
     return total, count
 
 
-@kernel
-def overlap_of_rows(c, d):
+@borrowing
+def overlap_of_rows(c, d, sums):
     """Return the same, as floats, of thresholds in rows: by columns, of which there are 2^k.
 
     The compiler takes several columns at once. A row in which nothing touches changes no bit.
+    sums : room for a number for each column.
     """
-    sums, touching = np.zeros(c.shape[1]), 0
+    touching = 0
+    for i in range(sums.size):
+        sums[i] = 0.0
     for row in range(c.shape[0]):
         for i in range(sums.size):
             depth = d - c[row, i]

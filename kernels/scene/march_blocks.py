@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import kernel
+from ..compile.jit import borrowing, kernel
 from ..model.balance import balance_rows
 from ..model.contact import SpringRows
 from ..model.friction import weighed
@@ -68,6 +68,15 @@ class Rows(NamedTuple):
     total: np.ndarray  # for rheology/scaled.py
 
 
+class Choice(NamedTuple):
+    """Which blocks are looked at, and for how long."""
+
+    at: int  # the sample of element 0 where they were chosen, or -1
+    cap: float  # none of the others touches below this indentation, in h
+    chosen: float  # the indentation before the step in which they were chosen
+    number: int  # of them
+
+
 @kernel
 def in_blocks(elements, done):
     """Return the BlockElements of Elements, after a number of steps."""
@@ -116,54 +125,80 @@ def follow_blocks(
     what is kept, are as of ``follow``. The arrays of the state are changed.
     """
     blocks, p, older, d = state
-    n, passes, count, rows = track.z.shape[1] // 2, 0, 0, room_for_blocks(blocks.seen.size)
-    lowest, cap, at, chosen = _lowest(track.z), np.inf, 0, d
+    n, passes, rows = track.z.shape[1] // 2, 0, room_for_blocks(blocks.seen.size)
+    lowest, choice = _lowest(track.z), Choice(-1, np.inf, d, 0)
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
     law = law_of(form, track.dt[0])
     for s in range(track.dt.size):
-        step = done + s + 1
+        step, old = done + s + 1, d
         if s > 0 and track.dt[s] != track.dt[s - 1]:
             law = law_of(form, track.dt[s])
-        look_ahead(law, blocks.scales)
-        z, old = seen_at(track.z, track, s + 1, n), d
-        if s == 0 or round_apart(track.begin[s + 1], at, n) > SLACK:
-            at = track.begin[s + 1]
-            cap = np.inf if ledger is not None else cap_over(old, chosen, lowest)
-            count, chosen = choose_blocks(rows.active, lowest, at, n, cap, blocks.pressed), old
-        d, used = balance_blocks(control, law, blocks, p, older, step, count, rows, z, old)
-        while rows.springs.highest[0] > cap:  # what was left out would have been looked at
-            cap = cap_over(rows.springs.highest[0], old, lowest)
-            count = choose_blocks(rows.active, lowest, at, n, cap, blocks.pressed)
-            d, used = balance_blocks(control, law, blocks, p, older, step, count, rows, z, old)
+        every = ledger is not None
+        here = track.z, track.line[s + 1], track.begin[s + 1]
+        d, used, choice = _move(
+            control, law, blocks, p, older, step, rows, lowest, choice, every, here, old
+        )
         passes += used
-        some = rows.active[:count]
-        press_blocks(law, blocks.pressed, older, some, rows.springs.c, d)
         p, older = older, p
         if film is not None and frame < frames.size and step == frames[frame]:
+            z = seen_at(track.z, track, s + 1, n)
             _keep_frame(film, frame, law, blocks, p, older, step, z, d)
             frame += 1
         if ledger is not None:
             _book(form, law, ledger, track, s, blocks, p, older, rows.springs.c, old, d)
-        go_on(law, blocks.scales, step)
+        _pass_by(law, blocks, step)
         keeping, ending = k < kept.size and step == kept[k], end < ends.size and step == ends[end]
         if ending or (keeping and ledger is not None):
-            _predict(law, blocks, p, older, step, some, z, rows)
+            some = rows.active[: choice.number]
+            _predict(law, blocks, p, older, step, some, track.z[0, :n], rows)
         if spell is not None and spell.after < step <= spell.last:
+            some = rows.active[: choice.number]
             add_impulses(spell, _sums(law.lag, track, s, some, p), track.dt[s])
         if keeping:
+            some = rows.active[: choice.number]
             _keep(k, form, law, track, s, old, d, blocks, some, p, trace, ledger, lengths)
             k += 1
         if ending:
             _count_as_it_is(blocks, step)
             end += 1
-    _predict(law, blocks, p, older, done + track.dt.size, rows.active[:count], track.z[0, :n], rows)
+    some = rows.active[: choice.number]
+    _predict(law, blocks, p, older, done + track.dt.size, some, track.z[0, :n], rows)
     return BlockElements(blocks, p, older, d), passes
+
+
+@borrowing
+def _move(control, law, blocks, p, older, step, rows, lowest, choice, every, here, old):
+    """Take some blocks over a step; return (d, passes, Choice). Their forces fill ``older``.
+
+    every : whether all blocks are to be looked at. here : lines, which of them, from which sample.
+    """
+    lines, line, begin = here
+    n = lines.shape[1] // 2
+    z = lines[line, begin : begin + n]
+    look_ahead(law, blocks.scales)
+    at, cap, chosen, count = choice
+    if at < 0 or round_apart(begin, at, n) > SLACK:
+        at, cap = begin, np.inf if every else cap_over(old, chosen, lowest)
+        count, chosen = choose_blocks(rows.active, lowest, at, n, cap, blocks.pressed), old
+    d, passes = balance_blocks(control, law, blocks, p, older, step, count, rows, z, old)
+    while rows.springs.highest[0] > cap:  # what was left out would have been looked at
+        cap = cap_over(rows.springs.highest[0], old, lowest)
+        count = choose_blocks(rows.active, lowest, at, n, cap, blocks.pressed)
+        d, passes = balance_blocks(control, law, blocks, p, older, step, count, rows, z, old)
+    press_blocks(law, blocks.pressed, older, rows.active[:count], rows.springs.c, d)
+    return d, passes, Choice(at, cap, chosen, count)
+
+
+@borrowing
+def _pass_by(law, blocks, step):
+    """Let a step be over, of which the blocks learn when they are looked at next."""
+    go_on(law, blocks.scales, step)
 
 
 @kernel
 def room_for_blocks(blocks):
     """Return Rows for as many blocks as there are."""
-    springs = SpringRows(np.empty((blocks, BLOCK)), np.empty(1))
+    springs = SpringRows(np.empty((blocks, BLOCK)), np.empty(1), np.empty(BLOCK))
     return Rows(np.empty(blocks, np.int64), springs, np.empty(3 * BLOCK))
 
 
@@ -177,25 +212,27 @@ def _lowest(z):
     return lowest
 
 
-@kernel
+@borrowing
 def cap_over(d, before, lowest):
     """Return a cap above the indentation, and above some of the line.
 
     before : the indentation of a while ago: it may go on changing as it has.
     """
-    deepest = lowest.min()
+    deepest = np.inf
+    for cell in range(lowest.size):
+        deepest = min(deepest, lowest[cell])
     spare = max(SPARE * abs(d - deepest), 4.0 * abs(d - before))
     return max(d, deepest) + max(spare, 1e-9)
 
 
-@kernel
+@borrowing
 def round_apart(one, other, n):
     """Return how many samples lie between two, round the period."""
     apart = abs(one - other)
     return min(apart, n - apart)
 
 
-@kernel
+@borrowing
 def choose_blocks(active, lowest, begin, n, cap, pressed):
     """List the blocks that can touch while the line moves by SLACK, or do; return their number."""
     count = 0
@@ -211,16 +248,16 @@ def choose_blocks(active, lowest, begin, n, cap, pressed):
     return count
 
 
-@kernel
+@borrowing
 def balance_blocks(control, law, blocks, p, older, step, count, rows, z, old):
     """Return (d, passes) of a step, taken with the first blocks that are active alone."""
     _predict(law, blocks, p, older, step - 1, rows.active[:count], z, rows)
     rows.springs.highest[0] = -np.inf
-    springs = SpringRows(rows.springs.c[:count], rows.springs.highest)
+    springs = SpringRows(rows.springs.c[:count], rows.springs.highest, rows.springs.sums)
     return balance_rows(control, law, springs, old, step)
 
 
-@kernel
+@borrowing
 def _predict(law, blocks, p, older, step, some, z, rows):
     """Find the thresholds of some blocks, all that are pressed among them.
 
@@ -243,7 +280,7 @@ def _predict(law, blocks, p, older, step, some, z, rows):
     all_settled(blocks.scales)
 
 
-@kernel
+@borrowing
 def press_blocks(law, pressed, new, some, c, d):
     """Fill the rows of ``new`` that belong to some blocks with the forces of this step."""
     for row in range(some.size):

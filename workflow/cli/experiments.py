@@ -8,9 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from .. import laboratory  # slow to import: other commands do without
+from .. import laboratory, report  # slow to import: other commands do without
 from ..errors import UserError
-from ..report import print_pictures
 from ..study import INCOMPRESSIBLE, Moduli, read_moduli
 from ..system import make_folder, write_durably
 from .exit_status import DONE
@@ -199,5 +198,5 @@ def run_fit(options: argparse.Namespace) -> int:
     print(*laboratory.describe(fit), sep="\n")
     path = Path(options.out)
     make_folder(path.parent)
-    print_pictures(laboratory.draw_fit(fit, path))
+    report.print_pictures(laboratory.draw_fit(fit, path))
     return DONE

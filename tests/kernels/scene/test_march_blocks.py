@@ -1,7 +1,11 @@
 """Scenes by blocks: against the plain march of all elements; what is left out changes no bit."""
 
+import gc
+
 import numpy as np
 import pytest
+from numba.core.runtime import rtsys
+from numba.core.runtime._nrt_python import memsys_enable_stats
 
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import form_of
@@ -11,7 +15,7 @@ from elastomer_friction.kernels.rheology.scaled import BLOCK, as_it_is, catch_up
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from elastomer_friction.kernels.scene import ASKED, run, run_scene
 from tests.kernels.scene.given import EVERY, MATERIALS, OF_ANY, a_line, a_scene
-from tests.sizes import size
+from tests.sizes import PLAIN_PYTHON, size
 
 WIDE = Spectrum((2.0,) * 7, tuple(np.geomspace(1e-4, 10.0, 7) / 43.3), 0.0)  # fast and slow units
 LIFTED = ((0.0, 4.0, 5.0, 9.0, 12.0), (1.0, 1.0, -2.0, -2.0, 1.4))
@@ -101,3 +105,17 @@ def test_a_block_that_catches_up_late_has_the_same_bits(dt):
             left = scales.scale[:, None] * late[1]
             expected = first * np.exp(step * np.log(np.maximum(law.decay, 1e-300)))[:, None]
             np.testing.assert_allclose(left, expected, rtol=1e-11, atol=1e-29)
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")
+def test_memory_is_given_back():
+    """Kernels that count no references leave none behind."""
+    line = a_line()
+    scene = a_scene(MOTIONS["oscillation"], WIDE, asked=tuple(ASKED))
+    run_scene(line, scene)
+    memsys_enable_stats()
+    before = rtsys.get_allocation_stats()
+    run_scene(line, scene)
+    gc.collect()
+    after = rtsys.get_allocation_stats()
+    assert after.mi_alloc - before.mi_alloc == after.mi_free - before.mi_free > 0
