@@ -105,10 +105,11 @@ def pull_through(
     moment = Moment(*start.forces, 0.0, 0.0, speed, force)
     legs = list(courses(scene.programme, force / drive.stiffness))
     since = 0.5 * float(legs[-1].time[0] + legs[-1].time[-1])
-    tally = np.array([since, math.inf, -math.inf, 0.0, 0.0, math.nan, math.nan, 0.0])
+    tally = np.array([since, math.inf, -math.inf, 0.0, 0.0, math.nan, math.nan, 0.0, math.inf])
     kept = np.empty((len(PULLED_TRACES), times.size))
-    record = SliderRecord(times, kept, np.zeros(1, np.int64), tally)
     m, drive = start.steps_per_spacing, Drive(*map(float, drive))
+    ringing = math.pi * math.sqrt(drive.mass / drive.stiffness)
+    record = SliderRecord(times, kept, np.zeros(1, np.int64), tally, ringing)
     scale = scene.load * math.sqrt(float(np.mean(start.slope**2)))
     limits = FREE * shortest_step(scene.spectrum), TOLERANCE * scale, growth(m)
     search = np.zeros(2), np.zeros(1, np.int64)
@@ -130,7 +131,7 @@ def finished(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]:
 
     The swing is that of the drive's force over the normal force, in h/dx, the period in tau.
     """
-    times, kept, count, (_, least, most, fastest, slips, began, latest, _) = record
+    times, kept, count, (_, least, most, fastest, slips, began, latest, *_), _ = record
     kept[:, count[0] :] = np.array(last)[:, None]
     kept[Moment._fields.index("time")] = times
     swing = (most - least) / last.normal

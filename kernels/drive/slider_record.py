@@ -27,28 +27,35 @@ class SliderRecord(NamedTuple):
     times: np.ndarray  # at which its moments are kept, in tau, increasing
     kept: np.ndarray  # shape (9, times): those moments, field by field
     many: np.ndarray  # shape (1,): how many of them are
-    tally: np.ndarray  # shape (8,): of sticking and slipping, see ``count_slips``
+    tally: np.ndarray  # shape (9,): of sticking and slipping, see ``count_slips``
+    ringing: float  # half a free swing of the mass on its spring, in tau: a stick lasts longer
 
 
-SINCE, LEAST, MOST, FASTEST, SLIPS, BEGAN, LATEST, STICKS = range(8)  # of the tally
+SINCE, LEAST, MOST, FASTEST, SLIPS, BEGAN, LATEST, STICKS, SLOW = range(9)  # of the tally
 
 
 @kernel
-def count_slips(tally, now, driven):
+def count_slips(tally, now, driven, ringing):
     """Add a moment to the tally, from a time on.
 
     tally : that time; the least and the greatest force of the drive; the highest speed; the
-    number of slips, when the first and the last of them began, and whether the slider sticks. A
-    slip begins where it becomes twice as fast as the drive, after it was half as fast at most.
+    number of slips, when the first and the last of them began, whether the slider has stuck, and
+    since when it has been slow, or inf. It is slow where it is less than half as fast as the drive,
+    and has stuck once it was slow for the time ``ringing``: a mass that swings about steady sliding
+    is slow for less than that. A slip begins where it is then twice as fast as the drive.
     """
     if now.time < tally[SINCE] or driven == 0.0:
         return
     tally[LEAST], tally[MOST] = min(tally[LEAST], now.force), max(tally[MOST], now.force)
     tally[FASTEST] = max(tally[FASTEST], abs(now.speed))
     share = now.speed / driven
-    if share < 0.5:
-        tally[STICKS] = 1.0
-    elif share > 2.0 and tally[STICKS] > 0.0:
+    if abs(share) < 0.5:
+        tally[SLOW] = min(tally[SLOW], now.time)
+        if now.time - tally[SLOW] >= ringing:
+            tally[STICKS] = 1.0
+        return
+    tally[SLOW] = np.inf
+    if share > 2.0 and tally[STICKS] > 0.0:
         tally[STICKS] = 0.0
         tally[BEGAN] = now.time if tally[SLIPS] == 0.0 else tally[BEGAN]
         tally[SLIPS], tally[LATEST] = tally[SLIPS] + 1.0, now.time
@@ -61,7 +68,7 @@ def keep(record, before, now, driven):
     driven : speed of the drive.
     """
     times, kept, count = record.times, record.kept, record.many
-    count_slips(record.tally, now, driven)
+    count_slips(record.tally, now, driven, record.ringing)
     while count[0] < times.size and times[count[0]] <= now.time:
         share = 1.0
         if now.time > before.time:

@@ -136,6 +136,19 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     assert 0.2 * loading < float(slipping["slip_period"]) < 4.0 * loading
 
 
+@pytest.mark.parametrize("amplitude", [1.5, 8.0])
+def test_a_mass_that_rings_about_steady_sliding_does_not_slip(amplitude):
+    """Friction is nearly none: the speed is V + A V cos(w t), w^2 = k/M, nearly to the end."""
+    line, speed, frequency, stiffness = a_line(12, m=16), 2.0, 4.0, 1e3
+    swings = Sampled((0.0, 1e-3, 40.0), ((1.0 - amplitude) * speed, speed, speed))
+    drive = stiffness, stiffness / frequency**2
+    found = pulled(line, (swings,), drive, SOLID, 16, asked=("trace", "stick_slip"))
+    force = 2.0 * amplitude * speed * stiffness / frequency * scale_of(line) / LOAD
+    assert 0.6 * force < found["drive_swing"] < 1.05 * force
+    assert found["peak_velocity"] > 2.0 * speed
+    assert np.isnan(found["slip_period"])
+
+
 def test_what_is_kept_at_the_end_of_a_hold_is_of_the_hold():
     """With a dashpot friction jumps as the drive goes on: no share of that is in the hold."""
     legs = (Slide(1.3, 3.0), Hold(30.0), Slide(1.3, 3.0))

@@ -32,7 +32,9 @@ EVENTS = {
     ),
     "slip_period": (
         "The mean time between slips there. A slip begins where the line becomes twice as fast as "
-        "the drive after it was half as fast at most. It is NaN where a line slips less than twice."
+        "the drive after it has stuck, which is to be less than half as fast, either way, for "
+        "longer than half a free swing of the mass, π √(M/k): a mass that rings about steady "
+        "sliding does not stick. It is NaN where a line slips less than twice."
     ),
     "peak_velocity": "The highest velocity of the line there.",
     "peak": (
