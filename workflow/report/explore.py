@@ -58,7 +58,7 @@ def explorer_page(tree: xr.DataTree, name: str) -> str:
         "first": first,
         "status": STATUS,
         "file": name,
-        "rubber": scaled_friction(data),
+        "rubber": scaled_friction(groups),
     }
     text = json.dumps(content, ensure_ascii=False, separators=(",", ":")).replace("<", "\\u003c")
     return filled_template(

@@ -1,51 +1,161 @@
-"""What a page needs to give the kinetic law of a rubber that was not computed, by scaling alone.
+"""What a page needs to give the friction of a rubber that was not computed, by scaling alone.
 
-Steady friction over the rms slope depends on H, the number of elements, F = F_N/(4 G L h) and
-x = v tau q_max alone (docs/model.md, "Dimensionless form"). So one result holds every G, tau, h
-and q_max, as far as its loads, Hurst exponents and velocities go.
+Steady friction over the rms slope depends on H, the number of elements, F = F_N/(E* L h),
+x = v tau q_max and the proportions of the branches alone (docs/model.md, "Dimensionless form").
+So one result holds every modulus, tau, h and q_max, as far as its loads and velocities go, and
+every temperature, which multiplies all times by one factor.
 """
 
 import json
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 import numpy as np
 import xarray as xr
 
-from ..study import AXES, FOUNDATION
+from ..study import AXES, FOUNDATION, Arrhenius, ShiftLaw, ShiftTable, Wlf, material_like
 
-KELVIN = {"shear_modulus", "relaxation_time"}  # the keys of [material] of the paper's element
 NEEDED = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed_ratio")
+INCOMPRESSIBLE = 0.5  # Poisson's ratio, where none is given
+USUAL = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
+AROUND = range(-40, 101)  # degrees about the temperature of the result
+MOST_DECADES = 30.0  # of a shift
+ONE_TIME = (
+    "µ(t) after a step is not known here: eqs. 12 to 16 are those of one relaxation time; fit a "
+    "law to a programme of motion (command law), or look at the traces above."
+)
 
 
-def scaled_friction(data: xr.Dataset) -> dict[str, Any] | None:
-    """Return the friction of a result without dimensions, and its own rubber, or None.
+def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
+    """Return the rubbers of a result without dimensions, and why others are none.
 
-    It is None beside Kelvin elements on a foundation, with two velocities or more. ``curves``
-    has one entry for each load and H, and ``family`` tells those of one L q_max and one set of x.
+    groups : the study "" and its comparisons. It is None where no group has steady friction.
     """
-    material = json.loads(data.attrs["study"]).get("material", {})  # that of a measured study: none
-    there = all(name in data.variables for name in NEEDED) and set(data.mu_1.dims) == set(AXES)
-    if not there or set(material) != KELVIN or data.attrs.get("body") != FOUNDATION:
-        return None
+    tables = json.loads(groups[""].attrs["study"])
+    rubbers, without = [], []
+    for name, data in groups.items():
+        if "mu_1" not in data:
+            continue
+        table = material_like(tables.get("material", {}), tables.get("compare", {}).get(name, {}))
+        body = data.attrs.get("body", groups[""].attrs.get("body"))
+        called = name or "the study"
+        why = _why_not(data, body) or ""
+        rubber = None if why else _rubber(called, data, table)
+        if rubber is not None:
+            rubbers.append(rubber)
+        else:
+            why = why or "steady friction is known nowhere at all velocities"
+            without.append(f"No rubber is scaled from {called}: {why}.")
+    return {"rubbers": rubbers, "without": without} if rubbers or without else None
+
+
+def _why_not(data: xr.Dataset, body: str | None) -> str | None:
+    """Return why the friction of a group holds for no other rubber, None where it does."""
+    missing = [name for name in NEEDED if name not in data.variables]
+    if missing:
+        return f"the result has no {missing[0]}"
+    if body != FOUNDATION:
+        return f"the kinetic law and its scaling are those of the foundation, this is a {body}"
+    others = set(map(str, data.mu_1.dims)) - {*AXES, "temperature"}
+    if others:
+        return f"its friction depends on {', '.join(sorted(others))} as well"
+    if data.sizes["velocity"] < 2:
+        return "it has one velocity, and µ(v) needs two or more"
+    if not np.isfinite(data.hurst.values).all():
+        return "the Hurst exponent of its lines is not known"
+    return None
+
+
+def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[str, Any] | None:
+    """Return own values, curves and temperatures of one group; None where friction is not known.
+
+    ``curves`` has one entry for each load and H, and ``family`` tells those of one L q_max and one
+    set of x.
+    """
     data = data.isel(velocity_step=0).sortby("velocity")
-    curves = [curve for place in _places(data) if (curve := _curve(place)) is not None]
-    if data.sizes["velocity"] < 2 or not curves:
+    contact = 2.0 / (1.0 - material.get("poisson", INCOMPRESSIBLE))  # E*/G
+    curves = [curve for at in _places(data) if (curve := _curve(at, contact)) is not None]
+    if not curves:
         return None
     first = next(_places(data))
-    own = {name: float(first[name]) for name in ("shear_modulus", "tau", "roughness", "q_max")}
-    pressing = float(first.normal_force) / float(first.length)
-    return {"own": own | {"pressing": pressing, "hurst": float(first.hurst)}, "curves": curves}
+    own = {key: float(first[key]) for key in ("shear_modulus", "tau", "roughness", "q_max")}
+    own |= {"pressing": float(first.normal_force) / float(first.length)}
+    branches = material.get("branches", [])
+    several = bool(branches or "branches_file" in material)
+    glassy = branches and not material.get("relaxation_time")
+    return {
+        "name": name,
+        "own": own | {"hurst": float(first.hurst)},
+        "contact": contact,
+        "branches": [[g / own["shear_modulus"], t / _tau(material)] for g, t in branches],
+        "glassy": 1.0 + sum(g for g, _ in branches) / own["shear_modulus"] if glassy else None,
+        "without_steps": ONE_TIME if several else None,
+        "temperature": _temperatures(data, first, material),
+        "curves": curves,
+    }
 
 
-def _places(data: xr.Dataset) -> Any:
+def _tau(material: Mapping[str, Any]) -> float:
+    """Return tau (s) at the reference of the shifts."""
+    branches = sum(g * t for g, t in material["branches"]) / material["shear_modulus"]
+    return float(material.get("relaxation_time", 0.0) + branches)
+
+
+def _temperatures(
+    data: xr.Dataset, first: xr.Dataset, material: Mapping[str, Any]
+) -> dict[str, Any]:
+    """Return temperatures, by what tau is then multiplied, and which is that of the result.
+
+    They are whole degrees about it, by the shift of the material, and by the usual constants where
+    it has none. Of shifts in a file a result holds those at its own temperatures alone.
+    """
+    law = _shift_law(material)
+    if "temperature" in data.coords and law is None:
+        factors = data.tau.values / float(first.tau)
+        words = "temperature (one that was computed)"
+        return _stops(words, "°C", data.temperature.values, factors, float(first.temperature))
+    words, unit, own = "temperature above Ts", "K", 0.0
+    if law is None:
+        law = USUAL
+    else:
+        words, unit, own = "temperature", "°C", float(first.temperature)
+    known = [own + step for step in AROUND if not law.outside(own + step)]
+    decades = np.array([law.decades(each) for each in known]) - law.decades(own)
+    kept = np.abs(decades) <= MOST_DECADES
+    return _stops(words, unit, np.array(known)[kept], 10.0 ** decades[kept], own)
+
+
+def _stops(
+    words: str, unit: str, degrees: np.ndarray, factors: np.ndarray, own: float
+) -> dict[str, Any]:
+    """Return the temperatures of a slider; ``own`` is that of the result, with the factor 1."""
+    named = {"words": words, "unit": unit, "own": int(np.argmin(np.abs(degrees - own)))}
+    return named | {"degrees": degrees.tolist(), "factors": factors.tolist()}
+
+
+def _shift_law(material: Mapping[str, Any]) -> ShiftLaw | None:
+    """Return the shift that stands in a table [material]; None where it stands in a file."""
+    if "wlf" in material:
+        return Wlf(**material["wlf"])
+    if "arrhenius" in material:
+        return Arrhenius(**material["arrhenius"])
+    if "shifts" in material:
+        return ShiftTable(tuple(sorted((float(t), float(a)) for t, a in material["shifts"])))
+    return None
+
+
+def _places(data: xr.Dataset) -> Iterator[xr.Dataset]:
     """Yield the dataset at each place of the grid, all velocities."""
-    axes = [axis for axis in AXES if axis not in ("velocity", "velocity_step")]
+    axes = [axis for axis in data.mu_1.dims if axis != "velocity"]
     for index in np.ndindex(*(data.sizes[axis] for axis in axes)):
         yield data.isel(dict(zip(axes, index, strict=True)))
 
 
-def _curve(at: xr.Dataset) -> dict[str, Any] | None:
-    """Return steady friction over x, both without dimensions; None where some of it is unknown."""
+def _curve(at: xr.Dataset, contact: float) -> dict[str, Any] | None:
+    """Return steady friction over x, both without dimensions; None where some of it is unknown.
+
+    contact : E*/G.
+    """
     slope = float(np.ravel(at.rms_slope)[0])
     friction = at.mu_1.values / slope
     if not (np.isfinite(friction).all() and (friction > 0.0).all()):
@@ -55,10 +165,12 @@ def _curve(at: xr.Dataset) -> dict[str, Any] | None:
     )
     size = float(at.length) * q_max
     x = at.velocity.values * float(at.tau) * q_max
+    elements = round(float(at.length / at.spacing))
     return {
-        "family": f"{size / np.pi:.0f} elements, x from {x[0]:.3g} to {x[-1]:.3g}",
+        "family": f"{elements} {size:.6g} {x[0]:.6g} {x[-1]:.6g}",
+        "elements": elements,
         "hurst": float(at.hurst),
-        "load": float(at.normal_force) / (4.0 * modulus * float(at.length) * roughness),
+        "load": float(at.normal_force) / (contact * modulus * float(at.length) * roughness),
         "slope": slope / (roughness * q_max),
         "size": size,
         "x": x.tolist(),

@@ -45,6 +45,6 @@ if TYPE_CHECKING:
     from .study import MOST_BLOCKS, AnyStudy, Study, read_grid_study
     from .surfaces import Profile, Surface, check_load, given_map, given_profile
     from .tables import EVERY_TABLE
-    from .variants import COMPARE
+    from .variants import COMPARE, material_like
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -5,11 +5,13 @@ from urllib.parse import unquote
 
 import numpy as np
 import pytest
+import xarray as xr
 
 from elastomer_friction.workflow.kinetic_law import KineticLaw
 from elastomer_friction.workflow.report.explore import explorer_page
 from elastomer_friction.workflow.report.my_rubber import scaled_friction
 from elastomer_friction.workflow.result.netcdf import open_tree, write_datasets
+from elastomer_friction.workflow.study import Wlf
 from tests.support.browser import in_a_browser, told_by
 from tests.support.synthetic import add, result
 
@@ -78,9 +80,9 @@ def numbers(law, v1, v2):
 
 
 ASK = """
-const {own, curves} = held.rubber;
+const [computed] = held.rubber.rubbers;
 const ask = (rubber, steps) => steps.map(([v1, v2]) => {
-  const law = lawOfRubber(rubber, curves), time = law.relaxationTime(v2);
+  const law = lawOfRubber(rubber, computed), time = law.relaxationTime(v2);
   return [law.steady(v1), law.jump(v1, v2), time, law.afterJump(v1, v2, time), law.fastest];
 });
 """
@@ -96,7 +98,7 @@ def test_the_page_and_python_have_one_law(data, page, tmp_path):
     for dataset in (data, other):
         speed = float(dataset.velocity[0] / data.velocity[0])
         steps = [(v1 * speed, v2 * speed) for v1, v2 in STEPS]
-        for law, curve in zip(laws(dataset), scaled_friction(data)["curves"], strict=True):
+        for law, curve in zip(laws(dataset), one_rubber(data)["curves"], strict=True):
             names = ("shear_modulus", "tau", "roughness", "q_max")
             rubber = {name: float(dataset[name].item()) for name in names}
             pressing = 4.0 * curve["load"] * rubber["shear_modulus"] * rubber["roughness"]
@@ -111,8 +113,9 @@ def test_the_page_and_python_have_one_law(data, page, tmp_path):
 @in_a_browser
 def test_between_loads_friction_is_their_power_law_and_beyond_them_refused(page, tmp_path):
     script = """
-const {own, curves} = held.rubber, rubber = {...own, family: curves[0].family};
-const pressed = (f) => lawOfRubber({...rubber, pressing: own.pressing * f}, curves);
+const [computed] = held.rubber.rubbers, {own, curves} = computed;
+const pressed = (f) =>
+  lawOfRubber({...own, family: curves[0].family, pressing: own.pressing * f}, computed);
 told.friction = [1, 3, 10].map((f) => pressed(f).friction[3]);
 told.refused = [0.99, 101].map((f) => pressed(f).refused);
 const say = (id, value) => {
@@ -124,11 +127,12 @@ told.said = say("my-v2", 215);
 told.fast = say("my-v1", 400);
 told.away = $("my-curves").hidden;
 say("my-v1", 200);
-told.cold = say("my-warmer", 0);
-told.weak = (say("my-warmer", 114), say("my-pressing", 0));
+told.cold = say("my-heat", 0);
+told.weak = (say("my-heat", 40), say("my-pressing", 0));
 const wide = document.documentElement;
 told.fits = wide.scrollWidth <= wide.clientWidth;
-told.keys = [...document.querySelectorAll("section input, section select")].every((each) => {
+told.keys = [...document.querySelectorAll("section :is(input, select)")]
+  .filter((each) => !each.closest("[hidden]")).every((each) => {
   each.focus(); return document.activeElement === each; });
 """
     told = in_browser(page, tmp_path, script, width=500)
@@ -136,21 +140,95 @@ told.keys = [...document.querySelectorAll("section input, section select")].ever
     assert between == pytest.approx(one * 3.0**-0.2)
     assert ten == pytest.approx(one * 10.0**-0.2)
     assert all("Outside what was computed" in said for said in told["refused"])
-    assert "standard error 3 %" in told["said"]
+    assert "standard error is 3 %" in told["said"]
     assert "Outside what was computed: for this τ" in told["fast"]
     assert "Outside what was computed: for this τ" in told["cold"]
     assert "take F_N/L from" in told["weak"]
     assert (told["away"], told["fits"], told["keys"]) == (True, True, True)
 
 
-def test_only_the_papers_element_on_a_foundation_is_scaled(data):
-    assert len(scaled_friction(data)["curves"]) == 6
-    assert scaled_friction(data.assign_attrs(body="half-space")) is None
-    assert scaled_friction(data.drop_vars("mu_1")) is None
-    assert scaled_friction(data.isel(velocity=[0])) is None
+RUBBER = {"shear_modulus": 1e7, "branches": [[6e7, 2e-4], [4e7, 2e-3]]}
+SHIFT = {"wlf": {"c1": 8.0, "c2": 100.0, "reference": 20.0}}
+
+
+def with_branches(data, temperatures=(20.0, 30.0)):
+    """Return the same numbers as those of a rubber with branches and a shift, computed at both."""
     study = json.loads(data.attrs["study"])
-    study["material"]["temperature"] = 20
-    assert scaled_friction(data.assign_attrs(study=json.dumps(study))) is None
+    study["material"] = {**RUBBER, **SHIFT, "temperature": list(temperatures)}
+    law = Wlf(**SHIFT["wlf"])
+    tau = [float(data.tau) * 10.0 ** law.decades(each) for each in temperatures]
+    at = xr.DataArray(tau, {"temperature": list(temperatures)}, "temperature")
+    data = data.drop_vars("tau").assign(
+        mu_1=data.mu_1.expand_dims(temperature=at.temperature, axis=-1)
+    )
+    return data.assign_coords(tau=at).assign_attrs(study=json.dumps(study))
+
+
+def one_rubber(data):
+    """Return the only rubber of a result."""
+    (found,) = scaled_friction({"": data})["rubbers"]
+    return found
+
+
+@in_a_browser
+def test_of_branches_the_page_has_steady_friction_at_every_temperature(data, tmp_path):
+    rubber, cold = with_branches(data), 12.0
+    path = tmp_path / "branches.nc"
+    write_datasets(path, {"": rubber})
+    script = f"""
+const [computed] = held.rubber.rubbers, {{own, curves, temperature}} = computed;
+const k = temperature.degrees.indexOf({cold}), tau = own.tau * temperature.factors[k];
+const law = lawOfRubber({{...own, tau, family: curves[0].family}}, computed);
+told.found = law.velocity.map(law.steady);
+told.velocity = law.velocity;
+told.laws = [law.jump, law.afterJump].map((each) => each === undefined);
+told.said = $("my-said").textContent;
+told.hidden = $("my-step").parentElement.hidden && $("my-v2") === null;
+"""
+    told = in_browser(explorer_page(open_tree(path), path.name), tmp_path, script)
+    # At another temperature it is the same friction at a speed a_T times less.
+    slower = Wlf(**SHIFT["wlf"]).decades(cold)
+    own = rubber.isel(temperature=0, spacing=0, roughness=0)
+    law = KineticLaw.from_result(own, {"hurst": 0.3, "normal_force": FORCES[0]})
+    speeds = np.array(told["velocity"], dtype=float)
+    np.testing.assert_allclose(speeds, own.velocity / 10.0**slower, rtol=1e-9)
+    np.testing.assert_allclose(told["found"], law.steady(speeds * 10.0**slower), rtol=1e-9)
+    assert told["laws"] == [True, True]
+    assert told["hidden"]
+    assert "not known here: eqs. 12 to 16 are those of one relaxation time" in told["said"]
+    assert "G₀ = 1.1·10⁸ Pa" in told["said"]  # G is 10⁷ Pa in the result, the branches 10⁸ Pa
+
+
+def test_what_is_not_scaled_has_a_sentence(data):
+    assert len(one_rubber(data)["curves"]) == 6
     unknown = data.copy(deep=True)
     unknown.mu_1[{"hurst": 0, "normal_force": 0, "velocity": 2}] = np.nan
-    assert len(scaled_friction(unknown)["curves"]) == 5
+    assert len(one_rubber(unknown)["curves"]) == 5
+    assert scaled_friction({"": data.drop_vars("mu_1")}) is None
+    for other, why in [
+        (data.assign_attrs(body="half-space"), "are those of the foundation, this is a half-space"),
+        (data.drop_vars("rms_slope"), "the result has no rms_slope"),
+        (data.isel(velocity=[0]), "it has one velocity, and µ(v) needs two or more"),
+        (data.assign(mu_1=data.mu_1.expand_dims("stiffness")), "depends on stiffness as well"),
+        (data.assign(mu_1=np.nan * data.mu_1), "is known nowhere at all velocities"),
+    ]:
+        found = scaled_friction({"": other})
+        assert found["rubbers"] == []
+        assert why in found["without"][0]
+
+
+def test_temperatures_are_those_of_the_material(data):
+    usual = one_rubber(data)["temperature"]
+    assert (usual["degrees"][0], usual["degrees"][-1], usual["own"]) == (-40.0, 100.0, 40)
+    rubber = with_branches(data)
+    own = one_rubber(rubber)
+    assert own["temperature"]["degrees"][own["temperature"]["own"]] == 20.0
+    # Between the two that were computed, the factor is what tau says.
+    factor = own["temperature"]["factors"][own["temperature"]["degrees"].index(30.0)]
+    assert factor == pytest.approx(float(rubber.tau[1] / rubber.tau[0]))
+    study = json.loads(rubber.attrs["study"])
+    study["material"]["shifts_file"] = "shifts.csv"
+    del study["material"]["wlf"]
+    found = one_rubber(rubber.assign_attrs(study=json.dumps(study)))["temperature"]
+    assert found["degrees"] == [20.0, 30.0]
+    assert found["factors"] == pytest.approx([1.0, factor])
