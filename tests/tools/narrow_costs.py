@@ -68,8 +68,12 @@ def narrow_costs() -> None:
     """Print the table."""
     with contextlib.suppress(FileNotFoundError):
         compiled = Compiled()
-        print("\nNarrow contacts: times of C over those of the program, and how far mu_1 and the jump")
-        print(f"of C lie from its in the median, in per cent, with {M} samples to a spacing and more\n")
+        print(
+            "\nNarrow contacts: time of C with m samples to a spacing over that of the program with"
+        )
+        print(
+            f"{M}: how far mu_1 and the jump of C are from the program's in the median, per cent\n"
+        )
         print("| H, N, x | " + " | ".join(f"m = {M * more}" for more in FINER) + " |")
         print("|---|" + "---|" * len(FINER))
         for hurst, elements, x in ROWS:

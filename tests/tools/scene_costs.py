@@ -9,7 +9,7 @@ CPU times of one thread, the least of several taken in turns. Printed by `make b
 import contextlib
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -73,7 +73,7 @@ def a_line(elements: int) -> Line:
 def a_scene(name: str, count: int) -> SceneCase:
     """Return a scene that keeps a trace at 64 moments, from rest."""
     programme, changes = SCENES[name]
-    usual: dict = {"load": LOAD, "start": "relaxed"}
+    usual: dict[str, Any] = {"load": LOAD, "start": "relaxed"}
     scene = given.a_scene(programme, branches(count), M, **usual | changes)
     return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64)))
 

@@ -35,9 +35,9 @@ class Compiled:
         self._friction.argtypes = [NUMBERS, NUMBERS, NUMBERS, COUNT, REAL, REAL, REAL]
         self._march.argtypes = [NUMBERS, NUMBERS, NUMBERS, COUNT, *[REAL] * 4, COUNT, NUMBERS]
         of_form, of_track = [COUNT, REAL, NUMBERS, NUMBERS], [NUMBERS, NUMBERS, INTEGERS, INTEGERS]
+        steps_and_control = [NUMBERS, COUNT, REAL, ctypes.c_void_p]
         state, kept = [REAL, *[NUMBERS] * 4], [INTEGERS, COUNT, NUMBERS]
-        control = [REAL, ctypes.c_void_p]
-        self._follow.argtypes = [COUNT, *of_form, *of_track, NUMBERS, COUNT, *control, *state, *kept]
+        self._follow.argtypes = [COUNT, *of_form, *of_track, *steps_and_control, *state, *kept]
         self._triad.argtypes, self._add.argtypes = [NUMBERS, NUMBERS, COUNT, COUNT], [COUNT]
 
     def steady(self, z, decay, stiffness, load):
