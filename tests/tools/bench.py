@@ -38,7 +38,11 @@ from elastomer_friction.kernels import (
 )
 from elastomer_friction.kernels.drive import Drive, run_pulled
 from tests.kernels.scene import given
+from tests.tools.contact_costs import contact_costs
 from tests.tools.march_costs import march_costs
+from tests.tools.narrow_costs import narrow_costs
+from tests.tools.scene_costs import branches, scene_costs
+from tests.tools.task_costs import task_costs
 
 ELEMENTS_OF_SCENES, M, LOAD, SPEED = 500, 4, 0.05, 5.0
 SLIDE = (Slide(SPEED, 100.0),)
@@ -50,12 +54,6 @@ def seconds(function: Callable[[], object], repeats: int = 15) -> float:
     """Return the median CPU time of a call, after one that is not counted."""
     clock = timeit.Timer(function, timer=time.process_time)
     return statistics.median(clock.repeat(repeats + 1, number=1)[1:])
-
-
-def branches(count: int) -> Spectrum:
-    """Return a material of as many branches, over three decades or as long."""
-    times = np.geomspace(1e-2, 10.0, count) if count > 1 else np.ones(1)
-    return Spectrum((1.0,) * count, tuple(times / times.sum()), 0.0)
 
 
 def a_line(measured: bool = False) -> Line:
@@ -134,7 +132,7 @@ def marching(line: Line) -> Callable[[], object]:
     return partial(march, law, ConstantForce(load), line.z, weight, state, kept, math.inf)
 
 
-def scene_costs() -> None:
+def effects_of_scenes() -> None:
     """Print what a step of every scene costs, over the scene it is compared with.
 
     Each is the least of several times, taken in turns.
@@ -196,6 +194,10 @@ def effects() -> None:
 
 if __name__ == "__main__":
     march_costs()
-    effects()
+    narrow_costs()
     scene_costs()
+    contact_costs()
+    task_costs()
+    effects()
+    effects_of_scenes()
     drive_costs()

@@ -4,7 +4,8 @@
 
 Seconds of CPU time from a cold start, and the largest error of the pressures relative to their
 peak, against a solution that is much more exact: ours is as exact as that of tamaas, or more.
-Then the passes of the operator that a step of a march takes in the median.
+Then the passes of the operator that a step of a march takes in the median. Printed by `make bench`
+(bench.py).
 """
 
 import contextlib
@@ -55,7 +56,7 @@ def by_tamaas(surface: Surface, elements: int, pressure: float) -> Callable[[], 
     return solve
 
 
-def main() -> None:
+def contact_costs() -> None:
     """Print all of it."""
     print("contact of a half-space: samples, s and error, s and error of tamaas, ratio")
     for elements in (32, 64, 128):
@@ -89,4 +90,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    main()
+    contact_costs()

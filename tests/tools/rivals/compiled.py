@@ -1,4 +1,4 @@
-"""The same core in C (dense.c), built where a compiler is."""
+"""The same core in C (dense.c, scene.c), built where a compiler is."""
 
 import ctypes
 import shutil
@@ -9,28 +9,36 @@ from pathlib import Path
 import numpy as np
 
 FLAGS = ["-O3", "-march=native", "-ffast-math", "-fPIC", "-shared"]
+SOURCES = ("dense.c", "scene.c", "limits.c")
 NUMBERS = np.ctypeslib.ndpointer(np.float64, flags="C_CONTIGUOUS")
+INTEGERS = np.ctypeslib.ndpointer(np.int64, flags="C_CONTIGUOUS")
 REAL, COUNT = ctypes.c_double, ctypes.c_long
 
 
 class Compiled:
-    """The functions of dense.c. Raises FileNotFoundError where there is no compiler."""
+    """The functions of these files. Raises FileNotFoundError where there is no compiler."""
 
     def __init__(self) -> None:
         compiler = shutil.which("gcc") or shutil.which("cc")
         if compiler is None:
             raise FileNotFoundError("no compiler for C")
-        source = Path(__file__).with_name("dense.c")
+        sources = [str(Path(__file__).with_name(name)) for name in SOURCES]
         with tempfile.TemporaryDirectory() as folder:
-            target = Path(folder) / "dense.so"
-            subprocess.run([compiler, *FLAGS, str(source), "-o", str(target), "-lm"], check=True)
+            target = Path(folder) / "rivals.so"
+            subprocess.run([compiler, *FLAGS, *sources, "-o", str(target), "-lm"], check=True)
             library = ctypes.CDLL(str(target))
         self._steady, self._friction, self._march = library.steady, library.friction, library.march
-        for function in (self._steady, self._friction, self._march):
+        self._follow, self._triad, self._add = library.follow, library.triad, library.multiply_adds
+        for function in (self._steady, self._friction, self._march, self._follow, self._add):
             function.restype = REAL
         self._steady.argtypes = [NUMBERS, NUMBERS, COUNT, REAL, REAL, REAL]
         self._friction.argtypes = [NUMBERS, NUMBERS, NUMBERS, COUNT, REAL, REAL, REAL]
         self._march.argtypes = [NUMBERS, NUMBERS, NUMBERS, COUNT, *[REAL] * 4, COUNT, NUMBERS]
+        of_form, of_track = [COUNT, REAL, NUMBERS, NUMBERS], [NUMBERS, NUMBERS, INTEGERS, INTEGERS]
+        steps_and_control = [NUMBERS, COUNT, REAL, ctypes.c_void_p]
+        state, kept = [REAL, *[NUMBERS] * 4], [INTEGERS, COUNT, NUMBERS]
+        self._follow.argtypes = [COUNT, *of_form, *of_track, *steps_and_control, *state, *kept]
+        self._triad.argtypes, self._add.argtypes = [NUMBERS, NUMBERS, COUNT, COUNT], [COUNT]
 
     def steady(self, z, decay, stiffness, load):
         """Return (w, d) of steady sliding; w of shape (n,)."""
@@ -46,3 +54,21 @@ class Compiled:
         w, mu = w.copy(), np.empty(steps)
         self._march(z, weight, w, z.size, d, decay, stiffness, load, steps, mu)
         return mu
+
+    def follow(self, form, track, load, given, elements, kept):
+        """Return mu at the kept steps of a scene; given : d at every step, or None."""
+        n, place = elements.p.size, None if given is None else given.ctypes.data
+        of_form = form.times.size, form.glass, form.compliances, form.times
+        of_track = track.z, track.slope, track.line, track.begin, track.dt, track.dt.size
+        state = elements.d, elements.memory.copy(), elements.p.copy(), np.zeros(n), np.empty(n)
+        mu = np.empty(kept.size)
+        self._follow(n, *of_form, *of_track, load, place, *state, kept, kept.size, mu)
+        return mu
+
+    def triad(self, a, b, times):
+        """Read two arrays and write the first, so many times."""
+        self._triad(a, b, a.size, times)
+
+    def multiply_adds(self, times):
+        """Do 128 multiplications and as many additions in registers, so many times."""
+        self._add(times)
