@@ -12,7 +12,7 @@ from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from ..study import EVERY_AXIS
 from .in_words import said, unit_in_words, with_unit
-from .unresolved import HOLLOW, not_resolved
+from .unresolved import not_resolved, why_hollow
 
 STYLE: dict[str, Any] = {
     "figure.dpi": 150,
@@ -63,10 +63,10 @@ def foot_line(figure: Figure, dataset: xr.Dataset, note: str = "", bars: str = "
     hollow = ""
     if rings:
         count = sum(np.size(line.get_xdata()) for line in rings)
-        hollow = f"Hollow markers ({count} of the points shown) have {HOLLOW}."
+        hollow = f"Hollow markers ({count} of the points shown) have {why_hollow(dataset)}."
         ring = Line2D([], [], ls="", marker="o", color="0.3", **RING)
         style: dict[str, Any] = {"loc": "outside upper right", "fontsize": 6, "handletextpad": 0.2}
-        figure.legend([ring], ["hollow: contacts not resolved"], **style)
+        figure.legend([ring], ["hollow: not resolved"], **style)
     write_below(figure, size, note, hollow)
 
 

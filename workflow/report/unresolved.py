@@ -8,7 +8,8 @@ import xarray as xr
 from ..reduce import RESOLVED, UNRESOLVED
 
 STATUS = "resolution_status"
-HOLLOW = "contacts of fewer than 4 samples"
+WIDE = 4.0  # samples per contact: where they are as wide, it is an error that is too large
+NARROW, OFF = f"contacts of fewer than {WIDE:g} samples", "a discretisation error above 2 %"
 
 
 def not_resolved(points: xr.Dataset) -> np.ndarray:
@@ -17,6 +18,17 @@ def not_resolved(points: xr.Dataset) -> np.ndarray:
         return np.zeros(points.realizations.shape if "realizations" in points else (), bool)
     status = points[STATUS].values
     return (status >= 0) & (status < RESOLVED)
+
+
+def why_hollow(points: xr.Dataset) -> str:
+    """Return what the points that are not resolved have, in words: narrow contacts, or an error."""
+    hollow = not_resolved(points)
+    known = "samples_per_contact" in points
+    wide = hollow & (points.samples_per_contact.values >= WIDE) if known else np.zeros(1, bool)
+    count = np.count_nonzero(wide)
+    if not count:
+        return NARROW
+    return f"{NARROW} or {OFF}" if np.count_nonzero(hollow) > count else OFF
 
 
 def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:

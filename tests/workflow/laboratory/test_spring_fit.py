@@ -39,6 +39,7 @@ def behind_spring(law, stiffness, *, a=A, b=B, seed=0, noise=NOISE, step=0.1):
 @pytest.mark.parametrize("law", ["dieterich", "ruina"])
 @pytest.mark.parametrize(("a", "b", "stiffness"), [(A, 0.009, 1e3), (A, 0.015, 5e3)])
 def test_what_is_behind_a_spring_is_recovered(law, a, b, stiffness):
+    """Dieterich's law with the first numbers is DiaBayes's example (a, b, D_c = 10 µm and k)."""
     fit = fit_step(*measured_steps(behind_spring(law, stiffness, a=a, b=b)), law, stiffness)
     for estimate, right in zip(fit.state(), (a, b, LENGTH), strict=True):
         assert abs(estimate.value - right) < 4.0 * estimate.error

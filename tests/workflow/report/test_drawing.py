@@ -19,6 +19,7 @@ from elastomer_friction.workflow.report.panels import (
     plain_ticks,
     remembered,
 )
+from elastomer_friction.workflow.report.unresolved import why_hollow
 from elastomer_friction.workflow.report.usual_figure import MOST_ROWS, draw
 from tests.support.commands import besides_notes
 from tests.support.results import assert_refused, call
@@ -87,13 +88,24 @@ def test_a_legend_says_what_hollow_markers_are_and_how_many():
     foot_line(figure, points)
     (legend,) = figure.legends
     (text,) = legend.get_texts()
-    assert text.get_text() == "hollow: contacts not resolved"
+    assert text.get_text() == "hollow: not resolved"
     said = "Hollow markers (2 of the points shown) have contacts of fewer than 4 samples."
     assert figure.get_label().endswith(said)
     plain, ax = plt.subplots(layout="constrained")
     error_bars(ax, points.isel(point=slice(2, None)), "rms_slope", "velocity", fmt="s")
     foot_line(plain, points)
     assert not plain.legends
+
+
+def test_a_caption_does_not_call_wide_contacts_narrow():
+    points = partly_resolved()
+    samples = xr.full_like(points.rms_slope, 400.0)
+    assert why_hollow(points.assign(samples_per_contact=samples)) == (
+        "a discretisation error above 2 %"
+    )
+    samples.values.flat[0] = 2.0
+    both = why_hollow(points.assign(samples_per_contact=samples))
+    assert both == "contacts of fewer than 4 samples or a discretisation error above 2 %"
 
 
 def test_a_bias_is_added_to_the_bars():
