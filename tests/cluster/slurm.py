@@ -101,6 +101,17 @@ class Slurm:
         self.run("scontrol", "update", f"NodeName={node}", "State=DOWN", "Reason=chaos")
         return True
 
+    def stop_controller(self) -> None:
+        """End what takes in and gives out jobs; those that run go on."""
+        pid = int((self.short / "run" / "slurmctld.pid").read_text())
+        kill(pid, signal.SIGTERM)
+        while psutil.pid_exists(pid):
+            time.sleep(0.1)
+
+    def start_controller(self) -> None:
+        """Start it again, with what it knew."""
+        self.run("slurmctld", "-f", self.environment["SLURM_CONF"])
+
     def heal(self) -> None:
         """Give back nodes that are down."""
         for node in NODES:
@@ -126,7 +137,9 @@ class Slurm:
     def stop(self) -> None:
         """End all jobs and daemons."""
         self.run("scancel", "--user", getpass.getuser(), check=False)
-        time.sleep(1.0)
+        end = time.monotonic() + PATIENCE
+        while self.run("squeue", "-h", check=False).strip() and time.monotonic() < end:
+            time.sleep(0.5)  # a node does not end before it has told of its jobs
         for nanny in self.nannies():
             for pid in (*workers_of(nanny), nanny.pid):
                 kill(pid, signal.SIGKILL)

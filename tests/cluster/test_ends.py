@@ -2,6 +2,7 @@
 
 import contextlib
 import os
+import signal
 import threading
 import time
 from pathlib import Path
@@ -13,7 +14,7 @@ from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
-from tests.cluster.processes import PATIENCE, Standing
+from tests.cluster.processes import PATIENCE, Standing, kill, workers_of
 from tests.support.runs import run
 from tests.support.small import small_plan
 
@@ -92,15 +93,41 @@ def outliving(batch):
     return block_means(batch)
 
 
+def requeued(slurm, job, node):
+    """Ask SLURM to queue the job again: it refuses, as we ask it to. Then end it."""
+    try:
+        with pytest.raises(RuntimeError, match="presently disabled"):
+            slurm.run("scontrol", "requeue", job)
+    finally:
+        slurm.run("scancel", job)
+
+
+def without_controller(slurm, job, node):
+    """Kill the job while its replacement cannot be submitted: for 20 s SLURM's controller is away.
+
+    Every 5 s it is looked for whether workers have to be replaced.
+    """
+    nannies = [n for n in slurm.nannies() if n.environ()["SLURM_JOB_ID"] == job]
+    slurm.stop_controller()
+    for pid in [pid for nanny in nannies for pid in (nanny.pid, *workers_of(nanny))]:
+        kill(pid, signal.SIGKILL)
+    time.sleep(20.0)
+    slurm.start_controller()
+
+
+WALLTIME = "its walltime"
 ENDS = {
-    "its walltime, as SLURM ends it": lambda slurm, job, node: slurm.run("scancel", job),
+    "its job, which is not queued again": requeued,
+    "its job, while the controller of SLURM is away": without_controller,
+    WALLTIME: lambda slurm, job, node: None,
+    "its job, by scancel": lambda slurm, job, node: slurm.run("scancel", job),
     "its node": lambda slurm, job, node: slurm.set_down(node),
 }
 
 
 @pytest.mark.parametrize("end", ENDS)
 def test_a_batch_outlives_its_job(slurm, tmp_path, monkeypatch, expected, end):
-    """SLURM ends a job at its walltime as scancel does: SIGTERM, and SIGKILL some seconds later."""
+    """The worker of a job retires well before its walltime, a minute being SLURM's least."""
     marker = tmp_path / "first"
     for name, value in {**slurm.environment, MARKER: str(marker)}.items():
         monkeypatch.setenv(name, value)
@@ -113,7 +140,8 @@ def test_a_batch_outlives_its_job(slurm, tmp_path, monkeypatch, expected, end):
 
     striking = threading.Thread(target=strike)
     striking.start()
-    cluster = Cluster(**slurm.table, where="slurm", patience=PATIENCE)
+    table = slurm.table | ({"walltime": "00:01:00"} if end == WALLTIME else {})
+    cluster = Cluster(**table, where="slurm", patience=PATIENCE)
     path = tmp_path / "small.nc"
     summary = run_plan(small_plan(), path, RunOptions(cluster, batch_seconds=1e-3, work=outliving))
     striking.join()

@@ -33,8 +33,12 @@ class Trial:
     def __init__(self, folder, *where):
         folder.mkdir()
         self.folder, self.log = folder, folder / "log"
-        words = (write_study(folder), "--out", str(folder), *SETTINGS, *where)
-        self.driver = start(self.log, "workflow", "run", *words)
+        self.words = (write_study(folder), "--out", str(folder), *SETTINGS, *where)
+        self.again()
+
+    def again(self):
+        """Start the run, or start it once more."""
+        self.driver = start(self.log, "workflow", "run", *self.words)
 
     def wait_for_a_shard(self):
         until = time.monotonic() + PATIENCE
@@ -125,6 +129,33 @@ def test_a_scheduler_that_is_stopped_during_a_run_is_said_to_be_and_waited_for(
         assert trial.ended()[0] == 0
     finally:
         end(trial.driver)
+    assert trial.result() == expected
+
+
+@pytest.mark.parametrize("away", [0.0, 5.0])
+def test_a_scheduler_that_is_started_anew_during_a_run_ends_it_and_the_next_resumes(
+    folder, cluster, expected, away
+):
+    """The work of a scheduler is lost with it: one line says so, and stored batches are kept."""
+    where = f"restart-{away:g}"
+    trial = Trial(folder / where, "--scheduler", cluster.address)
+    try:
+        trial.wait_for_a_shard()
+        end(cluster.processes["scheduler"])
+        time.sleep(away)
+        cluster.heal()
+        status, lines = trial.ended()
+    finally:
+        end(trial.driver)
+    assert (status, lines[-1]) == (2, "error: the scheduler was lost; run again to resume")
+    assert "Traceback" not in "".join(lines)
+    kept = {path.name for path in (trial.folder / "store").glob("*.nc")}
+    trial.again()
+    while trial.driver.poll() is None:
+        cluster.heal()  # workers end with the scheduler that they had
+        time.sleep(0.1)
+    assert trial.ended()[0] == 0
+    assert kept < {path.name for path in (trial.folder / "store").glob("*.nc")}
     assert trial.result() == expected
 
 

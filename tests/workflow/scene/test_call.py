@@ -163,6 +163,7 @@ def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
         ({"profile": heights() * 1e306, "body": "half-space"}, "rms slope of the heights is"),
         ({"length": 5e-324}, "rms slope of the heights is inf"),
         ({"length": 5e-324, "body": "half-space"}, "rms slope of the heights is inf"),
+        ({"profile": np.empty((0, N))}, "profile: has the shape (0, 128)"),
         ({"profile": 10**400}, "profile: must be an array of heights"),
         ({"normal_force": {"linspace": [0, 1.797e308, 4]}}, "grid.normal_force"),
         ({"normal_force": {"geomspace": [1, 1.7976931348622103e308, 2]}}, "grid.normal_force"),

@@ -77,7 +77,7 @@ def given_profile(heights: object, length: float) -> Profile:
     argument, ``profile``.
     """
     lines = given_heights(heights)
-    if lines.ndim != 2 or lines.shape[1] < LEAST_SAMPLES:
+    if lines.ndim != 2 or not lines.size or lines.shape[1] < LEAST_SAMPLES:
         raise UserError(
             f"profile: has the shape {lines.shape}: must hold at least {LEAST_SAMPLES} "
             "heights, or lines of them"
