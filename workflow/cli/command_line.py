@@ -201,7 +201,8 @@ def _law_options(command: argparse.ArgumentParser) -> None:
     add = command.add_argument
     add("--results", default="results", help="folder of results of the study")
     add("--group", help="a comparison of the study, in place of the study itself")
-    text = "a place on an axis of the grid (repeatable; an axis of one value needs none)"
+    text = "a place on an axis of the grid (repeatable; an axis of one value needs none); of a law "
+    text += "already, its normal_force or temperature"
     add("--at", action="append", metavar="AXIS=VALUE", help=text)
     add("--states", type=int, help="exponential states, 0 to 5 (2)")
     add("--kind", choices=("states", "rate-state", "lugre"), help="of the law (states)")

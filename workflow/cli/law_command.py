@@ -12,9 +12,9 @@ from ..system import make_folder, write_durably
 from .exit_status import DONE
 
 if TYPE_CHECKING:
-    from ..law import Law
+    from ..law import Law, LoadLaw
 
-OF_A_FIT = ("states", "kind", "held_out", "at", "group")
+OF_A_FIT = ("states", "kind", "held_out", "group")
 
 
 def run_law(options: argparse.Namespace) -> int:
@@ -40,22 +40,27 @@ def run_law(options: argparse.Namespace) -> int:
     return DONE
 
 
-def _told(found: "Law") -> list[str]:
+def _told(found: "Law | LoadLaw") -> list[str]:
     """Return a law in sentences, with its error in every motion."""
     return [*found.told(), *(f"  {rms:.3g} rms  {name}" for name, rms in found.validity.motions)]
 
 
-def _read(options: argparse.Namespace) -> tuple[Path, "Law"]:
+def _read(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
     """Return a law that was written as JSON, and its file."""
     for name in OF_A_FIT:
         if getattr(options, name) is not None:
             option = name.replace("_", "-")
             raise UserError(f"--{option}: belongs to a fit, and {options.study} is a law already")
     path = Path(options.study)
-    return path, law.read(path)
+    found, wanted = law.read(path), dict(map(_place, options.at or ()))
+    known = ["temperature"] + ["normal_force"] * isinstance(found, law.LoadLaw)
+    for axis in wanted:
+        if axis not in known:
+            raise UserError(f"--at {axis}: is nothing that this law depends on: {', '.join(known)}")
+    return path, found.at(**wanted) if wanted else found
 
 
-def _fitted(options: argparse.Namespace) -> tuple[Path, "Law"]:
+def _fitted(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
     """Return the law that is fitted to a result, and the file of that."""
     path = Path(options.study)
     if path.suffix != ".nc":

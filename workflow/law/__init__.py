@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from .law_export import FORMS, Exported
     from .law_export import export_law as export
     from .law_fit import fit_law as fit
+    from .load_law import LoadLaw
     from .memory_law import MemoryLaw
     from .reduced_law import Law
     from .transients import Transient, transients_of

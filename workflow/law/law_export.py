@@ -21,6 +21,7 @@ import numpy as np
 from ..errors import printable
 from ..given_motion import LawError
 from ..system import VERSION
+from .load_law import NUMBERS, LoadLaw
 from .memory_law import MemoryLaw
 from .reduced_law import Law
 
@@ -46,19 +47,22 @@ class Exported(NamedTuple):
     told: str
 
 
-def export_law(law: Law, form: str, name: str = "friction_law") -> Exported:
+def export_law(law: Law | LoadLaw, form: str, name: str = "friction_law") -> Exported:
     """Return a law in one of FORMS: c, abaqus, modelica, fortran, fmu, json.
 
     name : from which the names of functions, block and model are made. All but json are of a law
-    of states. An FMU holds a library for this machine where there is a C compiler, else its
-    sources alone. Raises UserError for another form or law.
+    of states, or of a table of them over the load: C takes the load with the first state, Modelica
+    and the FMU as a parameter, and Fortran is of one. An FMU holds a library for this machine
+    where there is a C compiler, else its sources alone. Raises UserError for another form or law.
     """
     if form not in FORMS:
         raise LawError(f"{form}: no form of a law; known are {', '.join(FORMS)}")
     if form == "json":
         return Exported(law.to_json().encode() + b"\n", "the law as JSON")
-    if not isinstance(law, MemoryLaw):
+    if not isinstance(law, MemoryLaw | LoadLaw):
         raise LawError(f"{form}: takes laws of the kind states, not {law.kind}; write json")
+    if form == "fortran" and isinstance(law, LoadLaw):
+        raise LawError("fortran: takes the law of one load; give law.at(normal_force=...)")
     name = re.sub(r"\W+", "_", re.sub(r"^(?=\d)|^$", "_", name), flags=re.ASCII)
     if form == "fmu":
         return _fmu(law, name)
@@ -66,7 +70,7 @@ def export_law(law: Law, form: str, name: str = "friction_law") -> Exported:
     return Exported(_rendered(template, law, name), told)
 
 
-def _rendered(template: str, law: MemoryLaw, name: str, guid: str = "") -> bytes:
+def _rendered(template: str, law: MemoryLaw | LoadLaw, name: str, guid: str = "") -> bytes:
     """Return a template filled in."""
     from jinja2 import Environment, PackageLoader, StrictUndefined
 
@@ -84,8 +88,15 @@ def _rendered(template: str, law: MemoryLaw, name: str, guid: str = "") -> bytes
         for each in (source, *law.told()[1:], *per_motion)
         for line in textwrap.wrap(printable(each), WIDTH)
     ]
-    corners = np.concatenate([[0.0], law.speed])
-    at = np.interp(np.arange(0, corners.size - 0.99, 1 / BETWEEN), range(corners.size), corners)
+    filled.filters["transposed"] = lambda rows: np.transpose(rows)
+    filled.filters["columns"] = lambda row: ", ".join(f"{value:.8g}" for value in row)
+    over = isinstance(law, LoadLaw)
+    tables = {each: np.array(getattr(law, each)) for each in NUMBERS}
+    if not over:
+        tables = {each: table[None] for each, table in tables.items()}
+    tables["per_length"] = tables.pop("rate_per_length").T
+    tables["rate"] = tables["rate"].T
+    tables["target"] = np.swapaxes(tables["target"], 0, 1)
     text = filled.get_template(template).render(
         law=law,
         name=name,
@@ -93,14 +104,26 @@ def _rendered(template: str, law: MemoryLaw, name: str, guid: str = "") -> bytes
         version=VERSION,
         told=told,
         guid=guid,
-        goals=np.ravel([law.age, *law.target]),
-        rows=list(zip(law.steady(at), at, strict=True)),
+        over=over,
+        **tables,  # over memories, loads and speeds
+        memories=len(tables["rate"]),
+        middle=float(np.sqrt(law.load[0] * law.load[-1])) if isinstance(law, LoadLaw) else np.nan,
+        rows=_rows(law),
         lost=law.validity.usual * float(np.sqrt(law.validity.left)),
     )
     return text.encode()
 
 
-def _fmu(law: MemoryLaw, name: str) -> Exported:
+def _rows(law: MemoryLaw | LoadLaw) -> list[tuple[float, ...]]:
+    """Return steady friction, the slip rate and, of a table over the load, the normal force."""
+    if isinstance(law, LoadLaw):
+        return [(*row, f) for f in law.load for row in _rows(law.at(normal_force=float(f)))]
+    corners = np.concatenate([[0.0], law.speed])
+    at = np.interp(np.arange(0, corners.size - 0.99, 1 / BETWEEN), range(corners.size), corners)
+    return list(zip(law.steady(at), at, strict=True))
+
+
+def _fmu(law: MemoryLaw | LoadLaw, name: str) -> Exported:
     header = _rendered("law.h.j2", law, name)
     guid = "{" + hashlib.sha256(header).hexdigest()[:32] + "}"
     files = {

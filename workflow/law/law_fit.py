@@ -18,6 +18,7 @@ from scipy.optimize import least_squares
 
 from ..errors import UserError
 from ..given_motion import finely
+from .load_law import LEAST_LOADS, LoadLaw
 from .memory_law import MemoryLaw, even, odd, relaxed_to
 from .reduced_law import Law, Validity, followed, mean_speed
 from .transients import PIECE, Transient, motions_of
@@ -36,6 +37,7 @@ FOLDS = 4
 ALIKE = 0.1  # share by which speeds of one kind differ
 MOST_STATES = 5
 TRIALS, AGAIN = 60, 15  # evaluations of the Jacobian, at first and for a fold
+LARGEST = ("rms", "largest", "usual", "left", "model_error")  # of several loads
 FAR = 12.0  # that the parameters of usual laws, most of them logarithms, go from where they begin
 WIDE = 1e3  # times the whole way or time: a length or time that is none
 
@@ -49,14 +51,16 @@ def fit_law(
     kind: str = MemoryLaw.kind,
     held_out: Any = None,
     point: Mapping[str, Any] | None = None,
-) -> Law:
+) -> Law | LoadLaw:
     """Return a law fitted to the motions of one or several results of the model.
 
-    results : datasets of ``scene.run`` or of a study with the quantity "trace", one load and
-    surface. states : exponential states beside the memory of contacts, 0 to 5. kind : "states",
-    "rate-state" or "lugre". held_out : results that are not fitted to, of which the error is
-    stated; by default each quarter of the segments in turn, by a fit to the others. point : of
-    the grid, as {"hurst": 0.7}. Raises UserError where there is nothing to fit.
+    results : datasets of ``scene.run`` or of a study with the quantity "trace", of one surface; of
+    three normal forces or more the law is a table over them. states : exponential states beside the
+    memory of contacts, 0 to 5. kind : "states", "rate-state" or "lugre". held_out : results that
+    are not fitted to, of which the error is stated; by default each quarter of the segments in
+    turn, by a fit to the others. Of a table each load but the first and the last is held out too,
+    and the law of its neighbours compared with it. point : of the grid, as {"hurst": 0.7}. Raises
+    UserError where there is nothing to fit.
     """
     if kind not in KINDS:
         raise UserError(f"kind = {kind!r}: must be one of {', '.join(KINDS)}")
@@ -67,6 +71,27 @@ def fit_law(
         raise UserError("there is nothing to fit: no result is given")
     speeds = _speeds(motions)
     motions = [_fine(motion, speeds[0]) for motion in motions]
+    others = [] if held_out is None else motions_of(held_out, point)
+    others = [_fine(each, speeds[0]) for each in others]
+    forces = sorted({each.normal_force for each in motions if math.isfinite(each.normal_force)})
+    if len(forces) > 1:
+        return _over_loads(forces, motions, others, speeds, kind, states)
+    return _fitted(motions, others, speeds, kind, states, None)[0]
+
+
+def _fitted(
+    motions: Sequence[Transient],
+    others: Sequence[Transient],
+    speeds: np.ndarray,
+    kind: str,
+    states: int,
+    start: Any,
+) -> tuple[Law, Any]:
+    """Return the law of one load with its errors, and what the fit to the next load begins with.
+
+    others : motions that are held out. start : a law of as many states as are asked for begins
+    there, where it is not None.
+    """
     kept = [np.isfinite(motion.mu) for motion in motions]
     _check(motions, kept)
     usual = _rms(_kept_mu(motions, kept))
@@ -75,26 +100,83 @@ def fit_law(
     search: Any = plain
     if kind != MemoryLaw.kind:
         search = _Usual(motions, speeds, kind)
-    elif states and left > NOTHING:
+    elif states and (left > NOTHING or start is not None):
         search = _Memory(motions, speeds, states)
-    law, found = search.fit(kept, TRIALS)
-    if held_out is None:
-        missed, words = _left_out(search, motions, kept, found)
-    else:
-        others = [_fine(each, speeds[0]) for each in motions_of(held_out, point)]
+    law, found = search.fit(kept, TRIALS, start)
+    if others:
         missed = _differences(law, others, [np.isfinite(each.mu) for each in others])
         words = "; ".join(each.name for each in others)
-    validity = _validity(law, motions, kept, speeds)
-    return law.with_validity(
-        replace(
-            validity,
-            usual=usual,
-            left=left**2,
-            held_rms=max(_rms([each]) for each in missed),
-            held_largest=float(np.max(np.abs(np.concatenate(missed)))),
-            held_out=words,
-        )
+    else:
+        missed, words = _left_out(search, motions, kept, found)
+    validity = replace(
+        _validity(law, motions, kept, speeds),
+        usual=usual,
+        left=left**2,
+        held_rms=max(_rms([each]) for each in missed),
+        held_largest=float(np.max(np.abs(np.concatenate(missed)))),
+        held_out=words,
     )
+    return law.with_validity(validity), found
+
+
+def _over_loads(
+    forces: Sequence[float],
+    motions: Sequence[Transient],
+    others: Sequence[Transient],
+    speeds: np.ndarray,
+    kind: str,
+    states: int,
+) -> LoadLaw:
+    """Return the table of the laws of several loads, each searched for from that of the last."""
+    if kind != MemoryLaw.kind or len(forces) < LEAST_LOADS:
+        raise UserError(
+            f"normal_force of {forces}: a law over the load is of the kind {MemoryLaw.kind} and of "
+            f"{LEAST_LOADS} loads or more; fit one law to each"
+        )
+    laws: list[Any] = []
+    start = None
+    for force in forces:
+        own, held = _under(force, motions), _under(force, others)
+        law, start = _fitted(own, held, speeds, kind, states, start)
+        laws.append(law)
+    known = [law.validity for law in laws]
+    words = [known[0].held_out]
+    errors = [(each.held_rms, each.held_largest) for each in known]
+    between = [each for each in others if each.normal_force not in forces]
+    tables = [(LoadLaw.of(list(forces), laws), between)] if between else []
+    words += [each.name for each in between]
+    for k in range(1, len(forces) - 1):
+        ends = [forces[k - 1], forces[k + 1]]
+        table = LoadLaw.of(ends, [laws[k - 1], laws[k + 1]])
+        tables.append((table, _under(forces[k], motions)))
+        words.append(f"{forces[k]:.4g} N by the laws of {ends[0]:.4g} and {ends[1]:.4g} N")
+    for table, own in tables:
+        for each in own:
+            law = table.at(normal_force=each.normal_force)
+            (off,) = _differences(law, [each], [np.isfinite(each.mu)])
+            errors.append((_rms([off]), float(np.max(np.abs(off)))))
+    words[-1] += f", {max(rms for rms, _ in errors[len(known) :]):.3g} rms at most"
+    rms, largest = np.max(errors, axis=0)
+    validity = replace(
+        known[0],
+        normal_force=math.nan,
+        longest_rest=max(each.longest_rest for each in known),
+        held_rms=float(rms),
+        held_largest=float(largest),
+        held_out="; ".join(words),
+        window=f"{known[0].window} under each load",
+        motions=tuple(
+            (f"{force:.4g} N, {name}", rms)
+            for force, one in zip(forces, known, strict=True)
+            for name, rms in one.motions
+        ),
+        **{name: max(getattr(each, name) for each in known) for name in LARGEST},
+    )
+    return LoadLaw.of(list(forces), laws).with_validity(validity)
+
+
+def _under(force: float, motions: Sequence[Transient]) -> list[Transient]:
+    return [each for each in motions if each.normal_force == force]
 
 
 def _validity(law: Law, motions: Sequence[Transient], kept: Kept, speeds: np.ndarray) -> Validity:
@@ -112,6 +194,8 @@ def _validity(law: Law, motions: Sequence[Transient], kept: Kept, speeds: np.nda
         fastest=float(speeds[-1]),
         longest_rest=max(float(_rests(motion).max()) for motion in motions),
         normal_force=motions[0].normal_force,
+        temperature=motions[0].temperature,
+        shift=motions[0].shift,
         rms=_rms(off),
         largest=float(np.max(np.abs(np.concatenate(off)))),
         model_error=_rms([errors[np.isfinite(errors)]]),
@@ -157,9 +241,6 @@ def _check(motions: Sequence[Transient], kept: Kept) -> None:
         )
     if all(np.ptp(each.velocity) == 0.0 for each in motions):
         raise UserError("there is nothing to fit: the velocity never changes")
-    forces = sorted({each.normal_force for each in motions if math.isfinite(each.normal_force)})
-    if len(forces) > 1:
-        raise UserError(f"normal_force of {forces}: a law is of one; fit one to each")
 
 
 class _Memory:
@@ -225,7 +306,10 @@ class _Memory:
         return tables, np.concatenate([bent, weight * self.usual * (self.bends @ ages)])
 
     def fit(self, kept: Kept, trials: int, start: Any = None) -> tuple[MemoryLaw, Any]:
-        """Return the law that fits the rows ``kept`` best, and its p. start : a p to go on from."""
+        """Return the law that fits the rows ``kept`` best, and its p.
+
+        start : a p to go on from, whose order of the states is kept; else their lengths rise.
+        """
         p, states, count = np.zeros(0), self.states, self.speeds.size
         if states:
             first, low, high = self._begin()
@@ -237,16 +321,18 @@ class _Memory:
                 max_nfev=trials,
             )
             p = best.x
+            if start is None:
+                order = np.append(0, 1 + np.argsort(p[1 : states + 1]))
+                p = np.concatenate([p[order], p[states + 1 + order], p[2 * states + 2 :]])
         tables = self._solved(p, kept)[0].reshape(states + 1, count)
         lengths, times = p[: states + 1], p[states + 1 : 2 * states + 2]
-        order = [0, *(1 + np.argsort(lengths[1:]))] if states else [0]
         ages = np.concatenate([np.exp(p[2 * states + 2 :]), [1.0]]) if states else np.ones(count)
         law = MemoryLaw(
             speed=self.speeds,
             direct=tables[0],
-            target=tables[order][1:],
-            rate_per_length=np.exp(-lengths[order]) if states else np.zeros(1),
-            rate=np.exp(-times[order]) if states else np.zeros(1),
+            target=tables[1:],
+            rate_per_length=np.exp(-lengths) if states else np.zeros(1),
+            rate=np.exp(-times) if states else np.zeros(1),
             age=ages,
         )
         return law, p

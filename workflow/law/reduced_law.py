@@ -16,10 +16,12 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from ..given_motion import LawError, finely, given_motion
+from ..study import shift_of
 from .transients import PIECE, motions_of
 
 FORMAT = 1  # of the JSON
-WORDS = ("motions", "held_out", "window", "source")  # of a Validity; the rest are numbers
+WORDS = ("motions", "held_out", "window", "source", "shift")  # of a Validity; the rest are numbers
+ADDED = ("temperature", "shift")  # of a Validity, which older files do not have
 BEYOND = 1.0 + 1e-9  # times the fastest speed: rounding
 
 
@@ -56,6 +58,8 @@ class Validity:
     held_out: str = ""
     window: str = ""
     source: str = ""
+    temperature: float = float("nan")
+    shift: str = ""
 
 
 class Compared(NamedTuple):
@@ -71,18 +75,66 @@ class Compared(NamedTuple):
 
 
 @dataclass(frozen=True)
-class Law(ABC):
-    """A reduced law: ``init``, ``step`` and ``steady`` make it, the rest follows from them."""
+class FittedLaw(ABC):
+    """What was fitted to motions: numbers with a range and an error, told and written as JSON."""
 
     kind: ClassVar[str]
     validity: Validity = field(default_factory=Validity, kw_only=True)
+
+    def with_validity(self, validity: Validity) -> Self:
+        """Return the law with other range and errors."""
+        return replace(self, validity=validity)
+
+    def to_json(self) -> str:
+        """Return the law as JSON, from which ``read`` gets it back to the bit."""
+        numbers = {
+            each.name: np.asarray(getattr(self, each.name)).tolist()
+            for each in fields(self)
+            if each.name != "validity"
+        }
+        told = {name: _plain(value) for name, value in asdict(self.validity).items()}
+        whole = {"format": FORMAT, "kind": self.kind, **numbers, "validity": told}
+        return json.dumps(whole, indent=1, allow_nan=False)
+
+    def told(self) -> list[str]:
+        """Return the numbers, the range and the error of the law, in lines for people."""
+        known = self.validity
+        numbers = [each.name for each in fields(self) if each.name != "validity"]
+        share = 100.0 / known.usual if known.usual else float("nan")
+        at = "" if math.isnan(known.temperature) else f", {known.temperature:.4g} °C"
+        return [
+            f"kind: {self.kind}; "
+            + "; ".join(f"{name} {_short(getattr(self, name))}" for name in numbers),
+            f"range: speeds of {known.slowest:.3g} ... {known.fastest:.3g} m/s, rest of "
+            f"{known.longest_rest:.3g} s at most, normal force {self._loads()} N{at}",
+            f"outside: {self.outside()}",
+            f"error on the worst of the motions held out: {known.held_rms:.3g} rms "
+            f"({share * known.held_rms:.3g} % of the rms of mu), {known.held_largest:.3g} "
+            f"at most; held out: {known.held_out}",
+            f"error on what was fitted, {known.window}: {known.rms:.3g} rms "
+            f"({share * known.rms:.3g} %), {known.largest:.3g} at most; the model's own standard "
+            f"error {known.model_error:.3g}",
+        ]
+
+    def outside(self) -> str:
+        """Return what the law does outside its range."""
+        return "its formula goes on; nothing is clamped"
+
+    def _loads(self) -> str:
+        """Return the normal force of the motions in words, without its unit."""
+        return f"{self.validity.normal_force:.4g}"
+
+
+@dataclass(frozen=True)
+class Law(FittedLaw):
+    """A reduced law: ``init``, ``step`` and ``steady`` make it, the rest follows from them."""
 
     def init(self, velocity: float) -> np.ndarray:
         """Return the state of steady sliding at a velocity, m/s; its first number is that.
 
         Raises UserError for a velocity that is no finite number.
         """
-        return self._init(_finite("velocity", velocity, "m/s"))
+        return self._init(finite_number("velocity", velocity, "m/s"))
 
     @abstractmethod
     def _init(self, velocity: float) -> np.ndarray:
@@ -95,7 +147,7 @@ class Law(ABC):
         steps gives the same state. The state that is given stays as it is. Raises UserError for a
         negative dt, for what is no finite number, and for a state that is none of this law.
         """
-        v, dt = _finite("v", v, "m/s"), _finite("dt", dt, "s")
+        v, dt = finite_number("v", v, "m/s"), finite_number("dt", dt, "s")
         if dt < 0.0:
             raise LawError(f"dt = {dt!r}: must not be negative")
         if np.shape(state) != (self.numbers,) or not np.isfinite(state).all():
@@ -128,7 +180,7 @@ class Law(ABC):
         model, in which mu depends on v times a relaxation time. Raises UserError for factors that
         are not positive.
         """
-        if not _finite("factor", factor, "1") > 0.0:
+        if not finite_number("factor", factor, "1") > 0.0:
             raise LawError(f"factor = {factor!r}: must be greater than zero")
         validity = replace(
             self.validity,
@@ -137,6 +189,21 @@ class Law(ABC):
             longest_rest=self.validity.longest_rest * factor,
         )
         return replace(self, validity=validity, **self.scaled(factor))
+
+    def at(self, *, temperature: float) -> Self:
+        """Return the law at another temperature, degrees Celsius, by the shift of its material.
+
+        Raises UserError where no shift is known, or none at that temperature.
+        """
+        own, wanted = self.validity, finite_number("temperature", temperature, "°C")
+        if not own.shift:
+            raise LawError(
+                f"temperature = {temperature!r}: the law knows no wlf, arrhenius or shifts of its "
+                "material; fit it to results that have them, or use shifted(a)"
+            )
+        shift = json.loads(own.shift)
+        law = self.shifted(shift_of(shift, wanted) / shift_of(shift, own.temperature))
+        return law.with_validity(replace(law.validity, temperature=wanted))
 
     def run(self, time: ArrayLike, velocity: ArrayLike) -> np.ndarray:
         """Return mu at times (s) for velocities (m/s) that are linear in between; shape (n,).
@@ -169,44 +236,6 @@ class Law(ABC):
                 found.append(Compared(f"{motion.name}, {name}", *kept, *errors))
         return found
 
-    def with_validity(self, validity: Validity) -> Self:
-        """Return the law with other range and errors."""
-        return replace(self, validity=validity)
-
-    def to_json(self) -> str:
-        """Return the law as JSON, from which ``read`` gets it back to the bit."""
-        numbers = {
-            each.name: np.asarray(getattr(self, each.name)).tolist()
-            for each in fields(self)
-            if each.name != "validity"
-        }
-        told = {name: _plain(value) for name, value in asdict(self.validity).items()}
-        whole = {"format": FORMAT, "kind": self.kind, **numbers, "validity": told}
-        return json.dumps(whole, indent=1, allow_nan=False)
-
-    def told(self) -> list[str]:
-        """Return the numbers, the range and the error of the law, in lines for people."""
-        known = self.validity
-        numbers = [each.name for each in fields(self) if each.name != "validity"]
-        share = 100.0 / known.usual if known.usual else float("nan")
-        return [
-            f"kind: {self.kind}; "
-            + "; ".join(f"{name} {_short(getattr(self, name))}" for name in numbers),
-            f"range: speeds of {known.slowest:.3g} ... {known.fastest:.3g} m/s, rest of "
-            f"{known.longest_rest:.3g} s at most, normal force {known.normal_force:.4g} N",
-            f"outside: {self.outside()}",
-            f"error on the worst of the motions held out: {known.held_rms:.3g} rms "
-            f"({share * known.held_rms:.3g} % of the rms of mu), {known.held_largest:.3g} "
-            f"at most; held out: {known.held_out}",
-            f"error on what was fitted, {known.window}: {known.rms:.3g} rms "
-            f"({share * known.rms:.3g} %), {known.largest:.3g} at most; the model's own standard "
-            f"error {known.model_error:.3g}",
-        ]
-
-    def outside(self) -> str:
-        """Return what the law does outside its range."""
-        return "its formula goes on; nothing is clamped"
-
 
 def followed(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
     """Return mu of one step from each row of a motion to the next, as they are given."""
@@ -228,7 +257,7 @@ def _plain(value: Any) -> Any:
     return str(value) if isinstance(value, float) and not np.isfinite(value) else value
 
 
-def _finite(name: str, value: Any, unit: str) -> float:
+def finite_number(name: str, value: Any, unit: str) -> float:
     """Return a number. Raises UserError for what is no finite one."""
     try:
         found = float(value)

@@ -1,6 +1,8 @@
 """Motions of the model as laws are fitted to them: v(t) with its jumps, and mu where it is kept."""
 
 import contextlib
+import json
+import math
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -8,11 +10,11 @@ import numpy as np
 
 from ..errors import UserError
 from ..reduce import RESOLVED, UNRESOLVED
-from ..study import LISTED
+from ..study import LAWS_OF_SHIFT, LISTED
 
 PIECE = 0.1  # change of the velocity, as a share of it, that a step takes at most
 COARSE = 0.05  # of a whole way, that sampled velocities may miss
-MOVED = ("velocity", *LISTED)  # axes along which the motion alone differs
+MOVED = ("velocity", *LISTED, "normal_force")  # axes along which motions of one law differ
 NEEDED = ("trace_time", "trace_velocity", "trace_distance", "trace_segment", "trace_mu")
 
 
@@ -29,6 +31,8 @@ class Transient(NamedTuple):
     error: np.ndarray  # standard error of mu, NaN where none is known
     segment: np.ndarray  # of the programme, from 0
     normal_force: float  # N
+    temperature: float = math.nan  # degrees Celsius, NaN where it is not known
+    shift: str = ""  # of the times of the material, a table of [material] as JSON
 
     def parts(self) -> Iterator[tuple[str, np.ndarray]]:
         """Yield name and rows of every segment in which friction is known."""
@@ -41,7 +45,7 @@ class Transient(NamedTuple):
 
 
 def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[Transient]:
-    """Return the motions of a result with the quantity "trace", one of every hold and velocity.
+    """Return the motions of a result with the quantity "trace", one of every motion and load.
 
     dataset : of ``scene.run``, or of a study. point : the place on the axes of its grid, nearest
     values, as {"hurst": 0.7}; an axis of one value may be left out. Raises UserError for a point
@@ -74,7 +78,7 @@ def transients_of(dataset: Any, point: Mapping[str, Any] | None = None) -> list[
                 f"{title}: its contacts are no wider than a sample (resolution_status); a law is "
                 "fitted to resolved ones: take smaller spacings"
             )
-        found.append(_transient(chosen.isel(own), ", ".join([title, *words])))
+        found.append(_transient(chosen.isel(own), ", ".join([title, *words]), _material(chosen)))
     return found
 
 
@@ -89,7 +93,18 @@ def motions_of(results: Any, point: Mapping[str, Any] | None = None) -> list[Tra
     return found
 
 
-def _transient(chosen: Any, name: str) -> Transient:
+def _material(dataset: Any) -> tuple[float, str]:
+    """Return the temperature of the material of a result (NaN) and how its times shift ("")."""
+    study = json.loads(dataset.attrs.get("study", "{}"))
+    material, others = study.get("material", {}), study.get("compare", {}).values()
+    laws = {key: material[key] for key in LAWS_OF_SHIFT if key in material}
+    if not laws or any(key in other for other in others for key in LAWS_OF_SHIFT):
+        return math.nan, ""  # or which of several it is cannot be told
+    temperature = dataset.coords.get("temperature", material["temperature"])
+    return float(np.squeeze(temperature)), json.dumps(laws)
+
+
+def _transient(chosen: Any, name: str, material: tuple[float, str]) -> Transient:
     """Return the motion of a dataset whose traces have the axis "event" alone."""
     segment = chosen["trace_segment"].values
     known = np.isfinite(chosen["trace_time"].values) & (segment >= 0)
@@ -116,7 +131,7 @@ def _transient(chosen: Any, name: str) -> Transient:
         ]
         rows = np.insert(rows, k + 1, ends, axis=0)
     time, velocity, mu, error, parts = rows.T
-    return Transient(name, time, velocity, mu, error, parts.astype(int), force)
+    return Transient(name, time, velocity, mu, error, parts.astype(int), force, *material)
 
 
 def _check_way(name: str, t: np.ndarray, v: np.ndarray, x: np.ndarray, segment: np.ndarray) -> None:

@@ -14,7 +14,7 @@ Control 40, 419 (1995), per normal force, with bristles in units of mu (s = sigm
 
 import json
 import math
-from dataclasses import dataclass, fields
+from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any, ClassVar
 
@@ -24,8 +24,9 @@ from numpy.typing import ArrayLike
 from ..errors import UserError
 from ..given_motion import LawError, finite_numbers
 from ..plain_files import read_plain
+from .load_law import LoadLaw
 from .memory_law import MemoryLaw
-from .reduced_law import FORMAT, WORDS, Law, Validity, mean_speed
+from .reduced_law import ADDED, FORMAT, WORDS, Law, Validity, mean_speed
 
 LEAST = 1e-300  # m/s, of a speed in a logarithm
 LARGEST = 700.0  # of an exponent
@@ -119,9 +120,10 @@ class LuGreLaw(Law):
 
 
 KINDS: dict[str, type[Law]] = {law.kind: law for law in (MemoryLaw, RateStateLaw, LuGreLaw)}
+READ: dict[str, type[Law | LoadLaw]] = {**KINDS, LoadLaw.kind: LoadLaw}
 
 
-def read_law(source: str | Path) -> Law:
+def read_law(source: str | Path) -> Law | LoadLaw:
     """Return the law of a JSON text, or of a file of it. Raises UserError for what is none."""
     text, place = str(source), "the law"
     if isinstance(source, Path):
@@ -132,10 +134,14 @@ def read_law(source: str | Path) -> Law:
             raise UserError(f"{source}: cannot be read: {error}") from error
     try:
         found = json.loads(text)
-        kind = KINDS[found["kind"]]
+        kind: type[Law | LoadLaw] = READ[found["kind"]]
         if found["format"] != FORMAT:
             raise ValueError(f"its format is {found['format']}, not {FORMAT}")
-        told = {each.name: found["validity"][each.name] for each in fields(Validity)}
+        told = asdict(Validity()) | {
+            each.name: found["validity"][each.name]
+            for each in fields(Validity)
+            if each.name not in ADDED or each.name in found["validity"]
+        }
         told["motions"] = tuple((str(name), float(rms)) for name, rms in told["motions"])
         numbers = {k: float(each) for k, each in told.items() if k not in WORDS}
         validity = Validity(**{**told, **numbers})

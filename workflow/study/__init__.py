@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         Velocity,
         Wlf,
         judged,
+        shift_of,
         velocity_steps,
         why_not,
     )

@@ -7,7 +7,7 @@ from elastomer_friction.workflow.law import read
 from elastomer_friction.workflow.law.law_export import FORMS
 from elastomer_friction.workflow.result import write_datasets
 from tests.support.commands import output, refusal
-from tests.workflow.law.given import memory_law, result
+from tests.workflow.law.given import load_law, memory_law, result
 
 MARKS = {"study": '{"study": {}}', "code": "0", "seed": 1, "source": "synthetic"}
 
@@ -40,6 +40,17 @@ def test_it_is_told_and_written_and_read_again(capsys, path, tmp_path):
     printed = output(capsys, "law", str(json), "--write", "modelica")
     assert printed.startswith("block rubber ")
     assert read(json).rate.size == 2
+
+
+def test_of_a_table_over_the_load_one_law_is_told_and_written(capsys, tmp_path):
+    json = tmp_path / "table.json"
+    json.write_text(load_law().to_json())
+    command = ["law", str(json), "--write", "fortran"]
+    assert "takes the law of one load" in refusal(capsys, *command)
+    assert "--at hurst: is nothing that this law" in refusal(capsys, *command, "--at", "hurst=1")
+    text = output(capsys, *command, "--at", "normal_force=2")
+    assert "subroutine table_step" in text
+    assert "normal force 2 N" in text
 
 
 def test_a_comparison_and_what_is_held_out(capsys, path):

@@ -1,9 +1,12 @@
 """Laws of known numbers, and results that follow them, as a study would leave them."""
 
+from dataclasses import replace
+
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.workflow.law import MemoryLaw
+from elastomer_friction.workflow.law import LoadLaw, MemoryLaw
+from elastomer_friction.workflow.law.load_law import NUMBERS
 
 SPEEDS = np.array([0.001, 0.01, 0.02, 0.05, 0.1])  # m/s
 
@@ -18,6 +21,16 @@ def memory_law(states=2):
         rate=np.array([3.0, 20.0, 400.0])[: states + 1],
         age=1.0 + 0.3 * np.log(0.1 / SPEEDS) / np.log(100.0),
     )
+
+
+def load_law(states=2):
+    """Return a table over three loads, whose numbers rise by a tenth from one to the next."""
+    laws = []
+    for factor in (0.9, 1.0, 1.1):
+        own = memory_law(states)
+        changed = {name: factor * getattr(own, name) for name in NUMBERS}
+        laws.append(replace(own, **changed))
+    return LoadLaw.of([1.0, 2.0, 8.0], laws)
 
 
 STEPS = [0.02, 0.05, 0.02, 0.01, 0.02, 0.1, 0.05, 0.1, 0.01, 0.05, -0.05, 0.02, -0.02, 0.01, 0.02]

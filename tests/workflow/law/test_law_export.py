@@ -14,7 +14,7 @@ import pytest
 from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.law import LuGreLaw, export, read
 from elastomer_friction.workflow.law.reduced_law import Validity, followed
-from tests.workflow.law.given import memory_law
+from tests.workflow.law.given import load_law, memory_law
 
 LAW = memory_law().with_validity(
     Validity(
@@ -51,16 +51,22 @@ end subroutine
 
 @compiled
 @pytest.mark.parametrize("states", [0, 1, 2])
-def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states):
-    law = memory_law(states).with_validity(LAW.validity)
-    (tmp_path / "rubber.h").write_bytes(export(law, "c", "rubber").content)
+@pytest.mark.parametrize("force", [None, 0.5, 1.0, 1.3, 2.0, 5.0, 9.0])
+def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states, force):
+    law = written = memory_law(states).with_validity(LAW.validity)
+    load = "" if force is None else f", {force}"
+    if force is not None:
+        written = load_law(states).with_validity(LAW.validity)
+        law = written.at(normal_force=float(np.clip(force, 1.0, 8.0)))  # it is clamped
+    (tmp_path / "rubber.h").write_bytes(export(written, "c", "rubber").content)
     (tmp_path / "use.c").write_text(
         '#include "rubber.h"\n'
         "void run(int n, const double *t, const double *v, double *mu)\n"
-        "{\n    double state[RUBBER_STATES];\n    int k;\n    rubber_init(state, v[0]);\n"
+        "{\n    double state[RUBBER_STATES];\n    int k;\n"
+        f"    rubber_init(state, v[0]{load});\n"
         "    for (k = 0; k < n; ++k)\n"
         "        mu[k] = rubber_step(state, v[k], k ? t[k] - t[k - 1] : 0.0);\n}\n"
-        "double steady(double v) { return rubber_steady(v); }\n"
+        f"double steady(double v) {{ return rubber_steady(v{load}); }}\n"
     )
     strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror"]
     command = [COMPILER, *strict, "-shared", "-fPIC", "use.c", "-o", "use.so", "-lm"]
@@ -126,6 +132,31 @@ def test_modelica_is_parsed_with_its_inputs_and_equations():
     assert [float(value) for value in row.split(",")] == LAW.target[0].tolist()
 
 
+def test_modelica_over_the_load_takes_it_as_a_parameter():
+    parser = pytest.importorskip("pymoca.parser")
+    text = export(load_law(), "modelica", "rubber").content.decode()
+    block = parser.parse(text).classes["rubber"]
+    assert "parameter" in block.symbols["normal_force"].prefixes
+    assert len(block.equations) == 4
+    (tables,) = re.findall(r"target1\[5\] = between\(normal_force, loads, \{\{(.*)\}\}\)", text)
+    found = [[float(value) for value in row.split(",")] for row in tables.split("}, {")]
+    assert found == load_law().target[:, 0].tolist()
+
+
+def test_the_table_of_abaqus_over_the_load_is_that_of_each():
+    law = load_law()
+    lines = export(law, "abaqus", "rubber").content.decode().splitlines()
+    rows = [line for line in lines[lines.index("*FRICTION") + 1 :] if not line.startswith("**")]
+    mu, v, force = np.array([[float(x) for x in row.split(",")] for row in rows]).T
+    assert (np.diff(force) >= 0.0).all()
+    for load in law.load:
+        of_load = force == load
+        expected = law.at(normal_force=load).steady(v[of_load])
+        assert mu[of_load] == pytest.approx(expected, rel=1e-6)
+    with pytest.raises(UserError, match="fortran: takes the law of one load"):
+        export(law, "fortran")
+
+
 def test_the_table_of_abaqus_is_steady_friction_over_rising_rates():
     lines = export(LAW, "abaqus", "rubber").content.decode().splitlines()
     rows = [line for line in lines[lines.index("*FRICTION") + 1 :] if not line.startswith("**")]
@@ -143,10 +174,13 @@ def test_the_table_of_abaqus_is_steady_friction_over_rising_rates():
     (platform.system(), platform.machine()) != ("Linux", "x86_64"),
     reason="no library is made for this platform",
 )
-def test_the_fmu_is_valid_and_runs_as_the_law_does(tmp_path):
+@pytest.mark.parametrize("force", [None, 4.0], ids=["one-load", "over-load"])
+def test_the_fmu_is_valid_and_runs_as_the_law_does(tmp_path, force):
     fmpy = pytest.importorskip("fmpy")
     validation = pytest.importorskip("fmpy.validation")
-    written = export(LAW, "fmu", "rubber")
+    whole, begin = (LAW, {}) if force is None else (load_law(), {"normal_force": force})
+    law = whole.at(**begin) if begin else LAW
+    written = export(whole, "fmu", "rubber")
     assert written.told == "an FMU with its C sources and a library for linux64"
     path = tmp_path / "rubber.fmu"
     path.write_bytes(written.content)
@@ -155,16 +189,15 @@ def test_the_fmu_is_valid_and_runs_as_the_law_does(tmp_path):
     t = step * np.arange(count + 1)
     v = 0.04 * np.cos(40.0 * t)
     given = np.array(list(zip(t, v, strict=True)), [("time", float), ("v", float)])
-    found = fmpy.simulate_fmu(
-        str(path), stop_time=t[-1], output_interval=step, step_size=step, input=given, output=["mu"]
-    )
-    state, expected = LAW.init(v[0]), [LAW.step(LAW.init(v[0]), v[0], 0.0)[1]]
+    asked = {"stop_time": t[-1], "output_interval": step, "step_size": step, "output": ["mu"]}
+    found = fmpy.simulate_fmu(str(path), input=given, start_values=begin, **asked)
+    state, expected = law.init(v[0]), [law.step(law.init(v[0]), v[0], 0.0)[1]]
     for held in v[:-1]:
-        state, _ = LAW.step(state, held, 0.0)
-        state, mu = LAW.step(state, held, step)
+        state, _ = law.step(state, held, 0.0)
+        state, mu = law.step(state, held, step)
         expected.append(mu)
     assert found["mu"] == pytest.approx(expected, rel=1e-9, abs=1e-12)  # of times that are summed
-    assert export(LAW, "fmu", "rubber").content == written.content
+    assert export(whole, "fmu", "rubber").content == written.content
 
 
 @compiled

@@ -1,13 +1,15 @@
 """Laws fitted to motions: what is known is recovered, and errors hold on motions held out."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 import xarray as xr
 from scipy.integrate import solve_ivp
 
 import elastomer_friction as ef
-from elastomer_friction.workflow.law import LuGreLaw, RateStateLaw
-from elastomer_friction.workflow.law.reduced_law import Validity
+from elastomer_friction.workflow.law import LoadLaw, LuGreLaw, RateStateLaw, read
+from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Validity
 from tests.workflow.law.given import SEGMENTS, dataset, memory_law, result
 
 TIME = np.linspace(0.0, 0.3, 1501)
@@ -89,6 +91,34 @@ def test_friction_that_follows_the_velocity_at_once_has_no_state():
     assert found.steady(0.05) == pytest.approx(0.1, rel=1e-3)
 
 
+def test_of_several_loads_the_law_is_a_table_over_them(known):
+    """Direct effect and states grow with the logarithm of the load: so a held-out load is met."""
+    loads = [1.0, 2.0, 4.0]
+    laws = [replace(known, target=f * known.target, direct=f * known.direct) for f in (0.8, 1, 1.2)]
+    results = [result(law, force=force) for law, force in zip(laws, loads, strict=True)]
+    found = ef.law.fit([results[k] for k in (2, 0, 1)], states=1)
+    assert isinstance(found, LoadLaw)
+    assert found.load.tolist() == loads
+    speeds = np.array([0.01, 0.02, 0.05, 0.1])
+    for force, factor in ((1.0, 0.8), (np.sqrt(2.0), 0.9), (4.0, 1.2)):
+        steady = found.at(normal_force=force).steady(speeds)
+        assert steady == pytest.approx(factor * known.steady(speeds), rel=0.01)
+    usual = found.validity.usual
+    assert found.validity.rms < 0.01 * usual
+    assert found.validity.held_rms < 0.03 * usual
+    assert "; 2 N by the laws of 1 and 4 N, " in found.validity.held_out
+    off = ef.law.fit([results[0], result(laws[2], force=2.0), results[2]], states=1).validity
+    assert off.held_rms > 0.15 * usual  # a load at which the table is wrong is seen
+    told = "\n".join(found.told())
+    assert "rest of 0.4 s at most, normal force 1 ... 4 N" in told
+    assert "a load beyond the table is clamped to its end" in told
+    with pytest.warns(BeyondLawWarning, match=r"fitted to 1 ... 4 N; the nearest, 4 N, is taken"):
+        assert found.at(normal_force=9.0).validity.normal_force == 4.0
+    with pytest.raises(ef.UserError, match=r"normal_force: missing; the law is a table over 1 ..."):
+        found.at()
+    assert read(found.to_json()).to_json() == found.to_json()
+
+
 def still(velocity, count=40):
     t = np.linspace(0.0, 1.0, count)
     return dataset(t, velocity + 0.0 * t, velocity * t, 0.1 + 0.0 * t, 0 * t.astype(int))
@@ -111,7 +141,7 @@ def still(velocity, count=40):
         (
             [result(memory_law()), result(memory_law(), force=3.0)],
             {},
-            r"normal_force of \[2.0, 3.0\]: a law is of one",
+            r"normal_force of \[2.0, 3.0\]: a law over the load is .* of 3 loads or more",
         ),
     ],
 )
@@ -174,7 +204,11 @@ def test_a_law_serves_another_temperature_by_the_shift_of_its_times():
         numerics = {"samples": 200, "record": "log"}
         found = model(legs, material={**RUBBER, **shift}, numerics=numerics, realizations=1)
         laws.append(ef.law.fit(found, states=1))
-    own, other = laws[0].shifted(a), laws[1]
+    own, other = laws[0].at(temperature=50.0), laws[1]
+    assert own.to_json() == read(laws[0].to_json()).at(temperature=50.0).to_json()
+    assert own.speed == pytest.approx(laws[0].shifted(a).speed, rel=1e-12)
+    with pytest.raises(ef.UserError, match=r"temperature = -50\.0: must be above reference - c2"):
+        own.at(temperature=-50.0)
     assert own.validity.fastest == pytest.approx(other.validity.fastest)
     v = np.geomspace(other.validity.slowest, other.validity.fastest, 9)
     assert own.steady(v) == pytest.approx(other.steady(v), rel=1e-3)

@@ -10,7 +10,7 @@ from ...lazy import public_names
 if TYPE_CHECKING:
     from .body_key import BODY, FOUNDATION, HALF_SPACE
     from .drive_keys import DRIVE, Spring
-    from .material import MATERIAL, Material, read_material
+    from .material import MATERIAL, Material, read_material, shift_of
     from .programme import (
         LISTED,
         FromFile,

@@ -16,6 +16,7 @@ from ..settings import (
     POSITIVE,
     Key,
     as_text,
+    checked,
     filled,
     number,
     pair,
@@ -145,6 +146,15 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
         told=told,
         **shifts,
     )
+
+
+def shift_of(laws: Mapping[str, Any], temperature: float) -> float:
+    """Return a_T at a temperature (°C); laws : what a table holds of LAWS_OF_SHIFT, as written.
+
+    Raises UserError for a temperature without one.
+    """
+    table = {"shear_modulus": 1.0, "relaxation_time": 1.0, "temperature": temperature, **laws}
+    return read_material("material", checked("material", table, MATERIAL), Path()).own_shift
 
 
 def _branches(key: str, value: object) -> tuple[Branch, ...]:
