@@ -68,7 +68,8 @@ def no_steps_of(record: Record) -> list[str]:
     counts = [counted(count, what) for count, what in named if count]
     said = [f"left out: {' and '.join(counts)}, which are no velocity steps"] if counts else []
     if backwards:
-        said.append(f"{counted(backwards, 'backward slide')}, turned round")
+        verb = "is" if backwards == 1 else "are"
+        said.append(f"{counted(backwards, 'backward slide')} {verb} fitted as sliding forward")
     return said
 
 

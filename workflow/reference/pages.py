@@ -20,6 +20,9 @@ wrong input or surroundings, 3 when it is done but for problems that failed or w
 fault, and 130 when it was interrupted. A run that was interrupted goes on where it ended when it is
 started again.
 
+In bash and zsh `eval "$(register-python-argcomplete elastomer-friction)"` makes the Tab key
+complete commands, options and names of studies.
+
 ## What several commands take
 
 | argument | meaning | commands |

@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 
 from ...kernels import START, Saved, form_of, memories
+from ...kernels.compile import cache
 from ..errors import UserError
 from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
 from ..reduce import Estimates, blocks_of, completed, reduce_blocks
@@ -26,7 +27,7 @@ from ..study import (
     positive,
     read_grid_study,
 )
-from ..system import import_dask
+from ..system import import_dask, saying_what_compiles
 
 NAME = "scene"
 OF_GRID = ("hurst", "roughness", "spacing")  # keys of random lines that a study has in [grid]
@@ -167,11 +168,16 @@ def computed(study: Study, resumed: Saved | None = None) -> xr.Dataset:
     """Return the dataset of a study of one point, without dimensions of the grid, times in s.
 
     resumed : where the programme goes on, on one line; by default it starts as the study says.
+    A line on the standard error output says so where kernels are compiled, once on a machine.
     Raises UserError where the plan is refused, ValueError as the kernels do.
     """
     plan = make_plan(study, origin=resumed.origin if resumed else START)
     (variant,) = plan.variants
-    dataset = build_dataset(plan, variant, _estimates(plan, variant, resumed), {})
+    with saying_what_compiles(
+        "the kernels of this scene", "5 to 60 s", cache.FOLDER, cache.WAITING
+    ):
+        estimates = _estimates(plan, variant, resumed)
+    dataset = build_dataset(plan, variant, estimates, {})
     single = {axis: 0 for axis in study.axes if axis not in LISTED}
     return _in_seconds(dataset.isel(single), study)
 

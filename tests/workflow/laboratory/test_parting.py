@@ -30,7 +30,7 @@ def test_rest_and_reversal_are_left_out_and_said():
     assert [step.v2 for step in steps] == pytest.approx([0.3] * 3)
     assert no_steps_of(one) == [
         "left out: 1 rest and 2 reversals, which are no velocity steps",
-        "1 backward slide, turned round",
+        "1 backward slide is fitted as sliding forward",
     ]
     for step in steps:
         assert fit_step(step).rate.value == pytest.approx(RATE, rel=0.1)

@@ -3,9 +3,12 @@
 import numpy as np
 import pytest
 import xarray as xr
+from numba.core import event
 
+from elastomer_friction.kernels.compile import cache
 from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.scene import call
 from elastomer_friction.workflow.scene.call import toml_value
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, N, heights, run, slide
 
@@ -249,3 +252,18 @@ def test_a_state_of_another_scene_is_refused(first, changed, words):
 def test_a_dataset_without_state_is_refused():
     with pytest.raises(UserError, match='state: holds no state_memory; ask for the quantity "sta'):
         run(slide(), **ASKED, state=run(slide()))
+
+
+def test_it_is_said_that_kernels_are_compiled(monkeypatch, tmp_path, capsys):
+    run()  # where nothing was compiled yet, it is now
+    capsys.readouterr()
+    monkeypatch.setattr(cache, "FOLDER", str(tmp_path / "code"))  # beside it times are noted
+    own = call._estimates
+
+    def compiling(*given):
+        with event.trigger_event("numba:compile"):
+            return own(*given)
+
+    monkeypatch.setattr(call, "_estimates", compiling)
+    run()
+    assert capsys.readouterr().err == "Compiling the kernels of this scene, 5 to 60 s, once.\n"
