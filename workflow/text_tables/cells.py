@@ -140,7 +140,8 @@ def _shape(sample: list[str]) -> tuple[str | None, int]:
         score: Counter[int] = Counter()
         for row in rows:
             several = sum(1 for cell in row if cell in DELIMITERS or SEVERAL.search(cell))
-            score[len(row)] += sum(map(is_numeral, row)) - 3 * several
+            numbers = sum(map(is_numeral, row))
+            score[len(row)] += numbers * (3 * numbers > len(row)) - 3 * several  # else words
         width, points = max(score.items(), key=lambda item: item[1], default=(1, 0))
         if points > best[0]:
             best = (points, delimiter, width)

@@ -124,11 +124,21 @@ def unread_line(above: list[str], delimiter: str | None, width: int) -> str:
         own = {title.unit for title in titles_of([line], delimiter, width)} - {""}
         if own and own <= known:
             continue
-        bare = re.sub(rf"(?<![\w^.-]){NUMBER}\s*[^\s,;]+", " ", line.replace('"', " "))
-        words = [word for word in re.split(r"[\s,;|]+", bare) if word]
+        words, bare = _bare_words(line)
         if any(map(_names_unit, words)) or any(map(unit_of, re.findall(r"\bin\s+(\S+)", bare))):
             return line.strip()
+    nearest = _bare_words(near[0])[0] if near else []
+    units = [word for word in nearest if (unit := unit_of(word)) and unit.family != "number"]
+    apart = not {title.name for title in titles} & set(nearest)
+    if titles and units and apart and not known and len(nearest) <= width:  # below the names
+        return near[0].strip()
     return ""
+
+
+def _bare_words(line: str) -> tuple[list[str], str]:
+    """Return the words of a line, but for numbers and what stands behind one, as its unit does."""
+    bare = re.sub(rf"(?<![\w^.-]){NUMBER}\s*[^\s,;]+", " ", line.replace('"', " "))
+    return [word for word in re.split(r"[\s,;|]+", bare.lstrip("#%!/ ")) if word], bare
 
 
 def _is_names(line: str, width: int) -> bool:
@@ -180,6 +190,8 @@ def _cells_of_line(line: str, delimiter: str | None, width: int) -> tuple[list[s
     """Return the cells of a line of titles, and whether it says that they are units."""
     labelled = LABELLED.fullmatch(line)
     cells = _cells_of_title(labelled[1] if labelled else line, delimiter, width)
+    if len(cells) > 2 and cells[0].endswith(":"):  # which names the line
+        cells = ["", *cells[1:]]
     return [re.sub(r'^"(.*)"$', r"\1", cell.strip()).strip() for cell in cells], bool(labelled)
 
 
@@ -278,6 +290,8 @@ def _by_units(text: str, width: int) -> list[str]:
                 break
         else:
             stop = end
+        if words[stop - 1] == "in" and stop < len(words):  # the word and not the inch
+            continue
         found.append(_together(words[start:stop]))
         start = stop
     found += [_together(words[start:])] * (start < len(words))  # the last may have no unit

@@ -59,7 +59,7 @@ def _words(words: str, factor: float, dimension: Dimension) -> dict:
 KNOWN: dict[str, tuple[float, Dimension]] = {
     **_prefixed("m", "pnumcdk", 1.0, LENGTH),
     **_spelled("meter metre", 1.0, LENGTH),
-    **_words("micron microns", 1e-6, LENGTH),
+    **_words("micron microns mic", 1e-6, LENGTH),
     **_words("Å å angstrom angstroms ångström ångstrom", 1e-10, LENGTH),
     **_words("in inch inches", INCH, LENGTH),
     **_words("mil mils thou", 1e-3 * INCH, LENGTH),
@@ -93,7 +93,7 @@ KNOWN: dict[str, tuple[float, Dimension]] = {
     **_words("kmh kph", 1.0 / 3.6, (1, 0, -1, 0, 0)),
     **_words("mph", 0.44704, (1, 0, -1, 0, 0)),
     **_words("K kelvin", 1.0, KELVIN),
-    **_words("1 - \u2013 \u2014 # none dimensionless unitless", 1.0, NONE),
+    **_words("1 - . \u2013 \u2014 # none dimensionless unitless", 1.0, NONE),
     **_words("%", 0.01, NONE),
 }
 FOLDED = {word.lower(): own for word, own in reversed(KNOWN.items()) if len(word) > 1} | {

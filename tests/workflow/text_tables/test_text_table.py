@@ -160,6 +160,12 @@ MODULI = (OMEGA, STORAGE, LOSS)
         ("#;T;f;G'';G'\n-;°C;Hz;Pa;kPa\n1;2;3;4;5\n2;3;4;5;6\n", [2, 4, 3], 1e3),
         ("G' (MPa),B (MPa),C (kHz)\n1,2,3\n2,3,4\n", [2, 0, 1], 1e6),
         ("f.Hz|G'-MPa|G''; MPa\n1|2|3\n2|3|4\n", [0, 1, 2], 1e6),
+        (
+            "Interval and data points:\t1\t2\nInterval data:\tPoint\tf\tG'\tG''\n\t\t\t\t\n"
+            "\t\t[Hz]\t[kPa]\t[kPa]\n\t1\t1\t2\t3\n\t2\t2\t3\t4\n",
+            [2, 3, 4],
+            1e3,
+        ),
         ('"f" "G\'" "G\'\'"\n"Hz" "kPa" "kPa"\n"1" "2" "3"\n"2" "3" "4"\n', [0, 1, 2], 1e3),
     ],
 )
@@ -195,6 +201,8 @@ def test_columns_and_units_that_are_given():
         ("Kreisfrequenz elastischer Anteil Verlust\n1 2 3\n2 3 4\n", "not clear"),
         ("f\tG'\tG''\n[Hz]\t[Torr]\t[Torr]\n1\t2\t3\n2\t3\t4\n", "'Torr' .* is not known"),
         ("f [Hz],storage / Torr,loss / Torr\n1,2,3\n2,3,4\n", "not clear what 'Torr' says"),
+        ("# f in lsb storage in Pa loss in Pa\n1 2 3\n2 3 4\n", "not clear"),
+        ("% storage f loss\n% s V \n1 2 3\n2 3 4\n", "not clear what '% s V' says"),
         ("f,storage foo,loss\n1,2,3\n2,3,4\n", "not clear what 'foo' says"),
         ("f,storage. counts,loss\n1,2,3\n2,3,4\n", "not clear what 'counts' says"),
         ("f,storage.digits,loss\n1,2,3\n2,3,4\n", "not clear what 'digits' says"),
