@@ -91,7 +91,7 @@ chaos: $(TOOLS) ## Kill what computes a study 50 times, compare the result [ARGS
 trials: $(TOOLS) ## Try again all that docs/reliability.md tells, and say what held [ARGS="disk"]
 	$(BIN)/python -m tests.tools.trials $(ARGS)
 
-fuzz: $(TOOLS) ## Fuzz the reader of studies [FUZZ_SECONDS=600]
+fuzz: $(TOOLS) ## Fuzz the reader of studies and calls of scene.run [FUZZ_SECONDS=600]
 	$(BIN)/python -m tests.tools.fuzz
 
 coverage: $(TOOLS) ## Measure which lines make test runs: kernels as plain Python, workers too

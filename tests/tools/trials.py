@@ -1,6 +1,6 @@
 """Try again all that docs/reliability.md says was tried; print what held and what broke.
 
-    python -m tests.tools.trials            some ten minutes on two cores
+    python -m tests.tools.trials            a quarter of an hour on two cores
     python -m tests.tools.trials disk       the rows alone that hold a word
 
 The page is the list: the last column of its tables names the files of tests of a row, which broke

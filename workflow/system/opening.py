@@ -2,10 +2,11 @@
 
 The HDF5 library believes what a file says of itself: lengths that were forged make it loop without
 end, ask for all memory or crash, and no exception tells. A file that is read whole here, under a
-limit of CPU time and of memory, can be read by us as well.
+limit of CPU time and of the machine's memory, can be read by us as well.
 """
 
 import contextlib
+import math
 import os
 import resource
 import signal
@@ -18,12 +19,12 @@ from ..errors import UserError
 from .durable import read_whole, refused
 from .packages import ROOT
 
-SECONDS, BYTES_PER_SECOND = 1.0, 1e7  # of CPU time for each file
-MEMORY = 2**32  # bytes of address space
+SECONDS, BYTES_PER_SECOND = 1.0, 1e7  # of CPU time, for a file and for each variable of it
 ENDS: dict[int, str] = {  # signals by which a file ends its reader
     signal.SIGPROF: "reading it does not end",
     **dict.fromkeys((signal.SIGSEGV, signal.SIGABRT, signal.SIGBUS), "reading it ends the process"),
 }
+LONGEST = 1e4  # s, of what may be forged
 BEGUN = "begun"
 
 
@@ -70,6 +71,7 @@ def _why_not(content: bytes) -> str:
                         each.getncattr(name)
                 for variable in group.variables.values():
                     variable.set_auto_maskandscale(False)
+                    _allow(8 * math.prod(variable.shape))
                     variable[...]
     except MemoryError:
         return "it tells of more than memory holds"
@@ -83,7 +85,8 @@ def _main() -> None:
     import netCDF4  # noqa: F401 - before memory is short
 
     with contextlib.suppress(OSError, ValueError):
-        resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+        memory = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+        resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     with contextlib.suppress(OSError, ValueError):
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
     _say(BEGUN)
@@ -91,10 +94,14 @@ def _main() -> None:
         why = ""
         with contextlib.suppress(UserError):  # of the disk: its reader will say so
             content = read_whole(Path(os.fsdecode(name)))
-            signal.setitimer(signal.ITIMER_PROF, SECONDS + len(content) / BYTES_PER_SECOND)
+            _allow(len(content))
             why = _why_not(content)
-            signal.setitimer(signal.ITIMER_PROF, 0.0)
         _say(why)
+
+
+def _allow(size: int) -> None:
+    """Let this process end by SIGPROF if it does not come here again in time, for so many bytes."""
+    signal.setitimer(signal.ITIMER_PROF, SECONDS + min(size / BYTES_PER_SECOND, LONGEST))
 
 
 def _say(text: str) -> None:

@@ -114,7 +114,7 @@ def test_it_is_said_once_and_only_where_something_is_compiled(saying, capsys):
     with saying():
         assert capsys.readouterr().err == ""
         compile_one()
-        assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s, once.\n"
+        assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s and about 300 MiB, once.\n"
     with saying():
         pass
     compile_one()
@@ -128,10 +128,10 @@ def test_what_it_took_on_this_machine_is_said_the_next_time(saying, tmp_path, ca
     (tmp_path / FILE).write_text('{"a toy": 12.4, "another": 3}')
     with saying():
         compile_one()
-    assert capsys.readouterr().err == "Compiling a toy, about 12 s, once.\n"
+    assert capsys.readouterr().err == "Compiling a toy, about 12 s and about 300 MiB, once.\n"
     with saying():
         compile_one()
-    assert capsys.readouterr().err == "Compiling a toy, about 1 s, once.\n"
+    assert capsys.readouterr().err == "Compiling a toy, about 1 s and about 300 MiB, once.\n"
 
 
 @pytest.mark.parametrize("damage", ["", "[]", "null", '{"a toy": "long"}', "\xff"])
@@ -139,7 +139,7 @@ def test_a_damaged_note_is_none(saying, tmp_path, capsys, damage):
     (tmp_path / FILE).write_text(damage, encoding="latin-1")
     with saying():
         compile_one()
-    assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s, once.\n"
+    assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s and about 300 MiB, once.\n"
 
 
 def test_waiting_for_another_process_is_said_unless_this_one_compiles_too(saying, capsys):
@@ -149,7 +149,7 @@ def test_waiting_for_another_process_is_said_unless_this_one_compiles_too(saying
                 pass
         assert capsys.readouterr().err == f"{WAITING}\n"
         compile_one()  # as that process did not
-        assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s, once.\n"
+        assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s and about 300 MiB, once.\n"
         with event.trigger_event("waiting"):
             pass
     assert capsys.readouterr().err == ""
@@ -158,4 +158,4 @@ def test_waiting_for_another_process_is_said_unless_this_one_compiles_too(saying
 def test_where_no_note_can_be_kept_nothing_else_is_lost(tmp_path, capsys):
     with saying_what_compiles("a toy", "1 to 2 s", str(tmp_path / "no" / "where"), "waiting"):
         compile_one()
-    assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s, once.\n"
+    assert capsys.readouterr().err == "Compiling a toy, 1 to 2 s and about 300 MiB, once.\n"
