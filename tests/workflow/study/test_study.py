@@ -138,6 +138,27 @@ scene.programme = [{slide = {velocity = 0.1, distance = 1e-3}}]
 """
 
 
+def test_what_files_were_read_as_is_told_once_each(tmp_path):
+    (tmp_path / "v.csv").write_text("time [s], velocity [mm/s]\n0, 100\n1e-3, 200\n")
+    (tmp_path / "d.csv").write_text("time [s], indentation [um]\n0, 10\n1e-3, 20\n")
+    text = """
+        study = {realizations = 4}
+        material = {shear_modulus = 1e7, relaxation_time = 1e-3}
+        surface = {length = 0.01}
+        grid = {hurst = 0.7, spacing = 1e-4, roughness = 1e-5}
+        [scene]
+        programme = [{file = "v.csv"}, {file = "v.csv"}]
+        control = "indentation"
+        indentation_file = "d.csv"
+        start = "relaxed"
+    """
+    study = read_grid_study("told", tmp_path, tomllib.loads(text))
+    (first, programme), (second, indentation) = study.told
+    assert (first, second) == ("programme", "indentation")
+    assert "mm/s" in programme
+    assert "um" in indentation
+
+
 @pytest.mark.parametrize(
     ("asked", "block", "found"),
     [(10, 1, (12, 4)), (2, 1, (8, 4)), (200, 10, (204, 12)), (64, 8, (64, 8)), (6, 3, (8, 4))],

@@ -6,8 +6,9 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from elastomer_friction.workflow.errors import UserError
 from elastomer_friction.workflow.study.grid import snapped_spacing
-from elastomer_friction.workflow.study.settings.checks import axis_values
+from elastomer_friction.workflow.study.settings.checks import axis_values, within
 
 
 @pytest.mark.parametrize(
@@ -34,6 +35,14 @@ def test_geomspace_keeps_its_ends(first, last, count):
     values = axis_values("grid.a", {"geomspace": [first, last, count]})
     assert len(values) == count
     assert (values[0], values[-1]) == pytest.approx((first, last), rel=1e-11)
+
+
+def test_both_ends_of_a_range_are_within_it():
+    for value in (0.0, 0.5, 1.0):
+        assert within("grid.a", value, 0.0, 1.0) == value
+    for value in (math.nextafter(0.0, -1.0), math.nextafter(1.0, 2.0)):
+        with pytest.raises(UserError, match="must lie between 0 and 1"):
+            within("grid.a", value, 0.0, 1.0)
 
 
 EVEN_SMOOTH = [2**a * 3**b * 5**c for a in range(1, 23) for b in range(15) for c in range(10)]
