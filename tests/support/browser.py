@@ -21,7 +21,7 @@ def told_by(page, profile, *names, width=1280):
     """Return the data-NAMEs that the scripts of a page, a file, leave on its body."""
     how = f"--window-size={width},900", f"--user-data-dir={profile}"
     command = [BROWSER, *QUIET, *how, "--dump-dom", page.as_uri()]
-    done = subprocess.run(command, capture_output=True, text=True, timeout=60, check=True)
+    done = subprocess.run(command, capture_output=True, text=True, timeout=300, check=True)
     found = [re.search(f'data-{name}="([^"]*)"', done.stdout) for name in names]
     assert all(found), done.stderr
     return [each[1] for each in found]

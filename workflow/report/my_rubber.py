@@ -20,10 +20,8 @@ INCOMPRESSIBLE = 0.5  # Poisson's ratio, where none is given
 USUAL = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
 AROUND = range(-40, 101)  # degrees about the temperature of the result
 MOST_DECADES = 30.0  # of a shift
-ONE_TIME = (
-    "µ(t) after a step is not known here: eqs. 12 to 16 are those of one relaxation time; fit a "
-    "law to a programme of motion (command law), or look at the traces above."
-)
+MOST_MOMENTS = 500_000  # of the motions of a rubber, about 16 MB
+ONE_TIME = "eqs. 12 to 16 are those of one relaxation time"
 
 
 def scaled_friction(groups: Mapping[str, xr.Dataset]) -> dict[str, Any] | None:
@@ -74,14 +72,17 @@ def _rubber(name: str, data: xr.Dataset, material: Mapping[str, Any]) -> dict[st
     """
     data = data.isel(velocity_step=0).sortby("velocity")
     contact = 2.0 / (1.0 - material.get("poisson", INCOMPRESSIBLE))  # E*/G
-    curves = [curve for at in _places(data) if (curve := _curve(at, contact)) is not None]
+    several = bool(material.get("branches") or "branches_file" in material)
+    curves = [each for at in _places(data) if (each := _curve(at, contact, several)) is not None]
     if not curves:
         return None
+    kept = [pair for each in curves for pair in each["motions"] or [] if pair]
+    if sum(len(time) for time, _ in kept) > MOST_MOMENTS:
+        curves = [each | {"motions": None} for each in curves]
     first = next(_places(data))
     own = {key: float(first[key]) for key in ("shear_modulus", "tau", "roughness", "q_max")}
     own |= {"pressing": float(first.normal_force) / float(first.length)}
     branches = material.get("branches", [])
-    several = bool(branches or "branches_file" in material)
     glassy = branches and not material.get("relaxation_time")
     return {
         "name": name,
@@ -151,10 +152,11 @@ def _places(data: xr.Dataset) -> Iterator[xr.Dataset]:
         yield data.isel(dict(zip(axes, index, strict=True)))
 
 
-def _curve(at: xr.Dataset, contact: float) -> dict[str, Any] | None:
+def _curve(at: xr.Dataset, contact: float, several: bool) -> dict[str, Any] | None:
     """Return steady friction over x, both without dimensions; None where some of it is unknown.
 
-    contact : E*/G.
+    contact : E*/G. several : relaxation times, of which no law gives friction over time, so that
+    computed motions are returned too.
     """
     slope = float(np.ravel(at.rms_slope)[0])
     friction = at.mu_1.values / slope
@@ -177,7 +179,26 @@ def _curve(at: xr.Dataset, contact: float) -> dict[str, Any] | None:
         "friction": friction.tolist(),
         "error": _share(at, "mu_1_error", at.mu_1.values),
         "bias": _share(at, "mu_1_bias", 1.0),
+        "motions": _motions(at, slope) if several else None,
     }
+
+
+def _motions(at: xr.Dataset, slope: float) -> list[list[list[float]] | None] | None:
+    """Return computed times over tau and friction over the slope, of each velocity, or None.
+
+    They are those after the step, else those of the programme.
+    """
+    for time, mu, unit in (("time", "mu", 1.0), ("trace_time", "trace_mu", float(at.tau))):
+        if mu not in at or at[mu].ndim != 2 or set(at[mu].dims) != set(at[time].dims):
+            continue
+        found: list[list[list[float]] | None] = []
+        for k in range(at.sizes["velocity"]):
+            t, y = (at[name].isel(velocity=k).values for name in (time, mu))
+            known = np.isfinite(t) & np.isfinite(y)
+            pair = [(t[known] / unit).tolist(), (y[known] / slope).tolist()]
+            found.append(pair if known.sum() > 1 else None)
+        return found
+    return None
 
 
 def _share(at: xr.Dataset, name: str, of: Any) -> list[float | None]:

@@ -195,8 +195,39 @@ told.hidden = $("my-step").parentElement.hidden && $("my-v2") === null;
     np.testing.assert_allclose(told["found"], law.steady(speeds * 10.0**slower), rtol=1e-9)
     assert told["laws"] == [True, True]
     assert told["hidden"]
-    assert "not known here: eqs. 12 to 16 are those of one relaxation time" in told["said"]
+    assert "µ(t) is not known here, for eqs. 12 to 16 are those of one" in told["said"]
     assert "G₀ = 1.1·10⁸ Pa" in told["said"]  # G is 10⁷ Pa in the result, the branches 10⁸ Pa
+
+
+@in_a_browser
+def test_of_branches_friction_over_time_is_that_which_was_computed(data, tmp_path):
+    """Of a rubber whose times are all half as long, on a surface twice as rough, as pressed."""
+    rubber = with_branches(data)
+    sample = xr.DataArray([0.5, 0.25, 0.0], dims="sample")
+    time = xr.DataArray([0.0, 1.0, 3.0], dims="sample") / (1.0 + rubber.speed_ratio)
+    rubber = rubber.assign(mu=rubber.mu_1 * (1.0 + sample)).assign_coords(
+        time=time + 0 * rubber.mu_1
+    )
+    path = tmp_path / "branches.nc"
+    write_datasets(path, {"": rubber})
+    script = """
+const [computed] = held.rubber.rubbers, {own, curves} = computed;
+const other = {...own, family: curves[0].family, tau: own.tau / 2, roughness: 2 * own.roughness,
+  pressing: 2 * own.pressing};
+const law = lawOfRubber(other, computed);
+Object.assign(told, law.motion(law.velocity[3] * 1.1), {velocity: law.velocity[3]});
+told.shown = !$("my-step").parentElement.hidden;
+told.said = $("my-said").textContent;
+"""
+    told = in_browser(explorer_page(open_tree(path), path.name), tmp_path, script)
+    first = dict.fromkeys(("hurst", "normal_force", "spacing", "roughness", "velocity_step"), 0)
+    at = rubber.isel(first | {"temperature": 0, "velocity": 3})
+    assert told["at"] == told["velocity"]
+    assert told["velocity"] == pytest.approx(2.0 * float(at.velocity), rel=1e-9)
+    np.testing.assert_allclose(told["friction"], 2.0 * at.mu.values, rtol=1e-9)
+    np.testing.assert_allclose(told["time"], at.time.values * float(at.tau) / 2.0, rtol=1e-9)
+    assert told["shown"]
+    assert "µ(t) is the motion computed at" in told["said"]
 
 
 def test_what_is_not_scaled_has_a_sentence(data):
