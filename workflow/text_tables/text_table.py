@@ -33,7 +33,7 @@ from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .codes import missing_code
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
 from .remarks import remarks_of
-from .titles import UNREAD, Title, titles_of, unread_line, unread_unit
+from .titles import NEAR, UNREAD, Title, titles_of, unread_line, unread_unit
 from .units import Unit, unit_of
 
 
@@ -252,7 +252,7 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
         places.update((index, column) for column in own)
     free = [column for column in free if column not in places.values()]
     for index, one in enumerate(wanted):
-        own = [column for column in free if _of_family(table.title(column), one)]
+        own = [column for column in free if _by_unit(table.title(column), one)]
         single = sum(other.family == one.family for other in wanted) == 1
         if index not in places and single and len(own) == 1:
             places[index] = own[0]
@@ -270,11 +270,13 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
 
 
 def _names_several(table: TextTable, wanted: Sequence[Wanted]) -> bool:
-    """Return whether the line above the rows names several columns, though not which."""
-    line = next(filter(re.compile(r"\w").search, reversed(table.above)), "")
-    words = line.lstrip("#%!/ ").split()
-    found = [any(re.search(one.names, word, re.IGNORECASE) for word in words) for one in wanted]
-    return sum(found) > 1
+    """Return whether a line above the rows names several columns, though not which."""
+    for line in table.above[-NEAR:]:
+        words = line.lstrip("#%!/ ").split()
+        found = [any(re.search(one.names, word, re.IGNORECASE) for word in words) for one in wanted]
+        if sum(found) > 1:
+            return True
+    return False
 
 
 def _named(title: Title, one: Wanted) -> bool:
@@ -287,6 +289,13 @@ def _named(title: Title, one: Wanted) -> bool:
 def _of_family(title: Title, one: Wanted) -> bool:
     unit = unit_of(title.unit)
     return unit is not None and _same_family(unit, one)
+
+
+def _by_unit(title: Title, one: Wanted) -> bool:
+    """Return whether a unit says what a column is; % of a column with a name says nothing."""
+    unit = unit_of(title.unit)
+    share = unit is not None and unit.family == "number" and unit.factor != 1.0
+    return _of_family(title, one) and not (share and title.name not in ("", UNREAD))
 
 
 def _same_family(unit: Unit, one: Wanted) -> bool:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 
 from .cells import DELIMITERS, is_comment, split
 from .numerals import is_numeral
-from .units import unit_of
+from .units import is_product, unit_of
 
 MOST = 200  # lines above the numbers in which units are looked for that no title has
 NEAR = 4  # lines above the numbers in which names and units of columns are looked for
@@ -74,6 +74,8 @@ def _parted(text: str) -> Title:
         counted = match[0] in ("-", ".") and unit == "1"  # Height-1 is a name
         if name and unit_of(unit) and not counted and not re.match(r"/|in\s", unit):
             return Title(name, unit, stated=between not in ("", "_"))
+        if name and re.match("[a-zµ]?[A-Z]", unit) and is_product(unit):  # of torque, as mN m
+            return Title(name, unit, stated=True)
     return Title(text)
 
 
@@ -161,6 +163,8 @@ def titles_of(above: list[str], delimiter: str | None, width: int) -> tuple[Titl
     units: list[str] = []
     best: tuple[Title, ...] = ()
     near = _near(above)
+    if any(re.match(r"\s*%+ *[^\s;|,%]", line) for line in near):  # % begins a comment
+        near = [re.sub(r"^\s*% *", "", line) for line in near]
     for place, line in enumerate(near):
         cells, labelled = _cells_of_line(line, delimiter, width)
         if not cells:
@@ -207,7 +211,7 @@ def _stated(titles: tuple[Title, ...]) -> int:
 def _bare_unit(cell: str) -> str | None:
     text = cell.strip()
     bare = text.strip("[](){}<>").strip()
-    known = bare and (unit_of(bare) or bare == "#" or BRACKETED.fullmatch(text))
+    known = bare and (unit_of(bare) or bare == "#" or is_product(bare) or BRACKETED.fullmatch(text))
     return bare if known else None
 
 
@@ -236,8 +240,12 @@ def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
         return quoted
     if delimiter is None and len(wide := re.split(r"\s{2,}|\t", text.strip())) == width:
         return wide
-    if units := _units_alone(text.split(), width):
+    words = re.findall(r"[\[({<][^\])}>]*[\])}>]|\S+", text)  # [mN m] is one
+    units = _units_alone(words)
+    if len(units) == width:
         return units
+    if delimiter is None and len(units) > 1:  # of which columns, it does not say
+        return []
     order = dict.fromkeys((delimiter, "\t", *DELIMITERS))
     for each in order:
         if each is None:
@@ -247,8 +255,8 @@ def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
             cells.pop()
         if delimiter is None and any(map(_begins_with_unit, cells)):  # of the name before it
             continue
-        if len(cells) == 2 * width and all(map(_bare_unit, cells[1::2])):
-            return [f"{name} [{unit}]" for name, unit in zip(*[iter(cells)] * 2, strict=True)]
+        if len(cells) > width and len(pairs := _with_own_units(cells)) == width:
+            return pairs
         few = (
             each == delimiter
             and 2 * len(cells) >= width
@@ -256,8 +264,21 @@ def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
         )
         if 1 < len(cells) <= width and (len(cells) == width or few):
             return cells + [""] * (width - len(cells))
+    if delimiter is not None and delimiter in text:
+        return []
     joined = _joined(text)
     return joined if len(joined) == width else _by_units(text, width)
+
+
+def _with_own_units(cells: list[str]) -> list[str]:
+    """Return cells, those that are units in brackets behind the names before them: x; mm; mu."""
+    found: list[str] = []
+    for cell in cells:
+        if found and not found[-1].endswith("]") and _bare_unit(cell):
+            found[-1] += f" [{cell}]"
+        else:
+            found.append(cell)
+    return found
 
 
 def _begins_with_unit(cell: str) -> bool:
@@ -302,16 +323,22 @@ def _together(words: list[str]) -> str:
     return " ".join(words).replace("\0", " ")
 
 
-def _units_alone(words: list[str], width: int) -> list[str]:
-    """Return as many units as there are columns, of one word or several; none where they do not."""
+def _units_alone(words: list[str]) -> list[str]:
+    """Return the units that words are, of one word or several; none where one is none."""
     found, start = list[str](), 0
     while start < len(words):
         ends = range(min(start + LONGEST, len(words)), start, -1)
-        own = next(
-            (" ".join(words[start:e]) for e in ends if _bare_unit(" ".join(words[start:e]))), ""
-        )
-        if not own:
+        end = next((end for end in ends if _is_unit(words[start:end])), None)
+        if end is None:
             return []
-        found.append(own)
-        start += len(own.split())
-    return found if len(found) == width else []
+        found.append(" ".join(words[start:end]))
+        start = end
+    return found
+
+
+def _is_unit(words: list[str]) -> bool:
+    """Return whether words are one unit; of several none is a number, as 1 or %."""
+    units = [unit_of(word) for word in words]
+    numbers = any(unit is not None and unit.family == "number" for unit in units)
+    whole = " ".join(words)
+    return bool(_bare_unit(whole)) if len(words) == 1 else not numbers and bool(unit_of(whole))

@@ -159,6 +159,12 @@ def unit_of(text: str) -> Unit | None:
     return Unit(text, family, factor) if family else None
 
 
+def is_product(text: str) -> bool:
+    """Return whether a text of several words is a product of known units, of whatever dimension."""
+    words = text.split()
+    return len(words) > 1 and all(unit_of(word) for word in words)
+
+
 def _known(word: str, single: bool) -> tuple[float, Dimension] | None:
     """Return factor and dimension of a word; a single M is no metre, while M/S is m/s."""
     if word in KNOWN:

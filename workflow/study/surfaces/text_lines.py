@@ -191,6 +191,8 @@ def _found_columns(asked: Asked, table: TextTable) -> tuple[int, ...]:
     """Return the columns of positions and heights, or x, y and z of a map; by names and units."""
     numeric = table.numeric
     if not table.titles:
+        if len(numeric) >= MANY and any(map(_names_both, table.above)):
+            raise _not_clear(asked, table)
         points = len(numeric) == MANY and repeats(table.values(numeric[0]))
         return numeric[:MANY] if points else numeric[:2]
     if any(table.title(n).name == UNREAD for n in numeric):
@@ -216,6 +218,13 @@ def _not_clear(asked: Asked, table: TextTable) -> UserError:
         f"{KEY} = {asked.name!r}: holds {table.columns_told}, from 0: give those of positions and "
         "of heights, as surface.columns = [0, 1], or surface.step in place of positions"
     )
+
+
+def _names_both(line: str) -> bool:
+    """Return whether a line names positions and heights, though not of which columns."""
+    words = line.lstrip("#%!/ ").split()
+    patterns = POSITION, HEIGHT
+    return all(any(re.search(one, word, re.IGNORECASE) for word in words) for one in patterns)
 
 
 def _named_as(table: TextTable, column: int, names: str) -> bool:
