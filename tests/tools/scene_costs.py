@@ -124,25 +124,32 @@ class Marches(NamedTuple):
         return [min(each) for each in zip(*turns, strict=True)]
 
 
+def ratios(name: str, elements: int, compiled: Compiled, limits: Limits) -> tuple[str, str]:
+    """Return C over the march by blocks, and the limit of all elements over C, for all BRANCHES."""
+    over, limit, line = [], [], a_line(elements)
+    for count in BRANCHES:
+        marches = Marches.of(line, a_scene(name, count), compiled)
+        blocks, _, dense = marches.taken()
+        least = limits.of_scene(line.z.size, max(count, 1)) * marches.steps
+        over.append(f"{dense / blocks:.2f}")
+        limit.append(f"{least / dense:.2f}")
+    return ", ".join(over), ", ".join(limit)
+
+
 def scene_costs() -> None:
     """Print the table."""
     with contextlib.suppress(FileNotFoundError):
         compiled = Compiled()
         limits = Limits(compiled)
-        print("\nScenes, all K = 0, 1, 5, 13: C that steps every element over the march by blocks,")
-        print("and the limit of every element (bytes or flops) over C\n")
-        print("| scene | N | C over the march | limit over C |\n|---|---|---|---|")
+        print(f"\nC that steps every element over the march by blocks, for {BRANCHES} branches\n")
+        print("| scene | " + " | ".join(f"N = {elements}" for elements in ELEMENTS) + " |")
+        print("|---|" + "---|" * len(ELEMENTS))
         for name in SCENES:
-            for elements in ELEMENTS:
-                over, limit = [], []
-                for count in BRANCHES:
-                    line, scene = a_line(elements), a_scene(name, count)
-                    marches = Marches.of(line, scene, compiled)
-                    blocks, _, dense = marches.taken()
-                    over.append(f"{dense / blocks:.2f}")
-                    least = limits.of_scene(line.z.size, max(count, 1)) * marches.steps
-                    limit.append(f"{least / dense:.2f}")
-                print(f"| {name} | {elements} | {', '.join(over)} | {', '.join(limit)} |")
+            found = [ratios(name, elements, compiled, limits) for elements in ELEMENTS]
+            print(f"| {name} | " + " | ".join(over for over, _ in found) + " |", flush=True)
+        print(
+            "| limit of bytes and flops over C | " + " | ".join(limit for _, limit in found) + " |"
+        )
 
 
 if __name__ == "__main__":
