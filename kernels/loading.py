@@ -60,7 +60,7 @@ def load(scheme: str, asked: Quantities) -> None:
     with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
             at_speed, nobody = AtSpeed.of(scheme, STEPS, WIDE[1], (1.2,), (1.2,)), np.empty((1, 0))
-            how = How(float(STEPS), at_speed.share, True, 0.0)
+            how = How(float(STEPS), at_speed.share, True)
             slide_on(at_speed.law, _stack(line), at_speed.at_speeds, nobody[0], nobody, how)
             smooth = smooth_line(line.z, line.slope, 1.0 / STEPS)
             slide_between(smooth, WIDE[1], nobody[0], nobody[0], nobody[0])

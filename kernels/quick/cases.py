@@ -68,10 +68,10 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
     """
     lines, n = grounds.stack.z.shape
     loads, clocks = some.loads * n, PhaseClocks(len(some.cases))
-    refine = some.cases[0].refine
-    one = steady_friction(grounds, some.at_speed, loads, followed=refine)
+    one = steady_friction(grounds, some.at_speed, loads)
     jumping = len(some.at_speed.others)
     clocks.lap(_work(one), jump=jumping * n * lines)
+    refine = some.cases[0].refine
     if refine:
         events = follow_narrow(one)
         clocks.lap(events, 0.3 * jumping * events)  # as measured
@@ -80,7 +80,7 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
         two = one
         if later.speed != some.at_speed.speed:
             guesses = np.ascontiguousarray(one.found.ahead[..., k])
-            two = steady_friction(grounds, later, loads, guesses, refine)
+            two = steady_friction(grounds, later, loads, guesses)
             clocks.lap(_work(two))
             if refine:
                 clocks.lap(follow_narrow(two))

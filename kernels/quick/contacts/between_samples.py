@@ -42,14 +42,13 @@ class Integrals(NamedTuple):
 
 @kernel
 def slide_between(line, speed, others, loads, guesses):
-    """Return (table, jumps, rates) of steady sliding of a SmoothLine, a row for each load.
+    """Return (table, jumps) of steady sliding of a SmoothLine at a speed, a row for each load.
 
-    speed, others : of it, and those that are jumped to, vbar. loads : n Fbar. guesses : of d. The
-    table has the Columns; jumps and rates, shape (loads, others), are changes of mu, and d' after.
+    others : speeds that are jumped to, vbar. loads : n Fbar. guesses : of d. The table has the
+    Columns; of jumps, shape (loads, others), each is a change of mu.
     """
     h, patches = line.spacing, room_for_patches(line.z.size)
-    table, shape = np.zeros((loads.size, 5)), (loads.size, others.size)
-    jumps, rates = np.zeros(shape), np.zeros(shape)
+    table, jumps = np.zeros((loads.size, 5)), np.zeros((loads.size, others.size))
     for i in range(loads.size):
         load = h * loads[i]
         contact, turns = _balanced(line, speed, load, guesses[i], patches)
@@ -64,9 +63,8 @@ def slide_between(line, speed, others, loads, guesses):
         table[i, 3] = _median_width(contact, speed, patches)
         table[i, 4] = turns * contact.patches
         for k in range(others.size):
-            found = _jump(line, (speed, others[k]), contact, sums, patches)
-            jumps[i, k], rates[i, k] = found
-    return table, jumps, rates
+            jumps[i, k] = _jump(line, (speed, others[k]), contact, sums, patches)
+    return table, jumps
 
 
 @kernel
@@ -116,7 +114,7 @@ def _sums(line, contact, patches):
 
 @kernel
 def _jump(line, speeds, contact, sums, patches):
-    """Return (change of mu in h/dx, d') at the moment of a jump from one speed to another.
+    """Return by how much mu (in h/dx) changes at the moment of a jump from one speed to another.
 
     What touches stays, and p changes by d' + (v2 - v1) z' where it stays positive (friction.py).
     Were all of it pressed, eq. 4 would give d', which falls where some is not.
@@ -132,7 +130,7 @@ def _jump(line, speeds, contact, sums, patches):
             break
         rate -= change
     work = rate * sums.rise + more * sums.square - lost[1] - change * (sums.rise - lost[3])
-    return work / contact.force, rate - change
+    return work / contact.force
 
 
 @kernel

@@ -37,10 +37,7 @@ class Speeds(NamedTuple):
 
 
 class Found(NamedTuple):
-    """What is found, of as many rows as there are loads; of several lines one above the other.
-
-    Where contacts are to be followed, MU, CONTACT, jumps and rates are NaN.
-    """
+    """What is found, of as many rows as there are loads; of several lines one above the other."""
 
     table: np.ndarray  # shape (..., loads, 6): INDENTATION to FULL
     jumps: np.ndarray  # shape (..., loads, others): change of mu at the jumps to other speeds
@@ -55,7 +52,6 @@ class How(NamedTuple):
     steps: float  # samples per spacing
     share: float  # of the elastic part that is corrected
     smooth: bool  # whether the line is a function without modes above q = pi/dx
-    narrow: float  # samples per contact: narrower ones are followed later (between_samples.py)
 
 
 @kernel
@@ -83,11 +79,6 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, how, into):
                 ahead[i, k] = indentation_ahead(speeds.ahead[k], z, d[i], load, held, listed)
         for b in range(contacts.entered.size):
             entered[i, b] = contacts.entered[b]
-        samples = median_width(z, d[i], decay, listed)
-        table[i, INDENTATION], table[i, SAMPLES] = d[i], samples
-        table[i, SWEEPS], table[i, FULL] = sweeps[i], full[i]
-        if samples < how.narrow:
-            continue
         at = MovingLine(z, slope, spans, speeds.own, own.press)
         mu, contact = _weigh(
             at, speeds, listed, load, d[i], full[i], how, rooms, jumps[i], rates[i]
@@ -95,8 +86,10 @@ def slide(decay, z, slope, spans, speeds, loads, guesses, how, into):
         if how.smooth and mu <= 0.0:
             # That it takes work is sure: what the forces do while the line rises.
             mu = how.steps * mean_rise(z, d[i], decay, listed)
-        table[i, MU] = mu
+        table[i, INDENTATION], table[i, MU] = d[i], mu
         table[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
+        table[i, SAMPLES] = median_width(z, d[i], decay, listed)
+        table[i, SWEEPS], table[i, FULL] = sweeps[i], full[i]
 
 
 @kernel

@@ -38,9 +38,9 @@ def _room(lines, samples, loads, others, left):
     """Return Found of so many lines, empty."""
     shape = lines, loads.size, others.size
     return Found(
-        np.full((lines, loads.size, 6), np.nan),
-        np.full(shape, np.nan),
-        np.full(shape, np.nan),
+        np.empty((lines, loads.size, 6)),
+        np.empty(shape),
+        np.empty(shape),
         np.empty((lines, loads.size, samples // SPAN + 1)),
         np.empty((lines, loads.size, left.size)),
     )

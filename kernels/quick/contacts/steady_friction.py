@@ -12,7 +12,7 @@ from ...rheology.kelvin import SCHEMES, Kelvin
 from ...rheology.law import State
 from ..steady.carry import Decay, carry
 from ..steady.spans import Spans, add_rises
-from ..steady.stack import Stack, alone, spans_of_line, stack_of, stacked
+from ..steady.stack import Stack, spans_of_line, stack_of, stacked
 from .between_samples import LEAST_STEPS, NARROW, Columns, slide_between
 from .loads import CONTACT, FULL, INDENTATION, MU, SAMPLES, SWEEPS, Found, How
 from .on_lines import slide_on
@@ -31,15 +31,13 @@ class Ground:
         """What is known of spans of the line."""
         return spans_of_line(self.stack, self.row)
 
-    @property
-    def known_between(self) -> bool:
-        """Whether the line is known between its samples."""
-        return self.line.band_limited and self.line.steps_per_spacing >= LEAST_STEPS
-
     @cached_property
-    def smooth(self) -> SmoothLine:
+    def smooth(self) -> SmoothLine | None:
         """The line between its samples, where it is known there."""
-        return smooth_line(self.line.z, self.line.slope, 1.0 / self.line.steps_per_spacing)
+        line, steps = self.line, self.line.steps_per_spacing
+        if not line.band_limited or steps < LEAST_STEPS:
+            return None
+        return smooth_line(line.z, line.slope, 1.0 / steps)
 
 
 class Grounds(NamedTuple):
@@ -121,23 +119,17 @@ class Sliding(NamedTuple):
 
 
 def steady_friction(
-    grounds: Grounds,
-    at_speed: AtSpeed,
-    loads: np.ndarray,
-    guesses: np.ndarray | None = None,
-    followed: bool = False,
+    grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray, guesses: np.ndarray | None = None
 ) -> Sliding:
     """Return steady sliding on every line, its friction and its jumps to other speeds.
 
     loads : n Fbar, guesses : of d, shape (lines, loads). What is found under a load depends on
-    its own guess and on no other load or line. followed : whether follow_narrow comes after it, so
-    that friction and jumps of narrow contacts are not summed over samples.
+    its own guess and on no other load or line. Narrow contacts are to be followed after it.
     """
     one = grounds.each[0].line
     if guesses is None:
         guesses = np.full((len(grounds.each), loads.size), np.nan)
-    narrow = NARROW if followed and grounds.each[0].known_between else 0.0
-    how = How(float(one.steps_per_spacing), at_speed.share, one.band_limited, narrow)
+    how = How(float(one.steps_per_spacing), at_speed.share, one.band_limited)
     stay, decay, found = slide_on(
         at_speed.law, grounds.stack, at_speed.at_speeds, loads, guesses, how
     )
@@ -165,37 +157,24 @@ def follow_narrow(sliding: Sliding) -> np.ndarray:
     """Read friction and jumps from contacts that are followed between the samples, where narrow.
 
     Return how many patches of contact were come to under every load, on all lines. Lines that are
-    not known between their samples keep their sums over samples, and so does what rounding hides.
+    not known between their samples stay as they are, and so does what rounding hides.
     """
     at_speed, events = sliding.at_speed, np.zeros(sliding.loads.size)
     for j, ground in enumerate(sliding.grounds.each):
         narrow = np.flatnonzero(sliding.samples[j] < NARROW)
-        if narrow.size == 0 or not ground.known_between:
+        if narrow.size == 0 or ground.smooth is None:
             continue
         speeds, d = (at_speed.speed, np.array(at_speed.others, float)), sliding.d[j, narrow]
-        table, jumps, rates = slide_between(ground.smooth, *speeds, sliding.loads[narrow], d)
+        table, jumps = slide_between(ground.smooth, *speeds, sliding.loads[narrow], d)
         found = Columns(*table.T)
         some = found.events > 0.0
         at = j, narrow[some]
         n, steps = ground.line.z.size, ground.line.steps_per_spacing
         sliding.followed[at] = True
         sliding.mu[at], sliding.found.jumps[at] = found.mu[some], jumps[some]
-        sliding.found.rates[at] = rates[some]
         sliding.contact[at] = np.minimum(found.length[some] * steps / n, 1.0)
         sliding.indentation[at] = found.d[some] + ground.line.datum
         sliding.samples[at] = found.median[some] * steps
         sliding.updates[at] += found.events[some]
         events[narrow] += found.events
-        if not some.all():
-            _keep_sums(sliding, j, narrow[~some])
     return events
-
-
-def _keep_sums(sliding: Sliding, j: int, rows: np.ndarray) -> None:
-    """Sum over the samples of line j under loads of which nothing is found between them."""
-    alone_on = Grounds(alone(sliding.grounds.stack, j), [sliding.grounds.each[j]])
-    d = sliding.d[j : j + 1, rows]
-    summed = steady_friction(alone_on, sliding.at_speed, sliding.loads[rows], d)
-    sliding.mu[j, rows], sliding.contact[j, rows] = summed.mu[0], summed.contact[0]
-    sliding.found.jumps[j, rows] = summed.found.jumps[0]
-    sliding.found.rates[j, rows] = summed.found.rates[0]

@@ -41,10 +41,8 @@ def march_on(march, control, where, bounds, stand, last, into):
         work += passes * lists.c.size + arrivals[1].at.size
         if not are_within(bounds, d, advanced):
             return False, Stand(step, kept, d, guess, advanced), seen, work
-        landings.past[step] = d
         guess = d + (d - old)
-        if step > 1:  # d goes on as a parabola
-            guess += (d - old) - (old - landings.past[step - 2])
+        landings.past[step] = d
         depart(lists, arrivals[1], d)
         if step == kept_steps[kept]:
             more = beside(landings, step, d, 0)[1], beside(landings, step, d, 1)[1]

@@ -34,7 +34,7 @@ from tests.sizes import size
 def one_load(line, speed, scheme, load, others=()):
     """Return what is found under a load."""
     pace = AtSpeed.of(scheme, line.steps_per_spacing, speed, others)
-    found = steady_friction(Grounds.of([line]), pace, np.array([load]), followed=True)
+    found = steady_friction(Grounds.of([line]), pace, np.array([load]))
     follow_narrow(found)
     names = ("followed", "d", "mu", "contact", "indentation", "updates", "full", "samples")
     return SimpleNamespace(
@@ -179,8 +179,7 @@ def test_contacts_are_those_of_the_model_on_fine_samples_of_the_line(hurst, load
     line, v = line_of(4, index, hurst, 30), x / np.pi
     smooth = smooth_line(line.z, line.slope, 0.25)
     guess = np.array([steady_sliding(SCHEMES["exponential"](0.25 / v), line.z, 120.0 * load)[0].d])
-    loads = np.array([120.0 * load])
-    table, jumps, _ = slide_between(smooth, v, np.array([ratio * v]), loads, guess)
+    table, jumps = slide_between(smooth, v, np.array([ratio * v]), np.array([120.0 * load]), guess)
     d, mu, length, median, events = table[0]
     fold = int(np.clip(64.0 / median, 16, size(4096, 1024)))
     z, slope, lowest = fine(line, smooth, fold)

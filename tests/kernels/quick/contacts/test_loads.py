@@ -32,7 +32,7 @@ def slid(line, speed, several, criterion=True):
     later = decay_of(known(line, 1.2 * speed)[0]).once
     speeds = Speeds(speed, own, np.array([1.2 * speed]), press, np.array([later]))
     none = np.full(several.size, np.nan)
-    total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True, 0.0)
+    total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True)
     shapes = 6, 1, 1, line.z.size // SPAN + 1, 1
     into = Found(*(np.full((several.size, width), np.nan) for width in shapes))
     slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, how, into)
