@@ -19,13 +19,15 @@ from ..motion.path import growth
 from ..rheology.spectrum import shortest_step
 from ..scene.records import TRACES
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
-from .slider_record import Moment, SliderRecord, keep
+from .slider_record import SLOW, Moment, SliderRecord, keep
 from .spring import Course, Drive, SliderState
 from .step import TOLERANCE, Going, Pulled
 
 PULLED_TRACES = (*TRACES, "trace_drive_force")
 SLIPS = ("drive_swing", "slip_period", "peak_velocity")  # of the second half of the last leg
-KEPT = ("trace", "stick_slip")
+SLIP_EVENTS = ("slip_event_time", "slip_event_kind")  # tau; BEGINS, ENDS or REVERSES
+MOST_EVENTS = 1000  # kept
+KEPT = ("trace", "stick_slip", "slip_events")
 FIRST_OF_LEG = 0.25  # of the step before: where the velocity of the drive jumps
 FREE = 1e3  # times the shortest step in which forces are not lost in rounding: of a free slider
 
@@ -105,11 +107,13 @@ def pull_through(
     moment = Moment(*start.forces, 0.0, 0.0, speed, force)
     legs = list(courses(scene.programme, force / drive.stiffness))
     since = 0.5 * float(legs[-1].time[0] + legs[-1].time[-1])
-    tally = np.array([since, math.inf, -math.inf, 0.0, 0.0, math.nan, math.nan, 0.0, math.inf])
+    tally = np.array([since, math.inf, -math.inf, *np.zeros(2), math.nan, math.nan, *np.zeros(4)])
+    tally[SLOW] = math.inf
     kept = np.empty((len(PULLED_TRACES), times.size))
     m, drive = start.steps_per_spacing, Drive(*map(float, drive))
     ringing = math.pi * math.sqrt(drive.mass / drive.stiffness)
-    record = SliderRecord(times, kept, np.zeros(1, np.int64), tally, ringing)
+    events = np.full((2, MOST_EVENTS if "slip_events" in scene.asked else 0), math.nan)
+    record = SliderRecord(times, kept, np.zeros(2, np.int64), tally, ringing, events)
     scale = scene.load * math.sqrt(float(np.mean(start.slope**2)))
     limits = FREE * shortest_step(scene.spectrum), TOLERANCE * scale, growth(m)
     search = np.zeros(2), np.zeros(1, np.int64)
@@ -127,14 +131,17 @@ def pull_through(
 
 
 def finished(record: SliderRecord, last: Moment) -> dict[str, np.ndarray]:
-    """Return the traces, and SLIPS; what lies behind the last moment is as it was then.
+    """Return the traces, SLIPS and SLIP_EVENTS; what lies behind the last moment is as then.
 
-    The swing is that of the drive's force over the normal force, in h/dx, the period in tau.
+    The swing is that of the drive's force over the normal force, in h/dx, the period in tau. An end
+    of a slip is known later than what has happened meanwhile: events are sorted by their times.
     """
-    times, kept, count, (_, least, most, fastest, slips, began, latest, *_), _ = record
-    kept[:, count[0] :] = np.array(last)[:, None]
+    times, kept, many, (_, least, most, fastest, slips, began, latest, *_), _, events = record
+    kept[:, many[0] :] = np.array(last)[:, None]
     kept[Moment._fields.index("time")] = times
     swing = (most - least) / last.normal
     period = (latest - began) / (slips - 1.0) if slips > 1.0 else math.nan
     told = map(np.array, (swing, period, fastest))
-    return dict(zip((*PULLED_TRACES, *SLIPS), (*kept, *told), strict=True))
+    in_order = events[:, np.argsort(events[0], kind="stable")]
+    names = (*PULLED_TRACES, *SLIPS, *SLIP_EVENTS)
+    return dict(zip(names, (*kept, *told, *in_order), strict=True))

@@ -1,5 +1,6 @@
 """What is kept of a slider on its way."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -26,39 +27,80 @@ class SliderRecord(NamedTuple):
 
     times: np.ndarray  # at which its moments are kept, in tau, increasing
     kept: np.ndarray  # shape (9, times): those moments, field by field
-    many: np.ndarray  # shape (1,): how many of them are
-    tally: np.ndarray  # shape (9,): of sticking and slipping, see ``count_slips``
+    many: np.ndarray  # shape (2,): how many of them are, and how many events
+    tally: np.ndarray  # shape (11,): of sticking and slipping, see ``follow_slips``
     ringing: float  # half a free swing of the mass on its spring, in tau: a stick lasts longer
+    events: np.ndarray  # shape (2, room): times (tau) and kinds of the first events, NaN beyond
 
 
-SINCE, LEAST, MOST, FASTEST, SLIPS, BEGAN, LATEST, STICKS, SLOW = range(9)  # of the tally
+SINCE, LEAST, MOST, FASTEST, SLIPS, BEGAN, LATEST, STICKS, SLOW, LAST, SLIDES = range(11)
+BEGINS, ENDS, REVERSES = range(3)  # kinds of events: a slip begins, it ends, the slider turns
 
 
 @kernel
-def count_slips(tally, now, driven, ringing):
+def add_to_tally(tally, now):
     """Add a moment to the tally, from a time on.
 
     tally : that time; the least and the greatest force of the drive; the highest speed; the
-    number of slips, when the first and the last of them began, whether the slider has stuck, and
-    since when it has been slow, or inf. It is slow where it is less than half as fast as the drive,
-    and has stuck once it was slow for the time ``ringing``: a mass that swings about steady sliding
-    is slow for less than that. A slip begins where it is then twice as fast as the drive.
+    number of slips, and when the first and the last of them began; then what ``follow_slips`` goes
+    by: whether the slider has stuck, since when it has been slow, or inf, when it last was, and
+    whether it slips.
     """
-    if now.time < tally[SINCE] or driven == 0.0:
+    if now.time >= tally[SINCE]:
+        tally[LEAST], tally[MOST] = min(tally[LEAST], now.force), max(tally[MOST], now.force)
+        tally[FASTEST] = max(tally[FASTEST], abs(now.speed))
+
+
+@kernel
+def follow_slips(record, before, now, driven):
+    """Note and count what the slider does between two moments, by the speed of the drive.
+
+    It is slow where it is less than half as fast as the drive, either way, and has stuck once it
+    was slow for the time ``ringing``: a mass that swings about steady sliding is slow for less than
+    that. A slip begins where it is then twice as fast as the drive, and ends where the next stick
+    begins.
+    """
+    tally = record.tally
+    if before.speed * now.speed < 0.0:
+        note_event(record, time_at_speed(before, now, 0.0), REVERSES)
+    if driven == 0.0:
         return
-    tally[LEAST], tally[MOST] = min(tally[LEAST], now.force), max(tally[MOST], now.force)
-    tally[FASTEST] = max(tally[FASTEST], abs(now.speed))
+    add_to_tally(tally, now)
     share = now.speed / driven
     if abs(share) < 0.5:
-        tally[SLOW] = min(tally[SLOW], now.time)
-        if now.time - tally[SLOW] >= ringing:
+        if tally[SLOW] == np.inf:
+            tally[SLOW] = time_at_speed(before, now, math.copysign(0.5 * driven, before.speed))
+        tally[LAST] = now.time
+        if now.time - tally[SLOW] >= record.ringing:
             tally[STICKS] = 1.0
+            if tally[SLIDES] > 0.0:
+                note_event(record, tally[SLOW], ENDS)
+            tally[SLIDES] = 0.0
         return
     tally[SLOW] = np.inf
     if share > 2.0 and tally[STICKS] > 0.0:
-        tally[STICKS] = 0.0
-        tally[BEGAN] = now.time if tally[SLIPS] == 0.0 else tally[BEGAN]
-        tally[SLIPS], tally[LATEST] = tally[SLIPS] + 1.0, now.time
+        note_event(record, time_at_speed(before, now, 2.0 * driven), BEGINS)
+        tally[STICKS], tally[SLIDES] = 0.0, 1.0
+        if tally[LAST] >= tally[SINCE]:
+            tally[BEGAN] = now.time if tally[SLIPS] == 0.0 else tally[BEGAN]
+            tally[SLIPS], tally[LATEST] = tally[SLIPS] + 1.0, now.time
+
+
+@kernel
+def time_at_speed(before, now, speed):
+    """Return when the slider was as fast as ``speed`` between two moments, at one of them else."""
+    change = now.speed - before.speed
+    share = (speed - before.speed) / change if change != 0.0 else 1.0
+    return before.time + min(max(share, 0.0), 1.0) * (now.time - before.time)
+
+
+@kernel
+def note_event(record, time, kind):
+    """Note an event, where there is room for it."""
+    k = record.many[1]
+    if k < record.events.shape[1]:
+        record.events[0, k], record.events[1, k] = time, kind
+        record.many[1] = k + 1
 
 
 @kernel
@@ -68,7 +110,7 @@ def keep(record, before, now, driven):
     driven : speed of the drive.
     """
     times, kept, count = record.times, record.kept, record.many
-    count_slips(record.tally, now, driven, record.ringing)
+    follow_slips(record, before, now, driven)
     while count[0] < times.size and times[count[0]] <= now.time:
         share = 1.0
         if now.time > before.time:

@@ -10,7 +10,16 @@ from ..motion.counts import MOST_STEPS, count_steps
 from ..motion.legs import Programme, Steps, speed_at_start, steps_of
 from ..rheology.spectrum import Spectrum, shortest_step
 
-ASKED = ("trace", "stick_slip", "cycle_mean", "energy", "contact_lengths", "snapshots", "state")
+ASKED = (
+    "trace",
+    "stick_slip",
+    "slip_events",
+    "cycle_mean",
+    "energy",
+    "contact_lengths",
+    "snapshots",
+    "state",
+)
 STARTS = ("steady", "relaxed", "fresh")
 
 

@@ -220,7 +220,15 @@ def asked_of(study: Study) -> Quantities:
     )
 
 
-RECORDED = ("stick_slip", "cycle_mean", "energy", "contact_lengths", "snapshots", "state")
+RECORDED = (
+    "stick_slip",
+    "slip_events",
+    "cycle_mean",
+    "energy",
+    "contact_lengths",
+    "snapshots",
+    "state",
+)
 FINER = 4  # lines that are run with halved steps too
 
 

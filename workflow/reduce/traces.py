@@ -14,7 +14,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ...kernels import ENERGIES, MOTION, Hold, Oscillation, Programme, Slide
-from ...kernels.drive import PULLED_TRACES, SLIPS
+from ...kernels.drive import PULLED_TRACES, SLIP_EVENTS, SLIPS
 from ...kernels.motion.legs import leg_duration
 from .blocks import Blocks, Estimates, columns, enter
 from .jackknife import replicates, standard_error
@@ -118,6 +118,11 @@ def reduce_programmes(estimates: Estimates, blocks: Blocks) -> None:
     for name in (*SLIPS, "mu_cycle_mean", "contact_length"):
         if name in values:
             enter(estimates, name, replicates(values[name], 1))
+    if "slip_events" in asked:
+        times, kinds = (values[name].mean(axis=1) for name in SLIP_EVENTS)
+        many = int(np.isfinite(times).sum(axis=1).max())
+        estimates["slip_event_time"] = times[:, :many]
+        estimates["slip_event_kind"] = np.nan_to_num(kinds[:, :many], nan=-1.0).astype(np.int8)
     estimates |= {name: own.mean(axis=1) for name, own in values.items() if name.startswith(ALONE)}
 
 

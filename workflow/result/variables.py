@@ -155,6 +155,7 @@ VARIABLES = {
 
 # What a programme of motion, or another elastomer, adds.
 EVENT = (*GRID, "event")
+SLIP_EVENT = (*GRID, "slip_event")
 LAW = (*GRID, "law")
 BIN = (*GRID, "bin")
 FRAME = (*GRID, "event", "x")
@@ -206,6 +207,8 @@ SCENES = {
     ),
     "slip_period": Variable("period of stick and slip", TIME, "s", comment=SLIP_COMMENT),
     "peak_velocity": Variable("highest velocity of the line", SPEED, "m s-1", comment=SLIP_COMMENT),
+    "slip_event_time": Variable("time of an event of the line", TIME, "s", SLIP_EVENT),
+    "slip_event_kind": Variable("kind of an event of the line", dims=SLIP_EVENT, dtype=FLAG),
     "peak": Variable("largest mu - mu_1 after the velocity step, in its direction", SLOPE),
     "peak_time": Variable("time of the peak since the velocity step", TIME, "s"),
     "initial_rate": Variable("rate of mu just after the velocity step", RATE, "s-1"),
@@ -277,6 +280,7 @@ AUXILIARY = (
 )
 
 FLAGS = {
+    "slip_event_kind": "slip_begins slip_ends reversal",
     "rate_state_status": STATUS_MEANINGS,
     "accuracy_status": ACCURACY_MEANINGS,
     "fit_status": STATUS_MEANINGS,

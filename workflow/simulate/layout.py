@@ -9,7 +9,7 @@ import math
 import numpy as np
 
 from ...kernels import ENERGIES, TRACES, Quantities, Saved, form_of, memories
-from ...kernels.drive import PULLED_TRACES, SLIPS
+from ...kernels.drive import MOST_EVENTS, PULLED_TRACES, SLIP_EVENTS, SLIPS
 from .kept import kept_steps
 from .tasks import Recording, Task
 
@@ -69,6 +69,7 @@ def _programme_shapes(task: Task, scheme: str, recording: Recording) -> dict[str
     shapes: dict[str, dict[str, tuple[int, ...]]] = {
         "trace": dict.fromkeys(PULLED_TRACES if task.problem.drive else TRACES, kept),
         "stick_slip": dict.fromkeys(SLIPS, ()),
+        "slip_events": dict.fromkeys(SLIP_EVENTS, (MOST_EVENTS,)),
         "cycle_mean": {"mu_cycle_mean": ()},
         "energy": dict.fromkeys(ENERGIES, kept),
         "contact_lengths": {"contact_length": (BINS,)},

@@ -7,6 +7,7 @@ import pytest
 
 from elastomer_friction.kernels import Hold, Sampled, Slide
 from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, pulled_line, run_pulled
+from elastomer_friction.kernels.drive.slider_record import BEGINS, ENDS, REVERSES
 from elastomer_friction.kernels.half_space.pulled_map import run_pulled_on_half_space
 from elastomer_friction.kernels.half_space.surface import Surface
 from elastomer_friction.kernels.scene import TRACES, run_scene, scene_steps
@@ -124,7 +125,7 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     found = []
     for share in (5.0, 0.3):
         legs = (Slide(speeds[1], 3000.0),)
-        asked = ("trace", "stick_slip")
+        asked = ("trace", "stick_slip", "slip_events")
         found.append(pulled(line, legs, (share * critical,), start="relaxed", asked=asked))
     steady, slipping = found
     assert steady["drive_swing"] < 0.02 * slipping["drive_swing"]
@@ -134,6 +135,21 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     swing = float(slipping["drive_swing"]) * LOAD
     loading = swing / (0.3 * critical * scale_of(line) * speeds[1])
     assert 0.2 * loading < float(slipping["slip_period"]) < 4.0 * loading
+    assert ENDS not in steady["slip_event_kind"]  # it comes free once, and goes on
+    time, kind = slipping["slip_event_time"], slipping["slip_event_kind"]
+    begins, ends = (time[kind == each] for each in (BEGINS, ENDS))
+    assert (begins[: ends.size] < ends).all()
+    assert (ends[: begins.size - 1] < begins[1:]).all()
+    late = begins[begins > 0.5 * 3000.0 / speeds[1]]
+    assert np.mean(np.diff(late)) == pytest.approx(float(slipping["slip_period"]), rel=0.02)
+
+
+def test_a_slider_turns_when_its_stiff_drive_does():
+    legs = (Sampled((0.0, 2.0, 4.0, 6.0), (1.5, 1.5, -1.5, 1.5)),)
+    found = pulled(a_line(20, m=16), legs, (1e4,), KELVIN, 16, asked=("trace", "slip_events"))
+    known = np.isfinite(found["slip_event_time"])
+    assert found["slip_event_kind"][known].tolist() == [REVERSES, REVERSES]
+    assert found["slip_event_time"][known] == pytest.approx([3.0, 5.0], abs=0.05)
 
 
 @pytest.mark.parametrize("amplitude", [1.5, 8.0])

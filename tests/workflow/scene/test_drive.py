@@ -91,6 +91,15 @@ def test_sticking_and_slipping_is_told_by_swing_period_and_velocity():
     assert np.isnan(float(found.slip_period))
 
 
+def test_when_a_slider_turns_is_a_list_in_seconds():
+    back = {"pull": {"velocity": -VELOCITY, "distance": 32 * LENGTH / N}}
+    there = PULL["pull"]["distance"] / VELOCITY
+    found = pulled(1e9, PULL, back, quantities=("trace", "slip_events"), start="relaxed")
+    assert found.slip_event_kind.values.tolist() == [2]
+    assert found.slip_event_kind.attrs["flag_meanings"].split()[3] == "reversal"
+    assert float(found.slip_event_time[0]) == pytest.approx(there, rel=0.02)
+
+
 def test_what_is_not_kept_of_a_slider_is_refused():
     with pytest.raises(UserError, match='"energy": is not computed of a line on a spring'):
         pulled(1e4, quantities=("trace", "energy"))

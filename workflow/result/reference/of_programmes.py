@@ -37,6 +37,11 @@ EVENTS = {
         "sliding does not stick. It is NaN where a line slips less than twice."
     ),
     "peak_velocity": "The highest velocity of the line there.",
+    "slip_event_time": (
+        "When slips of one line begin and end and when it turns back, over the whole programme; "
+        "the first 1000. A slip ends where the next stick begins."
+    ),
+    "slip_event_kind": "0: a slip begins, 1: it ends, 2: the velocity changes its sign.",
     "peak": (
         "The largest µ − µ₁ in the direction of the change after the last velocity step: the "
         "direct effect of an experiment where nothing jumps. It is negative after a step to a "

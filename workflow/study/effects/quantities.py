@@ -46,6 +46,9 @@ QUANTITIES = {
         "stick and slip: swing of the drive's force, period and highest velocity",
         asks=(PULLED_BY,),
     ),
+    "slip_events": Quantity(
+        "when slips of the line begin and end, and when it turns", asks=(ALONE, PULLED_BY)
+    ),
     "loop": Quantity(
         "loops of an oscillation: work, in-phase and quadrature part of the friction",
         needs=("trace",),
@@ -71,7 +74,7 @@ USUAL = ("steady", "jump", "relaxation")
 WITHOUT_DASHPOT = ("steady", "relaxation", "peak")
 OF_A_PROGRAMME = ("steady", "trace")
 AT_AN_INDENTATION = ("trace",)
-OF_A_DRIVE = ("steady", "persson", "trace", "healing", "rate_state", "stick_slip")
+OF_A_DRIVE = ("steady", "persson", "trace", "healing", "rate_state", "stick_slip", "slip_events")
 OF_ELEMENTS = ("energy", "contact_lengths", "state")
 
 

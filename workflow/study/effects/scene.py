@@ -317,8 +317,8 @@ def _given(need: str, scene: Scene, alone: bool) -> bool:
 WORDS = {
     PROGRAMME: "there is no [[scene.programme]]",
     PULLED_BY: "nothing is pulled; give [scene.drive] and a programme of segments pull",
-    DRIVEN: "is not computed of a line on a spring; ask for trace, stick_slip, healing, "
-    "steady or rate_state",
+    DRIVEN: "is not computed of a line on a spring; ask for trace, stick_slip, slip_events, "
+    "healing, steady or rate_state",
     STEP: "the programme has no velocity step, which is one slide after another at another "
     "velocity of the same sign",
     HELD: "the programme has no hold between two slides",
