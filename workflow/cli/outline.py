@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..plan import (
+    MARCHED,
     WHOLE,
     Pace,
     Plan,
@@ -371,7 +372,9 @@ def _surface(study: Study) -> Iterator[tuple[bool, str]]:
     behind = {label or "study": own.body for label, own in study.surfaces.items()}
     if HALF_SPACE in behind.values():
         which = ", ".join(f"{label}: {body}" for label, body in behind.items())
-        yield True, f"the surface as a map on a half-space ({which})"
+        kelvin = any(not own.branches for own in study.materials.values())
+        marched = f"; marched to steady sliding above v tau q_max = {MARCHED:g}"
+        yield True, f"the surface as a map on a half-space ({which}){marched if kelvin else ''}"
     else:
         yield False, 'a half-space: scene.body is "foundation", a row of elements'
     if surface.profile is not None:

@@ -39,7 +39,7 @@ if TYPE_CHECKING:
         most_blocks,
         steps_per_spacing,
     )
-    from .half_space import map_error
+    from .half_space import MARCHED, map_error
     from .plan import Plan, make_plan
     from .problems import line_slope, speed_ratio
     from .ratio_of_bodies import KINDS, TABLE, InTable, model_ratio, nominal_pressure, place_of
