@@ -13,6 +13,7 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..rheology.law import lasting, law_of, predict, rest, settle
+from ..rheology.spectrum import KELVIN, Spectrum
 from .contact import ElasticContact, Operator, press
 from .surface import Surface
 from .waves import half_space_stiffness
@@ -20,6 +21,9 @@ from .waves import half_space_stiffness
 # Of a contact (contact.py), relative to what the pressures displace. Steps forget what those before
 # them left: mu comes out to 3e-5 of its largest, and to 3e-6 where a step takes passes at all.
 STEP_TOLERANCE, TOLERANCE = 3e-5, 1e-7
+# Of Kelvin elements the tolerance is K times the one, and the other at most: the larger K is, the
+# less of a pressure lasts beyond its step. mu then comes out to 5e-5 of its largest.
+OF_STIFFNESS, MOST_TOLERANCE = 1.5e-5, 3e-4
 
 
 class HalfSpace(NamedTuple):
@@ -68,6 +72,13 @@ class Step(NamedTuple):
         way = 1 if speed > 0.0 else -1
         earlier = np.roll(surface.slope, -way, axis=1)
         return cls(law, way, surface.slope + law.lag * (earlier - surface.slope))
+
+
+def step_tolerance(spectrum: Spectrum, law: Any) -> float:
+    """Return how closely a march solves the contact of a step of a law of this material."""
+    if spectrum != KELVIN:
+        return STEP_TOLERANCE
+    return min(OF_STIFFNESS * law.stiffness, MOST_TOLERANCE)
 
 
 def take_step(

@@ -8,7 +8,7 @@ import numpy as np
 from ..model.friction import mean_slope
 from ..quick.case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
 from ..rheology.forms import form_of
-from .body import Body, HalfSpace, take_step
+from .body import Body, HalfSpace, step_tolerance, take_step
 from .instant import friction_jumps, initial_rates
 from .patches import real_contact, samples_per_patch
 from .sliding_body import SlidingBody, slide_steadily
@@ -48,7 +48,7 @@ def run_case(
         passes, mu_2[k] = passes + two.passes, two.mu
         clock.lap_phase(STEADY)
         if asked.relaxation:
-            curve, used = _relaxation(space, one.body, two, case.kept_steps[k])
+            curve, used = _relaxation(space, case, one.body, two, case.kept_steps[k])
             curves.append(two.mu + (curve - two.step_mu))
             passes += used
             clock.lap_phase(MARCHING)
@@ -67,13 +67,13 @@ def run_case(
 
 
 def _relaxation(
-    space: HalfSpace, start: Body, two: SlidingBody, kept: np.ndarray
+    space: HalfSpace, case: Case, start: Body, two: SlidingBody, kept: np.ndarray
 ) -> tuple[np.ndarray, int]:
     """Return (mu at the kept steps after the jump to the speed of ``two``, passes)."""
     body, passes = start._replace(memory=start.memory.copy()), 0
-    mu, at = np.empty(kept.size), 0
+    mu, at, tolerance = np.empty(kept.size), 0, step_tolerance(case.spectrum, two.step.law)
     for number in range(1, int(kept[-1]) + 1):
-        body, used = take_step(space, body, two.step)
+        body, used = take_step(space, body, two.step, tolerance)
         passes += used
         if number == kept[at]:
             mu[at] = mean_slope(body.p, two.step.weight)

@@ -19,7 +19,7 @@ from ..scene.begin import charge_branches, glassy_stiffness
 from ..scene.cycles import add_impulses, mean_of, spell_of
 from ..scene.records import TRACES, Trace, keep_forces, keep_motion
 from ..scene.scene_case import Saved, SceneCase, check_scene, scene_steps
-from .body import Body, HalfSpace, move_on, rest_on
+from .body import Body, HalfSpace, move_on, rest_on, step_tolerance
 from .sliding_body import slide_steadily
 from .surface import Surface
 
@@ -85,7 +85,8 @@ def run_scene_on_half_space(
             lag, place = own.lag, float(places[step])
             whole = math.floor(place)
             heights = moving.at(place - whole)[0]
-            body, used = move_on(space, body, own, heights, whole % n)
+            tolerance = step_tolerance(scene.spectrum, own)
+            body, used = move_on(space, body, own, heights, whole % n, tolerance)
             passes += used
         averaged = spell is not None and spell.after < step <= spell.last
         if averaged or step in kept:

@@ -14,7 +14,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from elastomer_friction.kernels.half_space.body import HalfSpace, take_step
+from elastomer_friction.kernels.half_space.body import HalfSpace, step_tolerance, take_step
 from elastomer_friction.kernels.half_space.contact import Operator, press
 from elastomer_friction.kernels.half_space.sliding_body import slide_steadily
 from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes, rms_slope_of
@@ -84,7 +84,8 @@ def contact_costs() -> None:
             body = slide_steadily(space, KELVIN, x / np.pi).body
             step, passes = slide_steadily(space, KELVIN, 1.2 * x / np.pi).step, []
             for _ in range(STEPS):
-                body, used = take_step(space, body, step)
+                tolerance = step_tolerance(KELVIN, step.law)
+                body, used = take_step(space, body, step, tolerance)
                 passes.append(used)
             print(f"  passes of a step at v tau q_max = {x:g}: {np.median(passes):g}")
 

@@ -3,10 +3,19 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels.half_space.body import HalfSpace
+from elastomer_friction.kernels.half_space.body import (
+    HalfSpace,
+    Step,
+    step_tolerance,
+    take_step,
+)
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.sliding_body import slide_steadily
-from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes
+from elastomer_friction.kernels.half_space.surface import (
+    Surface,
+    ring_amplitudes,
+    rms_slope_of,
+)
 from elastomer_friction.kernels.half_space.waves import two_sided, wave_numbers
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.model.contact import solve_indentation
@@ -166,3 +175,23 @@ def test_what_is_not_asked_for_is_not_computed() -> None:
     assert steady.curves == []
     assert steady.mu_1 == everything.mu_1
     assert steady.work < everything.work
+
+
+def test_few_passes_of_a_step_keep_the_friction_of_many() -> None:
+    """Over two and a half times tau after a velocity step; the first steps take more passes."""
+    surface, speed = rough(32, 4), 10.0 / np.pi
+    amplitudes = ring_amplitudes(0.7, 32)
+    load = 0.3 * rms_slope_of(amplitudes, 32) * 32.0
+    space = HalfSpace.under(form_of(KELVIN, "exponential"), surface, load)
+    start = slide_steadily(space, KELVIN, speed).body
+    step = Step.of(space.form, surface, 1.2 * speed)
+    found, passes = [], []
+    for tolerance in (step_tolerance(KELVIN, step.law), 1e-8):
+        body, mu = start._replace(memory=start.memory.copy()), []
+        for _ in range(30):
+            body, used = take_step(space, body, step, tolerance)
+            mu.append(mean_slope(body.p, step.weight))
+            passes.append(used)
+        found.append(np.array(mu))
+    assert np.median(passes[:30]) <= 5
+    np.testing.assert_allclose(*found, rtol=1e-4)
