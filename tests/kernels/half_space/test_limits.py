@@ -178,6 +178,7 @@ def test_what_is_not_asked_for_is_not_computed() -> None:
 
 
 def test_few_passes_of_a_step_keep_the_friction_of_many() -> None:
+    """Over two and a half times tau after a velocity step; the first steps take more passes."""
     surface, speed = rough(32, 4), 10.0 / np.pi
     amplitudes = ring_amplitudes(0.7, 32)
     load = 0.3 * rms_slope_of(amplitudes, 32) * 32.0
@@ -187,10 +188,10 @@ def test_few_passes_of_a_step_keep_the_friction_of_many() -> None:
     found, passes = [], []
     for tolerance in (step_tolerance(KELVIN, step.law), 1e-8):
         body, mu = start._replace(memory=start.memory.copy()), []
-        for _ in range(15):
+        for _ in range(30):
             body, used = take_step(space, body, step, tolerance)
             mu.append(mean_slope(body.p, step.weight))
             passes.append(used)
         found.append(np.array(mu))
-    assert np.median(passes[:15]) <= 5
+    assert np.median(passes[:30]) <= 5
     np.testing.assert_allclose(*found, rtol=1e-4)
