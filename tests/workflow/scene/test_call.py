@@ -266,4 +266,5 @@ def test_it_is_said_that_kernels_are_compiled(monkeypatch, tmp_path, capsys):
 
     monkeypatch.setattr(call, "_estimates", compiling)
     run()
-    assert capsys.readouterr().err == "Compiling the kernels of this scene, 5 to 60 s and about 300 MiB, once.\n"
+    said = "Compiling the kernels of this scene, 5 to 60 s and about 300 MiB, once.\n"
+    assert capsys.readouterr().err == said
