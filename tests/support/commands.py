@@ -21,9 +21,13 @@ def refusal(capsys, *arguments: str) -> str:
     return f"{line}\n"
 
 
+# Of a script that runs, of figures, and of machine code, which the first test that needs it makes.
+NOTES = ("note: runs /", "caption: ", "Compiling the kernels", "Waiting for another process that")
+
+
 def besides_notes(err: str) -> list[str]:
-    """Return the lines of stderr but for those that name a script, and for captions of figures."""
-    return [line for line in err.splitlines() if not line.startswith(("note: runs /", "caption: "))]
+    """Return the lines of stderr but for NOTES."""
+    return [line for line in err.splitlines() if not line.startswith(NOTES)]
 
 
 def facts(text: str) -> dict[str, str]:

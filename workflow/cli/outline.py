@@ -39,7 +39,7 @@ from ..study import (
     judged,
     why_not,
 )
-from ..system import core_time, counted
+from ..system import COMPILING_MIB, core_time, counted
 
 SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes
@@ -133,8 +133,8 @@ def outline(plan: Plan, result: Path, cost: Prediction, speed: str) -> list[str]
         f"time        {_on_all_cores(cost)}, as measured on {speed}",
         *_first_look(plan, cost),
         f"memory      {plan.predicted_worker_bytes() / 2**20:.0f} MiB per worker, "
-        f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, "
-        f"longest line {plan.longest_line()} samples",
+        f"{plan.predicted_driver_bytes() / 2**20:.0f} MiB in the driver, {COMPILING_MIB} MiB more "
+        f"in a process that has to compile, longest line {plan.longest_line()} samples",
         *_errors(plan),
         *_model(plan),
         *read_lines_of(study),

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 from ..lazy import public_names
 
 if TYPE_CHECKING:
-    from .compiling import saying_what_compiles
+    from .compiling import COMPILING_MIB, saying_what_compiles
     from .durable import (
         append_durably,
         check_place,

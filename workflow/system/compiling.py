@@ -10,7 +10,7 @@ from pathlib import Path
 from typing import Any
 
 FILE = "compile-seconds.json"  # what is compiled -> seconds that it took the last time
-MEMORY = 300  # MiB beyond what a plan predicts; 254 were measured
+COMPILING_MIB = 300  # beyond what a process needs else; 254 were measured
 WAITING = "Waiting for another process that compiles."
 
 
@@ -35,7 +35,7 @@ def saying_what_compiles(what: str, usual: str, folder: str, waits: str) -> Iter
             if not said or (event.kind == compiles and compiles not in said):
                 known = _known(notes).get(what)
                 long = usual if known is None else f"about {max(known, 1.0):.0f} s"
-                cost = f"{long} and about {MEMORY} MiB"
+                cost = f"{long} and about {COMPILING_MIB} MiB"
                 line = f"Compiling {what}, {cost}, once." if event.kind == compiles else WAITING
                 print(line, file=sys.stderr, flush=True)
                 began = time.monotonic()
