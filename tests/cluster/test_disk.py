@@ -129,7 +129,7 @@ def test_a_status_that_cannot_be_written_ends_nothing(disk, tmp_path, expected):
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=str)
 def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(tmp_path, expected, number):
-    run = begun(tmp_path)
+    run = begun(tmp_path, "--set", "study.realizations=4800")  # it cannot end before the signal
     wait_for_shards(tmp_path, run)
     os.kill(run.pid, number)
     assert run.wait(timeout=PATIENCE) == 130
