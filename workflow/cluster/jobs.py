@@ -2,7 +2,6 @@
 
 import contextlib
 import shlex
-import socket
 import subprocess
 import sys
 import tempfile
@@ -11,12 +10,11 @@ from pathlib import Path
 from typing import Any
 
 import dask
-from distributed.utils import get_ip_interface
 from tornado.ioloop import IOLoop
 
 from ..errors import UserError
 from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
-from ..system import ROOT, THREADS, refused
+from ..system import ROOT, THREADS, interface_named, refused
 from .security import ENCRYPTED, no_pages, own_security, scheduler_options
 
 # What a worker keeps on a disk is put in the path of imports: it must be nobody else's. Nor is
@@ -36,10 +34,8 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
     """Yield a cluster whose scheduler is here and whose workers are ``cluster.jobs`` jobs.
 
     All have a certificate of this run, which lies in a folder of our own beside the jobs' logs.
-    Raises UserError where the batch system or the network interface is not there, and where the
-    jobs would be refused.
+    Raises UserError where the batch system or the interface is not there, or would not serve.
     """
-    _check_interface(cluster.interface)
     name, logs = cluster.where, Path(cluster.log_folder)
     try:
         import dask_jobqueue
@@ -62,19 +58,6 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
         yield jobs
 
 
-def _check_interface(name: str) -> None:
-    try:
-        if name:
-            get_ip_interface(name)
-    except ValueError:  # no such interface, or none with an address
-        known = ", ".join(own for _, own in socket.if_nameindex())
-        raise UserError(
-            f"cluster.interface = {name!r}: is no network interface of this machine that has an "
-            f"address; there are {known}: give the one by which the nodes reach this machine, or "
-            "leave the key out"
-        ) from None
-
-
 def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[str, Any]:
     """Return what dask-jobqueue is told; ``pages`` are settings of dask."""
     lifetime = cluster.lifetime
@@ -87,7 +70,7 @@ def _settings(cluster: Cluster, dashboard: bool, pages: dict[str, Any]) -> dict[
         "processes": cluster.cores,
         "memory": cluster.memory,
         "walltime": _written(walltime_seconds(cluster.walltime)),
-        "interface": cluster.interface or None,
+        "interface": interface_named(cluster.interface),
         "log_directory": cluster.log_folder,
         "python": shlex.quote(sys.executable),
         "job_extra_directives": [*BATCH_SYSTEMS[cluster.where].directives],

@@ -22,6 +22,7 @@ if TYPE_CHECKING:
         write_durably,
     )
     from .lock import LOCK, hold, holder
+    from .network import interface_named
     from .opening import unreadable
     from .packages import (
         ROOT,

@@ -39,6 +39,7 @@ def test_jobs_are_asked_for_as_the_table_says(tmp_path, monkeypatch):
     from dask_jobqueue.slurm import SLURMJob
 
     monkeypatch.setattr(slurm.sys, "executable", "/a folder/python")
+    monkeypatch.setattr(slurm, "interface_named", str)  # ib0 need not be there
     given = CLUSTER | {"log_folder": str(tmp_path)}  # which is made
     settings = slurm._settings(read_cluster(given), False, {"distributed.a.b": []})
     settings.pop("scheduler_options")  # of the cluster, not of its jobs
