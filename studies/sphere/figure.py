@@ -14,7 +14,10 @@ CAPTION = (
 )
 TITLES = {
     "": ("(a) one relaxation time", "speed over radius of contact, $v \\tau/a$"),
-    "published": ("(b) standard linear solid", "speed $v \\cdot$ 10 ms$/a$"),
+    "published": (
+        "(b) standard linear solid",
+        "speed over radius of contact, $v t_b/a$, $t_b$ = 10 ms",
+    ),
 }
 
 
