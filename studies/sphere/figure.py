@@ -16,7 +16,7 @@ TITLES = {
     "": ("(a) one relaxation time", "speed over radius of contact, $v \\tau/a$"),
     "published": (
         "(b) standard linear solid",
-        "speed over radius of contact, $v t_b/a$, $t_b$ = 10 ms",
+        "speed over radius of contact, $10 \\, v t_b/a$, $t_b$ = 1 ms",
     ),
 }
 
