@@ -13,13 +13,11 @@ from typing import Any
 import numpy as np
 import xarray as xr
 
-from ..study import AXES, FOUNDATION, Arrhenius, ShiftLaw, ShiftTable, Wlf, material_like
+from ..study import AXES, FOUNDATION, INCOMPRESSIBLE, MOST_SHIFT, Wlf, material_like, shift_law_of
 
 NEEDED = ("mu_1", "rms_slope", "tau", "q_max", "shear_modulus", "length", "speed_ratio")
-INCOMPRESSIBLE = 0.5  # Poisson's ratio, where none is given
 USUAL = Wlf(8.86, 101.6, 0.0)  # about T_s, some 50 K above the glass transition
 AROUND = range(-40, 101)  # degrees about the temperature of the result
-MOST_DECADES = 30.0  # of a shift
 MOST_MOMENTS = 500_000  # of the motions of a rubber, about 16 MB
 ONE_TIME = "eqs. 12 to 16 are those of one relaxation time"
 
@@ -110,7 +108,7 @@ def _temperatures(
     They are whole degrees about it, by the shift of the material, and by the usual constants where
     it has none. Of shifts in a file a result holds those at its own temperatures alone.
     """
-    law = _shift_law(material)
+    law = shift_law_of(material)
     if "temperature" in data.coords and law is None:
         factors = data.tau.values / float(first.tau)
         words = "temperature (one that was computed)"
@@ -122,7 +120,7 @@ def _temperatures(
         words, unit, own = "temperature", "°C", float(first.temperature)
     known = [own + step for step in AROUND if not law.outside(own + step)]
     decades = np.array([law.decades(each) for each in known]) - law.decades(own)
-    kept = np.abs(decades) <= MOST_DECADES
+    kept = np.abs(decades) <= MOST_SHIFT
     return _stops(words, unit, np.array(known)[kept], 10.0 ** decades[kept], own)
 
 
@@ -132,17 +130,6 @@ def _stops(
     """Return the temperatures of a slider; ``own`` is that of the result, with the factor 1."""
     named = {"words": words, "unit": unit, "own": int(np.argmin(np.abs(degrees - own)))}
     return named | {"degrees": degrees.tolist(), "factors": factors.tolist()}
-
-
-def _shift_law(material: Mapping[str, Any]) -> ShiftLaw | None:
-    """Return the shift that stands in a table [material]; None where it stands in a file."""
-    if "wlf" in material:
-        return Wlf(**material["wlf"])
-    if "arrhenius" in material:
-        return Arrhenius(**material["arrhenius"])
-    if "shifts" in material:
-        return ShiftTable(tuple(sorted((float(t), float(a)) for t, a in material["shifts"])))
-    return None
 
 
 def _places(data: xr.Dataset) -> Iterator[xr.Dataset]:

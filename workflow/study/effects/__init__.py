@@ -10,7 +10,7 @@ from ...lazy import public_names
 if TYPE_CHECKING:
     from .body_key import BODY, FOUNDATION, HALF_SPACE
     from .drive_keys import DRIVE, Spring
-    from .material import MATERIAL, Material, read_material, shift_of
+    from .material import MATERIAL, Material, read_material, shift_law_of, shift_of
     from .programme import (
         LISTED,
         FromFile,
@@ -30,6 +30,7 @@ if TYPE_CHECKING:
         ARRHENIUS,
         GAS,
         LAWS_OF_SHIFT,
+        MOST_SHIFT,
         SHIFTS,
         WLF,
         Arrhenius,

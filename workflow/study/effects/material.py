@@ -148,6 +148,15 @@ def read_material(where: str, table: Mapping[str, Any], folder: Path) -> Materia
     )
 
 
+def shift_law_of(table: Mapping[str, Any]) -> ShiftLaw | None:
+    """Return the shift that stands in a table [material], as written, and not in a file.
+
+    None where there is none. Raises UserError for one that is none.
+    """
+    laws = {key: table[key] for key in LAWS_OF_SHIFT if key in table}
+    return next(iter(checked("material", laws, MATERIAL).values()), None)
+
+
 def shift_of(laws: Mapping[str, Any], temperature: float) -> float:
     """Return a_T at a temperature (°C); laws : what a table holds of LAWS_OF_SHIFT, as written.
 
