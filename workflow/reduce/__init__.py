@@ -11,6 +11,7 @@ if TYPE_CHECKING:
     from .attainment import ACCURACY_MEANINGS, MET_WHERE_DEFINED, MISSED, Attained, attained
     from .blocks import Blocks, Estimates, blocks_of
     from .complete import (
+        ENOUGH,
         RESOLUTION_COMMENT,
         RESOLUTION_MEANINGS,
         RESOLVED,

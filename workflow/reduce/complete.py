@@ -35,7 +35,8 @@ RESOLUTION_COMMENT = (
     "coarse: above 1; unresolved: contacts are no wider than a sample, so that points touch one by "
     "one"
 )
-ENOUGH, TOO_FEW = 4.0, 1.0  # samples per contact
+ENOUGH = 4.0  # samples per contact, with which it is resolved
+TOO_FEW = 1.0  # with which it is not
 WHOLE = 1.0  # a bias beyond its own value says no more
 
 

@@ -5,11 +5,12 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 import xarray as xr
 
-from ..reduce import RESOLVED, UNRESOLVED
+from ..plan import BIAS
+from ..reduce import ENOUGH, RESOLVED, UNRESOLVED
 
 STATUS = "resolution_status"
-WIDE = 4.0  # samples per contact: where they are as wide, it is an error that is too large
-NARROW, OFF = f"contacts of fewer than {WIDE:g} samples", "a discretisation error above 2 %"
+NARROW = f"contacts of fewer than {ENOUGH:g} samples"
+OFF = f"a discretisation error above {100.0 * BIAS:g} %"
 
 
 def not_resolved(points: xr.Dataset) -> np.ndarray:
@@ -24,7 +25,7 @@ def why_hollow(points: xr.Dataset) -> str:
     """Return what the points that are not resolved have, in words: narrow contacts, or an error."""
     hollow = not_resolved(points)
     known = "samples_per_contact" in points
-    wide = hollow & (points.samples_per_contact.values >= WIDE) if known else np.zeros(1, bool)
+    wide = hollow & (points.samples_per_contact.values >= ENOUGH) if known else np.zeros(1, bool)
     count = np.count_nonzero(wide)
     if not count:
         return NARROW
