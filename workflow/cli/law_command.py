@@ -68,10 +68,10 @@ def _fitted(options: argparse.Namespace) -> tuple[Path, "Law | LoadLaw"]:
         path = result_file(Path(options.results), study)
         check_result(study, path, asked=bool(options.scale or options.set))
     others = [_dataset(Path(name), None) for name in options.held_out or ()]
+    given = {name: getattr(options, name) for name in ("states", "kind")}
     found = law.fit(
         _dataset(path, options.group),
-        states=2 if options.states is None else options.states,
-        kind=options.kind or "states",
+        **{name: value for name, value in given.items() if value is not None},
         held_out=others or None,
         point=dict(map(_place, options.at or ())),
     )

@@ -16,6 +16,7 @@ from ...kernels import (
 )
 from ...kernels.drive import TOLERANCE, Drive, courses
 from ...kernels.half_space.surface import rms_slope_of
+from ...kernels.scene import ASKED
 from ..errors import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory, bounded_counts, programme_steps
 from ..study import (
@@ -220,15 +221,6 @@ def asked_of(study: Study) -> Quantities:
     )
 
 
-RECORDED = (
-    "stick_slip",
-    "slip_events",
-    "cycle_mean",
-    "energy",
-    "contact_lengths",
-    "snapshots",
-    "state",
-)
 FINER = 4  # lines that are run with halved steps too
 
 
@@ -241,12 +233,11 @@ def recording_of(study: Study, label: str) -> Recording:
     asked, numerics, surface = study.scene.quantities, study.variants[label], study.surfaces[label]
     lawless = surface.profile is not None and surface.body == FOUNDATION
     traced = any(name in asked for name in ("trace", "loop", "healing", "energy"))
-    names = [name for name in RECORDED if name in asked]
     return Recording(
         samples=numerics.curve_samples,
         record=numerics.record,
         every=numerics.trace or 0,
-        asked=("trace", *names) if traced else tuple(names),
+        asked=tuple(each for each in ASKED if (traced if each == "trace" else each in asked)),
         dense=tuple(name for name in ("loop", "healing") if name in asked),
         finer=FINER if lawless and numerics.refines and judged(asked) else 0,
     )
