@@ -18,10 +18,11 @@ if TYPE_CHECKING:
         picked,
         picked_by_name,
         read_text_table,
+        several,
         table_of_text,
         told,
     )
-    from .titles import UNREAD, Title
+    from .titles import UNREAD, Title, count_named
     from .units import FAMILIES, ZERO, Unit, unit_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

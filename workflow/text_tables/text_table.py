@@ -33,7 +33,7 @@ from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .codes import missing_code
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
 from .remarks import remarks_of
-from .titles import NEAR, UNREAD, Title, titles_of, unread_line, unread_unit
+from .titles import NEAR, UNREAD, Title, count_named, titles_of, unread_line, unread_unit
 from .units import Unit, unit_of
 
 
@@ -271,12 +271,8 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
 
 def _names_several(table: TextTable, wanted: Sequence[Wanted]) -> bool:
     """Return whether a line above the rows names several columns, though not which."""
-    for line in table.above[-NEAR:]:
-        words = line.lstrip("#%!/ ").split()
-        found = [any(re.search(one.names, word, re.IGNORECASE) for word in words) for one in wanted]
-        if sum(found) > 1:
-            return True
-    return False
+    patterns = [one.names for one in wanted]
+    return any(count_named(line, patterns) > 1 for line in table.above[-NEAR:])
 
 
 def _named(title: Title, one: Wanted) -> bool:
@@ -361,11 +357,12 @@ def told(table: TextTable, columns: Sequence[Picked]) -> str:
         text += f"; {len(table.blocks)} blocks"
     if missing:
         codes = ", ".join(f"{one.code:g}" for one in columns if one.code is not None)
-        text += f"; {_several(missing, 'value')} missing{f' ({codes})' if codes else ''}"
+        text += f"; {several(missing, 'value')} missing{f' ({codes})' if codes else ''}"
     if table.passed_over:
-        text += f"; passed over {_several(len(table.passed_over), 'line')} of words"
+        text += f"; passed over {several(len(table.passed_over), 'line')} of words"
     return text
 
 
-def _several(number: int, thing: str) -> str:
+def several(number: int, thing: str) -> str:
+    """Return a number of things in words: 1 line, 2 lines."""
     return f"{number} {thing}{'s' * (number != 1)}"

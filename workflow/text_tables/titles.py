@@ -1,6 +1,7 @@
 """Names and units of columns from the lines above the numbers."""
 
 import re
+from collections.abc import Iterable
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -87,6 +88,12 @@ def _holds_quantity(text: str) -> bool:
         re.fullmatch(NUMBER, one) and (unit_of(other.strip(",;")) or other in ("AM", "PM"))
         for one, other in pairs
     )
+
+
+def count_named(line: str, patterns: Iterable[str]) -> int:
+    """Return how many of some patterns of names of columns the words of a line hold."""
+    words = line.lstrip("#%!/ ").split()
+    return sum(any(re.search(one, word, re.IGNORECASE) for word in words) for one in patterns)
 
 
 def unread_unit(name: str, names: str) -> str:

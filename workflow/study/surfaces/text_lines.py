@@ -8,7 +8,16 @@ import re
 import numpy as np
 
 from ...errors import UserError
-from ...text_tables import UNREAD, TextTable, Title, quantity_of, read_text_table, unit_of
+from ...text_tables import (
+    UNREAD,
+    TextTable,
+    Title,
+    count_named,
+    quantity_of,
+    read_text_table,
+    several,
+    unit_of,
+)
 from .as_read import KEY, LEAST_SAMPLES, Asked, Raw, apart, check_numbered, metres
 from .positions import PointGrid, grid_of, is_uniform, precision, repeats
 
@@ -40,8 +49,9 @@ def read_text_lines(asked: Asked) -> Raw:
     table = read_text_table(KEY, asked.path, asked.name)
     raw = _lines_of_table(asked, table)
     if table.passed_over:
-        lines = "line" if len(table.passed_over) == 1 else "lines"
-        over = f"; {len(table.passed_over)} {lines} of words below the first row passed over"
+        over = (
+            f"; {several(len(table.passed_over), 'line')} of words below the first row passed over"
+        )
         raw = raw._replace(told=raw.told + over)
     return raw
 
@@ -222,9 +232,7 @@ def _not_clear(asked: Asked, table: TextTable) -> UserError:
 
 def _names_both(line: str) -> bool:
     """Return whether a line names positions and heights, though not of which columns."""
-    words = line.lstrip("#%!/ ").split()
-    patterns = POSITION, HEIGHT
-    return all(any(re.search(one, word, re.IGNORECASE) for word in words) for one in patterns)
+    return count_named(line, (POSITION, HEIGHT)) == 2
 
 
 def _named_as(table: TextTable, column: int, names: str) -> bool:
