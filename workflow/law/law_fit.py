@@ -139,23 +139,10 @@ def _over_loads(
         own, held = _under(force, motions), _under(force, others)
         law, start = _fitted(own, held, speeds, kind, states, start)
         laws.append(law)
+    table = LoadLaw.of(list(forces), laws)
     known = [law.validity for law in laws]
-    words = [known[0].held_out]
-    errors = [(each.held_rms, each.held_largest) for each in known]
-    between = [each for each in others if each.normal_force not in forces]
-    tables = [(LoadLaw.of(list(forces), laws), between)] if between else []
-    words += [each.name for each in between]
-    for k in range(1, len(forces) - 1):
-        ends = [forces[k - 1], forces[k + 1]]
-        table = LoadLaw.of(ends, [laws[k - 1], laws[k + 1]])
-        tables.append((table, _under(forces[k], motions)))
-        words.append(f"{forces[k]:.4g} N by the laws of {ends[0]:.4g} and {ends[1]:.4g} N")
-    for table, own in tables:
-        for each in own:
-            law = table.at(normal_force=each.normal_force)
-            (off,) = _differences(law, [each], [np.isfinite(each.mu)])
-            errors.append((_rms([off]), float(np.max(np.abs(off)))))
-    words[-1] += f", {max(rms for rms, _ in errors[len(known) :]):.3g} rms at most"
+    missed, words = _between_loads(table, laws, motions, others)
+    errors = [*((each.held_rms, each.held_largest) for each in known), *missed]
     rms, largest = np.max(errors, axis=0)
     validity = replace(
         known[0],
@@ -163,7 +150,7 @@ def _over_loads(
         longest_rest=max(each.longest_rest for each in known),
         held_rms=float(rms),
         held_largest=float(largest),
-        held_out="; ".join(words),
+        held_out="; ".join([known[0].held_out, *words]),
         window=f"{known[0].window} under each load",
         motions=tuple(
             (f"{force:.4g} N, {name}", rms)
@@ -172,7 +159,32 @@ def _over_loads(
         ),
         **{name: max(getattr(each, name) for each in known) for name in LARGEST},
     )
-    return LoadLaw.of(list(forces), laws).with_validity(validity)
+    return table.with_validity(validity)
+
+
+def _between_loads(
+    table: LoadLaw, laws: Sequence[Any], motions: Sequence[Transient], others: Sequence[Transient]
+) -> tuple[list[tuple[float, float]], list[str]]:
+    """Return (rms, largest) of each motion that a table is tried on, and what that was in words.
+
+    Each load but the ends is tried by the law of its neighbours, and so are motions of others
+    under loads that no law was fitted to, by the whole table.
+    """
+    forces = table.load.tolist()
+    tried = [(table, each) for each in others if each.normal_force not in forces]
+    words = [each.name for _, each in tried]
+    for k in range(1, len(forces) - 1):
+        ends = [forces[k - 1], forces[k + 1]]
+        neighbours = LoadLaw.of(ends, [laws[k - 1], laws[k + 1]])
+        tried += [(neighbours, each) for each in _under(forces[k], motions)]
+        words.append(f"{forces[k]:.4g} N by the laws of {ends[0]:.4g} and {ends[1]:.4g} N")
+    errors = []
+    for law, each in tried:
+        under = law.at(normal_force=each.normal_force)
+        (off,) = _differences(under, [each], [np.isfinite(each.mu)])
+        errors.append((_rms([off]), float(np.max(np.abs(off)))))
+    words[-1] += f", {max(rms for rms, _ in errors):.3g} rms at most"
+    return errors, words
 
 
 def _under(force: float, motions: Sequence[Transient]) -> list[Transient]:
