@@ -19,7 +19,18 @@ from ..motion.path import growth
 from ..rheology.spectrum import shortest_step
 from ..scene.records import TRACES
 from ..scene.scene_case import SceneCase, check_scene, scene_steps
-from .slider_record import SLOW, Moment, SliderRecord, keep
+from .slider_record import (
+    BEGAN,
+    LATEST,
+    LEAST,
+    MOST,
+    SINCE,
+    SLIDES,
+    SLOW,
+    Moment,
+    SliderRecord,
+    keep,
+)
 from .spring import Course, Drive, SliderState
 from .step import TOLERANCE, Going, Pulled
 
@@ -107,8 +118,9 @@ def pull_through(
     moment = Moment(*start.forces, 0.0, 0.0, speed, force)
     legs = list(courses(scene.programme, force / drive.stiffness))
     since = 0.5 * float(legs[-1].time[0] + legs[-1].time[-1])
-    tally = np.array([since, math.inf, -math.inf, *np.zeros(2), math.nan, math.nan, *np.zeros(4)])
-    tally[SLOW] = math.inf
+    tally = np.zeros(SLIDES + 1)
+    tally[[SINCE, LEAST, MOST, SLOW]] = since, math.inf, -math.inf, math.inf
+    tally[[BEGAN, LATEST]] = math.nan
     kept = np.empty((len(PULLED_TRACES), times.size))
     m, drive = start.steps_per_spacing, Drive(*map(float, drive))
     ringing = math.pi * math.sqrt(drive.mass / drive.stiffness)

@@ -191,7 +191,10 @@ def _move(control, law, blocks, p, older, step, rows, lowest, choice, every, her
 
 @borrowing
 def _pass_by(law, blocks, step):
-    """Let a step be over, of which the blocks learn when they are looked at next."""
+    """Let a step be over, of which the blocks learn when they are looked at next.
+
+    It is called with ``blocks`` as a whole, whose references are then not counted.
+    """
     go_on(law, blocks.scales, step)
 
 

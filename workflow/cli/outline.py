@@ -45,7 +45,7 @@ SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes
 LONG = 1.0  # s, a wait that is announced
 PATIENCE = 120.0  # s of a run, beyond which a first look at steady friction alone is offered
-MUCH = 10.0  # times as long as that
+MUCH = 10.0  # times the time of that first look: a run that takes less needs none
 
 
 Said = tuple[list[str], dict[str, Any]]  # lines to print, and the same as data

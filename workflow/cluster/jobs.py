@@ -34,7 +34,7 @@ def job_cluster(loop: IOLoop, cluster: Cluster, dashboard: bool = False) -> Iter
     """Yield a cluster whose scheduler is here and whose workers are ``cluster.jobs`` jobs.
 
     All have a certificate of this run, which lies in a folder of our own beside the jobs' logs.
-    Raises UserError where the batch system or the interface is not there, or would not serve.
+    Raises UserError without the batch system or the interface, and where jobs would be refused.
     """
     name, logs = cluster.where, Path(cluster.log_folder)
     try:

@@ -31,7 +31,8 @@ BEGUN = "begun"
 def unreadable(paths: list[Path]) -> dict[Path, str]:
     """Return path -> why, of those netCDF files that cannot be read whole, as far as is known.
 
-    Raises UserError where no process can be started for it, or another one ends it.
+    Raises UserError where no process can be started for it, or where one is ended from outside, as
+    for want of memory.
     """
     found: dict[Path, str] = {}
     left = list(paths)

@@ -24,9 +24,8 @@ class Stand(NamedTuple):
 def march_on(march, control, where, bounds, stand, last, into):
     """March on to step ``last`` as long as the bounds hold; return (inside, stand, seen, work).
 
-    where : runs, lists, sums, arrivals, and landings. into :
-    kept_steps, and mu and indentation at them, which are filled in. seen : bounds of d and D on
-    the way. work : element updates.
+    where : runs, lists, sums, arrivals, and landings. into : kept_steps, and mu and indentation at
+    them, which are filled in. seen : bounds of d and D on the way. work : element updates.
     """
     law, (_, lists, sums, arrivals, landings) = march.law, where
     kept_steps, mu, indentation = into
