@@ -10,6 +10,7 @@ from elastomer_friction.kernels.drive import PULLED_TRACES, Drive, pulled_line, 
 from elastomer_friction.kernels.drive.slider_record import BEGINS, ENDS, REVERSES
 from elastomer_friction.kernels.half_space.pulled_map import run_pulled_on_half_space
 from elastomer_friction.kernels.half_space.surface import Surface
+from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.scene import TRACES, run_scene, scene_steps
 from tests.kernels.scene.given import DAMPED, KELVIN, PRONY, SOLID, a_line, a_scene
 from tests.sizes import PLAIN_PYTHON
@@ -142,6 +143,35 @@ def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
     assert (ends[: begins.size - 1] < begins[1:]).all()
     late = begins[begins > 0.5 * 3000.0 / speeds[1]]
     assert np.mean(np.diff(late)) == pytest.approx(float(slipping["slip_period"]), rel=0.02)
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: six ways of 400 spacings")
+def test_stick_and_slip_without_a_mass_converges_at_second_order():
+    """The force of a wave that jumps by its length: its errors are those of the samples."""
+    speed, length = 30.0, 8
+
+    def swing_and_period(m, stiffness):
+        x = 2.0 * np.pi * np.arange(length * m) / (length * m)
+        line = Line.from_samples(np.cos(x), -2.0 * np.pi / length * np.sin(x), m)
+        legs, asked = (Slide(speed, 400.0),), ("trace", "stick_slip")
+        found = pulled(line, legs, (stiffness,), m=m, start="relaxed", asked=asked)
+        way = speed * found["trace_time"]
+        way, force = (each[way > 200.0] for each in (way, found["trace_drive_force"]))
+        force = force - 0.5 * (force.max() + force.min())
+        i = np.flatnonzero((force[:-1] < 0.0) & (force[1:] >= 0.0))
+        rises = way[i] - force[i] / (force[i + 1] - force[i]) * (way[i + 1] - way[i])
+        assert rises.size > 10
+        return float(found["drive_swing"]), np.mean(np.diff(rises))
+
+    coarse, fine, best = (
+        np.array([swing_and_period(m, stiffness) for stiffness in (0.02, 0.03)])
+        for m in (8, 32, 64)
+    )
+    errors = [np.sqrt(np.mean((each / best - 1.0) ** 2, axis=0)) for each in (coarse, fine)]
+    assert (best[:, 1] > length).all()
+    # Of first order the ratio of these errors were (1/8 - 1/64)/(1/32 - 1/64) = 7, of second 21.
+    assert (errors[1] < errors[0] / 12.0).all()
+    assert (errors[1] < 1e-3).all()
 
 
 def test_a_slider_turns_when_its_stiff_drive_does():
