@@ -29,7 +29,7 @@ class SliderRecord(NamedTuple):
     kept: np.ndarray  # shape (9, times): those moments, field by field
     many: np.ndarray  # shape (2,): how many of them are, and how many events
     tally: np.ndarray  # shape (11,): of sticking and slipping, see ``follow_slips``
-    ringing: float  # half a free swing of the mass on its spring, in tau: a stick lasts longer
+    sticks: float  # a stick lasts so long at least, in tau
     events: np.ndarray  # shape (2, room): times (tau) and kinds of the first events, NaN beyond
 
 
@@ -56,9 +56,10 @@ def follow_slips(record, before, now, driven):
     """Note and count what the slider does between two moments, by the speed of the drive.
 
     It is slow where it is less than half as fast as the drive, either way, and has stuck once it
-    was slow for the time ``ringing``: a mass that swings about steady sliding is slow for less than
-    that. A slip begins where it is then twice as fast as the drive, and ends where the next stick
-    begins.
+    was slow for half a free swing of the mass, and for as long as the drive takes over a sample: a
+    mass that swings about steady sliding is slow for less than that, and so is a line without one
+    between the jumps of one slip. A slip begins where it is then twice as fast as the drive, and
+    ends where the next stick begins.
     """
     tally = record.tally
     if before.speed * now.speed < 0.0:
@@ -71,7 +72,7 @@ def follow_slips(record, before, now, driven):
         if tally[SLOW] == np.inf:
             tally[SLOW] = time_at_speed(before, now, math.copysign(0.5 * driven, before.speed))
         tally[LAST] = now.time
-        if now.time - tally[SLOW] >= record.ringing:
+        if now.time - tally[SLOW] >= record.sticks:
             tally[STICKS] = 1.0
             if tally[SLIDES] > 0.0:
                 note_event(record, tally[SLOW], ENDS)

@@ -33,15 +33,14 @@ EVENTS = {
     "slip_period": (
         "The mean time between slips there. A slip begins where the line becomes twice as fast as "
         "the drive after it has stuck, which is to be less than half as fast, either way, for "
-        "longer than half a free swing of the mass, π √(M/k): a mass that rings about steady "
-        "sliding does not stick. It is NaN where a line slips less than twice. It needs a mass: "
-        "without one a jump counts as several slips, more of them the smaller the steps."
+        "longer than half a free swing of the mass, π √(M/k), and than the drive takes from sample "
+        "to sample: a mass that rings about steady sliding does not stick. It is NaN where a line "
+        "slips less than twice."
     ),
     "peak_velocity": "The highest velocity of the line there.",
     "slip_event_time": (
         "When slips of one line begin and end and when it turns back, over the whole programme; "
-        "the first 1000. A slip ends where the next stick begins. As `slip_period` they need a "
-        "mass."
+        "the first 1000. A slip ends where the next stick begins."
     ),
     "slip_event_kind": "0: a slip begins, 1: it ends, 2: the velocity changes its sign.",
     "peak": (
