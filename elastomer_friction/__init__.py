@@ -14,11 +14,11 @@ os.environ.setdefault("HDF5_USE_FILE_LOCKING", "FALSE")
 
 from typing import TYPE_CHECKING
 
-from elastomer_friction.workflow.lazy import public_names
+from elastomer_friction.workflow.ground import public_names
 
 if TYPE_CHECKING:
     from elastomer_friction.workflow import law, scene
-    from elastomer_friction.workflow.errors import UserError
+    from elastomer_friction.workflow.ground import UserError
     from elastomer_friction.workflow.kinetic_law import KineticLaw
     from elastomer_friction.workflow.result import open_tree as open
     from elastomer_friction.workflow.system import VERSION as __version__

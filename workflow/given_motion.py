@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .errors import UserError
+from .ground import UserError
 
 
 class LawError(UserError, ValueError):

@@ -20,7 +20,7 @@ SCRIPT = """
 import sys
 from pathlib import Path
 from tests.support.faults import TRUTH, checked, fill
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.store.store import Store
 from elastomer_friction.workflow.system import Patience
 for line in sys.stdin:

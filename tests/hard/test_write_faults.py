@@ -15,7 +15,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import Store
 from tests.support.disks import make_read_only, mounted

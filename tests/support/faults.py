@@ -7,7 +7,7 @@ from pathlib import Path
 
 import netCDF4
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.simulate.tasks import Record
 from elastomer_friction.workflow.store.store import DamagedShard, Store
 from tests.support.shards import SAMPLES, WORK, held, records, reopened

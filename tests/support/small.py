@@ -6,7 +6,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.batches import cut, make_batches, missing_work
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, BatchResult

@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.kernels import Case, Line, Quantities, amplitudes, rms_slope, run_case
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.kinetic_law import (
     BeyondKineticLawWarning,
     KineticLaw,

@@ -5,7 +5,7 @@ Knows all rooms; no room knows it.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .command_line import command_parser, main

@@ -8,7 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any, NoReturn
 
-from ..errors import UserError
+from ..ground import UserError
 from ..system import program, version_of
 from .exit_status import RESUMABLE, WRONG
 

@@ -9,7 +9,7 @@ from pathlib import Path
 from typing import Any
 
 from .. import report, scene
-from ..errors import UserError, printable
+from ..ground import UserError, printable
 from ..result import check_result, result_file
 from ..run import result_line, status_lines
 from ..store import Verified, holds_a_store, merge_into, store_folder

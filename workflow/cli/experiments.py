@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import laboratory, report  # slow to import: other commands do without
-from ..errors import UserError
+from ..ground import UserError
 from ..study import INCOMPRESSIBLE, Moduli, read_moduli
 from ..system import make_folder, write_durably
 from .exit_status import DONE

@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from .. import law  # slow to import: other commands do without
-from ..errors import UserError
+from ..ground import UserError
 from ..result import check_result, open_tree, result_file
 from ..study import read_study
 from ..system import make_folder, write_durably

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from ..ground import counted
 from ..plan import (
     MARCHED,
     WHOLE,
@@ -39,7 +40,7 @@ from ..study import (
     judged,
     why_not,
 )
-from ..system import COMPILING_MIB, core_time, counted
+from ..system import COMPILING_MIB, core_time
 
 SHOWN = 8  # legs of a programme
 SECONDS_PER_POINT = 1.5e-5  # of each variant, that planning takes

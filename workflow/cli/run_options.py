@@ -7,7 +7,7 @@ import shlex
 import sys
 from pathlib import Path
 
-from ..errors import UserError
+from ..ground import UserError
 from ..plan import TYPICAL, Pace, Plan, known_machine, learn, this_machine
 from ..study import Measured, Study
 from ..system import program

@@ -5,7 +5,7 @@ The only room beside run that knows dask's scheduler.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .blame import Blame

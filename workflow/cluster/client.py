@@ -19,7 +19,7 @@ from distributed.system import MEMORY_LIMIT
 from distributed.utils import sync
 from tornado.ioloop import IOLoop
 
-from ..errors import UserError
+from ..ground import UserError
 from ..study import BATCH_SYSTEMS, LOCAL, Cluster
 from ..system import THREADS, Watch, say
 from .jobs import ADAPT_SECONDS, job_cluster

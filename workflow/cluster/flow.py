@@ -9,7 +9,7 @@ from typing import Any, cast
 
 from distributed.scheduler import KilledWorker
 
-from ..errors import UserError
+from ..ground import UserError
 from ..system import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 from .blame import Blame
 from .pool import ResultLost, Snapshot

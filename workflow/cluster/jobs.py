@@ -12,7 +12,7 @@ from typing import Any
 import dask
 from tornado.ioloop import IOLoop
 
-from ..errors import UserError
+from ..ground import UserError
 from ..study import BATCH_SYSTEMS, Cluster, walltime_seconds
 from ..system import ROOT, THREADS, interface_named, refused
 from .security import ENCRYPTED, no_pages, own_security, scheduler_options

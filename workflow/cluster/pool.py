@@ -17,7 +17,7 @@ from dask.utils import funcname
 from distributed import Client, Future
 from distributed.client import FutureCancelledError
 
-from ..errors import UserError
+from ..ground import UserError
 from .worker import PLACE, with_address
 
 LOST = "the scheduler was lost; run again to resume"

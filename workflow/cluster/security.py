@@ -12,7 +12,7 @@ from typing import Any
 import dask
 from distributed.security import Security
 
-from ..errors import UserError
+from ..ground import UserError
 from ..study import Cluster
 
 ENCRYPTED = "tls://"

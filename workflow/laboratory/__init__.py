@@ -5,7 +5,7 @@ Text files of a laboratory in; jumps, rates, tau, H, q_max, rate-and-state const
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .figure import draw_fit

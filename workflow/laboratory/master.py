@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import UserError
+from ..ground import UserError
 from ..reduce import ShiftFit, Superposition, fit_shifts, superposed
 from ..study import Arrhenius, Moduli, ShiftTable, Wlf
 from .estimate import Estimate

@@ -9,8 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import UserError
-from ..system import counted
+from ..ground import UserError, counted
 from .estimate import DEVIATIONS, noise_of
 from .record import Record
 

@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import UserError
+from ..ground import UserError
 from ..text_tables import TextTable, Wanted, picked, picked_by_name, read_text_table, told, unit_of
 
 TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", "--time")

@@ -3,7 +3,7 @@
 import math
 from statistics import fmean
 
-from ..system import counted
+from ..ground import counted
 from .estimate import Estimate
 from .step_fit import NEITHER, NOTHING, POOR, StepFit
 from .together import APART, Fit, Rates

@@ -5,7 +5,7 @@ The errors that a law states belong to it, as its range does.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .law_export import FORMS, Exported

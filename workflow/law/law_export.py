@@ -18,8 +18,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import printable
 from ..given_motion import LawError
+from ..ground import printable
 from ..system import VERSION
 from .load_law import NUMBERS, LoadLaw
 from .memory_law import MemoryLaw

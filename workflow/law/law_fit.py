@@ -16,8 +16,8 @@ import numpy as np
 from scipy.linalg import lstsq
 from scipy.optimize import least_squares
 
-from ..errors import UserError
 from ..given_motion import finely
+from ..ground import UserError
 from .load_law import LEAST_LOADS, LoadLaw
 from .memory_law import MemoryLaw, even, odd, relaxed_to
 from .reduced_law import Law, Validity, followed, mean_speed

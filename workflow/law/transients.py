@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..errors import UserError
+from ..ground import UserError
 from ..reduce import RESOLVED, UNRESOLVED
 from ..study import LAWS_OF_SHIFT, LISTED
 

@@ -21,9 +21,8 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..errors import UserError
 from ..given_motion import LawError, finite_numbers
-from ..plain_files import read_plain
+from ..ground import UserError, read_plain
 from .load_law import LoadLaw
 from .memory_law import MemoryLaw
 from .reduced_law import ADDED, FORMAT, WORDS, Law, Validity, mean_speed

@@ -5,7 +5,7 @@ Plain data: it computes no realization and opens no store.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .batches import (

@@ -12,7 +12,7 @@ from ...kernels import KELVIN, QUARTET
 from ...kernels.model.limits import SPEEDS
 from ...kernels.quick.contacts.between_samples import LEAST_STEPS
 from ...kernels.rheology.spectrum import shortest_step
-from ..errors import UserError
+from ..ground import UserError
 from ..simulate import Problem
 from ..study import HALF_SPACE, MOST_BLOCKS, Numerics, Scene, Study, judged
 from .cost import touchable_share

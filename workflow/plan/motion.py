@@ -17,7 +17,7 @@ from ...kernels import (
 from ...kernels.drive import TOLERANCE, Drive, courses
 from ...kernels.half_space.surface import rms_slope_of
 from ...kernels.scene import ASKED
-from ..errors import UserError
+from ..ground import UserError
 from ..simulate import LineShape, Problem, Recording, ScaledHistory, bounded_counts, programme_steps
 from ..study import (
     FOUNDATION,

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...kernels import START, Origin, Quantities
 from ...kernels.compile.garbage import nothing_collected
-from ..errors import UserError
+from ..ground import UserError
 from ..simulate import HALVED, Batch, Task, bounded_counts, row_layout, row_width
 from ..study import HALF_SPACE, Study
 from .cost import PARTS, TYPICAL, Pace, Prediction, prediction

@@ -16,7 +16,7 @@ from ...kernels import Spectrum, amplitudes, rms_slope
 from ...kernels.half_space.surface import ring_amplitudes, rms_slope_of
 from ...kernels.model.limits import LOADS, SPEEDS
 from ...kernels.quick.prepared import LEAST_STEP
-from ..errors import UserError
+from ..ground import UserError
 from ..kinetic_law import relaxation_rate
 from ..simulate import Problem
 from ..study import HALF_SPACE, Material, Parts, Study, axes_of, check_load

@@ -5,7 +5,7 @@ Plain arrays in and out; runs on the workers.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .attainment import ACCURACY_MEANINGS, MET_WHERE_DEFINED, MISSED, Attained, attained

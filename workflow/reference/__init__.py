@@ -5,7 +5,7 @@ Knows all rooms; `make docs` writes the pages to docs/reference.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .pages import PAGES, write_pages

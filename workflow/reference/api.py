@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from .. import law, scene
-from ..errors import UserError
+from ..ground import UserError
 from ..kinetic_law import KineticLaw
 from ..result import open_tree
 

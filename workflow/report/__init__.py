@@ -5,7 +5,7 @@ Reads result files alone; knows no run.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .animation import animate, check_animation

@@ -15,7 +15,7 @@ from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
 
-from ..errors import UserError
+from ..ground import UserError
 from ..system import write_durably
 from .panels import COLOURS, STYLE
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pandas as pd
 
-from ..errors import UserError
+from ..ground import UserError
 from ..result import BROKEN, ROOT, Groups, broken, open_result
 from ..study import AnyStudy, Measured, Study
 from ..system import write_durably

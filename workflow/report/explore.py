@@ -13,7 +13,7 @@ import numpy as np
 import xarray as xr
 from markupsafe import Markup
 
-from ..errors import UserError
+from ..ground import UserError
 from ..result import open_tree
 from ..study import EVERY_AXIS
 from ..system import make_folder, write_durably

@@ -16,7 +16,7 @@ import matplotlib as mpl
 from matplotlib import pyplot as plt
 from matplotlib.figure import Figure
 
-from ..errors import UserError
+from ..ground import UserError
 from ..result import BROKEN, Groups, broken, open_result
 from ..study import AnyStudy, load_script
 from ..system import write_durably

@@ -15,7 +15,7 @@ from typing import NamedTuple
 import xarray as xr
 from markupsafe import Markup, escape
 
-from ..errors import UserError
+from ..ground import UserError
 from ..reduce import STATUS_MEANINGS
 from ..result import ROOT, Groups, differing_settings, edited, listed, open_result, result_file
 from ..study import AnyStudy, known_scales, known_studies, read_study

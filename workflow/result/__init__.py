@@ -5,7 +5,7 @@ The first room that knows xarray.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .dataset import Groups, build_dataset

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
-from ..errors import UserError
+from ..ground import UserError
 from ..simulate import CODE
 from ..store import is_as_written
 from ..study import AnyStudy

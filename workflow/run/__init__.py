@@ -5,7 +5,7 @@ Computes what is missing, stores it as it finishes, reduces, writes the result.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .grid_run import run_plan

@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from .. import reduce, result
-from ..errors import UserError
+from ..ground import UserError
 from ..plan import JACKKNIFE_GROUPS, Plan, Variant, most_blocks
 from ..simulate import Task
 from ..store import Store

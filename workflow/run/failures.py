@@ -5,7 +5,7 @@ import math
 import sys
 from typing import Any
 
-from ..errors import UserError
+from ..ground import UserError
 from ..plan import Plan
 from ..simulate import Batch, Task
 from ..store import Store

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 
 from ...kernels.compile import cache
 from .. import result as results
-from ..errors import UserError
+from ..ground import UserError
 from ..plan import (
     JACKKNIFE_GROUPS,
     Missing,

@@ -15,8 +15,7 @@ from dataclasses import asdict, dataclass
 from datetime import datetime
 from pathlib import Path
 
-from ..errors import UserError
-from ..plain_files import open_plain
+from ..ground import UserError, open_plain
 from ..plan import make_plan, missing_work, this_machine, total_records, total_seconds
 from ..simulate import CODE
 from ..store import Store, journal

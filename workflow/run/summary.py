@@ -12,10 +12,11 @@ import numpy as np
 
 from .. import reduce
 from .. import result as results
+from ..ground import counted
 from ..plan import Plan
 from ..simulate import PHASES, Batch, BatchResult
 from ..study import AXES
-from ..system import counted, duration, peak_bytes, this_maker
+from ..system import duration, peak_bytes, this_maker
 from .failures import point_in_words
 
 if TYPE_CHECKING:

@@ -7,7 +7,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from .. import cluster
-from ..errors import UserError
+from ..ground import UserError
 from ..plan import Plan
 from ..simulate import Batch, BatchResult, block_means
 from ..study import HERE, LOCAL, Cluster

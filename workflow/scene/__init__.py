@@ -5,7 +5,7 @@
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from ..report import animate

@@ -11,7 +11,7 @@ import xarray as xr
 
 from ...kernels import START, Saved, form_of, memories
 from ...kernels.compile import cache
-from ..errors import UserError
+from ..ground import UserError
 from ..plan import Plan, Variant, cut, make_batches, make_plan, missing_work
 from ..reduce import Estimates, blocks_of, completed, reduce_blocks
 from ..result import build_dataset

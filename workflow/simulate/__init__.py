@@ -5,7 +5,7 @@ Imports numpy and the kernels alone; its code is part of the key of every record
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .code import CODE

@@ -5,7 +5,7 @@ One process writes, any number read; a record is found by (key of its task, bloc
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .merge import merge_into

@@ -11,8 +11,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any
 
-from ..errors import UserError
-from ..plain_files import open_plain
+from ..ground import UserError, open_plain
 from ..system import append_durably, refused
 
 NAME = "journal"

@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..errors import UserError
+from ..ground import UserError
 from ..system import hold, read_whole, sizes_in, unreadable, write_durably
 from . import journal
 from .shard import Contents, NoShard, decode, digest, shard_sizes

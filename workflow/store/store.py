@@ -14,7 +14,7 @@ from typing import Any
 
 import numpy as np
 
-from ..errors import UserError
+from ..ground import UserError
 from ..simulate import SCALARS, Record
 from ..system import (
     Maker,

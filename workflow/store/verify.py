@@ -3,7 +3,7 @@
 from collections import defaultdict
 from pathlib import Path
 
-from ..errors import UserError
+from ..ground import UserError
 from ..system import LOCK, digest_of, read_whole, sizes_in, unreadable
 from . import journal
 from .index import Index

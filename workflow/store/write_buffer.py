@@ -3,7 +3,7 @@
 import time
 from collections.abc import Callable
 
-from ..errors import UserError
+from ..ground import UserError
 from ..simulate import Batch, BatchResult
 from .shard import Finished
 from .store import Store

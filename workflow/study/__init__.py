@@ -5,7 +5,7 @@ Knows the kernels' names of schemes and spectra, and no later stage.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .axes import AXES, EVERY_AXIS, Parts, axes_of

@@ -6,7 +6,7 @@ from collections.abc import Mapping
 from functools import partial
 from typing import Any, NamedTuple
 
-from ..errors import UserError
+from ..ground import UserError
 from .settings import TEXT, Key, as_text, filled, integer, positive
 
 LOCAL = "local"

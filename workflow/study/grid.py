@@ -6,7 +6,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from ..errors import UserError
+from ..ground import UserError
 from .axes import EVERY_AXIS, Grid, Parts, axes_of, parts_at
 from .effects import Scene
 from .settings import (

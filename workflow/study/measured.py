@@ -18,7 +18,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
 
-from ..errors import UserError
+from ..ground import UserError
 from .scripts import load_script
 from .settings import Key, check_keys, read_table
 from .study import AnyStudy, study_head

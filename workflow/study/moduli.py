@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import UserError
+from ..ground import UserError
 from ..text_tables import (
     Picked,
     TextTable,

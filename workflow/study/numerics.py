@@ -5,7 +5,7 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from ...kernels import SCHEMES
-from ..errors import UserError
+from ..ground import UserError
 from .settings import Key, choice, filled, integer, within
 
 LONG_HORIZON = 6.0  # below 1 %: beyond 4 expected times b changes by 0.5 %, at worst by 5 %

@@ -11,8 +11,7 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ..errors import UserError, did_you_mean
-from ..plain_files import read_plain
+from ..ground import UserError, did_you_mean, read_plain
 from .axes import AXES
 from .measured import read_measured
 from .settings import as_table

@@ -9,7 +9,7 @@ import sys
 from pathlib import Path
 from types import ModuleType
 
-from ..errors import UserError
+from ..ground import UserError
 
 OWN = Path(__file__).resolve().parents[2] / "studies"
 MOVED = ("kernels", "workflow", "studies")  # once packages of their own

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any, ClassVar
 
 from ...kernels import QUARTET
-from ..errors import UserError
+from ..ground import UserError
 from .axes import EVERY_AXIS, Grid, Parts, parts_at, separated, with_value
 from .cluster import HERE, Cluster, read_cluster
 from .effects import FOUNDATION, LISTED, Material, Scene, check_quantities, read_scene_table

@@ -9,7 +9,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from ..errors import UserError
+from ..ground import UserError
 from ..text_tables import ZERO, Picked, TextTable, Wanted, picked, picked_by_name, unit_of
 
 TEMPERATURE = Wanted("a temperature", "temperature", r"temp(?!(o|s|us)([\W_]|$))|^T[s]?$", "°C")

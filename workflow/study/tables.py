@@ -5,7 +5,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any
 
-from ..errors import Complaints, UserError
+from ..ground import Complaints, UserError
 from .axes import with_lists
 from .cluster import CLUSTER
 from .effects import (

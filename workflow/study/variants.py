@@ -5,7 +5,7 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from ..errors import UserError
+from ..ground import UserError
 from .effects import (
     BODY,
     FORCE,

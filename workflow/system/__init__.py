@@ -1,11 +1,11 @@
 """Disk, process and terminal: what every stage needs of the machine below it.
 
-Imports nothing of ours but errors.
+Imports nothing of ours but the ground.
 """
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .compiling import COMPILING_MIB, saying_what_compiles
@@ -37,7 +37,7 @@ if TYPE_CHECKING:
     )
     from .patience import Patience
     from .process import THREADS, Interrupt, keep_memory, peak_bytes
-    from .progress import Reporter, core_time, counted, duration
+    from .progress import Reporter, core_time, duration
     from .terminal import forgive_streams, program
     from .versions import Versions, own_versions, require
     from .watch import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say

@@ -7,8 +7,7 @@ import os
 from collections.abc import Iterator
 from pathlib import Path
 
-from ..errors import UserError
-from ..plain_files import open_plain, read_plain
+from ..ground import UserError, open_plain, read_plain
 
 # What fsync says of a folder where the file system does not offer it.
 _REFUSALS = "EINVAL ENOTSUP EOPNOTSUPP ENOSYS EBADF EACCES EPERM EISDIR ENOTTY"

@@ -12,8 +12,7 @@ from datetime import datetime
 from pathlib import Path
 from typing import IO, Any
 
-from ..errors import UserError
-from ..plain_files import open_plain
+from ..ground import UserError, open_plain
 from .durable import flush_folder, refused
 
 LOCK = "lock"

@@ -3,7 +3,7 @@
 import fcntl
 import socket
 
-from ..errors import UserError
+from ..ground import UserError
 
 ADDRESS = 0x8915  # SIOCGIFADDR of Linux
 LONGEST = 15  # letters of a name

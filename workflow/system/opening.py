@@ -15,7 +15,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from ..errors import UserError
+from ..ground import UserError
 from .durable import read_whole, refused
 from .packages import ROOT
 

@@ -8,7 +8,7 @@ from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
 from typing import NamedTuple
 
-from ..errors import UserError
+from ..ground import UserError
 
 ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow and studies
 FOLDERS = ("kernels", "workflow")  # of our sources

@@ -6,7 +6,7 @@ import time
 from collections.abc import Callable
 from typing import TypeVar
 
-from ..errors import UserError
+from ..ground import UserError
 from .progress import duration
 
 # A file server that comes back, a table of open files or a disk that somebody clears.

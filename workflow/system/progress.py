@@ -6,6 +6,8 @@ import time
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeRemainingColumn
 
+from ..ground import counted
+
 LINE_SECONDS = 30.0
 LINE_SHARE = 0.05
 
@@ -59,11 +61,6 @@ class Reporter:
             left = f", {duration((now - self.began) * (1.0 / share - 1.0))} left" if share else ""
             print(f"{self.what}: {share:4.0%}{left}{self.crew}", file=sys.stderr)
             self.last_time, self.last_share = now, share
-
-
-def counted(number: int, thing: str) -> str:
-    """Return a number of things in words: 1 worker, 2 workers."""
-    return f"{number} {thing}{'s' * (number != 1)}"
 
 
 def duration(seconds: float) -> str:

@@ -4,7 +4,7 @@ import platform
 import socket
 from functools import cache
 
-from ..errors import UserError
+from ..ground import UserError
 from .packages import our_sources, version_of
 
 DEPENDED_ON = ("numpy", "numba", "llvmlite", "scipy", "dask", "distributed")

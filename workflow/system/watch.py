@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from ..errors import UserError
+from ..ground import UserError
 from .progress import duration
 
 BEAT_SECONDS = 1.0  # between looks

@@ -5,7 +5,7 @@ Knows the errors of users, and no table of a study.
 
 from typing import TYPE_CHECKING
 
-from ..lazy import public_names
+from ..ground import public_names
 
 if TYPE_CHECKING:
     from .codes import missing_code
@@ -18,7 +18,6 @@ if TYPE_CHECKING:
         picked,
         picked_by_name,
         read_text_table,
-        several,
         table_of_text,
         told,
     )

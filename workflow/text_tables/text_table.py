@@ -27,8 +27,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..errors import UserError
-from ..plain_files import read_plain
+from ..ground import UserError, counted, read_plain
 from .cells import Cells, UnevenRowError, cells_of, is_comment
 from .codes import missing_code
 from .numerals import Marks, archive_kind, decoded, is_missing, is_numeral, is_text, marks_of
@@ -357,12 +356,7 @@ def told(table: TextTable, columns: Sequence[Picked]) -> str:
         text += f"; {len(table.blocks)} blocks"
     if missing:
         codes = ", ".join(f"{one.code:g}" for one in columns if one.code is not None)
-        text += f"; {several(missing, 'value')} missing{f' ({codes})' if codes else ''}"
+        text += f"; {counted(missing, 'value')} missing{f' ({codes})' if codes else ''}"
     if table.passed_over:
-        text += f"; passed over {several(len(table.passed_over), 'line')} of words"
+        text += f"; passed over {counted(len(table.passed_over), 'line')} of words"
     return text
-
-
-def several(number: int, thing: str) -> str:
-    """Return a number of things in words: 1 line, 2 lines."""
-    return f"{number} {thing}{'s' * (number != 1)}"

@@ -10,7 +10,7 @@ from distributed import Client, default_client
 
 from elastomer_friction.workflow.cluster import client as module
 from elastomer_friction.workflow.cluster.client import open_client
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.cluster import Cluster
 
 

@@ -10,7 +10,7 @@ from distributed import Client, get_worker
 
 from elastomer_friction.workflow.cluster.flow import stream
 from elastomer_friction.workflow.cluster.pool import Pool
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.system.watch import Watch
 from tests.support.runs import PATIENCE, standing
 

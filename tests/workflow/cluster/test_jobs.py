@@ -6,7 +6,7 @@ import pytest
 from distributed.security import Security
 
 from elastomer_friction.workflow.cluster import jobs as slurm
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.cluster import read_cluster
 from tests.support.documents import CLUSTER
 

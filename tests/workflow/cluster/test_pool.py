@@ -9,7 +9,7 @@ from distributed.comm import CommClosedError
 
 from elastomer_friction.workflow.cluster import pool as module
 from elastomer_friction.workflow.cluster.pool import Pool, ResultLost
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from tests.support.runs import PATIENCE
 
 

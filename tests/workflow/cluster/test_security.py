@@ -14,7 +14,7 @@ from elastomer_friction.workflow.cluster.security import (
     scheduler_options,
     security_of,
 )
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.cluster import Cluster
 
 THERE = "tls://127.0.0.1:8786"

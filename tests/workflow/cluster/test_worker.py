@@ -6,7 +6,7 @@ import pytest
 
 from elastomer_friction.workflow.cluster.client import open_client
 from elastomer_friction.workflow.cluster.worker import run_batch
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system.versions import own_versions

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.laboratory.parting import measured_steps, no_steps_of
 from elastomer_friction.workflow.laboratory.record import Record
 from elastomer_friction.workflow.laboratory.sentences import describe

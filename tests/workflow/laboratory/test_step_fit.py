@@ -6,7 +6,7 @@ from itertools import pairwise
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.laboratory.estimate import correlation_factor, mean
 from elastomer_friction.workflow.laboratory.parting import constant_stretches, measured_steps
 from elastomer_friction.workflow.laboratory.step_fit import (

@@ -11,7 +11,7 @@ import zipfile
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.law import LuGreLaw, export, read
 from elastomer_friction.workflow.law.reduced_law import Validity, followed
 from tests.workflow.law.given import load_law, memory_law

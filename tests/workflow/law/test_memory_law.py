@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.law import MemoryLaw, read
 from elastomer_friction.workflow.law.reduced_law import BeyondLawWarning, Validity
 from tests.workflow.law.given import SPEEDS, memory_law

@@ -6,7 +6,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.error_laws import LAWS, relaxing_share, window_rate
 from elastomer_friction.workflow.plan.goal import (
     BIAS,

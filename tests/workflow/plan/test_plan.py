@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan import goal
 from elastomer_friction.workflow.plan import variant as module
 from elastomer_friction.workflow.plan.plan import make_plan

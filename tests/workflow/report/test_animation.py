@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 from PIL import Image, ImageChops, ImageSequence
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.report import animate
 
 STEPS, ELEMENTS = 4, 40

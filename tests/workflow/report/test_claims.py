@@ -5,7 +5,7 @@ import pandas as pd
 import pytest
 import xarray as xr
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.reduce import RESOLVED, UNRESOLVED
 from elastomer_friction.workflow.report.claims import (
     evaluate,

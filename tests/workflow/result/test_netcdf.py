@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.result.netcdf import result_file, write_datasets
 from tests.support.disks import fill, make_read_only, mounted
 from tests.support.results import FILES, OLD, WRITTEN, assert_refused, call

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
 from elastomer_friction.workflow.run import collect
 from elastomer_friction.workflow.run.collect import Collector, Fitted

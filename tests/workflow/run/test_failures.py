@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from distributed.scheduler import KilledWorker, WorkerState
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.run.failures import Failures
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.store.store import Store, store_folder

@@ -4,7 +4,7 @@ import os
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.run.status import read_status, status_file
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import store_folder

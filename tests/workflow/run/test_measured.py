@@ -9,7 +9,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.workflow.cli import main
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan import TYPICAL, WHOLE, Pace
 from elastomer_friction.workflow.plan.cost.machine import Learned, label
 from elastomer_friction.workflow.run.measurement import run_measured

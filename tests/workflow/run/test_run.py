@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.run import collect, workers
 from elastomer_friction.workflow.run import grid_run as driver

@@ -7,7 +7,7 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.workflow.cli import main
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.result.netcdf import edited
 from elastomer_friction.workflow.run import store_key
 from elastomer_friction.workflow.run.failures import Failures

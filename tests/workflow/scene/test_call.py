@@ -7,7 +7,7 @@ from numba.core import event
 
 from elastomer_friction.kernels.compile import cache
 from elastomer_friction.workflow import scene
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.scene import call
 from elastomer_friction.workflow.scene.call import toml_value
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, N, heights, run, slide

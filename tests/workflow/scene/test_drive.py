@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan import make_plan
 from tests.support.documents import without
 from tests.support.small import small_study

@@ -14,7 +14,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow import scene
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan import make_plan
 from elastomer_friction.workflow.scene import call
 from elastomer_friction.workflow.study.effects import DRIVE, MATERIAL

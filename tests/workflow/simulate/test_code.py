@@ -19,8 +19,8 @@ BEYOND = (WORKFLOW, "elastomer_friction.studies", "tests")
 # What the hashed files use of ours that no number depends on.
 FROM_SYSTEM = ("Maker", "keep_memory", "peak_bytes", "this_maker")
 NO_NUMBERS = {
-    f"{WORKFLOW}.lazy.public_names",
-    f"{WORKFLOW}.errors.UserError",
+    f"{WORKFLOW}.ground.public_names",
+    f"{WORKFLOW}.ground.UserError",
     *(f"{WORKFLOW}.system.{name}" for name in FROM_SYSTEM),
 }
 

@@ -4,7 +4,7 @@ import contextlib
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.store import journal, shard
 from elastomer_friction.workflow.store.store import DamagedShard, Store
 from elastomer_friction.workflow.store.verify import Verified

@@ -6,7 +6,7 @@ import netCDF4
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import (

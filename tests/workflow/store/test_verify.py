@@ -6,7 +6,7 @@ import fcntl
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.merge import merge_into
 from elastomer_friction.workflow.store.shard import digest

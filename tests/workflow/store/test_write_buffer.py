@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.store import write_buffer as module
 from elastomer_friction.workflow.store.store import Store
 from elastomer_friction.workflow.store.write_buffer import WriteBuffer

@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.axes import (
     AXES,
     EVERY_AXIS,

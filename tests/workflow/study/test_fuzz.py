@@ -13,7 +13,7 @@ from pathlib import Path
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.study.effects.quantities import QUANTITIES
 from elastomer_friction.workflow.study.measured import Measured

@@ -5,7 +5,7 @@ import re
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.moduli import read_moduli
 
 ROWS = "1e-1 1.0 0.1\n1e1 3.0 0.5\n1e0 2.0 0.3\n1e2 4.0 0.2\n"

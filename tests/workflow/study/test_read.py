@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.read import (
     find_study,
     key_of,

@@ -10,7 +10,7 @@ from pathlib import Path
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan.plan import make_plan
 from tests.support.documents import without
 from tests.support.small import TEXT, small_study

@@ -3,7 +3,7 @@
 import pytest
 
 from elastomer_friction.workflow.cli import main
-from elastomer_friction.workflow.errors import UserError, UserErrors
+from elastomer_friction.workflow.ground import UserError, UserErrors
 from elastomer_friction.workflow.study.read import find_study, read_study
 from elastomer_friction.workflow.study.tables import TABLES
 from elastomer_friction.workflow.study.variants import COMPARE

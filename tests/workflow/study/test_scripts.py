@@ -5,7 +5,7 @@ import pwd
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.measured import Measured
 from elastomer_friction.workflow.study.read import read_study
 from elastomer_friction.workflow.study.scripts import OWN, load_script

@@ -6,8 +6,7 @@ import signal
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
-from elastomer_friction.workflow.plain_files import MOST_BYTES
+from elastomer_friction.workflow.ground import MOST_BYTES, UserError
 from elastomer_friction.workflow.study.read import known_studies, read_study
 from tests.support.commands import output, refusal
 from tests.support.documents import without

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.cluster import CLUSTER as KEYS
 from elastomer_friction.workflow.study.cluster import HERE, Cluster, read_cluster, walltime_seconds
 from elastomer_friction.workflow.study.effects.material import Material

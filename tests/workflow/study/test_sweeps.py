@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.moduli import read_moduli
 
 HEADER = "f (Hz), G' (MPa), G'' (MPa)"

@@ -9,7 +9,7 @@ import threading
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.system.durable import (
     append_durably,
     clear_leftovers,

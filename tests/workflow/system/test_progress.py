@@ -9,7 +9,7 @@ import pytest
 from numba.core import event
 
 from elastomer_friction.workflow.system.compiling import FILE, WAITING, saying_what_compiles
-from elastomer_friction.workflow.system.progress import Reporter, core_time, counted, duration
+from elastomer_friction.workflow.system.progress import Reporter, core_time, duration
 
 SECONDS = (0.0, 0.4, 12.3, 119.0, 120.0, 204.0, 7199.0, 20160.0, 674000.0)
 WORDS = "0 s, 0 s, 12 s, 119 s, 2.0 min, 3.4 min, 120.0 min, 5.6 h, 7.8 d"
@@ -91,10 +91,6 @@ def test_an_interval_is_in_one_unit_and_two_digits():
     assert core_time(1e5, 1.23e5) == "about 28 to 34 core-hours"
     assert core_time(3e6, 1.23e7) == "about 35 to 140 core-days"
     assert core_time(0.0, 0.0) == "about 0 to 0 core-seconds"
-
-
-def test_one_thing_is_one():
-    assert [counted(n, "worker") for n in (0, 1, 2)] == ["0 workers", "1 worker", "2 workers"]
 
 
 @pytest.fixture

@@ -2,7 +2,7 @@
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.system import packages
 from elastomer_friction.workflow.system import versions as module
 from elastomer_friction.workflow.system.versions import own_versions, require

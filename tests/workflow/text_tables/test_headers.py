@@ -6,7 +6,7 @@ import random
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.text_tables import Wanted, decoded, picked, table_of_text
 
 WANTED = (

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.text_tables import (
     Wanted,
     decoded,

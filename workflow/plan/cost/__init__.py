@@ -5,7 +5,7 @@ No number of a result depends on it.
 
 from typing import TYPE_CHECKING
 
-from ...lazy import public_names
+from ...ground import public_names
 
 if TYPE_CHECKING:
     from .machine import (

@@ -24,7 +24,7 @@ import numpy as np
 from ....kernels import Quantities
 from ....kernels.compile import cache
 from ....kernels.compile.cache import source_hash
-from ...errors import UserError
+from ...ground import UserError
 from ...simulate import load_kernels
 from ...system import ROOT, THREADS, make_folder, processor, saying_what_compiles, write_durably
 from . import timing, work

@@ -5,7 +5,7 @@ Texts alone: units, dimensions and flags are taken from the declarations.
 
 from typing import TYPE_CHECKING
 
-from ...lazy import public_names
+from ...ground import public_names
 
 if TYPE_CHECKING:
     from .of_tables import SECTIONS

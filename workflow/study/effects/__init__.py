@@ -5,7 +5,7 @@ Plain data in SI units with the checks of what goes together; knows no later sta
 
 from typing import TYPE_CHECKING
 
-from ...lazy import public_names
+from ...ground import public_names
 
 if TYPE_CHECKING:
     from .body_key import BODY, FOUNDATION, HALF_SPACE

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...errors import UserError
+from ...ground import UserError
 from ...text_tables import Picked, TextTable, Wanted, picked, read_text_table, told
 
 HEADER = 'a header "modulus [Pa], time [s]"'

@@ -11,7 +11,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from ....kernels.rheology.spectrum import Spectrum
-from ...errors import UserError
+from ...ground import UserError
 from ..settings import (
     POSITIVE,
     Key,

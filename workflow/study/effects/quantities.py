@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from ...errors import UserError
+from ...ground import UserError
 from ..settings import choice
 
 PROGRAMME, STEP, HELD, SWUNG = "programme", "step", "held", "swung"

@@ -6,7 +6,7 @@ from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from ...errors import UserError
+from ...ground import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer, read_table
 from .body_key import BODY
 from .drive_keys import DRIVE, Spring

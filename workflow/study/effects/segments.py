@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import UserError
+from ...ground import UserError
 from ...text_tables import Wanted, picked, read_text_table, told
 from ..settings import (
     NOT_ZERO,

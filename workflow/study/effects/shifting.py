@@ -20,7 +20,7 @@ from typing import NamedTuple, Protocol
 
 import numpy as np
 
-from ...errors import UserError
+from ...ground import UserError
 from ...text_tables import ZERO, Wanted, picked, read_text_table, told
 from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table
 

@@ -5,7 +5,7 @@ Knows no table: which keys there are is said where they are used.
 
 from typing import TYPE_CHECKING
 
-from ...lazy import public_names
+from ...ground import public_names
 
 if TYPE_CHECKING:
     from .checks import (

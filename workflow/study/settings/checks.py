@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import UserError, did_you_mean
+from ...ground import UserError, did_you_mean
 
 UNBOUNDED = 10**9  # whole numbers have no limit that a user would meet
 

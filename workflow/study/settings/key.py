@@ -8,7 +8,7 @@ from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from typing import Any
 
-from ...errors import Complaints, UserError, did_you_mean
+from ...ground import Complaints, UserError, did_you_mean
 from .checks import as_table
 
 REQUIRED = object()

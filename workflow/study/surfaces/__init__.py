@@ -5,7 +5,7 @@ Knows the kernels' spectra and the settings, and no later stage.
 
 from typing import TYPE_CHECKING
 
-from ...lazy import public_names
+from ...ground import public_names
 
 if TYPE_CHECKING:
     from .maps import given_map

@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...errors import UserError
+from ...ground import UserError
 from ...text_tables import unit_of
 from .gaps import without_gaps
 from .positions import uniform_step

@@ -4,8 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from ...errors import UserError
-from ...plain_files import open_plain, read_plain
+from ...ground import UserError, open_plain, read_plain
 from ...text_tables import archive_kind, is_text
 from .as_read import KEY, Asked, Lines, Raw, apart, check_numbered, lines_of, plain
 from .positions import rounding

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...errors import UserError
+from ...ground import UserError
 from ...text_tables import missing_code
 
 GAPS = ("refuse", "fill", "drop")

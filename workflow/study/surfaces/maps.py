@@ -5,7 +5,7 @@ import hashlib
 import numpy as np
 
 from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
-from ...errors import UserError
+from ...ground import UserError
 from .as_read import KEY, LEAST_SAMPLES, Asked
 from .files import read_lines
 from .positions import UNEVEN

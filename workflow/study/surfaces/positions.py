@@ -5,7 +5,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ...errors import UserError
+from ...ground import UserError
 
 UNEVEN = 0.01  # of a step: positions that are off by less are uniform
 MIXED = 0.01  # of the steps: so many must be of another length where all of them are rounded

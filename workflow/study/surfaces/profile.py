@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ....kernels import measured_amplitudes, rms_slope
-from ...errors import UserError
+from ...ground import UserError
 from .alike import Alike, alike
 from .as_read import KEY, LEAST_SAMPLES, Asked, plain
 from .files import read_lines

@@ -6,7 +6,7 @@ from pathlib import Path
 from typing import Any
 
 from ....kernels.lines.self_affine import NORMALISATIONS
-from ...errors import UserError
+from ...ground import UserError
 from ..effects import FOUNDATION, HALF_SPACE
 from ..settings import (
     TEXT,

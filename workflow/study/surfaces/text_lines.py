@@ -7,7 +7,7 @@ import re
 
 import numpy as np
 
-from ...errors import UserError
+from ...ground import UserError, counted
 from ...text_tables import (
     UNREAD,
     TextTable,
@@ -15,7 +15,6 @@ from ...text_tables import (
     count_named,
     quantity_of,
     read_text_table,
-    several,
     unit_of,
 )
 from .as_read import KEY, LEAST_SAMPLES, Asked, Raw, apart, check_numbered, metres
@@ -49,9 +48,8 @@ def read_text_lines(asked: Asked) -> Raw:
     table = read_text_table(KEY, asked.path, asked.name)
     raw = _lines_of_table(asked, table)
     if table.passed_over:
-        over = (
-            f"; {several(len(table.passed_over), 'line')} of words below the first row passed over"
-        )
+        lines = counted(len(table.passed_over), "line")
+        over = f"; {lines} of words below the first row passed over"
         raw = raw._replace(told=raw.told + over)
     return raw
 

@@ -8,7 +8,7 @@ import pytest
 import xarray as xr
 from markupsafe import escape
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan import TYPICAL
 from elastomer_friction.workflow.report import figure
 from elastomer_friction.workflow.report.claims import known_claims

@@ -8,7 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.effects.material import MATERIAL, Material, read_material
 from elastomer_friction.workflow.study.effects.shifting import Wlf
 from elastomer_friction.workflow.study.settings import checked

@@ -4,7 +4,7 @@ import math
 
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.effects.programme import (
     FromFile,
     HoldSegment,

@@ -8,7 +8,7 @@ import netCDF4
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.surfaces.as_read import Asked
 from elastomer_friction.workflow.study.surfaces.files import read_lines
 

@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.surfaces.as_read import Asked, Raw, lines_of
 from elastomer_friction.workflow.study.surfaces.positions import rounding
 

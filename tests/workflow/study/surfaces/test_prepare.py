@@ -5,7 +5,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.surfaces.positions import uniform_step
 from elastomer_friction.workflow.study.surfaces.profile import (
     DETRENDS,

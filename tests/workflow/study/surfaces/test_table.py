@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels import amplitudes, rms_height, rms_slope
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.settings import checked
 from elastomer_friction.workflow.study.surfaces import table
 from elastomer_friction.workflow.study.surfaces.profile import given_profile

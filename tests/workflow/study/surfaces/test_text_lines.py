@@ -5,7 +5,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.errors import UserError
+from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.surfaces.as_read import Asked
 from elastomer_friction.workflow.study.surfaces.files import read_lines
 from elastomer_friction.workflow.study.surfaces.maps import read_map

@@ -80,6 +80,11 @@ def printable(text: str) -> str:
     return "".join(c if c.isprintable() else repr(c)[1:-1] for c in text)
 
 
+def counted(number: int, thing: str) -> str:
+    """Return a number of things in words: 1 worker, 2 workers."""
+    return f"{number} {thing}{'s' * (number != 1)}"
+
+
 def _shown(line: str) -> str:
     """Return a line as it can be printed, cut in the middle where it is endless."""
     text = printable(str(line))

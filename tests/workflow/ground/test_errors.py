@@ -2,11 +2,12 @@
 
 import pytest
 
-from elastomer_friction.workflow.errors import (
+from elastomer_friction.workflow.ground.errors import (
     LONGEST,
     Complaints,
     UserError,
     UserErrors,
+    counted,
     did_you_mean,
 )
 
@@ -48,3 +49,7 @@ def test_what_comes_nearest_is_named():
     assert did_you_mean("hurts", ["hurst", "spacing"]) == "; did you mean hurst?"
     assert did_you_mean("moon", ["local", "slurm"]) == ""
     assert did_you_mean(7, ["linear"]) == ""
+
+
+def test_one_thing_is_one():
+    assert [counted(n, "worker") for n in (0, 1, 2)] == ["0 workers", "1 worker", "2 workers"]
