@@ -23,7 +23,6 @@ from ..plan import (
     prediction,
     this_machine,
 )
-from ..simulate import leg_counts
 from ..study import (
     HALF_SPACE,
     QUANTITIES,
@@ -228,7 +227,7 @@ def march_lines(variant: Variant) -> list[str]:
     found = []
     if variant.recording.asked:
         legs = [type(leg).__name__.lower() for leg in variant.tasks[0].problem.programme]
-        steps = np.array([leg_counts(t.problem, t.steps_per_spacing) for t in variant.tasks])
+        steps = variant.leg_counts()
         found = [f"{leg} {_span(steps[:, k])}" for k, leg in enumerate(legs[:SHOWN])]
         found += ["..."] * (len(legs) > SHOWN) + [f"in all {_span(steps.sum(axis=1))}"]
     if any(task.march_steps for task in variant.tasks):

@@ -9,6 +9,7 @@ from ..ground import public_names
 
 if TYPE_CHECKING:
     from .figure import draw_fit
+    from .fitted_material import FORMS, describe_material, fit_material
     from .master import Shifting, master_curve
     from .record import read_record
     from .sentences import describe

@@ -11,7 +11,7 @@ from ..study import Arrhenius, Moduli, ShiftTable, Wlf
 from .estimate import Estimate
 from .sentences import shown
 
-LARGEST_RESIDUAL = 0.15  # rms of all sweeps in one Prony series
+LARGEST_RESIDUAL = 0.15  # rms of G*, of a material
 
 
 class Shifting(NamedTuple):

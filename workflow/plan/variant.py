@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...kernels import Origin, Quantities
-from ..simulate import CODE, HALVED, LineShape, Problem, Recording, Task, kept_steps
+from ..simulate import CODE, HALVED, LineShape, Problem, Recording, Task, kept_steps, leg_counts
 from ..study import Material, Numerics, Study, Surface
 from .cost import DRAW, PARTS, Pace, Work, kind_of, typical_seconds
 from .goal import Goal, goal_of, horizon_steps, may_have, steps_per_spacing
@@ -53,6 +53,10 @@ class Variant(NamedTuple):
             for samples, tasks in groupby(line, samples_of):
                 total += self.drawing[samples] * max([blocks[task.key] for task in tasks])
         return total
+
+    def leg_counts(self) -> np.ndarray:
+        """Return the steps of each leg of the programme, shape (tasks, legs)."""
+        return np.array([leg_counts(t.problem, t.steps_per_spacing) for t in self.tasks])
 
     def draw_seconds(self, samples: int) -> float:
         """Return the predicted time of drawing one line of so many samples."""

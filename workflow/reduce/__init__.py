@@ -12,6 +12,8 @@ if TYPE_CHECKING:
     from .blocks import Blocks, Estimates, blocks_of
     from .complete import (
         ENOUGH,
+        NARROW,
+        OFF,
         RESOLUTION_COMMENT,
         RESOLUTION_MEANINGS,
         RESOLVED,

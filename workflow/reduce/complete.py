@@ -30,13 +30,15 @@ from .fits import FITTED
 
 UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
 RESOLUTION_MEANINGS = "unresolved coarse resolved"
-RESOLUTION_COMMENT = (
-    "resolved: samples_per_contact is 4 or more, and of measured lines bias_bound at most 0.02; "
-    "coarse: above 1; unresolved: contacts are no wider than a sample, so that points touch one by "
-    "one"
-)
 ENOUGH = 4.0  # samples per contact, with which it is resolved
 TOO_FEW = 1.0  # with which it is not
+RESOLUTION_COMMENT: str = (
+    f"resolved: samples_per_contact is {ENOUGH:g} or more, and of measured lines bias_bound at "
+    f"most {BIAS:g}; coarse: above {TOO_FEW:g}; unresolved: contacts are no wider than a sample, "
+    "so that points touch one by one"
+)
+NARROW = f"contacts of fewer than {ENOUGH:g} samples"
+OFF = f"a discretisation error above {100.0 * BIAS:g} %"
 WHOLE = 1.0  # a bias beyond its own value says no more
 
 

@@ -10,8 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from scipy.optimize import minimize_scalar
 
-from ..study import GAS, Arrhenius, ShiftLaw, ShiftTable, Wlf
-from ..text_tables import ZERO
+from ..study import GAS, Arrhenius, ShiftLaw, ShiftTable, Wlf, inverse_temperature
 
 POLES = np.log(np.geomspace(1.0, 2000.0, 80))  # K below the coldest sweep, at which T_0 is tried
 LEAST = {"wlf": 4, "arrhenius": 3}  # temperatures: one more than there are constants
@@ -112,8 +111,7 @@ def _arrhenius_fit(
         return None
     own = _weighted(covariance)
     wanted = own.off(decades)
-    inverse = 1.0 / (temperatures + ZERO) - 1.0 / (reference + ZERO)
-    slope = own.off(inverse / (GAS * np.log(10.0)))
+    slope = own.off(inverse_temperature(temperatures, reference) / (GAS * np.log(10.0)))
     energy = float(slope @ wanted / (slope @ slope))
     if not energy > 0.0:
         return None

@@ -5,10 +5,7 @@ import re
 from collections.abc import Iterator
 from typing import Any
 
-from .. import law, scene
-from ..ground import UserError
-from ..kinetic_law import KineticLaw
-from ..result import open_tree
+import elastomer_friction as ef
 
 HEAD = """# Every name of Python
 
@@ -17,15 +14,15 @@ and the types of all arguments are known to type checkers.
 """
 # Under the name by which it is called from outside.
 NAMES: dict[str, Any] = {
-    "scene.run": scene.run,
-    "scene.animate": scene.animate,
-    "open": open_tree,
-    "KineticLaw": KineticLaw,
-    "law.fit": law.fit,
-    "law.read": law.read,
-    "law.export": law.export,
-    "law.Law": law.Law,
-    "UserError": UserError,
+    "scene.run": ef.scene.run,
+    "scene.animate": ef.scene.animate,
+    "open": ef.open,
+    "KineticLaw": ef.KineticLaw,
+    "law.fit": ef.law.fit,
+    "law.read": ef.law.read,
+    "law.export": ef.law.export,
+    "law.Law": ef.law.Law,
+    "UserError": ef.UserError,
 }
 MEANING = re.compile(r"^\w[\w, ]* : ")  # of an argument, as our docstrings give it
 WITHIN = re.compile(r"(?<=\.) (?=\w[\w, ]{0,40} : |Raises |Returns )")  # behind a full stop
@@ -43,7 +40,7 @@ def api_page() -> str:
 
 def _methods(public: Any) -> Iterator[tuple[str, Any]]:
     """Yield the public methods of a class, as they stand in it."""
-    if inspect.isclass(public) and public is not UserError:
+    if inspect.isclass(public) and public is not ef.UserError:
         for name, method in vars(public).items():
             function = getattr(method, "__func__", method)
             if inspect.isfunction(function) and not name.startswith("_") and function.__doc__:

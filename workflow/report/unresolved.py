@@ -5,12 +5,9 @@ from collections.abc import Iterator, Mapping
 import numpy as np
 import xarray as xr
 
-from ..plan import BIAS
-from ..reduce import ENOUGH, RESOLVED, UNRESOLVED
+from ..reduce import ENOUGH, NARROW, OFF, RESOLVED, UNRESOLVED
 
 STATUS = "resolution_status"
-NARROW = f"contacts of fewer than {ENOUGH:g} samples"
-OFF = f"a discretisation error above {100.0 * BIAS:g} %"
 
 
 def not_resolved(points: xr.Dataset) -> np.ndarray:

@@ -32,6 +32,7 @@ if TYPE_CHECKING:
         Spring,
         Velocity,
         Wlf,
+        inverse_temperature,
         judged,
         shift_law_of,
         shift_of,

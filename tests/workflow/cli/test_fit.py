@@ -5,7 +5,8 @@ import tomllib
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.cli import command_line, experiments
+from elastomer_friction.workflow import laboratory
+from elastomer_friction.workflow.cli import command_line
 from elastomer_friction.workflow.study.effects.material import MATERIAL, read_material
 from elastomer_friction.workflow.study.effects.shifting import Wlf
 from elastomer_friction.workflow.study.settings import checked
@@ -184,7 +185,7 @@ def test_a_relaxation_test_that_ends_early_says_what_it_leaves_open(capsys, tmp_
 
 def test_the_command_knows_everybody_a_series_is_printed_for():
     """It names them itself, for a help text that imports no laboratory."""
-    assert tuple(experiments.FORMS) == command_line.FOR_WHOM
+    assert tuple(laboratory.FORMS) == command_line.FOR_WHOM
 
 
 @pytest.mark.parametrize("form", ["abaqus", "ansys"])

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
         ShiftLaw,
         ShiftTable,
         Wlf,
+        inverse_temperature,
     )
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

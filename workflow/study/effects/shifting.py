@@ -16,7 +16,7 @@ import math
 import re
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple, Protocol
+from typing import NamedTuple, Protocol, TypeVar
 
 import numpy as np
 
@@ -28,6 +28,7 @@ LAWS_OF_SHIFT = ("wlf", "arrhenius", "shifts")  # by their keys
 MOST_SHIFT = 30.0  # decades
 KELVIN = 230.0  # degrees above the reference: 0 °C in K is 273 above itself
 GAS = 8.314462618  # J/(mol K)
+Numbers = TypeVar("Numbers", float, np.ndarray)
 HEADER = 'a header "temperature [°C], log a_T"'
 TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
 DECADES = Wanted("log10 a_T", "number", r"a_?T|shift|log", "1", HEADER)
@@ -63,6 +64,11 @@ class Wlf(NamedTuple):
         return _in_kelvin(temperature, self.reference)
 
 
+def inverse_temperature(temperature: Numbers, reference: float) -> Numbers:
+    """Return 1/T - 1/T_ref (1/K) of temperatures in °C."""
+    return 1.0 / (temperature + ZERO) - 1.0 / (reference + ZERO)
+
+
 class Arrhenius(NamedTuple):
     """The law of Arrhenius."""
 
@@ -71,8 +77,8 @@ class Arrhenius(NamedTuple):
 
     def decades(self, temperature: float) -> float:
         """Return log10 a_T at a temperature (°C)."""
-        inverse = 1.0 / (temperature + ZERO) - 1.0 / (self.reference + ZERO)
-        return self.activation_energy / (GAS * math.log(10.0)) * inverse
+        decades = self.activation_energy / (GAS * math.log(10.0))
+        return decades * inverse_temperature(temperature, self.reference)
 
     def outside(self, temperature: float) -> str:
         """Return why a temperature (°C) is none of this law, "" where it is one."""

@@ -1,0 +1,110 @@
+"""The material that moduli determine: its branches, how well they fit, and for other programs."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from ..ground import UserError
+from ..reduce import PronyFit, fit_prony
+from ..study import Moduli
+from .master import LARGEST_RESIDUAL
+
+LEAST_SHARE = 1e-9  # of the stiffest branch, that a relaxed modulus is
+
+
+def fit_material(name: str, measured: Moduli, branches: int | None) -> PronyFit:
+    """Return the material of moduli at one temperature, of so many branches or as many as it wants.
+
+    name : of the file, for messages. Raises UserError where the fit is none, or is of no foundation
+    that carries a load.
+    """
+    fit = fit_prony(measured.omega, measured.values, branches)
+    where = f"prony {name}"
+    stiffest = max((modulus for modulus, _ in fit.branches), default=0.0)
+    if fit.dense > LARGEST_RESIDUAL:
+        raise UserError(
+            f"{where}: no Prony series describes it: {100 * fit.dense:.2g} % of the moduli are "
+            f"left over, more than {100 * LARGEST_RESIDUAL:g} %; {measured.told[0]}; give other "
+            "--columns or units, and the temperatures of all sweeps"
+        )
+    if fit.rms > LARGEST_RESIDUAL:
+        raise UserError(
+            f"{where}: {branches} branches are too few: {100 * fit.rms:.2g} % of G* are "
+            f"left over, by as many as are wanted {100 * fit.dense:.2g} %; give more --branches"
+        )
+    if not fit.branches or fit.shear_modulus < LEAST_SHARE * stiffest:
+        lacking = "relaxed modulus" if fit.branches else "branches"
+        raise UserError(f"{where}: the best fit has no {lacking}; is it a rubber?")
+    return fit
+
+
+def describe_material(measured: Moduli, fit: PronyFit, asked: int | None) -> list[str]:
+    """Return what was fitted and how well, in sentences."""
+    omega = measured.omega
+    said = [
+        f"{omega.size} times, {1.0 / omega[-1]:.3g} ... {1.0 / omega[0]:.3g} s"
+        if measured.over_time
+        else f"{omega.size} frequencies, {omega[0]:.3g} ... {omega[-1]:.3g} rad/s",
+        f"{len(fit.branches)} branches; residual of {'G' if measured.over_time else 'G*'} "
+        f"{100 * fit.rms:.2g} % rms, "
+        f"{100 * fit.worst:.2g} % at most; what is slower than {fit.slowest:.3g} s counts as "
+        "relaxed",
+    ]
+    ends = (1.0 / omega[0], "s down") if measured.over_time else (omega[0], "rad/s")
+    first = f"{ends[0]:.3g} {ends[1]}"
+    decades = _per_decade(measured, fit)
+    said.append(
+        f"residual per decade from {first}: {', '.join(f'{100 * one:.2g}' for one in decades)} %"
+    )
+    if decades.max() > LARGEST_RESIDUAL:
+        said.append(
+            f"beware: more than {100 * LARGEST_RESIDUAL:g} % are left over in decade "
+            f"{decades.argmax() + 1} of them: leave out these rows, or take no result from there"
+        )
+    if asked is not None and fit.rms > 2.0 * fit.dense:
+        said.append(f"{asked} branches are too few: more of them leave {100 * fit.dense:.2g} % rms")
+    if not fit.determined:
+        said.append(
+            f"the data do not determine the relaxed modulus: {fit.least:.3g} ... {fit.most:.3g} "
+            f"Pa do as well; it wants "
+            + (
+                f"times beyond {ends[0]:.3g} s"
+                if measured.over_time
+                else f"frequencies below {first}"
+            )
+        )
+    return said
+
+
+def _per_decade(measured: Moduli, fit: PronyFit) -> np.ndarray:
+    """Return the rms residual in each decade of the frequency that holds one."""
+    decade = np.floor(np.log10(measured.omega / measured.omega[0]) + 1e-9)
+    squares = [np.mean(fit.residual[decade == each] ** 2) for each in np.unique(decade)]
+    return np.sqrt(squares)
+
+
+def _shares(fit: PronyFit) -> tuple[float, list[tuple[float, float]]]:
+    """Return G_0 (Pa) at once after a step, and the branches as shares of it."""
+    whole = fit.shear_modulus + sum(modulus for modulus, _ in fit.branches)
+    return whole, [(modulus / whole, time) for modulus, time in fit.branches]
+
+
+def _for_abaqus(fit: PronyFit) -> list[str]:
+    whole, shares = _shares(fit)
+    head = f"** shares of the instantaneous G_0 = {whole:.6g} Pa; g_i, k_i, tau_i in s"
+    rows = [f"{share:.6g}, 0, {time:.6g}" for share, time in shares]
+    return [head, "*VISCOELASTIC, TIME=PRONY", *rows]
+
+
+def _for_ansys(fit: PronyFit) -> list[str]:
+    whole, shares = _shares(fit)
+    head = f"! shares of the instantaneous G_0 = {whole:.6g} Pa; alpha_i, tau_i in s"
+    values = [f"TBDATA,{2 * i + 1},{a:.6g},{t:.6g}" for i, (a, t) in enumerate(shares)]
+    return [head, f"TB,PRONY,1,1,{len(shares)},SHEAR", *values]
+
+
+FORMS: dict[str, Callable[[PronyFit], list[str]]] = {
+    "study": lambda _: [],
+    "abaqus": _for_abaqus,
+    "ansys": _for_ansys,
+}
