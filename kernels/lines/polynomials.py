@@ -8,7 +8,7 @@ its height. It is gone through as elements go, against the motion: t runs from 0
 
 import numpy as np
 
-from ..compile.jit import kernel
+from ..compile.jit import borrowing, kernel
 
 
 @kernel
@@ -26,7 +26,7 @@ def curvatures(z, slope, spacing):
     return found
 
 
-@kernel
+@borrowing
 def quintic(z, slope, curvature, h, j):
     """Return the six coefficients of the height in interval j, a polynomial in t. h : spacing."""
     k = j + 1 if j + 1 < z.size else 0

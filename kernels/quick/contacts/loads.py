@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...model.contact import indentation_under
 from ..steady.ahead import indentation_ahead
 from ..steady.contacts import first, room_for
@@ -135,7 +135,7 @@ def _indentations(decay, z, spans, own, loads, guesses):
     return d, sweeps, full
 
 
-@kernel
+@borrowing
 def _list_whole_line(z, d, contacts):
     """Make one piece of the whole line."""
     contacts.ends[0, 0], contacts.ends[0, 1], contacts.ends[0, 2] = z.size - 1, 0, 1
@@ -145,7 +145,7 @@ def _list_whole_line(z, d, contacts):
         contacts.entered[b] = z[above if above < z.size else 0] - d
 
 
-@kernel
+@borrowing
 def _friction(contact, full, highest, load, guess):
     """Return (mu, samples under pressure, d + d'). highest : threshold of all samples."""
     if full:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...lines.polynomials import bernstein, curvatures, height, quintic, steepness
 from ..steady.spans import SPAN
 
@@ -105,7 +105,7 @@ def products(p, c, start, stop):
     return one * (stop - start), other * (stop - start)
 
 
-@kernel
+@borrowing
 def _deepest_point(z, slope, bend, spacing, low):
     """Return (interval, t, height) of the deepest point of the line."""
     best, at, least = 0, 1.0, np.inf

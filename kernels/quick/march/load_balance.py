@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...model.contact import excess_at, indentation_under, lowest_of, overlap
 from .given import advance
 
@@ -12,7 +12,7 @@ STRIP = 32  # samples, and partial sums
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
 
 
-@kernel
+@borrowing
 def foresee(control, march):
     """Return d after the first step, or a little beyond.
 
@@ -50,7 +50,7 @@ def _lowest_listed(contact, load):
     return lowest, lowest + load
 
 
-@kernel
+@borrowing
 def next_indentation(control, law, lists, sums, more, d, guess):
     """Return (d, advanced, passes): the new indentation, D of the samples in sums, passes over c.
 
@@ -85,7 +85,7 @@ def overlap_of(c, d):
     return total + in_order(depth), touching + in_order(count)
 
 
-@kernel
+@borrowing
 def in_order(parts):
     """Return the sum of partial sums, from the first to the last."""
     total = 0.0

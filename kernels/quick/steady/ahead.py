@@ -8,11 +8,11 @@ the sum in second order only.
 
 import math
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing
 from .contacts import SUM
 
 
-@kernel
+@borrowing
 def indentation_ahead(once, z, d, load, touching, contacts):
     """Return about the indentation of steady sliding under the same load at another speed.
 

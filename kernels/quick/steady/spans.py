@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 
 SPAN = 16
 # Columns of what is known of a span, as many as the processor fetches at once: height z0 and slope
@@ -40,7 +40,7 @@ class Spans(NamedTuple):
     deepest: int  # sample, the lowest one
 
 
-@kernel
+@borrowing
 def fill_spans(z, slope, spans):
     """Fill the arrays of Spans with what they are of a line; return the deepest sample."""
     n, count = z.size, z.size // SPAN
@@ -76,7 +76,7 @@ def fill_spans(z, slope, spans):
     return _deepest(z, lowest)
 
 
-@kernel
+@borrowing
 def _deepest(z, lowest):
     """Return the first of the lowest samples; numpy's argmin takes as long as all sums."""
     low, at = np.inf, lowest.size
@@ -92,7 +92,7 @@ def _deepest(z, lowest):
     return j
 
 
-@kernel
+@borrowing
 def add_rises(rows, z, slope):
     """Fill in RISE and TURN of the rows of Spans. Only a march asks for them."""
     for b in range(rows.shape[0] - 1):
@@ -106,7 +106,7 @@ def add_rises(rows, z, slope):
         rows[b, RISE], rows[b, TURN] = one, other
 
 
-@kernel
+@borrowing
 def _four(z, slope, j, z0, s0):
     """Return the sums, the lowest height and the largest |z'| of four samples from j on."""
     a, b, c, d = z[j] - z0, z[j + 1] - z0, z[j + 2] - z0, z[j + 3] - z0

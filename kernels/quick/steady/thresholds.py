@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from .spans import SPAN, larger
 
 EIGHT = 8  # samples that are compared at once, in the vector registers of the processor
@@ -77,7 +77,7 @@ def presses_at(z, slope, speeds):
     return press
 
 
-@kernel
+@borrowing
 def _largest(e):
     """Return the largest of eight numbers."""
     one, other = larger(larger(e[0], e[4]), larger(e[1], e[5])), larger(e[2], e[6])
