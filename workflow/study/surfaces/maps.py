@@ -15,7 +15,6 @@ from .profile import (
     PERIODICS,
     Profile,
     check_finite,
-    check_not_flat,
     check_slope,
     given_heights,
     make_periodic,
@@ -67,7 +66,7 @@ def read_map(asked: Asked, detrend: str, periodic: str) -> MapProfile:
     top, left = (rows - side) // 2, (samples - side) // 2
     square = lines.heights[top : top + side, left : left + side]
     levelled = _levelled(square, detrend)
-    check_not_flat(what, levelled, square)
+    _check_not_flat(what, levelled, square)
     copies = PERIODICS[periodic]
     whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
     assumed = " (assumed)" if lines.apart is None else ""
@@ -80,6 +79,12 @@ def read_map(asked: Asked, detrend: str, periodic: str) -> MapProfile:
     check_slope(what, "check surface.units", found)
     said = f"; h = {found.roughness:.4g} m, rms slope {found.slope:.4g}"
     return found._replace(notes=found.notes + said)
+
+
+def _check_not_flat(what: str, heights: np.ndarray, raw: np.ndarray) -> None:
+    """Raise UserError for a map that is flat as a whole; single rows of it may be."""
+    if heights.std() <= FLAT * np.abs(raw).max():
+        raise UserError(f"{what}: is flat: needs heights that differ by more than a trend")
 
 
 def _levelled(heights: np.ndarray, detrend: str) -> np.ndarray:
@@ -112,8 +117,7 @@ def given_map(heights: object, length: float) -> MapProfile:
             f"the last axis along x, or a line contact (n,), of {LEAST_SAMPLES} samples or more"
         )
     check_finite(heights, own, "row")
-    if own.std() <= FLAT * np.abs(own).max():
-        raise UserError("profile: is flat: needs heights that differ")
+    _check_not_flat("profile", own, own)
     what = "line contact" if own.shape[0] == 1 else "map"
     notes = f"given from Python: a {what} of {own.shape}, one period as it is"
     profile = map_profile(own[None], length, 1, notes)

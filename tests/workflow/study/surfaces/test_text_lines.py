@@ -93,6 +93,20 @@ def test_a_map_on_a_half_space_has_square_cells(tmp_path):
     assert "rows as far apart as samples (assumed)" in found.notes
 
 
+@pytest.mark.parametrize("row", [0, 5, 11])
+@pytest.mark.parametrize("detrend", ["none", "mean"])
+def test_a_flat_row_is_part_of_a_map_and_a_flat_map_is_refused(tmp_path, row, detrend):
+    heights = Z[:, :12].copy()
+    heights[row] = heights.max()  # a plateau
+    asked = Asked(tmp_path / "map.npy", "map.npy", tuple(range(12)), ("um", "um"), 1e-6)
+    np.save(asked.path, heights.T)
+    found = read_map(asked, detrend, "none").heights[0]
+    np.testing.assert_allclose(found - found.mean(), (heights - heights.mean()) * 1e-6, atol=1e-18)
+    np.save(asked.path, np.full((12, 12), 3.0))
+    with pytest.raises(UserError, match=r"surface.file = 'map.npy': is flat: needs heights that"):
+        read_map(asked, detrend, "none")
+
+
 def test_lines_of_a_map_run_along_the_column_that_is_asked_for(tmp_path):
     text = "x [um],y [um],z [um]\n" + map_of_points("columns")
     np.testing.assert_allclose(read(tmp_path, text, columns=(0, 2)).heights, Z * 1e-6)
