@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...lines.polynomials import height, quintic
 from .events import AREA, BOTTOM, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
 from .smooth_line import first_zero, pressure, products, squared
@@ -67,7 +67,7 @@ def slide_between(line, speed, others, loads, guesses):
     return table, jumps
 
 
-@kernel
+@borrowing
 def _balanced(line, speed, load, guess, patches):
     """Return (Contact that carries the load, eq. 4, turns), by Newton's method; no turns: none.
 
@@ -93,7 +93,7 @@ def _balanced(line, speed, load, guess, patches):
             return contact, 0
 
 
-@kernel
+@borrowing
 def _sums(line, contact, patches):
     """Return the Integrals over the patches of a contact."""
     z, slope, bend, h, _, _, _, _, _, squares, (first, _, _) = line
@@ -112,7 +112,7 @@ def _sums(line, contact, patches):
     return Integrals(length, rise, square)
 
 
-@kernel
+@borrowing
 def _jump(line, speeds, contact, sums, patches):
     """Return by how much mu (in h/dx) changes at the moment of a jump from one speed to another.
 
@@ -133,7 +133,7 @@ def _jump(line, speeds, contact, sums, patches):
     return work / contact.force
 
 
-@kernel
+@borrowing
 def _unpressed(line, speed, deep, patches, count):
     """Return integrals of p, p z', 1 and z' over what of a contact would have a pressure p < 0.
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...lines.polynomials import height, quintic, steepness
 from ...rheology.law import NEGLIGIBLE
 from ..steady.spans import SPAN
@@ -49,7 +49,7 @@ def room_for_patches(n):
     return Patches(np.empty((most, 2), np.int64), np.empty((most, 5)))
 
 
-@kernel
+@borrowing
 def turn(line, speed, d, patches):
     """Return the Contact at the indentation d; fill in the patches.
 

@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ..steady.spans import FIRST, HEIGHT, SLOPE, SPAN, STEEP, Spans
 from .touching import Touching
 
@@ -70,7 +70,7 @@ def pressed(line, touching, guess, room):
     return Pressed(line, touching, threshold, *some, numbers[:whole], first[:whole], sums[:whole])
 
 
-@kernel
+@borrowing
 def span_under(line, b, deep):
     """Return (sum of p, sum of p z', number) over the samples of span b with pressure p > 0."""
     normal = tangential = count = 0.0
@@ -83,7 +83,7 @@ def span_under(line, b, deep):
     return normal, tangential, count
 
 
-@kernel
+@borrowing
 def weighed_in_fours(threshold, weight, slope, deep):
     """Return (sum of w p, sum of w p z', sum of w) over samples with pressure p > 0.
 

@@ -8,7 +8,7 @@ Source: Li et al. (2014), doi:10.1038/srep05795.
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...model.contact import excess_at, lowest_of, overlap
 from ...model.friction import LEAST_REACH, MOST_REACH
 from ..steady.contacts import AHEAD, BEHIND
@@ -43,7 +43,7 @@ def _lowest_of_pressed(contact, load):
     return lowest, bound
 
 
-@kernel
+@borrowing
 def friction(contact, deep):
     """Return (mu, samples under pressure): eq. 5, in h/dx. deep : d + d'.
 
@@ -79,7 +79,7 @@ def _uneven(p, sums, speed):
     return p * slope - (work - speed * square)
 
 
-@kernel
+@borrowing
 def friction_everywhere(z, slope, spans, speed, load):
     """Return (mu, d + d') where the whole line touches and is pressed: its sums are known.
 
@@ -92,7 +92,7 @@ def friction_everywhere(z, slope, spans, speed, load):
     return slope[0] + uneven / load, p + (z[0] - speed * slope[0])
 
 
-@kernel
+@borrowing
 def elastic_part(contact, contacts, deep, steps):
     """Return what sum p z' misses of the friction of steady sliding (friction.py).
 
@@ -119,7 +119,7 @@ def elastic_part(contact, contacts, deep, steps):
     return missing
 
 
-@kernel
+@borrowing
 def _elastic_sum(contact, deep):
     """Return the sum of (z - d - d') z' under pressure and of vbar z'^2 over what else touches."""
     (z, slope, spans, speed, press), touching = contact.line, contact.touching

@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...model.contact import excess_at, indentation_under, lowest_of, overlap
 from .given import advance
 
@@ -50,7 +50,7 @@ def _lowest_listed(contact, load):
     return lowest, lowest + load
 
 
-@kernel
+@borrowing
 def next_indentation(control, law, lists, sums, more, d, guess):
     """Return (d, advanced, passes): the new indentation, D of the samples in sums, passes over c.
 

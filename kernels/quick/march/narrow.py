@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ...compile.jit import borrowing, kernel
 from ...rheology.law import State
 from .bounds import Bounds, bounds_of
 from .crossings import arrivals_of, launch, powers_of
@@ -70,7 +70,7 @@ def march_shortening(march, control, where, bounds, stand, last, into, worth, ro
         due += due // 2
 
 
-@kernel
+@borrowing
 def gain(bounds, closer, lists, crossings, steps):
     """Return what shorter lists save over what it costs to make them, by numbers alone."""
     saved = 1.0 - (closer.most - closer.least) / (bounds.most - bounds.least)
@@ -159,7 +159,7 @@ def narrowed(law, line, bounds, where, past, aloft, steps):
     return runs, _part(lists, first[:count], last[:count]), more, landed(landings)
 
 
-@kernel
+@borrowing
 def _entering(law, line, bounds, runs, r, over, above):
     """Return bounds of the displacements with which elements come to run r, and the Reach ahead.
 
@@ -175,7 +175,7 @@ def _entering(law, line, bounds, runs, r, over, above):
     return w, Reach(0.0, UNKNOWN, above.least, above.most)
 
 
-@kernel
+@borrowing
 def _at(line, j):
     """Return the height of sample j, counted on round the period."""
     return line[j - line.size if j >= line.size else j]
@@ -236,7 +236,7 @@ def elements_aloft(law, lists, runs, crossings, d, w, steps):
             w[runs.bottom[r] + i - lists.first[r]] = lists.z[i] - max(lists.c[i], d)
 
 
-@kernel
+@borrowing
 def arriving(crossings, f, least, most, steps):
     """Return bounds of the displacements with which elements arrive in the steps to come.
 
