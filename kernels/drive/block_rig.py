@@ -24,8 +24,9 @@ from ..scene.march_blocks import (
     room_for_blocks,
     round_apart,
 )
+from ..scene.samples import samples_per_contact
 from .posed_line import PosedLine, heights_at, seen_from
-from .rig import accept, attempt, friction_of
+from .rig import accept, attempt, friction_of, patch_width
 
 TAKEN, LAST, BEGIN, COUNT = range(4)  # of the numbers of a rig
 D, TRIED, CHOSEN, CAP = range(4)  # of its indentations
@@ -110,3 +111,8 @@ def _accept(rig, dt):
     d = rig.d[TRIED] + law.lag * (rig.d[D] - rig.d[TRIED])
     rig.d[D] = rig.d[TRIED]
     return rig.sums[0] / rig.z.size, d, rig.sums[1] / rig.z.size
+
+
+@patch_width.of(BlockRig)
+def _patch_width(rig):
+    return samples_per_contact(rig.p[rig.number[LAST]].reshape(-1)[: rig.z.size])

@@ -10,6 +10,7 @@ from ..rheology.forms import form_of
 from ..rheology.law import Elements, law_of
 from ..rheology.retardation import Retardation
 from ..scene.begin import begun
+from ..scene.samples import samples_per_contact
 from ..scene.scene_case import SceneCase
 from .block_rig import block_rig
 from .posed_line import posed
@@ -41,7 +42,8 @@ def run_pulled(line: Line, scene: SceneCase, drive: Drive) -> dict[str, np.ndarr
         earlier = np.roll(line.slope, -way)
         slope = slope + law_of(form, 1.0 / (m * abs(speed))).lag * (earlier - slope)
     normal, tangential, touching = weighed(-begin.p, None, slope, 0.0)
-    forces = tangential / normal, begin.d, normal / n, tangential / n, touching / n
+    means = normal / n, tangential / n, touching / n
+    forces = tangential / normal, begin.d, *means, samples_per_contact(begin.p)
     start = Start(rig, m, line.slope, forces)
     found, tries = pull_through(follow_line, start, drive, scene, times)
     found["trace_indentation"] = found["trace_indentation"] + line.datum

@@ -13,6 +13,7 @@ from ..compile.jit import by_type, kernel
 from ..model.balance import balance
 from ..model.friction import weighed
 from ..rheology.law import Elements, law_of, predict, settle
+from ..scene.samples import samples_per_contact
 from .posed_line import PosedLine, heights_at, seen_from, slope_at
 
 
@@ -32,6 +33,11 @@ def accept(rig, dt):
     The indentation is that at which the force acts, in h; the normal force is in 4 G L h, or in
     E* L h of a half-space.
     """
+
+
+@by_type
+def patch_width(rig):
+    """Return how many samples a patch of contact had in the step that was taken last."""
 
 
 class Rig(NamedTuple):
@@ -95,3 +101,8 @@ def _accept(rig, dt):
     d = rig.d[1] + law.lag * (rig.d[0] - rig.d[1])
     rig.d[0] = rig.d[1]
     return rig.sums[0] / rig.p.size, d, rig.sums[1] / rig.p.size
+
+
+@patch_width.of(Rig)
+def _patch_width(rig):
+    return samples_per_contact(rig.p)

@@ -49,7 +49,7 @@ class Start(NamedTuple):
     rig: Any  # that attempt and accept know (rig.py)
     steps_per_spacing: int
     slope: np.ndarray  # of the surface, in h/dx
-    forces: tuple[float, float, float, float, float]  # of a Moment, from mu to touching
+    forces: tuple[float, float, float, float, float, float]  # of a Moment, from mu to samples
 
 
 def courses(programme: Programme, place: float) -> Iterator[Course]:

@@ -16,6 +16,7 @@ class Moment(NamedTuple):
     normal: float  # in the units of the load
     friction: float  # in the units of the drive
     touching: float  # share of the surface
+    samples: float  # in a patch of contact
     time: float  # in tau
     place: float  # of the slider, in dx
     speed: float  # in dx/tau
@@ -26,13 +27,14 @@ class SliderRecord(NamedTuple):
     """What is kept of a slider's way."""
 
     times: np.ndarray  # at which its moments are kept, in tau, increasing
-    kept: np.ndarray  # shape (9, times): those moments, field by field
+    kept: np.ndarray  # shape (10, times): those moments, field by field
     many: np.ndarray  # shape (2,): how many of them are, and how many events
     tally: np.ndarray  # shape (11,): of sticking and slipping, see ``follow_slips``
     sticks: float  # a stick lasts so long at least, in tau
     events: np.ndarray  # shape (2, room): times (tau) and kinds of the first events, NaN beyond
 
 
+SAMPLES = Moment._fields.index("samples")
 SINCE, LEAST, MOST, FASTEST, SLIPS, BEGAN, LATEST, STICKS, SLOW, LAST, SLIDES = range(11)
 BEGINS, ENDS, REVERSES = range(3)  # kinds of events: a slip begins, it ends, the slider turns
 
@@ -118,4 +120,5 @@ def keep(record, before, now, driven):
             share = (times[count[0]] - before.time) / (now.time - before.time)
         for row in range(len(now)):
             kept[row, count[0]] = before[row] + share * (now[row] - before[row])
+        kept[SAMPLES, count[0]] = now.samples  # counted where they are kept alone
         count[0] += 1

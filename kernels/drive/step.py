@@ -17,7 +17,7 @@ import numpy as np
 from ..compile.jit import either_way, kernel
 from ..motion.path import NEAR, WHOLE
 from .posed_line import Places
-from .rig import accept, attempt
+from .rig import accept, attempt, patch_width
 from .search import SLOPE, narrow_enough, new_search, next_guess
 from .slider_record import Moment, SliderRecord, keep
 from .spring import Course, Drive, Pull, SliderState, course_at, pull_of
@@ -160,7 +160,11 @@ def go(pulled, course, going, moved, found):
     motion, pull, dt = going.motion, found.pull, found.dt
     normal, d, touching = accept(pulled.rig, dt)
     mu = found.friction / normal if normal > 0.0 else np.nan
-    forces = mu, d, normal, found.friction, touching
+    record, samples = pulled.record, going.moment.samples
+    due = record.many[0] < record.times.size and record.times[record.many[0]] <= pull.felt
+    if due or motion.time + dt > course.time[-1] - REST * dt:
+        samples = patch_width(pulled.rig)
+    forces = mu, d, normal, found.friction, touching, samples
     moment = Moment(*forces, pull.felt, pull.place, moved / dt, pull.force)
     keep(pulled.record, going.moment, moment, course_at(course, moment.time)[1])
     end, place = motion.time + dt, motion.place + moved

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..drive.rig import accept, attempt
+from ..drive.rig import accept, attempt, patch_width
 from ..drive.slider import Start, kept_times, pull_through, steady_speed
 from ..drive.spring import Drive
 from ..drive.step import follow_leg
@@ -15,6 +15,7 @@ from ..rheology.forms import form_of
 from ..rheology.law import law_of
 from ..scene.scene_case import SceneCase
 from .body import STEP_TOLERANCE, Body, HalfSpace, settled_on, tried
+from .patches import samples_per_patch
 from .scenes import Moving, begun_on
 from .surface import Surface
 
@@ -63,6 +64,11 @@ def _accept(rig, dt):
     return float(p.mean()) * side_of(rig.space), d, np.count_nonzero(p > 0.0) / p.size
 
 
+@patch_width.of(MapRig)
+def _patch_width(rig):
+    return samples_per_patch(rig.body.p)
+
+
 def side_of(space: HalfSpace) -> float:
     """Return the side of the surface along x, in dx."""
     return space.surface.z.shape[1] / space.surface.steps_per_spacing
@@ -86,6 +92,7 @@ def run_pulled_on_half_space(
     mu = mean_slope(body.p, slope)
     touching = np.count_nonzero(body.p > 0.0) / body.p.size
     rig = MapRig(space, moving, body, passes)
-    start = Start(rig, m, surface.slope, (mu, body.d, normal, mu * normal, touching))
+    forces = mu, body.d, normal, mu * normal, touching, samples_per_patch(body.p)
+    start = Start(rig, m, surface.slope, forces)
     found, _ = pull_through(follow_leg, start, drive, scene, times)
     return found | {"updates": np.array(float(rig.passes * surface.z.size))}

@@ -20,6 +20,7 @@ from ..scene.cycles import add_impulses, mean_of, spell_of
 from ..scene.records import TRACES, Trace, keep_forces, keep_motion
 from ..scene.scene_case import Saved, SceneCase, check_scene, scene_steps
 from .body import Body, HalfSpace, move_on, rest_on, step_tolerance
+from .patches import samples_per_patch
 from .sliding_body import slide_steadily
 from .surface import Surface
 
@@ -101,6 +102,7 @@ def run_scene_on_half_space(
         if step in kept:
             k = kept[step]
             keep_forces(trace, k, lag, sums, body.p.size, old, body.d)
+            trace.samples_per_contact[k] = samples_per_patch(body.p)
             trace.normal_force[k] *= n / m  # the side of the surface, in dx
             trace.friction_force[k] *= n / m
             if step:

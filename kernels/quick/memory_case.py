@@ -14,8 +14,8 @@ from ..rheology.forms import form_of
 from ..rheology.law import Elements
 from ..rheology.retardation import Retardation
 from ..scene import Saved, SceneCase, run_scene
+from ..scene.samples import samples_per_contact
 from .case import JUMP, MARCHING, STEADY, Case, Outcome, PhaseClocks, Quantities
-from .contacts.samples import samples_per_contact
 
 
 def run_memory_case(line: Line, case: Case, asked: Quantities) -> Outcome:

@@ -36,6 +36,7 @@ from .cycles import add_impulses
 from .energy import keep_energies
 from .follow import book_step, first_after, seen_at
 from .records import count_lengths, keep_forces, keep_frame, keep_motion
+from .samples import samples_per_contact
 
 CELL = 16  # samples of which the lowest is known
 SLACK = 16  # samples that the line may move before the blocks are chosen anew
@@ -317,11 +318,29 @@ def _keep(k, form, law, track, s, old, d, blocks, some, p, trace, ledger, length
     n = track.z.shape[1] // 2
     if trace is not None:
         keep_forces(trace, k, law.lag, _sums(law.lag, track, s, some, p), n, old, d)
+        trace.samples_per_contact[k] = samples_per_contact(_forces(p, some, n))
         keep_motion(trace, k, law.lag, track, s)
     if ledger is not None:
         keep_energies(ledger, k, form, _memory(blocks, n), p.reshape(-1)[:n])
     if lengths is not None:
         count_lengths(lengths, p.reshape(-1)[:n])
+
+
+@kernel
+def _forces(p, some, n):
+    """Return the forces of some blocks of n elements, one that is free where others lie between."""
+    forces = np.zeros(some.size * (BLOCK + 1))
+    at = 0
+    for row in range(some.size):
+        first, after = some[row] * BLOCK, some[row - 1] + 1 if row > 0 else 0
+        at += 1 if some[row] != after else 0
+        for i in range(min(BLOCK, n - first)):
+            forces[at] = p[some[row], i]
+            at += 1
+    if some.size > 0 and (some[-1] + 1) * BLOCK < n:
+        forces = np.append(forces[:at], 0.0)
+        at += 1
+    return forces[:at]
 
 
 @kernel

@@ -9,6 +9,7 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..model.friction import weighed
+from .samples import samples_per_contact
 
 
 class Trace(NamedTuple):
@@ -23,6 +24,7 @@ class Trace(NamedTuple):
     normal_force: np.ndarray  # in 4 G L h
     friction_force: np.ndarray  # in 4 G L h^2/dx
     contact_fraction: np.ndarray
+    samples_per_contact: np.ndarray  # of the samples that touch, see samples.py
     time: np.ndarray  # in tau
     distance: np.ndarray  # of the line, in dx
     velocity: np.ndarray  # of the line, in dx/tau
@@ -55,6 +57,7 @@ def keep_trace(trace, k, lag, before, now, old, new, p):
     """
     sums = weighed(-p, None, now + lag * (before - now), 0.0)
     keep_forces(trace, k, lag, sums, p.size, old, new)
+    trace.samples_per_contact[k] = samples_per_contact(p)
 
 
 @kernel

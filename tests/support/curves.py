@@ -4,8 +4,9 @@ import numpy as np
 
 from elastomer_friction.workflow.plan.problems import speed_ratio
 from elastomer_friction.workflow.reduce.blocks import Blocks
-from elastomer_friction.workflow.reduce.complete import exponents_of, resolution
+from elastomer_friction.workflow.reduce.complete import exponents_of
 from elastomer_friction.workflow.reduce.estimates import reduce_blocks
+from elastomer_friction.workflow.reduce.resolution import resolution
 from elastomer_friction.workflow.result.dataset import build_dataset
 from elastomer_friction.workflow.study.effects.quantities import judged
 from tests.support.small import small_plan

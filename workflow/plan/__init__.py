@@ -27,7 +27,7 @@ if TYPE_CHECKING:
         prediction,
         this_machine,
     )
-    from .error_laws import LAWS, first_order_rate_error, known, rate_error
+    from .error_laws import LAWS, first_order_rate_error, known, rate_error, shape_error
     from .foreseen import expected_errors
     from .goal import (
         BIAS,

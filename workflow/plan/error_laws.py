@@ -84,8 +84,13 @@ def rate_error(problem: Problem, steps: Numbers, samples: Numbers, rate: Numbers
     share = _share(problem, steps, rate)
     stepping = 0.02 * (share / allowed_share(problem)) ** 1.5
     edges = 1.8 * np.maximum(samples, 1.0) ** -1.8
-    shape = 0.5 / steps**2
+    shape = shape_error(steps)
     return np.hypot(stepping, np.where(_slides(problem), np.hypot(edges, shape), 0.0))
+
+
+def shape_error(steps: Numbers) -> Numbers:
+    """Return the error of a march that the line is straight between two samples."""
+    return 0.5 / np.asarray(steps) ** 2.0
 
 
 def first_order_rate_error(problem: Problem, steps: Numbers, rate: Numbers) -> Numbers:

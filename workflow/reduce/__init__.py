@@ -10,17 +10,7 @@ from ..ground import public_names
 if TYPE_CHECKING:
     from .attainment import ACCURACY_MEANINGS, MET_WHERE_DEFINED, MISSED, Attained, attained
     from .blocks import Blocks, Estimates, blocks_of
-    from .complete import (
-        ENOUGH,
-        NARROW,
-        OFF,
-        RESOLUTION_COMMENT,
-        RESOLUTION_MEANINGS,
-        RESOLVED,
-        UNRESOLVED,
-        completed,
-        exponents_of,
-    )
+    from .complete import completed, exponents_of
     from .estimates import reduce_blocks
     from .fits import (
         FITTED,
@@ -37,6 +27,15 @@ if TYPE_CHECKING:
     from .models import EXPONENTIAL, MODEL_MEANINGS, STRETCHED, TWO_EXPONENTIALS
     from .prony_fit import PronyFit, fit_prony
     from .rate_state import LAWS, state_change, step_law
+    from .resolution import (
+        ENOUGH,
+        NARROW,
+        OFF,
+        RESOLUTION_COMMENT,
+        RESOLUTION_MEANINGS,
+        RESOLVED,
+        UNRESOLVED,
+    )
     from .shift_fit import ShiftFit, fit_shifts
     from .superposition import Superposition, superposed
 

@@ -1,4 +1,4 @@
-"""What a result says beside its estimates: contacts resolved, bias, and exponents of all tasks."""
+"""What a result says of all tasks beside their estimates, and the exponents over them."""
 
 from functools import lru_cache, partial
 from typing import NamedTuple
@@ -9,37 +9,18 @@ from ...kernels import MOTION, amplitudes
 from ...kernels.half_space.persson import Waves, persson_theory, waves_of_line, waves_of_map
 from ...kernels.half_space.surface import ring_amplitudes
 from ..plan import (
-    BIAS,
-    FIRST_ORDER,
-    LAWS,
     Plan,
     Variant,
-    first_order_rate_error,
-    known,
     line_slope,
-    map_error,
     model_ratio,
     nominal_pressure,
-    rate_error,
     speed_ratio,
 )
 from ..simulate import LineShape, Task
-from ..study import HALF_SPACE, Numerics, Surface, judged
+from ..study import HALF_SPACE, Surface, judged
 from .blocks import Estimates, columns, enter
 from .fits import FITTED
-
-UNRESOLVED, COARSE, RESOLVED = 0, 1, 2
-RESOLUTION_MEANINGS = "unresolved coarse resolved"
-ENOUGH = 4.0  # samples per contact, with which it is resolved
-TOO_FEW = 1.0  # with which it is not
-RESOLUTION_COMMENT: str = (
-    f"resolved: samples_per_contact is {ENOUGH:g} or more, and of measured lines bias_bound at "
-    f"most {BIAS:g}; coarse: above {TOO_FEW:g}; unresolved: contacts are no wider than a sample, "
-    "so that points touch one by one"
-)
-NARROW = f"contacts of fewer than {ENOUGH:g} samples"
-OFF = f"a discretisation error above {100.0 * BIAS:g} %"
-WHOLE = 1.0  # a bias beyond its own value says no more
+from .resolution import UNRESOLVED, resolution, trace_resolution
 
 
 def completed(
@@ -55,6 +36,8 @@ def completed(
     names = judged(plan.study.scene.quantities)
     done = [tasks[row] for row in sound]
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
+    if "trace_samples_per_contact" in estimates:
+        estimates |= trace_resolution(done, estimates, variant.numerics, variant.recording.origin)
     same = {f"{name}_error" for name in MOTION if not _differs(estimates, name)}
     spread = {n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in same}
     spread |= _of_model(tasks, variant.lines.normalisation) if "mu_1" in names else {}
@@ -125,58 +108,6 @@ def _spread(values: np.ndarray, sound: np.ndarray, count: int) -> np.ndarray:
     spread = np.full((count, *values.shape[1:]), nothing, values.dtype)
     spread[sound] = values
     return spread
-
-
-def resolution_status(samples: np.ndarray) -> np.ndarray:
-    """Return the status of each point from its samples per contact, int8; -1 where NaN."""
-    status = np.where(samples >= ENOUGH, RESOLVED, COARSE)
-    status = np.where(samples <= TOO_FEW, UNRESOLVED, status)
-    return np.where(np.isnan(samples), -1, status).astype(np.int8)
-
-
-def resolution(
-    tasks: list[Task], estimates: dict[str, np.ndarray], names: tuple[str, ...], numerics: Numerics
-) -> dict[str, np.ndarray]:
-    """Return the resolution_status of some tasks, and NAME_bias of some of their estimates.
-
-    A bias is a bound of the relative discretisation error; bias_bound is the largest. By the laws
-    of plan/error_laws.py, with the samples per contact and the rate b that were found in place of
-    those expected. Of a first order scheme FIRST_ORDER steps are worth one.
-    """
-    found: dict[str, np.ndarray] = {}
-    if not names:  # nothing steady: a programme alone
-        return found
-    samples = estimates["samples_per_contact"]
-    rates = np.nan_to_num(estimates.get("relaxation_rate", np.zeros(len(tasks))))
-    first_order = numerics.scheme == "implicit-euler"
-    for name in names:
-        if f"{name}_bias" in estimates:  # of lines without a law
-            found[f"{name}_bias"] = np.minimum(estimates[f"{name}_bias"], WHOLE)
-            continue
-        bias = np.empty(len(tasks))
-        for row, task in enumerate(tasks):
-            problem, steps = task.problem, task.steps_per_spacing
-            if problem.surface.body == HALF_SPACE:
-                bias[row] = np.nan if problem.programme else map_error(name, steps, samples[row])
-                continue
-            if not known(problem):
-                bias[row] = np.nan
-                continue
-            if name != "relaxation_rate":
-                worth = steps / FIRST_ORDER if first_order else steps
-                bias[row] = LAWS[name].error(problem, worth, numerics.refines)
-                continue
-            bias[row] = rate_error(problem, steps, samples[row], rates[row])
-            if first_order:
-                bias[row] += first_order_rate_error(problem, steps, rates[row])
-        found[f"{name}_bias"] = np.minimum(bias, WHOLE)
-    found["bias_bound"] = np.fmax.reduce(list(found.values()))
-    status = resolution_status(samples)
-    lawless = any(f"{name}_bias" in estimates for name in names)
-    if lawless:  # the width of contacts alone does not say how far off they are
-        status = np.where((found["bias_bound"] > BIAS) & (status == RESOLVED), COARSE, status)
-    found["resolution_status"] = status.astype(np.int8)
-    return found
 
 
 class PowerLaw(NamedTuple):

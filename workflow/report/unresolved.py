@@ -7,14 +7,17 @@ import xarray as xr
 
 from ..reduce import ENOUGH, NARROW, OFF, RESOLVED, UNRESOLVED
 
-STATUS = "resolution_status"
+STATUS, TRACE_STATUS = "resolution_status", "trace_resolution_status"
 
 
-def not_resolved(points: xr.Dataset) -> np.ndarray:
-    """Return where contacts are coarse or unresolved; nowhere where the result does not say."""
-    if STATUS not in points:
+def not_resolved(points: xr.Dataset, name: str = STATUS) -> np.ndarray:
+    """Return where contacts are coarse or unresolved; nowhere where the result does not say.
+
+    name : of the status, that of points or of their traces.
+    """
+    if name not in points:
         return np.zeros(points.realizations.shape if "realizations" in points else (), bool)
-    status = points[STATUS].values
+    status = points[name].values
     return (status >= 0) & (status < RESOLVED)
 
 

@@ -15,10 +15,12 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from ..reduce import NARROW, OFF
 from ..result import Groups
 from ..study import AXES
 from .in_words import axes_in, mathematical, model_in_words, said, unit_in_words, with_unit
 from .panels import COLOURS, band, error_bars, foot_line, legend_in_room
+from .unresolved import TRACE_STATUS, not_resolved
 
 CAPTION = (
     "The first panel shows the coefficient of friction over time at points that are spread over "
@@ -57,11 +59,12 @@ def draw(groups: Groups) -> Figure:
     figure, axes = plt.subplots(len(rows), panels, figsize=size, squeeze=False, sharey="col")
     for ax in axes[:, panels - len(shown) :].flat[1:]:
         ax.sharex(axes[0, panels - len(shown)])
+    dotted = 0
     for row, place in zip(axes, rows, strict=True):
         held = {name: each.isel(place, missing_dims="ignore") for name, each in groups.items()}
         row[0].set_title(", ".join(_said(held[""], axis) for axis in place), fontsize=7)
         if curve:
-            _curves(row[0], held[""], curve, varied[:2])
+            dotted += _curves(row[0], held[""], curve, varied[:2])
         for ax, name in zip(row[panels - len(shown) :], shown, strict=True):
             _estimate(ax, held, name, tuple(dict.fromkeys((*varied, *FIRST)))[:2])
     for ax in axes[:-1].flat:
@@ -78,6 +81,7 @@ def draw(groups: Groups) -> Figure:
     notes = [
         _drawn(len(varied) > 1 and data.sizes[varied[1]], MOST_COLOURS, "values of the second"),
         _drawn(len(places), MOST_ROWS, "places on the other axes"),
+        f"Dotted curves ({dotted}) are not resolved: {NARROW} or {OFF}." if dotted else "",
         f"{model}." if (model := model_in_words(data).replace("mu_1", "µ₁")) else "",
         "" if shown else _found(data),
     ]
@@ -140,24 +144,32 @@ def _found(data: xr.Dataset) -> str:
     return f"Found: {'; '.join(words)}." if words else ""
 
 
-def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: list[str]) -> None:
-    """Draw friction over time with bands at points spread over the grid."""
+def _curves(ax: Axes, data: xr.Dataset, curve: tuple[str, str, str], varied: list[str]) -> int:
+    """Draw friction over time with bands at points spread over the grid.
+
+    Return how many of them are traces that are not resolved, which are dotted.
+    """
     time, mu, label = curve
     long = [dim for dim in data[mu].dims if dim in ("sample", "event")]
     points = data.stack(point=[dim for dim in data[mu].dims if dim not in long])
     there = np.flatnonzero(points[mu].notnull().any(long))
     error = {"mu": "deviation_error"}.get(mu, f"{mu}_error")
+    dotted = 0
     for k, colour in zip(_spread(there.size, MOST_CURVES), COLOURS, strict=False):
         one = points.isel(point=there[k]).dropna(long[0], subset=[mu])
         unit = float(one.mu_1) if mu == "mu" and "mu_1" in one else 1.0
         spread = one[error].values if error in one else 0.0
         words = ", ".join(_said(one, axis) for axis in varied)
-        band(ax, one[time], one[mu].values / unit, spread / unit, color=colour, label=words)
+        coarse = mu == "trace_mu" and bool(not_resolved(one, TRACE_STATUS))
+        style: dict[str, Any] = {"color": colour, "label": words, "ls": ":" if coarse else "-"}
+        band(ax, one[time], one[mu].values / unit, spread / unit, **style)
+        dotted += coarse
     ends = points[time].max(long).values[there]
     if there.size and mu == "mu" and ends.max() > DECADES * ends.min():
         ax.set_xscale("log")
     over = " over that before" if mu == "mu" and "mu_1" in points else ""
     ax.set(xlabel=label, ylabel=f"friction{over}")
+    return dotted
 
 
 def _estimate(ax: Axes, groups: Groups, name: str, axes: Sequence[str]) -> None:

@@ -37,14 +37,14 @@ OMEGA = Wanted(
 STORAGE = Wanted(
     "a storage modulus G'",
     "pressure",
-    rf"^(?!.*({OF_PHASE})).*(stor|elastic|\b[GE]({PRIME}(?!{PRIME})|_?1\b|p\b|_?prime\b))",
+    rf"^(?!.*({OF_PHASE})).*(stor|speicher|elastic|\b[GE]({PRIME}(?!{PRIME})|_?1\b|p\b|_?prime\b))",
     "Pa",
     "--modulus",
 )
 LOSS = Wanted(
     "a loss modulus G''",
     "pressure",
-    rf"^(?!.*({OF_PHASE})).*(loss|viscous|\b[GE]({PRIMES}|_?2\b|pp\b|_?(double|2)_?prime\b))",
+    rf"^(?!.*({OF_PHASE})).*(loss|verlust|viscous|\b[GE]({PRIMES}|_?2\b|pp\b|_?(double|2)_?prime\b))",
     "Pa",
     "--modulus",
 )

@@ -138,4 +138,4 @@ def _check_place(where: str, table: object, keys: Keys) -> None:
     for key in as_table(where, table):
         homes = [name for name, own in TABLES.items() if key in own]
         if key not in keys and len(homes) == 1:
-            raise UserError(f"{where}.{key}: unknown key; it belongs into [{homes[0]}]")
+            raise UserError(f"{where}.{key}: unknown key; it belongs in [{homes[0]}]")

@@ -10,7 +10,8 @@ from .numerals import is_missing, is_numeral
 DELIMITERS = (";", "\t", "|", ",", None)  # None: any blanks
 COMMENTS = ("#", "%", "//", "!")
 REMARK = re.compile(r"(?:(?<=\s)|(?<=\d))#(?!N/A|DIV|NUM|VALUE).*$")  # behind a row
-SEVERAL = re.compile(r"\d[\s;]+[-+.\d]")  # numbers in one cell: the delimiter is another
+# Numbers in one cell, for the delimiter is another; but a date and a time of day.
+SEVERAL = re.compile(r"(?!\s*\d+([-/.])\d+\1\d+\s+\d+:\d).*\d[\s;]+[-+.\d]")
 ZEROS = re.compile(r"0\d+")  # no whole number is written so, but decimals are
 # Lines from the beginning and from the middle that decide on the delimiter: so many characters.
 LOOKED_AT, LEAST_LOOKED_AT, ENOUGH = 250, 20, 50_000
@@ -139,7 +140,7 @@ def _shape(sample: list[str]) -> tuple[str | None, int]:
             continue
         score: Counter[int] = Counter()
         for row in rows:
-            several = sum(1 for cell in row if cell in DELIMITERS or SEVERAL.search(cell))
+            several = sum(1 for cell in row if cell in DELIMITERS or SEVERAL.match(cell))
             numbers = sum(map(is_numeral, row))
             score[len(row)] += numbers * (3 * numbers > len(row)) - 3 * several  # else words
         width, points = max(score.items(), key=lambda item: item[1], default=(1, 0))

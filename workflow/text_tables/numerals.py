@@ -29,11 +29,15 @@ class Marks(NamedTuple):
     decimal: str = "."
     thousands: str = ""
 
-    def number(self, word: str) -> float:
-        """Return the number that a word is. Raises ValueError for a word that is none."""
+    def plain(self, word: str) -> str:
+        """Return a number with a decimal point, e before the exponent and no other marks."""
         if self.thousands:
             word = word.replace(self.thousands, "")
-        return float(EXPONENT.sub("e", word.replace(self.decimal, ".")))
+        return EXPONENT.sub("e", word.replace(self.decimal, "."))
+
+    def number(self, word: str) -> float:
+        """Return the number that a word is. Raises ValueError for a word that is none."""
+        return float(self.plain(word))
 
 
 def marks_of(words: Iterable[str]) -> Marks:
@@ -93,15 +97,27 @@ def archive_kind(data: bytes) -> str:
 def is_text(data: bytes) -> bool:
     """Return whether a file is text, by its first bytes: no control characters but blanks."""
     head = data.rstrip(b"\x1a\0")[:4096]  # with which old systems end a text
-    if head.startswith((b"\xff\xfe", b"\xfe\xff")):
+    if _utf_16(head):
         return True
     return not any(byte < 32 and byte not in b"\t\n\r\f\v" for byte in head)
 
 
+def _utf_16(data: bytes) -> str:
+    """Return which UTF-16 a text is in; "" where every other byte of its beginning is not zero."""
+    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
+        return "utf-16"
+    sample = data[:64]
+    for first, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):
+        zeros, others = sample[first::2], sample[1 - first :: 2]
+        if len(sample) > 8 and not any(zeros) and is_text(others):
+            return encoding
+    return ""
+
+
 def decoded(data: bytes) -> str:
     """Return the text of a file; instruments seldom say which encoding they write."""
-    if data.startswith((b"\xff\xfe", b"\xfe\xff")):
-        text = data.decode("utf-16", errors="replace")
+    if encoding := _utf_16(data):
+        text = data.decode(encoding, errors="replace")
     else:
         try:
             text = data.decode("utf-8-sig")

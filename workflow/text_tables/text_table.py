@@ -61,6 +61,7 @@ class Picked(NamedTuple):
 
 SHOWN = 12  # columns in a message
 LOGARITHM = r"^(log|lg|ln)([\W_\d]|$)"  # names of columns that hold logarithms
+STRESS = r"^(?!.*modul).*(stress|spannung)"  # a name of what is no modulus, in its unit
 ANGULAR = r"omega|\u03c9|^w$|angular|circular|kreis"  # names of frequencies whose 1/s are rad/s
 LEAST_BLOCK = 3  # rows, where empty lines or comments alone part blocks
 
@@ -311,6 +312,8 @@ def _read(table: TextTable, one: Wanted, column: int, option: str) -> Picked:
     way = f"; give {one.option}" if one.option else f"; give {option}"
     if re.match(LOGARITHM, title.name, re.IGNORECASE) and not re.search(one.names, "log"):
         raise UserError(f"{where}: holds logarithms, not {one.what}: write the numbers themselves")
+    if one.family == "pressure" and re.search(STRESS, title.name, re.IGNORECASE):
+        raise UserError(f"{where}: holds a stress, not {one.what}: divide it by the strain")
     if one.unit is not None:
         unit, whose = unit_of(one.unit), "given"
         if unit is None or not _same_family(unit, one):

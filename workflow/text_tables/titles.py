@@ -136,6 +136,10 @@ def unread_line(above: list[str], delimiter: str | None, width: int) -> str:
         words, bare = _bare_words(line)
         if any(map(_names_unit, words)) or any(map(unit_of, re.findall(r"\bin\s+(\S+)", bare))):
             return line.strip()
+    for line in () if known else near[:2]:  # in which 1 is a unit, and no number before one
+        words = COMMENT.sub("", line).split()
+        if len(words) > 1 and _units_alone(words):
+            return line.strip()
     nearest = _bare_words(near[0])[0] if near else []
     units = [word for word in nearest if (unit := unit_of(word)) and unit.family != "number"]
     apart = not {title.name for title in titles} & set(nearest)

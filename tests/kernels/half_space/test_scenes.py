@@ -30,7 +30,8 @@ def test_where_all_waves_are_as_stiff_it_is_the_line(spectrum, start):
     expected = run_scene(line, scene)
     equal = np.full((1, n // 2 + 1), M / n)
     found = run_scene_on_half_space(surface, scene, stiffness=equal)
-    for name in (*TRACES, "mu_cycle_mean"):
+    of_lines = "trace_samples_per_contact"  # the median of patches, and the mean on a half-space
+    for name in {*TRACES, "mu_cycle_mean"} - {of_lines}:
         shift = scene.load if name == "trace_indentation" else 0.0
         np.testing.assert_allclose(found[name] + shift, expected[name], atol=6e-5, err_msg=name)
 

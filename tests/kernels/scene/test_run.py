@@ -20,6 +20,7 @@ from elastomer_friction.kernels.scene.records import (
     keep_frame,
     keep_trace,
 )
+from elastomer_friction.kernels.scene.samples import samples_per_contact
 from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene.given import (
     DAMPED,
@@ -156,20 +157,21 @@ RNG = np.random.default_rng(4)
 def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
     before, now = RNG.normal(size=(2, 40))
     p = np.maximum(0.0, RNG.normal(size=40))
-    trace = Trace(*np.zeros((8, 3)))
+    trace = Trace(*np.zeros((9, 3)))
     keep_trace(trace, 1, 0.3, before, now, 2.0, 1.0, p)
     acting = 0.7 * now + 0.3 * before
     assert trace.mu[1] == pytest.approx(p @ acting / p.sum())
     assert trace.friction_force[1] == pytest.approx(np.mean(p * acting))
     assert trace.normal_force[1] == pytest.approx(p.mean())
     assert trace.contact_fraction[1] == np.mean(p > 0.0)
+    assert trace.samples_per_contact[1] == samples_per_contact(p)
     assert trace.indentation[1] == pytest.approx(1.3)
     for values in trace:
         assert values[0] == values[2] == 0.0
 
 
 def test_friction_is_not_a_number_where_nothing_touches():
-    trace = Trace(*np.zeros((8, 1)))
+    trace = Trace(*np.zeros((9, 1)))
     keep_trace(trace, 0, 0.3, np.ones(4), np.ones(4), 1.0, 1.0, np.zeros(4))
     assert np.isnan(trace.mu[0])
     assert trace.friction_force[0] == trace.normal_force[0] == trace.contact_fraction[0] == 0.0

@@ -6,16 +6,16 @@ import pytest
 from elastomer_friction.workflow.plan.error_laws import LAWS
 from elastomer_friction.workflow.plan.goal import JACKKNIFE_GROUPS
 from elastomer_friction.workflow.reduce.blocks import blocks_of, enter
-from elastomer_friction.workflow.reduce.complete import (
+from elastomer_friction.workflow.reduce.complete import completed
+from elastomer_friction.workflow.reduce.estimates import reduce_blocks
+from elastomer_friction.workflow.reduce.fits import FITTED
+from elastomer_friction.workflow.reduce.resolution import (
     COARSE,
     RESOLVED,
     UNRESOLVED,
-    completed,
     resolution,
     resolution_status,
 )
-from elastomer_friction.workflow.reduce.estimates import reduce_blocks
-from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.simulate import Problem, Task
 from elastomer_friction.workflow.simulate.tasks import SCALARS
 from elastomer_friction.workflow.study import Numerics

@@ -6,9 +6,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow.reduce.complete import (
-    COARSE,
-    RESOLVED,
-    UNRESOLVED,
     exponent_bias,
     fit_exponents,
     fit_power_law,
@@ -23,6 +20,7 @@ from elastomer_friction.workflow.reduce.fits import (
     fit_window,
 )
 from elastomer_friction.workflow.reduce.jackknife import replicates
+from elastomer_friction.workflow.reduce.resolution import COARSE, RESOLVED, UNRESOLVED
 
 SHARE = np.linspace(0.0, 4.0, 63)
 

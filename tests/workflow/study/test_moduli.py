@@ -32,6 +32,7 @@ def test_without_a_header_they_are_rad_per_second_and_pascal(tmp_path):
         ("# f (Hz)  G' (MPa)  G'' (MPa)", 2.0 * np.pi, 1e6, 1e6),
         ("omega [rad/s], G' [kPa], G'' [kPa]", 1.0, 1e3, 1e3),
         ("T=25;Mw=100\n\nf[Hz] G' G''", 2.0 * np.pi, 1.0, 1.0),
+        ("Kreisfrequenz [1/s];Speichermodul [kPa];Verlustmodul [MPa]", 1.0, 1e3, 1e6),
         ("Hz MPa kPa", 2.0 * np.pi, 1e6, 1e3),
         ("f [Hz]  G' [MPa]  G''", 2.0 * np.pi, 1e6, 1e6),
         ("w  storage (psi)  loss (psi)", 1.0, 6894.757, 6894.757),

@@ -67,3 +67,12 @@ def test_a_quotient_in_a_name_is_no_unit():
     share = Wanted("a share", "number", r"/ ?G_?0", "1")
     table = table_of_text("key", "f.txt", "G_i/G_0,t\n0.5,1\n0.2,2\n")
     assert picked(table, (share, WANTED[0]))[0].number == 0
+
+
+@pytest.mark.parametrize("units", ["1  min  1  mm/s", "# 1 min 1 mm/s", "- min - mm/s", "min mm/s"])
+def test_a_row_of_fewer_units_than_columns_is_refused(units):
+    """In it 1 is a unit, and no number that stands before one."""
+    rows = "\n".join(f"{n} {0.1 * n} 0.5 1.0 23.{n}" for n in range(9))
+    text = f"index  time  friction  velocity  temperature\n{units}\n{rows}"
+    with pytest.raises(UserError, match=r"column 1 'time': it is not clear what '.*min"):
+        picked(table_of_text("key", "f.txt", text), WANTED)

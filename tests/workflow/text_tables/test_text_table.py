@@ -267,7 +267,9 @@ def test_files_that_are_no_table(tmp_path, data, words):
         read_text_table("key", path)
 
 
-@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16"])
+@pytest.mark.parametrize(
+    "encoding", ["utf-8", "utf-8-sig", "latin-1", "utf-16", "utf-16-le", "utf-16-be"]
+)
 def test_the_micro_sign_in_any_encoding(tmp_path, encoding):
     path = tmp_path / "f.txt"
     path.write_bytes("x (µm),z (µm)\n0,1\n1,2\n".encode(encoding))
@@ -295,6 +297,25 @@ def test_codes_for_missing_values_are_no_values(code, usual):
 def test_a_number_that_is_far_from_all_others_but_no_code_counts():
     rows = "".join(f"{n} {value} 1\n" for n, value in enumerate([1, 1, 1, 1, 700, 700], 1))
     assert picked(table(f"f G' G''\n{rows}"), MODULI)[1].values[-1] == 700.0
+
+
+@pytest.mark.parametrize(
+    "stamp", ["2024-05-01 12:00:0{}", "1/5/2024 1:00:0{} PM", "01.05.24 9:0{}"]
+)
+def test_a_date_and_a_time_of_day_are_one_cell_of_words(stamp):
+    rows = "".join(f"{stamp.format(n)},{n}.5,{n * n}\n" for n in range(9))
+    found = table(f"Stamp,x (mm),z (um)\n{rows}")
+    assert found.numeric == (1, 2)
+    assert found.values(1).tolist() == [n + 0.5 for n in range(9)]
+
+
+@pytest.mark.parametrize("name", ["Shear stress", "Spannung"])
+def test_a_stress_is_no_modulus(name):
+    rows = "0.1;3\n0.2;2\n0.4;1\n"
+    wanted = (Wanted("a time", "time", "^t$", "s"), MODULI[1])
+    with pytest.raises(UserError, match=f"'{name}': holds a stress, not a .*: divide it by the st"):
+        picked(table(f"t [s];{name} [MPa]\n{rows}"), wanted)
+    assert picked(table(f"t [s];{name} relaxation modulus [MPa]\n{rows}"), wanted)[1].number == 1
 
 
 def test_a_unit_row_that_begins_with_percent_is_no_comment():

@@ -24,6 +24,17 @@ TRACE = {
         "k (Y − X) + c (dY/dt − dX/dt), the force with which the drive pulls, where it does."
     ),
     "trace_contact_fraction": "The share of the line whose elements carry a force.",
+    "trace_samples_per_contact": "`samples_per_contact` at each moment of the march.",
+    "trace_resolution_status": (
+        "That of the moment with the narrowest contacts; coarse where `trace_mu_bias` is above "
+        "0.02."
+    ),
+    "trace_mu_bias": (
+        "The rms error of µ(t) over its rms, at most: what the march has at its start in place of "
+        "µ₁, together with 0.5/m², or the bias of µ₁ of measured lines. NaN where the trace does "
+        "not start with steady sliding or `steady` was not asked for; 0.5/m² alone then counts in "
+        "the status."
+    ),
 }
 EVENTS = {
     "drive_swing": (

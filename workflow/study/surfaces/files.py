@@ -5,6 +5,7 @@ from typing import Any
 import numpy as np
 
 from ...ground import UserError, open_plain, read_plain
+from ...system import unreadable
 from ...text_tables import archive_kind, is_text
 from .as_read import KEY, Asked, Lines, Raw, apart, check_numbered, lines_of, plain
 from .positions import rounding
@@ -65,6 +66,8 @@ def _npy(asked: Asked) -> Raw:
 def _netcdf(asked: Asked) -> Raw:
     import netCDF4
 
+    if why := unreadable([asked.path]).get(asked.path):
+        raise ValueError(why)
     with netCDF4.Dataset(asked.path) as data:
         x, z = _variables(asked, data.variables)
         if z.size > MOST_VALUES:

@@ -273,9 +273,4 @@ def _named(table: TextTable, column: int) -> str:
 
 def _known(table: TextTable, column: int) -> np.ndarray:
     """Return to how much each number of a column is written."""
-    marks = table.marks
-    words = (
-        word.replace(marks.thousands, "") if marks.thousands else word
-        for word in table.words(column)
-    )
-    return precision(word.replace(marks.decimal, ".") or "0" for word in words)
+    return precision(table.marks.plain(word) or "0" for word in table.words(column))

@@ -20,7 +20,6 @@ from elastomer_friction.kernels import (
 from elastomer_friction.kernels.lines.polynomials import curvatures, height, quintic, steepness
 from elastomer_friction.kernels.lines.self_affine import mode_numbers
 from elastomer_friction.kernels.quick.contacts.between_samples import NARROW, slide_between
-from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
 from elastomer_friction.kernels.quick.contacts.smooth_line import first_zero, smooth_line
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
     AtSpeed,
@@ -28,6 +27,7 @@ from elastomer_friction.kernels.quick.contacts.steady_friction import (
     follow_narrow,
     steady_friction,
 )
+from elastomer_friction.kernels.scene.samples import samples_per_contact
 from tests.sizes import size
 
 

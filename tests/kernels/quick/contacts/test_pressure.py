@@ -15,7 +15,6 @@ from elastomer_friction.kernels.quick.contacts.pressure import (
     elastic_part,
     friction,
 )
-from elastomer_friction.kernels.quick.contacts.samples import samples_per_contact
 from elastomer_friction.kernels.quick.contacts.touching import (
     list_touching,
     median_width,
@@ -26,6 +25,7 @@ from elastomer_friction.kernels.quick.steady.carry import carry, decay_of
 from elastomer_friction.kernels.quick.steady.contacts import first, room_for
 from elastomer_friction.kernels.quick.steady.spans import SPAN
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
+from elastomer_friction.kernels.scene.samples import samples_per_contact
 from tests.kernels.quick.steady.given import everywhere, known, line_of, touching
 
 

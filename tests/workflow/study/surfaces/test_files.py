@@ -11,6 +11,7 @@ import pytest
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.surfaces.as_read import Asked
 from elastomer_friction.workflow.study.surfaces.files import read_lines
+from tests.support.faults import endless
 
 ROOT = Path(__file__).resolve().parents[4]
 X = np.arange(16) * 0.5
@@ -107,10 +108,19 @@ def test_a_small_file_that_promises_more_than_memory_holds_is_refused(tmp_path):
     (tmp_path / "l.npy").write_bytes(
         content.replace(b"(4, 2), }           ", b"(40000000000, 2), } ")
     )
-    for name, why in (("l.nc", "100000000000 heights, more than 100000000"), ("l.npy", "mmap len")):
+    for name, why in (("l.nc", "it tells of more than memory holds"), ("l.npy", "mmap len")):
         assert (tmp_path / name).stat().st_size < 10**5
         with pytest.raises(UserError, match=f"surface.file = '{name}': cannot be read: {why}"):
             read(tmp_path / name)
+
+
+def test_a_netcdf_file_that_is_forged_is_refused_and_does_not_hang(tmp_path):
+    path = netcdf(tmp_path / "l.nc")
+    with netCDF4.Dataset(path, "a") as data:
+        data.createVariable("by", str, ("x",))[:] = np.array(["a tester"] * 16, object)
+    path.write_bytes(endless(path.read_bytes()))
+    with pytest.raises(UserError, match=r"'l.nc': cannot be read: reading it does not end"):
+        read(path)
 
 
 def test_arrays_that_are_no_table_are_refused(tmp_path):

@@ -25,6 +25,11 @@ def rows(*columns, separator=","):
     return "\n".join(separator.join(map(str, row)) for row in zip(*columns, strict=True)) + "\n"
 
 
+def test_exponents_of_fortran(tmp_path):
+    text = "x [um]\tz [nm]\n" + rows(X, Z[0], separator="D0\t").replace("\n", "D0\n")
+    np.testing.assert_allclose(read(tmp_path, text).heights, Z[:1] * 1e-9)
+
+
 @pytest.mark.parametrize("suffix", [".txt", ".CSV", ".dat", ".prn", ".asc", ".tsv", ".xyz", ""])
 def test_suffixes_mean_nothing(tmp_path, suffix):
     lines = read(tmp_path, "x [um]\tz [nm]\n" + rows(X, Z[0], separator="\t"), f"f{suffix}")

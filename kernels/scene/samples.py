@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ...compile.jit import kernel
+from ..compile.jit import kernel
 
 
 @kernel
@@ -19,16 +19,18 @@ def samples_per_contact(force):
         start += 1
     if start == n:
         return float(n)
-    width = np.zeros(n, np.int64)
-    carried = np.zeros(n)
-    patches = 0
+    width, carried = np.empty(n // 2 + 1, np.int64), np.empty(n // 2 + 1)
+    patches = run = 0
+    load = 0.0
     for k in range(1, n + 1):
-        f = force[(start + k) % n]  # the last one is free again
+        i = start + k
+        f = force[i if i < n else i - n]  # the last one is free again
         if f > 0.0:
-            width[patches] += 1
-            carried[patches] += f
-        elif width[patches] > 0:
-            patches += 1
+            run += 1
+            load += f
+        elif run > 0:
+            width[patches], carried[patches] = run, load
+            patches, run, load = patches + 1, 0, 0.0
     half = 0.5 * carried[:patches].sum()
     total = 0.0
     for i in np.argsort(width[:patches], kind="mergesort"):
