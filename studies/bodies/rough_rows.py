@@ -129,7 +129,7 @@ ROWS = {
 }
 
 
-def friction(row: Rough, data: xr.Dataset) -> tuple[float, float]:
+def normalised_friction(row: Rough, data: xr.Dataset) -> tuple[float, float]:
     """Return friction as the table has it, with its standard error."""
     scale = row.slope * (row.material()[1] if row.x == SLOW else 1.0)
     return float(data.mu_1) / scale, float(data.mu_1_error) / scale
@@ -142,11 +142,11 @@ def kinetics(data: xr.Dataset) -> list[tuple[float, float]]:
     return [(rate[0], rate[1]), (jump[0], jump[1])]
 
 
-def line_of(name: str, row: Rough) -> str:
+def table_line(name: str, row: Rough) -> str:
     """Return one line of the table, in Markdown."""
     half = row.run(HALF_SPACE)
     found = [half, row.run(FOUNDATION), row.run(FOUNDATION, row.equivalent())]
-    each = [friction(row, data) for data in found]
+    each = [normalised_friction(row, data) for data in found]
     ratios = [
         (mu / each[0][0], mu / each[0][0] * np.hypot(error / mu, each[0][1] / each[0][0]))
         for mu, error in each[1:]
@@ -166,7 +166,7 @@ def _main() -> None:
     print(f"| {head} of both | b and jump/mu of both bodies |")
     for name in sys.argv[1:] or ROWS:
         for row in ROWS[name]:
-            print(line_of(name, row), flush=True)
+            print(table_line(name, row), flush=True)
 
 
 if __name__ == "__main__":

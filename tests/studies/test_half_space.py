@@ -5,7 +5,7 @@ import pytest
 
 from elastomer_friction.kernels.half_space.surface import ring_amplitudes
 from elastomer_friction.studies.bodies.figure import ratios
-from elastomer_friction.studies.bodies.rough_rows import HURST, SIDE, Rough, friction
+from elastomer_friction.studies.bodies.rough_rows import HURST, SIDE, Rough, normalised_friction
 from elastomer_friction.studies.sphere.measure import measure
 from elastomer_friction.workflow.reduce.fits import FITTED
 from elastomer_friction.workflow.study.effects import FOUNDATION, HALF_SPACE
@@ -43,12 +43,14 @@ def test_rough_rows_have_the_friction_of_full_contact_in_closed_form():
     k = np.hypot(np.arange(most + 1), np.fft.fftfreq(len(rings), 1.0 / len(rings))[:, None])
     power = rings**2 * np.where(np.arange(most + 1) > 0, 2.0, 1.0)
     of_map = np.sum(power * k**3) / np.sum(power * k**2) / (4.0 * most * row.load)
-    assert friction(row, row.run(HALF_SPACE))[0] == pytest.approx(of_map, rel=1e-9)
+    assert normalised_friction(row, row.run(HALF_SPACE))[0] == pytest.approx(of_map, rel=1e-9)
     lines = row.equivalent()
     modes = np.abs(np.fft.rfft(lines[0])[: most + 1] / lines.shape[1])
     square = 2.0 * np.sum((2.0 * np.pi / SIDE * np.arange(most + 1) * modes) ** 2)
     of_line = square / row.slope**2 / (2.0 * np.pi * most * row.load)
-    assert friction(row, row.run(FOUNDATION, lines))[0] == pytest.approx(of_line, rel=1e-4)
+    assert normalised_friction(row, row.run(FOUNDATION, lines))[0] == pytest.approx(
+        of_line, rel=1e-4
+    )
 
 
 def test_the_figure_is_drawn_and_shows_the_physics(study):
