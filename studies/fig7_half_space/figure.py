@@ -13,13 +13,14 @@ from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, w
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
-    "Velocity steps of 20 % are shown on a half-space (circles) and on the foundation of the "
-    "paper at the same nominal pressure (squares). The panels hold (a) steady friction over "
-    "the rms slope, (b) the jump over slope and relative step, which the paper gives as 0.4 on its "
-    "plateau, (c) the relaxation rate b with eq. 13 as lines, and (d) the exponent α of b = x^α "
-    "for x > 1, which the paper gives as 1 − H."
+    "Velocity steps of 20 % are shown on a half-space (circles, solid) and on the foundation of "
+    "the paper at the same nominal pressure (squares, dashed). The panels hold (a) steady friction "
+    "over the rms slope, (b) the jump over slope and relative step, which the paper gives as 0.4 "
+    "on its plateau, (c) the relaxation rate b with eq. 13 as dotted lines, and (d) the exponent α "
+    "of b = x^α for x > 1, which the paper gives as 1 − H; squares are shifted by 0.015. Bars in "
+    "(c) and (d) hold the bound of the discretisation error beside the standard error."
 )
-HALF_SPACE = ""
+HALF_SPACE, ASIDE = "", 0.015  # by which H of the foundation is shifted in (d), to be seen
 
 
 def draw(groups: Groups) -> Figure:
@@ -28,18 +29,24 @@ def draw(groups: Groups) -> Figure:
     for group, form in BODIES.items():
         data = middle_pressure(groups[group])
         for hurst, points, colour in by_hurst(fitted(normalised(data))):
-            style = DOTS | {"color": colour, "fmt": form["marker"], "ms": 3.5}
+            style = DOTS | form | {"color": colour, "fmt": "", "ms": 3.5}
             label = f"$H = {hurst:g}$" if group == HALF_SPACE else None
             _over_x(axes[0, 0], points, "mu_bar", style | {"label": label})
             _over_x(axes[0, 1], points, "jump_bar", style)
-            _over_x(axes[1, 0], points, "relaxation_rate", style)
+            bias = points.relaxation_rate_bias * points.relaxation_rate
+            _over_x(axes[1, 0], points, "relaxation_rate", style, bias)
     for hurst, points, colour in by_hurst(groups[HALF_SPACE]):
         x = np.geomspace(1.0, max(2.0, float(points.speed_ratio.max())), 50)
-        axes[1, 0].plot(x, x ** (1.0 - hurst), color=colour, lw=0.8)
+        axes[1, 0].plot(x, x ** (1.0 - hurst), color=colour, lw=0.8, ls=":")
     axes[0, 0].set(ylabel="$\\mu_1/\\nabla z$", title="(a) steady sliding", yscale="log")
     axes[0, 0].legend(loc="lower right")
-    axes[0, 1].set(ylabel="$\\Delta\\mu_0/(\\nabla z\\,\\Delta v/v_1)$", title="(b) jump")
+    axes[0, 1].set(
+        ylabel="$\\Delta\\mu_0/(\\nabla z\\,\\Delta v/v_1)$", title="(b) jump", ylim=(0.0, None)
+    )
     axes[0, 1].axhline(0.4, color="0.4", lw=0.7, ls=":")
+    for form, label in zip(BODIES.values(), ("half-space", "foundation"), strict=True):
+        axes[0, 1].plot([], [], color="0.3", lw=0.5, ms=3.5, label=label, **form)
+    axes[0, 1].legend(loc="upper left")
     axes[1, 0].set(ylabel="relaxation rate $b$ (per $\\tau$)", title="(c) relaxation", yscale="log")
     _exponents(axes[1, 1], groups)
     pressure = with_unit(float(middle_pressure(groups[HALF_SPACE]).normal_pressure[0]), "Pa")
@@ -53,8 +60,10 @@ def middle_pressure(data: xr.Dataset) -> xr.Dataset:
     return data.isel(normal_force=[data.sizes["normal_force"] // 2])
 
 
-def _over_x(ax: Axes, points: xr.Dataset, name: str, style: dict) -> None:
-    error_bars(ax, points, name, "speed_ratio", **style)
+def _over_x(
+    ax: Axes, points: xr.Dataset, name: str, style: dict, bias: xr.DataArray | float = 0.0
+) -> None:
+    error_bars(ax, points, name, "speed_ratio", bias=bias, **style)
     ax.set(xscale="log", xlabel=X_LABEL)
 
 
@@ -62,6 +71,7 @@ def _exponents(ax: Axes, groups: Groups) -> None:
     """Draw the exponents of both bodies over H."""
     for (group, form), colour in zip(BODIES.items(), COLOURS, strict=False):
         data = groups[group]
+        data = data.assign_coords(hurst=data.hurst + ASIDE * (group != HALF_SPACE))
         style: dict[str, Any] = {"color": colour, "fmt": form["marker"], "ms": 4.0}
         label = "half-space" if group == HALF_SPACE else "foundation"
         error_bars(ax, data, "alpha", "hurst", bias=data.alpha_bias, label=label, **style)
