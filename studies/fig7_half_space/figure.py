@@ -17,8 +17,8 @@ CAPTION = (
     "the paper at the same nominal pressure (squares, dashed). The panels hold (a) steady friction "
     "over the rms slope, (b) the jump over slope and relative step, which the paper gives as 0.4 "
     "on its plateau, (c) the relaxation rate b with eq. 13 as dotted lines, and (d) the exponent α "
-    "of b = x^α for x > 1, which the paper gives as 1 − H; squares are shifted by 0.015. Bars in "
-    "(c) and (d) hold the bound of the discretisation error beside the standard error."
+    "of b = x^α for x > 1, which the paper gives as 1 − H; squares are shifted by 0.015, and "
+    "bars in (c) and (d) hold the bound of the discretisation error beside the standard error."
 )
 HALF_SPACE, ASIDE = "", 0.015  # by which H of the foundation is shifted in (d), to be seen
 

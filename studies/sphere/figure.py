@@ -10,9 +10,9 @@ CAPTION = (
     "Friction is shown of a rigid sphere that slides over a Kelvin half-space and over the "
     "foundation with the profile x²/R, over the speed in radii of contact per relaxation time, "
     "beside the closed form for slow sliding. Panel (b) has a standard linear solid and the "
-    "published values of Carbone and Putignano (2013). Periods are 6 radii or longer where sliding "
-    "is slow, up to 24 in (a), and 9, 12 and 36 in (b); with 48, µ of the half-space is 3 % larger "
-    "at the last point of (a) and the same in (b)."
+    "published values of Carbone and Putignano (2013), with periods of 9, 12 and 36 radii of "
+    "contact; those of (a) are 6 radii where sliding is slow and up to 24, and with 48 radii µ of "
+    "the half-space is 3 % larger at the last point."
 )
 TITLES = {
     "": ("(a) one relaxation time", "speed over radius of contact, $v \\tau/a$"),
