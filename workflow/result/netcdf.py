@@ -109,13 +109,24 @@ def open_result(
 def open_tree(path: str | os.PathLike[str]) -> "xr.DataTree":
     """Return a result file as a tree: the study at its root, each comparison a group.
 
-    Raises UserError where the file is missing, damaged, or no result of this program.
+    An axis on which a group has other values than the root bears the name of the group as well:
+    ``published_speed``. Raises UserError where the file is missing, damaged, or no result of this
+    program.
     """
     import xarray as xr
 
     if not isinstance(path, str | os.PathLike) or not Path(path).is_file():
         raise UserError(f"{path}: not found")
-    return xr.DataTree.from_dict(_groups(Path(path)))
+    groups = _groups(Path(path))
+    root = groups["/"]
+    return xr.DataTree.from_dict({name: _beside(root, name, data) for name, data in groups.items()})
+
+
+def _beside(root: "xr.Dataset", name: str, data: "xr.Dataset") -> "xr.Dataset":
+    """Return a group whose axes are those of the root or have other names, as a tree demands."""
+    shared = root.sizes.keys() & data.sizes.keys()
+    other = [axis for axis in shared if not root.get_index(axis).equals(data.get_index(axis))]
+    return data.rename({axis: f"{name.strip('/')}_{axis}" for axis in other})
 
 
 def _groups(path: Path) -> dict[str, "xr.Dataset"]:

@@ -12,7 +12,12 @@ import pytest
 import xarray as xr
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.result.netcdf import result_file, write_datasets
+from elastomer_friction.workflow.result.netcdf import (
+    MARKS,
+    open_tree,
+    result_file,
+    write_datasets,
+)
 from tests.support.disks import fill, make_read_only, mounted
 from tests.support.results import FILES, OLD, WRITTEN, assert_refused, call
 from tests.support.small import small_study
@@ -43,6 +48,24 @@ def test_a_result_opens_as_a_tree_and_its_curves_over_time_in_s(tmp_path, with_m
             point = group.isel(velocity=0, roughness=0).squeeze()
             (line,) = point.mu.plot(x="time_s")
             assert line.get_xdata()[0] == 0.0
+
+
+def test_a_group_with_an_axis_of_its_own_opens_as_well(tmp_path):
+    path = tmp_path / "sphere.nc"
+    marks = dict.fromkeys(MARKS, "") | {"study": "{}"}
+    sizes = {"": 4, "published": 3, "fine": 4}
+    each = {
+        label: xr.Dataset(
+            {"half_space": ("speed", np.arange(size) / 10.0)}, {"speed": np.arange(size) + 1.0}
+        )
+        for label, size in sizes.items()
+    }
+    write_datasets(path, each | {"": each[""].assign_attrs(marks)})
+    with open_tree(path) as tree:
+        xr.testing.assert_equal(tree.to_dataset(), each[""])
+        xr.testing.assert_equal(tree["fine"].to_dataset(), each["fine"])
+        own = tree["published"].to_dataset(inherit=False)
+        xr.testing.assert_equal(own.rename(published_speed="speed"), each["published"])
 
 
 def test_results_of_a_scale_lie_beside_that_of_the_study(tmp_path):

@@ -21,7 +21,7 @@ class Quantity(NamedTuple):
 
 QUANTITIES = {
     "steady": Quantity(
-        "steady sliding at v1 and v2 (no time marching)",
+        "steady sliding at v1 and v2 (no relaxation is marched)",
         ("mu_1", "mu_2", "indentation", "contact_fraction"),
         judged="mu_1",
         asks=(FORCE,),
@@ -30,7 +30,10 @@ QUANTITIES = {
         "friction and contact area by Persson's theory (closed form)", asks=(FORCE,)
     ),
     "jump": Quantity(
-        "jump at t0+ (no time marching)", ("jump",), judged="jump", asks=(FORCE, STEP, DASHPOT)
+        "jump at t0+ (no relaxation is marched)",
+        ("jump",),
+        judged="jump",
+        asks=(FORCE, STEP, DASHPOT),
     ),
     "relaxation": Quantity(
         "relaxation after the jump (time marching)", judged="relaxation_rate", asks=(FORCE, STEP)

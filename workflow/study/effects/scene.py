@@ -206,7 +206,7 @@ SCENE = {
     "quantities": Key(
         asked_for,
         "What is computed, by the names of the table below. What is not named is not in the "
-        "result either. Steady states and jumps need no time marching.",
+        "result either. Steady states and jumps march no relaxation.",
         default=None,
         values="a list of names of quantities",
         usual='`["steady", "jump", "relaxation"]`; without a dashpot `["steady", "relaxation", '
