@@ -13,6 +13,9 @@ NUMERAL = re.compile(r"[+-]?(?:\d+(?:[.,]\d+)*\.?|[.,]\d+)(?:[eEdD][+-]?\d+)?")
 EXPONENT = re.compile(r"[eEdD]")
 BY_COMMAS = re.compile(r"[+-]?[1-9]\d{0,2}(?:,\d{3})+(?:\.\d*)?")  # 1,234,567.8
 BY_POINTS = re.compile(r"[+-]?[1-9]\d{0,2}(?:\.\d{3})+(?:,\d*)?")  # 1.234.567,8
+PRINTED = bytes(byte for byte in range(256) if byte >= 32 or byte in b"\t\n\r\f\v")
+HEAD = 4096  # bytes of a text without a control character
+STRAY = 1e-3  # share of control characters in one
 ARCHIVES = {
     b"PK\x03\x04": "a zip archive",
     b"\x1f\x8b": "a gzip archive",
@@ -95,22 +98,25 @@ def archive_kind(data: bytes) -> str:
 
 
 def is_text(data: bytes) -> bool:
-    """Return whether a file is text, by its first bytes: no control characters but blanks."""
-    head = data.rstrip(b"\x1a\0")[:4096]  # with which old systems end a text
-    if _utf_16(head):
+    """Return whether a file is text: no control characters but blanks, or hardly any far behind.
+
+    Binary numbers may begin behind a header that is text.
+    """
+    if _utf_16(data):
         return True
-    return not any(byte < 32 and byte not in b"\t\n\r\f\v" for byte in head)
+    data = data.rstrip(b"\x1a\0")  # with which old systems end a text
+    controls = data.translate(None, PRINTED)
+    return not data[:HEAD].translate(None, PRINTED) and len(controls) <= STRAY * len(data)
 
 
 def _utf_16(data: bytes) -> str:
-    """Return which UTF-16 a text is in; "" where every other byte of its beginning is not zero."""
+    """Return which UTF-16 a text is in; "" where every other byte is not zero."""
     if data.startswith((b"\xff\xfe", b"\xfe\xff")):
         return "utf-16"
-    sample = data[:64]
     for first, encoding in ((1, "utf-16-le"), (0, "utf-16-be")):
-        zeros, others = sample[first::2], sample[1 - first :: 2]
-        if len(sample) > 8 and not any(zeros) and is_text(others):
-            return encoding
+        high, low = data[first::2], data[1 - first :: 2]
+        if len(high) > 8 and not any(high[:32]) and 2 * high.count(0) > len(high):
+            return encoding if is_text(low) else ""
     return ""
 
 

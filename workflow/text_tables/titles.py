@@ -237,7 +237,7 @@ def _all_units(cells: list[str], labelled: bool, named: bool) -> bool:
     known = list(filter(_bare_unit, filled))
     sure = any(len(cell) > 1 or cell in "1-%#" for cell in known)
     if len(known) == len(filled):
-        return any(len(cell) > 1 for cell in filled)
+        return any(len(cell) > 1 for cell in filled) or (named and sure)
     return named and sure and 2 * len(known) >= len(filled)
 
 

@@ -69,6 +69,15 @@ def test_a_quotient_in_a_name_is_no_unit():
     assert picked(table, (share, WANTED[0]))[0].number == 0
 
 
+def test_units_of_a_letter_below_names():
+    wanted = (
+        Wanted("a temperature", "temperature", "^T$", "°C"),
+        Wanted("log a_T", "number", "log", "1"),
+    )
+    found = picked(table_of_text("key", "f.txt", "T,log_aT\nC, -\n100,-11.7\n92,-10.9\n"), wanted)
+    assert [one.values.tolist() for one in found] == [[373.15, 365.15], [-11.7, -10.9]]
+
+
 @pytest.mark.parametrize("units", ["1  min  1  mm/s", "# 1 min 1 mm/s", "- min - mm/s", "min mm/s"])
 def test_a_row_of_fewer_units_than_columns_is_refused(units):
     """In it 1 is a unit, and no number that stands before one."""

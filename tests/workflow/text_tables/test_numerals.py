@@ -50,6 +50,11 @@ def test_archives_and_files_that_are_no_text():
     assert not is_text(b"\x89HDF\r\n\x1a\n")
     assert is_text(b"0 1\r\n\x1a")
     assert not is_text(b"1\x00\x002\x00")
+    header = b"\\*File list\r\n" * 400  # of a microscope, with numbers behind it
+    assert is_text(header)
+    for encoding in ("utf-8", "utf-16-le"):
+        text = header.decode().encode(encoding)
+        assert not is_text(text + np.arange(4000, dtype="<i2").tobytes())
 
 
 HEIGHTS = np.random.default_rng(5).normal(size=100)

@@ -29,8 +29,10 @@ PITCH = re.compile(
     r"|d_?x|delta[-_ ]?x|x[-_ ]?(scale|resolution)|xy?[-_ ]?calibration|pixel[-_ ]?size)"
 )
 OF_A_SAMPLE = re.compile(r"\s*(/|per\s)\s*(pixel|px|point|pt|sample)s?$", re.IGNORECASE)
-WIDTH = re.compile(r"(width|x[-_ ]?(size|range|length|extent)|scan[-_ ]?(size|width|length))")
-TALL = re.compile(r"(height|y[-_ ]?(size|range|length|extent))")
+WIDTH = re.compile(
+    r"(width|breite|x[-_ ]?(size|range|length|extent)|scan[-_ ]?(size|width|length))"
+)
+TALL = re.compile(r"(height|höhe|y[-_ ]?(size|range|length|extent))")
 VALUE_UNIT = re.compile(r"(value|z|height|data|y)?[-_ ]*units?")
 SCALE = re.compile(
     r"(z|height|data|value)?s?[-_ ]*(scal(e|ing)|factor|multiplier|calibration)[-_ ]*(factor)?"
