@@ -247,7 +247,11 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
     free, places = list(table.numeric), dict[int, int]()
     for index, one in enumerate(wanted):
         own = [column for column in free if _named(table.title(column), one)]
-        if len(own) > 1:
+        # A name without a unit is not surer than the unit of a column that nothing names.
+        rivals = (
+            [] if any(table.title(column).unit for column in own) else _rivals(table, wanted, one)
+        )
+        if len(own) > 1 or (own and rivals):
             raise _unclear(table, wanted, option)
         places.update((index, column) for column in own)
     free = [column for column in free if column not in places.values()]
@@ -269,6 +273,16 @@ def _places(table: TextTable, wanted: Sequence[Wanted], option: str) -> list[int
     return [places[index] for index in range(len(wanted))]
 
 
+def _rivals(table: TextTable, wanted: Sequence[Wanted], one: Wanted) -> list[int]:
+    """Return the columns that by their unit may be what is wanted, and by their name nothing is."""
+    titles = {column: table.title(column) for column in table.numeric}
+    return [
+        column
+        for column, title in titles.items()
+        if title.name and _by_unit(title, one) and not any(_named(title, own) for own in wanted)
+    ]
+
+
 def _names_several(table: TextTable, wanted: Sequence[Wanted]) -> bool:
     """Return whether a line above the rows names several columns, though not which."""
     patterns = [one.names for one in wanted]
@@ -288,10 +302,10 @@ def _of_family(title: Title, one: Wanted) -> bool:
 
 
 def _by_unit(title: Title, one: Wanted) -> bool:
-    """Return whether a unit says what a column is; % of a column with a name says nothing."""
+    """Return whether a unit says what a column is; 1 or % of a column with a name says nothing."""
     unit = unit_of(title.unit)
-    share = unit is not None and unit.family == "number" and unit.factor != 1.0
-    return _of_family(title, one) and not (share and title.name not in ("", UNREAD))
+    number = unit is not None and unit.family == "number"
+    return _of_family(title, one) and not (number and title.name not in ("", UNREAD))
 
 
 def _same_family(unit: Unit, one: Wanted) -> bool:

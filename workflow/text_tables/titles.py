@@ -137,8 +137,9 @@ def unread_line(above: list[str], delimiter: str | None, width: int) -> str:
         if any(map(_names_unit, words)) or any(map(unit_of, re.findall(r"\bin\s+(\S+)", bare))):
             return line.strip()
     for line in () if known else near[:2]:  # in which 1 is a unit, and no number before one
-        words = COMMENT.sub("", line).split()
-        if len(words) > 1 and _units_alone(words):
+        words = COMMENT.sub("", line).split(delimiter)
+        several = len(words) < width and any(map(_bare_unit, words))
+        if len(words) > 1 and (several if delimiter else _units_alone(words)):
             return line.strip()
     nearest = _bare_words(near[0])[0] if near else []
     units = [word for word in nearest if (unit := unit_of(word)) and unit.family != "number"]
@@ -252,8 +253,9 @@ def _cells_of_title(line: str, delimiter: str | None, width: int) -> list[str]:
     if delimiter is None and len(wide := re.split(r"\s{2,}|\t", text.strip())) == width:
         return wide
     words = re.findall(r"[\[({<][^\])}>]*[\])}>]|\S+", text)  # [mN m] is one
-    units = _units_alone(words)
-    if len(units) == width:
+    units = _units_alone(words) if delimiter is None or delimiter not in text else []
+    families = [unit and unit.family for unit in map(unit_of, units)]
+    if len(units) == width and ("force", "length") not in pairwise(families):  # a torque is one
         return units
     if delimiter is None and len(units) > 1:  # of which columns, it does not say
         return []

@@ -85,3 +85,24 @@ def test_a_row_of_fewer_units_than_columns_is_refused(units):
     text = f"index  time  friction  velocity  temperature\n{units}\n{rows}"
     with pytest.raises(UserError, match=r"column 1 'time': it is not clear what '.*min"):
         picked(table_of_text("key", "f.txt", text), WANTED)
+
+
+@pytest.mark.parametrize(
+    ("header", "row", "time"),
+    [
+        ("mu\tt\tNo.\tx\tvel\tM\n%\tms\t1\t\tmm/s\tN m", "50\t100\t1\t0\t1000\t0.5", 0.1),
+        ("-  mm/s  -    s  mN m\nindex  v  COF  Fn  t  M", "0  1000  0.5  10  100  0.5", None),
+        ("T []\ttime (t)\tv [m/s]\tt0 [ms]\tmu [-]", "23\t100\t1\t7\t0.5", None),
+        ("time,mu,v\na.u.,%", "100,50,1", None),
+        ("v-m/s;time-s;No.--;µ-1", "1;100;7;0.5", None),
+    ],
+)
+def test_what_stands_between_units_shifts_none(header, row, time):
+    """An empty cell, a torque of two words, fewer units than columns, and a unit of a number."""
+    text = f"{header}\n" + "\n".join([row] * 4)
+    if time is None:
+        with pytest.raises(UserError, match=r"not clear|not known"):
+            picked(table_of_text("key", "f.txt", text), WANTED)
+    else:
+        found = picked(table_of_text("key", "f.txt", text), WANTED)
+        assert [one.values[0] for one in found] == pytest.approx([time, 1.0, 0.5])
