@@ -14,10 +14,15 @@ from ..ground import UserError
 from ..text_tables import TextTable, Wanted, picked, picked_by_name, read_text_table, told, unit_of
 
 TIME = Wanted("a time", "time", r"time|zeit|^t$", "s", "--time")
-VELOCITY = Wanted("a velocity", "velocity", r"vel|speed|^v([_ ]|$)", "m/s", "--velocity")
-PLACE = Wanted("a displacement", "length", r"disp|posit|slip|dist|^[xs]$", "m", "--displacement")
+VELOCITY = Wanted("a velocity", "velocity", r"vel|speed|geschw|^v([_ ]|$)", "m/s", "--velocity")
+PLACE = Wanted(
+    "a displacement", "length", r"disp|posit|slip|dist|^weg|^[xs]$", "m", "--displacement"
+)
 FRICTION = Wanted(
-    "a coefficient of friction", "number", r"fric|^(mu|\u03bc|\u00b5)([\W_\d]|$)|coef|cof", "1"
+    "a coefficient of friction",
+    "number",
+    r"fric|reibung|^(mu|\u03bc|\u00b5)([\W_\d]|$)|coef|cof",
+    "1",
 )
 LARGEST_NOISE = 0.05  # of a velocity that is a difference of displacements, as a share of it
 WIDEST = 12  # samples over which displacements are differenced

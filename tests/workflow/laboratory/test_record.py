@@ -29,6 +29,7 @@ def test_columns_and_units_of_the_header(tmp_path):
     [
         ("", 1.0, 1.0),
         ("Zeit [min]; v [µm/s]; mu", 60.0, 1e-6),
+        ("Zeit [s];Geschwindigkeit [mm/s];Reibungszahl", 1.0, 1e-3),
         ("t (s) v (m/s) mu", 1.0, 1.0),
         ("time_ms, velocity_mm_s, friction", 1e-3, 1e-3),
         ("t (us)\tv / mm·s⁻¹\tµ", 1e-6, 1e-3),
