@@ -22,7 +22,7 @@ from elastomer_friction.kernels.half_space.waves import half_space_stiffness
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
 
-M, LOAD, OURS, THEIRS = 4, 0.05, 1e-8, 1e-8  # load: of E* times the rms slope; tolerances
+M, LOAD, OURS, THEIRS = 4, 0.05, 5e-9, 1e-8  # load: of E* times the rms slope; tolerances
 SPEEDS, STEPS = (1.0, 3.0, 10.0), 20  # v tau q_max, and steps after a velocity step
 
 
