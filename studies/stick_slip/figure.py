@@ -1,8 +1,9 @@
 """Stick and slip of a line that is pulled through a spring: where it slides steadily.
 
 Steady sliding is stable above the critical stiffness k_c = -(d mu/d ln v) F_N/D_c of rate and state
-(J. R. Rice, A. L. Ruina, J. Appl. Mech. 50, 343 (1983), doi:10.1115/1.3167042), D_c being the
-distance v t_b slid in the time t_b of the rubber's one branch.
+(J. R. Rice, A. L. Ruina, J. Appl. Mech. 50, 343 (1983), doi:10.1115/1.3167042). D_c is taken as the
+distance v t_b slid in the time t_b of the rubber's one branch, which holds where that is about the
+length of contacts: beyond, D_c is shorter and k_c is larger (docs/drive.md).
 """
 
 import numpy as np
@@ -64,8 +65,9 @@ def draw(groups: Groups) -> Figure:
     foot_line(
         figure,
         groups[""],
-        "Line in (a): k_c = -(d mu/d ln v) F_N/(v t_b). In (d) lines of one surface each slip at "
-        "times of their own, so that the mean swings less than each does.",
+        "Line in (a): k_c = -(d mu/d ln v) F_N/(v t_b), too soft where v t_b is longer than "
+        "contacts. In (d) lines of one surface each slip at times of their own, so that the mean "
+        "swings less than each does.",
     )
     return figure
 
