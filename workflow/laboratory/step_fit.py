@@ -226,39 +226,40 @@ def _with_drift(own: Estimate, off: Estimate) -> Estimate:
     return Estimate(own.value, math.hypot(own.error, more))
 
 
-def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> "StepFit":
+def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
     """Return the fit of one step as it is."""
+    constant = _constant(step, law)
     if np.ptp(step.after) <= SMALL:
-        return _nothing_happens(step, law)
-    if stiffness is not None:
-        return _sprung(step, law, stiffness)
+        return constant
+    noisy = constant._replace(noise=noise_of(np.diff(step.after)))
+    return _stiff(noisy) if stiffness is None else _sprung(noisy, stiffness)
+
+
+def _stiff(own: StepFit) -> StepFit:
+    """Return the fit of a step, which ``own`` holds with its law and noise, of a stiff machine."""
+    step, law, mu_1 = own.step, own.law, own.mu_1
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
-    mu_1 = mean(step.before)
     rate, why = _rate(fit)
     found, reasons = _levels(step, fit, mu_1, curve, bool(why))
     reasons |= dict.fromkeys(OPEN_WITH.get(why, ()), why)
     found |= {name: Estimate() for name in OPEN_WITH.get(why, ()) if name != "rate"}
-    return StepFit(
-        step=step,
-        law=law,
-        mu_1=mu_1,
+    return own._replace(
+        mu_2=found["mu_2"],
+        jump=found["jump"],
+        amplitude=found["amplitude"],
         rate=rate,
         why=reasons,
-        drift=_drift(step.before),
-        levelled=False,
-        noise=noise_of(np.diff(step.after)),
         rms=float(np.sqrt(np.mean(fit.residual**2))),
         factor=fit.factor,
         curve=curve,
-        stiffness=None,
-        **found,
     )
 
 
-def _sprung(step: MeasuredStep, law: str, stiffness: float) -> StepFit:
-    """Return the fit of one step behind the spring of the machine."""
-    fit = fit_behind_spring(step, law, stiffness)
+def _sprung(own: StepFit, stiffness: float) -> StepFit:
+    """Return the fit of a step as ``_stiff``, but behind the spring of the machine."""
+    step = own.step
+    fit = fit_behind_spring(step, own.law, stiffness)
     size = float(np.max(np.abs(fit.curve - fit.mu_1.value)))
     levels = {"mu_2": fit.mu_2, "amplitude": fit.amplitude, "jump": fit.jump}
     found = {name: level.if_below(LARGEST_SHARE * size) for name, level in levels.items()}
@@ -269,20 +270,17 @@ def _sprung(step: MeasuredStep, law: str, stiffness: float) -> StepFit:
         rate, why["rate"] = Estimate(), TOO_SHORT
     elif not rate.known:
         why["rate"] = TOO_NOISY
-    return StepFit(
-        step=step,
-        law=law,
+    return own._replace(
         mu_1=fit.mu_1,
+        mu_2=found["mu_2"],
+        jump=found["jump"],
+        amplitude=found["amplitude"],
         rate=rate,
         why=why,
-        drift=_drift(step.before),
-        levelled=False,
-        noise=noise_of(np.diff(step.after)),
         rms=float(np.sqrt(np.mean(fit.residual**2))),
         factor=fit.factor,
         curve=fit.curve,
         stiffness=stiffness,
-        **found,
     )
 
 
@@ -296,8 +294,8 @@ def _drift(values: np.ndarray) -> Estimate:
     return Estimate(rise, math.sqrt(variance / weight))
 
 
-def _nothing_happens(step: MeasuredStep, law: str) -> StepFit:
-    """Return the fit of a step after which friction is constant to rounding."""
+def _constant(step: MeasuredStep, law: str) -> StepFit:
+    """Return the fit of a step after which friction is constant to rounding; of others a start."""
     mu_1, mu_2 = mean(step.before), Estimate(float(step.after.mean()), 0.0)
     return StepFit(
         step=step,

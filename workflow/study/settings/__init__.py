@@ -30,8 +30,9 @@ if TYPE_CHECKING:
         pair,
         schema_of,
         table_of,
+        values_of,
         values_of_axis,
     )
-    from .words import as_toml, default_of, values_of
+    from .words import as_toml, default_of
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

@@ -1,4 +1,4 @@
-"""What keys take as JSON schema: the pieces of which the schema of a study.toml is made."""
+"""What keys take, as JSON schema and in words, said once for each check."""
 
 from collections.abc import Callable
 from functools import partial
@@ -26,11 +26,11 @@ NUMBER: Schema = {"type": "number"}
 POSITIVE: Schema = {"type": "number", "exclusiveMinimum": 0}
 NOT_ZERO: Schema = {"type": "number", "not": {"const": 0}}
 TEXT: Schema = {"type": "string"}
-PLAIN: dict[Callable[..., Any], Schema] = {
-    positive: POSITIVE,
-    number: NUMBER,
-    flag: {"type": "boolean"},
-    as_text: TEXT,
+PLAIN: dict[Callable[..., Any], tuple[Schema, str]] = {
+    positive: (POSITIVE, "a number above 0"),
+    number: (NUMBER, "a number"),
+    flag: ({"type": "boolean"}, "`true` or `false`"),
+    as_text: (TEXT, "text"),
 }
 
 
@@ -59,21 +59,37 @@ def schema_of(key: Key) -> Schema:
     Raises KeyError for a check of its own whose key has no schema.
     """
     unit = f" Unit: {key.unit}." if key.unit else ""
-    taken = _taken(key.check) if key.schema is None else dict(key.schema)
-    return taken | {"description": key.means + unit}
+    schema = dict(key.schema) if key.schema is not None else _taken(key.check)[0]
+    return schema | {"description": key.means + unit}
 
 
-def _taken(check: Callable[..., Any]) -> Schema:
-    """Return what a check takes. Raises KeyError for one that is not among PLAIN."""
+def values_of(key: Key) -> str:
+    """Return in words what a key takes; "" for a check of its own whose key does not say it."""
+    try:
+        return key.values or _taken(key.check)[1]
+    except KeyError:
+        return ""
+
+
+def _taken(check: Callable[..., Any]) -> tuple[Schema, str]:
+    """Return what a check takes. Raises KeyError for one that is none of those of checks.py."""
     if not isinstance(check, partial):
         return PLAIN[check]
     given = check.keywords
     if check.func is within:
-        return {"type": "number", "minimum": given["least"], "maximum": given["most"]}
+        least, most = given["least"], given["most"]
+        schema = {"type": "number", "minimum": least, "maximum": most}
+        return schema, f"a number from {least:g} to {most:g}"
     if check.func is integer:
-        most = {"maximum": given["most"]} if given.get("most", UNBOUNDED) != UNBOUNDED else {}
-        return {"type": "integer", "minimum": given["least"], **most}
+        least, most = given["least"], given.get("most", UNBOUNDED)
+        schema = {"type": "integer", "minimum": least}
+        if most == UNBOUNDED:
+            return schema, f"a whole number, at least {least}"
+        return schema | {"maximum": most}, f"a whole number from {least} to {most}"
     if check.func is choice:
-        return {"enum": list(given["known"])}
-    several = {checked_values: values_of_axis, one_or_several: values_of_axis}
-    return several[check.func](_taken(check.args[0]))
+        *others, last = (f'`"{known}"`' for known in given["known"])
+        return {"enum": list(given["known"])}, f"{', '.join(others)} or {last}"
+    if check.func not in (checked_values, one_or_several):
+        raise KeyError(check)
+    one, words = _taken(check.args[0])
+    return values_of_axis(one), f"{words}, or a list or range"
