@@ -20,11 +20,12 @@ FLAGS = {
 }
 
 PART = {**FLAGS, "no_cpython_wrapper": True, "pipeline_class": PartCompiler}
+BORROWING = {**PART, "_nrt": False}
 
 
 def kernel(function: Callable) -> Callable:
     """Compile a function, or leave it as it is under NUMBA_DISABLE_JIT=1."""
-    return _compiled(function, counts=True)
+    return _compiled(function, PART)
 
 
 def borrowing(function: Callable) -> Callable:
@@ -33,13 +34,21 @@ def borrowing(function: Callable) -> Callable:
     It counts no references. To count those of all arrays of some NamedTuples takes as long as to
     step hundreds of elements. Numba raises an error where an array is made after all.
     """
-    return _compiled(function, counts=False)
+    return _compiled(function, BORROWING)
 
 
-def _compiled(function: Callable, counts: bool) -> Callable:
-    compiled = numba.njit(**FLAGS | {"_nrt": counts})(function)
+def inlined(function: Callable) -> Callable:
+    """Compile a ``borrowing`` function into each that calls it, however long it is.
+
+    To hand over many arrays takes longer than short loops. Long ones are quicker by themselves.
+    """
+    return _compiled(function, BORROWING | {"forceinline": True})
+
+
+def _compiled(function: Callable, options: dict[str, Any]) -> Callable:
+    compiled = numba.njit(**FLAGS | {"_nrt": options["_nrt"]})(function)
     if compiled is not function:  # Python calls it as usual, kernels link its part in
-        part = numba.njit(**PART | {"_nrt": counts})(function)
+        part = numba.njit(**options)(function)
         compiled.get_call_template = _by_types_alone(part.get_call_template)
         compiled.get_overload = part.get_overload
         with contextlib.suppress(RuntimeError):  # no folder at all can be written
@@ -85,7 +94,7 @@ class by_type:
         self.name = declared.__name__
         self.bodies: dict[Any, Callable] = {}
 
-        @overload(self, jit_options=PART | {"_nrt": counts})
+        @overload(self, jit_options=PART if counts else BORROWING)
         @functools.wraps(declared)
         def compiled(first: Any, *others: Any) -> Callable | None:
             return self.bodies.get(getattr(first, "instance_class", None))

@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import borrowing, kernel
+from ..compile.jit import inlined, kernel
 
 BLOCK = 64
 SHRUNK = 2.0**-512
@@ -42,14 +42,14 @@ def as_it_is(units, step):
     return Scales(np.ones(units), steps[0], steps[1], zeros[0], zeros[1], zeros[2])
 
 
-@borrowing
+@inlined
 def look_ahead(law, scales):
     """Prepare for the step that comes; law : a Prony."""
     for k in range(law.decay.size):
         scales.ahead[k] = law.decay[k] * scales.scale[k]
 
 
-@borrowing
+@inlined
 def go_on(law, scales, step):
     """Take the scales over a step; it is the next that memory is to be taken over."""
     for k in range(law.decay.size):
@@ -65,7 +65,7 @@ def go_on(law, scales, step):
         scales.stale[k] = law.stale[k] / scale
 
 
-@borrowing
+@inlined
 def catch_up(scales, memory, seen, some, step):
     """Shrink the memory of some blocks by what they have not seen until a step.
 
@@ -81,7 +81,7 @@ def catch_up(scales, memory, seen, some, step):
         seen[b] = max(seen[b], step)
 
 
-@borrowing
+@inlined
 def settle_and_predict(law, scales, memory, pressed, p, older, some, z, total, c):
     """Fill rows of c with z - w, w being where elements of some blocks would come without force.
 
@@ -112,7 +112,7 @@ def settle_and_predict(law, scales, memory, pressed, p, older, some, z, total, c
             c[row, i] = np.inf
 
 
-@borrowing
+@inlined
 def _predict(ahead, memory, b, total):
     """Add to ``total`` what the units of block b displace it."""
     for k in range(ahead.size):
@@ -121,7 +121,7 @@ def _predict(ahead, memory, b, total):
             total[i] += share * memory[b, k, i]
 
 
-@borrowing
+@inlined
 def _settle_and_predict(ahead, fresh, stale, memory, b, total):
     """Do the same after the last step, whose forces are in the last two thirds of ``total``."""
     for k in range(ahead.size):
@@ -132,7 +132,7 @@ def _settle_and_predict(ahead, fresh, stale, memory, b, total):
             total[i] += share * y
 
 
-@borrowing
+@inlined
 def all_settled(scales):
     """Note that the memory of all that is pressed knows of the last step."""
     for k in range(scales.fresh.size):

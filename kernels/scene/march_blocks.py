@@ -17,7 +17,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import borrowing, kernel
+from ..compile.jit import inlined, kernel
 from ..model.balance import balance_rows
 from ..model.contact import SpringRows
 from ..model.friction import weighed
@@ -135,9 +135,8 @@ def follow_blocks(
         if s > 0 and track.dt[s] != track.dt[s - 1]:
             law = law_of(form, track.dt[s])
         every = ledger is not None
-        here = track.z, track.line[s + 1], track.begin[s + 1]
         d, used, choice = _move(
-            control, law, blocks, p, older, step, rows, lowest, choice, every, here, old
+            control, law, blocks, p, older, step, rows, lowest, choice, every, track, s, old
         )
         passes += used
         p, older = older, p
@@ -167,15 +166,14 @@ def follow_blocks(
     return BlockElements(blocks, p, older, d), passes
 
 
-@borrowing
-def _move(control, law, blocks, p, older, step, rows, lowest, choice, every, here, old):
+@inlined
+def _move(control, law, blocks, p, older, step, rows, lowest, choice, every, track, s, old):
     """Take some blocks over a step; return (d, passes, Choice). Their forces fill ``older``.
 
-    every : whether all blocks are to be looked at. here : lines, which of them, from which sample.
+    every : whether all blocks are to be looked at. s : steps of the track before this one.
     """
-    lines, line, begin = here
-    n = lines.shape[1] // 2
-    z = lines[line, begin : begin + n]
+    n, begin = track.z.shape[1] // 2, track.begin[s + 1]
+    z = track.z[track.line[s + 1], begin : begin + n]
     look_ahead(law, blocks.scales)
     at, cap, chosen, count = choice
     if at < 0 or round_apart(begin, at, n) > SLACK:
@@ -190,7 +188,7 @@ def _move(control, law, blocks, p, older, step, rows, lowest, choice, every, her
     return d, passes, Choice(at, cap, chosen, count)
 
 
-@borrowing
+@inlined
 def _pass_by(law, blocks, step):
     """Let a step be over, of which the blocks learn when they are looked at next.
 
@@ -216,7 +214,7 @@ def _lowest(z):
     return lowest
 
 
-@borrowing
+@inlined
 def cap_over(d, before, lowest):
     """Return a cap above the indentation, and above some of the line.
 
@@ -229,14 +227,14 @@ def cap_over(d, before, lowest):
     return max(d, deepest) + max(spare, 1e-9)
 
 
-@borrowing
+@inlined
 def round_apart(one, other, n):
     """Return how many samples lie between two, round the period."""
     apart = abs(one - other)
     return min(apart, n - apart)
 
 
-@borrowing
+@inlined
 def choose_blocks(active, lowest, begin, n, cap, pressed):
     """List the blocks that can touch while the line moves by SLACK, or do; return their number."""
     count = 0
@@ -252,7 +250,7 @@ def choose_blocks(active, lowest, begin, n, cap, pressed):
     return count
 
 
-@borrowing
+@inlined
 def balance_blocks(control, law, blocks, p, older, step, count, rows, z, old):
     """Return (d, passes) of a step, taken with the first blocks that are active alone."""
     _predict(law, blocks, p, older, step - 1, rows.active[:count], z, rows)
@@ -261,7 +259,7 @@ def balance_blocks(control, law, blocks, p, older, step, count, rows, z, old):
     return balance_rows(control, law, springs, old, step)
 
 
-@borrowing
+@inlined
 def _predict(law, blocks, p, older, step, some, z, rows):
     """Find the thresholds of some blocks, all that are pressed among them.
 
@@ -284,7 +282,7 @@ def _predict(law, blocks, p, older, step, some, z, rows):
     all_settled(blocks.scales)
 
 
-@borrowing
+@inlined
 def press_blocks(law, pressed, new, some, c, d):
     """Fill the rows of ``new`` that belong to some blocks with the forces of this step."""
     for row in range(some.size):
