@@ -16,12 +16,12 @@ def curvatures(z, slope, spacing):
     """Return z'' (in h/dx^2), shape (n,), of eighth order, from five heights and slopes each."""
     n = z.size
     found = np.empty(n)
-    for j in range(n):
-        one, two = (j + 1) % n, (j + 2) % n
+    for j in range(n):  # below zero an index counts from the end, as the period does
+        one, two = j + 1 - n, j + 2 - n
         rise = 64.0 / 27.0 * ((z[one] - z[j]) - (z[j] - z[j - 1]))
-        rise += 7.0 / 54.0 * ((z[two] - z[j]) - (z[j] - z[(j - 2) % n]))
+        rise += 7.0 / 54.0 * ((z[two] - z[j]) - (z[j] - z[j - 2]))
         turn = 8.0 / 9.0 * (slope[one] - slope[j - 1])
-        turn += 1.0 / 36.0 * (slope[two] - slope[(j - 2) % n])
+        turn += 1.0 / 36.0 * (slope[two] - slope[j - 2])
         found[j] = rise / spacing**2 - turn / spacing
     return found
 
