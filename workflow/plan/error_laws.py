@@ -25,10 +25,10 @@ from .problems import Numbers, expected_rate, speed_ratio, viscous_pressure
 FEW = 2.0  # patches of contact that carry the load
 
 
-def known(problem: Problem) -> Numbers:
-    """Return whether the laws of error hold: a Kelvin element under load, forwards, one step."""
+def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
+    """Return whether the laws of a body hold: Kelvin elements under load, forwards, one step."""
     plain = problem.spectrum == KELVIN and not problem.programme and not problem.surface.measured
-    plain = plain and problem.surface.body == FOUNDATION
+    plain = plain and problem.surface.body == body
     numbers = np.stack([problem.load, problem.speed, problem.ratio])
     return plain & (numbers > 0.0).all(axis=0)
 

@@ -16,8 +16,8 @@ from ..ground import UserError
 from ..simulate import Problem
 from ..study import HALF_SPACE, MOST_BLOCKS, Numerics, Scene, Study, judged
 from .cost import touchable_share
-from .error_laws import LAWS, allowed_share, contact_width, rate_error, relaxing_share, window_rate
-from .half_space import MOST_SAMPLES, steps_for
+from .error_laws import allowed_share, contact_width, rate_error, relaxing_share, window_rate
+from .half_space import LEAST_OF_MAPS, MOST_SAMPLES, laws_of, may_be_so_fine, steps_for
 from .problems import Numbers, expected_rate, viscous_pressure
 
 JACKKNIFE_GROUPS = 32  # of the jackknife at most; fewer blocks are groups of their own
@@ -56,23 +56,23 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
     nothing is expected to relax.
     """
     names = judged(scene.quantities)
-    wanted = numerics.accuracy or 0.0
+    wanted, laws = numerics.accuracy or 0.0, laws_of(problem)
     counted = {name: np.ones(np.shape(problem.load)) for name in names}
     if "relaxation_rate" in counted:
         counted["relaxation_rate"] = 1.0 * (relaxing_share(problem) >= numerics.negligible)
-    scatter = {name: counted[name] * LAWS[name].scatter(problem) for name in names}
+    scatter = {name: counted[name] * laws[name].scatter(problem) for name in names}
     if numerics.steps_per_spacing is not None:
         check_resolution(problem, numerics.steps_per_spacing, numerics)
         bias = dict.fromkeys(names, 0.0)
         return Goal(numerics.steps_per_spacing, bias, scatter, _need(wanted, bias, scatter))
-    least = np.broadcast_to(least_steps(problem, scene), np.shape(problem.load))
+    least = np.broadcast_to(_first_steps(problem, scene), np.shape(problem.load))
     check_resolution(problem, least, numerics)
     # Where the search begins, to be replaced by the first steps that are tried.
     best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
     share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
-    while (open_ones := (steps * problem.elements <= MAX_SAMPLES_PER_LINE) & (tried < TRIED)).any():
-        bias = {name: LAWS[name].error(problem, steps) for name in names}
+    while (open_ones := _fits(problem, steps) & (tried < TRIED)).any():
+        bias = {name: laws[name].error(problem, steps) for name in names}
         goal = Goal(steps, bias, scatter, _need(wanted, bias, scatter))
         fine = np.max([counted[name] * bias[name] for name in names], axis=0) <= 0.5 * wanted
         lines = np.maximum(goal.realizations, QUARTET * least_blocks(names))
@@ -80,6 +80,8 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         if "relaxation" in scene.quantities:
             marched = share * horizon_steps(problem, numerics, steps)
         updates = steps * (STATES + marched)  # of elements in a march, which a realization takes
+        if problem.surface.body == HALF_SPACE:
+            updates = steps**3  # samples of a map times steps of a march
         cost = np.where(fine, lines * updates, np.inf)
         better = open_ones & ((cost < lowest) | (tried == 0))
         best = Goal(
@@ -91,6 +93,19 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         lowest, tried = np.where(open_ones, np.minimum(cost, lowest), lowest), tried + fine
         steps = 2 * steps
     return best
+
+
+def _first_steps(problem: Problem, scene: Scene) -> Numbers:
+    """Return the m with which the search of the cheapest begins."""
+    half_space = problem.surface.body == HALF_SPACE
+    return LEAST_OF_MAPS if half_space else least_steps(problem, scene)
+
+
+def _fits(problem: Problem, steps: Numbers) -> Numbers:
+    """Return whether lines, or maps, of so many steps per spacing fit into a worker."""
+    if problem.surface.body == HALF_SPACE:
+        return may_be_so_fine(problem, steps)
+    return steps * problem.elements <= MAX_SAMPLES_PER_LINE
 
 
 def _need(wanted: float, bias: dict[str, Numbers], scatter: dict[str, Numbers]) -> Numbers:

@@ -93,12 +93,19 @@ def check_accuracy(
     """Raise UserError where an accuracy is asked for beyond what its laws were measured on."""
     for label, numerics in variants.items():
         own = surfaces[label]
-        other_lines = own.profile is not None or own.rolloff or own.cutoff
-        other_model = own.body != FOUNDATION or materials[label].branches
-        beyond = scene.programme or other_lines or other_model
+        of_maps = own.body != FOUNDATION
+        others = own.profile is not None or own.cutoff or (own.rolloff and not of_maps)
+        beyond = scene.programme or others or materials[label].branches
+        where = f"compare.{label}" if label else "numerics"
         if numerics.accuracy and beyond:
-            where = f"compare.{label}" if label else "numerics"
             raise UserError(
                 f"{where}.accuracy = {numerics.accuracy!r}: holds for one velocity step of Kelvin "
-                "elements on self-affine lines; give steps_per_spacing and study.realizations"
+                "elements on self-affine lines or maps; give steps_per_spacing and "
+                "study.realizations"
+            )
+        if numerics.accuracy and of_maps and "relaxation" in scene.quantities:
+            raise UserError(
+                f"{where}.accuracy = {numerics.accuracy!r}: on a half-space holds for the "
+                'quantities "steady" and "jump", as the scatter of relaxations follows no law; '
+                'leave "relaxation" out, or give study.realizations in its place'
             )

@@ -7,7 +7,9 @@ from elastomer_friction.kernels import Case, Quantities
 from elastomer_friction.kernels.half_space.cases import run_case
 from elastomer_friction.kernels.half_space.surface import Surface, ring_amplitudes, rms_slope_of
 from elastomer_friction.workflow.plan.half_space import (
+    LAWS_OF_MAPS,
     MOST_SAMPLES,
+    expected_area,
     expected_error,
     map_error,
     steps_for,
@@ -73,3 +75,29 @@ def test_memory_of_a_map_goes_with_its_samples():
     )
     samples = [(0.01 / spacing * 4) ** 2 for spacing in (2e-4, 1e-4)]
     assert many - few == pytest.approx(260.0 * (samples[1] - samples[0]))
+
+
+@pytest.mark.parametrize(("load", "x"), [(0.02, 0.3), (0.2, 1.0)])
+def test_maps_scatter_and_touch_as_the_laws_of_an_accuracy_say(load, x):
+    """Of 16 maps: a standard deviation is known to a sixth, the law to 1.6 for two in three."""
+    amplitude = ring_amplitudes(0.7, 16)
+    problem = on_a_map(load, x)
+    case = Case(problem.load, problem.speed, (1.2,), (), "exponential")
+    generator, asked = np.random.default_rng(5), Quantities(relaxation=False)
+    found = [run_case(Surface.drawn(generator, amplitude, 16, 4), case, asked) for _ in range(16)]
+    for name, of in (
+        ("mu_1", np.array([one.mu_1 for one in found])),
+        ("jump", np.array([one.jump[0] for one in found])),
+    ):
+        scatter = of.std(ddof=1) / abs(of.mean())
+        assert 0.4 < scatter / LAWS_OF_MAPS[name].scatter(problem) < 2.5
+    area = np.mean([one.contact_fraction for one in found])
+    assert 0.7 < area / expected_area(problem) < 1.3
+
+
+def test_an_accuracy_chooses_steps_and_maps_of_a_half_space():
+    own = ("scene.body=half-space", 'scene.quantities=["steady", "jump"]')
+    coarse, fine = (small_plan(*own, f"numerics.accuracy={wanted}") for wanted in (0.1, 0.02))
+    for rough, close in zip(coarse.variants[0].tasks, fine.variants[0].tasks, strict=True):
+        assert close.steps_per_spacing >= rough.steps_per_spacing
+        assert fine.expected[close.key] > 4 * coarse.expected[rough.key]
