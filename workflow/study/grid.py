@@ -70,7 +70,8 @@ GRID = {
         partial(checked_values, positive),
         "The nominal pressure σ₀, in place of `normal_force`. On a half-space F_N = σ₀L². On the "
         "foundation F_N = σ₀ λ_r L, with λ_r = `surface.rolloff`, or L without it, so that "
-        "friction does not depend on how long the line is.",
+        "each length λ_r carries what a square of this side does; from one to sixteen of them "
+        "friction still falls by up to 27 %.",
         "Doubled, F_N doubles.",
         "Pa",
         default=(),
