@@ -11,7 +11,7 @@ from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slid
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.relaxed import RelaxationForm
-from elastomer_friction.kernels.rheology.scaled import BLOCK, as_it_is, catch_up, go_on, look_ahead
+from elastomer_friction.kernels.rheology.scaled import BLOCK, as_it_is, catch_up, go_on
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from elastomer_friction.kernels.scene import ASKED, run, run_scene
 from tests.kernels.scene.given import EVERY, MATERIALS, OF_ANY, a_line, a_scene
@@ -95,7 +95,6 @@ def test_a_block_that_catches_up_late_has_the_same_bits(dt):
     memory[1] = first
     scales = as_it_is(units, 0)
     for step in range(1, size(3000, 300)):
-        look_ahead(law, scales)
         go_on(law, scales, step)
         catch_up(scales, memory, seen, np.array([0]), step)
         if step % 97 == 0:
