@@ -310,9 +310,10 @@ def _pressed(c, last, some, n):
     for row in range(some.size):
         first, after = some[row] * BLOCK, some[row - 1] + 1 if row > 0 else 0
         at += 1 if some[row] != after else 0
-        for i in range(min(BLOCK, n - first)):
-            forces[at] = _force(last, c[some[row], i])
-            at += 1
+        size = min(BLOCK, n - first)
+        for i in range(size):
+            forces[at + i] = _force(last, c[some[row], i])
+        at += size
     if some.size > 0 and (some[-1] + 1) * BLOCK < n:
         at += 1
     return forces[:at]
