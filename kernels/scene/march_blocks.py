@@ -20,7 +20,6 @@ import numpy as np
 
 from ..compile.jit import inlined, kernel
 from ..model.balance import balance_rows
-from ..model.friction import weighed
 from ..rheology.law import NEGLIGIBLE, Elements, law_of
 from ..rheology.scaled import (
     BLOCK,
@@ -37,7 +36,15 @@ from .energy import keep_energies
 from .follow import book_step, first_after, seen_at
 from .records import count_lengths, keep_forces, keep_frame, keep_motion
 from .samples import samples_per_contact
-from .spring_rows import SpringRows, add_overlap, begin_overlap, end_overlap, rows_of
+from .spring_rows import (
+    COLUMNS,
+    SpringRows,
+    add_overlap,
+    begin_overlap,
+    end_overlap,
+    fold,
+    rows_of,
+)
 
 CELL = 16  # samples of which the lowest is known
 SLACK = 16  # samples that the line may move before the blocks are chosen anew
@@ -140,7 +147,7 @@ def follow_blocks(
     n, passes, rows, room = track.z.shape[1] // 2, 0, rows_of(c), np.empty(2 * BLOCK)
     lowest, choice, memory = _lowest(track.z), Choice(-1, np.inf, d, 0), np.empty((0, n))
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
-    law = law_of(form, track.dt[0])
+    law, forces = law_of(form, track.dt[0]), np.empty(c.size + c.shape[0] + 1)
     for s in range(track.dt.size):
         step, old = done + s + 1, d
         if s > 0 and track.dt[s] != track.dt[s - 1]:
@@ -154,7 +161,6 @@ def follow_blocks(
         )
         passes += used
         last = Pressing(d, law.stiffness)
-        some = rows.some[: choice.number]
         if film is not None and frame < frames.size and step == frames[frame]:
             z = seen_at(track.z, track, s + 1, n)
             _keep_frame(film, frame, blocks, step, _forces(c, last), z, d, law.stiffness)
@@ -164,11 +170,17 @@ def follow_blocks(
             new = _forces(c, last)[:n]
             book_step(form, law, ledger, track, s, memory, p, new, w, old, d)
         if spell is not None and spell.after < step <= spell.last:
-            add_impulses(spell, _sums(law, track, s, some, c, d), track.dt[s])
+            normal, tangential, _ = _sums(law.lag, track, s, rows, choice.number, d, room)
+            sums = law.stiffness * normal, law.stiffness * tangential
+            add_impulses(spell, sums, track.dt[s])
         if k < kept.size and step == kept[k]:
             if trace is not None:
-                keep_forces(trace, k, law.lag, _sums(law, track, s, some, c, d), n, old, d)
-                trace.samples_per_contact[k] = samples_per_contact(_pressed(c, last, some, n))
+                count = choice.number
+                normal, tangential, touching = _sums(law.lag, track, s, rows, count, d, room)
+                sums = law.stiffness * normal, law.stiffness * tangential, touching
+                keep_forces(trace, k, law.lag, sums, n, old, d)
+                gathered = _gather(c, last, rows.some[:count], n, forces)
+                trace.samples_per_contact[k] = samples_per_contact(forces[:gathered])
                 keep_motion(trace, k, law.lag, track, s)
             if ledger is not None:
                 keep_energies(ledger, k, form, _memory(blocks, new), new)
@@ -302,36 +314,50 @@ def _count_as_it_is(blocks, p, step):
         scales.scale[k], scales.fresh[k] = 1.0, 0.0
 
 
-@kernel
-def _pressed(c, last, some, n):
-    """Return the forces of some blocks of n elements, one that is free where others lie between."""
-    forces = np.zeros(some.size * (BLOCK + 1) + 1)
-    at = 0
-    for row in range(some.size):
-        first, after = some[row] * BLOCK, some[row - 1] + 1 if row > 0 else 0
-        at += 1 if some[row] != after else 0
-        size = min(BLOCK, n - first)
-        for i in range(size):
-            forces[at + i] = _force(last, c[some[row], i])
-        at += size
-    if some.size > 0 and (some[-1] + 1) * BLOCK < n:
-        at += 1
-    return forces[:at]
+@inlined
+def _gather(c, last, some, n, forces):
+    """Gather the forces of some blocks of n elements, a free one where others lie between.
 
-
-@kernel
-def _sums(law, track, s, some, c, d):
-    """Return the sums of eq. 5 of a step, whose forces act on elements of some blocks alone."""
-    n = track.z.shape[1] // 2
-    before, now = seen_at(track.slope, track, s, n), seen_at(track.slope, track, s + 1, n)
-    slope, normal, tangential, touching = np.empty(BLOCK), 0.0, 0.0, 0.0
+    Return how many there are. forces : room for BLOCK + 1 numbers for each of some blocks, and one.
+    """
+    at, after = 0, 0
     for b in some:
-        old_slope, new_slope = before[b * BLOCK : (b + 1) * BLOCK], now[b * BLOCK : (b + 1) * BLOCK]
-        for i in range(new_slope.size):
-            slope[i] = new_slope[i] + law.lag * (old_slope[i] - new_slope[i])
-        sums = weighed(c[b, : new_slope.size], None, slope, d)
-        normal, tangential, touching = normal + sums[0], tangential + sums[1], touching + sums[2]
-    return law.stiffness * normal, law.stiffness * tangential, touching
+        if b != after:
+            forces[at] = 0.0
+            at += 1
+        size, after = min(BLOCK, n - b * BLOCK), b + 1
+        for i in range(size):
+            forces[at + i] = _force(last, c[b, i])
+        at += size
+    if after * BLOCK < n:
+        forces[at] = 0.0
+        at += 1
+    return at
+
+
+@inlined
+def _sums(lag, track, s, rows, count, d, slope):
+    """Return the sums of eq. 5 of a step (model/friction.py) over some rows, up to the stiffness.
+
+    By columns, as in add_overlap. slope : room for BLOCK finite numbers.
+    """
+    n, sums = track.z.shape[1] // 2, rows.sums
+    before, now = seen_at(track.slope, track, s, n), seen_at(track.slope, track, s + 1, n)
+    for i in range(COLUMNS):
+        sums[0, i] = sums[1, i] = sums[2, i] = 0.0
+    for b in rows.some[:count]:
+        first = b * BLOCK
+        for i in range(min(BLOCK, n - first)):
+            slope[i] = now[first + i] + lag * (before[first + i] - now[first + i])
+        for part in range(0, BLOCK, COLUMNS):
+            for i in range(COLUMNS):
+                depth = d - rows.c[b, part + i]
+                depth = depth if depth > 0.0 else 0.0
+                sums[0, i] += depth
+                sums[1, i] += 1.0 if depth > 0.0 else 0.0
+                sums[2, i] += depth * slope[part + i]
+    fold(sums)
+    return sums[0, 0], sums[2, 0], sums[1, 0]
 
 
 @kernel

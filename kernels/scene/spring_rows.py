@@ -20,7 +20,7 @@ class SpringRows(NamedTuple):
 
     c: np.ndarray  # contact thresholds z_i - w_i, shape (rows, BLOCK), in h; infinite: no element
     some: np.ndarray  # the rows that are not left out, in ascending order
-    sums: np.ndarray  # room, shape (2, COLUMNS)
+    sums: np.ndarray  # room, shape (3, COLUMNS)
     highest: np.ndarray  # shape (1,): the highest indentation at which they were asked
     found: np.ndarray  # shape (3,): the last one, and the overlap and the number touching there
 
@@ -28,7 +28,7 @@ class SpringRows(NamedTuple):
 @kernel
 def rows_of(c):
     """Return SpringRows of thresholds, with room for the rest."""
-    room = np.empty((2, COLUMNS)), np.empty(1), np.empty(3)
+    room = np.empty((3, COLUMNS)), np.empty(1), np.empty(3)
     return SpringRows(c, np.empty(c.shape[0], np.int64), *room)
 
 
@@ -36,7 +36,7 @@ def rows_of(c):
 def begin_overlap(rows, d):
     """Begin to add up the overlap at d."""
     for i in range(COLUMNS):
-        rows.sums[0, i] = rows.sums[1, i] = 0.0
+        rows.sums[0, i] = rows.sums[1, i] = rows.sums[2, i] = 0.0
     rows.highest[0] = max(rows.highest[0], d)
 
 
@@ -62,13 +62,19 @@ def add_overlap(rows, row, d):
 @inlined
 def end_overlap(rows, d):
     """Note what has been added up."""
-    sums, half = rows.sums, COLUMNS // 2
+    fold(rows.sums)
+    rows.found[0], rows.found[1], rows.found[2] = d, rows.sums[0, 0], rows.sums[1, 0]
+
+
+@inlined
+def fold(sums):
+    """Add up the columns of every row, in the first of them."""
+    half = COLUMNS // 2
     while half > 0:
-        for i in range(half):
-            sums[0, i] += sums[0, half + i]
-            sums[1, i] += sums[1, half + i]
+        for row in range(sums.shape[0]):
+            for i in range(half):
+                sums[row, i] += sums[row, half + i]
         half //= 2
-    rows.found[0], rows.found[1], rows.found[2] = d, sums[0, 0], sums[1, 0]
 
 
 @excess_at.of(SpringRows)
