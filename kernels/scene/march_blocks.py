@@ -170,14 +170,12 @@ def follow_blocks(
             new = _forces(c, last)[:n]
             book_step(form, law, ledger, track, s, memory, p, new, w, old, d)
         if spell is not None and spell.after < step <= spell.last:
-            normal, tangential, _ = _sums(law.lag, track, s, rows, choice.number, d, room)
-            sums = law.stiffness * normal, law.stiffness * tangential
+            sums = _sums(law, track, s, rows, choice.number, d, room)
             add_impulses(spell, sums, track.dt[s])
         if k < kept.size and step == kept[k]:
             if trace is not None:
                 count = choice.number
-                normal, tangential, touching = _sums(law.lag, track, s, rows, count, d, room)
-                sums = law.stiffness * normal, law.stiffness * tangential, touching
+                sums = _sums(law, track, s, rows, count, d, room)
                 keep_forces(trace, k, law.lag, sums, n, old, d)
                 gathered = _gather(c, last, rows.some[:count], n, forces)
                 trace.samples_per_contact[k] = samples_per_contact(forces[:gathered])
@@ -336,19 +334,20 @@ def _gather(c, last, some, n, forces):
 
 
 @inlined
-def _sums(lag, track, s, rows, count, d, slope):
-    """Return the sums of eq. 5 of a step (model/friction.py) over some rows, up to the stiffness.
+def _sums(law, track, s, rows, count, d, slope):
+    """Return the sums of eq. 5 of a step (model/friction.py) over some rows.
 
     By columns, as in add_overlap. slope : room for BLOCK finite numbers.
     """
     n, sums = track.z.shape[1] // 2, rows.sums
-    before, now = seen_at(track.slope, track, s, n), seen_at(track.slope, track, s + 1, n)
+    before = track.slope[track.line[s], track.begin[s] :]
+    now = track.slope[track.line[s + 1], track.begin[s + 1] :]
     for i in range(COLUMNS):
         sums[0, i] = sums[1, i] = sums[2, i] = 0.0
     for b in rows.some[:count]:
         first = b * BLOCK
         for i in range(min(BLOCK, n - first)):
-            slope[i] = now[first + i] + lag * (before[first + i] - now[first + i])
+            slope[i] = now[first + i] + law.lag * (before[first + i] - now[first + i])
         for part in range(0, BLOCK, COLUMNS):
             for i in range(COLUMNS):
                 depth = d - rows.c[b, part + i]
@@ -357,7 +356,7 @@ def _sums(lag, track, s, rows, count, d, slope):
                 sums[1, i] += 1.0 if depth > 0.0 else 0.0
                 sums[2, i] += depth * slope[part + i]
     fold(sums)
-    return sums[0, 0], sums[2, 0], sums[1, 0]
+    return law.stiffness * sums[0, 0], law.stiffness * sums[2, 0], sums[1, 0]
 
 
 @kernel
