@@ -87,9 +87,7 @@ def attained(
     return Attained(np.where(reached < 0.0, np.nan, reached), status.astype(np.int8), growth)
 
 
-def _undefined(
-    name: str, estimates: Estimates, ratios: np.ndarray, wanted: float
-) -> np.ndarray:
+def _undefined(name: str, estimates: Estimates, ratios: np.ndarray, wanted: float) -> np.ndarray:
     """Return where an estimate has no relative error that more realizations could lessen."""
     if name != "relaxation_rate":
         return (estimates[name] == 0.0) & (estimates[f"{name}_error"] == 0.0)
