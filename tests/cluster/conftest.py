@@ -4,7 +4,7 @@ from collections.abc import Iterator
 
 import pytest
 
-from tests.cluster.processes import Standing
+from tests.cluster.processes import Standing, Trial
 from tests.cluster.slurm import Slurm, missing
 
 
@@ -14,6 +14,15 @@ def standing(tmp_path_factory) -> Iterator[Standing]:
     cluster = Standing(tmp_path_factory.mktemp("standing"))
     yield cluster
     cluster.stop()
+
+
+@pytest.fixture(scope="session")
+def undisturbed(tmp_path_factory) -> bytes:
+    """Return the bytes of the result of a trial of which nothing is disturbed."""
+    peace = Trial(tmp_path_factory.mktemp("peace"), "--workers", "2")
+    status, lines = peace.ended()
+    assert status == 0, lines
+    return peace.result()
 
 
 @pytest.fixture(scope="module")

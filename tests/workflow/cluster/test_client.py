@@ -135,30 +135,18 @@ def test_ctrl_c_while_workers_start_is_heard(monkeypatch):
     assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
 
 
-@pytest.mark.exhaustive  # four processes, one after the other
-def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
-    """Whatever dask's own settings are."""
-    with (
-        dask.config.set({"distributed.nanny.pre-spawn-environ": {}}),
-        open_client(Cluster(), 1) as client,
-    ):
-        ((pid, *_),) = client.run(facts).values()
-        os.kill(pid, signal.SIGKILL)
-        how = started_again(client, pid)
-    assert_set_up(*how)
-
-
 @pytest.mark.exhaustive  # seven processes, one after the other
-def test_a_worker_that_is_killed_while_it_starts_again_is_replaced(monkeypatch):
+def test_a_worker_that_is_killed_while_it_starts_again_is_replaced_and_set_up(monkeypatch):
     monkeypatch.setattr(module, "ADAPT_SECONDS", "500ms")
-    timeout = dask.config.set({"distributed.deploy.lost-worker-timeout": 1.0})
-    with timeout, open_client(Cluster(), 1) as client:
+    settings = {"distributed.deploy.lost-worker-timeout": 1.0}
+    settings["distributed.nanny.pre-spawn-environ"] = {}  # whatever dask's are
+    with dask.config.set(settings), open_client(Cluster(), 1) as client:
         ((pid, *_),) = client.run(facts).values()
         known = processes()  # other tests have workers too
         os.kill(pid, signal.SIGKILL)
         os.kill(starting(known), signal.SIGKILL)
-        ignores_ctrl_c, _ = started_again(client, pid)
-    assert ignores_ctrl_c
+        how = started_again(client, pid)
+    assert_set_up(*how)
 
 
 def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(scheduler, capsys):

@@ -22,7 +22,6 @@ def test_the_law_that_made_the_records_is_found_again():
         assert abs(each.value - true) < 4.0 * each.error
         assert each.error < 0.2 * true
     assert not fit.rates.time_below_one
-    assert [step.law for step in fit.ageing] == ["dieterich"] * 5
 
 
 def test_what_is_known_and_the_window_are_taken():

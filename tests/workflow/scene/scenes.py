@@ -29,5 +29,4 @@ def run(*programme, **changed):
         "material": MATERIAL,
         "programme": programme or [slide()],
     }
-    given |= changed
-    return scene.run(**{name: value for name, value in given.items() if value is not None})
+    return scene.run(**(given | changed))

@@ -6,7 +6,6 @@ import xarray as xr
 from numba.core import event
 
 from elastomer_friction.kernels.compile import cache
-from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.scene import call
 from elastomer_friction.workflow.scene.call import toml_value
@@ -124,13 +123,6 @@ def test_colder_is_slower_exactly():
 MASKED = np.ma.array(heights(), mask=np.arange(N) == 7)
 ENDLESS: list = []
 ENDLESS.append(ENDLESS)
-SOUND = {
-    "profile": heights(),
-    "length": LENGTH,
-    "normal_force": 1.0,
-    "material": MATERIAL,
-    "programme": [slide()],
-}
 
 
 def test_an_array_without_dimensions_is_a_number_and_a_mask_that_hides_nothing_is_none():
@@ -191,7 +183,7 @@ def test_arrays_of_xarray_are_arrays_and_persson_is_asked_of_a_profile():
 )
 def test_what_cannot_be_meant_is_refused_in_one_line(changed, words):
     with pytest.raises(UserError) as error:
-        scene.run(**(SOUND | changed))
+        run(**changed)
     assert words in str(error.value)
     assert "\n" not in str(error.value)
 
