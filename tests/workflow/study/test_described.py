@@ -11,6 +11,7 @@ from elastomer_friction.workflow.study.read import known_studies
 from elastomer_friction.workflow.study.schema import described_measures, study_schema
 from elastomer_friction.workflow.study.scripts import OWN
 from elastomer_friction.workflow.study.settings import (
+    REQUIRED,
     Key,
     as_text,
     as_toml,
@@ -24,7 +25,6 @@ from elastomer_friction.workflow.study.settings import (
     values_of,
     within,
 )
-from elastomer_friction.workflow.study.settings.key import REQUIRED
 from elastomer_friction.workflow.study.tables import EVERY_TABLE, HEAD, TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.small import TEXT
