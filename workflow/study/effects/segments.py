@@ -23,6 +23,7 @@ from ..settings import (
     pair,
     positive,
     read_table,
+    within,
 )
 from .programme import (
     FromFile,
@@ -204,6 +205,33 @@ FILE = {  # the one segment that is no table
         'row. From Python, `{"time": …, "velocity": …}` takes two arrays in its place.',
         values="the name of a file with 2 to 100000 rows",
         usual="none",
+    ),
+}
+
+HEAVIEST = 1e12  # of a mass and a damper: beyond them nothing moves
+
+DRIVE = {
+    "stiffness": Key(
+        partial(one_or_several, positive),
+        "The stiffness k of the spring between the drive and the line. A list makes it a "
+        "dimension of the result.",
+        "Doubled, the line follows the drive more closely; below a critical stiffness it sticks "
+        "and slips where friction falls with the velocity.",
+        "N/m",
+    ),
+    "mass": Key(
+        partial(within, least=0.0, most=HEAVIEST),
+        "The mass of the slider.",
+        "Doubled, the slider comes free and stops more slowly.",
+        "kg",
+        default=0.0,
+    ),
+    "damping": Key(
+        partial(within, least=0.0, most=HEAVIEST),
+        "The constant c of a damper beside the spring, whose force is c (dY/dt − dX/dt).",
+        "Doubled, the drive holds the slider back twice as strongly where it runs ahead.",
+        "N s/m",
+        default=0.0,
     ),
 }
 
