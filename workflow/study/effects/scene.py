@@ -36,7 +36,7 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
     del given["body"]  # that of the surfaces (study/variants.py)
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
-    drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments))
+    drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments or []))
     times, told = None, ""
     if history and given["control"] != INDENTATION:
         raise UserError('scene.indentation_file: needs scene.control = "indentation"')
