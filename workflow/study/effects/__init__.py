@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     )
     from .quantities import OF_ELEMENTS, QUANTITIES, check_quantities, judged, why_not
     from .scene import FOUNDATION, HALF_SPACE, SCENE, read_scene_table
-    from .segments import DRIVE, FILE, HOLD, OSCILLATE, PULL, RAMP, SLIDE
+    from .segments import DRIVE, SEGMENTS
     from .shifting import (
         ARRHENIUS,
         GAS,

@@ -220,6 +220,16 @@ DRIVE = {
 }
 
 
+SEGMENTS = {  # the keys of each kind
+    "slide": SLIDE,
+    "hold": HOLD,
+    "ramp": RAMP,
+    "oscillate": OSCILLATE,
+    PULLED: PULL,
+    "file": FILE,
+}
+
+
 def _one_of(where: str, given: dict[str, Any], *names: str) -> str:
     """Return the one of some keys that was given. Raises UserError for none and for two."""
     found = [name for name in names if given[name] is not None]

@@ -16,7 +16,7 @@ import math
 import re
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple, Protocol, TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
@@ -32,16 +32,6 @@ Numbers = TypeVar("Numbers", float, np.ndarray)
 HEADER = 'a header "temperature [°C], log a_T"'
 TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
 DECADES = Wanted("log10 a_T", "number", r"a_?T|shift|log", "1", HEADER)
-
-
-class ShiftLaw(Protocol):
-    """How many decades times are longer at a temperature (°C), and where that is known."""
-
-    def decades(self, temperature: float) -> float:
-        """Return log10 a_T at a temperature (°C)."""
-
-    def outside(self, temperature: float) -> str:
-        """Return why a temperature (°C) is none of this law, "" where it is one."""
 
 
 class Wlf(NamedTuple):
@@ -104,6 +94,9 @@ class ShiftTable(NamedTuple):
             return ""
         hint = ": is it in K? Give it in °C" if temperature > high + KELVIN else ""
         return f"must lie within the table of shifts, {low:g} to {high:g} °C{hint}"
+
+
+ShiftLaw = Wlf | Arrhenius | ShiftTable
 
 
 def _in_kelvin(temperature: float, reference: float) -> str:
