@@ -75,6 +75,17 @@ def integer(key: str, value: object, least: int, most: int = UNBOUNDED) -> int:
     return value
 
 
+Check = Callable[[str, object], float]
+
+
+def two_numbers(key: str, value: object, words: str, *checks: Check) -> tuple[float, float]:
+    """Return a list of two numbers, each as its own check has it, or raise UserError."""
+    if not isinstance(value, list) or len(value) != 2:
+        raise UserError(f"{key} = {value!r:.60}: must be {words}")
+    first, second = (check(f"{key}[{i}]", value[i]) for i, check in enumerate(checks))
+    return first, second
+
+
 def choice(key: str, value: object, known: Iterable[str]) -> str:
     """Return ``value`` if it is one of ``known`` or raise UserError naming the key."""
     if value not in tuple(known):
@@ -107,16 +118,12 @@ def axis_values(key: str, spec: object) -> tuple[float, ...]:
     return values
 
 
-def checked_values(
-    check: Callable[[str, object], float], key: str, spec: object
-) -> tuple[float, ...]:
+def checked_values(check: Check, key: str, spec: object) -> tuple[float, ...]:
     """Return the values of one axis, each of which ``check`` has passed."""
     return tuple(check(key, value) for value in axis_values(key, spec))
 
 
-def one_or_several(
-    check: Callable[[str, object], float], key: str, spec: object
-) -> float | tuple[float, ...]:
+def one_or_several(check: Check, key: str, spec: object) -> float | tuple[float, ...]:
     """Return a number, or the values of a list or range, each of which ``check`` has passed."""
     return checked_values(check, key, spec) if isinstance(spec, list | dict) else check(key, spec)
 

@@ -24,6 +24,7 @@ from ..settings import (
     pair,
     positive,
     read_table,
+    two_numbers,
     within,
 )
 from .programme import (
@@ -57,9 +58,7 @@ def _not_zero(key: str, value: object) -> float:
 
 
 def _pair(key: str, value: object) -> tuple[float, float]:
-    if not isinstance(value, list) or len(value) != 2:
-        raise UserError(f"{key} = {value!r:.60}: must be [first, last]")
-    return number(f"{key}[0]", value[0]), number(f"{key}[1]", value[1])
+    return two_numbers(key, value, "[first, last]", number, number)
 
 
 NOT_ZERO_OR_LEFT_OUT = partial(

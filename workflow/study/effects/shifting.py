@@ -22,7 +22,7 @@ import numpy as np
 
 from ...ground import UserError
 from ...text_tables import ZERO, Wanted, picked, read_text_table, told
-from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table
+from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
 LAWS_OF_SHIFT = ("wlf", "arrhenius", "shifts")  # by their keys
 MOST_SHIFT = 30.0  # decades
@@ -128,12 +128,9 @@ def _shift_table(key: str, value: object) -> ShiftTable:
     """Return a checked list of [temperature, log10 a_T]."""
     if not isinstance(value, list) or len(value) < 2:
         raise UserError(f"{key} = {value!r:.60}: must be a list of two or more [°C, log10 a_T]")
-    for i, row in enumerate(value):
-        if not isinstance(row, list) or len(row) != 2:
-            raise UserError(f"{key}[{i}] = {row!r:.60}: must be [temperature in °C, log10 a_T]")
+    words = "[temperature in °C, log10 a_T]"
     rows = sorted(
-        (number(f"{key}[{i}][0]", t), number(f"{key}[{i}][1]", shift))
-        for i, (t, shift) in enumerate(value)
+        two_numbers(f"{key}[{i}]", row, words, number, number) for i, row in enumerate(value)
     )
     twice = [one[0] for one, two in pairwise(rows) if one[0] == two[0]]
     if twice:
