@@ -242,11 +242,8 @@ def schema_of(key: Key) -> Schema:
 
 
 def values_of(key: Key) -> str:
-    """Return in words what a key takes; "" for a check of its own whose key does not say it."""
-    try:
-        return key.values or _taken(key.check)[1]
-    except KeyError:
-        return ""
+    """Return in words what a key takes. Raises KeyError as ``schema_of`` does."""
+    return key.values or _taken(key.check)[1]
 
 
 def _taken(check: Callable[..., Any]) -> tuple[Schema, str]:
