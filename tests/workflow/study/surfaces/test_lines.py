@@ -43,19 +43,6 @@ def gappy(at=((1, 4), (1, 5))):
     return z
 
 
-def test_gaps_are_refused_with_their_count_and_the_way_on():
-    with pytest.raises(
-        UserError, match=r"'f': 2 of 20 samples are missing in 1 of 2 lines, the fir"
-    ):
-        lines(z=gappy())
-    with pytest.raises(UserError, match=r"sample 5 of line 2: surface.gaps = \"fill\" .* \"drop\""):
-        lines(z=gappy())
-    x = X.copy()
-    x[0] = np.nan
-    with pytest.raises(UserError, match=r"'f': the position of sample 1 is missing"):
-        lines(x=x)
-
-
 def test_gaps_are_filled_in_by_straight_lines():
     found = lines(z=gappy(((0, 0), (1, 4), (1, 5))), gaps="fill")
     expected = Z * 1e-6
