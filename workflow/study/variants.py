@@ -7,11 +7,11 @@ from typing import Any
 
 from ..ground import UserError
 from .effects import (
-    BODY,
     FORCE,
     FOUNDATION,
     MATERIAL,
     OF_ELEMENTS,
+    SCENE,
     SHIFTS,
     Material,
     Scene,
@@ -22,7 +22,7 @@ from .surfaces import LIKE, Surface, lines_like
 
 # All of a comparison are points of one grid, to which temperatures belong.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
-COMPARE |= LIKE | {"body": BODY}
+COMPARE |= LIKE | {"body": SCENE["body"]}
 EITHER = (("branches", "branches_file"), tuple(SHIFTS))  # one takes the place of the others
 
 

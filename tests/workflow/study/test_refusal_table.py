@@ -16,14 +16,12 @@ from tests.support.documents import without
 from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[3]
-STUDY = ("axes", "cluster", "grid", "numerics", "read", "study", "tables", "variants")
-SETTINGS = ("checks", "key")
+STUDY = ("axes", "cluster", "grid", "numerics", "read", "settings", "study", "tables", "variants")
 EFFECTS = ("branches", "material", "quantities", "scene", "segments", "shifting")
 DOCUMENT = ROOT / "tests" / "refusals.md"
 SURFACES = ("as_read", "files", "gaps", "positions", "profile", "table", "text_lines")
 ROOMS = {
     "study": STUDY,
-    "study/settings": SETTINGS,
     "study/effects": EFFECTS,
     "study/surfaces": SURFACES,
 }
