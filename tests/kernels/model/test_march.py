@@ -28,7 +28,7 @@ class Scene(NamedTuple):
 
 
 # Many stretches, few, one; speeding up and slowing down; partial and full contact; so fast that the
-# memory of the elements reaches across the gaps; so slow that e^-500 of it is nothing.
+# memory of the elements reaches across the gaps.
 SCENES = [
     Scene(0.0, 4, 0.01, 0.15, 1.3),
     Scene(0.0, 3, 5e-3, 0.2, 0.8),
@@ -41,8 +41,8 @@ SCENES = [
     Scene(0.7, 1, 0.1, 40.0, 0.8),
     Scene(0.0, 2, 0.5, 6.0, 1.5),
     Scene(0.0, 1, 25.0, 30.0 / np.pi, 3.0),  # z[0] touches: the end is reached straight from there
-    Scene(0.7, 1, 0.05, 2e-3, 1.2),
 ]
+ELASTIC = Scene(0.7, 1, 0.05, 2e-3, 1.2)  # e^-500 is nothing
 
 
 class Jump:
@@ -74,7 +74,7 @@ class Jump:
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
-@pytest.mark.parametrize("scene", SCENES, ids=str)
+@pytest.mark.parametrize("scene", [*SCENES, ELASTIC], ids=str)
 def test_steady_sliding_is_that_of_an_element_carried_round_the_line(scene, scheme):
     jump = Jump(scene, scheme)
     (u, w, d), _ = jump.reference()
