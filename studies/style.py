@@ -33,6 +33,8 @@ BODIES: dict[str, dict[str, Any]] = {
     "foundation": {"marker": "s", "ls": "--"},
 }
 HEAT = (COLOURS[0], COLOURS[3], COLOURS[4])  # of temperatures, from the lowest on
+LARGEST_ERROR = 0.15  # relative standard error of b up to which claims use a point
+NEARLY_FULL = 0.8  # contact fraction from which a contact counts as full
 DOTS: dict[str, Any] = {"fmt": "o", "ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
 
 
@@ -64,6 +66,12 @@ def fitted(points: xr.Dataset) -> xr.Dataset:
     """Return points whose relaxation rate is NaN where eq. 6 was not fitted."""
     rate = points.relaxation_rate.where(points.fit_status == FITTED)
     return points.assign(relaxation_rate=rate)
+
+
+def usable(points: xr.Dataset) -> xr.DataArray:
+    """Return where b was fitted with a small error, short of full contact."""
+    small = points.relaxation_rate_error < LARGEST_ERROR * points.relaxation_rate
+    return (points.fit_status == FITTED) & small & (points.contact_fraction < NEARLY_FULL)
 
 
 def normalised(points: xr.Dataset) -> xr.Dataset:

@@ -2,21 +2,19 @@
 
 import numpy as np
 
+from elastomer_friction.studies.style import normalised
 from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import PLATEAU
 
 KEY = "fig7_half_space"
-NEEDED = ("speed_ratio", "jump", "rms_slope", "alpha", "alpha_error", "alpha_bias")
+NEEDED = ("speed_ratio", "mu_1", "jump", "rms_slope", "alpha", "alpha_error", "alpha_bias")
 
 
-def exponent_on_half_space(results: report.Results) -> report.Claim | None:
+def exponent_on_half_space(results: report.Results) -> report.Claim:
     """Judge alpha = 1 - H above x = 1 (eq. 13) on a half-space."""
     dataset = report.given(results, KEY, *NEEDED)
-    if dataset is None:
-        return None
     known = dataset.dropna("hurst", subset=["alpha"])
-    if known.sizes["hurst"] < 2:
-        return None
+    report.needed(known.sizes["hurst"] > 1)
     alpha, hurst = known.alpha.values, known.hurst.values
     error = np.hypot(known.alpha_error, known.alpha_bias).values
     slope = np.polyfit(hurst, alpha, 1)[0]
@@ -32,16 +30,12 @@ def exponent_on_half_space(results: report.Results) -> report.Claim | None:
     )
 
 
-def plateau_on_half_space(results: report.Results) -> report.Claim | None:
+def plateau_on_half_space(results: report.Results) -> report.Claim:
     """Judge that the jump over slope and relative step has a plateau of 0.4 on a half-space."""
     dataset = report.given(results, KEY, *NEEDED)
-    if dataset is None:
-        return None
-    jump = dataset.jump / dataset.rms_slope / dataset.velocity_step
-    fast = jump.where(dataset.speed_ratio > 3.0).values
+    fast = normalised(dataset).jump_bar.where(dataset.speed_ratio > 3.0).values
     fast = fast[np.isfinite(fast)]
-    if not fast.size:
-        return None
+    report.needed(fast.size)
     return report.Claim(
         "On a half-space too: the jump over ∇z Δv/v₁ has a plateau of 0.4 (eq. 12)",
         "0.4",
