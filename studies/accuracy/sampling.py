@@ -65,8 +65,9 @@ def run_lines(point: Point, surfaces: list[RandomLine], method: Method) -> LineR
 
 def collected(rows: list[tuple], moments: np.ndarray, line: RandomLine) -> LineRuns:
     """Return as arrays what lines like ``line`` gave: (mu_1, mu_2, jump, curve, CPU times) each."""
-    *found, cpu = (np.array(column) for column in zip(*rows, strict=True))
-    return LineRuns(*found, moments, rms_slope(line.amplitude, line.elements), cpu)
+    mu_1, mu_2, jump, curves, cpu = (np.array(column) for column in zip(*rows, strict=True))
+    slope = rms_slope(line.amplitude, line.elements)
+    return LineRuns(mu_1, mu_2, jump, curves, moments, slope, cpu)
 
 
 def seconds(runs: LineRuns) -> np.ndarray:
