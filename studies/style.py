@@ -68,6 +68,25 @@ def fitted(points: xr.Dataset) -> xr.Dataset:
     return points.assign(relaxation_rate=rate)
 
 
+def ratio_of(own: xr.Dataset, other: xr.Dataset, name: str) -> xr.Dataset:
+    """Return ``ratio``, a variable over that of another result, with its error and own coordinates.
+
+    Relative errors add in squares, as of independent ensembles.
+    """
+    ratio = own[name] / other[name]
+    parts = (own[f"{name}_error"] / own[name], other[f"{name}_error"] / other[name])
+    return xr.Dataset({"ratio": ratio, "ratio_error": np.abs(ratio) * np.hypot(*parts)})
+
+
+def slide_of(data: xr.Dataset, segment: int) -> xr.Dataset:
+    """Return the trace in a segment of the programme, with ``slid``, the distance (m) in it.
+
+    data : without axes of length 1.
+    """
+    before, own = (data.isel(event=data.trace_segment.values == k) for k in (segment - 1, segment))
+    return own.assign(slid=own.trace_distance - float(before.trace_distance[-1]))
+
+
 def usable(points: xr.Dataset) -> xr.DataArray:
     """Return where b was fitted with a small error, short of full contact."""
     small = points.relaxation_rate_error < LARGEST_ERROR * points.relaxation_rate

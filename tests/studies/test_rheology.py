@@ -4,7 +4,8 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.studies.rheology.figure import after_step, master, warmest
+from elastomer_friction.studies.rheology.figure import master, warmest
+from elastomer_friction.studies.style import slide_of
 from elastomer_friction.workflow.study.read import read_study
 from tests.support.studies import run
 
@@ -83,7 +84,7 @@ def test_rubber_has_the_broadest_bell(groups):
 
 def test_friction_goes_from_one_steady_state_to_the_other(groups):
     fast = groups[""].sel(velocity=1e-6, method="nearest").isel(temperature=1)
-    _, mu, _ = after_step(fast)
+    mu = slide_of(fast, 1).trace_mu.values
     before = fast.trace_mu.values[0]
     assert before == pytest.approx(float(fast.mu_1), rel=0.05)
     assert mu[0] == pytest.approx(before, rel=0.1)  # no dashpot: mu is continuous
