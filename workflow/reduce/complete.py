@@ -38,7 +38,8 @@ def completed(
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
     if "trace_samples_per_contact" in estimates:
         estimates |= trace_resolution(done, estimates, variant.numerics, variant.recording.origin)
-    same = {f"{name}_error" for name in MOTION if not _differs(estimates, name)}
+    errors = {f"{name}_error" for name in MOTION}
+    same = {name for name in errors if not np.any(estimates.get(name, 0.0) > 0.0)}
     spread = {n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in same}
     spread |= _of_model(tasks, variant.lines.normalisation) if "mu_1" in names else {}
     if "persson" in plan.study.scene.quantities:
@@ -84,11 +85,6 @@ def _waves(lines: Surface, hurst: float, elements: int, shape: LineShape) -> Wav
     if own is None:
         own = amplitudes(hurst, elements, lines.normalisation, *modes)
     return waves_of_line(own, elements)
-
-
-def _differs(estimates: Estimates, name: str) -> bool:
-    """Return whether an estimate differs from line to line."""
-    return bool(np.any(estimates.get(f"{name}_error", 0.0) > 0.0))
 
 
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:

@@ -26,7 +26,10 @@ class Verified:
         self.lines_of_journal, self.records = 0, 0
         self.keys: set[str] = set()  # of the problems that sound shards hold
         self._read_journal()
-        self.told = self._told()
+        # Of a shard: position of row 0, from row to row, block, keys of rows.
+        self.told: dict[str, list[tuple[int, int, int, list[str]]]] = defaultdict(list)
+        for (part, block), (name, first, step) in self.index.found.items():
+            self.told[name].append((first, step, block, self.index.parts[part]))
         sizes = sizes_in(folder)
         shards = shard_sizes(sizes)
         self.shards = len(shards)
@@ -109,15 +112,3 @@ class Verified:
         if {self.index.makers[maker] for maker in self.index.made[name]} != set(contents.makers):
             return "was computed with something else than the journal tells"
         return ""
-
-    def _told(self) -> dict[str, list[tuple[int, int, int, list[str]]]]:
-        """Return name of a shard -> (position of row 0, from row to row, block, keys of rows)."""
-        keys: dict[str, dict[int, str]] = defaultdict(dict)
-        for key, parts in self.index.rows.items():
-            for part, row in parts:
-                keys[part][row] = key
-        rows = {part: [named[row] for row in sorted(named)] for part, named in keys.items()}
-        told = defaultdict(list)
-        for (part, block), (name, first, step) in self.index.found.items():
-            told[name].append((first, step, block, rows[part]))
-        return told
