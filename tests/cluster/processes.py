@@ -134,8 +134,11 @@ class Trial:
         """Return the exit status and what was said."""
         return self.driver.wait(timeout=4.0 * PATIENCE), self.lines()
 
-    def result(self) -> bytes:
-        """Return the bytes of the result."""
+    def whole(self) -> bytes:
+        """Return the bytes of the result of a run that ends well."""
+        status, lines = self.ended()
+        assert status == 0, lines
+        assert "Traceback" not in "".join(lines)
         return (self.folder / "small.nc").read_bytes()
 
 
