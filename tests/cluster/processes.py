@@ -90,6 +90,14 @@ def workers_of(process: psutil.Process) -> list[int]:
         return []
 
 
+def ports_of(pids: list[int]) -> set[int]:
+    """Return the TCP ports at which processes, and those that they started, listen."""
+    family = [psutil.Process(pid) for pid in pids]
+    family += [child for process in family for child in process.children(recursive=True)]
+    connections = [c for process in family for c in process.net_connections("tcp")]
+    return {c.laddr.port for c in connections if c.status == psutil.CONN_LISTEN}
+
+
 def wait_while(lacking: Callable[[], object], process: subprocess.Popen, log: Path) -> None:
     """Wait for something that a process is to bring about before it ends."""
     until = time.monotonic() + PATIENCE
