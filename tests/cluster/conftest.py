@@ -1,10 +1,12 @@
 """Clusters for the tests; all of these are marked ``cluster``."""
 
-from collections.abc import Iterator
+import contextlib
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 
-from tests.cluster.processes import Standing, Trial
+from tests.cluster.processes import Standing, Trial, end
 from tests.cluster.slurm import Slurm, missing
 
 
@@ -19,10 +21,20 @@ def standing(tmp_path_factory) -> Iterator[Standing]:
 @pytest.fixture(scope="session")
 def undisturbed(tmp_path_factory) -> bytes:
     """Return the bytes of the result of a trial of which nothing is disturbed."""
-    peace = Trial(tmp_path_factory.mktemp("peace"), "--workers", "2")
-    status, lines = peace.ended()
-    assert status == 0, lines
-    return peace.result()
+    return Trial(tmp_path_factory.mktemp("peace"), "--workers", "2").whole()
+
+
+@pytest.fixture
+def tried() -> Iterator[Callable[..., Trial]]:
+    """Return what starts a trial, which is ended with the test."""
+    with contextlib.ExitStack() as ends:
+
+        def begin(*words: Any, **environment: str) -> Trial:
+            trial = Trial(*words, **environment)
+            ends.callback(lambda: end(trial.driver))
+            return trial
+
+        yield begin
 
 
 @pytest.fixture(scope="module")

@@ -90,6 +90,14 @@ def workers_of(process: psutil.Process) -> list[int]:
         return []
 
 
+def ports_of(pids: list[int]) -> set[int]:
+    """Return the TCP ports at which processes, and those that they started, listen."""
+    family = [psutil.Process(pid) for pid in pids]
+    family += [child for process in family for child in process.children(recursive=True)]
+    connections = [c for process in family for c in process.net_connections("tcp")]
+    return {c.laddr.port for c in connections if c.status == psutil.CONN_LISTEN}
+
+
 def wait_while(lacking: Callable[[], object], process: subprocess.Popen, log: Path) -> None:
     """Wait for something that a process is to bring about before it ends."""
     until = time.monotonic() + PATIENCE
@@ -134,8 +142,11 @@ class Trial:
         """Return the exit status and what was said."""
         return self.driver.wait(timeout=4.0 * PATIENCE), self.lines()
 
-    def result(self) -> bytes:
-        """Return the bytes of the result."""
+    def whole(self) -> bytes:
+        """Return the bytes of the result of a run that ends well."""
+        status, lines = self.ended()
+        assert status == 0, lines
+        assert "Traceback" not in "".join(lines)
         return (self.folder / "small.nc").read_bytes()
 
 

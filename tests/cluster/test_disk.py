@@ -5,11 +5,12 @@ import signal
 import subprocess
 import sys
 import time
+from functools import partial
 
 import pytest
 
 from elastomer_friction.workflow.cli import main
-from tests.cluster.processes import PATIENCE, Trial, said
+from tests.cluster.processes import PATIENCE, said
 from tests.support.faulty_disk import faulty_disk
 from tests.support.runs import ROOT
 from tests.support.small import write_study
@@ -23,24 +24,24 @@ def disk(tmp_path_factory):
     return faulty_disk(tmp_path_factory.mktemp("disk"))
 
 
-def begun(folder, *options, **environment):
-    """Start a run by one worker of this machine."""
-    return Trial(folder, "--workers", "1", *options, **environment)
+@pytest.fixture
+def begun(tried, tmp_path):
+    """Return what starts a run by one worker of this machine."""
+    return partial(tried, tmp_path, "--workers", "1")
 
 
 def assert_whole(run, expected):
     """Assert that a run ends with the result of a sound disk, and nothing was damaged."""
-    status, lines = run.ended()
-    assert status == 0, lines
-    assert run.result() == expected
-    assert "Traceback" not in "".join(lines)
+    assert run.whole() == expected
     assert not list(run.folder.glob("**/*.damaged"))
     assert not list(run.folder.glob("**/.*.tmp"))
 
 
 @pytest.mark.parametrize("fault", ["write ENOSPC", "fsync EIO", "open EMFILE", "write ESTALE"])
-def test_a_run_waits_for_the_disk_and_ends_with_the_same_bytes(disk, tmp_path, undisturbed, fault):
-    run = begun(tmp_path, **disk.environment(f"{fault} {tmp_path / 'store'}/"))
+def test_a_run_waits_for_the_disk_and_ends_with_the_same_bytes(
+    disk, begun, tmp_path, undisturbed, fault
+):
+    run = begun(**disk.environment(f"{fault} {tmp_path / 'store'}/"))
     run.wait_for_a_shard()
     with disk.failing():
         run.wait_for(r".*cannot be (written|read): .*; tried again for 10\.0 min at most")
@@ -48,9 +49,9 @@ def test_a_run_waits_for_the_disk_and_ends_with_the_same_bytes(disk, tmp_path, u
     assert_whole(run, undisturbed)
 
 
-def test_a_full_disk_ends_a_run_in_one_line_and_it_is_resumed(disk, tmp_path, undisturbed):
+def test_a_full_disk_ends_a_run_in_one_line_and_it_is_resumed(disk, begun, tmp_path, undisturbed):
     rules = disk.environment(f"write ENOSPC {tmp_path}/store")
-    run = begun(tmp_path, "--set", "cluster.patience=2", **rules)
+    run = begun("--set", "cluster.patience=2", **rules)
     run.wait_for_a_shard()
     with disk.failing():
         status, lines = run.ended()
@@ -62,10 +63,10 @@ def test_a_full_disk_ends_a_run_in_one_line_and_it_is_resumed(disk, tmp_path, un
 
 
 def test_without_locks_a_run_is_refused_and_with_no_lock_goes_to_its_end(
-    disk, tmp_path, undisturbed
+    disk, begun, tmp_path, undisturbed
 ):
     rules = disk.environment(f"flock ENOLCK {tmp_path} always")
-    run = begun(tmp_path, **rules)
+    run = begun(**rules)
     status, (line,) = run.ended()
     assert status == 2
     assert line.endswith("go on with --no-lock")
@@ -73,37 +74,37 @@ def test_without_locks_a_run_is_refused_and_with_no_lock_goes_to_its_end(
     assert_whole(run, undisturbed)
 
 
-def test_a_file_system_that_flushes_no_folder_is_said_and_serves(disk, tmp_path, undisturbed):
-    run = begun(tmp_path, **disk.environment(f"fsyncdir EINVAL {tmp_path} always"))
+def test_a_file_system_that_flushes_no_folder_is_said_and_serves(
+    disk, begun, tmp_path, undisturbed
+):
+    run = begun(**disk.environment(f"fsyncdir EINVAL {tmp_path} always"))
     assert_whole(run, undisturbed)
     assert said(".*flushes no folder.*", run.lines()) == 1
 
 
-def test_a_result_waits_for_the_disk_too(disk, tmp_path, undisturbed):
+def test_a_result_waits_for_the_disk_too(disk, begun, tmp_path, undisturbed):
     with disk.failing():
-        run = begun(tmp_path, **disk.environment(f"write ENOSPC {tmp_path}/.small.nc"))
+        run = begun(**disk.environment(f"write ENOSPC {tmp_path}/.small.nc"))
         run.wait_for(r".*small\.nc: cannot be written: .*; tried again.*")
         time.sleep(3.0)
     assert_whole(run, undisturbed)
 
 
-def test_a_status_that_cannot_be_written_ends_nothing(disk, tmp_path, undisturbed):
-    run = begun(tmp_path, **disk.environment(f"open EIO {tmp_path}/.small.status always"))
+def test_a_status_that_cannot_be_written_ends_nothing(disk, begun, tmp_path, undisturbed):
+    run = begun(**disk.environment(f"open EIO {tmp_path}/.small.status always"))
     assert_whole(run, undisturbed)
     assert said(".*the run goes on.*", run.lines()) == 1
 
 
 @pytest.mark.parametrize("number", [signal.SIGTERM, signal.SIGHUP], ids=str)
-def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(
-    tmp_path, undisturbed, number
-):
-    run = begun(tmp_path, "--set", "study.realizations=4800")  # it cannot end before the signal
+def test_signals_of_batch_systems_and_terminals_keep_what_is_finished(begun, undisturbed, number):
+    run = begun("--set", "study.realizations=4800")  # it cannot end before the signal
     run.wait_for_a_shard()
     os.kill(run.driver.pid, number)
     status, lines = run.ended()
     assert status == 130
     assert said(".*to resume run again.*", lines)
-    assert_whole(begun(tmp_path), undisturbed)
+    assert_whole(begun(), undisturbed)
 
 
 LOOK = """

@@ -7,7 +7,7 @@ import time
 
 import pytest
 
-from tests.cluster.processes import Trial, end, free_port, start_scheduler, start_worker
+from tests.cluster.processes import end, free_port, start_scheduler, start_worker
 
 pytestmark = pytest.mark.cluster
 
@@ -49,7 +49,7 @@ def host():
 
 
 @pytest.mark.parametrize("seconds", [8.0, None], ids=["for a while", "for good"])
-def test_a_worker_is_cut_off_during_a_run(host, tmp_path, undisturbed, seconds):
+def test_a_worker_is_cut_off_during_a_run(host, tried, tmp_path, undisturbed, seconds):
     """For good: the scheduler gives it up by its worker-ttl; another one computes its batches."""
     port = free_port()
     there = ("ip", "netns", "exec", host.name)
@@ -58,17 +58,14 @@ def test_a_worker_is_cut_off_during_a_run(host, tmp_path, undisturbed, seconds):
     processes.append(start_worker(tmp_path / "here.log", address))
     processes.append(start_worker(tmp_path / "there.log", address, before=there))
     try:
-        trial = Trial(tmp_path / "trial", "--scheduler", address)
-        processes.append(trial.driver)
+        trial = tried(tmp_path / "trial", "--scheduler", address)
         trial.wait_for_a_shard()
         host.cable("down")
         if seconds is not None:
             time.sleep(seconds)
             host.cable("up")
-        status, lines = trial.ended()
+        assert trial.whole() == undisturbed
     finally:
         host.cable("up")
         for process in processes:
             end(process)
-    assert status == 0, lines
-    assert trial.result() == undisturbed

@@ -6,7 +6,6 @@ import subprocess
 import sys
 import time
 
-import psutil
 import pytest
 
 from tests.cluster.processes import (
@@ -14,6 +13,7 @@ from tests.cluster.processes import (
     STUDY,
     end,
     free_port,
+    ports_of,
     shards,
     start,
     start_scheduler,
@@ -59,14 +59,6 @@ def strange(ports):
     done = subprocess.run(words, cwd=ROOT, capture_output=True, text=True, timeout=PATIENCE)
     assert done.returncode == 0, done.stderr
     return done.stdout.splitlines()
-
-
-def ports_of(pids):
-    """Return the TCP ports at which processes, and those that they started, listen."""
-    family = [psutil.Process(pid) for pid in pids]
-    family += [child for process in family for child in process.children(recursive=True)]
-    connections = [c for process in family for c in process.net_connections("tcp")]
-    return {c.laddr.port for c in connections if c.status == psutil.CONN_LISTEN}
 
 
 @contextlib.contextmanager
