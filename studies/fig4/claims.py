@@ -14,7 +14,7 @@ def example_rate(results: report.Results) -> report.Claim:
     """Judge b = 2.4 of figure 4, by the spacing at which it is found."""
     found, spacings = [], {}
     for group, label in (("", "converged"), ("/paper_step", "implicit Euler")):
-        with suppress(report.Missing):
+        with suppress(report.NotGiven):
             spacing, rate, error = _over_spacing(results, f"fig4{group}")
             usual = int(np.abs(np.log(spacing / USUAL_SPACING)).argmin())
             found.append(
@@ -35,7 +35,7 @@ def example_rate(results: report.Results) -> report.Claim:
 
 
 def _over_spacing(results: report.Results, key: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return spacing, b and its error where fitted; raise Missing unless spacing alone varies."""
+    """Return spacing, b and its error where fitted; raise NotGiven unless spacing alone varies."""
     dataset = report.given(results, key, "relaxation_rate")
     report.needed(dataset.relaxation_rate.size == dataset.spacing.size)
     rate, error = dataset.relaxation_rate.values.ravel(), dataset.relaxation_rate_error

@@ -10,7 +10,7 @@ from elastomer_friction.studies.style import normalised
 from elastomer_friction.workflow.kinetic_law import PLATEAU
 from elastomer_friction.workflow.report import (
     Claim,
-    Missing,
+    NotGiven,
     Results,
     given,
     judge,
@@ -37,7 +37,7 @@ def _slow(results: Results, text: str, law: Callable) -> Claim:
     """Judge a ratio by its value in figures 3 and 5; the error needs the curves of figure 3."""
     values, found, error = [], [], np.nan
     for name in ("fig3", "fig5"):
-        with suppress(Missing):
+        with suppress(NotGiven):
             dataset = given(results, name, "mu_1", "mu_2", "jump")
             ratio, ratio_error = law(dataset.where(dataset.speed_ratio < SLOW))
             known = ratio.values[np.isfinite(ratio.values)]

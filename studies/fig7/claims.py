@@ -52,7 +52,7 @@ def slow_rate(results: report.Results) -> report.Claim:
     """Judge b = x below x = 1, the length D_c = 1/q_max: as studied and with the paper's step."""
     ratios, found = {}, []
     for key, label in VARIANTS.items():
-        with suppress(report.Missing):
+        with suppress(report.NotGiven):
             points = _usable(results, key, below=1.0)
             x, rate = points.speed_ratio.values, points.relaxation_rate.values
             ratios[key] = rate / x
@@ -145,7 +145,7 @@ def _usable(
 ) -> xr.Dataset:
     """Return the points of above < x < below with a fit of small error, short of full contact.
 
-    They lie along "point". Raises Missing where there are fewer than two values of x.
+    They lie along "point". Raises NotGiven where there are fewer than two values of x.
     """
     dataset = report.given(results, key, *NEEDED)
     points = dataset[list(NEEDED)].stack(point=dataset.relaxation_rate.dims)

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
         ONLY_COARSE,
         TOLERANCE,
         Claim,
-        Missing,
+        NotGiven,
         Results,
         given,
         judge,

@@ -2,7 +2,7 @@
 
 A claim lives with the study it judges: ``studies/NAME/claims.py`` holds CLAIMS, functions of the
 opened datasets ("fig7", and "fig7/paper_step" for its comparison) that return a Claim and raise
-Missing where the study, a variable or a usable point is missing. Here they are found, and a
+NotGiven where the study, a variable or a usable point is missing. Here they are found, and a
 deviation, its error and a tolerance become plain words.
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """
@@ -40,18 +40,18 @@ class Claim(NamedTuple):
 Judge = Callable[[Results], Claim]
 
 
-class Missing(Exception):
+class NotGiven(Exception):
     """Results do not hold what a claim needs to be judged."""
 
 
 def needed(there: object) -> None:
-    """Raise Missing where something that a claim needs is not there."""
+    """Raise NotGiven where something that a claim needs is not there."""
     if not there:
-        raise Missing
+        raise NotGiven
 
 
 def given(results: Results, key: str, *names: str) -> xr.Dataset:
-    """Return a dataset of the results; raise Missing where it or one of these variables is not."""
+    """Return a dataset of the results; raise NotGiven where it or one of these variables is not."""
     needed(key in results)
     dataset = results[key]
     needed(all(name in dataset for name in names))
@@ -131,7 +131,7 @@ def evaluate(claims: list[Judge], results: Results) -> list[Claim]:
     found = []
     for judged in claims:
         seen = Resolved(results)
-        with contextlib.suppress(Missing):
+        with contextlib.suppress(NotGiven):
             claim = judged(seen)
             if count := sum(seen.left_out.values()):
                 words = f"{claim.found}; {count} points left out, whose contacts are unresolved"

@@ -35,14 +35,10 @@ class Verified:
         self.shards = len(shards)
         self.unreadable = unreadable([folder / f"{name}.nc" for name in sorted(shards)])
         self.sound = sum(self._is_sound(name) for name in sorted(shards))
-        results = {name: folder.parent / name for name in self.index.results.values()}
-        self.results = {name: path for name, path in results.items() if path.is_file()}
-        edited = {
-            n for n, path in self.results.items() if digest_of(path) not in self.index.results
-        }
-        self.faults += [
-            f"{self.results[name]}: is not as a run wrote it" for name in sorted(edited)
-        ]
+        told = sorted({folder.parent / name for name in self.index.results.values()})
+        self.results = [path for path in told if path.is_file()]
+        edited = [path for path in self.results if digest_of(path) not in self.index.results]
+        self.faults += [f"{path}: is not as a run wrote it" for path in edited]
         missing = sorted(self.index.sizes.keys() - shards.keys())
         self.faults += [f"{name}.nc: missing, but told by the journal" for name in missing]
         ours = {f"{name}.nc" for name in shards} | {journal.NAME, LOCK}
