@@ -32,11 +32,19 @@ CHECKED = (
 )
 # Of "find_study" the answers name all studies (test_refusals.py); the others are refusals of a
 # scene and of measured lines, which the small study is not (test_study.py).
-ELSEWHERE = {"find_study", "_one_point", "_lines_in_blocks"}
+ELSEWHERE = {"find_study", "read_grid_study", "_lines_in_blocks"}
 # Of arrays and netCDF, of profiles from Python, and where a package is not installed
 # (tests/workflow/study/surfaces); their words are among the other refusals.
 ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography"}
-ELSEWHERE |= {"given_profile", "given_heights", "check_finite", "check_load", "read_scene"}
+ELSEWHERE |= {
+    "given_profile",
+    "given_map",
+    "read_map",
+    "given_heights",
+    "check_finite",
+    "check_load",
+    "read_scene",
+}
 
 
 def _module(path):
