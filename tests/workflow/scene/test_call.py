@@ -8,7 +8,6 @@ from numba.core import event
 from elastomer_friction.kernels.compile import cache
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.scene import call
-from elastomer_friction.workflow.scene.call import toml_value
 from tests.workflow.scene.scenes import KELVIN, LENGTH, MATERIAL, N, heights, run, slide
 
 EVERYTHING = ["steady", "trace", "peak", "relaxation", "rate_state", "energy", "contact_lengths"]
@@ -199,13 +198,6 @@ def test_the_dataset_has_no_grid_and_its_provenance():
     assert found.relaxation_rate.attrs["units"] == "s-1"
     assert "alpha" not in found
     assert "power_spectrum" in found
-
-
-def test_arrays_tuples_and_numbers_of_numpy_become_plain():
-    given = {"a": (np.float64(1.5), np.int64(2)), "b": np.array([[1.0, 2.0]]), "c": {"d": "e"}}
-    found = toml_value("given", given)
-    assert found == {"a": [1.5, 2], "b": [[1.0, 2.0]], "c": {"d": "e"}}
-    assert type(found["a"][1]) is int
 
 
 STEPS = {"trace": 1}
