@@ -30,13 +30,6 @@ def problems(*settings):
     return distinct_problems(small_study(*settings))[0]
 
 
-@pytest.mark.parametrize("factor", [2.0, 1.1])
-def test_stiffness_and_load_scaled_together_are_one_problem(factor):
-    """As are other units: tests/hard/test_units.py."""
-    settings = f"material.shear_modulus={factor * 1e7}", f"grid.normal_force=[{factor * 0.04}]"
-    assert problems(*settings) == problems("grid.normal_force=0.04")
-
-
 @given(NORMAL, st.integers(-80, 80))
 def test_canonical_commutes_with_powers_of_two(value, power):
     assert canonical(value * 2.0**power) == canonical(value) * 2.0**power
@@ -164,9 +157,3 @@ def test_material_and_programme_enter_the_key():
     assert found[0] & found[1]  # the hold that both have
     for other in found[2:]:
         assert found[0].isdisjoint(other)
-
-
-@pytest.mark.parametrize("value", [0.1, 1e-300, 3.0])
-def test_rounding_is_to_twelve_digits(value):
-    assert rounded(value) == pytest.approx(value, rel=1e-12)
-    assert rounded(rounded(value) * (1.0 + 1e-14)) == rounded(value)
