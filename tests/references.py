@@ -63,30 +63,11 @@ def parabola_jump(d: float, radius: float, speed: float, ratio: float) -> float:
     return (after(rate)[1] - before) / load
 
 
-def full_contact_friction(rms_slope: float, speed: float, load: float) -> float:
-    """Return mu where everything touches: vbar <z'^2> / Fbar.
-
-    Source: eq. 5 with p = d - z + vbar z' over the period: z and z' are orthogonal. For a
-    sinusoid of amplitude a this is vbar a^2 q^2 / (2 d), with d = Fbar (eq. 4).
-    """
-    return speed * rms_slope**2 / load
-
-
-def slow_sliding(z, slope, load: float) -> tuple[float, float]:
-    """Return (d, mu / vbar) for v -> 0, load = Fbar.
+def slow_sliding(z, slope, load: float) -> float:
+    """Return mu / vbar for v -> 0, load = Fbar.
 
     Source: eq. 4 becomes mean (d - z)+ = Fbar; in eq. 5 the elastic part integrates to zero
     over every contact and leaves mu = vbar mean_contact(z'^2) / Fbar.
     """
     d = sorted_root(z, load * z.size)
-    return d, float(np.sum(slope[z < d] ** 2)) / (load * z.size)
-
-
-def jump_without_loss(contact_slope, samples: int, speed: float, ratio: float, load: float):
-    """Return the jump of mu where no contact is lost, load = Fbar.
-
-    Source: p jumps by vbar (r - 1) (z' - <z'>), the rate d' keeping the load (eq. 4), so
-    dmu = vbar (r - 1) n_c Var_contact(z') / (n Fbar).
-    """
-    spread = contact_slope.size * np.var(contact_slope)
-    return (ratio - 1.0) * speed * spread / (samples * load)
+    return float(np.sum(slope[z < d] ** 2)) / (load * z.size)

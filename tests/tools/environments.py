@@ -26,8 +26,6 @@ TESTS = [
     "tests/workflow/reduce",
     "tests/workflow/result",
     "--ignore=tests/workflow/result/test_conventions.py",  # its checker is no package of ours
-    # These compile kernels that neither the study nor the other tests need.
-    "--ignore=tests/kernels/quick/steady/test_carry.py",
 ]
 LEAST = (3, 11)  # as in pyproject.toml
 ASK = "import sys; print(*sys.version_info[:3])"

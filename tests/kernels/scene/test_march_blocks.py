@@ -8,10 +8,7 @@ from numba.core.runtime import rtsys
 from numba.core.runtime._nrt_python import memsys_enable_stats
 
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
-from elastomer_friction.kernels.rheology.forms import form_of
-from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.relaxed import RelaxationForm
-from elastomer_friction.kernels.rheology.scaled import BLOCK, as_it_is, catch_up, go_on, look_ahead
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
 from elastomer_friction.kernels.scene import ASKED, run, run_scene
 from tests.kernels.scene.given import EVERY, MATERIALS, OF_ANY, a_line, a_scene
@@ -82,29 +79,6 @@ def test_what_is_left_out_changes_no_bit(monkeypatch, motion):
     for name, values in few.items():
         np.testing.assert_array_equal(every[name], values, err_msg=name)
         np.testing.assert_array_equal(pieces[name], values, err_msg=name)
-
-
-@pytest.mark.parametrize("dt", [1e-3, 0.3, 20.0, 80.0])
-def test_a_block_that_catches_up_late_has_the_same_bits(dt):
-    """And decays as it should: by E in every step, until nothing is left."""
-    form = form_of(WIDE, "exponential")
-    law = law_of(form, dt)
-    units = law.decay.size
-    memory = -np.random.default_rng(1).random((2, units, BLOCK))
-    first, seen = memory[0].copy(), np.zeros(2, np.int64)
-    memory[1] = first
-    scales = as_it_is(units, 0)
-    for step in range(1, size(3000, 300)):
-        look_ahead(law, scales)
-        go_on(law, scales, step)
-        catch_up(scales, memory, seen, np.array([0]), step)
-        if step % 97 == 0:
-            late, known = memory.copy(), seen.copy()
-            catch_up(scales, late, known, np.array([1]), step)
-            np.testing.assert_array_equal(late[1], late[0])
-            left = scales.scale[:, None] * late[1]
-            expected = first * np.exp(step * np.log(np.maximum(law.decay, 1e-300)))[:, None]
-            np.testing.assert_allclose(left, expected, rtol=1e-11, atol=1e-29)
 
 
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: nothing compiled")

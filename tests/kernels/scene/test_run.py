@@ -13,11 +13,9 @@ from elastomer_friction.kernels.rheology.law import law_of, predict
 from elastomer_friction.kernels.scene import ASKED, MOTION, TRACES, Saved, run_scene, scene_steps
 from elastomer_friction.kernels.scene.begin import fresh, relaxed
 from elastomer_friction.kernels.scene.records import (
-    Film,
     Lengths,
     Trace,
     count_lengths,
-    keep_frame,
     keep_trace,
 )
 from elastomer_friction.kernels.scene.samples import samples_per_contact
@@ -189,21 +187,6 @@ def test_lengths_are_those_of_runs_round_the_period(share):
         np.testing.assert_array_equal(lengths.counts, np.histogram(runs, lengths.edges)[0])
 
 
-def test_full_contact_is_one_and_none_is_none():
-    lengths = Lengths(np.array([0.0, 9.5, 20.0]), np.zeros(2))
-    count_lengths(lengths, np.ones(10))
-    count_lengths(lengths, np.zeros(10))
-    np.testing.assert_array_equal(lengths.counts, [0.0, 1.0])
-
-
-def test_a_frame_is_the_line_over_the_foundation_and_the_elements():
-    film = Film(*np.zeros((2, 2, 5)))
-    z, u = RNG.normal(size=(2, 5))
-    keep_frame(film, 1, z, 0.5, u)
-    np.testing.assert_array_equal(film.height, [np.zeros(5), z - 0.5])
-    np.testing.assert_array_equal(film.displacement, [np.zeros(5), u])
-
-
 ALL = {"asked": OF_ANY, "edges": np.array([0.0, 1.0, 2.0, 4.0, 100.0])}
 
 
@@ -230,14 +213,6 @@ def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
     np.testing.assert_array_equal(
         np.append(first["stored_energy"], second["stored_energy"]), found["stored_energy"]
     )
-
-
-def test_what_else_is_asked_for_changes_no_bit():
-    alone = run_scene(LINE, a_scene(EVERY, PRONY, M))
-    together = run_scene(LINE, a_scene(EVERY, PRONY, M, **ALL))
-    for name, values in alone.items():
-        np.testing.assert_array_equal(together[name], values)
-    assert set(alone) == {name for name in together if name.startswith("trace_")} | {"updates"}
 
 
 def test_lengths_and_fractions_of_contact_agree():

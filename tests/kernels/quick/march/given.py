@@ -16,10 +16,9 @@ from elastomer_friction.kernels import (
 from elastomer_friction.kernels.model.steady import sweep
 from elastomer_friction.kernels.quick.march.given import March, SteadyState
 from elastomer_friction.kernels.quick.steady.carry import decay_of
-from elastomer_friction.kernels.quick.steady.spans import SPAN, add_rises
+from elastomer_friction.kernels.quick.steady.spans import SPAN, TURN, Spans, add_rises, fill_spans
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
 from elastomer_friction.kernels.rheology.law import State
-from tests.kernels.quick.steady.given import spans_of
 from tests.lines import random_line
 
 
@@ -46,6 +45,14 @@ def setting_of(jump, elements, seed=1, line=None):
     spans = spans_of(z, slope)
     add_rises(spans.rows, z, slope)
     return March(z, slope, spans, *laws, *passing, after - before), load
+
+
+def spans_of(z, slope):
+    """Return the Spans of a line."""
+    count = z.size // SPAN
+    rows, whole = np.empty((count + 1, TURN + 1)), np.empty(4)
+    spans = Spans(*(np.empty(count) for _ in range(4)), rows, whole, 0)
+    return spans._replace(deepest=fill_spans(z, slope, spans))
 
 
 def steady_state_of(z, law, state):

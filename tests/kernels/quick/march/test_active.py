@@ -1,6 +1,7 @@
-"""The active-set march against the plain one and the element-by-element reference."""
+"""The active-set march against the plain one, its lists shortened or not, and what they save."""
 
 import itertools
+from functools import partial
 
 import numpy as np
 import pytest
@@ -10,6 +11,14 @@ from hypothesis import strategies as st
 from elastomer_friction.kernels import SCHEMES, ConstantForce, Line
 from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.march.active import MARGINS, active_march
+from elastomer_friction.kernels.quick.march.bounds import first_bounds
+from elastomer_friction.kernels.quick.march.crossings import Steady, arrivals_of
+from elastomer_friction.kernels.quick.march.landings import beside, land, landed, no_landings
+from elastomer_friction.kernels.quick.march.lists import lists_of
+from elastomer_friction.kernels.quick.march.load_balance import foresee, in_order
+from elastomer_friction.kernels.quick.march.narrow import march_shortening
+from elastomer_friction.kernels.quick.march.runs import classes_of
+from elastomer_friction.kernels.quick.march.stepping import Stand, march_on
 from tests.kernels.quick.march.given import (
     Jump,
     dense,
@@ -53,13 +62,93 @@ def test_it_is_the_plain_march_in_every_regime(hurst, scheme):
         assert_same(setting, load, jump, EVERY)
 
 
+def followed(setting, control, steps, narrowing=True, margin=0.1):
+    """Return (mu, indentation, inside, work) of a march whose lists are shortened, or are not."""
+    guess = foresee(control, setting)
+    bounds = first_bounds(setting, guess, margin)
+    runs, met, sums = classes_of(setting, bounds)
+    lists, steady = lists_of(runs, met), Steady(setting.start.decay.once, setting.start.d)
+    arrivals = arrivals_of(setting.law, lists, runs, steady, setting.z, steps)
+    kept = np.arange(1, steps + 1)
+    mu, d = np.full(steps, np.nan), np.full(steps, np.nan)
+    where = runs, lists, sums, arrivals
+    stand = Stand(0, 0, setting.start.d, guess, np.nan)
+    others = bounds, stand, steps, (kept, mu, d)
+    if narrowing:
+        found = march_shortening(setting, control, where, *others, 1e9, (0.0, 0.0))
+    else:
+        landings = no_landings(setting.end.d, setting.start.d, steps)
+        found = march_on(setting, control, (*where, landings), *others)
+    inside, _, _, work = found
+    return mu, d, inside, work
+
+
+@settings(max_examples=size(200, 15))
+@given(
+    elements=st.integers(2, 60),
+    seed=st.integers(0, 2**31),
+    hurst=st.floats(0.0, 1.0),
+    m=st.sampled_from([1, 2, 5]),
+    load=st.floats(-5.0, 1.6),
+    x=st.floats(-2.5, 4.0),
+    ratio=st.floats(0.2, 4.0),
+    scheme=st.sampled_from(list(SCHEMES)),
+    margin=st.sampled_from([0.0, 1e-3, 0.05, 0.1, 0.3, 0.5]),
+)
+def test_small_lines(elements, seed, hurst, m, load, x, ratio, scheme, margin):
+    """It may fall back on the plain march, but never gives other numbers.
+
+    Nor do lists that are shortened as soon as they can be, as far as the bounds hold.
+    """
+    jump = Jump(hurst, m, 10.0**load, 10.0**x, ratio, scheme)
+    setting, load = setting_of(jump, max(elements, -(-4 // m)), seed)
+    kept, margins = EVERY[:20], (margin, 0.5, 2.0)
+    if active_march(setting, ConstantForce(load), kept, margins)[-1]:
+        assert_same(setting, load, jump, kept, margins)
+    mu, d, _, _ = followed(setting, ConstantForce(load), EVERY.size, True, max(margin, 0.05))
+    deviation, expected = dense(setting, load, EVERY)
+    held = np.isfinite(d)
+    np.testing.assert_allclose(d[held], expected[held], rtol=1e-11, atol=1e-15)
+    allowed = 1e-9 * size_of_jump(setting, jump, load) + rounding_of_mu(setting, load)
+    apart = (mu - deviation)[held]  # the steady average, whatever it is
+    np.testing.assert_allclose(apart - apart[:1], 0.0, atol=2.0 * allowed)
+
+
+def test_lists_become_short():
+    setting, load = setting_of(Jump(0.7, 4, 1.0, 60.0, 1.2), size(1000, 60))
+    short, long = (
+        followed(setting, ConstantForce(load), size(300, 40), narrowing)
+        for narrowing in (True, False)
+    )
+    assert short[2]
+    assert long[2]
+    assert short[3] < size(0.6, 0.95) * long[3]
+
+
+def test_a_march_that_began_anew_shortens_its_lists_too():
+    """At H = 1 and large x, d comes to rest and moves on where a higher asperity is met."""
+    setting, load = setting_of(Jump(1.0, 4, 0.025, size(3e3, 150.0), 0.8), size(2000, 100))
+    marched = partial(active_march, setting, ConstantForce(load), np.array([size(10_000, 500)]))
+    first, found, long = (marched(m) for m in (MARGINS[:1], MARGINS, (-0.4, -0.4, -0.4, 1e3)))
+    assert not first[-1]
+    assert found[-1]
+    assert long[-1]
+    np.testing.assert_allclose(found[1], long[1], rtol=1e-11)
+    assert found[3] < size(0.2, 0.9) * long[3]
+
+
+def test_parts_are_added_from_the_first_to_the_last():
+    assert in_order(np.array([1.0, 1e100, -1e100])) == 0.0
+    assert in_order(np.array([1e100, -1e100, 1.0])) == 1.0
+
+
 LONG = [Jump(0.7, 4, 1.0, 78.0, 1.2), Jump(0.7, 4, 0.025, 78.0, 0.8), Jump(1.0, 4, 1.0, 31.0, 1.2)]
 
 
 @pytest.mark.parametrize("jump", LONG, ids=str)
 def test_long_lines_over_all_steps(jump):
-    steps = int(size(4 * jump.m * jump.ratio * jump.x / np.pi, 20))
-    setting, load = setting_of(jump, size(3000, 60))
+    steps = int(size(4 * jump.m * jump.ratio * jump.x / np.pi, 80))
+    setting, load = setting_of(jump, size(3000, 500))
     assert_same(setting, load, jump, np.arange(1, steps + 1))
 
 
@@ -74,27 +163,6 @@ def test_measured_lines(load, m):
     assert_same(setting, load, jump, EVERY)
 
 
-@settings(max_examples=size(150, 15))
-@given(
-    elements=st.integers(2, 40),
-    seed=st.integers(0, 2**31),
-    hurst=st.floats(0.0, 1.0),
-    m=st.sampled_from([1, 2, 5]),
-    load=st.floats(-5.0, 1.6),
-    x=st.floats(-2.5, 4.0),
-    ratio=st.floats(0.2, 4.0),
-    scheme=st.sampled_from(list(SCHEMES)),
-    margin=st.sampled_from([0.0, 1e-3, 0.1, 0.3]),
-)
-def test_small_lines(elements, seed, hurst, m, load, x, ratio, scheme, margin):
-    """It may fall back on the plain march, but never gives other numbers."""
-    jump = Jump(hurst, m, 10.0**load, 10.0**x, ratio, scheme)
-    setting, load = setting_of(jump, max(elements, -(-4 // m)), seed)
-    kept, margins = EVERY[:20], (margin, 0.5, 2.0)
-    if active_march(setting, ConstantForce(load), kept, margins)[-1]:
-        assert_same(setting, load, jump, kept, margins)
-
-
 def test_full_contact_has_nothing_to_list():
     jump = Jump(1.0, 4, 60.0, 3.0, 1.2)
     setting, load = setting_of(jump, size(200, 40))
@@ -106,14 +174,6 @@ def test_full_contact_has_nothing_to_list():
     assert work == setting.z.size
 
 
-def test_a_contact_narrower_than_a_sample_has_nothing_sure():
-    jump = Jump(0.3, 1, 1e-6, 100.0, 1.2)
-    setting, load = setting_of(jump, size(300, 60))
-    w, d = states_of(setting)[1]
-    assert (setting.z - w < d).sum() <= 2
-    assert_same(setting, load, jump, EVERY)
-
-
 @pytest.mark.parametrize("x", [1e-5, 1e-3, 1e5])
 def test_decay_near_zero_and_near_one(x):
     for load in (1e-80, 1e-3, 1.0):
@@ -123,20 +183,6 @@ def test_decay_near_zero_and_near_one(x):
         deviation, expected = dense(setting, force, EVERY)
         np.testing.assert_allclose(d, expected, rtol=1e-11)
         np.testing.assert_allclose(mu - settled, deviation, atol=1e-8 * np.abs(mu).max())
-
-
-def test_only_the_recorded_steps_are_kept_and_arguments_left_alone():
-    setting, load = setting_of(Jump(0.7, 2, 0.3, 5.0, 1.2), size(100, 40))
-    arrays = [setting.z, setting.slope, setting.start.entered, setting.end.entered]
-    copies = [array.copy() for array in arrays]
-    every = active_march(setting, ConstantForce(load), EVERY)
-    some = active_march(setting, ConstantForce(load), EVERY[[0, 4, 8]])
-    last = active_march(setting, ConstantForce(load), EVERY[-1:])
-    for k in (0, 1):
-        np.testing.assert_array_equal(some[k], every[k][[0, 4, 8]])
-        np.testing.assert_array_equal(last[k], every[k][-1:])
-    for before, now in zip(copies, arrays, strict=True):
-        np.testing.assert_array_equal(before, now)
 
 
 def test_bounds_that_are_left_cost_a_restart_and_no_digit():
@@ -155,3 +201,33 @@ def test_few_elements_are_stepped():
     assert inside
     start, stop = touchable(setting.z, 1.02 * setting.start.d)
     assert work - setting.z.size < size(0.3, 0.9) * steps * (stop - start).sum()
+
+
+LAW = SCHEMES["exponential"](0.3)
+PAST = np.array([2.0, 1.9, 1.85, 1.83, 1.82, 1.815])
+SIZE = 40
+
+
+def aloft(source, height):
+    """Return the displacements of elements that left a sample in contact, up to now."""
+    w = np.full(SIZE, np.nan)
+    for i in range(1, PAST.size):
+        w[(source - i) % SIZE] = LAW.decay**i * (height - PAST[-1 - i])
+    return w
+
+
+def test_sums_are_those_of_samples_one_by_one():
+    landings, step, now = no_landings(1.8, PAST[0], 20), PAST.size, 1.81
+    samples = [(0.4, 0.5, 2, 0.3), (0.1, 0.7, 4, -0.2), (0.2, 0.3, 4, 0.6)]
+    for height, z, q, weight in samples:
+        w = aloft(45, height)  # 45 is sample 5, counted on round the period
+        assert land(LAW, landings, (height, 45, q), (z, weight), PAST, w, 9)
+    landings = landed(landings)
+    assert landings.distances.tolist() == [2, 4]
+    past = np.append(PAST, now)
+    landings.past[: past.size] = past
+    each = [now - z + LAW.decay**q * (height - past[step - q]) for height, z, q, _ in samples]
+    weights = [weight for *_, weight in samples]
+    assert beside(landings, step, now, 0) == (3.0, pytest.approx(sum(each), rel=1e-13))
+    expected = np.dot(each, weights)
+    assert beside(landings, step, now, 1) == (3.0, pytest.approx(expected, rel=1e-13))
