@@ -33,6 +33,8 @@ BODIES: dict[str, dict[str, Any]] = {
     "foundation": {"marker": "s", "ls": "--"},
 }
 HEAT = (COLOURS[0], COLOURS[3], COLOURS[4])  # of temperatures, from the lowest on
+LARGEST_ERROR = 0.15  # relative standard error of b up to which claims use a point
+NEARLY_FULL = 0.8  # contact fraction from which a contact counts as full
 DOTS: dict[str, Any] = {"fmt": "o", "ms": 2.4, "mew": 0.5, "lw": 0.5, "capsize": 0}
 
 
@@ -64,6 +66,31 @@ def fitted(points: xr.Dataset) -> xr.Dataset:
     """Return points whose relaxation rate is NaN where eq. 6 was not fitted."""
     rate = points.relaxation_rate.where(points.fit_status == FITTED)
     return points.assign(relaxation_rate=rate)
+
+
+def ratio_of(own: xr.Dataset, other: xr.Dataset, name: str) -> xr.Dataset:
+    """Return ``ratio``, a variable over that of another result, with its error and own coordinates.
+
+    Relative errors add in squares, as of independent ensembles.
+    """
+    ratio = own[name] / other[name]
+    parts = (own[f"{name}_error"] / own[name], other[f"{name}_error"] / other[name])
+    return xr.Dataset({"ratio": ratio, "ratio_error": np.abs(ratio) * np.hypot(*parts)})
+
+
+def slide_of(data: xr.Dataset, segment: int) -> xr.Dataset:
+    """Return the trace in a segment of the programme, with ``slid``, the distance (m) in it.
+
+    data : without axes of length 1.
+    """
+    before, own = (data.isel(event=data.trace_segment.values == k) for k in (segment - 1, segment))
+    return own.assign(slid=own.trace_distance - float(before.trace_distance[-1]))
+
+
+def usable(points: xr.Dataset) -> xr.DataArray:
+    """Return where b was fitted with a small error, short of full contact."""
+    small = points.relaxation_rate_error < LARGEST_ERROR * points.relaxation_rate
+    return (points.fit_status == FITTED) & small & (points.contact_fraction < NEARLY_FULL)
 
 
 def normalised(points: xr.Dataset) -> xr.Dataset:

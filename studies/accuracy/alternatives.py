@@ -16,9 +16,9 @@ from scipy.optimize import brentq
 
 from elastomer_friction.kernels import Line
 
-from .discretisation import Reference, climb, compare, ladder_steps, observe, over_points, reference
+from .discretisation import climb, ladder_steps, over_points, reference
 from .points import RATIO, Point, RandomLine, surface
-from .sampling import LineRuns, Method, collected, kept_steps_of, seconds
+from .sampling import LineRuns, Method, collected, kept_steps_of
 
 SPIN_UP = 10.0  # what is left of the start is e^-10; implicit Euler: a factor 1 + dt a step
 SLOWER = {"tamaas": 10.0}  # than the others, per update: fewer steps per dx in the same time
@@ -99,8 +99,6 @@ class TamaasMarch:
 
 MARCHES: dict[str, type[NumpyMarch] | type[TamaasMarch]]
 MARCHES = {"numpy": NumpyMarch, "tamaas": TamaasMarch}
-
-
 SOLVERS = ("kernels", *MARCHES)
 
 
@@ -110,31 +108,31 @@ def affordable(name: str, point: Point, elements: int, updates: float) -> float:
     return max(most, 1.0)
 
 
-def run_march(name: str, point: Point, surfaces: list[RandomLine], steps: int) -> LineRuns:
+def run_march(point: Point, surfaces: list[RandomLine], method: Method) -> LineRuns:
     """March from rest to steady sliding at v1, then at v2, and read off what the kernels give.
 
-    mu_1 and mu_2 are what friction ends at, the jump is its change over the first step.
+    mu_1 and mu_2 are what friction ends at, the jump is its change over the first step. method :
+    its scheme is one of MARCHES.
     """
-    kept_steps, moments = kept_steps_of(
-        point, surfaces[0].elements, Method("implicit-euler", steps)
-    )
-    steps_per_tau = steps * point.speed  # steps per tau at v1
+    own = method._replace(scheme="implicit-euler")
+    kept_steps, moments = kept_steps_of(point, surfaces[0].elements, own)
+    steps_per_tau = method.steps * point.speed  # steps per tau at v1
     first, second = (
         math.ceil(SPIN_UP / math.log1p(1.0 / p)) for p in (steps_per_tau, steps_per_tau * RATIO)
     )
     rows = []
     for one in surfaces:
         began = time.process_time()
-        line = Line.self_affine(*one, steps)
+        line = Line.self_affine(*one, method.steps)
         drawn = time.process_time()
-        march = MARCHES[name](line, point.load)
+        march = MARCHES[method.scheme](line, point.load)
         before = march.advance(first, 1.0 / steps_per_tau)
         steady = time.process_time()
         after = march.advance(max(second, int(kept_steps[-1])), 1.0 / (steps_per_tau * RATIO))
         cpu = np.array([drawn - began, steady - drawn, time.process_time() - drawn])
         mu_1 = before[-1]
         rows.append((mu_1, after[-1], after[0] - mu_1, after[kept_steps - 1], cpu))
-    return collected(rows, moments)
+    return collected(rows, moments, surfaces[0])
 
 
 def alternatives(
@@ -150,7 +148,7 @@ def alternatives(
     every = max((ladder_steps(point, finest) for point in points), key=len)
     for name in MARCHES:
         with contextlib.suppress(ImportError):  # load everything before it is timed
-            run_march(name, WARM, [surface(WARM, 64, seed, i) for i in range(2)], 2)
+            run_march(WARM, [surface(WARM, 64, seed, i) for i in range(2)], Method(name, 2))
     found = []
     for point in points:
         surfaces = [surface(point, elements, seed, i) for i in range(settings["march_lines"])]
@@ -159,23 +157,9 @@ def alternatives(
         ways = [climb(point, surfaces, "exponential", steps, limit)[list(TEXTS)]]
         for name in MARCHES:
             most = affordable(name, point, elements, settings["march_updates"])
-            ways.append(_marched(name, point, surfaces, [m for m in every if m <= most], limit))
+            few = [m for m in every if m <= most]
+            ways.append(climb(point, surfaces, name, few, limit, run=run_march)[list(TEXTS)])
         found.append(xr.concat(ways, "solver", join="outer"))
         advance()
     data = over_points(found, points, TEXTS).assign_coords(solver=list(SOLVERS))
     return data.rename(point="compared", steps="tried")
-
-
-def _marched(
-    name: str, point: Point, surfaces: list[RandomLine], steps: list[int], limit: Reference
-) -> xr.Dataset:
-    """Return errors and times of an alternative over m; NaN where it fails."""
-    error, time = np.full((len(steps), 4), np.nan), np.full((len(steps), 2), np.nan)
-    for row, m in enumerate(steps):
-        with contextlib.suppress(ImportError, ArithmeticError):
-            runs = run_march(name, point, surfaces, m)
-            elements, lines = surfaces[0].elements, limit.limit.mu_1.size
-            error[row] = compare(observe(point, elements, runs, lines, limit.end), limit).rms
-            time[row] = seconds(runs)
-    data = {"error": (("steps", "quantity"), error), "seconds": (("steps", "part"), time)}
-    return xr.Dataset(data, {"steps": steps})

@@ -5,12 +5,12 @@ A reference is extrapolated after Richardson.
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from typing import NamedTuple
 
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.kernels import amplitudes, rms_slope
 from elastomer_friction.workflow.reduce import fit_relaxation, replicates, standard_error
 
 from .points import Point, RandomLine, surface
@@ -58,8 +58,8 @@ class Errors(NamedTuple):
     bias_error: np.ndarray  # standard error of the bias
 
 
-def observe(point: Point, elements: int, runs: LineRuns, lines: int, end: float) -> Observed:
-    """Return what the first ``lines`` of some runs give."""
+def observe(runs: LineRuns, lines: int, end: float) -> Observed:
+    """Return what the first ``lines`` of some runs give, curves up to ``end`` (tau)."""
     rows = slice(0, lines)
     start = (runs.mu_1 + runs.jump)[rows, None]
     values = np.concatenate([start, runs.curves[rows]], axis=1)
@@ -67,19 +67,8 @@ def observe(point: Point, elements: int, runs: LineRuns, lines: int, end: float)
     grid = np.linspace(0.0, end, MOMENTS)
     curve = np.array([np.interp(grid, moments, line) for line in values])
     deviation = replicates(runs.curves[rows] - runs.mu_2[rows, None], 0)
-    slope = rms_slope(amplitudes(point.hurst, elements), elements)
-    rate = fit_relaxation(runs.moments, deviation, slope).rate
+    rate = fit_relaxation(runs.moments, deviation, runs.slope).rate
     return Observed(runs.mu_1[rows], runs.jump[rows], curve, rate)
-
-
-def extrapolate(fine: Observed, coarse: Observed, end: float) -> Reference:
-    """Return the limit by Richardson extrapolation from 2 m (fine) and m (coarse), of order 2.
-
-    Its error is stated as the difference to extrapolation of order 1: 2/3 of fine - coarse.
-    """
-    limit = Observed(*(f + (f - c) / 3.0 for f, c in zip(fine, coarse, strict=True)))
-    apart = compare(coarse, Reference(fine, np.zeros(4), end))
-    return Reference(limit, 2.0 / 3.0 * apart.rms, end)
 
 
 def compare(found: Observed, reference: Reference) -> Errors:
@@ -132,14 +121,18 @@ def lines_at(steps: int, most: int) -> int:
 
 
 def reference(point: Point, surfaces: list[RandomLine], most: int) -> Reference:
-    """Return the reference of a point, extrapolated from twice the finest m."""
+    """Return the reference of a point: the limit from the finest m and twice of it, of order 2.
+
+    Its error is stated as the difference to extrapolation of order 1: 2/3 of fine - coarse.
+    """
     finest = ladder_steps(point, most)[-1]
     lines = lines_at(2 * finest, len(surfaces))
-    fine = run_lines(point, surfaces[:lines], Method("exponential", 2 * finest))
-    coarse = run_lines(point, surfaces[:lines], Method("exponential", finest))
-    end, elements = float(fine.moments[-1]), surfaces[0].elements
-    limit = observe(point, elements, fine, lines, end)
-    return extrapolate(limit, observe(point, elements, coarse, lines, end), end)
+    both = [run_lines(point, surfaces[:lines], Method(SCHEMES[0], m * finest)) for m in (2, 1)]
+    end = float(both[0].moments[-1])
+    fine, coarse = (observe(runs, lines, end) for runs in both)
+    limit = Observed(*(f + (f - c) / 3.0 for f, c in zip(fine, coarse, strict=True)))
+    apart = compare(coarse, Reference(fine, np.zeros(4), end))
+    return Reference(limit, 2.0 / 3.0 * apart.rms, end)
 
 
 def climb(
@@ -149,21 +142,25 @@ def climb(
     steps: list[int],
     limit: Reference,
     refine: bool = True,
+    run: Callable[[Point, list[RandomLine], Method], LineRuns] = run_lines,
 ) -> xr.Dataset:
     """Return what a scheme gives over m; errors are those on the lines of the reference.
 
-    refine : whether narrow contacts are followed between samples, as "auto" does. The deviation of
-    one realization is that at a middle m, on all lines.
+    refine : whether narrow contacts are followed between samples, as "auto" does. run : what runs
+    the scheme on lines; NaN where it is not installed or fails. The deviation of one realization is
+    that at a middle m, on all lines.
     """
-    paired, elements = limit.limit.mu_1.size, surfaces[0].elements
-    rows, apart = [], []
+    rows, apart = [], [np.full(4, np.nan)]
     for m in steps:
-        runs = run_lines(point, surfaces[: lines_at(m, len(surfaces))], Method(scheme, m, refine))
-        found = compare(observe(point, elements, runs, paired, limit.end), limit)
-        rows.append((*found, seconds(runs)))
-        apart.append(deviations(observe(point, elements, runs, runs.mu_1.size, limit.end)))
+        rows.append((*np.full((3, 4), np.nan), np.full(2, np.nan)))
+        with suppress(ImportError, ArithmeticError):
+            lines = surfaces[: lines_at(m, len(surfaces))]
+            runs = run(point, lines, Method(scheme, m, refine))
+            found = compare(observe(runs, limit.limit.mu_1.size, limit.end), limit)
+            rows[-1] = (*found, seconds(runs))
+            apart.append(deviations(observe(runs, len(lines), limit.end)))
     rms, bias, bias_error, cpu = (np.array(column) for column in zip(*rows, strict=True))
-    middle = next((k for k in range(2, len(steps)) if np.isfinite(apart[k]).all()), 2)
+    middle = [each for each in apart[3:] if np.isfinite(each).all()] or apart[3:] or apart
     orders = [order(np.array(steps), rms[:, q], 2.0 * limit.error[q]) for q in range(4)]
     return xr.Dataset(
         {
@@ -172,7 +169,7 @@ def climb(
             "bias_error": (("steps", "quantity"), bias_error),
             "seconds": (("steps", "part"), cpu),
             "order": ("quantity", orders),
-            "deviation": ("quantity", apart[middle]),
+            "deviation": ("quantity", middle[0]),
         },
         {"steps": steps},
     )

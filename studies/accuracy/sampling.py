@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from elastomer_friction.kernels import Case, Line, Quantities, run_case
+from elastomer_friction.kernels import Case, Line, Quantities, rms_slope, run_case
 from elastomer_friction.workflow.plan import horizon_steps
 from elastomer_friction.workflow.reduce import fit_exponential
 from elastomer_friction.workflow.simulate import record_steps, record_times
@@ -34,6 +34,7 @@ class LineRuns(NamedTuple):
     jump: np.ndarray
     curves: np.ndarray  # shape (lines, samples)
     moments: np.ndarray  # shape (samples,), of the samples
+    slope: float  # rms slope of the lines
     cpu: np.ndarray  # shape (lines, 3): drawing and sampling, steady states and jump, all
 
 
@@ -59,13 +60,14 @@ def run_lines(point: Point, surfaces: list[RandomLine], method: Method) -> LineR
         found = run_case(line, case, Quantities())
         clock.append(time.process_time())
         rows.append((found.mu_1, found.mu_2[0], found.jump[0], found.curves[0], np.diff(clock)))
-    return collected(rows, moments)
+    return collected(rows, moments, surfaces[0])
 
 
-def collected(rows: list[tuple], moments: np.ndarray) -> LineRuns:
-    """Return as arrays what lines gave: (mu_1, mu_2, jump, curve, CPU times) each."""
+def collected(rows: list[tuple], moments: np.ndarray, line: RandomLine) -> LineRuns:
+    """Return as arrays what lines like ``line`` gave: (mu_1, mu_2, jump, curve, CPU times) each."""
     mu_1, mu_2, jump, curves, cpu = (np.array(column) for column in zip(*rows, strict=True))
-    return LineRuns(mu_1, mu_2, jump, curves, moments, cpu)
+    slope = rms_slope(line.amplitude, line.elements)
+    return LineRuns(mu_1, mu_2, jump, curves, moments, slope, cpu)
 
 
 def seconds(runs: LineRuns) -> np.ndarray:

@@ -9,7 +9,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import X_LABEL, computed_study, shades
+from elastomer_friction.studies.style import X_LABEL, computed_study, ratio_of, shades
 from elastomer_friction.workflow.plan import make_plan
 from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
@@ -43,15 +43,11 @@ def draw(groups: Groups) -> Figure:
     return figure
 
 
-def ratios(groups: Groups, half: str, name: str = "mu_1") -> xr.Dataset:
+def ratios(groups: Groups, half: str) -> xr.Dataset:
     """Return the foundation over the half-space at each point, with its error, load and area."""
     whole, line = groups[half].squeeze(), groups[PAIRS[half]].squeeze()
-    ratio = line[name] / whole[name]
-    parts = (line[f"{name}_error"] / line[name], whole[f"{name}_error"] / whole[name])
-    error = np.abs(ratio) * np.hypot(*parts)
-    return xr.Dataset(
-        {"ratio": ratio, "ratio_error": error, "area": whole.contact_fraction}
-    ).assign_coords(speed_ratio=whole.speed_ratio)
+    found = ratio_of(line, whole, "mu_1").assign(area=whole.contact_fraction)
+    return found.assign_coords(speed_ratio=whole.speed_ratio)
 
 
 def _over_area(ax: Axes, groups: Groups, half: str) -> None:

@@ -1,7 +1,8 @@
 """What the paper says of figure 4, judged from the numbers of this study."""
 
+from contextlib import suppress
+
 import numpy as np
-import xarray as xr
 
 from elastomer_friction.workflow import report
 
@@ -9,26 +10,22 @@ RATE = 2.4  # of figure 4
 USUAL_SPACING = 2e-6  # m: L = 0.01 m with the 5000 elements the paper calls typical
 
 
-def example_rate(results: report.Results) -> report.Claim | None:
+def example_rate(results: report.Results) -> report.Claim:
     """Judge b = 2.4 of figure 4, by the spacing at which it is found."""
     found, spacings = [], {}
     for group, label in (("", "converged"), ("/paper_step", "implicit Euler")):
-        line = _over_spacing(report.given(results, f"fig4{group}", "relaxation_rate"))
-        if line is None:
-            continue
-        spacing, rate, error = line
-        usual = int(np.abs(np.log(spacing / USUAL_SPACING)).argmin())
-        found.append(
-            f"{label}: b = {rate[usual]:.2f} ± {error[usual]:.2f} at Δx = "
-            f"{1e6 * spacing[usual]:.3g} µm, {rate.min():.2f} … {rate.max():.2f} over "
-            f"{rate.size} spacings"
-        )
-        at = _crossing(np.log(spacing), np.log(rate / RATE), error / rate)
-        if at is not None:
-            micrometres = 1e6 * np.exp(at[0])
-            spacings[group] = f"Δx = {micrometres:.2g} ± {micrometres * at[1]:.1g} µm"
-    if not found:
-        return None
+        with suppress(report.NotGiven):
+            spacing, rate, error = _over_spacing(results, f"fig4{group}")
+            usual = int(np.abs(np.log(spacing / USUAL_SPACING)).argmin())
+            found.append(
+                f"{label}: b = {rate[usual]:.2f} ± {error[usual]:.2f} at Δx = "
+                f"{1e6 * spacing[usual]:.3g} µm, {rate.min():.2f} … {rate.max():.2f} over "
+                f"{rate.size} spacings"
+            )
+            at, at_error = _crossing(np.log(spacing), np.log(rate / RATE), error / rate)
+            micrometres = 1e6 * np.exp(at)
+            spacings[group] = f"Δx = {micrometres:.2g} ± {micrometres * at_error:.1g} µm"
+    report.needed(found)
     verdict = f"{report.HOLDS} if {spacings['']}" if "" in spacings else report.NOT_FOUND
     if verdict == report.NOT_FOUND and spacings:
         verdict = f"{report.ONLY_COARSE}, {spacings['/paper_step']}"
@@ -37,24 +34,20 @@ def example_rate(results: report.Results) -> report.Claim | None:
     return report.Claim(text, f"{RATE:g}", "; ".join(found), each, verdict)
 
 
-def _over_spacing(
-    dataset: xr.Dataset | None,
-) -> tuple[np.ndarray, np.ndarray, np.ndarray] | None:
-    """Return spacing, b and its error where fitted, or None unless spacing alone varies."""
-    if dataset is None or dataset.relaxation_rate.size != dataset.spacing.size:
-        return None
+def _over_spacing(results: report.Results, key: str) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """Return spacing, b and its error where fitted; raise NotGiven unless spacing alone varies."""
+    dataset = report.given(results, key, "relaxation_rate")
+    report.needed(dataset.relaxation_rate.size == dataset.spacing.size)
     rate, error = dataset.relaxation_rate.values.ravel(), dataset.relaxation_rate_error
     known = np.isfinite(rate)
-    if not known.any():
-        return None
+    report.needed(known.any())
     return dataset.spacing.values[known], rate[known], error.values.ravel()[known]
 
 
-def _crossing(x: np.ndarray, y: np.ndarray, error: np.ndarray) -> tuple[float, float] | None:
-    """Return (x, error of x) where y first changes sign, by linear interpolation."""
+def _crossing(x: np.ndarray, y: np.ndarray, error: np.ndarray) -> tuple[float, float]:
+    """Return (x, error of x) where y first changes sign, by linear interpolation, or raise."""
     change = np.flatnonzero(np.sign(y[1:]) != np.sign(y[:-1]))
-    if change.size == 0:
-        return None
+    report.needed(change.size)
     k = change[0]
     slope = (y[k + 1] - y[k]) / (x[k + 1] - x[k])
     return float(x[k] - y[k] / slope), float(abs(max(error[k], error[k + 1]) / slope))

@@ -1,48 +1,55 @@
 """What the paper says of slow sliding (eq. 9), judged from the numbers of figures 3 and 5."""
 
 from collections.abc import Callable
+from contextlib import suppress
 
 import numpy as np
 import xarray as xr
 
+from elastomer_friction.studies.style import normalised
 from elastomer_friction.workflow.kinetic_law import PLATEAU
-from elastomer_friction.workflow.report import Claim, Results, given, judge, mean_error, percent
+from elastomer_friction.workflow.report import (
+    Claim,
+    NotGiven,
+    Results,
+    given,
+    judge,
+    mean_error,
+    needed,
+    percent,
+)
 
 FLAT = 0.9  # share of its largest value from which mu_1 counts as on the plateau
 SLOW = 0.5  # x below which sliding is slow
 
 
-def slow_jump(results: Results) -> Claim | None:
+def slow_jump(results: Results) -> Claim:
     """Judge zeta -> 1 at low speed (eq. 9)."""
     return _slow(results, "ζ = (Δµ₀/µ₁)/(Δv/v₁) → 1 at low speed (eq. 9)", _zeta)
 
 
-def slow_steady(results: Results) -> Claim | None:
+def slow_steady(results: Results) -> Claim:
     """Judge xi -> 1 at low speed (eq. 9)."""
     return _slow(results, "ξ = ((µ₂ − µ₁)/µ₁)/(Δv/v₁) → 1 at low speed (eq. 9)", _xi)
 
 
-def _slow(results: Results, text: str, law: Callable) -> Claim | None:
+def _slow(results: Results, text: str, law: Callable) -> Claim:
     """Judge a ratio by its value in figures 3 and 5; the error needs the curves of figure 3."""
     values, found, error = [], [], np.nan
     for name in ("fig3", "fig5"):
-        dataset = given(results, name, "mu_1", "mu_2", "jump")
-        if dataset is None:
-            continue
-        slow = dataset.where(dataset.speed_ratio < SLOW)
-        ratio, ratio_error = law(slow)
-        known = ratio.values[np.isfinite(ratio.values)]
-        if known.size == 0:
-            continue
-        values.append(known)
-        found.append(
-            f"{known.mean():.4f} ({known.min():.4f} … {known.max():.4f}, {known.size} points "
-            f"with x < {SLOW:g}, {name})"
-        )
-        if ratio_error is not None:
-            error = mean_error(ratio_error)
-    if not values:
-        return None
+        with suppress(NotGiven):
+            dataset = given(results, name, "mu_1", "mu_2", "jump")
+            ratio, ratio_error = law(dataset.where(dataset.speed_ratio < SLOW))
+            known = ratio.values[np.isfinite(ratio.values)]
+            needed(known.size)
+            values.append(known)
+            found.append(
+                f"{known.mean():.4f} ({known.min():.4f} … {known.max():.4f}, {known.size} points "
+                f"with x < {SLOW:g}, {name})"
+            )
+            if ratio_error is not None:
+                error = mean_error(ratio_error)
+    needed(values)
     deviation = float(np.abs(np.concatenate(values) - 1.0).max())
     unknown = not np.isfinite(error)
     shown = "not known without the curves of fig3" if unknown else f"± {error:.1g}"
@@ -77,24 +84,22 @@ def _xi(points: xr.Dataset) -> tuple[xr.DataArray, xr.DataArray | None]:
     return xi, error + fitted.fillna(unknown)
 
 
-def plateau_over_force(results: Results) -> Claim | None:
+def plateau_over_force(results: Results) -> Claim:
     """Judge that the plateau of the jump (eq. 11) is one for all normal forces.
 
     Of each force from the speed on at which mu_1 is within FLAT of its largest value, where that
     is over grad z: there region III begins.
     """
     dataset = given(results, "fig5", "mu_1", "jump")
-    if dataset is None or dataset.normal_force.size < 2:
-        return None
-    mu = dataset.mu_1 / dataset.rms_slope
-    most = mu.max("velocity")
-    begun = ((mu >= FLAT * most) & (most > 1.0)).cumsum("velocity") > 0
-    jump = (dataset.jump / dataset.rms_slope / dataset.velocity_step).where(begun)
+    needed(dataset.normal_force.size > 1)
+    bars = normalised(dataset)
+    most = bars.mu_bar.max("velocity")
+    begun = ((bars.mu_bar >= FLAT * most) & (most > 1.0)).cumsum("velocity") > 0
+    jump = bars.jump_bar.where(begun)
     others = [dim for dim in jump.dims if dim != "normal_force"]
     least, largest = jump.min(others), jump.max(others)
     known = np.flatnonzero(np.isfinite(least.values))
-    if known.size < 2:
-        return None
+    needed(known.size > 1)
     force = dataset.normal_force.values[known]
     deviation = float(np.abs(jump / PLATEAU - 1.0).max())
     error = float((dataset.jump_error / np.abs(dataset.jump)).where(begun).median())

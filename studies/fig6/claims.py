@@ -10,15 +10,12 @@ FLAT = 0.9  # share of its largest value from which mu_1 counts as on the platea
 MIDDLE = (0.3, 0.7)  # Hurst exponents of the plateau claim
 
 
-def plateau(results: report.Results) -> report.Claim | None:
+def plateau(results: report.Results) -> report.Claim:
     """Judge the plateau of the jump (eq. 11), by the mean of each Hurst exponent."""
     dataset = report.given(results, "fig6", "mu_1", "jump")
-    if dataset is None:
-        return None
     inside = (dataset.hurst > MIDDLE[0] - 1e-9) & (dataset.hurst < MIDDLE[1] + 1e-9)
     chosen = dataset.isel(hurst=np.flatnonzero(inside))
-    if chosen.hurst.size == 0:
-        return None
+    report.needed(chosen.hurst.size)
     line = ("normal_force", "spacing", "roughness", "velocity", "velocity_step")
     flat = normalised(chosen.where(chosen.mu_1 >= FLAT * chosen.mu_1.max("velocity")))
     each = flat.jump_bar.mean(line)
@@ -37,11 +34,9 @@ def plateau(results: report.Results) -> report.Claim | None:
     )
 
 
-def interpolation(results: report.Results) -> report.Claim | None:
+def interpolation(results: report.Results) -> report.Claim:
     """Judge the interpolation between both limits (eq. 12)."""
     dataset = report.given(results, "fig6", "mu_1", "jump")
-    if dataset is None:
-        return None
     mu = dataset.mu_1 / dataset.rms_slope
     law = dataset.rms_slope * dataset.velocity_step * normalised_jump(mu)
     deviation = (dataset.jump / law - 1.0).stack(point=dataset.mu_1.dims)

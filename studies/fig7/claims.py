@@ -1,8 +1,11 @@
 """What the paper says of relaxation (eqs. 6, 13 to 16), judged from the numbers of figure 7."""
 
+from contextlib import suppress
+
 import numpy as np
 import xarray as xr
 
+from elastomer_friction.studies.style import usable
 from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import relaxation_rate
 from elastomer_friction.workflow.reduce import FITTED, NOT_EXPONENTIAL
@@ -10,15 +13,12 @@ from elastomer_friction.workflow.reduce import FITTED, NOT_EXPONENTIAL
 GOOD_FIT = 0.95  # 1 - residual / total sum of squares of an accurate fit
 
 
-def exponential_fits(results: report.Results) -> report.Claim | None:
+def exponential_fits(results: report.Results) -> report.Claim:
     """Judge that an exponential fits the relaxation accurately (eq. 6)."""
     dataset = report.given(results, "fig7", "fit_quality", "fit_status")
-    if dataset is None:
-        return None
     quality = dataset.fit_quality.values[(dataset.fit_status == FITTED).values]
     relaxing = quality.size + int((dataset.fit_status == NOT_EXPONENTIAL).sum())
-    if quality.size == 0:
-        return None
+    report.needed(quality.size)
     share = float((quality >= GOOD_FIT).sum() / relaxing)
     low, middle = np.percentile(quality, [5, 50])
     verdict = report.judge(1.0 - share, tolerance=0.5)
@@ -43,29 +43,25 @@ NEEDED = (
     "fit_status",
 )
 
-LARGEST_ERROR = 0.15  # relative standard error of b up to which a point is used
-NEARLY_FULL = 0.8  # contact fraction from which a contact counts as full
 FORCE_TOLERANCE = 0.5
 ALPHA_TOLERANCE = 0.2  # absolute, of alpha
 LEAST_SPEEDS = 3  # of which alpha of one normal force is fitted
 
 
-def slow_rate(results: report.Results) -> report.Claim | None:
+def slow_rate(results: report.Results) -> report.Claim:
     """Judge b = x below x = 1, the length D_c = 1/q_max: as studied and with the paper's step."""
     ratios, found = {}, []
     for key, label in VARIANTS.items():
-        points = _usable(results, key, below=1.0)
-        if points is None:
-            continue
-        x, rate = points.speed_ratio.values, points.relaxation_rate.values
-        ratios[key] = rate / x
-        slope = np.polyfit(np.log(x), np.log(rate), 1)[0]
-        found.append(
-            f"{label}: b/x = {report.spread(ratios[key])}, b ∝ x^{slope:.2f}, median b = "
-            f"{np.median(rate):.2f}, D_c q_max = {np.median(x / rate):.2f}, {x.size} points"
-        )
-    if CONVERGED not in ratios:
-        return None
+        with suppress(report.NotGiven):
+            points = _usable(results, key, below=1.0)
+            x, rate = points.speed_ratio.values, points.relaxation_rate.values
+            ratios[key] = rate / x
+            slope = np.polyfit(np.log(x), np.log(rate), 1)[0]
+            found.append(
+                f"{label}: b/x = {report.spread(ratios[key])}, b ∝ x^{slope:.2f}, median b = "
+                f"{np.median(rate):.2f}, D_c q_max = {np.median(x / rate):.2f}, {x.size} points"
+            )
+    report.needed(CONVERGED in ratios)
     verdict = report.judge_factor(ratios[CONVERGED])
     factor = report.typical_factor(ratios.get(PAPER_STEP, np.array([np.inf])))
     if verdict == report.NOT_FOUND and factor <= report.FACTOR:
@@ -79,11 +75,9 @@ def slow_rate(results: report.Results) -> report.Claim | None:
     )
 
 
-def relaxation_time(results: report.Results) -> report.Claim | None:
+def relaxation_time(results: report.Results) -> report.Claim:
     """Judge the relaxation time above x = 1 (eq. 16)."""
     points = _usable(results, CONVERGED, above=1.0)
-    if points is None:
-        return None
     law = relaxation_rate(points.speed_ratio.values, points.hurst.values)
     ratio = points.relaxation_rate.values / law
     return report.Claim(
@@ -96,16 +90,13 @@ def relaxation_time(results: report.Results) -> report.Claim | None:
     )
 
 
-def force_independence(results: report.Results) -> report.Claim | None:
+def force_independence(results: report.Results) -> report.Claim:
     """Judge that b does not depend on the normal force: its spread over F_N at one (H, dx, v1)."""
     points = _usable(results, CONVERGED)
-    if points is None:
-        return None
     log_rate = np.log(points.relaxation_rate).unstack("point")
     several = log_rate.count("normal_force") > 1
     deviation = log_rate.std("normal_force", ddof=1).where(several)
-    if int(several.sum()) == 0:
-        return None
+    report.needed(several.any())
     rms = float(np.sqrt((deviation**2).mean()))
     verdict = report.judge(float(np.expm1(rms)), tolerance=FORCE_TOLERANCE)
     extreme = float(np.exp((log_rate.max("normal_force") - log_rate.min("normal_force")).max()))
@@ -122,11 +113,9 @@ def force_independence(results: report.Results) -> report.Claim | None:
     )
 
 
-def exponent_over_force(results: report.Results) -> report.Claim | None:
+def exponent_over_force(results: report.Results) -> report.Claim:
     """Judge that alpha depends on H alone (eq. 13): its spread over F_N, each fitted by itself."""
     points = _usable(results, CONVERGED, above=1.0)
-    if points is None:
-        return None
     hursts, forces = points.hurst.values, points.normal_force.values
     x, b = np.log(points.speed_ratio.values), np.log(points.relaxation_rate.values)
     found: dict[float, dict[float, float]] = {}
@@ -135,8 +124,7 @@ def exponent_over_force(results: report.Results) -> report.Claim | None:
         if np.unique(x[own]).size >= LEAST_SPEEDS:
             found.setdefault(hurst, {})[force] = float(x[own] @ b[own] / (x[own] @ x[own]))
     several = {hurst: alphas for hurst, alphas in found.items() if len(alphas) > 1}
-    if not several:
-        return None
+    report.needed(several)
     spreads = {hurst: max(a.values()) - min(a.values()) for hurst, a in several.items()}
     worst = max(spreads, key=lambda hurst: spreads[hurst])
     ratio = np.exp(b - (1.0 - hursts) * x)
@@ -154,20 +142,17 @@ def exponent_over_force(results: report.Results) -> report.Claim | None:
 
 def _usable(
     results: report.Results, key: str, above: float = 0.0, below: float = np.inf
-) -> xr.Dataset | None:
+) -> xr.Dataset:
     """Return the points of above < x < below with a fit of small error, short of full contact.
 
-    They lie along "point". None where there are fewer than two values of x.
+    They lie along "point". Raises NotGiven where there are fewer than two values of x.
     """
     dataset = report.given(results, key, *NEEDED)
-    if dataset is None:
-        return None
     points = dataset[list(NEEDED)].stack(point=dataset.relaxation_rate.dims)
     x = points.speed_ratio
-    small = points.relaxation_rate_error < LARGEST_ERROR * points.relaxation_rate
-    short = points.contact_fraction < NEARLY_FULL
-    usable = (points.fit_status == FITTED) & small & short & (x > above) & (x < below)
-    return points.isel(point=usable.values) if np.unique(x.values[usable]).size > 1 else None
+    chosen = (usable(points) & (x > above) & (x < below)).values
+    report.needed(np.unique(x.values[chosen]).size > 1)
+    return points.isel(point=chosen)
 
 
 CLAIMS = (

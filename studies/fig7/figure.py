@@ -8,7 +8,15 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import CONVERGED, DOTS, PAPER_STEP, SCHEMES, X_LABEL, by_hurst
+from elastomer_friction.studies.style import (
+    CONVERGED,
+    DOTS,
+    NEARLY_FULL,
+    PAPER_STEP,
+    SCHEMES,
+    X_LABEL,
+    by_hurst,
+)
 from elastomer_friction.workflow.reduce import FITTED, NO_RELAXATION, NOT_EXPONENTIAL, UNDETERMINED
 from elastomer_friction.workflow.report import error_bars, foot_line
 from elastomer_friction.workflow.result import Groups
@@ -19,7 +27,6 @@ CAPTION = (
     "13 of the paper as lines. Panel (c) shows the exponent α of b = x^α for x > 1, which the "
     "paper gives as 1 − H."
 )
-NEARLY_FULL = 0.8  # contact fraction above which markers are triangles
 MANY, SMALL = 3000, 1.3  # points of which markers are small, and how small
 MARKS = {  # of what was not fitted, below the axis line, in a row for each H
     NO_RELAXATION: ("|", "nothing to relax"),

@@ -2,24 +2,23 @@
 
 import numpy as np
 
+from elastomer_friction.studies.style import normalised
 from elastomer_friction.workflow import report
 from elastomer_friction.workflow.kinetic_law import PLATEAU
 
 KEY = "fig7_half_space"
-NEEDED = ("speed_ratio", "jump", "rms_slope", "alpha", "alpha_error", "alpha_bias")
+NEEDED = ("speed_ratio", "mu_1", "jump", "rms_slope", "alpha", "alpha_error", "alpha_bias")
 
 
-def exponent_on_half_space(results: report.Results) -> report.Claim | None:
+def exponent_on_half_space(results: report.Results) -> report.Claim:
     """Judge alpha = 1 - H above x = 1 (eq. 13) on a half-space."""
     dataset = report.given(results, KEY, *NEEDED)
-    if dataset is None:
-        return None
     known = dataset.dropna("hurst", subset=["alpha"])
-    if known.sizes["hurst"] < 2:
-        return None
+    report.needed(known.sizes["hurst"] > 1)
     alpha, hurst = known.alpha.values, known.hurst.values
     error = np.hypot(known.alpha_error, known.alpha_bias).values
     slope = np.polyfit(hurst, alpha, 1)[0]
+    off = np.abs(alpha - (1.0 - hurst)) / np.maximum(1.0 - hurst, 0.1)
     found = ", ".join(
         f"{a:.2f} ± {e:.2f} at H = {h:g}" for h, a, e in zip(hurst, alpha, error, strict=True)
     )
@@ -28,20 +27,16 @@ def exponent_on_half_space(results: report.Results) -> report.Claim | None:
         "α = 1 − H",
         f"α = {found}; dα/dH = {slope:.2f}",
         report.per_point(dataset),
-        report.judge(_deviation(alpha, hurst), float(error.max())),
+        report.judge(float(off.max()), float(error.max())),
     )
 
 
-def plateau_on_half_space(results: report.Results) -> report.Claim | None:
+def plateau_on_half_space(results: report.Results) -> report.Claim:
     """Judge that the jump over slope and relative step has a plateau of 0.4 on a half-space."""
     dataset = report.given(results, KEY, *NEEDED)
-    if dataset is None:
-        return None
-    jump = dataset.jump / dataset.rms_slope / dataset.velocity_step
-    fast = jump.where(dataset.speed_ratio > 3.0).values
+    fast = normalised(dataset).jump_bar.where(dataset.speed_ratio > 3.0).values
     fast = fast[np.isfinite(fast)]
-    if not fast.size:
-        return None
+    report.needed(fast.size)
     return report.Claim(
         "On a half-space too: the jump over ∇z Δv/v₁ has a plateau of 0.4 (eq. 12)",
         "0.4",
@@ -49,12 +44,6 @@ def plateau_on_half_space(results: report.Results) -> report.Claim | None:
         report.per_point(dataset),
         report.judge_factor(fast / PLATEAU),
     )
-
-
-def _deviation(alpha: np.ndarray, hurst: np.ndarray) -> float:
-    """Return the largest deviation of alpha from 1 - H, relative to it where it is not near 0."""
-    expected = 1.0 - hurst
-    return float(np.max(np.abs(alpha - expected) / np.maximum(expected, 0.1)))
 
 
 CLAIMS = (exponent_on_half_space, plateau_on_half_space)

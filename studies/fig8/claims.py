@@ -4,29 +4,26 @@ import math
 
 import numpy as np
 
-from elastomer_friction.workflow.report import HOLDS, Claim, Results, given, judge, reworded
+from elastomer_friction.workflow.report import HOLDS, Claim, Results, given, judge, needed, reworded
 
 ALPHA_TOLERANCE = 0.2
 
 
-def exponent_converged(results: Results) -> Claim | None:
+def exponent_converged(results: Results) -> Claim:
     """Judge alpha = 1 - H above x = 1 (eq. 13), converged in time."""
     return _exponent(results, "", "converged in time")
 
 
-def exponent_paper_step(results: Results) -> Claim | None:
+def exponent_paper_step(results: Results) -> Claim:
     """Judge alpha = 1 - H above x = 1 (eq. 13), implicit Euler at one step per spacing."""
     return _exponent(results, "/paper_step", "implicit Euler, one step per Δx")
 
 
-def _exponent(results: Results, group: str, label: str) -> Claim | None:
-    name = "fig8" if given(results, f"fig8{group}", "alpha") else "fig7"
+def _exponent(results: Results, group: str, label: str) -> Claim:
+    name = "fig8" if "alpha" in results.get(f"fig8{group}", ()) else "fig7"
     dataset = given(results, name + group, "alpha")
-    if dataset is None:
-        return None
     dataset = dataset.isel(hurst=np.isfinite(dataset.alpha.values))
-    if dataset.hurst.size == 0:
-        return None
+    needed(dataset.hurst.size)
     off = (dataset.alpha - (1.0 - dataset.hurst)).values
     worst = int(np.abs(off).argmax())
     free = float(np.abs(dataset.alpha_free - (1.0 - dataset.hurst)).max())

@@ -3,32 +3,28 @@
 import numpy as np
 import xarray as xr
 
-from elastomer_friction.workflow.reduce import FITTED
+from elastomer_friction.studies.style import NEARLY_FULL, usable
 from elastomer_friction.workflow.report import (
     Claim,
     Results,
     given,
     judge,
+    needed,
     per_point,
     percent,
     spread,
 )
 
-LARGEST_ERROR = 0.15  # relative standard error of b up to which a point is used
-NEARLY_FULL = 0.8  # contact fraction from which a contact counts as full
 
-
-def jump_over_step(results: Results) -> Claim | None:
+def jump_over_step(results: Results) -> Claim:
     """Judge that the jump is in proportion to the step (eqs. 9 to 12)."""
     dataset = given(results, "grid6d", "jump", "mu_1")
-    if dataset is None or dataset.velocity_step.size < 2:
-        return None
+    needed(dataset.velocity_step.size > 1)
     per_step = dataset.jump / dataset.velocity_step
     up, down = (per_step.sel(velocity_step=f(dataset.velocity_step)) for f in (max, min))
     ratio = (up / down).where(dataset.contact_fraction.isel(velocity_step=0) < NEARLY_FULL)
     known = ratio.values[np.isfinite(ratio.values)]
-    if known.size == 0:
-        return None
+    needed(known.size)
     last, first = float(dataset.velocity_step.max()), float(dataset.velocity_step.min())
     worst = float(known[np.abs(known - 1.0).argmax()])
     by_sums = (np.log1p(last) / last) / (np.log1p(first) / first)
@@ -43,23 +39,19 @@ def jump_over_step(results: Results) -> Claim | None:
     )
 
 
-def rate_after_step(results: Results) -> Claim | None:
+def rate_after_step(results: Results) -> Claim:
     """Judge that eq. 13 takes v1: b of steps up and down from one velocity would be one."""
     dataset = given(
         results, "grid6d", "relaxation_rate", "relaxation_rate_error", "fit_status", "mu_1"
     )
-    if dataset is None or dataset.velocity_step.size < 2:
-        return None
-    small = dataset.relaxation_rate_error < LARGEST_ERROR * dataset.relaxation_rate
-    usable = (dataset.fit_status == FITTED) & small & (dataset.contact_fraction < NEARLY_FULL)
+    needed(dataset.velocity_step.size > 1)
     rough = (dataset.speed_ratio > 1.0) & (dataset.hurst < 1.0)  # where b depends on the velocity
-    logs = xr.where(usable & rough, np.log(dataset.relaxation_rate), np.nan)
+    logs = xr.where(usable(dataset) & rough, np.log(dataset.relaxation_rate), np.nan)
     up, down = (logs.sel(velocity_step=f(dataset.velocity_step)) for f in (max, min))
     last, first = float(dataset.velocity_step.max()), float(dataset.velocity_step.min())
     found = (up - down) / np.log((1.0 + last) / (1.0 + first)) / (1.0 - dataset.hurst)
     known = found.values[np.isfinite(found.values)]
-    if known.size < 2:
-        return None
+    needed(known.size > 1)
     middle = float(np.median(known))
     return Claim(
         "The rate of eq. 13 is that of the velocity before the step",

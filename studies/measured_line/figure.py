@@ -6,13 +6,11 @@ surfaces, and beside Li et al. (2014), figure 3a, for mu over velocity.
 
 from typing import Any
 
-import numpy as np
-import xarray as xr
 from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import X_LABEL, fitted, normalised
+from elastomer_friction.studies.style import X_LABEL, fitted, normalised, ratio_of
 from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, with_unit
 from elastomer_friction.workflow.result import Groups
 
@@ -51,7 +49,13 @@ def draw(groups: Groups) -> Figure:
         _by_force(ax, shown, name)
         ax.set(yscale="log", ylabel=label, title=title)
     for ax, (name, title) in zip(axes[1], BELOW.items(), strict=True):
-        others = {each: against(shown, each, name) for each in shown if each != RANDOM}
+        # Self-affine lines are drawn with the phases of random-phase ones: ratios of both are known
+        # better than their bars say.
+        others = {
+            each: data.assign(ratio_of(data, shown[RANDOM], name))
+            for each, data in shown.items()
+            if each != RANDOM
+        }
         _by_force(ax, others, "ratio")
         ax.axhline(1.0, color="k", lw=0.8)
         ax.set_title(title)
@@ -66,18 +70,6 @@ def draw(groups: Groups) -> Figure:
     axes[0, 2].legend(loc="upper left")
     foot_line(figure, groups[""], f"The lines are {groups[''].attrs['lines']}.")
     return figure
-
-
-def against(shown: Groups, label: str, name: str) -> xr.Dataset:
-    """Return the points of a variant with ``ratio``, a variable over that of random-phase lines.
-
-    Relative errors add in squares, as of independent ensembles. Self-affine lines are drawn with
-    the same phases as random-phase ones; their ratios are known better than their bars say.
-    """
-    own, other = shown[label], shown[RANDOM]
-    ratio = own[name] / other[name]
-    parts = (own[f"{name}_error"] / own[name], other[f"{name}_error"] / other[name])
-    return own.assign(ratio=ratio, ratio_error=abs(ratio) * np.hypot(*parts))
 
 
 def _spectra(ax: Axes, groups: Groups) -> None:

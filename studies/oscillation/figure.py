@@ -16,7 +16,6 @@ point, so that <z'^2> is the contact fraction times the squared rms slope: no nu
 at a half less than 1 %, by 600 lines of this study each.)
 """
 
-from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -27,7 +26,7 @@ from matplotlib.figure import Figure
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
 from elastomer_friction.studies.style import HEAT, computed_study
-from elastomer_friction.workflow.report import COLOURS, foot_line, legend_in_room, log_bars
+from elastomer_friction.workflow.report import COLOURS, band, foot_line, legend_in_room, log_bars
 from elastomer_friction.workflow.result import Groups
 from elastomer_friction.workflow.study import HoldSegment, Oscillate
 
@@ -92,12 +91,9 @@ def _loop(ax: Axes, data: xr.Dataset, motion: Swing, scale: float, colour: str, 
     own, cycles = own.isel(event=cycles > -1.005), cycles[cycles > -1.005]
     speed = np.cos(2.0 * np.pi * cycles)
     mu, error = own.trace_mu.values / scale, own.trace_mu_error.values / scale
-    ax.plot(speed, mu, color=colour, label=label)
-    ends = [0, int(np.argmin(speed)), speed.size - 1]
-    for first, last in pairwise(ends):
-        part = slice(first, last + 1)
-        low, high = mu[part] - error[part], mu[part] + error[part]
-        ax.fill_between(speed[part], low, high, color=colour, alpha=0.2, lw=0)
+    turn = int(np.argmin(speed))
+    for part, text in ((slice(turn + 1), label), (slice(turn, None), None)):
+        band(ax, speed[part], mu[part], error[part], color=colour, label=text)
     ax.axhline(0.0, color="0.7", lw=0.5)
     ax.axvline(0.0, color="0.7", lw=0.5)
 

@@ -15,6 +15,7 @@ from elastomer_friction.studies.style import (
     X_LABEL,
     fitted,
 )
+from elastomer_friction.workflow.kinetic_law import relaxation_rate
 from elastomer_friction.workflow.report import error_bars, foot_line, said
 from elastomer_friction.workflow.result import Groups
 
@@ -83,7 +84,6 @@ def _rates(ax: Axes, shown: dict[str, xr.Dataset], scheme: str, hurst: float) ->
     limit = shown[""]
     ax.plot(limit.speed_ratio, limit.relaxation_rate, "k", lw=1.6, label="converged", zorder=5)
     x = np.geomspace(0.02, 50.0, 100)
-    ax.plot(x[x < 1], x[x < 1], "--", color="0.5", lw=0.9)
-    ax.plot(x[x >= 1], x[x >= 1] ** (1.0 - hurst), "--", color="0.5", lw=0.9)
+    ax.plot(x, relaxation_rate(x, hurst), "--", color="0.5", lw=0.9)
     ax.annotate("eq. 13", (0.045, 0.026), fontsize=6.5, color="0.35")
     ax.set(xscale="log", yscale="log", ylim=(0.02, 40.0))

@@ -10,7 +10,7 @@ from matplotlib.figure import Figure
 
 from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
 from elastomer_friction.studies.master_curve.collapse import UNSHIFTED, Collapse, Curve, collapse
-from elastomer_friction.studies.style import HEAT
+from elastomer_friction.studies.style import HEAT, slide_of
 from elastomer_friction.workflow.report import (
     COLOURS,
     band,
@@ -144,25 +144,17 @@ def _percent(decades: float) -> str:
     return f"{percent:.2g} %" if percent < 10.0 else f"{percent:.0f} %"
 
 
-def after_step(point: xr.Dataset) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Return distance since the step (m), mu and its standard error, from the step on."""
-    moved, part = point.trace_distance.values, point.trace_segment.values
-    begin = moved[part == 0].max()
-    later = moved > begin
-    values = point.trace_mu.values[later], point.trace_mu_error.values[later]
-    return moved[later] - begin, *values
-
-
 def _step(ax: Axes, known: dict[str, xr.Dataset]) -> None:
     for name, data in known.items():
         label, colour, _ = LABELS[name]
         warm = warmest(data)
         point = warm.isel(velocity=int(np.argmax(warm.mu_1.values)))  # with the largest friction
-        slip, mu, error = after_step(point)
+        slide = slide_of(point, 1)
+        mu, error = slide.trace_mu.values, slide.trace_mu_error.values
         one, two = float(point.mu_1), float(point.mu_2)
         said = f"{label}, {with_unit(float(point.velocity), 'm/s')}"
-        band(ax, slip, mu / one, error / one, color=colour, label=said)
-        ax.plot(slip[-1] * 1.3, two / one, "<", color=colour, ms=4.0, clip_on=False)
+        band(ax, slide.slid, mu / one, error / one, color=colour, label=said)
+        ax.plot(slide.slid[-1] * 1.3, two / one, "<", color=colour, ms=4.0, clip_on=False)
     ax.set(xscale="log", xlabel="slip since the step (m)", ylabel="$\\mu/\\mu_1$")
     ax.set(title="(f) after a step to $2 v_1$")
     legend_in_room(ax, 0.35, loc="upper right", fontsize=6.5)

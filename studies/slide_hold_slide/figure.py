@@ -20,8 +20,8 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
-from elastomer_friction.studies.style import PALEST
-from elastomer_friction.workflow.report import COLOURS, error_bars, foot_line, with_unit
+from elastomer_friction.studies.style import PALEST, slide_of
+from elastomer_friction.workflow.report import COLOURS, band, error_bars, foot_line, with_unit
 from elastomer_friction.workflow.result import Groups
 
 CAPTION = (
@@ -115,13 +115,10 @@ def _after(ax: Axes, point: xr.Dataset) -> None:
     for index, colour in zip(SHOWN, colours, strict=True):
         for spring in (-1, 0):
             one = point.isel(hold=index, stiffness=spring)
-            rest = one.isel(event=one.trace_segment.values == 1)
-            slide = one.isel(event=one.trace_segment.values == 2)
-            slid = slide.trace_distance - float(rest.trace_distance[-1])
-            mu, error = slide.trace_mu.values, slide.trace_mu_error.values
+            slide = slide_of(one, 2)
             label = with_unit(float(one.hold), "s", 2) if spring else None
-            ax.plot(slid, mu, STYLES[spring]["ls"], color=colour, label=label)
-            ax.fill_between(slid, mu - error, mu + error, color=colour, alpha=0.2, lw=0)
+            style = {"ls": STYLES[spring]["ls"], "color": colour, "label": label}
+            band(ax, slide.slid, slide.trace_mu.values, slide.trace_mu_error.values, **style)
     ax.set(xscale="log", xlabel="distance since the hold (m)", ylabel="$\\mu$")
     ax.set_title(f"(d) the same, after holds; dotted: $k = {float(point.stiffness[0]):g}$ N/m")
     low, high = ax.get_ylim()

@@ -63,19 +63,8 @@ def measure(settings: dict, seed: int, advance: Callable[[float], None]) -> dict
         ours = _both(settings["side"], speed, KELVIN, cell)
         found.append([mu * _radius(cell) / _radius(CELL) for mu in ours])
         advance(number / (len(speeds) + 3 * settings["published"]))
-    half, line = np.array(found).T
-    small = speeds / _radius(CELL)  # v tau/R over v tau/a, R in radii
-    over = {"speed": ("speed", speeds, {"long_name": "v tau over the radius of contact at rest"})}
-    groups = {
-        "": xr.Dataset(
-            {
-                "half_space": ("speed", half),
-                "foundation": ("speed", line),
-                "closed": ("speed", small),
-            },
-            over,
-        )
-    }
+    known = {"closed": speeds / _radius(CELL)}  # v tau/R over v tau/a, R in radii
+    groups = {"": _over_speed(speeds, found, known, "v tau over the radius of contact at rest")}
     if settings["published"]:
         groups["published"] = _published(settings["side"])
     return groups
@@ -103,17 +92,13 @@ def _both(side: int, speed: float, spectrum: Spectrum, cell: float) -> tuple[flo
     load = 4.0 / (3.0 * radius) / cell
     per_step = side / cell  # elements in a radius of contact
     case = Case(load, speed * per_step, (), (), "exponential", spectrum, refine=False)
-    surface = Surface.from_samples(map_heights, _slope(map_heights), 1)
+    # Slopes are those of a paraboloid, in heights per element: of no mean across the seam.
+    surface = Surface.from_samples(map_heights, np.gradient(map_heights, axis=-1), 1)
     half = run_on_half_space(surface, case, STEADY).mu_1
     heights = x**2 / radius
-    line = Line.from_samples(heights, _slope(heights), 1)
+    line = Line.from_samples(heights, np.gradient(heights), 1)
     foundation = run_case(line, case, STEADY).mu_1
     return half * per_step, foundation * per_step
-
-
-def _slope(heights: np.ndarray) -> np.ndarray:
-    """Return dz/dx of a paraboloid, in heights per element; of no mean across the seam."""
-    return np.gradient(heights, axis=-1)
 
 
 def _published(side: int) -> xr.Dataset:
@@ -124,12 +109,14 @@ def _published(side: int) -> xr.Dataset:
         # Slopes scale with a/R: ours have another R.
         ours = _both(side, speed * TIME / 0.01, SLS, cell)
         found.append([mu * _radius(cell) * rest / RADIUS for mu in ours])
-    half, line = np.array(found).T
-    return xr.Dataset(
-        {
-            "half_space": ("speed", half),
-            "foundation": ("speed", line),
-            "published": ("speed", [mu for _, mu, _ in PUBLISHED]),
-        },
-        {"speed": ("speed", speeds, {"long_name": "v 10 ms over the radius of contact"})},
-    )
+    known = {"published": np.array([mu for _, mu, _ in PUBLISHED])}
+    return _over_speed(np.array(speeds), found, known, "v 10 ms over the radius of contact")
+
+
+def _over_speed(
+    speeds: np.ndarray, found: list[list[float]], known: dict[str, np.ndarray], text: str
+) -> xr.Dataset:
+    """Return both bodies, and what is known beside them, over the speed; text : what that is."""
+    columns = dict(zip(("half_space", "foundation"), np.array(found).T, strict=True)) | known
+    data = {name: ("speed", values) for name, values in columns.items()}
+    return xr.Dataset(data, {"speed": ("speed", speeds, {"long_name": text})})

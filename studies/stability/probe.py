@@ -113,24 +113,19 @@ def refinement(motion: Motion, fine: Line, hurst: float) -> float:
     return abs(two - one) / rms_slope(amplitudes(hurst, elements), elements)
 
 
-def _march(motion, state, law, cap, steps, worst):
-    """Return the indentations after each step by the kernels, marched as run_case does."""
-    weight, control = lagged_slope(motion.line.slope, law.lag), ConstantForce(motion.total)
+def _follow(motion, state, dt, law, cap, steps, worst):
+    """March as run_case does, let every element follow the indentations, keep the worst residuals.
+
+    Return the indentations after each step.
+    """
+    z, total = motion.line.z, motion.total
+    weight, control = lagged_slope(motion.line.slope, law.lag), ConstantForce(total)
     kept_steps = np.arange(1, steps + 1)
-    for highest in (cap, 1.001 * max(state.d, motion.total)):
-        mu, depths, _, inside = march(
-            law, control, motion.line.z, weight, state, kept_steps, highest
-        )
+    for highest in (cap, 1.001 * max(state.d, total)):
+        mu, depths, _, inside = march(law, control, z, weight, state, kept_steps, highest)
         if inside:
             break
     _raise(worst, not_finite=np.sum(~np.isfinite(mu)) + np.sum(~np.isfinite(depths)))
-    return depths
-
-
-def _follow(motion, state, dt, law, cap, steps, worst):
-    """Let every element follow the indentations of a march, keep the worst residuals; return d."""
-    z, total = motion.line.z, motion.total
-    depths = _march(motion, state, law, cap, steps, worst)
     u, d = np.minimum(state.w, z - state.d), state.d
     for depth in depths:
         old = np.roll(u, -1)

@@ -17,6 +17,7 @@ from matplotlib import pyplot as plt
 from matplotlib.axes import Axes
 from matplotlib.figure import Figure
 
+from elastomer_friction.studies.style import slide_of
 from elastomer_friction.workflow.report import COLOURS, band, foot_line
 from elastomer_friction.workflow.result import Groups
 
@@ -42,13 +43,11 @@ class StepWithSlide(NamedTuple):
 def simulated_steps(data: xr.Dataset) -> list[StepWithSlide]:
     """Return the steps from v1 of a result without axes of length 1, in order of their ratio."""
     found = []
-    number = data.trace_segment.values
-    for k in range(1, int(number.max()) + 1, 2):
-        before, after = (data.isel(event=number == i) for i in (k - 1, k))
-        ratio = float(after.trace_velocity[-1] / before.trace_velocity[-1])
-        change, error = after.trace_mu_change.values, after.trace_mu_change_error.values
+    for k in range(1, int(data.trace_segment.max()) + 1, 2):
+        slide, before = slide_of(data, k), data.trace_velocity[data.trace_segment == k - 1]
+        ratio = float(slide.trace_velocity[-1] / before[-1])
+        change, error = slide.trace_mu_change.values, slide.trace_mu_change_error.values
         top = int(np.argmax(np.sign(ratio - 1.0) * change))
-        slide = after.assign(slid=after.trace_distance - float(before.trace_distance[-1]))
         found.append(
             StepWithSlide(ratio, slide, (change[top], error[top]), (change[-1], error[-1]))
         )

@@ -1,10 +1,12 @@
 """Clusters for the tests; all of these are marked ``cluster``."""
 
-from collections.abc import Iterator
+import contextlib
+from collections.abc import Callable, Iterator
+from typing import Any
 
 import pytest
 
-from tests.cluster.processes import Standing
+from tests.cluster.processes import Standing, Trial, end
 from tests.cluster.slurm import Slurm, missing
 
 
@@ -14,6 +16,25 @@ def standing(tmp_path_factory) -> Iterator[Standing]:
     cluster = Standing(tmp_path_factory.mktemp("standing"))
     yield cluster
     cluster.stop()
+
+
+@pytest.fixture(scope="session")
+def undisturbed(tmp_path_factory) -> bytes:
+    """Return the bytes of the result of a trial of which nothing is disturbed."""
+    return Trial(tmp_path_factory.mktemp("peace"), "--workers", "2").whole()
+
+
+@pytest.fixture
+def tried() -> Iterator[Callable[..., Trial]]:
+    """Return what starts a trial, which is ended with the test."""
+    with contextlib.ExitStack() as ends:
+
+        def begin(*words: Any, **environment: str) -> Trial:
+            trial = Trial(*words, **environment)
+            ends.callback(lambda: end(trial.driver))
+            return trial
+
+        yield begin
 
 
 @pytest.fixture(scope="module")

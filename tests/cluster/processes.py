@@ -1,15 +1,19 @@
 """The processes of a cluster: a scheduler, workers, drivers; started, found, ended."""
 
 import os
+import re
 import signal
 import socket
 import subprocess
 import sys
+import time
+from collections.abc import Callable
 from pathlib import Path
 
 import psutil
 
 from tests.support.runs import ROOT
+from tests.support.small import write_study
 
 PATIENCE = 300.0  # seconds to wait for a process at most
 STUDY = ("workflow", "run", "fig7", "--scale", "smoke")
@@ -84,6 +88,71 @@ def workers_of(process: psutil.Process) -> list[int]:
         return [child.pid for child in family if "spawn_main" in " ".join(child.cmdline())]
     except psutil.NoSuchProcess:
         return []
+
+
+def ports_of(pids: list[int]) -> set[int]:
+    """Return the TCP ports at which processes, and those that they started, listen."""
+    family = [psutil.Process(pid) for pid in pids]
+    family += [child for process in family for child in process.children(recursive=True)]
+    connections = [c for process in family for c in process.net_connections("tcp")]
+    return {c.laddr.port for c in connections if c.status == psutil.CONN_LISTEN}
+
+
+def wait_while(lacking: Callable[[], object], process: subprocess.Popen, log: Path) -> None:
+    """Wait for something that a process is to bring about before it ends."""
+    until = time.monotonic() + PATIENCE
+    while lacking():
+        assert process.poll() is None, log.read_text()
+        assert time.monotonic() < until, log.read_text()
+        time.sleep(0.01)
+
+
+def shards(folder: Path) -> set[str]:
+    """Return the names of the shards beside a result."""
+    return {path.name for path in (folder / "store").glob("*.nc")}
+
+
+class Trial:
+    """A run of the small study in many batches, in a process that something is to happen to."""
+
+    def __init__(self, folder: Path, *options: str, **environment: str) -> None:
+        folder.mkdir(exist_ok=True)
+        self.folder, self.log = folder, folder / "log"
+        many = ("--set", "study.realizations=240", "--batch-seconds", "1e-9")
+        self.words = (write_study(folder), "--out", str(folder), *many, *options)
+        self.again(**environment)
+
+    def again(self, *more: str, **environment: str) -> None:
+        """Start the run, or start it once more."""
+        self.driver = start(self.log, "workflow", "run", *self.words, *more, **environment)
+
+    def lines(self) -> list[str]:
+        """Return what was said."""
+        return self.log.read_text().splitlines()
+
+    def wait_for_a_shard(self) -> None:
+        """Wait until a shard is stored: the rest of a small study is not long in coming."""
+        wait_while(lambda: not shards(self.folder), self.driver, self.log)
+
+    def wait_for(self, pattern: str) -> None:
+        """Wait until a line of a pattern was said."""
+        wait_while(lambda: not said(pattern, self.lines()), self.driver, self.log)
+
+    def ended(self) -> tuple[int, list[str]]:
+        """Return the exit status and what was said."""
+        return self.driver.wait(timeout=4.0 * PATIENCE), self.lines()
+
+    def whole(self) -> bytes:
+        """Return the bytes of the result of a run that ends well."""
+        status, lines = self.ended()
+        assert status == 0, lines
+        assert "Traceback" not in "".join(lines)
+        return (self.folder / "small.nc").read_bytes()
+
+
+def said(pattern: str, lines: list[str]) -> int:
+    """Return how many lines are of a pattern."""
+    return sum(re.fullmatch(pattern, line) is not None for line in lines)
 
 
 class Standing:

@@ -113,10 +113,17 @@ class Slurm:
         self.run("slurmctld", "-f", self.environment["SLURM_CONF"])
 
     def heal(self) -> None:
-        """Give back nodes that are down."""
-        for node in NODES:
-            if self.run("sinfo", "-h", "-n", node, "-o", "%T").strip().startswith("down"):
+        """Give back nodes that are down; one may come back by itself meanwhile."""
+        for node in filter(self._away, NODES):
+            try:
                 self.run("scontrol", "update", f"NodeName={node}", "State=RESUME")
+            except RuntimeError:  # "Invalid node state"
+                if self._away(node):
+                    raise
+
+    def _away(self, node: str) -> bool:
+        state = self.run("sinfo", "-h", "-n", node, "-o", "%T").strip()
+        return state.startswith(("down", "drain"))
 
     def nannies(self) -> list[psutil.Process]:
         """Return the processes that jobs run: nannies of our nodes alone."""

@@ -8,7 +8,6 @@ import time
 import pytest
 
 from tests.cluster.processes import end, free_port, start_scheduler, start_worker
-from tests.cluster.test_stops import Trial
 
 pytestmark = pytest.mark.cluster
 
@@ -49,42 +48,24 @@ def host():
     ip("netns", "delete", OtherHost.name)
 
 
-@pytest.fixture(scope="module")
-def folder(tmp_path_factory):
-    """Return the folder of all trials."""
-    return tmp_path_factory.mktemp("partition")
-
-
-@pytest.fixture(scope="module")
-def expected(folder):
-    """Return the bytes of a run that no network disturbs."""
-    peace = Trial(folder / "peace", "--workers", "2", "--batch-seconds", "3")
-    assert peace.ended()[0] == 0
-    return peace.result()
-
-
 @pytest.mark.parametrize("seconds", [8.0, None], ids=["for a while", "for good"])
-def test_a_worker_is_cut_off_during_a_run(host, folder, expected, seconds):
+def test_a_worker_is_cut_off_during_a_run(host, tried, tmp_path, undisturbed, seconds):
     """For good: the scheduler gives it up by its worker-ttl; another one computes its batches."""
-    port, own = free_port(), folder / str(seconds)
-    own.mkdir()
+    port = free_port()
     there = ("ip", "netns", "exec", host.name)
     address = f"tcp://{HERE}:{port}"
-    processes = [start_scheduler(own / "scheduler.log", port, HERE)]
-    processes.append(start_worker(own / "here.log", address))
-    processes.append(start_worker(own / "there.log", address, before=there))
+    processes = [start_scheduler(tmp_path / "scheduler.log", port, HERE)]
+    processes.append(start_worker(tmp_path / "here.log", address))
+    processes.append(start_worker(tmp_path / "there.log", address, before=there))
     try:
-        trial = Trial(own / "trial", "--scheduler", address)
-        processes.append(trial.driver)
+        trial = tried(tmp_path / "trial", "--scheduler", address)
         trial.wait_for_a_shard()
         host.cable("down")
         if seconds is not None:
             time.sleep(seconds)
             host.cable("up")
-        status, lines = trial.ended()
+        assert trial.whole() == undisturbed
     finally:
         host.cable("up")
         for process in processes:
             end(process)
-    assert status == 0, lines
-    assert trial.result() == expected

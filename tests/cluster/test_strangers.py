@@ -1,15 +1,24 @@
 """Another user of the machine gets nowhere on any port that a run opens."""
 
+import contextlib
 import os
 import subprocess
 import sys
 import time
 
-import psutil
 import pytest
 
-from elastomer_friction.workflow.store import journal
-from tests.cluster.processes import PATIENCE, STUDY, end, free_port, start, start_scheduler
+from tests.cluster.processes import (
+    PATIENCE,
+    STUDY,
+    end,
+    free_port,
+    ports_of,
+    shards,
+    start,
+    start_scheduler,
+    wait_while,
+)
 from tests.support.runs import ROOT
 
 pytestmark = [
@@ -52,26 +61,17 @@ def strange(ports):
     return done.stdout.splitlines()
 
 
-def ports_of(pids):
-    """Return the TCP ports at which processes, and those that they started, listen."""
-    family = [psutil.Process(pid) for pid in pids]
-    family += [child for process in family for child in process.children(recursive=True)]
-    connections = [c for process in family for c in process.net_connections("tcp")]
-    return {c.laddr.port for c in connections if c.status == psutil.CONN_LISTEN}
-
-
+@contextlib.contextmanager
 def underway(folder, *options, **environment):
-    """Return a long run that has stored something."""
+    """Yield a long run that has stored something."""
     long = ("--set", "study.realizations=40000", "--batch-seconds", "0.2")
     words = (*STUDY, "--out", str(folder), *long, *options)
     driver = start(folder / "log", *words, **environment)
-    until = time.monotonic() + PATIENCE
-    while not any("shard" in entry for entry, _ in journal.entries(folder / "store")):
-        if driver.poll() is not None or time.monotonic() > until:
-            end(driver)
-            pytest.fail((folder / "log").read_text())
-        time.sleep(0.1)
-    return driver
+    try:
+        wait_while(lambda: not shards(folder), driver, folder / "log")
+        yield driver
+    finally:
+        end(driver)
 
 
 def assert_refused(ports, count):
@@ -95,22 +95,16 @@ def test_a_stranger_would_reach_a_scheduler_without_certificates(tmp_path):
 
 
 def test_a_stranger_reaches_no_process_of_a_run_on_this_machine(tmp_path):
-    driver = underway(tmp_path, "--workers", "2")
-    try:
+    with underway(tmp_path, "--workers", "2") as driver:
         # A scheduler, two workers and their nannies; of these, nannies have no port for pages.
         assert_refused(ports_of([driver.pid]), 5 + 3)
-    finally:
-        end(driver)
 
 
 def test_a_stranger_reaches_no_process_of_jobs(slurm, tmp_path):
-    driver = underway(tmp_path, *slurm.options(), **slurm.environment)
-    try:
+    with underway(tmp_path, *slurm.options(), **slurm.environment) as driver:
         nannies = [nanny.pid for nanny in slurm.nannies()]
         ports = ports_of([driver.pid, *nannies])
         assert_refused(ports, 1 + 2 * len(nannies) + 1 + len(nannies))
         keys = [path for path in (slurm.folder / "jobs").glob(".tls-*/*") if path.is_file()]
         assert len(keys) == 1
         assert {path.stat().st_mode & 0o777 for path in (*keys, keys[0].parent)} == {0o600, 0o700}
-    finally:
-        end(driver)

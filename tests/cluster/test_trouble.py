@@ -1,16 +1,12 @@
 """What goes wrong on a cluster: kills, a problem that kills, another program, no workers."""
 
-import errno
 import os
 import re
 import shutil
-import time
 
 import pytest
-from distributed import Client
 
 from elastomer_friction.workflow.simulate.realizations import block_means
-from elastomer_friction.workflow.store import journal
 from elastomer_friction.workflow.store.store import Store, store_folder
 from tests.cluster.havoc import Count
 from tests.cluster.processes import (
@@ -19,9 +15,11 @@ from tests.cluster.processes import (
     Standing,
     end,
     free_port,
+    shards,
     start,
     start_scheduler,
     start_worker,
+    wait_while,
 )
 from tests.support.runs import ROOT, run
 from tests.support.shards import held
@@ -53,57 +51,6 @@ def test_the_poisonous_problem_alone_is_blamed_and_the_rest_computed(standing, t
     assert run(tmp_path, scheduler=standing.address, retry_failed=True).summary.failures == []
 
 
-def sick(batch):
-    """Stand in for block_means; fail on a worker whose disk is broken."""
-    if "SICK" in os.environ:
-        raise OSError(errno.EIO, os.strerror(errno.EIO))
-    return block_means(batch)
-
-
-def test_a_sick_worker_fails_no_problem_and_is_left_out_and_named(tmp_path, capsys):
-    cluster = Standing(tmp_path / "standing", worker_1={"SICK": "yes"})
-    try:
-        with Client(cluster.address, timeout=PATIENCE) as client:
-            client.wait_for_workers(2, timeout=PATIENCE)
-        found = run(tmp_path, scheduler=cluster.address, batch_seconds=1e-3, work=sick)
-    finally:
-        cluster.stop()
-    assert found.summary.failures == []
-    assert held(Store(store_folder(found.path))) == set(all_records(found.plan))
-    said = [line for line in capsys.readouterr().err.splitlines() if "left out" in line]
-    assert len(said) == 1
-    assert re.match(r"worker tcp://127\.0\.0\.1:\d+: 3 batches in a row failed there", said[0])
-
-
-def sick_or_slow_at_first(batch):
-    """As ``sick``; a sound worker takes seconds for its first batch, as if it had to compile."""
-    if "SICK" not in os.environ and not BEGUN:
-        BEGUN.append(True)
-        time.sleep(5.0)
-    return sick(batch)
-
-
-BEGUN = []  # in a worker process
-
-
-def test_while_the_sound_worker_is_busy_the_sick_one_fails_no_problem(
-    tmp_path, monkeypatch, capsys
-):
-    """Dask looks often for what an idle worker may steal: the sick one idles all the time."""
-    monkeypatch.setenv("DASK_DISTRIBUTED__SCHEDULER__WORK_STEALING_INTERVAL", "50ms")
-    cluster = Standing(tmp_path / "standing", worker_1={"SICK": "yes"})
-    try:
-        with Client(cluster.address, timeout=PATIENCE) as client:
-            client.wait_for_workers(2, timeout=PATIENCE)
-        how = {"batch_seconds": 1e-3, "work": sick_or_slow_at_first}
-        found = run(tmp_path, scheduler=cluster.address, **how)
-    finally:
-        cluster.stop()
-    assert found.summary.failures == []
-    assert held(Store(store_folder(found.path))) == set(all_records(found.plan))
-    assert "3 batches in a row failed there" in capsys.readouterr().err
-
-
 def assert_refused(run, log):
     """Assert that the last that a run says is the table of what differs."""
     assert run.wait(timeout=PATIENCE) == 2
@@ -125,8 +72,7 @@ def test_a_worker_that_joins_later_with_other_sources_is_refused(tmp_path):
     options += ("--set", "study.realizations=800")
     processes = [start(log, *STUDY, *options)]
     try:
-        while not any("shard" in entry for entry, _ in journal.entries(tmp_path / "store")):
-            assert processes[0].poll() is None, log.read_text()
+        wait_while(lambda: not shards(tmp_path), processes[0], log)
         processes.append(start_worker(edited / "worker.log", cluster.address, cwd=edited))
         assert_refused(processes[0], log)
         again = tmp_path / "again"  # the stranger is still there

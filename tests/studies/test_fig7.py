@@ -6,33 +6,30 @@ from matplotlib import pyplot as plt
 
 from elastomer_friction.studies.fig7.figure import draw
 from elastomer_friction.workflow.reduce.fits import NO_RELAXATION
-from tests.support.studies import Groups, check_drawing, rates, run
+from tests.support.studies import rates
 
 FULL_CONTACT = 1000.0  # N
 
 
-@pytest.fixture(scope="session")
-def fig7(tmp_path_factory) -> Groups:
-    """Return the groups of figure 7: a rough and a smooth line, two loads and full contact."""
-    settings = (
-        "study.realizations=32",
-        f"grid.normal_force=[0.1, 1.0, {FULL_CONTACT}]",
-        "grid.spacing=1e-5",
-        "grid.velocity=[1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1]",  # x = 0.03 ... 31
-    )
-    return run(tmp_path_factory.mktemp("fig7"), "fig7", *settings)
+STUDY = (  # a rough and a smooth line, two loads and full contact
+    "fig7",
+    "study.realizations=32",
+    f"grid.normal_force=[0.1, 1.0, {FULL_CONTACT}]",
+    "grid.spacing=1e-5",
+    "grid.velocity=[1e-4, 3e-4, 1e-3, 3e-3, 1e-2, 3e-2, 1e-1]",  # x = 0.03 ... 31
+)
 
 
-@pytest.fixture(scope="module")
-def converged(fig7):
+@pytest.fixture
+def converged(groups):
     """Return the rates converged in time."""
-    return fig7[""].squeeze(drop=True)
+    return groups[""]
 
 
-@pytest.fixture(scope="module")
-def paper_step(fig7):
+@pytest.fixture
+def paper_step(groups):
     """Return the rates of implicit Euler with one step per spacing."""
-    return fig7["paper_step"].squeeze(drop=True)
+    return groups["paper_step"]
 
 
 def test_converged_rate_tends_to_one_at_low_speed(converged):
@@ -98,16 +95,12 @@ def test_bias_of_an_exponent_is_small_where_converged_and_less_than_at_one_step(
     assert (paper_step.alpha_bias > 5.0 * converged.alpha_bias).all()
 
 
-def test_bars_of_exponents_contain_the_bias_where_converged(fig7):
-    figure = draw(fig7)
+def test_bars_of_exponents_contain_the_bias_where_converged(result):
+    figure = draw(result)
     drawn = [
         [np.ptp(bar[:, 1]) / 2.0 for bar in c.get_segments()] for c in figure.axes[2].collections
     ]
-    paper, data = fig7["paper_step"], fig7[""]
+    paper, data = result["paper_step"], result[""]
     np.testing.assert_allclose(drawn[0], paper.alpha_error)
     np.testing.assert_allclose(drawn[1], data.alpha_error + data.alpha_bias)
     plt.close(figure)
-
-
-def test_figure_is_drawn(fig7):
-    check_drawing("fig7", fig7)

@@ -15,10 +15,11 @@ from elastomer_friction.studies.master_curve.collapse import (
     thermal,
 )
 from elastomer_friction.workflow.study.read import read_study
-from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
+SHORT = ("grid.spacing=[2e-5, 1e-5]", "grid.normal_force={geomspace=[1e-3, 3e-2, 4]}")
+STUDY = ("master_curve", *SHORT)
 X = np.linspace(-6.0, 3.0, 19)
 
 
@@ -58,17 +59,9 @@ def test_a_curve_without_overlap_is_left_out():
 
 
 @pytest.fixture(scope="module")
-def groups(tmp_path_factory):
-    """Return the groups of the study on a short line."""
-    folder = tmp_path_factory.mktemp("master_curve")
-    settings = ("grid.spacing=[2e-5, 1e-5]", "grid.normal_force={geomspace=[1e-3, 3e-2, 4]}")
-    return run(folder, "master_curve", *settings)
-
-
-@pytest.fixture(scope="module")
-def found(groups):
+def found(result):
     """Return how the curves of the rubber collapse, at given forces and indentations."""
-    return remaining(resolved(groups[""])[0])
+    return remaining(resolved(result[""])[0])
 
 
 @pytest.mark.parametrize("pressed", ["force", "indentation"])
@@ -92,11 +85,7 @@ def test_temperature_shifts_as_wlf_says(found):
     np.testing.assert_allclose(shift, known, atol=0.15)
 
 
-def test_every_point_is_shown_or_counted(groups, found):
+def test_every_point_is_shown_or_counted(result, found):
     family = found["force"].family
     shown = sum(curve.x.size for curve in family.curves)
-    assert shown + family.left_out == groups[""].mu_1.size
-
-
-def test_figure_is_drawn(groups):
-    check_drawing("master_curve", groups)
+    assert shown + family.left_out == result[""].mu_1.size

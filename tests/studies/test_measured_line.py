@@ -3,21 +3,8 @@
 import numpy as np
 import pytest
 
-from tests.support.studies import check_drawing, run
-
+STUDY = ("measured_line",)
 KINDS = ("", "random_phase", "self_affine")
-
-
-@pytest.fixture(scope="module")
-def result(tmp_path_factory):
-    """Return the groups of the study."""
-    return run(tmp_path_factory.mktemp("measured"), "measured_line")
-
-
-@pytest.fixture(scope="module")
-def groups(result):
-    """Return the groups of the study, without the axes of length 1."""
-    return {name: data.squeeze() for name, data in result.items()}
 
 
 def test_the_spectra_are_those_of_lines_of_one_height_and_slope(groups):
@@ -64,8 +51,3 @@ def test_a_point_is_selected_without_the_exponent_that_it_has_not(result):
     assert np.isnan(data.hurst).all()
     point = data.sel(normal_force=1e-7, velocity=2e-3, method="nearest").squeeze()
     assert point.mu_1.shape == ()
-
-
-@pytest.mark.exhaustive
-def test_the_figure_is_drawn(result):
-    check_drawing("measured_line", result)

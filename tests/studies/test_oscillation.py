@@ -4,25 +4,18 @@ import numpy as np
 import pytest
 
 from elastomer_friction.studies.oscillation.figure import modulus, motions, shift_factors, unit
-from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
+STUDY = ("oscillation",)
 FORCE = 1.6  # N
-
-
-@pytest.fixture(scope="module")
-def groups(tmp_path_factory):
-    """Return the groups of the study."""
-    return run(tmp_path_factory.mktemp("oscillation"), "oscillation")
 
 
 @pytest.fixture(scope="module")
 def found(groups):
     """Return, by name, the data, G*/G - 1 and the measured response in its units."""
     named = {}
-    for name, group in groups.items():
-        data = group.squeeze()
+    for name, data in groups.items():
         omega = 2.0 * np.pi * motions(data)[-1].frequency * shift_factors(data)
         response = data.mu_in_phase.values + 1j * data.mu_quadrature.values
         named[name] = data, modulus(data, name, omega), response / unit(data)
@@ -65,7 +58,3 @@ def test_the_large_response_of_cold_rubber_saturates(found):
         linear = peaks[1] * large.amplitude / small.amplitude
         assert peaks[0][0] < 0.2 * linear[0]
         assert (peaks[0] < 3.0 * data.rms_slope).all()
-
-
-def test_figure_is_drawn(groups):
-    check_drawing("oscillation", groups)

@@ -7,30 +7,24 @@ import numpy as np
 import pytest
 
 from elastomer_friction.workflow.reduce import FITTED, NO_STATE, UNDETERMINED
-from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
+STUDY = ("rate_state",)
 DOWN, UP = 0, 1
 SLOW, FAST = 0, 1
 
 
-@pytest.fixture(scope="module")
-def result(tmp_path_factory):
-    """Return the groups of the study."""
-    return run(tmp_path_factory.mktemp("rate_state"), "rate_state")
-
-
-@pytest.fixture(scope="module")
-def rubber(result):
+@pytest.fixture
+def rubber(groups):
     """Return nine branches: dims velocity, velocity_step and law."""
-    return result[""].squeeze()
+    return groups[""]
 
 
-@pytest.fixture(scope="module")
-def kelvin(result):
+@pytest.fixture
+def kelvin(groups):
     """Return the Kelvin element: dims velocity, velocity_step and law."""
-    return result["kelvin"].squeeze()
+    return groups["kelvin"]
 
 
 def apart(data, name, one, other):
@@ -83,7 +77,3 @@ def test_a_of_a_kelvin_element_is_no_constant_and_it_strengthens(kelvin):
     assert (kelvin.rate_state_a_minus_b > 3.0 * kelvin.rate_state_a_minus_b_error).all()
     a = kelvin.isel(velocity=FAST).rate_state_a.sel(law="ruina")
     assert float(a.isel(velocity_step=UP) / a.isel(velocity_step=DOWN)) > 1.2
-
-
-def test_the_figure_is_drawn(result):
-    check_drawing("rate_state", result)

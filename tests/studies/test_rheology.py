@@ -4,9 +4,10 @@ import numpy as np
 import pytest
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.studies.rheology.figure import after_step, master, warmest
+from elastomer_friction.studies.rheology.figure import master, warmest
+from elastomer_friction.studies.style import slide_of
 from elastomer_friction.workflow.study.read import read_study
-from tests.support.studies import check_drawing, run
+from tests.support.studies import run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
@@ -14,20 +15,14 @@ DECADES = 2  # by which the times are longer at the colder temperature
 
 
 @pytest.fixture(scope="module")
-def study():
-    """Return the study, at the temperature that shifts times by whole steps of the grid."""
+def result(tmp_path_factory):
+    """Return the study on a short line, at temperatures that shift times by steps of the grid."""
     wlf = read_study("rheology", "smoke").material.wlf
     cold = wlf.reference - DECADES * wlf.c2 / (wlf.c1 + DECADES)
     assert wlf.decades(cold) == pytest.approx(DECADES, abs=1e-12)
-    return f"material.temperature=[{cold!r}, {wlf.reference!r}]"
-
-
-@pytest.fixture(scope="module")
-def groups(tmp_path_factory, study):
-    """Return the groups of the study on a short line, without the axes of length 1."""
-    settings = (study, "surface.length=2.5e-4", "grid.normal_force=1.25e-3")
-    found = run(tmp_path_factory.mktemp("rheology"), "rheology", *settings)
-    return {name: data.squeeze() for name, data in found.items()}
+    warm = f"material.temperature=[{cold!r}, {wlf.reference!r}]"
+    settings = (warm, "surface.length=2.5e-4", "grid.normal_force=1.25e-3")
+    return run(tmp_path_factory.mktemp("rheology"), "rheology", *settings)
 
 
 def sbr(omega):
@@ -89,13 +84,8 @@ def test_rubber_has_the_broadest_bell(groups):
 
 def test_friction_goes_from_one_steady_state_to_the_other(groups):
     fast = groups[""].sel(velocity=1e-6, method="nearest").isel(temperature=1)
-    _, mu, _ = after_step(fast)
+    mu = slide_of(fast, 1).trace_mu.values
     before = fast.trace_mu.values[0]
     assert before == pytest.approx(float(fast.mu_1), rel=0.05)
     assert mu[0] == pytest.approx(before, rel=0.1)  # no dashpot: mu is continuous
     assert mu[-1] == pytest.approx(float(fast.mu_2), rel=0.05)
-
-
-def test_figure_is_drawn(groups):
-    axes = ("hurst", "normal_force", "spacing", "roughness", "velocity_step")
-    check_drawing("rheology", {name: data.expand_dims(axes) for name, data in groups.items()})

@@ -9,27 +9,22 @@ import pytest
 from elastomer_friction.studies.slide_hold_slide.figure import LONGEST, TAU, law
 from elastomer_friction.workflow import scene
 from elastomer_friction.workflow.study import read_study
-from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
-
-@pytest.fixture(scope="module")
-def groups(tmp_path_factory):
-    """Return the groups of the study."""
-    return run(tmp_path_factory.mktemp("holds"), "slide_hold_slide")
+STUDY = ("slide_hold_slide",)
 
 
 @pytest.fixture(scope="module")
 def slow(groups):
     """Return both materials at the lower velocity and a fixed place."""
-    return {name: data.squeeze().isel(velocity=0, stiffness=-1) for name, data in groups.items()}
+    return {name: data.isel(velocity=0, stiffness=-1) for name, data in groups.items()}
 
 
 @pytest.fixture(scope="module")
 def fast(groups):
     """Return both materials at the higher velocity and a fixed place."""
-    return {name: data.squeeze().isel(velocity=1, stiffness=-1) for name, data in groups.items()}
+    return {name: data.isel(velocity=1, stiffness=-1) for name, data in groups.items()}
 
 
 def test_a_kelvin_element_heals_in_tau(fast):
@@ -71,9 +66,7 @@ def test_friction_decays_in_a_hold_at_a_fixed_place(fast):
 
 def test_friction_before_the_hold_is_steady(groups):
     for data in groups.values():
-        point = data.squeeze()
-        before = point.static_peak - point.healing
-        np.testing.assert_allclose(before, point.mu_1, rtol=0.05)
+        np.testing.assert_allclose(data.static_peak - data.healing, data.mu_1, rtol=0.05)
 
 
 def test_the_stiffest_spring_holds_the_line_as_a_programme_of_the_line_does(slow):
@@ -100,7 +93,7 @@ def test_the_stiffest_spring_holds_the_line_as_a_programme_of_the_line_does(slow
 
 
 def test_on_a_softer_spring_more_friction_is_left_and_less_is_healed(groups):
-    data = groups["rubber"].squeeze()
+    data = groups["rubber"]
     middle = (data.hold.values > 1e-3) & (data.hold.values < LONGEST)
     left = data.mu_end_of_hold.isel(hold=middle).transpose("stiffness", ...).values
     assert (np.diff(left, axis=0) < 0.0).all()
@@ -109,9 +102,5 @@ def test_on_a_softer_spring_more_friction_is_left_and_less_is_healed(groups):
 
 
 def test_a_kelvin_element_heals_on_no_soft_spring(groups):
-    late = groups[""].squeeze().healing.isel(velocity=1, hold=-1)
+    late = groups[""].healing.isel(velocity=1, hold=-1)
     assert abs(float(late[0])) < 0.2 * float(late[-1])
-
-
-def test_figure_is_drawn(groups):
-    check_drawing("slide_hold_slide", groups)

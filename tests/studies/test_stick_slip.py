@@ -4,23 +4,14 @@ import numpy as np
 import pytest
 
 from elastomer_friction.studies.stick_slip.figure import SLIPPING, critical_stiffness
-from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
-
-@pytest.fixture(scope="module")
-def groups(tmp_path_factory):
-    """Return the groups of the study."""
-    return run(tmp_path_factory.mktemp("stick"), "stick_slip")
-
-
-def test_the_figure_is_drawn(groups):
-    check_drawing("stick_slip", groups)
+STUDY = ("stick_slip",)
 
 
 def test_a_soft_spring_slips_and_a_stiff_one_slides(groups):
-    data = groups[""].squeeze()
+    data = groups[""]
     swing = (data.drive_swing / data.rms_slope).transpose("velocity", "stiffness")
     critical = critical_stiffness(data.mu_1.isel(stiffness=0), float(data.normal_force))
     falling = np.isfinite(critical.values)
@@ -33,7 +24,7 @@ def test_a_soft_spring_slips_and_a_stiff_one_slides(groups):
 
 
 def test_a_line_that_slips_goes_faster_than_the_drive(groups):
-    data = groups[""].squeeze()
+    data = groups[""]
     share = (data.peak_velocity / data.velocity).transpose("velocity", "stiffness").values
     assert share[1:, 0].min() > 2.0
     assert share[:, 1].max() < 1.3

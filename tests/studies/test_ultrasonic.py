@@ -4,28 +4,22 @@ import numpy as np
 import pytest
 
 from elastomer_friction.studies.ultrasonic.figure import TOP, coulomb, quasi_steady
-from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
+STUDY = ("ultrasonic",)
 RISING, FALLING = 49.6, 5.3  # °C, of the rubber, left and right of its largest friction
 SLOW, FAST = 20.0, 2e4  # Hz
 
 
-@pytest.fixture(scope="module")
-def groups(tmp_path_factory):
-    """Return the groups of the study."""
-    return run(tmp_path_factory.mktemp("ultrasonic"), "ultrasonic")
-
-
-@pytest.fixture(scope="module")
+@pytest.fixture
 def rubber(groups):
-    return groups["rubber"].squeeze()
+    return groups["rubber"]
 
 
-@pytest.fixture(scope="module")
+@pytest.fixture
 def kelvin(groups):
-    return groups[""].squeeze()
+    return groups[""]
 
 
 def ratio_of(data):
@@ -72,7 +66,3 @@ def test_a_share_is_known_better_than_what_it_is_made_of(rubber):
     assert (rubber.mu_cycle_share_error.sel(slow) < 0.05 * relative.sel(slow)).all()
     found = rubber.mu_cycle_mean / rubber.mu_1
     np.testing.assert_allclose(rubber.mu_cycle_share, found, rtol=1e-12)
-
-
-def test_figure_is_drawn(groups):
-    check_drawing("ultrasonic", groups)

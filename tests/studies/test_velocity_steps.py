@@ -4,23 +4,17 @@ import numpy as np
 import pytest
 
 from elastomer_friction.studies.velocity_steps.figure import simulated_steps
-from tests.support.studies import check_drawing, run
 
 pytestmark = pytest.mark.exhaustive  # its scenes compile kernels of their own
 
+STUDY = ("velocity_steps",)
 RATIOS = [0.1, 0.5, 1.0 / 1.2, 1.2, 2.0, 10.0]
-
-
-@pytest.fixture(scope="module")
-def groups(tmp_path_factory):
-    """Return the groups of the study."""
-    return run(tmp_path_factory.mktemp("steps"), "velocity_steps")
 
 
 @pytest.fixture(scope="module")
 def steps(groups):
     """Return the six steps of both materials."""
-    return {name: simulated_steps(data.squeeze()) for name, data in groups.items()}
+    return {name: simulated_steps(data) for name, data in groups.items()}
 
 
 @pytest.mark.parametrize("name", ["", "rubber"])
@@ -62,7 +56,3 @@ def test_indentation_falls_as_the_line_speeds_up(steps, name):
 def test_a_change_is_known_better_than_friction_itself(steps):
     small = next(step for step in steps["rubber"] if step.ratio == pytest.approx(1.2))
     assert (small.slide.trace_mu_change_error < 0.5 * small.slide.trace_mu_error).all()
-
-
-def test_figure_is_drawn(groups):
-    check_drawing("velocity_steps", groups)

@@ -49,6 +49,11 @@ def assert_holds(store, batch, result):
     assert curves.tobytes() == result.curves.tobytes()
 
 
+def contents(folder):
+    """Return name -> bytes of the files of a folder."""
+    return {path.name: path.read_bytes() for path in folder.iterdir()}
+
+
 def shard_of(store, batch):
     """Return the file that holds a batch."""
     return store.folder / f"{store.index.find(records(batch)[0])[0]}.nc"

@@ -28,11 +28,13 @@ from tests.support import conventions
 Groups = dict[str, xr.Dataset]
 
 
-def run(folder: Path, name: str, *settings: str, variants: Sequence[str] = ()) -> Groups:
+def run(
+    folder: Path, name: str, *settings: str, variants: Sequence[str] = (), drawn: bool = True
+) -> Groups:
     """Run a study at smoke scale with --set ``settings``; return the groups of its result.
 
     It is computed in this process, whatever is predicted. variants : those to compute, all by
-    default.
+    default. drawn : whether its figure is tried as well.
     """
     study = read_study(name, "smoke", list(settings))
     chosen = {label: study.variants[label] for label in variants or study.variants}
@@ -42,6 +44,8 @@ def run(folder: Path, name: str, *settings: str, variants: Sequence[str] = ()) -
         run_plan(make_plan(replace(study, variants=chosen)), path, RunOptions())
     groups = load(path)
     check_section(study, groups, folder)
+    if drawn:
+        check_drawing(name, groups)
     return groups
 
 

@@ -22,15 +22,8 @@ class Shifting(NamedTuple):
     vertical: bool = False  # whether moduli are shifted too
 
 
-class MasterCurve(NamedTuple):
-    """Moduli at the reference temperature, and how to give their shift to a study."""
-
-    moduli: Moduli
-    keys: tuple[str, ...]  # lines of the table [material]
-
-
-def master_curve(name: str, measured: Moduli, asked: Shifting) -> MasterCurve:
-    """Return the moduli of several temperatures as those at one.
+def master_curve(name: str, measured: Moduli, asked: Shifting) -> tuple[Moduli, tuple[str, ...]]:
+    """Return the moduli of several temperatures as those at one, and lines of [material].
 
     name : of the file, for messages. Raises UserError for a reference that was not measured, for
     sweeps that do not overlap and for those that are no one curve, and for a law that is none of
@@ -62,8 +55,9 @@ def master_curve(name: str, measured: Moduli, asked: Shifting) -> MasterCurve:
         omega[rows] *= 10.0**across
         values[rows] *= 10.0**up
     order = np.argsort(omega, kind="stable")
-    said = (*measured.told, *_told(each, reference, shift, fit, asked))
-    return MasterCurve(Moduli(omega[order], values[order], said), _keys(reference, fit))
+    law_told, key = _law_told(f"{reference:g}", fit)
+    said = (*measured.told, *_told(each, reference, shift, fit, asked), law_told)
+    return Moduli(omega[order], values[order], said), (key, f"temperature = {reference:g}")
 
 
 def _told(
@@ -82,10 +76,11 @@ def _told(
         said.append(line)
     if asked.vertical:
         said.append("a study knows no b_T: its moduli are those at the reference")
-    return [*said, _law_told(fit)]
+    return said
 
 
-def _law_told(fit: ShiftFit) -> str:
+def _law_told(at: str, fit: ShiftFit) -> tuple[str, str]:
+    """Return the law of the shifts in a sentence, and as a key of a study; at : reference."""
     law = fit.law
     if isinstance(law, Wlf):
         c1, c2 = Estimate(law.c1, fit.errors[0]), Estimate(law.c2, fit.errors[1])
@@ -93,24 +88,15 @@ def _law_told(fit: ShiftFit) -> str:
             f"WLF: c1 = {shown(c1)}, c2 = {shown(c2)} K, which is VFT with B = "
             f"{law.c1 * law.c2 * math.log(10.0):.4g} K, T_0 = {law.reference - law.c2:.4g} °C"
         )
+        key = f"wlf = {{c1 = {law.c1:.5g}, c2 = {law.c2:.5g}, reference = {at}}}"
     elif isinstance(law, Arrhenius):
         energy = Estimate(law.activation_energy, *fit.errors).times(1e-3)
         text = f"Arrhenius: E_a = {shown(energy)} kJ/mol"
-    else:
-        return "shifts: the table itself, linear in between; no law is close to all of them"
-    beware = "" if fit.holds else ", more than its error: take --law shifts"
-    return f"{text}; it misses the shifts by {fit.worst:.2g} decades at most{beware}"
-
-
-def _keys(reference: float, fit: ShiftFit) -> tuple[str, ...]:
-    """Return the lines of the table [material] that give the shift."""
-    law, at = fit.law, f"{reference:g}"
-    if isinstance(law, Wlf):
-        line = f"wlf = {{c1 = {law.c1:.5g}, c2 = {law.c2:.5g}, reference = {at}}}"
-    elif isinstance(law, Arrhenius):
-        line = f"arrhenius = {{activation_energy = {law.activation_energy:.5g}, reference = {at}}}"
+        key = f"arrhenius = {{activation_energy = {law.activation_energy:.5g}, reference = {at}}}"
     else:
         assert isinstance(law, ShiftTable)
         rows = [f"[{t:g}, {decades:.5g}]" for t, decades in law.rows]
-        line = f"shifts = [{', '.join(rows)}]"
-    return line, f"temperature = {at}"
+        text = "shifts: the table itself, linear in between; no law is close to all of them"
+        return text, f"shifts = [{', '.join(rows)}]"
+    beware = "" if fit.holds else ", more than its error: take --law shifts"
+    return f"{text}; it misses the shifts by {fit.worst:.2g} decades at most{beware}", key

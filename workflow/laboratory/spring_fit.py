@@ -41,9 +41,7 @@ class Sprung(NamedTuple):
     residual: np.ndarray  # fit minus data
     factor: float  # on the variances, as the noise is correlated
     mu_1: Estimate
-    mu_2: Estimate
-    jump: Estimate  # a ln(v2/v1), of a machine that does not yield
-    amplitude: Estimate  # b ln(v2/v1)
+    levels: dict[str, Estimate]  # mu_2, the jump a ln(v2/v1) of a stiff machine, b ln(v2/v1)
     log_length: Estimate  # of D_c in m
 
 
@@ -72,23 +70,19 @@ def fit_behind_spring(step: MeasuredStep, law: str, stiffness: float) -> Sprung:
     factor = correlation_factor(rest)
     variance = factor * float(found.fun @ found.fun) / max(step.time.size - found.x.size, 1)
     covariance = variance * np.linalg.pinv(found.jac.T @ found.jac, hermitian=True)
-    return Sprung(curve, rest, factor, *_estimates(found.x, covariance, math.log(step.ratio)))
-
-
-def _estimates(p: np.ndarray, covariance: np.ndarray, log_ratio: float) -> tuple[Estimate, ...]:
-    """Return mu_1, mu_2, jump, amplitude and log D_c of mu_1, ln a, b, ln D_c and a moment."""
-    a = math.exp(p[1])
-    asked = (
-        (p[0], [1.0, 0.0, 0.0]),
-        (p[0] + (a - p[2]) * log_ratio, [1.0, a * log_ratio, -log_ratio]),
-        (a * log_ratio, [0.0, a * log_ratio, 0.0]),
-        (p[2] * log_ratio, [0.0, 0.0, log_ratio]),
-    )
-    levels = [
-        Estimate(float(value), math.sqrt(np.array(weights) @ covariance[:3, :3] @ weights))
-        for value, weights in asked
-    ]
-    return *levels, Estimate(float(p[3]), math.sqrt(covariance[3, 3]))
+    p, log_ratio, a = found.x, math.log(step.ratio), math.exp(found.x[1])
+    asked = {
+        "mu_1": (p[0], [1.0, 0.0, 0.0]),
+        "mu_2": (p[0] + (a - p[2]) * log_ratio, [1.0, a * log_ratio, -log_ratio]),
+        "amplitude": (p[2] * log_ratio, [0.0, 0.0, log_ratio]),
+        "jump": (a * log_ratio, [0.0, a * log_ratio, 0.0]),
+    }
+    levels = {
+        name: Estimate(float(value), math.sqrt(np.array(weights) @ covariance[:3, :3] @ weights))
+        for name, (value, weights) in asked.items()
+    }
+    log_length = Estimate(float(p[3]), math.sqrt(covariance[3, 3]))
+    return Sprung(curve, rest, factor, levels.pop("mu_1"), levels, log_length)
 
 
 def _bounds(step: MeasuredStep) -> tuple[np.ndarray, np.ndarray]:

@@ -15,7 +15,7 @@ workflow/reduce/rate_state.py.
 
 import math
 from collections.abc import Callable
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -153,7 +153,6 @@ class StepFit(NamedTuple):
     """What one step determines by one law; an estimate that it does not determine is NaN."""
 
     step: MeasuredStep
-    law: str
     mu_1: Estimate
     mu_2: Estimate
     jump: Estimate
@@ -228,60 +227,41 @@ def _with_drift(own: Estimate, off: Estimate) -> Estimate:
 
 def _fitted(step: MeasuredStep, law: str, stiffness: float | None) -> StepFit:
     """Return the fit of one step as it is."""
-    constant = _constant(step, law)
+    constant = _constant(step)
     if np.ptp(step.after) <= SMALL:
         return constant
-    noisy = constant._replace(noise=noise_of(np.diff(step.after)))
-    return _stiff(noisy) if stiffness is None else _sprung(noisy, stiffness)
+    fit = constant._replace(noise=noise_of(np.diff(step.after)), stiffness=stiffness)
+    found = _stiff(step, law, fit.mu_1) if stiffness is None else _sprung(step, law, stiffness)
+    rms = float(np.sqrt(np.mean(found.pop("residual") ** 2)))
+    return fit._replace(rms=rms, **found)
 
 
-def _stiff(own: StepFit) -> StepFit:
-    """Return the fit of a step, which ``own`` holds with its law and noise, of a stiff machine."""
-    step, law, mu_1 = own.step, own.law, own.mu_1
+def _stiff(step: MeasuredStep, law: str, mu_1: Estimate) -> dict[str, Any]:
+    """Return what a step of a stiff machine determines, by the fields of a StepFit."""
     fit = fit_relaxation_curve(step.time, step.after, step_law(law, step.ratio))
     curve = step.after + fit.residual
-    rate, why = _rate(fit)
-    found, reasons = _levels(step, fit, mu_1, curve, bool(why))
-    reasons |= dict.fromkeys(OPEN_WITH.get(why, ()), why)
-    found |= {name: Estimate() for name in OPEN_WITH.get(why, ()) if name != "rate"}
-    return own._replace(
-        mu_2=found["mu_2"],
-        jump=found["jump"],
-        amplitude=found["amplitude"],
-        rate=rate,
-        why=reasons,
-        rms=float(np.sqrt(np.mean(fit.residual**2))),
-        factor=fit.factor,
-        curve=curve,
-    )
+    rate, open_for = _rate(fit)
+    found, why = _levels(step, fit, mu_1, curve, bool(open_for))
+    why |= dict.fromkeys(OPEN_WITH.get(open_for, ()), open_for)
+    found |= {name: Estimate() for name in OPEN_WITH.get(open_for, ())}
+    how = {"why": why, "factor": fit.factor, "curve": curve, "residual": fit.residual}
+    return {**found, "rate": rate, **how}
 
 
-def _sprung(own: StepFit, stiffness: float) -> StepFit:
-    """Return the fit of a step as ``_stiff``, but behind the spring of the machine."""
-    step = own.step
-    fit = fit_behind_spring(step, own.law, stiffness)
+def _sprung(step: MeasuredStep, law: str, stiffness: float) -> dict[str, Any]:
+    """Return the same behind the spring of the machine."""
+    fit = fit_behind_spring(step, law, stiffness)
     size = float(np.max(np.abs(fit.curve - fit.mu_1.value)))
-    levels = {"mu_2": fit.mu_2, "amplitude": fit.amplitude, "jump": fit.jump}
-    found = {name: level.if_below(LARGEST_SHARE * size) for name, level in levels.items()}
-    why = {name: UNSURE for name, level in found.items() if not level.known}
+    found = {name: each.if_below(LARGEST_SHARE * size) for name, each in fit.levels.items()}
     rate = Estimate(step.v2 / math.exp(fit.log_length.value), fit.log_length.error)
     rate = rate._replace(error=rate.value * rate.error).if_below(LARGEST_SHARE * rate.value)
+    why = {name: UNSURE for name in found if not found[name].known}
     if rate.known and rate.value * step.time[-1] < SLOWEST:
         rate, why["rate"] = Estimate(), TOO_SHORT
     elif not rate.known:
         why["rate"] = TOO_NOISY
-    return own._replace(
-        mu_1=fit.mu_1,
-        mu_2=found["mu_2"],
-        jump=found["jump"],
-        amplitude=found["amplitude"],
-        rate=rate,
-        why=why,
-        rms=float(np.sqrt(np.mean(fit.residual**2))),
-        factor=fit.factor,
-        curve=fit.curve,
-        stiffness=stiffness,
-    )
+    how = {"why": why, "factor": fit.factor, "curve": fit.curve, "residual": fit.residual}
+    return {**found, "mu_1": fit.mu_1, "rate": rate, **how}
 
 
 def _drift(values: np.ndarray) -> Estimate:
@@ -294,12 +274,11 @@ def _drift(values: np.ndarray) -> Estimate:
     return Estimate(rise, math.sqrt(variance / weight))
 
 
-def _constant(step: MeasuredStep, law: str) -> StepFit:
+def _constant(step: MeasuredStep) -> StepFit:
     """Return the fit of a step after which friction is constant to rounding; of others a start."""
     mu_1, mu_2 = mean(step.before), Estimate(float(step.after.mean()), 0.0)
     return StepFit(
         step=step,
-        law=law,
         mu_1=mu_1,
         mu_2=mu_2,
         jump=Estimate(mu_2.value - mu_1.value, mu_1.error),

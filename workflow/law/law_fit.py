@@ -74,18 +74,25 @@ def fit_law(
     others = [] if held_out is None else motions_of(held_out, point)
     others = [_fine(each, speeds[0]) for each in others]
     forces = sorted({each.normal_force for each in motions if math.isfinite(each.normal_force)})
-    if len(forces) > 1:
-        return _over_loads(forces, motions, others, speeds, kind, states)
-    return _fitted(motions, others, speeds, kind, states, None)[0]
+    fit = partial(_fitted, speeds=speeds, kind=kind, states=states)
+    if len(forces) < 2:
+        return fit(motions, others)[0]
+    if kind != MemoryLaw.kind or len(forces) < LEAST_LOADS:
+        raise UserError(
+            f"normal_force of {forces}: a law over the load is of the kind {MemoryLaw.kind} and of "
+            f"{LEAST_LOADS} loads or more; fit one law to each"
+        )
+    return _over_loads(forces, motions, others, fit)
 
 
 def _fitted(
     motions: Sequence[Transient],
     others: Sequence[Transient],
+    start: Any = None,
+    *,
     speeds: np.ndarray,
     kind: str,
     states: int,
-    start: Any,
 ) -> tuple[Law, Any]:
     """Return the law of one load with its errors, and what the fit to the next load begins with.
 
@@ -123,21 +130,13 @@ def _over_loads(
     forces: Sequence[float],
     motions: Sequence[Transient],
     others: Sequence[Transient],
-    speeds: np.ndarray,
-    kind: str,
-    states: int,
+    fit: Callable[..., tuple[Law, Any]],
 ) -> LoadLaw:
     """Return the table of the laws of several loads, each searched for from that of the last."""
-    if kind != MemoryLaw.kind or len(forces) < LEAST_LOADS:
-        raise UserError(
-            f"normal_force of {forces}: a law over the load is of the kind {MemoryLaw.kind} and of "
-            f"{LEAST_LOADS} loads or more; fit one law to each"
-        )
     laws: list[Any] = []
     start = None
     for force in forces:
-        own, held = _under(force, motions), _under(force, others)
-        law, start = _fitted(own, held, speeds, kind, states, start)
+        law, start = fit(_under(force, motions), _under(force, others), start)
         laws.append(law)
     table = LoadLaw.of(list(forces), laws)
     known = [law.validity for law in laws]

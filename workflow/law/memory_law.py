@@ -14,8 +14,9 @@ odd in v and linear in region I. With v constant a step is the exact exponential
 time it is of second order: rates at the mean speed, targets linear.
 """
 
+from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, ClassVar
+from typing import ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -55,6 +56,7 @@ class MemoryLaw(Law):
     """A table of steady friction, a direct effect, n exponential states, the age of contacts."""
 
     kind: ClassVar[str] = "states"
+    times: ClassVar[Mapping[str, int]] = {"speed": -1, "rate": -1}
     speed: np.ndarray  # of the tables, m/s, increasing, above 0, shape (speeds,)
     direct: np.ndarray  # D at them
     target: np.ndarray  # Z_j at them, shape (n, speeds)
@@ -77,11 +79,6 @@ class MemoryLaw(Law):
         if not positive or min(self.rate.min(), self.rate_per_length.min()) < 0.0:
             raise LawError("speeds must increase from above zero, and no rate be below zero")
 
-    @property
-    def numbers(self) -> int:
-        """Return how many numbers a state has."""
-        return self.rate.size + 1
-
     def _init(self, velocity: float) -> np.ndarray:
         """Return (v, g, z_1 ... z_n) of steady sliding."""
         return np.concatenate([[velocity], self._targets(velocity)])
@@ -102,10 +99,6 @@ class MemoryLaw(Law):
         v = finite_numbers("v", v)
         whole = self.direct + self.target.sum(axis=0)
         return even(v, self.speed, self.age) * odd(v, self.speed, whole)
-
-    def scaled(self, factor: float) -> dict[str, Any]:
-        """Return speeds and rates where all times are ``factor`` times as long."""
-        return {"speed": self.speed / factor, "rate": self.rate / factor}
 
     def outside(self) -> str:
         """Return what the law does outside its range."""

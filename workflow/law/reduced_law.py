@@ -9,6 +9,7 @@ import json
 import math
 import warnings
 from abc import ABC, abstractmethod
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, field, fields, replace
 from typing import Any, ClassVar, NamedTuple, Self
 
@@ -129,6 +130,8 @@ class FittedLaw(ABC):
 class Law(FittedLaw):
     """A reduced law: ``init``, ``step`` and ``steady`` make it, the rest follows from them."""
 
+    times: ClassVar[Mapping[str, int]]  # numbers that go as a time (1), or as one over it (-1)
+
     def init(self, velocity: float) -> np.ndarray:
         """Return the state of steady sliding at a velocity, m/s; its first number is that.
 
@@ -158,8 +161,8 @@ class Law(FittedLaw):
 
     @property
     def numbers(self) -> int:
-        """Return how many numbers a state has: the velocity and one more, of most laws."""
-        return 2
+        """Return how many numbers a state has: the velocity first."""
+        return self._init(0.0).size
 
     @abstractmethod
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
@@ -169,9 +172,10 @@ class Law(FittedLaw):
     def steady(self, v: ArrayLike) -> np.ndarray:
         """Return steady friction mu(v); v in m/s, any shape and sign."""
 
-    @abstractmethod
     def scaled(self, factor: float) -> dict[str, Any]:
         """Return the numbers that change where all times are ``factor`` times as long."""
+        own = {name: getattr(self, name) for name in self.times}
+        return {k: own[k] * factor if self.times[k] > 0 else own[k] / factor for k in own}
 
     def shifted(self, factor: float) -> Self:
         """Return the law where all times of the material are ``factor`` times as long.
@@ -242,9 +246,9 @@ def followed(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
     mu = np.zeros(t.size)
     if not v.size:
         return mu
-    state = law.init(v[0])
+    state = law._init(v[0])
     for k, dt in enumerate(np.diff(t, prepend=t[:1])):
-        state, mu[k] = law.step(state, v[k], dt)
+        state, mu[k] = law._step(state, v[k], dt)
     return mu
 
 

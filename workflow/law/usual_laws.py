@@ -14,6 +14,7 @@ Control 40, 419 (1995), per normal force, with bristles in units of mu (s = sigm
 
 import json
 import math
+from collections.abc import Mapping
 from dataclasses import asdict, dataclass, fields
 from pathlib import Path
 from typing import Any, ClassVar
@@ -36,6 +37,7 @@ class RateStateLaw(Law):
     """Rate-and-state friction with one state; ``ageing`` after Dieterich, else slip after Ruina."""
 
     kind: ClassVar[str] = "rate-state"
+    times: ClassVar[Mapping[str, int]] = {"velocity": -1}
     a: float
     b: float
     length: float  # D_c, m
@@ -55,9 +57,7 @@ class RateStateLaw(Law):
         steady, x = math.log(self.velocity / speed), speed * dt / self.length
         if not self.ageing:
             phi = steady + (phi - steady) * math.exp(-x)
-        elif (
-            x > 0.0
-        ):  # theta v/D_c becomes 1 + (theta v/D_c - 1) exp(-x); at rest theta grows by dt
+        elif x > 0.0:  # theta v/D_c becomes 1 + (theta v/D_c - 1) exp(-x); at rest it grows by dt
             phi = float(np.logaddexp(steady + math.log(-math.expm1(-x)), phi - x))
         return np.array([v, phi]), self._mu(v, phi)
 
@@ -72,16 +72,13 @@ class RateStateLaw(Law):
         ]
         return np.reshape(flat, np.shape(v))
 
-    def scaled(self, factor: float) -> dict[str, Any]:
-        """Return v* where all times are ``factor`` times as long."""
-        return {"velocity": self.velocity / factor}
-
 
 @dataclass(frozen=True)
 class LuGreLaw(Law):
     """LuGre: one bristle, a Stribeck curve, a damping and a viscous part."""
 
     kind: ClassVar[str] = "lugre"
+    times: ClassVar[Mapping[str, int]] = {"damping": 1, "viscous": 1, "stribeck": -1}
     stiffness: float  # sigma_0, 1/m
     damping: float  # sigma_1, s/m
     viscous: float  # sigma_2, s/m
@@ -111,11 +108,6 @@ class LuGreLaw(Law):
         """Return mu_ss(v) = g(v) sign(v) + sigma_2 v."""
         v = finite_numbers("v", v)
         return np.sign(v) * self._limit(v) + self.viscous * v
-
-    def scaled(self, factor: float) -> dict[str, Any]:
-        """Return the parts in s/m and v_s where all times are ``factor`` times as long."""
-        damping = {"damping": self.damping * factor, "viscous": self.viscous * factor}
-        return {**damping, "stribeck": self.stribeck / factor}
 
 
 KINDS: dict[str, type[Law]] = {law.kind: law for law in (MemoryLaw, RateStateLaw, LuGreLaw)}

@@ -12,7 +12,8 @@ narrow contacts are followed between the samples.
 """
 
 from collections.abc import Callable
-from typing import NamedTuple, Protocol
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -33,33 +34,35 @@ def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
     return plain & (numbers > 0.0).all(axis=0)
 
 
-def mu_1_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of mu_1 (and mu_2): second order, but for contacts that are followed."""
+class Coarseness(NamedTuple):
+    """The constants of the error of an estimate of steady sliding, or of the jump."""
+
+    size: float
+    load: float  # exponents: of the load, of the viscous pressure over it,
+    pressed: float
+    sliding: float  # and of 1 + 1/vbar
+    elements: float  # and of elements over so many, times H
+    rough: float
+    slow: tuple[float, float]  # where contacts are followed, below x = 1: over the steps, at most
+    fast: float  # and from x = 1 on, over the steps
+    whole: float  # what is left of any contact, over the square of the steps
+
+
+STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, (0.10, 0.005), 0.010, 0.03)
+JUMP = Coarseness(0.158, -0.26, 0.61, 0.68, 94.0, -1.36, (0.20, 0.010), 0.034, 0.06)
+
+
+def coarse_error(law: Coarseness, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
+    """Return the error of an estimate: second order, but for contacts that are followed."""
     _, elements, load, speed, _ = problem[:5]
-    contacts = load**-0.32 * (1.0 + viscous_pressure(problem) / load) ** 0.41
-    line = (elements / 88.0) ** (-1.22 * problem.hurst)
-    coarse = 0.060 * contacts * (1.0 + 1.0 / speed) ** 0.92 * line / steps**2
+    contacts = load**law.load * (1.0 + viscous_pressure(problem) / load) ** law.pressed
+    line = (elements / law.elements) ** (law.rough * problem.hurst)
+    coarse = law.size * contacts * (1.0 + 1.0 / speed) ** law.sliding * line / steps**2
     if refine:
-        slow = np.minimum(0.10 / steps, 0.005)
-        coarse = _refined(steps, coarse, np.where(_slides(problem), 0.010 / steps, slow))
-    return np.hypot(coarse, 0.03 / steps**2)
-
-
-def jump_error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-    """Return the error of the jump: second order, but for contacts that are followed."""
-    _, elements, load, speed, _ = problem[:5]
-    contacts = load**-0.26 * (1.0 + viscous_pressure(problem) / load) ** 0.61
-    line = (elements / 94.0) ** (-1.36 * problem.hurst)
-    coarse = 0.158 * contacts * (1.0 + 1.0 / speed) ** 0.68 * line / steps**2
-    if refine:
-        slow = np.minimum(0.20 / steps, 0.010)
-        coarse = _refined(steps, coarse, np.where(_slides(problem), 0.034 / steps, slow))
-    return np.hypot(coarse, 0.06 / steps**2)
-
-
-def _refined(steps: Numbers, coarse: Numbers, finer: Numbers) -> Numbers:
-    """Return the error where following contacts, from LEAST_STEPS on, bounds it to ``finer``."""
-    return np.where(steps >= LEAST_STEPS, np.minimum(coarse, finer), coarse)
+        slow = np.minimum(law.slow[0] / steps, law.slow[1])
+        finer = np.where(_slides(problem), law.fast / steps, slow)
+        coarse = np.where(steps >= LEAST_STEPS, np.minimum(coarse, finer), coarse)
+    return np.hypot(coarse, law.whole / steps**2)
 
 
 def _slides(problem: Problem) -> Numbers:
@@ -184,22 +187,15 @@ def relaxation_rate_scatter(problem: Problem) -> Numbers:
     return np.where(x < 1.0, creep, sliding)
 
 
-class Error(Protocol):
-    """The law of an error."""
-
-    def __call__(self, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-        """Return the error at so many steps per spacing."""
-
-
 class Laws(NamedTuple):
     """The laws of one estimate."""
 
-    error: Error
+    error: Callable[..., Numbers]  # of a problem, at so many steps, with refine as above
     scatter: Callable[[Problem], Numbers]  # of one line
 
 
 LAWS = {
-    "mu_1": Laws(mu_1_error, mu_1_scatter),
-    "jump": Laws(jump_error, jump_scatter),
+    "mu_1": Laws(partial(coarse_error, STEADY), mu_1_scatter),
+    "jump": Laws(partial(coarse_error, JUMP), jump_scatter),
     "relaxation_rate": Laws(relaxation_rate_error, relaxation_rate_scatter),
 }

@@ -65,13 +65,16 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         check_resolution(problem, numerics.steps_per_spacing, numerics)
         bias = dict.fromkeys(names, 0.0)
         return Goal(numerics.steps_per_spacing, bias, scatter, _need(wanted, bias, scatter))
-    least = np.broadcast_to(_first_steps(problem, scene), np.shape(problem.load))
+    on_map = problem.surface.body == HALF_SPACE
+    first = LEAST_OF_MAPS if on_map else least_steps(problem, scene)
+    least = np.broadcast_to(first, np.shape(problem.load))
     check_resolution(problem, least, numerics)
     # Where the search begins, to be replaced by the first steps that are tried.
     best, tried = Goal(least, dict.fromkeys(names, np.inf), scatter, np.inf), np.zeros_like(least)
     lowest, steps = np.full(least.shape, np.inf), least
     share = touchable_share(problem.hurst, problem.load, viscous_pressure(problem))
-    while (open_ones := _fits(problem, steps) & (tried < TRIED)).any():
+    fits = may_be_so_fine if on_map else may_be_so_long
+    while (open_ones := fits(problem, steps) & (tried < TRIED)).any():
         bias = {name: laws[name].error(problem, steps) for name in names}
         goal = Goal(steps, bias, scatter, _need(wanted, bias, scatter))
         fine = np.max([counted[name] * bias[name] for name in names], axis=0) <= 0.5 * wanted
@@ -80,7 +83,7 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         if "relaxation" in scene.quantities:
             marched = share * horizon_steps(problem, numerics, steps)
         updates = steps * (STATES + marched)  # of elements in a march, which a realization takes
-        if problem.surface.body == HALF_SPACE:
+        if on_map:
             updates = steps**3  # samples of a map times steps of a march
         cost = np.where(fine, lines * updates, np.inf)
         better = open_ones & ((cost < lowest) | (tried == 0))
@@ -93,19 +96,6 @@ def goal_of(problem: Problem, scene: Scene, numerics: Numerics) -> Goal:
         lowest, tried = np.where(open_ones, np.minimum(cost, lowest), lowest), tried + fine
         steps = 2 * steps
     return best
-
-
-def _first_steps(problem: Problem, scene: Scene) -> Numbers:
-    """Return the m with which the search of the cheapest begins."""
-    half_space = problem.surface.body == HALF_SPACE
-    return LEAST_OF_MAPS if half_space else least_steps(problem, scene)
-
-
-def _fits(problem: Problem, steps: Numbers) -> Numbers:
-    """Return whether lines, or maps, of so many steps per spacing fit into a worker."""
-    if problem.surface.body == HALF_SPACE:
-        return may_be_so_fine(problem, steps)
-    return steps * problem.elements <= MAX_SAMPLES_PER_LINE
 
 
 def _need(wanted: float, bias: dict[str, Numbers], scatter: dict[str, Numbers]) -> Numbers:
@@ -203,11 +193,16 @@ def steps_per_spacing(problem: Problem, scene: Scene, numerics: Numerics) -> Num
     return steps
 
 
+def may_be_so_long(problem: Problem, steps: Numbers) -> Numbers:
+    """Return whether a line of so many steps per spacing fits into a worker."""
+    return problem.elements * steps <= MAX_SAMPLES_PER_LINE
+
+
 def may_have(problem: Problem, steps: int) -> bool:
     """Return whether a line of so many steps per spacing fits into a worker, and none is lost."""
     fastest = max(abs(problem.speed), abs(problem.speed * problem.ratio))
-    fits = problem.elements * steps <= MAX_SAMPLES_PER_LINE
-    return fits and steps * fastest * shortest_step(problem.spectrum) <= 1.0
+    lost = steps * fastest * shortest_step(problem.spectrum) > 1.0
+    return may_be_so_long(problem, steps) and not lost
 
 
 def check_resolution(problem: Problem, steps: Numbers, numerics: Numerics) -> None:

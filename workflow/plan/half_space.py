@@ -13,7 +13,7 @@ Scatter: standard errors times the root of the number of maps; 264 problems, sig
 1.6 for two in three. That of b follows no law.
 """
 
-from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 
@@ -78,8 +78,11 @@ def expected_samples(problem: Problem, steps: Numbers) -> Numbers:
     return np.maximum(patch, 3.0) * np.asarray(steps) ** 2.0 / 16.0
 
 
-def expected_error(name: str, problem: Problem, steps: Numbers) -> Numbers:
-    """Return the error that is expected before anything is computed."""
+def expected_error(name: str, problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
+    """Return the error that is expected before anything is computed.
+
+    refine : what is refined on lines has no meaning on maps.
+    """
     return map_error(name, steps, expected_samples(problem, steps))
 
 
@@ -94,34 +97,19 @@ def expected_area(problem: Problem) -> Numbers:
     return np.tanh(2.26 * load / stiffer)
 
 
-def _scatter_law(name: str) -> Callable[[Problem], Numbers]:
-    """Return the law of the scatter of an estimate from map to map."""
+def expected_scatter(name: str, problem: Problem) -> Numbers:
+    """Return the scatter of an estimate from map to map."""
     constant, touching, free, longest, shortest, rough, fast = SCATTER[name]
-
-    def scatter(problem: Problem) -> Numbers:
-        waves, area = max(problem.surface.rolloff, 1.0), expected_area(problem)
-        contacts = area**touching * np.maximum(1.0 - area, LEAST_FREE) ** free
-        spectrum = waves**longest * (problem.elements / waves) ** shortest
-        return (
-            np.exp(constant + rough * problem.hurst)
-            * contacts
-            * spectrum
-            * (speed_ratio(problem) ** fast)
-        )
-
-    return scatter
+    waves, area = max(problem.surface.rolloff, 1.0), expected_area(problem)
+    contacts = area**touching * np.maximum(1.0 - area, LEAST_FREE) ** free
+    spectrum = waves**longest * (problem.elements / waves) ** shortest
+    size = np.exp(constant + rough * problem.hurst)
+    return size * contacts * spectrum * speed_ratio(problem) ** fast
 
 
-def _error_law(name: str) -> Callable[..., Numbers]:
-    """Return expected_error of an estimate; what is refined on lines has no meaning on maps."""
-
-    def error(problem: Problem, steps: Numbers, refine: bool = True) -> Numbers:
-        return expected_error(name, problem, steps)
-
-    return error
-
-
-LAWS_OF_MAPS = {name: Laws(_error_law(name), _scatter_law(name)) for name in SCATTER}
+LAWS_OF_MAPS = {
+    name: Laws(partial(expected_error, name), partial(expected_scatter, name)) for name in SCATTER
+}
 
 
 def laws_of(problem: Problem) -> dict[str, Laws]:

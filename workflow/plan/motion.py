@@ -34,7 +34,6 @@ from ..study import (
     Surface,
     Velocity,
     judged,
-    velocity_steps,
 )
 
 MANTISSA_BITS = 40  # values closer than 1e-12 are one: rounding of the input must not split them
@@ -110,7 +109,7 @@ def _speeds(scene: Scene, scale: Scale) -> tuple[float, float]:
     the first that it has.
     """
     segments = scene.segments
-    steps = velocity_steps(segments)
+    steps = scene.velocity_steps
     if steps:
         pair = [s for s in segments[steps[0] : steps[0] + 2] if isinstance(s, SlideSegment)]
         before, after = (slide.velocity.at(scale.reference) for slide in pair)

@@ -72,40 +72,37 @@ class Problems(NamedTuple):
     together: list[tuple[np.ndarray, Problem]]  # for the laws
 
 
-class _Sizes(NamedTuple):
-    """What the laws say of each problem, in the order of the problems."""
-
-    steps: list[int]  # per spacing
-    march_steps: list[int]
-    typical: np.ndarray  # s, by part, shape (problems, PARTS)
-    goals: list[Goal]  # empty where no accuracy is asked for
-
-
 def problems_of(study: Study) -> dict[str, Problems]:
     """Return the problems of each variant, once for those of one material and surface."""
     found: dict[str, Problems] = {}
     for label, material in study.materials.items():
-        for other, known in found.items():
-            if (study.materials[other], study.surfaces[other]) == (material, study.surfaces[label]):
-                found[label] = known
-                break
-        else:
-            each, points = distinct_problems(study, label)
-            # What a scene adds, which many share, is written out once.
-            settings = {added: repr(added).encode() for added in {one[5:] for one in each}}
-            written = [NUMBERS.pack(*one[:5]) + settings[one[5:]] for one in each]
-            found[label] = Problems(each, written, points, together(each))
+        own = material, study.surfaces[label]
+        others = (
+            other for other in found if own == (study.materials[other], study.surfaces[other])
+        )
+        if (other := next(others, None)) is not None:
+            found[label] = found[other]
+            continue
+        each, points = distinct_problems(study, label)
+        # What a scene adds, which many share, is written out once.
+        settings = {added: repr(added).encode() for added in {one[5:] for one in each}}
+        written = [NUMBERS.pack(*one[:5]) + settings[one[5:]] for one in each]
+        found[label] = Problems(each, written, points, together(each))
     return found
 
 
-def _sizes(
+def _sized(
     study: Study, asked: Quantities, label: str, problems: Problems, origin: Origin
-) -> _Sizes:
-    """Return what the laws say, of problems that are alike at once."""
+) -> tuple[np.ndarray, np.ndarray, list[Goal]]:
+    """Return what the laws say of each problem, of those that are alike at once.
+
+    Steps per spacing and of the march, shape (2, problems); typical seconds by part, shape
+    (problems, PARTS); goals, none where no accuracy is asked for.
+    """
     numerics, recording = study.variants[label], recording_of(study, label)
     extra = min(recording.finer, study.blocks) / study.realizations  # lines with halved steps too
     count = len(problems.each)
-    found = np.zeros((2, count), np.int64), np.zeros((count, len(PARTS)))
+    sizes, typical = np.zeros((2, count), np.int64), np.zeros((count, len(PARTS)))
     goals: list[Goal] = []
     for rows, many in problems.together:
         goal = goal_of(many, study.scene, numerics) if numerics.accuracy else None
@@ -113,7 +110,7 @@ def _sizes(
         check_programme(many, steps, origin)
         march_steps = horizon_steps(many, numerics, steps) if asked.relaxation else 0 * steps
         for row, own in enumerate((steps, march_steps)):  # one for all if given
-            found[0][row, rows] = own
+            sizes[row, rows] = own
         shared = sharers(many, steps)
         work = Work(many, steps, march_steps, numerics.refines, *shared, numerics.scheme)
         parts = typical_seconds(asked, work, recording)
@@ -124,13 +121,12 @@ def _sizes(
                 more = typical_seconds(asked, each, alone)
                 parts = {part: parts[part] + extra * more[part] for part in PARTS}
         for column, part in enumerate(PARTS):
-            found[1][rows, column] = parts[part]
+            typical[rows, column] = parts[part]
         if goal:
             goals = goals or [goal] * count
             for row, single in zip(rows.tolist(), goal.each(rows.size), strict=True):
                 goals[row] = single
-    steps, march_steps = found[0].tolist()
-    return _Sizes(steps, march_steps, found[1], goals)
+    return sizes, typical, goals
 
 
 def variant_of(
@@ -144,8 +140,9 @@ def variant_of(
     """Return a variant of a study; ``problems`` are its own, ``origin`` as for ``make_plan``."""
     numerics = study.variants[label]
     recording = recording_of(study, label)._replace(origin=origin)
-    said = _sizes(study, asked, label, problems, origin)
-    pairs = zip(problems.each, said.steps, strict=True)
+    sizes, typical, goals = _sized(study, asked, label, problems, origin)
+    each, marches = sizes.tolist()
+    pairs = zip(problems.each, each, strict=True)
     if recording.finer and not all(may_have(own, HALVED * steps) for own, steps in pairs):
         recording = recording._replace(finer=0)
     # What all tasks share, and all of many: written out once, as a plan has up to 1e5 tasks.
@@ -153,7 +150,7 @@ def variant_of(
     shared += repr((recording, asked, study.realizations_per_block, numerics.refines))
     begun, tasks = hashlib.sha256(shared.encode()), []
     for problem, written, steps, march_steps in zip(
-        problems.each, problems.written, said.steps, said.march_steps, strict=True
+        problems.each, problems.written, each, marches, strict=True
     ):
         digest = begun.copy()
         digest.update(written + STEPS.pack(steps, march_steps))
@@ -164,30 +161,28 @@ def variant_of(
         lines.setdefault((hurst, elements, task.problem.surface), []).append(task)
     by_line = [sorted(one, key=lambda t: (*sharing(t), t.problem[:5])) for one in lines.values()]
     keys = [task.key for task in tasks]
-    sizes = {samples_of(task) for task in tasks}
     kind = kind_of(tasks[0].problem, recording)
     factors = np.array([pace.rate(kind, part).factor for part in PARTS])
-    material = study.materials[label]
     events = 0
     if recording.asked:
         events = max(kept_steps(t.problem, t.steps_per_spacing, recording).size for t in tasks)
     return Variant(
         label,
         numerics,
-        material,
+        study.materials[label],
         study.surfaces[label],
         recording,
         events,
         problems.points,
         tasks,
         by_line,
-        dict(zip(keys, said.goals, strict=True)) if said.goals else {},
+        dict(zip(keys, goals, strict=True)) if goals else {},
         kind,
         {key: row for row, key in enumerate(keys)},
-        said.typical,
+        typical,
         factors,
-        (said.typical @ factors).tolist(),
-        {samples: float(DRAW(samples)) for samples in sizes},
+        (typical @ factors).tolist(),
+        {samples: float(DRAW(samples)) for samples in set(map(samples_of, tasks))},
     )
 
 

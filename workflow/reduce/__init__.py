@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING
 from ..ground import public_names
 
 if TYPE_CHECKING:
-    from .attainment import ACCURACY_MEANINGS, MET_WHERE_DEFINED, MISSED, Attained, attained
+    from .attainment import (
+        ACCURACY_MEANINGS,
+        MET_WHERE_DEFINED,
+        MISSED,
+        Attained,
+        attained,
+        with_found_bias,
+    )
     from .blocks import Blocks, Estimates, blocks_of
     from .complete import completed, exponents_of
     from .estimates import reduce_blocks

@@ -5,7 +5,11 @@ from typing import NamedTuple
 import numpy as np
 
 from ..plan import Goal, allowed
+from ..simulate import Task
+from ..study import Numerics
+from .blocks import Estimates
 from .fits import NEGLIGIBLE, NO_RELAXATION, NOT_EXPONENTIAL, NOT_FINITE
+from .resolution import resolution
 
 MISSED, MET, MET_WHERE_DEFINED = 0, 1, 2
 FEW_GROUPS = 8  # of the jackknife, below which a law has a say in what is met
@@ -22,8 +26,25 @@ class Attained(NamedTuple):
     growth: np.ndarray  # factor by which realizations must grow; inf: unknown
 
 
+def with_found_bias(
+    goals: list[Goal], tasks: list[Task], estimates: Estimates, numerics: Numerics
+) -> list[Goal]:
+    """Return the goals of some tasks with the bias that was found, where that is the larger.
+
+    A number of steps given by the user stands, and its error is not counted.
+    """
+    names = tuple(goals[0].bias)
+    if numerics.steps_per_spacing is not None:
+        return goals
+    found = resolution(tasks, estimates, names, numerics)
+    return [
+        goal._replace(bias={n: np.fmax(goal.bias[n], found[f"{n}_bias"][row]) for n in names})
+        for row, goal in enumerate(goals)
+    ]
+
+
 def attained(
-    estimates: dict[str, np.ndarray],
+    estimates: Estimates,
     goals: list[Goal],
     ratios: np.ndarray,
     wanted: float,
@@ -66,9 +87,7 @@ def attained(
     return Attained(np.where(reached < 0.0, np.nan, reached), status.astype(np.int8), growth)
 
 
-def _undefined(
-    name: str, estimates: dict[str, np.ndarray], ratios: np.ndarray, wanted: float
-) -> np.ndarray:
+def _undefined(name: str, estimates: Estimates, ratios: np.ndarray, wanted: float) -> np.ndarray:
     """Return where an estimate has no relative error that more realizations could lessen."""
     if name != "relaxation_rate":
         return (estimates[name] == 0.0) & (estimates[f"{name}_error"] == 0.0)

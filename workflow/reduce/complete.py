@@ -38,7 +38,8 @@ def completed(
     estimates = estimates | resolution(done, estimates, names, variant.numerics)
     if "trace_samples_per_contact" in estimates:
         estimates |= trace_resolution(done, estimates, variant.numerics, variant.recording.origin)
-    same = {f"{name}_error" for name in MOTION if not _differs(estimates, name)}
+    errors = {f"{name}_error" for name in MOTION}
+    same = {name for name in errors if not np.any(estimates.get(name, 0.0) > 0.0)}
     spread = {n: _spread(v, sound, len(tasks)) for n, v in estimates.items() if n not in same}
     spread |= _of_model(tasks, variant.lines.normalisation) if "mu_1" in names else {}
     if "persson" in plan.study.scene.quantities:
@@ -86,11 +87,6 @@ def _waves(lines: Surface, hurst: float, elements: int, shape: LineShape) -> Wav
     return waves_of_line(own, elements)
 
 
-def _differs(estimates: Estimates, name: str) -> bool:
-    """Return whether an estimate differs from line to line."""
-    return bool(np.any(estimates.get(f"{name}_error", 0.0) > 0.0))
-
-
 def exponents_of(plan: Plan, variant: Variant, estimates: Estimates) -> Estimates:
     """Take the replicates of b out of the estimates, return the exponents of eq. 13 from them."""
     rates = estimates.pop("rate_replicates", None)
@@ -115,40 +111,33 @@ class PowerLaw(NamedTuple):
 
     alpha: np.ndarray  # b = x^alpha, shape (replicates,)
     alpha_free: np.ndarray  # b = c x^alpha, shape (replicates,)
-    prefactor: np.ndarray  # c, shape (replicates,)
-    scatter: float  # rms of log10(b / x^alpha)
-    points: int
+    alpha_prefactor: np.ndarray  # c, shape (replicates,)
+    alpha_scatter: float  # rms of log10(b / x^alpha)
+    alpha_bias: float  # how far a bias of b may move alpha: all points off in one direction
+    alpha_free_bias: float  # and alpha_free: fast and slow ones in opposite directions
+    alpha_points: int
 
 
-def fit_power_law(x: np.ndarray, rate: np.ndarray) -> PowerLaw:
+def fit_power_law(x: np.ndarray, rate: np.ndarray, bias: np.ndarray) -> PowerLaw:
     """Fit log b = alpha log x (eq. 13) over the given points, all with x > 1.
 
-    x : shape (points,). rate : b, shape (points, replicates). NaN where fewer than 3 points.
+    x : shape (points,). rate : b, shape (points, replicates). bias : relative bound of its, shape
+    (points,). NaN where fewer than 3 points.
     """
     count, size = rate.shape
     if count < 3 or np.ptp(x) == 0.0:
         nothing = np.full(size, np.nan)
-        return PowerLaw(nothing, nothing, nothing, np.nan, count)
+        return PowerLaw(nothing, nothing, nothing, np.nan, np.nan, np.nan, count)
     log_x, log_b = np.log(x), np.log(rate)
     alpha = log_x @ log_b / (log_x @ log_x)
     centred = log_x - log_x.mean()
     free = centred @ log_b / (centred @ centred)
     prefactor = np.exp(log_b.mean(axis=0) - free * log_x.mean())
     residual = (log_b[:, 0] - alpha[0] * log_x) / np.log(10.0)
-    return PowerLaw(alpha, free, prefactor, float(np.sqrt(np.mean(residual**2))), count)
-
-
-def exponent_bias(x: np.ndarray, bias: np.ndarray) -> tuple[float, float]:
-    """Return how far a bias of b may move alpha of b = x^alpha, and of b = c x^alpha.
-
-    x, bias : relative bound, shape (points,). The one: all points off in the same direction; the
-    other: fast and slow ones in opposite directions. NaN where there is no fit.
-    """
-    if x.size < 3 or np.ptp(x) == 0.0:
-        return np.nan, np.nan
-    off, log_x = np.log1p(bias), np.log(x)
-    centred = log_x - log_x.mean()
-    return float(off @ log_x / (log_x @ log_x)), float(off @ np.abs(centred) / (centred @ centred))
+    scatter, off = float(np.sqrt(np.mean(residual**2))), np.log1p(bias)
+    one = float(off @ log_x / (log_x @ log_x))
+    other = float(off @ np.abs(centred) / (centred @ centred))
+    return PowerLaw(alpha, free, prefactor, scatter, one, other, count)
 
 
 def fit_exponents(
@@ -164,15 +153,14 @@ def fit_exponents(
     fitted = (points["fit_status"] == FITTED) & (x > 1.0)
     resolved = points["resolution_status"] != UNRESOLVED
     chosen = [fitted & resolved & (hurst == value) for value in axis]
-    bias = [exponent_bias(x[rows], points["relaxation_rate_bias"][rows]) for rows in chosen]
+    bias = points["relaxation_rate_bias"]
     left = [np.sum(fitted & ~resolved & (hurst == value)) for value in axis]
-    laws = columns([fit_power_law(x[rows], rates[rows]) for rows in chosen])
+    laws = columns([fit_power_law(x[rows], rates[rows], bias[rows]) for rows in chosen])
     found: Estimates = {}
-    enter(found, "alpha", laws.alpha)
-    enter(found, "alpha_free", laws.alpha_free)
-    enter(found, "alpha_prefactor", laws.prefactor)
-    found["alpha_scatter"] = laws.scatter
-    found["alpha_bias"], found["alpha_free_bias"] = np.array(bias).T
+    for name in ("alpha", "alpha_free", "alpha_prefactor"):
+        enter(found, name, getattr(laws, name))
+    for name in ("alpha_scatter", "alpha_bias", "alpha_free_bias"):
+        found[name] = getattr(laws, name)
     found["alpha_unresolved"] = np.array(left, dtype=np.int32)
-    found["alpha_points"] = laws.points.astype(np.int32)
+    found["alpha_points"] = laws.alpha_points.astype(np.int32)
     return found

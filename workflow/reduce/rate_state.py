@@ -90,28 +90,23 @@ def step_law(law: str, ratio: float) -> Callable:
     b over the scale and span/D_c above. Over times instead of distances the second one is the
     logarithm of v2/D_c, and Ruina's law is eq. 6.
     """
-    if law == "ruina":
-        return lambda p, s: _ruina(p, s, math.log(ratio))
-    return lambda p, s: _dieterich(p, s, ratio)
+
+    def model(p: np.ndarray, s: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+        b, rate = p[:, :1], np.exp(p[:, 1:])
+        if law == "ruina":
+            shape = math.log(ratio) * np.exp(-rate * s)
+            return b * shape, np.stack([shape, -b * rate * s * shape], axis=2)
+        excess = (ratio - 1.0) * np.exp(-rate * s)
+        shape = np.log1p(excess)
+        return b * shape, np.stack([shape, -b * rate * s * excess / (1.0 + excess)], axis=2)
+
+    return model
 
 
 def state_change(law: str, phi: float, log_v: float) -> float:
     """Return d phi/dt in units of v*/D_c, for phi = ln(v* theta/D_c) at ln(v/v*) = log_v."""
     v = math.exp(log_v)
     return -v * (log_v + phi) if law == "ruina" else math.exp(-phi) - v
-
-
-def _ruina(p: np.ndarray, s: np.ndarray, log_ratio: float) -> tuple[np.ndarray, np.ndarray]:
-    b, rate = p[:, :1], np.exp(p[:, 1:])
-    shape = log_ratio * np.exp(-rate * s)
-    return b * shape, np.stack([shape, -b * rate * s * shape], axis=2)
-
-
-def _dieterich(p: np.ndarray, s: np.ndarray, ratio: float) -> tuple[np.ndarray, np.ndarray]:
-    b, rate = p[:, :1], np.exp(p[:, 1:])
-    excess = (ratio - 1.0) * np.exp(-rate * s)
-    shape = np.log1p(excess)
-    return b * shape, np.stack([shape, -b * rate * s * excess / (1.0 + excess)], axis=2)
 
 
 def _start(s: np.ndarray, curve: np.ndarray, ratio: float, law: str) -> np.ndarray:

@@ -45,9 +45,10 @@ def fit_shifts(
     temperatures than it has constants, and for shifts that rise with the temperature.
     """
     laws = {"wlf": _wlf_fit, "arrhenius": _arrhenius_fit}
-    asked = [name for name in laws if law in (None, name)]
-    every = temperatures, decades, covariance, reference
-    found = [fit for name in asked if (fit := laws[name](*every)) is not None]
+    asked = [n for n in laws if law in (None, n) and temperatures.size >= LEAST[n]]
+    every = temperatures, decades, reference
+    fits = (laws[name](*every, _weighted(covariance)) for name in asked)
+    found = [fit for fit in fits if fit is not None]
     if law in laws and not found:
         raise ValueError(
             f"{temperatures.size} temperatures give no law {law}: it wants {LEAST[law]}, and times "
@@ -80,12 +81,9 @@ def _weighted(covariance: np.ndarray) -> _Weighted:
 
 
 def _wlf_fit(
-    temperatures: np.ndarray, decades: np.ndarray, covariance: np.ndarray, reference: float
+    temperatures: np.ndarray, decades: np.ndarray, reference: float, own: _Weighted
 ) -> ShiftFit | None:
-    """Return the best WLF law; None where too few temperatures leave it open."""
-    if temperatures.size < LEAST["wlf"]:
-        return None
-    own = _weighted(covariance)
+    """Return the best WLF law; None where shifts rise with the temperature."""
     wanted, above = own.off(decades), temperatures - reference
     coldest = reference - float(temperatures.min())
 
@@ -104,12 +102,9 @@ def _wlf_fit(
 
 
 def _arrhenius_fit(
-    temperatures: np.ndarray, decades: np.ndarray, covariance: np.ndarray, reference: float
+    temperatures: np.ndarray, decades: np.ndarray, reference: float, own: _Weighted
 ) -> ShiftFit | None:
-    """Return the best law of Arrhenius; None where too few temperatures leave it open."""
-    if temperatures.size < LEAST["arrhenius"]:
-        return None
-    own = _weighted(covariance)
+    """Return the best law of Arrhenius; None where shifts rise with the temperature."""
     wanted = own.off(decades)
     slope = own.off(inverse_temperature(temperatures, reference) / (GAS * np.log(10.0)))
     energy = float(slope @ wanted / (slope @ slope))

@@ -38,7 +38,10 @@ def reduce_steps(
     samples). values : replicates of the scalars, each of shape (tasks, replicates).
     """
     if "peak" in blocks.quantities:
-        found = [_peak(*each) for each in zip(time, curves, blocks.speeds, strict=True)]
+        found = []
+        for at, own, (before, after) in zip(time, curves, blocks.speeds, strict=True):
+            kept = np.isfinite(at)
+            found.append(extremum(at[kept], own[:, kept], 1.0 if after > before else -1.0))
         peaks, times = np.moveaxis(np.array(found), 1, 0)
         enter(estimates, "peak", peaks - values["mu_1"])
         enter(estimates, "peak_time", times)
@@ -49,12 +52,6 @@ def reduce_steps(
         deviation = curves - values["mu_2"][..., None]
         enter(estimates, "rate_state_a_minus_b", _a_minus_b(blocks.speeds, change))
         _rate_state(estimates, blocks, time, deviation, change)
-
-
-def _peak(time: np.ndarray, curves: np.ndarray, speeds: np.ndarray) -> tuple:
-    kept = np.isfinite(time)
-    before, after = speeds
-    return extremum(time[kept], curves[:, kept], 1.0 if after > before else -1.0)
 
 
 def _a_minus_b(speeds: np.ndarray, change: np.ndarray) -> np.ndarray:

@@ -53,21 +53,20 @@ def _entry(name: str, public: Any) -> list[str]:
     made = vars(public).get("__init__") if inspect.isclass(public) else None
     if made is not None and made.__doc__:  # that of a dataclass has none
         told.append(inspect.getdoc(made) or "")
-    found = [f"`{name.rpartition('.')[2]}({_arguments(public)})`\n"]
+    found = [f"`{name.rpartition('.')[2]}{_arguments(public)}`\n"]
     return found + [line for text in told for line in _paragraphs(text)]
 
 
 def _arguments(public: Any) -> str:
     """Return the names of the arguments, and the values of those that may be left out."""
-    words = []
-    for name, parameter in inspect.signature(public).parameters.items():
-        if name in ("self", "cls"):
-            continue
-        usual = "" if parameter.default is parameter.empty else f"={parameter.default!r}"
-        usual = "=..." if usual.startswith("=<") else usual  # made anew at each call
-        star = "*" if parameter.kind is parameter.VAR_POSITIONAL else ""
-        words.append(f"{star}{name}{usual}")
-    return ", ".join(words)
+    signature = inspect.signature(public)
+    own = [
+        one.replace(annotation=one.empty)
+        for one in signature.parameters.values()
+        if one.name not in ("self", "cls")
+    ]
+    plain = str(signature.replace(parameters=own, return_annotation=signature.empty))
+    return re.sub(r"=<.*?>", "=...", plain)  # what is made anew at each call
 
 
 def _paragraphs(text: str) -> list[str]:

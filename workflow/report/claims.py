@@ -1,12 +1,13 @@
 """The claims of the paper, each judged by code from the numbers in the result files.
 
 A claim lives with the study it judges: ``studies/NAME/claims.py`` holds CLAIMS, functions of the
-opened datasets ("fig7", and "fig7/paper_step" for its comparison) that return a Claim, or None
-where the study, a variable or a usable point is missing. Here they are found, and a deviation, its
-error and a tolerance become plain words.
+opened datasets ("fig7", and "fig7/paper_step" for its comparison) that return a Claim and raise
+NotGiven where the study, a variable or a usable point is missing. Here they are found, and a
+deviation, its error and a tolerance become plain words.
 Source: Li et al. (2014), doi:10.1038/srep05795.
 """
 
+import contextlib
 import math
 from collections.abc import Callable, Mapping
 from typing import NamedTuple
@@ -36,13 +37,25 @@ class Claim(NamedTuple):
     verdict: str
 
 
-Judge = Callable[[Results], Claim | None]
+Judge = Callable[[Results], Claim]
 
 
-def given(results: Results, key: str, *names: str) -> xr.Dataset | None:
-    """Return a dataset of the results if it is there and holds these variables."""
-    dataset = results.get(key)
-    return dataset if dataset is not None and all(name in dataset for name in names) else None
+class NotGiven(Exception):
+    """Results do not hold what a claim needs to be judged."""
+
+
+def needed(there: object) -> None:
+    """Raise NotGiven where something that a claim needs is not there."""
+    if not there:
+        raise NotGiven
+
+
+def given(results: Results, key: str, *names: str) -> xr.Dataset:
+    """Return a dataset of the results; raise NotGiven where it or one of these variables is not."""
+    needed(key in results)
+    dataset = results[key]
+    needed(all(name in dataset for name in names))
+    return dataset
 
 
 def percent(share: float, digits: int = 0) -> str:
@@ -118,12 +131,10 @@ def evaluate(claims: list[Judge], results: Results) -> list[Claim]:
     found = []
     for judged in claims:
         seen = Resolved(results)
-        claim = judged(seen)
-        if claim is None:
-            continue
-        count = sum(seen.left_out.values())
-        if count:
-            words = f"{claim.found}; {count} points left out, whose contacts are unresolved"
-            claim = claim._replace(found=words)
-        found.append(claim)
+        with contextlib.suppress(NotGiven):
+            claim = judged(seen)
+            if count := sum(seen.left_out.values()):
+                words = f"{claim.found}; {count} points left out, whose contacts are unresolved"
+                claim = claim._replace(found=words)
+            found.append(claim)
     return found

@@ -10,7 +10,6 @@ import json
 import re
 import struct
 from pathlib import Path
-from typing import NamedTuple
 
 import xarray as xr
 from markupsafe import Markup, escape
@@ -25,7 +24,7 @@ from .csv_tables import write_tables
 from .explore import write_explorer
 from .figure import Picture, draw_groups
 from .in_words import model_in_words, unit_in_words
-from .panels import STYLE, HoverPoint
+from .panels import STYLE
 from .template import filled_template
 
 NO_BREAK = "\u00a0"
@@ -110,23 +109,13 @@ def formula(text: str) -> Markup:
     return Markup(re.sub(r"_(max|[Nc]\b)", r"<sub>\1</sub>", raised))
 
 
-class Image(NamedTuple):
-    """A figure as data URI, its size in inches, points that a pointer can find, and caption."""
-
-    uri: str
-    width: float
-    height: float
-    points: list[HoverPoint]
-    caption: str
-
-
 def section(study: AnyStudy, groups: Groups, folder: Path) -> dict[str, object]:
     """Return what the page shows of one study; ``troubles`` say why there is no figure or table.
 
     Its figures and its tables are written into the folder of the result.
     """
     data, result = groups[ROOT], result_file(folder, study)
-    images: list[Image] = []
+    images: list[dict[str, object]] = []
     files = [result]
     troubles = [f"{result.name} {said}"] if (said := edited(result)) else []
     try:
@@ -173,12 +162,13 @@ def _scale(study: AnyStudy, attributes: dict[str, object]) -> str:
     return f"{study.scale or 'default'} scale with other settings"
 
 
-def _image(picture: Picture) -> Image:
+def _image(picture: Picture) -> dict[str, object]:
+    """Return a figure as data URI, its size in inches, what a pointer can find, and its caption."""
     content = picture.png.read_bytes()
     width, height = struct.unpack(">II", content[16:24])  # PNG: the first chunk
     uri = "data:image/png;base64," + base64.b64encode(content).decode()
-    sizes = width / STYLE["savefig.dpi"], height / STYLE["savefig.dpi"]
-    return Image(uri, *sizes, picture.points, picture.caption)
+    inches = {"width": width / STYLE["savefig.dpi"], "height": height / STYLE["savefig.dpi"]}
+    return {"uri": uri, **inches, "points": picture.points, "caption": picture.caption}
 
 
 def _parameters(study: AnyStudy, data: xr.Dataset) -> list[tuple[str, str, str]]:

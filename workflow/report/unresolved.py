@@ -1,6 +1,7 @@
 """What figures and claims do with points whose contacts are not resolved."""
 
-from collections.abc import Iterator, Mapping
+from collections import UserDict
+from collections.abc import Mapping
 
 import numpy as np
 import xarray as xr
@@ -52,22 +53,14 @@ def without_unresolved(dataset: xr.Dataset) -> tuple[xr.Dataset, int]:
     return dataset.assign(kept), count
 
 
-class Resolved(Mapping[str, xr.Dataset]):
+class Resolved(UserDict[str, xr.Dataset]):
     """Results without their unresolved points; knows how many those looked at had."""
 
     def __init__(self, results: Mapping[str, xr.Dataset]) -> None:
-        self.results = results
+        super().__init__(results)
         self.left_out: dict[str, int] = {}
 
     def __getitem__(self, key: str) -> xr.Dataset:
         """Return a dataset as claims may use it."""
-        dataset, self.left_out[key] = without_unresolved(self.results[key])
+        dataset, self.left_out[key] = without_unresolved(super().__getitem__(key))
         return dataset
-
-    def __iter__(self) -> Iterator[str]:
-        """Iterate over the names."""
-        return iter(self.results)
-
-    def __len__(self) -> int:
-        """Return the number of results."""
-        return len(self.results)

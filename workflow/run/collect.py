@@ -118,7 +118,8 @@ class Collector:
         """Return which accuracy the fitted tasks at some rows have; for a variant with goals."""
         tasks = [variant.tasks[row] for row in rows]
         estimates = self.fitted[variant.label].at(rows)
-        goals = [variant.goals[task.key] for task in tasks]
+        expected = [variant.goals[task.key] for task in tasks]
+        goals = reduce.with_found_bias(expected, tasks, estimates, variant.numerics)
         ratios = np.array([task.problem.ratio for task in tasks])
         each = self.plan.study.realizations_per_block
         realizations = each * self.fitted[variant.label].blocks[rows]

@@ -24,7 +24,7 @@ class Index:
     def __init__(self) -> None:
         self.sizes: dict[str, int] = {}  # name of each shard -> bytes
         self.failed: dict[str, str] = {}  # key of each task that failed for good -> why
-        self.parts: dict[str, int] = {}  # checksum of the keys of a part -> number of its tasks
+        self.parts: dict[str, list[str]] = {}  # checksum of the keys of a part -> they themselves
         self.rows: dict[str, list[tuple[str, int]]] = {}  # key -> parts it is in, row in each
         self.makers: dict[str, Maker] = {}  # by checksum
         self.made: dict[str, list[str]] = {}  # name of each shard -> its makers
@@ -106,7 +106,7 @@ class Index:
         if part in self.parts or part != digest(keys.encode()):
             return  # told before, or not what it says it is
         names = [keys[i : i + KEY_LENGTH] for i in range(0, len(keys), KEY_LENGTH)]
-        self.parts[part] = len(names)
+        self.parts[part] = names
         for row, key in enumerate(names):
             self.rows.setdefault(key, []).append((part, row))
 
@@ -117,7 +117,7 @@ class Index:
             raise ValueError("no such blocks")
         if any(part not in self.parts for part, *_ in batches) or not self.makers.keys() >= set(by):
             return  # the line of a part or a maker is spoilt: the shard itself tells them
-        records = sum(self.parts[part] * blocks for part, _, blocks in batches)
+        records = sum(len(self.parts[part]) * blocks for part, _, blocks in batches)
         if records != entry["records"] or records * LEAST_BYTES > entry["bytes"]:
             raise ValueError(
                 f"{records} records, not {entry['records']}, in {entry['bytes']} bytes"
@@ -127,7 +127,7 @@ class Index:
         for part, first_block, blocks in batches:
             for row in range(blocks):
                 self.found[part, first_block + row] = name, first + row, blocks
-            first += self.parts[part] * blocks
+            first += len(self.parts[part]) * blocks
 
 
 def indexed(folder: Path) -> Index:

@@ -26,20 +26,19 @@ class Verified:
         self.lines_of_journal, self.records = 0, 0
         self.keys: set[str] = set()  # of the problems that sound shards hold
         self._read_journal()
-        self.told = self._told()
+        # Of a shard: position of row 0, from row to row, block, keys of rows.
+        self.told: dict[str, list[tuple[int, int, int, list[str]]]] = defaultdict(list)
+        for (part, block), (name, first, step) in self.index.found.items():
+            self.told[name].append((first, step, block, self.index.parts[part]))
         sizes = sizes_in(folder)
         shards = shard_sizes(sizes)
         self.shards = len(shards)
         self.unreadable = unreadable([folder / f"{name}.nc" for name in sorted(shards)])
         self.sound = sum(self._is_sound(name) for name in sorted(shards))
-        results = {name: folder.parent / name for name in self.index.results.values()}
-        self.results = {name: path for name, path in results.items() if path.is_file()}
-        edited = {
-            n for n, path in self.results.items() if digest_of(path) not in self.index.results
-        }
-        self.faults += [
-            f"{self.results[name]}: is not as a run wrote it" for name in sorted(edited)
-        ]
+        told = sorted({folder.parent / name for name in self.index.results.values()})
+        self.results = [path for path in told if path.is_file()]
+        edited = [path for path in self.results if digest_of(path) not in self.index.results]
+        self.faults += [f"{path}: is not as a run wrote it" for path in edited]
         missing = sorted(self.index.sizes.keys() - shards.keys())
         self.faults += [f"{name}.nc: missing, but told by the journal" for name in missing]
         ours = {f"{name}.nc" for name in shards} | {journal.NAME, LOCK}
@@ -109,15 +108,3 @@ class Verified:
         if {self.index.makers[maker] for maker in self.index.made[name]} != set(contents.makers):
             return "was computed with something else than the journal tells"
         return ""
-
-    def _told(self) -> dict[str, list[tuple[int, int, int, list[str]]]]:
-        """Return name of a shard -> (position of row 0, from row to row, block, keys of rows)."""
-        keys: dict[str, dict[int, str]] = defaultdict(dict)
-        for key, parts in self.index.rows.items():
-            for part, row in parts:
-                keys[part][row] = key
-        rows = {part: [named[row] for row in sorted(named)] for part, named in keys.items()}
-        told = defaultdict(list)
-        for (part, block), (name, first, step) in self.index.found.items():
-            told[name].append((first, step, block, rows[part]))
-        return told

@@ -36,7 +36,6 @@ if TYPE_CHECKING:
         judged,
         shift_law_of,
         shift_of,
-        velocity_steps,
         why_not,
     )
     from .measured import Measured

@@ -10,7 +10,7 @@ from dataclasses import replace
 from functools import partial
 from typing import Any, NamedTuple
 
-from .effects import Material, Scene, with_one_of
+from .effects import Material, Scene
 from .settings import Key, one_or_several
 from .surfaces import Surface
 
@@ -44,10 +44,6 @@ class Axis(NamedTuple):
         return parts._replace(**{self.table: with_it})
 
 
-def _with_one(scene: Scene, axis: str, value: float) -> Scene:
-    return scene._replace(programme=with_one_of(scene.programme, axis, value))
-
-
 def _pulled(scene: Scene, _: str, stiffness: float) -> Scene:
     assert scene.drive is not None
     return scene._replace(drive=scene.drive._replace(stiffness=stiffness))
@@ -62,16 +58,16 @@ ROWS = (
     Axis("velocity_step", "1", "relative velocity jump dv/v1"),
     Axis("prescribed_indentation", "m", "prescribed indentation d over the mean line"),
     Axis("temperature", "degree_Celsius", "temperature of the elastomer", "material"),
-    Axis("hold", "s", "duration of the hold", "scene", _with_one),
+    Axis("hold", "s", "duration of the hold", "scene", Scene.with_one_of),
     Axis("stiffness", "N m-1", "stiffness of the drive's spring", "scene", _pulled, "drive"),
     Axis(
         "velocity_amplitude",
         "m s-1",
         "amplitude of the velocity of the oscillation",
         "scene",
-        _with_one,
+        Scene.with_one_of,
     ),
-    Axis("frequency", "Hz", "frequency of the oscillation", "scene", _with_one),
+    Axis("frequency", "Hz", "frequency of the oscillation", "scene", Scene.with_one_of),
 )
 EVERY_AXIS = {row.name: row for row in ROWS}
 AXES = tuple(EVERY_AXIS)[:6]  # that every result has; another is there where it has values

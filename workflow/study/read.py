@@ -5,6 +5,7 @@ import copy
 import json
 import re
 import tomllib
+from bisect import bisect_left
 from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import replace
@@ -142,10 +143,7 @@ def _found(study: str, scale: str | None, settings: list[str]) -> tuple[str, Pat
         raise UserError(f"{path}: holds brackets within brackets too deep to read") from None
 
 
-HEADER = re.compile(r"\s*(\[\[?)\s*([^\[\]#]+?)\s*\]\]?\s*(?:#.*)?$")
-KEY = re.compile(r"\s*([\w.\"'-]+)\s*=")
 NAMED = re.compile(r"([\w.\"\[\]-]+?)(?: = |: | holds )")  # what a message begins with
-INDEX = re.compile(r"\[\d+\]")
 
 
 @contextmanager
@@ -178,43 +176,44 @@ def line_of(text: str, key: str, scale: str = "") -> int | None:
 
     scale : the one in force, whose tables come before the others. None where there is no such line.
     """
-    wanted, of_scale = _parts(key), ["scales", scale]
+    lines, whole = text.splitlines(), tomllib.loads(text)
+    wanted = [part.strip('"') for part in re.split(r"[.\[\]]+", key) if part]
     best = (0, False, 0)
-    for path, number, header in _lines(text):
-        within = bool(scale) and path[:2] == of_scale
-        depth = _depth(path[2:] if within else path, wanted)
-        best = max(best, (depth, within and not header, -number))
+    for root in (), ("scales", scale):
+        path = [*root, *wanted]
+        depth = _depth(whole, path)
+        if depth > len(root):
+            number = _first_line(lines, path, depth)
+            header = lines[number - 1].lstrip().startswith("[")
+            best = max(best, (depth - len(root), bool(root) and not header, -number))
     return -best[2] if best[0] else None
 
 
-def _lines(text: str) -> list[tuple[list[str], int, bool]]:
-    """Return path and line of every header and key, and whether it is a header."""
-    found: list[tuple[list[str], int, bool]] = []
-    table: list[str] = []
-    counts: dict[str, int] = {}
-    for number, line in enumerate(text.splitlines(), 1):
-        header, key = HEADER.match(line), KEY.match(line)
-        if header:
-            name = header[2]
-            table = _parts(name)
-            if header[1] == "[[":
-                counts[name] = counts.get(name, -1) + 1
-                table[-1] += f"[{counts[name]}]"
-            found.append((table, number, True))
-        elif key:
-            found.append((table + _parts(key[1]), number, False))
-    return found
+def _first_line(lines: list[str], path: list[str], depth: int) -> int:
+    """Return the number of the line with which so many parts of a path are there."""
+
+    def reached(count: int) -> int:
+        return _depth(_readable(lines, count)[1], path)
+
+    last = bisect_left(range(len(lines) + 1), depth, key=reached)
+    return 1 + _readable(lines, last - 1)[0]
 
 
-def _parts(key: str) -> list[str]:
-    return [part.strip("\"' ") for part in key.split(".")]
+def _readable(lines: list[str], most: int) -> tuple[int, dict[str, Any]]:
+    """Return how many lines, so many at most, are TOML by themselves, and their tables."""
+    for count in range(most, 0, -1):
+        with contextlib.suppress(tomllib.TOMLDecodeError):
+            return count, tomllib.loads("\n".join(lines[:count]))
+    return 0, {}
 
 
-def _depth(path: list[str], wanted: list[str]) -> int:
-    """Return how many parts of a key a line has; 0 where it is another's."""
-    if len(path) > len(wanted):
-        return 0
-    for own, part in zip(path, wanted, strict=False):
-        if own != part and own != INDEX.sub("", part):
-            return 0
+def _depth(tables: Any, path: list[str]) -> int:
+    """Return how many parts of a path are there."""
+    for depth, part in enumerate(path):
+        if isinstance(tables, list) and part.isdigit() and int(part) < len(tables):
+            tables = tables[int(part)]
+        elif isinstance(tables, dict) and part in tables:
+            tables = tables[part]
+        else:
+            return depth
     return len(path)

@@ -13,11 +13,11 @@ from .axes import EVERY_AXIS, Grid, Parts, parts_at, separated, with_value
 from .cluster import HERE, Cluster, read_cluster
 from .effects import FOUNDATION, LISTED, Material, Scene, check_quantities, read_scene_table
 from .grid import read_grid
-from .numerics import USUAL, Numerics
+from .numerics import Numerics
 from .settings import filled
 from .surfaces import Profile, Surface, read_surface
 from .tables import ONE_POINT, STUDY, checked_tables
-from .variants import check_accuracy, check_bodies, read_variants
+from .variants import check_bodies, check_numerics, read_variants
 
 MOST_BLOCKS = 100_000  # of one problem; the block means of some are in memory at a time
 
@@ -150,10 +150,10 @@ def read_grid_study(
     alone = one_point and single and not scene.listed
     check_quantities(scene, materials, alone)
     check_bodies(scene, surfaces)
-    _check_energy(scene, variants)
-    check_accuracy(variants, materials, scene, surfaces)
-    if one_point:
-        _one_point(grid)
+    check_numerics(variants, materials, scene, surfaces)
+    for axis, values in grid.items() if one_point else ():
+        if len(values) > 1 and axis not in LISTED:
+            raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
     return Study(
         **head,
         grid=grid,
@@ -164,22 +164,6 @@ def read_grid_study(
         pressures=given["grid"].get("normal_pressure", ()),
         cluster=cluster,
     )
-
-
-def _check_energy(scene: Scene, variants: Mapping[str, Numerics]) -> None:
-    for label, numerics in variants.items():
-        if "energy" in scene.quantities and numerics.scheme != USUAL.scheme:
-            where = f"compare.{label}" if label else "numerics"
-            raise UserError(
-                f"{where}.scheme = {numerics.scheme!r}: energies are those of {USUAL.scheme} "
-                'alone; leave it out, or "energy" out of scene.quantities'
-            )
-
-
-def _one_point(grid: Grid) -> None:
-    for axis, values in grid.items():
-        if len(values) > 1 and axis not in LISTED:
-            raise UserError(f"grid.{axis} = {list(values)!r:.40}: a scene has one value of it")
 
 
 def _check_each(

@@ -8,19 +8,7 @@ from typing import Any
 from ..ground import Complaints, UserError
 from .axes import with_lists
 from .cluster import CLUSTER
-from .effects import (
-    ARRHENIUS,
-    DRIVE,
-    FILE,
-    HOLD,
-    MATERIAL,
-    OSCILLATE,
-    PULL,
-    RAMP,
-    SCENE,
-    SLIDE,
-    WLF,
-)
+from .effects import ARRHENIUS, DRIVE, MATERIAL, SCENE, SEGMENTS, WLF
 from .grid import GRID
 from .numerics import NUMERICS
 from .settings import Key, as_table, as_text, check_keys, checked, integer
@@ -81,12 +69,7 @@ WITHIN: dict[str, dict[str, Keys]] = {  # the tables that stand in one
     "material": {"material.wlf": WLF, "material.arrhenius": ARRHENIUS},
     "scene": {
         "scene.drive": DRIVE,
-        "scene.programme.slide": SLIDE,
-        "scene.programme.hold": HOLD,
-        "scene.programme.ramp": RAMP,
-        "scene.programme.oscillate": OSCILLATE,
-        "scene.programme.pull": PULL,
-        "scene.programme": FILE,
+        **{f"scene.programme.{kind}".removesuffix(".file"): SEGMENTS[kind] for kind in SEGMENTS},
     },
 }
 EVERY_TABLE: dict[str, Keys] = {  # of a study of a grid

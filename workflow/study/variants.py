@@ -7,22 +7,22 @@ from typing import Any
 
 from ..ground import UserError
 from .effects import (
-    BODY,
     FORCE,
     FOUNDATION,
     MATERIAL,
     OF_ELEMENTS,
+    SCENE,
     SHIFTS,
     Material,
     Scene,
     read_material,
 )
-from .numerics import NUMERICS, Numerics, read_numerics
+from .numerics import NUMERICS, USUAL, Numerics, read_numerics
 from .surfaces import LIKE, Surface, lines_like
 
 # All of a comparison are points of one grid, to which temperatures belong.
 COMPARE = NUMERICS | {key: MATERIAL[key] for key in MATERIAL if key != "temperature"}
-COMPARE |= LIKE | {"body": BODY}
+COMPARE |= LIKE | {"body": SCENE["body"]}
 EITHER = (("branches", "branches_file"), tuple(SHIFTS))  # one takes the place of the others
 
 
@@ -84,26 +84,32 @@ def check_bodies(scene: Scene, surfaces: Mapping[str, Surface]) -> None:
             )
 
 
-def check_accuracy(
+def check_numerics(
     variants: dict[str, Numerics],
     materials: dict[str, Material],
     scene: Scene,
     surfaces: Mapping[str, Surface],
 ) -> None:
-    """Raise UserError where an accuracy is asked for beyond what its laws were measured on."""
+    """Raise UserError for energies of another scheme, and for an accuracy beyond its laws."""
     for label, numerics in variants.items():
+        where = f"compare.{label}" if label else "numerics"
+        if "energy" in scene.quantities and numerics.scheme != USUAL.scheme:
+            raise UserError(
+                f"{where}.scheme = {numerics.scheme!r}: energies are those of {USUAL.scheme} "
+                'alone; leave it out, or "energy" out of scene.quantities'
+            )
+        if not numerics.accuracy:
+            continue
         own = surfaces[label]
         of_maps = own.body != FOUNDATION
         others = own.profile is not None or own.cutoff or (own.rolloff and not of_maps)
-        beyond = scene.programme or others or materials[label].branches
-        where = f"compare.{label}" if label else "numerics"
-        if numerics.accuracy and beyond:
+        if scene.programme or others or materials[label].branches:
             raise UserError(
                 f"{where}.accuracy = {numerics.accuracy!r}: holds for one velocity step of Kelvin "
                 "elements on self-affine lines or maps; give steps_per_spacing and "
                 "study.realizations"
             )
-        if numerics.accuracy and of_maps and "relaxation" in scene.quantities:
+        if of_maps and "relaxation" in scene.quantities:
             raise UserError(
                 f"{where}.accuracy = {numerics.accuracy!r}: on a half-space holds for the "
                 'quantities "steady" and "jump", as the scatter of relaxations follows no law; '

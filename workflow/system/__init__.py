@@ -28,10 +28,13 @@ if TYPE_CHECKING:
         ROOT,
         VERSION,
         Maker,
+        Versions,
         import_dask,
         our_sources,
+        own_versions,
         package_versions,
         processor,
+        require,
         this_maker,
         version_of,
     )
@@ -39,7 +42,6 @@ if TYPE_CHECKING:
     from .process import THREADS, Interrupt, keep_memory, peak_bytes
     from .progress import Reporter, core_time, duration
     from .terminal import forgive_streams, program
-    from .versions import Versions, own_versions, require
     from .watch import BEAT_SECONDS, NO_ANSWER, QUIET_SECONDS, Watch, say
 
 __all__, __getattr__, __dir__ = public_names(__name__, __file__)

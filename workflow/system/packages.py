@@ -1,8 +1,12 @@
-"""What this process runs: versions of packages, and the processor."""
+"""What this process runs: versions of packages, and the processor.
+
+A worker must run what the driver runs before it does work.
+"""
 
 import contextlib
 import hashlib
 import platform
+import socket
 from functools import cache
 from importlib.metadata import PackageNotFoundError, version
 from pathlib import Path
@@ -14,6 +18,9 @@ ROOT = Path(__file__).resolve().parents[2]  # the folder of kernels, workflow an
 FOLDERS = ("kernels", "workflow")  # of our sources
 PACKAGES = ("numpy", "numba", "scipy", "dask", "distributed", "xarray", "netCDF4")
 COMPUTING = ("numpy", "numba", "llvmlite")  # on whose versions the bits of records may depend
+DEPENDED_ON = (*COMPUTING, "scipy", "dask", "distributed")  # by what a worker does
+
+Versions = dict[str, str]  # what a process runs
 
 
 class Maker(NamedTuple):
@@ -73,3 +80,21 @@ def this_maker() -> Maker:
     library = " ".join(platform.libc_ver()).strip() or "unknown C library"
     packages = [f"{name} {version_of(name)}" for name in COMPUTING]
     return Maker(", ".join([python, library, *packages]), processor())
+
+
+@cache
+def own_versions() -> Versions:
+    """Return what this process runs; the hash of our own sources is last."""
+    found = {name: version_of(name) for name in DEPENDED_ON}
+    return found | {"python": platform.python_version(), "our sources": our_sources()}
+
+
+def require(expected: Versions) -> None:
+    """Raise UserError with a table where this process, a worker, differs from the driver."""
+    found = own_versions()
+    odd = [name for name, version in expected.items() if found.get(name) != version]
+    if odd:
+        head = "workers must run what the driver runs:"
+        rows = [("", "", "there", "driver")]
+        rows += [(socket.gethostname(), name, str(found.get(name)), expected[name]) for name in odd]
+        raise UserError(head, *(f"  {row[0]:28s}{row[1]:14s}{row[2]:18s}{row[3]}" for row in rows))

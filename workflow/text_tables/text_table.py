@@ -146,16 +146,14 @@ class TextTable:
         if self.plain:
             return np.array(list(map(float, words)))
         try:
-            return np.array([self._number(word) for word in words])
+            number = self.marks.number
+            return np.array([np.nan if is_missing(word) else number(word) for word in words])
         except ValueError:
             bad = next(n for n, w in enumerate(words) if not (is_numeral(w) or is_missing(w)))
             raise UserError(
                 f"{self.key}: line {self.lines[bad]} of {self.name!r} reads "
                 f"{' '.join(self.rows[bad])!r:.40}: must hold a number in column {column}"
             ) from None
-
-    def _number(self, word: str) -> float:
-        return float("nan") if is_missing(word) else self.marks.number(word)
 
     def _marks(self) -> Marks:
         own = (row[n] for row in self.rows for n in self.numeric)

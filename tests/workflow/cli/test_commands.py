@@ -94,13 +94,6 @@ def test_an_accuracy_on_the_command_line_is_the_setting(capsys, study, text):
     assert by_option != output(capsys, "plan", study)
 
 
-def test_an_accuracy_that_is_no_number_is_refused(capsys, study):
-    expected = "error: --accuracy fine: must be a number such as 1% or 0.01\n"
-    assert refusal(capsys, "plan", study, "--accuracy", "fine") == expected
-    said = refusal(capsys, "plan", study, "--accuracy", "200%")
-    assert "numerics.accuracy = 2.0: must lie between" in said
-
-
 def test_a_result_of_another_accuracy_is_not_drawn(capsys, study, finished):
     said = refusal(capsys, "table", study, "--accuracy", "5%", "--out", str(finished.path))
     assert "other settings than asked for: numerics.accuracy" in said
@@ -161,6 +154,8 @@ def test_a_plan_as_data_says_what_was_read_of_each_file(capsys, tmp_path):
 def test_a_value_that_a_plan_has_not_is_null(capsys, powers):
     measured = json.loads(output(capsys, "plan", "measured_line", "--scale", "smoke", "--json"))
     assert measured["axes"]["hurst"] == [None]
+    shown = output(capsys, "plan", "measured_line", "--scale", "smoke")
+    assert re.search(r"^  hurst +1  of the lines$", shown, re.MULTILINE)
     assert json.loads(output(capsys, "plan", "powers", "--json"))["predicted_core_seconds"] == 1.5
     assert json.loads(output(capsys, "status", "powers", "--json"))["written"] is False
 
@@ -207,15 +202,18 @@ BAD = "workers=0 workers=-2 max-failures=-1"
 BAD += " batch-seconds=0.0 batch-seconds=-1.0 batch-seconds=nan batch-seconds=inf"
 
 
-@pytest.mark.parametrize("option", BAD.split())
-def test_bad_option_of_run_names_it(capsys, study, tmp_path, option):
-    message = refusal(capsys, "run", study, f"--{option}", "--out", str(tmp_path))
-    assert message.startswith(f"error: --{option.replace('=', ' ')}: must ")
-
-
-def test_a_scheduler_and_a_batch_system_are_one_too_many(capsys, study):
-    said = refusal(capsys, "run", study, "--slurm", "--scheduler", "tcp://127.0.0.1:1")
-    assert said == "error: --scheduler and --slurm: only one of them\n"
+@pytest.mark.parametrize(
+    ("options", "words"),
+    [
+        *((f"--{each}", f"--{each.replace('=', ' ')}: must ") for each in BAD.split()),
+        ("--slurm --scheduler tcp://x:1", "--scheduler and --slurm: only one of them\n"),
+        ("--accuracy fine", "--accuracy fine: must be a number such as 1% or 0.01\n"),
+        ("--accuracy 200%", "numerics.accuracy = 2.0: must lie between"),
+    ],
+)
+def test_bad_options_of_run_are_named(capsys, study, tmp_path, options, words):
+    said = refusal(capsys, "run", study, *options.split(), "--out", str(tmp_path))
+    assert said.startswith(f"error: {words}")
 
 
 @pytest.mark.parametrize("option", ["--workers=2", "--batch-seconds=1", "--scheduler=tcp://x:1"])

@@ -1,10 +1,10 @@
 """What `plan` prints: points, problems, effects, costs; it computes and writes nothing."""
 
 import json
-import math
 import re
 
 import numpy as np
+import pytest
 
 from elastomer_friction.workflow.cli import outline
 from elastomer_friction.workflow.cli.outline import effects, march_lines
@@ -32,7 +32,7 @@ def test_plan_says_which_effects_are_simulated(capsys, study):
     why = json.loads(output(capsys, "plan", study, "--json"))["not_simulated"]
     assert why["models"] == "it is not asked for"
     assert "indentation rate in the force: kept" in everything
-    settings = ["--set", 'scene.quantities=["steady"]', "--set", "scene.indentation_rate=false"]
+    settings = ["--set", STEADY, "--set", "scene.indentation_rate=false"]
     steady = output(capsys, "plan", study, *settings)
     assert "simulated     steady: steady sliding" in steady
     assert re.search("^not simulated .* jump, relaxation, ", steady, re.MULTILINE)
@@ -70,18 +70,31 @@ def test_plan_says_what_is_marched_and_how_far_memory_reaches():
     assert reach == "remembers   study: v t_max / L = 0.003 ... 0.01"  # 1 ms at 0.03, 0.1 m/s, 1 cm
 
 
-def test_plan_says_that_nothing_is_marched_where_steady_sliding_is_solved(capsys, study):
-    found = facts(output(capsys, "plan", study))
-    assert "after the velocity step" in found["marches"]
-    found = facts(output(capsys, "plan", study, "--set", 'scene.quantities=["steady"]'))
-    assert found["marches"].endswith("none: steady sliding is solved")
+STEADY = 'scene.quantities=["steady"]'
+RUBBER = ("material.branches=[[5e6, 1e-2]]", "compare.coarse={}")
 
 
-def test_plan_predicts_time_and_memory(capsys, study):
-    found = facts(output(capsys, "plan", study, "--set", "study.realizations=100000"))
-    assert re.fullmatch(r"predicted +about \d\S* to \d\S* core-(minutes|hours)", found["predicted"])
-    assert int(found["memory"].split()[1]) > 100
-    assert found["memory"].endswith("samples")
+@pytest.mark.parametrize(
+    ("settings", "line", "pattern"),
+    [
+        ([], "marches", r".*after the velocity step.*"),
+        ([STEADY], "marches", r".*none: steady sliding is solved"),
+        (["study.realizations=100000"], "predicted", r".* about \d\S* to \d\S* core-(min|hou).*"),
+        ([], "memory", r"memory +\d{3,} MiB per worker, .* samples"),
+        (RUBBER, "standard", r".*not known before the run.*"),  # a rubber of many times
+        (RUBBER, "discretisation", r".*not known before the run.*"),
+        (
+            ["study.realizations=10"],
+            "realizations",
+            r"realizations 12 each \(10 rounded up to whole quartets of lines\), 192 in all",
+        ),
+    ],
+)
+def test_plan_says_what_is_marched_what_it_costs_and_what_is_not_known(
+    capsys, study, settings, line, pattern
+):
+    options = [word for each in settings for word in ("--set", each)]
+    assert re.fullmatch(pattern, facts(output(capsys, "plan", study, *options))[line])
 
 
 def test_plan_leads_with_what_is_computed_what_it_costs_and_the_three_errors(capsys, study):
@@ -103,30 +116,13 @@ def test_expected_errors_fall_with_the_lines_and_with_the_steps():
         assert np.all(fine[name].discretisation < coarse[name].discretisation)
 
 
-def test_errors_of_a_rubber_of_many_times_are_not_known_before(capsys, study):
-    branches = ["--set", "material.branches=[[5e6, 1e-2]]", "--set", "compare.coarse={}"]
-    found = facts(output(capsys, "plan", study, *branches))
-    assert "not known before the run" in found["standard"]
-    assert "not known before the run" in found["discretisation"]
-
-
-def test_an_axis_of_measured_lines_is_no_number():
-    assert outline._axis_span((math.nan,)) == "of the lines"
-
-
-def test_plan_says_when_realizations_are_rounded_up(capsys, study):
-    found = facts(output(capsys, "plan", study, "--set", "study.realizations=10"))
-    words = "realizations 12 each (10 rounded up to whole quartets of lines), 192 in all"
-    assert found["realizations"] == words
-
-
 def test_a_long_run_is_offered_a_first_look_at_steady_friction(capsys, study, monkeypatch):
     assert "first look" not in output(capsys, "plan", study)
     monkeypatch.setattr(outline, "PATIENCE", 0.0)
     monkeypatch.setattr(outline, "MUCH", 1.0)
     found = facts(output(capsys, "plan", study))
     assert "steady friction alone takes about " in found["first"]
-    steady = output(capsys, "plan", study, "--set", 'scene.quantities=["steady"]')
+    steady = output(capsys, "plan", study, "--set", STEADY)
     assert "first look" not in steady  # it is one
 
 
@@ -170,6 +166,9 @@ def test_every_quantity_is_named_once_with_its_reason():
     assert absent["rolloff"] == "surface.rolloff is not given"
 
 
+WLF = "material.wlf={c1=8.86, c2=101.6, reference=20}"
+
+
 def test_materials_and_temperatures():
     simulated, absent = said()
     assert simulated["rheology"] == "Kelvin element, tau = 0.001 s"
@@ -179,22 +178,18 @@ def test_materials_and_temperatures():
         "compare.sls={branches=[[5e6, 1e-2]], relaxation_time=0}",
         "compare.both={branches=[[5e6, 1e-2], [1e7, 1e-3]]}",
         "material.temperature=[0, 20]",
-        "material.wlf={c1=8.86, c2=101.6, reference=20}",
-        'scene.quantities=["steady"]',
+        WLF,
+        STEADY,
     )
     assert simulated["rheology of sls"].startswith("standard linear solid without a dashpot")
     assert simulated["rheology of both"].startswith("Prony series of 2 branches with a dashpot")
     assert simulated["2 temperatures"] == "all times shifted by WLF"
     assert "branches of relaxation" not in absent
     assert "rheology of coarse" not in simulated  # that of the study
-
-
-def test_one_temperature():
-    wlf = "material.wlf={c1=8.86, c2=101.6, reference=20}"
-    simulated, _ = said("material.temperature=50", wlf)
-    assert simulated["one temperature"] == "all times shifted by WLF"
-    simulated, _ = said("material.temperature=50", 'material.shifts_file="shifts.csv"')
-    assert "by a table (shifts.csv: 3 rows; column 0" in simulated["one temperature"]
+    table = 'material.shifts_file="shifts.csv"'
+    for law, words in ((WLF, "by WLF"), (table, "by a table (shifts.csv: 3 rows; column 0")):
+        simulated, _ = said("material.temperature=50", law)
+        assert f"all times shifted {words}" in simulated["one temperature"]
 
 
 def test_programme_and_control():

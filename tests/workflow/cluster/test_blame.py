@@ -9,17 +9,11 @@ A, B, C = (f"tls://127.0.0.1:{port}" for port in (1, 2, 3))
 FAR = {name: f"tls://10.0.0.{name[0]}:{name[1]}" for name in ("11", "12", "21", "31")}
 
 
-def blame_of(*workers, paused=(), blame=None, time=0.0):
+def blame_of(*workers, blame=None, time=0.0):
     """Return what is known of workers that are there."""
     blame = blame or Blame()
-    ready = [worker for worker in workers if worker not in paused]
-    blame.note(Snapshot(dict.fromkeys(workers, 1), ready), time)
+    blame.note(Snapshot(dict.fromkeys(workers, 1), workers), time)
     return blame
-
-
-def test_who_is_paused_is_there_but_not_fit():
-    blame = blame_of(A, B, C, paused=[B])
-    assert (len(blame.now.threads), blame.fit([A]), blame.fit()) == (3, [C], [A, C])
 
 
 def test_of_a_failure_that_was_nobody_knows_where_nobody_is_blamed(capsys):

@@ -8,7 +8,6 @@ import ssl
 import struct
 import urllib.error
 import urllib.request
-from pathlib import Path
 from typing import NamedTuple
 
 import dask
@@ -21,23 +20,10 @@ from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.system import Interrupt
+from tests.cluster.processes import ports_of
 from tests.support.own_workers import facts, processes, started_again, starting
 from tests.support.runs import PATIENCE
 from tests.support.small import small_plan
-
-
-def listening(pids):
-    """Return the TCP ports at which processes listen."""
-    inodes = set()
-    for pid in pids:
-        for entry in Path(f"/proc/{pid}/fd").iterdir():
-            with contextlib.suppress(OSError):
-                inodes.add(str(entry.readlink()).removeprefix("socket:[").removesuffix("]"))
-    rows = [line.split() for line in Path("/proc/net/tcp").read_text().splitlines()[1:]]
-    rows += [line.split() for line in Path("/proc/net/tcp6").read_text().splitlines()[1:]]
-    return {
-        int(row[1].rpartition(":")[2], 16) for row in rows if row[3] == "0A" and row[9] in inodes
-    }
 
 
 class Own(NamedTuple):
@@ -51,7 +37,7 @@ class Own(NamedTuple):
 @pytest.fixture(scope="module")
 def own():
     """Return a worker of our own, started in silence: a warning would be an error."""
-    before = listening([os.getpid()]), signal.getsignal(signal.SIGINT)
+    before = ports_of([os.getpid()]), signal.getsignal(signal.SIGINT)
     with socket.socket() as taken:
         with contextlib.suppress(OSError):  # taken already is just as good
             taken.bind(("", 8787))
@@ -101,13 +87,12 @@ def closes(port):
 
 def test_every_port_of_our_own_processes_asks_for_a_certificate_or_has_no_page(own):
     workers = own.client.run(os.getpid)
-    family = [os.getpid(), *workers.values()]
     nannies = [nanny.address for nanny in own.client.cluster.workers.values()]
     known = [own.client.scheduler.address, *workers, *nannies]
     assert len(set(known)) == 3
     assert all(address.startswith("tls://127.0.0.1:") for address in known)
     ports = {int(address.rpartition(":")[2]) for address in known}
-    pages = listening(family) - own.ports - {8787} - ports
+    pages = ports_of([os.getpid()]) - own.ports - {8787} - ports
     assert len(pages) == 2  # of the scheduler and the worker
     paths = ("/", "/status", "/info/main/workers.html", "/json/counts.json", "/health", "/metrics")
     assert {status_of(port, path) for port in pages for path in paths} == {404}
@@ -135,30 +120,18 @@ def test_ctrl_c_while_workers_start_is_heard(monkeypatch):
     assert signal.SIGINT not in signal.pthread_sigmask(signal.SIG_BLOCK, ())
 
 
-@pytest.mark.exhaustive  # four processes, one after the other
-def test_a_worker_that_is_started_again_is_set_up_as_the_first_one():
-    """Whatever dask's own settings are."""
-    with (
-        dask.config.set({"distributed.nanny.pre-spawn-environ": {}}),
-        open_client(Cluster(), 1) as client,
-    ):
-        ((pid, *_),) = client.run(facts).values()
-        os.kill(pid, signal.SIGKILL)
-        how = started_again(client, pid)
-    assert_set_up(*how)
-
-
 @pytest.mark.exhaustive  # seven processes, one after the other
-def test_a_worker_that_is_killed_while_it_starts_again_is_replaced(monkeypatch):
+def test_a_worker_that_is_killed_while_it_starts_again_is_replaced_and_set_up(monkeypatch):
     monkeypatch.setattr(module, "ADAPT_SECONDS", "500ms")
-    timeout = dask.config.set({"distributed.deploy.lost-worker-timeout": 1.0})
-    with timeout, open_client(Cluster(), 1) as client:
+    settings = {"distributed.deploy.lost-worker-timeout": 1.0}
+    settings["distributed.nanny.pre-spawn-environ"] = {}  # whatever dask's are
+    with dask.config.set(settings), open_client(Cluster(), 1) as client:
         ((pid, *_),) = client.run(facts).values()
         known = processes()  # other tests have workers too
         os.kill(pid, signal.SIGKILL)
         os.kill(starting(known), signal.SIGKILL)
-        ignores_ctrl_c, _ = started_again(client, pid)
-    assert ignores_ctrl_c
+        how = started_again(client, pid)
+    assert_set_up(*how)
 
 
 def test_a_scheduler_that_is_there_is_used_with_a_warning_where_anyone_may(scheduler, capsys):

@@ -19,17 +19,6 @@ def arrival(pool):
     return found
 
 
-def test_results_and_errors_come_with_the_worker_that_they_come_from(client):
-    pool = Pool(client, reciprocal)
-    (key,) = pool.submit([4.0])
-    good = arrival(pool)
-    assert (good.key, good.value, good.error) == (key, 0.25, None)
-    pool.submit([0.0])
-    bad = arrival(pool)
-    assert isinstance(bad.error, ZeroDivisionError)
-    assert {good.address, bad.address} <= {*client.nthreads()}
-
-
 def reciprocal(value):
     """Divide by a value."""
     return truediv(1.0, value)

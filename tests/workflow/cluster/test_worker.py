@@ -9,7 +9,7 @@ from elastomer_friction.workflow.cluster.worker import run_batch
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.study.cluster import Cluster
-from elastomer_friction.workflow.system.versions import own_versions
+from elastomer_friction.workflow.system import own_versions
 from tests.support.runs import PATIENCE
 from tests.support.small import cut_batches, small_plan
 

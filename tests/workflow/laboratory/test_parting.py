@@ -75,6 +75,7 @@ def test_a_drift_that_goes_on_is_taken_off(seed):
     drifting = one._replace(friction=one.friction + 0.02 * one.time)
     fit = fit_step(*measured_steps(drifting))
     assert fit.levelled
+    assert fit.drift.value == pytest.approx(0.02, abs=3.0 * fit.drift.error)
     assert abs(fit.rate.value - 8.0) < 3.0 * fit.rate.error < 2.0
     assert abs(fit.jump.value - 0.05) < 3.0 * fit.jump.error
     np.testing.assert_allclose(fit.curve, drifting.friction[one.time > 0.0], atol=2e-3)

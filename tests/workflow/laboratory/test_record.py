@@ -37,22 +37,20 @@ def test_columns_and_units_of_the_header(tmp_path):
         ("time in s; velocity in mm per s; friction", 1.0, 1e-3),
         ("t [s] v [mm/min] mu", 1.0, 1e-3 / 60.0),
         ("t [s], velocity (microns/s), friction coefficient", 1.0, 1e-6),
+        ("mu; v(mm/s); t(s)", 1.0, 1e-3),
     ],
 )
-def test_units_in_any_form(tmp_path, header, time, velocity):
-    found = read(tmp_path, f"{header}\n0;0,1;1,5\n1;0,2;1,5\n")
+def test_units_in_any_form_and_order(tmp_path, header, time, velocity):
+    rows = [["0", "0,1", "1,5"], ["1", "0,2", "1,5"]]
+    back = -1 if header.startswith("mu") else 1
+    text = "\n".join([header, *(";".join(row[::back]) for row in rows)])
+    found = read(tmp_path, text)
     assert found.time[1] == pytest.approx(time)
     np.testing.assert_allclose(found.velocity, [0.1 * velocity, 0.2 * velocity])
-
-
-def test_order_is_that_of_the_header(tmp_path):
-    found = read(tmp_path, "mu v(mm/s) t(s)\n0.3 1 0\n0.4 2 1\n")
-    assert (found.friction.tolist(), found.time.tolist()) == ([0.3, 0.4], [0.0, 1.0])
-
-
-def test_options_go_before_the_header(tmp_path):
-    found = read(tmp_path, "t (s) v (m/s) mu\n0 1 1\n2 1 1", time="min", velocity="um/s")
-    assert (found.time[1], found.velocity[0]) == (120.0, pytest.approx(1e-6))
+    np.testing.assert_allclose(found.friction, [1.5, 1.5])
+    given = read(tmp_path, text, time="min", velocity="um/s")  # which goes before the header
+    assert given.time[1] == pytest.approx(60.0)
+    np.testing.assert_allclose(given.velocity, [1e-7, 2e-7])
 
 
 def test_missing_samples_are_passed_over_and_equal_stamps_spread(tmp_path):

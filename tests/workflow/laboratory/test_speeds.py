@@ -87,15 +87,6 @@ def test_rates_that_scatter_more_than_their_errors_enlarge_them():
     assert all(each.hurst.error > 2.0 * wild.hurst.error for each in scattered)
 
 
-def test_rate_belongs_to_the_velocity_after_the_step():
-    """Steps up and down between the same two speeds, with rates in proportion to that after."""
-    fits = []
-    for v1, v2 in ((0.1, 0.3), (0.3, 0.1), (0.1, 0.2), (0.2, 0.1)):
-        step = STEP.step._replace(v1=v1, v2=v2)
-        fits.append(STEP._replace(step=step, rate=Estimate(80.0 * v2, 0.8 * v2)))
-    assert fit_rates(fits, Known()).exponent.value == pytest.approx(1.0)
-
-
 def test_no_rate_no_result():
     assert fit_rates([STEP._replace(rate=Estimate())], Known()) is None
 

@@ -157,11 +157,3 @@ def test_constants_of_a_state_law_are_found(law, ratio):
         assert found.error < 0.1 * true
     other = fit_step(*measured_steps(one._replace(friction=friction)), LAWS[law == LAWS[0]])
     assert other.rms > 1.5 * fit.rms
-
-
-def test_drift_before_the_step_is_seen():
-    one = record(size=1e-4)
-    assert abs(fit_step(*measured_steps(one)).drift.value) < 4e-5
-    drifting = one._replace(friction=one.friction + 0.01 * one.time)
-    drift = fit_step(*measured_steps(drifting)).drift
-    assert drift.value == pytest.approx(0.01, abs=3.0 * drift.error)

@@ -49,6 +49,21 @@ end subroutine
 """
 
 
+def loaded(folder, *command):
+    """Return a library that a compiler makes of files in a folder; run(n, t, v, mu) is in it."""
+    subprocess.run([*command, "-shared", "-fPIC", "-o", "use.so"], cwd=folder, check=True)
+    library, numbers = ctypes.CDLL(str(folder / "use.so")), np.ctypeslib.ndpointer(float)
+    library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
+    return library
+
+
+def assert_followed(library, law):
+    """Assert that a library goes through the motion as the law does."""
+    mu = np.empty_like(TIME)
+    library.run(TIME.size, TIME, SWING, mu)
+    assert mu == pytest.approx(followed(law, TIME, SWING), rel=1e-12, abs=1e-12)
+
+
 @compiled
 @pytest.mark.parametrize("states", [0, 1, 2])
 @pytest.mark.parametrize("force", [None, 0.5, 1.0, 1.3, 2.0, 5.0, 9.0])
@@ -69,15 +84,9 @@ def test_the_header_in_c_is_the_law_to_rounding(tmp_path, states, force):
         f"double steady(double v) {{ return rubber_steady(v{load}); }}\n"
     )
     strict = ["-std=c99", "-pedantic", "-Wall", "-Wextra", "-Werror"]
-    command = [COMPILER, *strict, "-shared", "-fPIC", "use.c", "-o", "use.so", "-lm"]
-    subprocess.run(command, cwd=tmp_path, check=True)
-    library = ctypes.CDLL(str(tmp_path / "use.so"))
-    numbers = np.ctypeslib.ndpointer(float)
-    library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
+    library = loaded(tmp_path, COMPILER, *strict, "use.c", "-lm")
     library.steady.argtypes, library.steady.restype = [ctypes.c_double], ctypes.c_double
-    mu = np.empty_like(TIME)
-    library.run(TIME.size, TIME, SWING, mu)
-    assert mu == pytest.approx(followed(law, TIME, SWING), rel=1e-12, abs=1e-12)
+    assert_followed(library, law)
     for v in (-0.3, -0.03, 0.0, 1e-4, 0.001, 0.05, 0.1):
         assert library.steady(v) == pytest.approx(float(law.steady(v)), rel=1e-13, abs=1e-15)
 
@@ -90,15 +99,9 @@ def test_the_fortran_is_the_law_to_rounding(tmp_path, states):
     (tmp_path / "rubber.f").write_bytes(export(law, "fortran", "rubber").content)
     (tmp_path / "vaba_param.inc").write_text("      implicit real*8(a-h, o-z)\n")
     (tmp_path / "use.f90").write_text(USE)
-    command = ["gfortran", "-O2", "-shared", "-fPIC", "rubber.f", "use.f90", "-o", "use.so"]
-    subprocess.run(command, cwd=tmp_path, check=True)
-    library = ctypes.CDLL(str(tmp_path / "use.so"))
-    numbers = np.ctypeslib.ndpointer(float)
-    library.run.argtypes = [ctypes.c_int, numbers, numbers, numbers]
-    library.coefficient.argtypes = [ctypes.c_int, numbers, numbers, numbers]
-    mu = np.empty_like(TIME)
-    library.run(TIME.size, TIME, SWING, mu)
-    assert mu == pytest.approx(followed(law, TIME, SWING), rel=1e-12, abs=1e-12)
+    library = loaded(tmp_path, "gfortran", "-O2", "rubber.f", "use.f90")
+    library.coefficient.argtypes = library.run.argtypes
+    assert_followed(library, law)
     v = np.array([0.0, 1e-4, 0.0015, 0.03, 0.07, 0.3])
     steady, slope = np.empty_like(v), np.empty((3, v.size))
     library.coefficient(v.size, v, steady, slope)
@@ -119,54 +122,51 @@ def test_range_error_and_motions_stand_in_every_text():
         assert "_1_rubber" in text
 
 
-def test_modelica_is_parsed_with_its_inputs_and_equations():
+@pytest.mark.parametrize("over", [False, True])
+def test_modelica_is_parsed_with_its_inputs_and_equations(over):
+    """Of a table over the load, that is a parameter."""
     parser = pytest.importorskip("pymoca.parser")
-    text = export(LAW, "modelica", "rubber").content.decode()
+    law = load_law() if over else LAW
+    text = export(law, "modelica", "rubber").content.decode()
     block = parser.parse(text).classes["rubber"]
     assert block.symbols["v"].prefixes == ["input"]
     assert block.symbols["mu"].prefixes == ["output"]
+    assert not over or "parameter" in block.symbols["normal_force"].prefixes
     assert len(block.equations) == 4  # the age, two states, friction
     assert len(block.initial_equations) == 3
-    assert set(block.classes) == {"odd", "even"}
-    (row,) = re.findall(r"target1\[5\] = \{(.*)\}", text)
-    assert [float(value) for value in row.split(",")] == LAW.target[0].tolist()
+    assert {"odd", "even"} <= set(block.classes)
+    head, tail = (r"between\(normal_force, loads, \{", r"\}\)") if over else ("", "")
+    (rows,) = re.findall(rf"target1\[5\] = {head}\{{(.*)\}}{tail}", text)
+    found = [[float(value) for value in row.split(",")] for row in rows.split("}, {")]
+    assert found == (law.target[:, 0].tolist() if over else [LAW.target[0].tolist()])
 
 
-def test_modelica_over_the_load_takes_it_as_a_parameter():
-    parser = pytest.importorskip("pymoca.parser")
-    text = export(load_law(), "modelica", "rubber").content.decode()
-    block = parser.parse(text).classes["rubber"]
-    assert "parameter" in block.symbols["normal_force"].prefixes
-    assert len(block.equations) == 4
-    (tables,) = re.findall(r"target1\[5\] = between\(normal_force, loads, \{\{(.*)\}\}\)", text)
-    found = [[float(value) for value in row.split(",")] for row in tables.split("}, {")]
-    assert found == load_law().target[:, 0].tolist()
+def abaqus(law):
+    """Return the columns of the table of Abaqus."""
+    lines = export(law, "abaqus", "rubber").content.decode().splitlines()
+    rows = [line for line in lines[lines.index("*FRICTION") + 1 :] if not line.startswith("**")]
+    return np.array([[float(x) for x in row.split(",")] for row in rows]).T
 
 
 def test_the_table_of_abaqus_over_the_load_is_that_of_each():
     law = load_law()
-    lines = export(law, "abaqus", "rubber").content.decode().splitlines()
-    rows = [line for line in lines[lines.index("*FRICTION") + 1 :] if not line.startswith("**")]
-    mu, v, force = np.array([[float(x) for x in row.split(",")] for row in rows]).T
+    mu, v, force = abaqus(law)
     assert (np.diff(force) >= 0.0).all()
     for load in law.load:
         of_load = force == load
         expected = law.at(normal_force=load).steady(v[of_load])
         assert mu[of_load] == pytest.approx(expected, rel=1e-6)
-    with pytest.raises(UserError, match="fortran: takes the law of one load"):
-        export(law, "fortran")
 
 
 def test_the_table_of_abaqus_is_steady_friction_over_rising_rates():
-    lines = export(LAW, "abaqus", "rubber").content.decode().splitlines()
-    rows = [line for line in lines[lines.index("*FRICTION") + 1 :] if not line.startswith("**")]
-    mu, v = np.array([[float(x) for x in row.split(",")] for row in rows]).T
+    mu, v = abaqus(LAW)
     assert (np.diff(v) > 0.0).all()
     assert (v[0], mu[0], v[-1]) == (0.0, 0.0, 0.1)
     assert mu == pytest.approx(LAW.steady(v), rel=1e-6)
     between = np.linspace(0.0, 0.1, 997)
     assert np.interp(between, v, mu) == pytest.approx(LAW.steady(between), rel=5e-3)
-    assert "0.1 of mu (rms, beside 0.5 of mu)" in "\n".join(lines)
+    said = export(LAW, "abaqus", "rubber").content.decode()
+    assert "0.1 of mu (rms, beside 0.5 of mu)" in said
 
 
 @compiled
@@ -226,3 +226,5 @@ def test_json_is_read_again_and_other_laws_have_no_other_form():
         export(lugre, "c")
     with pytest.raises(UserError, match="pascal: no form of a law; known are c, abaqus, modelica"):
         export(LAW, "pascal")
+    with pytest.raises(UserError, match="fortran: takes the law of one load"):
+        export(load_law(), "fortran")

@@ -182,12 +182,6 @@ def test_a_first_order_scheme_takes_more_steps(hurst, speed):
     assert first >= 4 * second
 
 
-def test_a_line_too_long_names_the_setting_and_the_way_out():
-    words = r"^numerics.steps_per_spacing = auto: 100000 elements .* higher velocity"
-    with pytest.raises(UserError, match=words):
-        steps_per_spacing(problem(elements=100_000, speed=1e-4), ALL, Numerics())
-
-
 def test_the_longest_line_allowed_is_allowed():
     numerics = Numerics(steps_per_spacing=MAX_SAMPLES_PER_LINE // 100)
     assert steps_per_spacing(problem(elements=100), ALL, numerics) == MAX_SAMPLES_PER_LINE // 100

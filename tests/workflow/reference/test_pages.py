@@ -62,7 +62,7 @@ def test_every_public_name_of_python_has_its_arguments_and_its_meaning(written):
             assert f"\n## ef.{name}" in page
     for method in ("from_result", "steady", "jump", "after_jump", "response"):
         assert f"\n### KineticLaw.{method}\n\n`{method}(" in page
-    (arguments,) = re.findall(r"^`run\((profile=.*)\)`$", page, re.MULTILINE)
+    (arguments,) = re.findall(r"^`run\(\*, (profile.*)\)`$", page, re.MULTILINE)
     said = {word.partition("=")[0] for word in arguments.split(", ")}
     assert {"material", "programme", "realizations"} <= said
     assert "\n- `realizations`: lines; with several" in page

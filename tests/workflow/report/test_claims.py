@@ -15,7 +15,7 @@ from elastomer_friction.workflow.report.claims import (
     mean_error,
 )
 from elastomer_friction.workflow.report.csv_tables import write_table
-from elastomer_friction.workflow.report.unresolved import Resolved, not_resolved, without_unresolved
+from elastomer_friction.workflow.report.unresolved import not_resolved, without_unresolved
 from elastomer_friction.workflow.study.axes import AXES
 from elastomer_friction.workflow.study.read import read_study
 from tests.support.synthetic import result, with_alpha, with_rates
@@ -106,14 +106,6 @@ def test_unresolved_points_are_as_if_they_had_failed(partly):
 def test_a_result_that_is_resolved_or_does_not_say_is_left_as_it_is(partly):
     for same in (partly.drop_vars("resolution_status"), partly.isel(hurst=[1])):
         assert without_unresolved(same) == (same, 0)
-
-
-def test_claims_see_resolved_points_and_know_how_many_were_left_out(partly):
-    results = Resolved({"fig7": partly, "fig8": partly.isel(hurst=[1])})
-    assert (len(results), list(results)) == (2, ["fig7", "fig8"])
-    assert results.left_out == {}
-    assert np.isnan(results["fig7"].mu_1.values).sum() == 1
-    assert results.left_out == {"fig7": 1}
 
 
 def test_every_point_is_a_row_of_the_estimates_of_the_result(shown, finished):

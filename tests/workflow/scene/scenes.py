@@ -7,6 +7,7 @@ from elastomer_friction.workflow import scene
 N, LENGTH = 128, 1e-4
 MATERIAL = {"shear_modulus": 1e6, "branches": [[5e6, 1e-3], [1e7, 1e-4]]}
 KELVIN = {"shear_modulus": 1e6, "relaxation_time": 1e-3}
+PULL = {"pull": {"velocity": 0.1, "distance": 64 * LENGTH / N}}
 
 
 def heights(count=N):
@@ -29,5 +30,4 @@ def run(*programme, **changed):
         "material": MATERIAL,
         "programme": programme or [slide()],
     }
-    given |= changed
-    return scene.run(**{name: value for name, value in given.items() if value is not None})
+    return scene.run(**(given | changed))

@@ -3,14 +3,12 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.plan import make_plan
 from tests.support.documents import without
 from tests.support.small import small_study
-from tests.workflow.scene.scenes import KELVIN, LENGTH, N, run, slide
+from tests.workflow.scene.scenes import KELVIN, LENGTH, PULL, N, run, slide
 
 VELOCITY = 0.1
-PULL = {"pull": {"velocity": VELOCITY, "distance": 64 * LENGTH / N}}
 
 
 def pulled(stiffness, *programme, mass=0.0, **changed):
@@ -66,20 +64,6 @@ def test_stiffness_and_the_velocity_of_the_grid_are_axes():
     np.testing.assert_allclose(by_stiffness[2] / by_stiffness[0], 100.0, rtol=1e-9)
 
 
-@pytest.mark.parametrize(
-    ("drive", "words"),
-    [
-        ({"stiffness": -1.0}, "scene.drive.stiffness = -1.0: must be greater than zero"),
-        ({"stiffness": 1.0, "mass": float("nan")}, "scene.drive.mass = nan: must be a finite"),
-        ({"mass": 1.0}, "scene.drive.stiffness: missing"),
-        (3.0, "drive = 3.0: must be a dictionary"),
-    ],
-)
-def test_a_bad_drive_is_one_line(drive, words):
-    with pytest.raises(UserError, match=words):
-        run(PULL, drive=drive)
-
-
 def test_sticking_and_slipping_is_told_by_swing_period_and_velocity():
     found = pulled(
         1e9,
@@ -98,11 +82,6 @@ def test_when_a_slider_turns_is_a_list_in_seconds():
     assert found.slip_event_kind.values.tolist() == [2]
     assert found.slip_event_kind.attrs["flag_meanings"].split()[3] == "reversal"
     assert float(found.slip_event_time[0]) == pytest.approx(there, rel=0.02)
-
-
-def test_what_is_not_kept_of_a_slider_is_refused():
-    with pytest.raises(UserError, match='"energy": is not computed of a line on a spring'):
-        pulled(1e4, quantities=("trace", "energy"))
 
 
 def test_a_drive_that_is_held_keeps_friction_the_longer_the_softer_it_is():

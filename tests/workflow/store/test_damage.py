@@ -13,6 +13,7 @@ from tests.support.shards import (
     SAMPLES,
     WORK,
     assert_holds,
+    contents,
     filled,
     held,
     records,
@@ -60,19 +61,16 @@ def test_damaged_shard_is_set_aside_the_others_are_read_and_it_can_be_computed_a
     assert_holds(Store(tmp_path), WORK[0], results[0])
 
 
-def test_a_shard_that_vanished_is_named(tmp_path, capsys):
+@pytest.mark.parametrize(("length", "why"), [(0, "missing)"), (100, "100 bytes instead of ")])
+def test_a_shard_that_vanished_or_was_cut_is_named_when_the_store_is_opened(
+    tmp_path, capsys, length, why
+):
     store, _ = filled(tmp_path, WORK[:2])
-    shard_of(store, WORK[0]).unlink()
+    path = shard_of(store, WORK[0])
+    content = path.read_bytes()[:length]
+    path.write_bytes(content) if content else path.unlink()
     assert held(reopened(tmp_path)) == set(records(WORK[1]))
-    assert f"{shard_of(store, WORK[0])} is damaged (missing)" in capsys.readouterr().err
-
-
-def test_a_shard_that_was_cut_is_set_aside_when_the_store_is_opened(tmp_path, capsys):
-    store, _ = filled(tmp_path, WORK[:2])
-    cut = shard_of(store, WORK[0])
-    cut.write_bytes(cut.read_bytes()[:100])
-    assert held(reopened(tmp_path)) == set(records(WORK[1]))
-    assert f"{cut} is damaged (100 bytes instead of " in capsys.readouterr().err
+    assert f"{path} is damaged ({why}" in capsys.readouterr().err
 
 
 def test_a_shard_that_vanishes_while_the_store_is_open_can_be_computed_again(tmp_path, capsys):
@@ -132,21 +130,21 @@ def test_a_sound_file_of_another_program_is_left_as_it_is(tmp_path, capsys):
 def test_a_journal_of_another_format_is_refused_and_left_as_it_is(tmp_path):
     filled(tmp_path, WORK[:1])
     journal.append(tmp_path, [{"format": "elastomer-friction journal 99"}])
-    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    before = contents(tmp_path)
     with pytest.raises(UserError) as error:
         Store(tmp_path)
     assert str(error.value).startswith(
         f"{tmp_path / journal.NAME}: is of another version of the format (elastomer-friction "
         "journal 99, not elastomer-friction journal 2) and left as it is"
     )
-    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+    assert contents(tmp_path) == before
 
 
 def test_mending_a_sound_store_changes_nothing(tmp_path):
     filled(tmp_path, WORK[:3])
-    before = {path: path.read_bytes() for path in tmp_path.iterdir()}
+    before = contents(tmp_path)
     reopened(tmp_path)
-    assert {path: path.read_bytes() for path in tmp_path.iterdir()} == before
+    assert contents(tmp_path) == before
 
 
 def test_leftovers_of_a_dead_writer_are_removed(tmp_path):

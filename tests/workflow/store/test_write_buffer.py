@@ -38,16 +38,10 @@ def test_batches_of_two_batch_lengths_share_a_shard(store, clock):
         assert len(held(store)) == 4
         put(buffer, 4)
         assert len(held(store)) == 4
-    assert len(held(store)) == 5
-    assert len(store.index.sizes) == 2
-
-
-def test_the_last_batch_does_not_wait_for_the_next(store, clock):
-    with buffer_of(store, clock) as buffer:
-        put(buffer, 0)
-        clock[0] += 6.0
+        clock[0] += 6.0  # the last batch does not wait for the next
         buffer.flush_when_due()
-        assert len(held(store)) == 1
+        assert len(held(store)) == 5
+    assert len(store.index.sizes) == 2
 
 
 def test_a_long_run_writes_a_shard_every_thousandth_of_its_time(store, clock):
@@ -97,28 +91,24 @@ def test_what_the_disk_refuses_waits_on(store, clock, monkeypatch):
     assert len(held(store)) == 3
 
 
+def ended(store, clock, kind):
+    """Let an error of a kind end what a batch waits in."""
+    with buffer_of(store, clock) as buffer:
+        put(buffer, 0)
+        raise kind("given up")
+
+
 def test_the_error_that_ends_a_run_is_the_first_one(store, clock, monkeypatch):
     def refuse(_):
         raise UserError("the last attempt")
 
-    def ended(kind):
-        with buffer_of(store, clock) as buffer:
-            put(buffer, 0)
-            raise kind("given up")
-
     monkeypatch.setattr(store, "add", refuse)
-    with pytest.raises(UserError, match="given up"):
-        ended(UserError)
-    with pytest.raises(UserError, match="the last attempt"):
-        ended(KeyboardInterrupt)
+    for kind, said in ((UserError, "given up"), (KeyboardInterrupt, "the last attempt")):
+        with pytest.raises(UserError, match=said):
+            ended(store, clock, kind)
 
 
 def test_what_waits_is_stored_whatever_ends_the_run(store, clock):
-    def aborted():
-        with buffer_of(store, clock) as buffer:
-            put(buffer, 0, 1)
-            raise KeyboardInterrupt
-
     with pytest.raises(KeyboardInterrupt):
-        aborted()
-    assert len(held(store)) == 2
+        ended(store, clock, KeyboardInterrupt)
+    assert len(held(store)) == 1

@@ -2,7 +2,6 @@
 
 import datetime
 import tomllib
-from functools import partial
 
 import jsonschema
 import pytest
@@ -11,20 +10,10 @@ from elastomer_friction.workflow.study.read import known_studies
 from elastomer_friction.workflow.study.schema import described_measures, study_schema
 from elastomer_friction.workflow.study.scripts import OWN
 from elastomer_friction.workflow.study.settings import (
-    Key,
-    as_text,
     as_toml,
-    checked_values,
-    choice,
     default_of,
-    flag,
-    integer,
-    number,
-    positive,
     values_of,
-    within,
 )
-from elastomer_friction.workflow.study.settings.key import REQUIRED
 from elastomer_friction.workflow.study.tables import EVERY_TABLE, HEAD, TABLES
 from elastomer_friction.workflow.study.variants import COMPARE
 from tests.support.small import TEXT
@@ -67,43 +56,6 @@ def test_a_key_is_described_in_sentences(key):
 def test_the_values_are_those_of_the_study_at_every_scale():
     points = default_of(MEASURES["accuracy"]["points"])
     assert points == "required; `17` in its study.toml, `3` at scale smoke"
-
-
-@pytest.mark.parametrize(
-    ("check", "said"),
-    [
-        (positive, "a number above 0"),
-        (number, "a number"),
-        (flag, "`true` or `false`"),
-        (as_text, "text"),
-        (partial(within, least=0.0, most=1.0), "a number from 0 to 1"),
-        (partial(integer, least=1), "a whole number, at least 1"),
-        (partial(integer, least=8, most=9), "a whole number from 8 to 9"),
-        (partial(choice, known=("a", "b", "c")), '`"a"`, `"b"` or `"c"`'),
-        (partial(checked_values, positive), "a number above 0, or a list or range"),
-        (lambda key, value: value, ""),
-    ],
-)
-def test_a_check_in_words(check, said):
-    assert values_of(Key(check)) == said
-
-
-@pytest.mark.parametrize(
-    ("default", "said"),
-    [
-        (0.01, "0.01"),
-        (10_000, "10000"),
-        (1_000_000, "1000000"),  # a whole number, where 1e+06 is none
-        (True, "`true`"),
-        ("line", '`"line"`'),
-        ("", "none"),
-        ((), "none"),
-        (None, "none"),
-        (REQUIRED, "required"),
-    ],
-)
-def test_a_default_as_toml_has_it(default, said):
-    assert default_of(Key(number, default=default)) == said
 
 
 def test_lists_of_numbers_and_of_texts_are_as_toml_has_them():

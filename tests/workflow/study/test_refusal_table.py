@@ -16,14 +16,12 @@ from tests.support.documents import without
 from tests.support.small import TEXT, small_study
 
 ROOT = Path(__file__).resolve().parents[3]
-STUDY = ("axes", "cluster", "grid", "numerics", "read", "study", "tables", "variants")
-SETTINGS = ("checks", "key")
+STUDY = ("axes", "cluster", "grid", "numerics", "read", "settings", "study", "tables", "variants")
 EFFECTS = ("branches", "material", "quantities", "scene", "segments", "shifting")
 DOCUMENT = ROOT / "tests" / "refusals.md"
 SURFACES = ("as_read", "files", "gaps", "positions", "profile", "table", "text_lines")
 ROOMS = {
     "study": STUDY,
-    "study/settings": SETTINGS,
     "study/effects": EFFECTS,
     "study/surfaces": SURFACES,
 }
@@ -34,11 +32,19 @@ CHECKED = (
 )
 # Of "find_study" the answers name all studies (test_refusals.py); the others are refusals of a
 # scene and of measured lines, which the small study is not (test_study.py).
-ELSEWHERE = {"find_study", "_one_point", "_lines_in_blocks"}
+ELSEWHERE = {"find_study", "read_grid_study", "_lines_in_blocks"}
 # Of arrays and netCDF, of profiles from Python, and where a package is not installed
 # (tests/workflow/study/surfaces); their words are among the other refusals.
 ELSEWHERE |= {"_npy", "_variables", "_with_surface_topography"}
-ELSEWHERE |= {"given_profile", "given_heights", "check_finite", "check_load", "read_scene"}
+ELSEWHERE |= {
+    "given_profile",
+    "given_map",
+    "read_map",
+    "given_heights",
+    "check_finite",
+    "check_load",
+    "read_scene",
+}
 
 
 def _module(path):

@@ -4,18 +4,12 @@ import pytest
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.system import packages
-from elastomer_friction.workflow.system import versions as module
-from elastomer_friction.workflow.system.versions import own_versions, require
-
-
-def other(name, value):
-    """Return our versions with one changed."""
-    return own_versions() | {name: value}
+from elastomer_friction.workflow.system.packages import own_versions, require
 
 
 def test_same_versions_of_packages_python_and_our_own_sources_are_accepted():
     require(own_versions())
-    assert set(own_versions()) == {*module.DEPENDED_ON, "python", "our sources"}
+    assert set(own_versions()) == {*packages.DEPENDED_ON, "python", "our sources"}
     assert all("not installed" not in value for value in own_versions().values())
 
 
@@ -24,7 +18,7 @@ def test_an_edit_is_another_version(tmp_path, monkeypatch):
         (tmp_path / name / "room").mkdir(parents=True)
         (tmp_path / name / "room" / "a.py").write_text("x = 1\n")
     monkeypatch.setattr(packages, "ROOT", tmp_path)
-    monkeypatch.setattr(module, "our_sources", packages.our_sources.__wrapped__)
+    monkeypatch.setattr(packages, "our_sources", packages.our_sources.__wrapped__)
     before = own_versions.__wrapped__()
     (tmp_path / "kernels" / "room" / "a.py").write_text("x = 2\n")
     after = own_versions.__wrapped__()
@@ -34,7 +28,7 @@ def test_an_edit_is_another_version(tmp_path, monkeypatch):
 @pytest.mark.parametrize("name", ["numba", "our sources"])
 def test_a_worker_that_differs_refuses_with_a_table(name):
     with pytest.raises(UserError) as error:
-        require(other(name, "0.1"))
+        require(own_versions() | {name: "0.1"})
     (line,) = str(error.value).splitlines()[2:]
     assert name in line
     assert line.endswith("0.1")

@@ -19,13 +19,6 @@ def test_silence_is_broken_less_and_less_often(clock, capsys):
     assert said == [f"no worker for {s} s: waiting, at most 10.0 min" for s in (10, 20, 40, 80)]
 
 
-def test_who_waits_for_jobs_reads_where_they_say_why_they_end(clock, capsys):
-    waited(Watch(logs="results/logs"), clock, 15)
-    assert capsys.readouterr().err == (
-        "no worker for 10 s (logs of the jobs: results/logs): waiting\n"
-    )
-
-
 def test_patience_ends_with_what_to_do(clock):
     with pytest.raises(UserError, match=r"^no worker for 31 s: given up; run again to resume$"):
         waited(Watch(patience=30.0), clock, 40)

@@ -97,6 +97,7 @@ def test_a_word_is_refused_in_a_column_that_is_read():
         ("x; um;height; nm\n0;1\n1;2\n", ["um", "nm"]),
         ("mm;um\nx;z\n0;1\n1;2\n", ["mm", "um"]),
         ("# mu\tt\n#%\tms\n0\t1\n1\t2\n", ["%", "ms"]),
+        ("mu\tt\n%\tms\n1\t2\n3\t4\n", ["%", "ms"]),  # which is no comment
         ("x z\nmil 10^-6 m\n0 1\n1 2\n", ["mil", "10^-6 m"]),
         ("velocity time friction\nmV s 1\n0 1 2\n1 2 3\n", ["mV", "s", "1"]),
         ("x; mm;z; um;remark\n0;1;a\n1;2;b\n", ["mm", "um", ""]),
@@ -316,7 +317,3 @@ def test_a_stress_is_no_modulus(name):
     with pytest.raises(UserError, match=f"'{name}': holds a stress, not a .*: divide it by the st"):
         picked(table(f"t [s];{name} [MPa]\n{rows}"), wanted)
     assert picked(table(f"t [s];{name} relaxation modulus [MPa]\n{rows}"), wanted)[1].number == 1
-
-
-def test_a_unit_row_that_begins_with_percent_is_no_comment():
-    assert [t.unit for t in table("mu\tt\n%\tms\n1\t2\n3\t4\n").titles] == ["%", "ms"]

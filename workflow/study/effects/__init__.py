@@ -8,24 +8,23 @@ from typing import TYPE_CHECKING
 from ...ground import public_names
 
 if TYPE_CHECKING:
-    from .body_key import BODY, FOUNDATION, HALF_SPACE
-    from .drive_keys import DRIVE, Spring
     from .material import MATERIAL, Material, read_material, shift_law_of, shift_of
     from .programme import (
+        FORCE,
         LISTED,
         FromFile,
         HoldSegment,
         Oscillate,
         RampSegment,
+        Scene,
         Segment,
         SlideSegment,
+        Spring,
         Velocity,
-        velocity_steps,
-        with_one_of,
     )
-    from .quantities import FORCE, OF_ELEMENTS, QUANTITIES, judged
-    from .scene import SCENE, Scene, check_quantities, read_scene_table, why_not
-    from .segments import FILE, HOLD, OSCILLATE, PULL, RAMP, SLIDE
+    from .quantities import OF_ELEMENTS, QUANTITIES, check_quantities, judged, why_not
+    from .scene import FOUNDATION, HALF_SPACE, SCENE, read_scene_table
+    from .segments import DRIVE, SEGMENTS
     from .shifting import (
         ARRHENIUS,
         GAS,

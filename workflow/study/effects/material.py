@@ -21,6 +21,7 @@ from ..settings import (
     number,
     pair,
     positive,
+    two_numbers,
     within,
 )
 from .branches import read_branches
@@ -171,13 +172,11 @@ def _branches(key: str, value: object) -> tuple[Branch, ...]:
         raise UserError(
             f"{key} = {value!r:.60}: must be a list of [modulus, time], {MOST_BRANCHES} at most"
         )
-    return tuple(_branch(f"{key}[{i}]", entry) for i, entry in enumerate(value))
-
-
-def _branch(key: str, entry: object) -> Branch:
-    if not isinstance(entry, list) or len(entry) != 2:
-        raise UserError(f"{key} = {entry!r:.60}: must be [modulus in Pa, time in s]")
-    return positive(f"{key}[0]", entry[0]), within(f"{key}[1]", entry[1], *TIMES)
+    words, of_times = "[modulus in Pa, time in s]", partial(within, least=TIMES[0], most=TIMES[1])
+    return tuple(
+        two_numbers(f"{key}[{i}]", entry, words, positive, of_times)
+        for i, entry in enumerate(value)
+    )
 
 
 def _merged(branches: tuple[Branch, ...]) -> tuple[Branch, ...]:

@@ -1,9 +1,11 @@
-"""The programme of a scene: how the line is driven, segment by segment, in SI units."""
+"""A scene: how the line is pressed on and driven, segment by segment, in SI units."""
 
 import math
 from itertools import pairwise
 from typing import Any, NamedTuple
 
+FORCE, INDENTATION = "force", "indentation"  # controls
+STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
 LISTED = ("hold", "velocity_amplitude", "frequency")  # axes whose values a segment gives
 
 
@@ -75,6 +77,7 @@ class FromFile(NamedTuple):
 
 Segment = SlideSegment | HoldSegment | RampSegment | Oscillate | FromFile
 Programme = tuple[Segment, ...]
+History = tuple[tuple[float, ...], tuple[float, ...]]  # times (s), values
 
 
 def velocities_of(segment: Segment) -> tuple[Velocity, ...]:
@@ -89,75 +92,114 @@ def velocities_of(segment: Segment) -> tuple[Velocity, ...]:
     return ()
 
 
-def is_relative(programme: Programme) -> bool:
-    """Return whether any segment takes its velocity from the grid."""
-    return any(v.relative for segment in programme for v in velocities_of(segment))
+class Spring(NamedTuple):
+    """What a slider is pulled through."""
+
+    stiffness: float  # N/m
+    mass: float = 0.0  # kg, of the slider
+    damping: float = 0.0  # N s/m, beside the spring
 
 
-def velocity_steps(programme: Programme) -> list[int]:
-    """Return the segments i where a slide changes over to another velocity of the same sign."""
-    return [
-        i
-        for i, (before, after) in enumerate(pairwise(programme))
-        if isinstance(before, SlideSegment)
-        and isinstance(after, SlideSegment)
-        and before.velocity != after.velocity
-        and math.copysign(1.0, before.velocity.value) == math.copysign(1.0, after.velocity.value)
-    ]
+class Scene(NamedTuple):
+    """What is simulated."""
 
+    quantities: tuple[str, ...] = ("steady", "jump", "relaxation")
+    indentation_rate: bool = True
+    control: str = FORCE
+    start: str = STEADY  # of a programme
+    repeat: int = 1  # times that the whole list is followed
+    programme: Programme = ()  # empty: steady at v1, a jump to v2, relaxation
+    indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
+    drive: Spring | None = None  # through which the programme pulls; None: it moves the line
+    indentation_told: str = ""  # what it was read from
 
-def holds(programme: Programme) -> list[int]:
-    """Return the segments i that hold between a slide and another slide."""
-    return [
-        i
-        for i in range(1, len(programme) - 1)
-        if isinstance(programme[i], HoldSegment)
-        and isinstance(programme[i - 1], SlideSegment)
-        and isinstance(programme[i + 1], SlideSegment)
-    ]
+    @property
+    def segments(self) -> Programme:
+        """Return the programme with its repetitions."""
+        return self.programme * self.repeat
 
+    @property
+    def sampled(self) -> tuple[str, ...]:
+        """Return what the sampled velocities of the programme were read as, each once."""
+        found = [segment.told for segment in self.programme if isinstance(segment, FromFile)]
+        return tuple(dict.fromkeys(found))
 
-def listed_values(programme: Programme) -> dict[str, tuple[float, ...]]:
-    """Return the values of what was given as a list: axis of the result -> values."""
-    found: dict[str, tuple[float, ...]] = {}
-    for segment in programme:
-        if isinstance(segment, HoldSegment) and segment.several:
-            found["hold"] = segment.durations
-        elif isinstance(segment, Oscillate):
-            found |= segment.several
-    return found
+    @property
+    def velocity_steps(self) -> list[int]:
+        """Return the segments i where a slide changes over to another velocity of the same sign."""
+        return [
+            i
+            for i, (before, after) in enumerate(pairwise(self.segments))
+            if isinstance(before, SlideSegment)
+            and isinstance(after, SlideSegment)
+            and before.velocity != after.velocity
+            and (before.velocity.value > 0.0) == (after.velocity.value > 0.0)
+        ]
 
+    @property
+    def heals(self) -> bool:
+        """Return whether a segment holds between a slide and another slide."""
+        kinds = [type(segment) for segment in self.segments]
+        healing = [SlideSegment, HoldSegment, SlideSegment]
+        return any(kinds[i : i + 3] == healing for i in range(len(kinds)))
 
-def with_one_of(programme: Programme, axis: str, value: float) -> Programme:
-    """Return the programme with one value of what was given as a list."""
+    @property
+    def slid_before(self) -> bool:
+        """Return whether it begins at rest after steady sliding at the velocity of the grid."""
+        first = self.programme[:1]
+        return self.start == STEADY and any(isinstance(one, HoldSegment) for one in first)
 
-    def own(segment: Segment) -> Segment:
-        if isinstance(segment, Oscillate) and axis in dict(segment.several):
-            changed: dict[str, Any] = {axis: value}
-            return segment._replace(**changed).of_its_velocity()
-        held = axis == "hold" and isinstance(segment, HoldSegment) and segment.several
-        return HoldSegment((value,)) if held else segment
+    @property
+    def takes_velocity(self) -> bool:
+        """Return whether the velocity of the grid is used at all."""
+        relative = any(v.relative for one in self.programme for v in velocities_of(one))
+        return not self.programme or relative or self.slid_before
 
-    return tuple(map(own, programme))
+    @property
+    def takes_indentation(self) -> bool:
+        """Return whether the grid prescribes the indentation."""
+        return self.control == INDENTATION and self.indentation_history is None
 
+    @property
+    def listed(self) -> dict[str, tuple[float, ...]]:
+        """Return the dimensions of the result whose values its programme gives as lists."""
+        found: dict[str, tuple[float, ...]] = {}
+        for segment in self.programme:
+            if isinstance(segment, HoldSegment) and segment.several:
+                found["hold"] = segment.durations
+            elif isinstance(segment, Oscillate):
+                found |= segment.several
+        return found
 
-def first_velocity(programme: Programme) -> Velocity | None:
-    """Return the velocity at which a programme begins; None where it begins with a hold."""
-    found = velocities_of(programme[0])
-    return found[0] if found else None
+    def with_one_of(self, axis: str, value: float) -> "Scene":
+        """Return the scene with one value of what its programme gives as a list."""
 
+        def own(segment: Segment) -> Segment:
+            if isinstance(segment, Oscillate) and axis in dict(segment.several):
+                changed: dict[str, Any] = {axis: value}
+                return segment._replace(**changed).of_its_velocity()
+            held = axis == "hold" and isinstance(segment, HoldSegment) and segment.several
+            return HoldSegment((value,)) if held else segment
 
-def first_speed(programme: Programme) -> float:
-    """Return the first speed (m/s) that is not zero; of an oscillation about rest its amplitude.
+        return self._replace(programme=tuple(map(own, self.programme)))
 
-    NaN where there is none; velocities are not those of the grid.
-    """
-    for segment in programme:
-        speeds = [velocity.value for velocity in velocities_of(segment)]
-        if isinstance(segment, Oscillate):
-            speeds.append(2.0 * math.pi * segment.frequency * segment.amplitude)
-        elif isinstance(segment, FromFile):
-            speeds = list(segment.velocities)
-        if any(speeds):
-            return next(abs(speed) for speed in speeds if speed)
-    return math.nan
+    @property
+    def typical_speed(self) -> float:
+        """Return the first speed (m/s) that is not zero, of a programme without the grid's.
+
+        Of an oscillation about rest it is the amplitude. NaN where there is none.
+        """
+        for segment in self.programme:
+            speeds = [velocity.value for velocity in velocities_of(segment)]
+            if isinstance(segment, Oscillate):
+                speeds.append(2.0 * math.pi * segment.frequency * segment.amplitude)
+            elif isinstance(segment, FromFile):
+                speeds = list(segment.velocities)
+            if any(speeds):
+                return next(abs(speed) for speed in speeds if speed)
+        return math.nan
+
+    def start_velocity(self, reference: float) -> float:
+        """Return the velocity (m/s) at which it begins where that of the grid is ``reference``."""
+        found = [velocity for one in self.programme[:1] for velocity in velocities_of(one)]
+        return found[0].at(reference) if found else reference

@@ -4,108 +4,26 @@ import math
 from collections.abc import Iterable, Mapping
 from functools import partial
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 from ...ground import UserError
 from ..settings import Key, as_text, choice, filled, flag, integer, read_table
-from .body_key import BODY
-from .drive_keys import DRIVE, Spring
 from .material import Material
 from .programme import (
-    FromFile,
-    HoldSegment,
-    Oscillate,
-    Programme,
-    Segment,
-    first_speed,
-    first_velocity,
-    holds,
-    is_relative,
-    listed_values,
-    velocity_steps,
-)
-from .quantities import (
-    ALONE,
-    AT_AN_INDENTATION,
-    DASHPOT,
-    DRIVEN,
     FORCE,
-    HELD,
-    OF_A_DRIVE,
-    OF_A_PROGRAMME,
-    PROGRAMME,
-    PULLED_BY,
-    QUANTITIES,
-    STEP,
-    SWUNG,
-    USUAL,
-    WITHOUT_DASHPOT,
-    asked_for,
+    FRESH,
+    INDENTATION,
+    RELAXED,
+    STEADY,
+    Programme,
+    Scene,
+    Spring,
 )
-from .segments import INDENTED, MOST_SEGMENTS, is_pulled, read_programme, read_sampled
+from .quantities import QUANTITIES, asked_for
+from .segments import DRIVE, INDENTED, MOST_SEGMENTS, is_pulled, read_programme, read_sampled
 
-INDENTATION = "indentation"  # a control; the other is by FORCE
-STEADY, RELAXED, FRESH = "steady", "relaxed", "fresh"  # starts
-History = tuple[tuple[float, ...], tuple[float, ...]]  # times (s), values
-
-
-class Scene(NamedTuple):
-    """What is simulated."""
-
-    quantities: tuple[str, ...] = USUAL
-    indentation_rate: bool = True
-    control: str = FORCE
-    start: str = STEADY  # of a programme
-    repeat: int = 1  # times that the whole list is followed
-    programme: Programme = ()  # empty: steady at v1, a jump to v2, relaxation
-    indentation_history: History | None = None  # d(t) (s, m), constant beyond its ends
-    drive: Spring | None = None  # through which the programme pulls; None: it moves the line
-    indentation_told: str = ""  # what it was read from
-
-    @property
-    def segments(self) -> tuple[Segment, ...]:
-        """Return the programme with its repetitions."""
-        return self.programme * self.repeat
-
-    @property
-    def sampled(self) -> tuple[str, ...]:
-        """Return what the sampled velocities of the programme were read as, each once."""
-        found = [segment.told for segment in self.programme if isinstance(segment, FromFile)]
-        return tuple(dict.fromkeys(found))
-
-    @property
-    def slid_before(self) -> bool:
-        """Return whether it begins at rest after steady sliding at the velocity of the grid."""
-        return (
-            self.start == STEADY
-            and bool(self.programme)
-            and isinstance(self.programme[0], HoldSegment)
-        )
-
-    @property
-    def takes_velocity(self) -> bool:
-        """Return whether the velocity of the grid is used at all."""
-        return not self.programme or is_relative(self.programme) or self.slid_before
-
-    @property
-    def takes_indentation(self) -> bool:
-        """Return whether the grid prescribes the indentation."""
-        return self.control == INDENTATION and self.indentation_history is None
-
-    @property
-    def listed(self) -> dict[str, tuple[float, ...]]:
-        """Return the dimensions of the result whose values its programme gives."""
-        return listed_values(self.programme)
-
-    @property
-    def typical_speed(self) -> float:
-        """Return the speed (m/s) of a programme without the grid's: the first that is not 0."""
-        return first_speed(self.programme)
-
-    def start_velocity(self, reference: float) -> float:
-        """Return the velocity (m/s) at which it begins where that of the grid is ``reference``."""
-        found = first_velocity(self.programme) if self.programme else None
-        return found.at(reference) if found else reference
+FOUNDATION, HALF_SPACE = "foundation", "half-space"
+USUAL = Scene()
 
 
 def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[Material]) -> Scene:
@@ -118,7 +36,7 @@ def read_scene_table(own: Mapping[str, Any], folder: Path, materials: Iterable[M
     del given["body"]  # that of the surfaces (study/variants.py)
     segments, history = given.pop("programme"), given.pop("indentation_file")
     programme = () if segments is None else read_programme("scene.programme", segments, folder)
-    drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments))
+    drive = _drive(given.pop("drive"), is_pulled("scene.programme", segments or []))
     times, told = None, ""
     if history and given["control"] != INDENTATION:
         raise UserError('scene.indentation_file: needs scene.control = "indentation"')
@@ -156,16 +74,17 @@ def _drive(given: dict[str, Any] | None, pulled: bool) -> Spring | None:
 def _usual(programme: Programme, control: str, materials: Iterable[Material]) -> tuple[str, ...]:
     """Return what is asked for where nothing is said."""
     if control == INDENTATION:
-        return AT_AN_INDENTATION
+        return ("trace",)
     if programme:
-        return OF_A_PROGRAMME
-    return USUAL if all(material.jumps for material in materials) else WITHOUT_DASHPOT
+        return "steady", "trace"
+    jumps = all(material.jumps for material in materials)
+    return USUAL.quantities if jumps else ("steady", "relaxation", "peak")
 
 
 def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ...]) -> None:
     """Raise UserError where the keys of a scene do not go together."""
     for key in ("control", "start", "repeat"):
-        if key in table and not scene.programme and getattr(scene, key) != USUAL_SCENE[key]:
+        if key in table and not scene.programme and getattr(scene, key) != getattr(USUAL, key):
             raise UserError(
                 f"scene.{key} = {table[key]!r}: belongs to a programme, and there is no "
                 "[[scene.programme]]"
@@ -202,7 +121,13 @@ def _check(table: Mapping[str, Any], scene: Scene, materials: tuple[Material, ..
 
 
 SCENE = {
-    "body": BODY,
+    "body": Key(
+        partial(choice, known=(FOUNDATION, HALF_SPACE)),
+        "What is behind the surface. `foundation` is the paper's row of independent elements on a "
+        "line; `half-space` is a deep elastic block on a periodic square of side `surface.length`, "
+        "where each pressed point pulls down its neighbours (docs/bodies.md).",
+        default=FOUNDATION,
+    ),
     "quantities": Key(
         asked_for,
         "What is computed, by the names of the table below. What is not named is not in the "
@@ -264,65 +189,4 @@ SCENE = {
         values="a list of up to 1000 segments: `slide`, `hold`, `ramp`, `oscillate` or `file`, or "
         "all of them `pull`",
     ),
-}
-USUAL_SCENE = Scene()._asdict()
-
-
-def why_not(name: str, scene: Scene, materials: Mapping[str, Material], alone: bool) -> str:
-    """Return why a scene cannot be asked for a quantity, in words; "" where it can.
-
-    materials : of the study ("") and of its comparisons. alone : whether it is a single line.
-    """
-    if scene.drive and name not in OF_A_DRIVE:
-        return WORDS[DRIVEN]
-    for need in QUANTITIES[name].asks:
-        if need == DASHPOT:
-            found = _without_dashpot(materials)
-        else:
-            found = "" if _given(need, scene, alone) else WORDS[need]
-        if found:
-            return found
-    return ""
-
-
-def check_quantities(scene: Scene, materials: Mapping[str, Material], alone: bool) -> None:
-    """Raise UserError where a scene is asked for what it has not."""
-    for name in scene.quantities:
-        reason = why_not(name, scene, materials, alone)
-        if reason:
-            raise UserError(f'scene.quantities: "{name}": {reason}')
-
-
-def _without_dashpot(materials: Mapping[str, Material]) -> str:
-    for label, material in materials.items():
-        if not material.jumps:
-            where = f"compare.{label}" if label else "material"
-            return f"{where} has a finite instantaneous modulus: mu does not jump; ask for peak"
-    return ""
-
-
-def _given(need: str, scene: Scene, alone: bool) -> bool:
-    programme = scene.segments
-    return {
-        PROGRAMME: bool(programme),
-        PULLED_BY: scene.drive is not None,
-        STEP: not programme or bool(velocity_steps(programme)),
-        HELD: bool(holds(programme)),
-        SWUNG: any(isinstance(segment, Oscillate) for segment in programme),
-        FORCE: scene.control == FORCE,
-        ALONE: alone,
-    }[need]
-
-
-WORDS = {
-    PROGRAMME: "there is no [[scene.programme]]",
-    PULLED_BY: "nothing is pulled; give [scene.drive] and a programme of segments pull",
-    DRIVEN: "is not computed of a line on a spring; ask for trace, stick_slip, slip_events, "
-    "healing, steady or rate_state",
-    STEP: "the programme has no velocity step, which is one slide after another at another "
-    "velocity of the same sign",
-    HELD: "the programme has no hold between two slides",
-    SWUNG: "the programme has no oscillation",
-    FORCE: 'is defined at a given normal force; with scene.control = "indentation" ask for trace',
-    ALONE: "is there for a single line alone, from workflow.scene or the command animate",
 }

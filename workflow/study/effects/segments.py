@@ -1,6 +1,7 @@
 """Read [[scene.programme]]: one table per segment, with one kind of segment in each."""
 
 from collections.abc import Callable
+from dataclasses import replace
 from functools import partial
 from itertools import pairwise
 from pathlib import Path
@@ -23,6 +24,8 @@ from ..settings import (
     pair,
     positive,
     read_table,
+    two_numbers,
+    within,
 )
 from .programme import (
     FromFile,
@@ -55,9 +58,7 @@ def _not_zero(key: str, value: object) -> float:
 
 
 def _pair(key: str, value: object) -> tuple[float, float]:
-    if not isinstance(value, list) or len(value) != 2:
-        raise UserError(f"{key} = {value!r:.60}: must be [first, last]")
-    return number(f"{key}[0]", value[0]), number(f"{key}[1]", value[1])
+    return two_numbers(key, value, "[first, last]", number, number)
 
 
 NOT_ZERO_OR_LEFT_OUT = partial(
@@ -74,18 +75,18 @@ SLIDE = {
     ),
     "ratio": NOT_ZERO_OR_LEFT_OUT(
         "The velocity as a multiple of `grid.velocity`.",
-        "Doubled, the line slides twice as fast.",
+        "Doubled, the motion is twice as fast.",
     ),
     "distance": Key(
         positive,
-        "The distance of sliding. Give it or `duration`.",
+        "The distance. Give it or `duration`.",
         "Doubled, the march of this segment takes twice as long.",
         "m",
         default=None,
     ),
     "duration": Key(
         positive,
-        "The duration of sliding.",
+        "The duration.",
         "Doubled, the march of this segment takes twice as long.",
         "s",
         default=None,
@@ -161,41 +162,6 @@ HOLD = {
         "s",
     ),
 }
-PULL = {
-    "velocity": Key(
-        number,
-        "The velocity of the drive, backwards if negative; 0 holds it. Give it, `ratio` or `file`.",
-        "Doubled, the drive goes twice as fast, and the line after it.",
-        "m/s",
-        default=None,
-    ),
-    "ratio": NOT_ZERO_OR_LEFT_OUT(
-        "The velocity of the drive as a multiple of `grid.velocity`.",
-        "Doubled, the drive goes twice as fast.",
-    ),
-    "file": Key(
-        as_text,
-        "A text file of the velocity of the drive over time, as of a segment `file`. From Python, "
-        '`{"time": …, "velocity": …}` takes two arrays in its place.',
-        default=None,
-        values="the name of a file with 2 to 100000 rows",
-    ),
-    "distance": Key(
-        positive,
-        "The distance that the drive goes. Give it or `duration`.",
-        "Doubled, the march of this segment takes twice as long.",
-        "m",
-        default=None,
-    ),
-    "duration": Key(
-        partial(one_or_several, positive),
-        "How long the drive moves like this. Where it is held, at velocity 0, a list or range "
-        "makes one programme for each value, and the dimension `hold` of the result.",
-        "Doubled, the march of this segment takes twice as long, or ages longer.",
-        "s",
-        default=None,
-    ),
-}
 FILE = {  # the one segment that is no table
     "file": Key(
         as_text,
@@ -207,6 +173,61 @@ FILE = {  # the one segment that is no table
     ),
 }
 
+PULL = {
+    "velocity": Key(
+        number,
+        "The velocity of the drive, backwards if negative; 0 holds it. Give it, `ratio` or `file`.",
+        "Doubled, the drive goes twice as fast, and the line after it.",
+        "m/s",
+        default=None,
+    ),
+    "ratio": SLIDE["ratio"],
+    "file": replace(FILE["file"], default=None),
+    "distance": SLIDE["distance"],
+    "duration": replace(
+        SLIDE["duration"],
+        check=partial(one_or_several, positive),
+        means="How long the drive moves like this. Where it is held, at velocity 0, a list or "
+        "range makes one programme for each value, and the dimension `hold` of the result.",
+    ),
+}
+HEAVIEST = 1e12  # of a mass and a damper: beyond them nothing moves
+
+DRIVE = {
+    "stiffness": Key(
+        partial(one_or_several, positive),
+        "The stiffness k of the spring between the drive and the line. A list makes it a "
+        "dimension of the result.",
+        "Doubled, the line follows the drive more closely; below a critical stiffness it sticks "
+        "and slips where friction falls with the velocity.",
+        "N/m",
+    ),
+    "mass": Key(
+        partial(within, least=0.0, most=HEAVIEST),
+        "The mass of the slider.",
+        "Doubled, the slider comes free and stops more slowly.",
+        "kg",
+        default=0.0,
+    ),
+    "damping": Key(
+        partial(within, least=0.0, most=HEAVIEST),
+        "The constant c of a damper beside the spring, whose force is c (dY/dt − dX/dt).",
+        "Doubled, the drive holds the slider back twice as strongly where it runs ahead.",
+        "N s/m",
+        default=0.0,
+    ),
+}
+
+
+SEGMENTS = {  # the keys of each kind
+    "slide": SLIDE,
+    "hold": HOLD,
+    "ramp": RAMP,
+    "oscillate": OSCILLATE,
+    PULLED: PULL,
+    "file": FILE,
+}
+
 
 def _one_of(where: str, given: dict[str, Any], *names: str) -> str:
     """Return the one of some keys that was given. Raises UserError for none and for two."""
@@ -216,12 +237,15 @@ def _one_of(where: str, given: dict[str, Any], *names: str) -> str:
     return found[0]
 
 
+def _velocity(given: dict[str, Any], kind: str) -> Velocity:
+    return Velocity(given[kind], kind == "ratio")
+
+
 def _slide(where: str, table: Any, _: Path) -> SlideSegment:
     given = read_table(where, table, SLIDE)
     kind = _one_of(where, given, "velocity", "ratio")
     _one_of(where, given, "distance", "duration")
-    velocity = Velocity(given[kind], kind == "ratio")
-    return SlideSegment(velocity, given["distance"], given["duration"])
+    return SlideSegment(_velocity(given, kind), given["distance"], given["duration"])
 
 
 def _hold(where: str, table: Any, _: Path) -> HoldSegment:
@@ -235,24 +259,23 @@ def _pull(where: str, table: Any, folder: Path) -> Segment:
         return _arrays(where, table)
     given = read_table(where, table, PULL)
     kind = _one_of(where, given, "velocity", "ratio", "file")
+    distance, duration = given["distance"], given["duration"]
     if kind == "file":
-        if given["distance"] or given["duration"]:
+        if distance or duration:
             raise UserError(f"{where}.file: says how long it takes; give no distance or duration")
         return _file(f"{where}.file", given["file"], folder)
     size = _one_of(where, given, "distance", "duration")
-    several = isinstance(given["duration"], tuple)
+    several = isinstance(duration, tuple)
     if given[kind] == 0.0:
         if size == "distance":
             raise UserError(f"{where}.distance: at velocity 0 the drive goes no way; give duration")
-        durations = given["duration"] if several else (given["duration"],)
-        return HoldSegment(durations, several)
+        return HoldSegment(duration if several else (duration,), several)
     if several:
         raise UserError(
-            f"{where}.duration = {list(given['duration'])!r:.60}: several values are for a drive "
-            "that is held, at velocity 0"
+            f"{where}.duration = {list(duration)!r:.60}: several values are for a drive that is "
+            "held, at velocity 0"
         )
-    velocity = Velocity(given[kind], kind == "ratio")
-    return SlideSegment(velocity, given["distance"], given["duration"])
+    return SlideSegment(_velocity(given, kind), distance, duration)
 
 
 def _ramp(where: str, table: Any, _: Path) -> RampSegment:
@@ -270,9 +293,8 @@ def _oscillate(where: str, table: Any, _: Path) -> Oscillate:
     _one_of(where, given, "amplitude", "velocity_amplitude")
     lists = {key: own for key, own in given.items() if isinstance(own, tuple)}
     first = given | {key: values[0] for key, values in lists.items()}
-    velocity = Velocity(given[kind], kind == "ratio")
     return Oscillate(
-        velocity,
+        _velocity(given, kind),
         first["amplitude"],
         first["frequency"],
         first["cycles"],
@@ -315,19 +337,15 @@ def _check_sampled(key: str, columns: np.ndarray) -> None:
     """Raise UserError for times that do not increase, and for what is not finite."""
     if not 2 <= columns.shape[1] <= MOST_SAMPLES:
         raise UserError(f"{key}: holds {columns.shape[1]} rows; must be 2 to {MOST_SAMPLES}")
-    if not np.isfinite(columns).all():
-        raise UserError(f"{key}: a value is missing in row {_first(~np.isfinite(columns)) + 1}")
-    back = np.diff(columns[0]) <= 0.0
+    missing, back = ~np.isfinite(columns).all(axis=0), np.diff(columns[0]) <= 0.0
+    if missing.any():
+        raise UserError(f"{key}: a value is missing in row {np.argmax(missing) + 1}")
     if back.any():
-        row = _first(back[None])
+        row = np.argmax(back)
         raise UserError(
             f"{key}: time {columns[0, row + 1]:g} s does not come after {columns[0, row]:g} s; "
             "times must increase"
         )
-
-
-def _first(rows: np.ndarray) -> int:
-    return int(np.argmax(rows.any(axis=0)))
 
 
 def _arrays(where: str, table: dict[str, Any]) -> FromFile:
@@ -340,8 +358,7 @@ def _arrays(where: str, table: dict[str, Any]) -> FromFile:
         raise UserError(
             f"{where}: holds {len(lists[0])} times and {len(lists[1])} velocities; must be as many"
         )
-    numbers = [[number(where, value) for value in values] for values in lists]
-    columns = np.array(numbers)
+    columns = np.array([[number(where, value) for value in values] for values in lists])
     _check_sampled(where, columns)
     return _driven(where, columns, "")
 
@@ -381,15 +398,13 @@ def read_programme(key: str, value: object, folder: Path) -> Programme:
     return programme
 
 
-def is_pulled(where: str, value: object) -> bool:
+def is_pulled(where: str, entries: list[dict[str, Any]]) -> bool:
     """Return whether a programme that was read is that of a drive.
 
     Raises UserError where a drive pulls in some of its segments alone.
     """
-    entries = value if isinstance(value, list) else []
-    kinds = [next(iter(entry)) for entry in entries if isinstance(entry, dict) and len(entry) == 1]
-    pulled = [kind == PULLED for kind in kinds]
-    if any(pulled) and not len(entries) == sum(pulled):
+    pulled = [PULLED in entry for entry in entries]
+    if any(pulled) and not all(pulled):
         raise UserError(
             f"{where}: pulls in some segments and moves the line itself in others; a drive is held "
             "by pull = {velocity = 0, duration = …}"

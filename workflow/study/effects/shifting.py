@@ -16,13 +16,13 @@ import math
 import re
 from itertools import pairwise
 from pathlib import Path
-from typing import NamedTuple, Protocol, TypeVar
+from typing import NamedTuple, TypeVar
 
 import numpy as np
 
 from ...ground import UserError
 from ...text_tables import ZERO, Wanted, picked, read_text_table, told
-from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table
+from ..settings import NUMBER, Key, as_text, number, pair, positive, read_table, two_numbers
 
 LAWS_OF_SHIFT = ("wlf", "arrhenius", "shifts")  # by their keys
 MOST_SHIFT = 30.0  # decades
@@ -32,16 +32,6 @@ Numbers = TypeVar("Numbers", float, np.ndarray)
 HEADER = 'a header "temperature [°C], log a_T"'
 TEMPERATURE = Wanted("a temperature", "temperature", r"temp|^T([\W_]|$)", "°C", HEADER)
 DECADES = Wanted("log10 a_T", "number", r"a_?T|shift|log", "1", HEADER)
-
-
-class ShiftLaw(Protocol):
-    """How many decades times are longer at a temperature (°C), and where that is known."""
-
-    def decades(self, temperature: float) -> float:
-        """Return log10 a_T at a temperature (°C)."""
-
-    def outside(self, temperature: float) -> str:
-        """Return why a temperature (°C) is none of this law, "" where it is one."""
 
 
 class Wlf(NamedTuple):
@@ -106,6 +96,9 @@ class ShiftTable(NamedTuple):
         return f"must lie within the table of shifts, {low:g} to {high:g} °C{hint}"
 
 
+ShiftLaw = Wlf | Arrhenius | ShiftTable
+
+
 def _in_kelvin(temperature: float, reference: float) -> str:
     above = temperature - reference
     if above <= KELVIN:
@@ -135,12 +128,9 @@ def _shift_table(key: str, value: object) -> ShiftTable:
     """Return a checked list of [temperature, log10 a_T]."""
     if not isinstance(value, list) or len(value) < 2:
         raise UserError(f"{key} = {value!r:.60}: must be a list of two or more [°C, log10 a_T]")
-    for i, row in enumerate(value):
-        if not isinstance(row, list) or len(row) != 2:
-            raise UserError(f"{key}[{i}] = {row!r:.60}: must be [temperature in °C, log10 a_T]")
+    words = "[temperature in °C, log10 a_T]"
     rows = sorted(
-        (number(f"{key}[{i}][0]", t), number(f"{key}[{i}][1]", shift))
-        for i, (t, shift) in enumerate(value)
+        two_numbers(f"{key}[{i}]", row, words, number, number) for i, row in enumerate(value)
     )
     twice = [one[0] for one, two in pairwise(rows) if one[0] == two[0]]
     if twice:

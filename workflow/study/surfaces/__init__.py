@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING
 from ...ground import public_names
 
 if TYPE_CHECKING:
-    from .maps import given_map
-    from .profile import Profile, check_load, given_profile
+    from .profile import Profile, check_load, given_map, given_profile
     from .surface import Surface
     from .table import LIKE, SURFACE, check_cutoff, lines_like, read_surface
 

@@ -1,4 +1,4 @@
-"""Measured lines as a study uses them: levelled, periodic, and all sampled alike."""
+"""Measured lines, and maps of a half-space: levelled, periodic, and all sampled alike."""
 
 import hashlib
 from typing import NamedTuple
@@ -6,10 +6,12 @@ from typing import NamedTuple
 import numpy as np
 
 from ....kernels import measured_amplitudes, rms_slope
+from ....kernels.half_space.surface import map_amplitudes, rms_slope_of
 from ...ground import UserError
 from .alike import Alike, alike
 from .as_read import KEY, LEAST_SAMPLES, Asked, plain
 from .files import read_lines
+from .positions import UNEVEN
 
 SLOPES = 1e-5, 30.0  # of lines with heights and lengths in one unit
 LOADS = 1e-8, 1e6  # F_N/(4 G L h)
@@ -17,9 +19,11 @@ quietly = np.errstate(all="ignore")  # heights of 1e200 m, lengths of 1e-320 m: 
 
 
 class Profile(NamedTuple):
-    """Prepared lines of one measurement, in m; row i is the line of realization i."""
+    """Prepared lines, or maps, of one measurement, in m; row i is the line of realization i."""
 
-    heights: np.ndarray  # shape (lines, n), read only; one element per sample
+    # Read only, one element per sample: shape (lines, n), of a half-space (maps, n, n), or
+    # (maps, 1, n) of line contacts.
+    heights: np.ndarray
     length: float  # m, of the period: n steps
     measured_length: float  # m, of a line as it was measured: half the period if mirrored
     notes: str  # where the lines come from and what was done to them
@@ -33,18 +37,29 @@ class Profile(NamedTuple):
 
     @property
     def amplitudes(self) -> np.ndarray:
-        """Return the rms amplitudes of the modes over all lines (m), shape (n/2,)."""
-        return measured_amplitudes(self.heights)
+        """Return the rms amplitudes of the modes over all lines (m), shape (n/2,); of a map |h_q|.
+
+        Those of a map are as of a ring.
+        """
+        if self.heights.ndim == 2:
+            return measured_amplitudes(self.heights)
+        return np.sqrt(np.mean([map_amplitudes(own) ** 2 for own in self.heights], axis=0))
 
     @property
     def roughness(self) -> float:
         """Return the rms height over all lines, each about its own mean (m)."""
-        return float(np.sqrt(np.mean(np.var(self.heights, axis=1))))
+        return float(np.sqrt(np.mean(np.var(self.heights, axis=_of_each(self.heights)))))
 
     @property
     def slope(self) -> float:
-        """Return the spectral rms slope over all lines."""
-        return float(np.divide(rms_slope(self.amplitudes, self.heights.shape[1]), self.spacing))
+        """Return the spectral rms slope over all lines; of maps that of the full gradient."""
+        rms = rms_slope if self.heights.ndim == 2 else rms_slope_of
+        return float(np.divide(rms(self.amplitudes, self.heights.shape[-1]), self.spacing))
+
+
+def _of_each(heights: np.ndarray) -> tuple[int, ...]:
+    """Return the axes of one line, or of one map."""
+    return tuple(range(1, heights.ndim))
 
 
 @quietly
@@ -52,21 +67,62 @@ def read_profile(asked: Asked, detrend: str, periodic: str) -> Profile:
     """Return the prepared lines of a file. Raises UserError, one line that names key and file."""
     lines = read_lines(asked)
     levelled = level(lines.heights, detrend)
-    what = f"{KEY} = {asked.name!r}"
-    check_not_flat(what, levelled, lines.heights)
-    copies = PERIODICS[periodic]
-    length = copies * lines.step * lines.heights.shape[1]
-    notes = f"{lines.notes}; {_told(detrend, periodic)}"
+    check_not_flat(f"{KEY} = {asked.name!r}", levelled, lines.heights)
+    notes, hint = f"{lines.notes}; {_told(detrend, periodic)}", ""
     if found := spikes(levelled):
-        notes += f"; {found} samples stand out as spikes, kept"
-    profile = _profile(make_periodic(levelled, periodic), length, copies, notes)
-    check_slope(
-        what,
-        f"check surface.units{f'; {found} samples stand out as spikes' * bool(found)}",
-        profile,
+        hint = f"; {found} samples stand out as spikes"
+        notes += f"{hint}, kept"
+    whole = make_periodic(levelled, periodic)
+    return _measured(asked, whole, lines.step, periodic, notes, hint)._replace(
+        alike=alike(levelled)
     )
+
+
+@quietly
+def read_map(asked: Asked, detrend: str, periodic: str) -> Profile:
+    """Return the prepared map of a file, the largest square in its middle. Raises UserError.
+
+    Its rows must be as far apart as the samples of a row, and are where the file does not say.
+    """
+    what = f"{KEY} = {asked.name!r}"
+    if asked.gaps == "drop":
+        raise UserError('surface.gaps = "drop": leaves rows out of a map; use "fill"')
+    lines = read_lines(asked)
+    rows, samples = lines.heights.shape
+    if rows < LEAST_SAMPLES:
+        raise UserError(
+            f"{what}: {rows} rows of {samples} samples are no map, which a half-space needs; use "
+            'scene.body = "foundation", or scene.run with a line contact'
+        )
+    if lines.apart is not None and abs(lines.apart / lines.step - 1.0) > UNEVEN:
+        raise UserError(
+            f"{what}: its rows are {lines.apart:.4g} m apart and samples {lines.step:.4g} m: a "
+            "half-space needs a map of square cells"
+        )
+    side = min(rows, samples)
+    top, left = (rows - side) // 2, (samples - side) // 2
+    square = lines.heights[top : top + side, left : left + side]
+    levelled = _level_map(square, detrend)
+    check_not_flat(what, levelled[None], square[None])
+    assumed = " (assumed)" if lines.apart is None else ""
+    cut = "" if rows == samples else f"; the middle {side} x {side} of {rows} x {samples}"
+    notes = (
+        f"{lines.notes}; a map, rows as far apart as samples{assumed}{cut}; {detrend} removed, "
+        f"{periodic}"
+    )
+    whole = make_periodic(make_periodic(levelled, periodic).T, periodic).T
+    return _measured(asked, whole[None], lines.step, periodic, notes)
+
+
+def _measured(
+    asked: Asked, heights: np.ndarray, step: float, periodic: str, notes: str, hint: str = ""
+) -> Profile:
+    """Return the profile of heights that are one period, with what they are like in its notes."""
+    length = step * heights.shape[-1]
+    profile = _profile(heights, length, PERIODICS[periodic], notes)
+    check_slope(f"{KEY} = {asked.name!r}", f"check surface.units{hint}", profile)
     said = f"; h = {profile.roughness:.4g} m, rms slope {profile.slope:.4g}"
-    return profile._replace(notes=profile.notes + said, alike=alike(levelled))
+    return profile._replace(notes=profile.notes + said)
 
 
 @quietly
@@ -82,12 +138,38 @@ def given_profile(heights: object, length: float) -> Profile:
             f"profile: has the shape {lines.shape}: must hold at least {LEAST_SAMPLES} "
             "heights, or lines of them"
         )
-    check_finite(heights, lines, "line")
-    check_not_flat("profile", lines, lines)
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
-    profile = _profile(lines, length, 1, notes)
-    check_slope("profile", "give heights and length both in m", profile)
+    profile = _given(heights, lines, lines, length, notes)
     return profile._replace(alike=alike(level(lines, "mean")))
+
+
+@quietly
+def given_map(heights: object, length: float) -> Profile:
+    """Return the map of heights given in m, shape (n, n), or (n,) of a line contact; one period.
+
+    length : of the side (m), n steps; one element per sample. Raises UserError that names the
+    argument, ``profile``.
+    """
+    own = given_heights(heights)
+    if own.ndim != 2 or own.shape[0] not in (1, own.shape[1]) or own.shape[1] < LEAST_SAMPLES:
+        raise UserError(
+            f"profile: has the shape {own.shape}: a half-space takes a square map (n, n), "
+            f"the last axis along x, or a line contact (n,), of {LEAST_SAMPLES} samples or more"
+        )
+    what = "line contact" if own.shape[0] == 1 else "map"
+    notes = f"given from Python: a {what} of {own.shape}, one period as it is"
+    return _given(heights, own, own[None], length, notes)
+
+
+def _given(
+    heights: object, rows: np.ndarray, own: np.ndarray, length: float, notes: str
+) -> Profile:
+    """Return the profile of checked heights as they are; rows : they, for messages."""
+    check_finite(heights, rows, "line" if own is rows else "row")
+    check_not_flat("profile", own, own)
+    profile = _profile(own, length, 1, notes)
+    check_slope("profile", "give heights and length both in m", profile)
+    return profile
 
 
 def given_heights(heights: object) -> np.ndarray:
@@ -151,7 +233,8 @@ def _told(detrend: str, periodic: str) -> str:
 def _profile(heights: np.ndarray, length: float, copies: int, notes: str) -> Profile:
     own = np.array(heights, dtype=float, order="C")
     own.setflags(write=False)
-    digest = hashlib.sha256(f"{own.shape}".encode() + own.tobytes()).hexdigest()
+    kind = "" if own.ndim == 2 else "map "
+    digest = hashlib.sha256(f"{kind}{own.shape}".encode() + own.tobytes()).hexdigest()
     return Profile(own, length, length / copies, notes, digest)
 
 
@@ -171,6 +254,22 @@ def level(heights: np.ndarray, detrend: str) -> np.ndarray:
         part = np.sum(heights * polynomial, axis=1) / np.sum(polynomial**2)
         heights = heights - part[:, None] * polynomial
     return heights
+
+
+def _level_map(heights: np.ndarray, detrend: str) -> np.ndarray:
+    """Return a map less the polynomial in x and y that is fitted to it: mean, plane, parabola."""
+    degree = DETRENDS[detrend]
+    if degree is None:
+        return heights
+    t = np.linspace(-1.0, 1.0, len(heights))
+    terms = [
+        (t[:, None] ** i * t[None, :] ** j).ravel()
+        for i in range(degree + 1)
+        for j in range(degree + 1 - i)
+    ]
+    basis = np.stack(terms, axis=1)
+    fitted = np.linalg.lstsq(basis, heights.ravel(), rcond=None)[0]
+    return heights - (basis @ fitted).reshape(heights.shape)
 
 
 def make_periodic(heights: np.ndarray, periodic: str) -> np.ndarray:
@@ -202,10 +301,9 @@ def spikes(heights: np.ndarray) -> int:
 
 
 def check_not_flat(what: str, heights: np.ndarray, raw: np.ndarray) -> None:
-    """Raise UserError for a line that is a plateau, heights without any roughness."""
-    flat = heights.std(axis=1) <= FLAT * np.abs(raw).max(axis=1)
+    """Raise UserError for a line, or a whole map, that is a plateau, without any roughness."""
+    axes = _of_each(heights)
+    flat = heights.std(axis=axes) <= FLAT * np.abs(raw).max(axis=axes)
     if flat.any():
-        raise UserError(
-            f"{what}: line {int(np.argmax(flat)) + 1} of {flat.size} is flat: needs "
-            "heights that differ by more than a trend"
-        )
+        line = f"line {int(np.argmax(flat)) + 1} of {flat.size} " if heights.ndim == 2 else ""
+        raise UserError(f"{what}: {line}is flat: needs heights that differ by more than a trend")

@@ -1,6 +1,6 @@
 """The table [surface]: random self-affine lines, or lines that were measured."""
 
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from functools import partial
 from pathlib import Path
 from typing import Any
@@ -21,8 +21,7 @@ from ..settings import (
 )
 from .as_read import Asked, metres
 from .gaps import GAPS
-from .maps import read_map
-from .profile import DETRENDS, PERIODICS, Profile, read_profile
+from .profile import DETRENDS, PERIODICS, read_map, read_profile
 from .surface import LINES, OF_MAPS, Surface
 
 
@@ -191,7 +190,7 @@ def read_surface(given: Mapping[str, Any], folder: Path, body: str = FOUNDATION)
                 "those of heights, as [0, 1]; of heights alone with surface.step"
             )
         asked = Asked(folder / name, name, *how)
-        read: Callable[..., Profile] = read_map if body == HALF_SPACE else read_profile
+        read = read_map if body == HALF_SPACE else read_profile
         profile = read(asked, settings["detrend"], settings["periodic"])
         like = {key: value for key, value in given.items() if key in LIKE}
         return lines_like("surface", Surface(profile.measured_length, profile=profile), like)

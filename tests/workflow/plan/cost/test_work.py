@@ -59,33 +59,59 @@ ALL = Quantities()
 BRANCH = Spectrum((1.0,), (1.0,), 1.0)
 
 
-def parts_of(problem, steps=4, march_steps=100, asked=ALL, kept=(), **how):
+def parts_of(problem, steps=4, march_steps=100, asked=ALL, **how):
     """Return the typical time of a problem by part."""
+    kept = ("trace",) if problem.programme else ()
     work = Work(problem, steps, march_steps, **how)
     return typical_seconds(asked, work, Recording(64, asked=kept))
 
 
-def parts(elements=2500, **how):
+AT = Problem(0.7, 2500, 0.05, 1.0, 1.2)
+
+
+def parts(**what):
     """Return the typical time of a task by part."""
-    return parts_of(Problem(0.7, elements, 0.05, 1.0, 1.2), **how)
+    fields = {name: what.pop(name) for name in Problem._fields if name in what}
+    return parts_of(AT._replace(**fields), **what)
 
 
-def seconds(**what):
-    """Return the typical time of a task."""
-    return sum(parts(**what).values())
+def slides(distance, count=1, **what):
+    """Return what takes an element with a branch through slides, in whole steps or not."""
+    return {"programme": (Slide(1.0, distance),) * count, "spectrum": BRANCH, **what}
+
+
+LONG = {"elements": 10_000, "load": 0.1, "march_steps": 200}
+FULL = LONG | {"load": 1000.0}
+NARROW = {"hurst": 0.2, "elements": 10_000, "load": 0.1, "speed": 30.0, "loads": 20, "tasks": 20}
+LIGHT, HEAVY = ({"elements": 5000, "load": load, "spectrum": BRANCH} for load in (0.01, 10.0))
 
 
 @pytest.mark.parametrize(
-    "less",
+    ("part", "cheap", "dear", "factor"),
     [
-        {"elements": 1250},
-        {"march_steps": 50},
-        {"asked": ALL._replace(jump=False)},
-        {"asked": ALL._replace(steady=False, relaxation=False)},
+        (None, {"elements": 1250}, {}, 1.0),
+        (None, {"march_steps": 50}, {}, 1.0),
+        (None, {"asked": ALL._replace(jump=False)}, {}, 1.0),
+        (None, {"asked": ALL._replace(steady=False, relaxation=False)}, {}, 1.0),
+        ("marching", LIGHT, HEAVY, 3.0),  # what cannot touch is left out
+        ("marching", slides(10.0), slides(10.1), 1.0),  # a step more, between the samples
+        ("marching", slides(0.25, 20), slides(0.2, 20), 1.5),  # all of them between
+        ("marching", slides(1.0, start="rest"), slides(1.0), 2.0),  # steady sliding comes first
+        ("steady", slides(1.0), slides(1.0, speed=1e6), 1.5),  # of elements with branches
+        ("marching", FULL, LONG, 10.0),
+        ("steady", FULL, LONG, 1.0),
+        ("steady", {**NARROW, "steps": 2}, {**NARROW, "steps": 8}, 3.0),  # contacts are followed
     ],
 )
-def test_more_work_takes_more_time(less):
-    assert seconds() > seconds(**less)
+def test_more_work_takes_more_time(part, cheap, dear, factor):
+    less, more = (parts(**what) for what in (cheap, dear))
+    chosen = [part] if part else PARTS
+    assert sum(more[name] for name in chosen) > factor * sum(less[name] for name in chosen)
+
+
+def test_a_scheme_of_first_order_moves_what_cannot_touch_too():
+    light, heavy = (parts(**what, scheme="implicit-euler")["marching"] for what in (LIGHT, HEAVY))
+    assert light == heavy
 
 
 def test_loads_at_a_speed_and_tasks_on_lines_share_what_they_can():
@@ -118,42 +144,12 @@ def test_branches_and_programmes_are_work_of_another_kind():
     assert kind_of(on_half_space, marched) not in {*kinds, kind_of(plain, marched)}
 
 
-def scene(*legs, speed=1.0, ratio=1.0, asked=ALL, start="steady"):
-    """Return the typical time of elements with a branch that are taken through legs, by part."""
-    problem = Problem(0.7, 500, 0.1, speed, ratio, BRANCH, programme=legs, start=start)
-    return parts_of(problem, 4, 0, asked, ("trace",))
-
-
-@pytest.mark.parametrize("scheme", SCHEMES)
-def test_what_cannot_touch_is_left_out_of_the_marches_of_branches(scheme):
-    light, heavy = (
-        parts_of(Problem(0.7, 5000, load, 1.0, 1.2, BRANCH), scheme=scheme)["marching"]
-        for load in (0.01, 10.0)
-    )
-    assert (heavy > 3.0 * light) == (scheme == "exponential")
-
-
-def test_steps_to_between_the_samples_are_dear():
-    whole, between = (scene(Slide(1.0, distance)) for distance in (10.0, 10.1))
-    assert between["marching"] > whole["marching"]  # one step more, to a line that is shifted
-    whole, between = (scene(*[Slide(1.0, d)] * 20)["marching"] for d in (0.25, 0.2))
-    assert between > 1.5 * whole  # the same number of steps
-
-
-def test_a_scene_that_begins_in_steady_sliding_finds_that_first():
-    steady, rest = (scene(Slide(1.0, 1.0), start=start) for start in ("steady", "rest"))
-    assert steady["marching"] > 2.0 * rest["marching"]
-
-
 def test_steady_states_of_other_slides_are_calls():
     legs = Slide(1.0, 1.0), Slide(2.0, 1.0)
-    same, other = scene(*legs, ratio=2.0), scene(*legs, Slide(1.0, 1.0), ratio=2.0)
+    same, other = (
+        parts(spectrum=BRANCH, ratio=2.0, programme=own) for own in (legs, (*legs, legs[0]))
+    )
     assert other["calls"] == pytest.approx(same["calls"] + same["steady"])
-
-
-def test_fast_sliding_takes_more_sweeps():
-    slow, fast = (scene(Slide(v, 1.0), speed=v)["steady"] for v in (1.0, 1e6))
-    assert fast > 1.5 * slow
 
 
 @given(PROBLEMS, st.sampled_from([1, 4, 6, 64]), st.integers(8, 10_000))
@@ -163,20 +159,6 @@ def test_all_parts_of_any_problem_take_some_time_whichever_way_it_slides(problem
     assert all(np.isfinite(value) and value > 0.0 for value in here.values())
     back = parts_of(problem._replace(speed=-problem.speed), m, march)
     assert here == {name: back[name] for name in here}
-
-
-def test_full_contact_takes_no_marching_to_speak_of():
-    light, heavy = (
-        parts_of(Problem(0.7, 10_000, load, 1.0, 1.2), 4, 200) for load in (0.1, 1000.0)
-    )
-    assert heavy["marching"] < 0.1 * light["marching"]
-    assert heavy["steady"] < light["steady"]
-
-
-def test_narrow_contacts_are_dear_where_they_are_followed():
-    at = Problem(0.2, 10_000, 0.1, 30.0, 1.2)
-    followed, plain = (parts_of(at, m, 20, loads=20, tasks=20)["steady"] for m in (8, 2))
-    assert followed > 3.0 * plain > 0.0
 
 
 def test_patches_that_are_followed_are_those_of_the_kernels():

@@ -8,7 +8,6 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.kernels.rheology.spectrum import complex_modulus
-from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.effects.material import MATERIAL, Material, read_material
 from elastomer_friction.workflow.study.effects.shifting import Wlf
 from elastomer_friction.workflow.study.settings import checked
@@ -95,20 +94,6 @@ def test_order_units_and_shares_of_a_file_of_branches(tmp_path, text, moduli):
     found = read(tmp_path, shear_modulus=1e7, branches_file="branches.csv")
     np.testing.assert_allclose([g for g, _ in found.branches], moduli, rtol=1e-12)
     np.testing.assert_allclose([t for _, t in found.branches], [1e-3, 1e-2], rtol=1e-12)
-
-
-@pytest.mark.parametrize(
-    ("text", "answer"),
-    [
-        ("modulus [furlong], time [s]\n1, 2\n2, 3\n", "the unit 'furlong' of a modulus is not"),
-        ("stiffness, time [s]\n1, 1\n2, 3\n", "not clear which holds a modulus and a time; give a"),
-    ],
-)
-def test_a_file_of_branches_that_is_unclear_is_refused(tmp_path, text, answer):
-    (tmp_path / "branches.csv").write_text(text)
-    with pytest.raises(UserError, match=r"^material\.branches_file") as error:
-        read(tmp_path, branches_file="branches.csv")
-    assert answer in str(error.value)
 
 
 def test_a_temperature_shifts_all_times_once_and_for_all(tmp_path):

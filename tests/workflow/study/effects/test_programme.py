@@ -10,15 +10,9 @@ from elastomer_friction.workflow.study.effects.programme import (
     HoldSegment,
     Oscillate,
     RampSegment,
+    Scene,
     SlideSegment,
     Velocity,
-    first_speed,
-    first_velocity,
-    holds,
-    is_relative,
-    listed_values,
-    velocity_steps,
-    with_one_of,
 )
 from elastomer_friction.workflow.study.effects.segments import read_programme
 from tests.support.small import FILES
@@ -96,53 +90,66 @@ def test_how_long_a_slide_takes():
     assert OWN.seconds(0.5) == pytest.approx(1e-3 / 0.6)
 
 
-def test_a_step_is_from_one_slide_to_another_in_the_same_direction():
-    assert velocity_steps((SLOW, FAST, REST, SLOW, SLOW, BACK)) == [0]
-    assert velocity_steps((SLOW, REST, FAST)) == []
-    assert velocity_steps((SLOW, OWN)) == [0]
+def scene(*programme):
+    return Scene(programme=programme, start="relaxed")
+
+
+@pytest.mark.parametrize(
+    ("programme", "steps"),
+    [
+        ((SLOW, FAST, REST, SLOW, SLOW, BACK), [0]),
+        ((SLOW, REST, FAST), []),
+        ((SLOW, OWN), [0]),
+    ],
+)
+def test_a_step_is_from_one_slide_to_another_in_the_same_direction(programme, steps):
+    assert scene(*programme).velocity_steps == steps
 
 
 def test_a_hold_heals_between_slides():
-    assert holds((REST, SLOW, REST, FAST, REST)) == [2]
-    assert holds((SLOW, REST, REST, FAST)) == []
+    assert scene(REST, SLOW, REST, FAST, REST).heals
+    assert not scene(REST, SLOW, REST, REST, FAST).heals
 
 
 def test_the_durations_of_a_list_make_one_programme_each():
-    programme = (SLOW, SEVERAL, FAST, REST)
-    assert listed_values(programme) == {"hold": (1.0, 10.0)}
-    assert with_one_of(programme, "hold", 10.0) == (SLOW, HoldSegment((10.0,)), FAST, REST)
-    assert listed_values((SLOW, REST, SWING)) == {}
+    several = scene(SLOW, SEVERAL, FAST, REST)
+    assert several.listed == {"hold": (1.0, 10.0)}
+    assert several.with_one_of("hold", 10.0) == scene(SLOW, HoldSegment((10.0,)), FAST, REST)
+    assert scene(SLOW, REST, SWING).listed == {}
 
 
 def test_lists_of_an_oscillation_make_one_programme_each(tmp_path):
     """At several frequencies the amplitude that was given stays, of velocity or of displacement."""
     swing = {"ratio": 1.0, "frequency": [10, 40], "cycles": 3}
     both = {"oscillate": swing | {"velocity_amplitude": [0.5, 2.0]}}
-    programme = read(tmp_path, {"hold": {"duration": [1.0, 2.0]}}, both)
+    several = scene(*read(tmp_path, {"hold": {"duration": [1.0, 2.0]}}, both))
     axes = {"hold": (1.0, 2.0), "velocity_amplitude": (0.5, 2.0), "frequency": (10.0, 40.0)}
-    assert listed_values(programme) == axes
-    assert programme[1].amplitude == 0.5 / (2.0 * math.pi * 10.0)
+    assert several.listed == axes
+    assert several.programme[1].amplitude == 0.5 / (2.0 * math.pi * 10.0)
     for axis in ("velocity_amplitude", "frequency", "hold"):
-        programme = with_one_of(programme, axis, axes[axis][1])
-    assert programme[1].amplitude == 2.0 / (2.0 * math.pi * 40.0)
-    assert programme[0] == HoldSegment((2.0,))
-    one = read(tmp_path, {"oscillate": swing | {"amplitude": 1e-4}})
-    assert with_one_of(one, "frequency", 40.0)[0].amplitude == 1e-4
+        several = several.with_one_of(axis, axes[axis][1])
+    assert several.programme[1].amplitude == 2.0 / (2.0 * math.pi * 40.0)
+    assert several.programme[0] == HoldSegment((2.0,))
+    one = scene(*read(tmp_path, {"oscillate": swing | {"amplitude": 1e-4}}))
+    assert one.with_one_of("frequency", 40.0).programme[0].amplitude == 1e-4
 
 
-def test_where_a_programme_begins():
-    assert first_velocity((REST, SLOW)) is None
-    assert first_velocity((RampSegment(Velocity(0.2), Velocity(0.1), 1.0),)) == Velocity(0.2)
-    assert first_velocity((FILE,)) == Velocity(0.0)
-
-
-def test_the_first_speed_that_is_not_zero():
-    assert first_speed((REST, BACK)) == 0.3
-    assert first_speed((FILE,)) == 0.2
-    assert first_speed((SWING,)) == pytest.approx(2.0 * math.pi * 1e-3)
-    assert math.isnan(first_speed((REST,)))
+@pytest.mark.parametrize(
+    ("programme", "velocity", "speed"),
+    [
+        ((REST, BACK), 7.0, 0.3),  # that of the grid, before the rest
+        ((RampSegment(Velocity(0.2), Velocity(0.1), 1.0),), 0.2, 0.2),
+        ((OWN,), pytest.approx(8.4), 1.2),
+        ((FILE,), 0.0, 0.2),
+        ((SWING,), 0.0, pytest.approx(2.0 * math.pi * 1e-3)),
+        ((REST,), 7.0, pytest.approx(math.nan, nan_ok=True)),
+    ],
+)
+def test_where_a_programme_begins_and_its_first_speed_that_is_not_zero(programme, velocity, speed):
+    assert scene(*programme).start_velocity(7.0) == velocity
+    assert scene(*programme).typical_speed == speed
 
 
 def test_whether_it_depends_on_the_grid():
-    assert is_relative((SLOW, OWN))
-    assert not is_relative((SLOW, REST, SWING, FILE))
+    assert scene(SLOW, OWN).takes_velocity
+    assert not scene(SLOW, REST, SWING, FILE).takes_velocity

@@ -4,16 +4,17 @@ import math
 
 import pytest
 
-from elastomer_friction.workflow.study.effects.drive_keys import Spring
 from elastomer_friction.workflow.study.effects.material import Material
 from elastomer_friction.workflow.study.effects.programme import (
     HoldSegment,
     Oscillate,
+    Scene,
     SlideSegment,
+    Spring,
     Velocity,
 )
-from elastomer_friction.workflow.study.effects.quantities import QUANTITIES, judged
-from elastomer_friction.workflow.study.effects.scene import SCENE, Scene, read_scene_table, why_not
+from elastomer_friction.workflow.study.effects.quantities import QUANTITIES, judged, why_not
+from elastomer_friction.workflow.study.effects.scene import SCENE, read_scene_table
 from elastomer_friction.workflow.study.settings import checked
 from tests.support.small import small_study
 
@@ -31,6 +32,7 @@ def read(*materials, **table):
 def test_without_keys_it_is_the_scene_of_the_paper():
     assert read() == Scene()
     assert Scene().takes_velocity
+    assert Scene().start_velocity(0.7) == 0.7
 
 
 def test_what_is_asked_for_by_default():
@@ -44,13 +46,6 @@ def test_velocities_of_the_grid_are_taken_where_a_segment_refers_to_them():
     assert read(programme=[SLIDE, FASTER]).takes_velocity
     assert read(programme=[HOLD, SLIDE]).takes_velocity  # at which it slid before
     assert not read(programme=[HOLD, SLIDE], start="relaxed").takes_velocity
-
-
-def test_where_it_begins():
-    assert read().start_velocity(0.7) == 0.7
-    assert read(programme=[SLIDE]).start_velocity(0.7) == 0.1
-    assert read(programme=[FASTER]).start_velocity(0.5) == pytest.approx(0.6)
-    assert read(programme=[HOLD, SLIDE]).start_velocity(0.7) == 0.7
 
 
 def test_the_list_is_repeated():

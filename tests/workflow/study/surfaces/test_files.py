@@ -22,15 +22,6 @@ def read(path, columns=(), units=()):
     return read_lines(Asked(path, path.name, columns, units))
 
 
-@pytest.mark.parametrize("suffix", [".txt", ".CSV"])
-def test_several_columns_of_text_are_several_lines(tmp_path, suffix):
-    path = tmp_path / f"line{suffix}"
-    np.savetxt(path, np.vstack([X, Z]).T, header="x(mm) a(um) b(um) c(um)")
-    lines = read(path, (0, 1, 3))
-    np.testing.assert_allclose(lines.heights, Z[[0, 2]] * 1e-6, rtol=1e-12)
-    assert lines.step == pytest.approx(0.5e-3)
-
-
 def test_npy(tmp_path):
     path = tmp_path / "line.npy"
     np.save(path, np.vstack([X, Z]).T.astype(np.float32))

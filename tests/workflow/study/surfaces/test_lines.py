@@ -26,13 +26,6 @@ def test_lines_are_in_metres():
     assert "f: 2 lines of 10 samples, 0.001 m apart in the mean, heights in um" in found.notes
 
 
-def test_units_given_go_before_those_of_the_file():
-    found = lines(units=("um", "nm"))
-    np.testing.assert_array_equal(found.heights, Z * 1e-9)
-    assert found.step == 1e-6
-    assert "units as given" in found.notes
-
-
 def test_every_line_has_its_unit():
     np.testing.assert_array_equal(lines(own=("mm", "um", "nm")).heights[1], Z[1] * 1e-9)
 
@@ -43,35 +36,11 @@ def test_descending_positions_turn_the_line_round():
     assert found.step == 1e-3
 
 
-@pytest.mark.parametrize(
-    ("own", "words"),
-    [((), "'f' names none"), (("", ""), "'f' names none"), (("mm", "V"), "names ['mm', 'V']")],
-)
-def test_units_that_nobody_names_are_refused(own, words):
-    with pytest.raises(UserError) as error:
-        lines(own=own)
-    assert str(error.value).startswith("surface.units: missing: ")
-    assert words in str(error.value)
-
-
 def gappy(at=((1, 4), (1, 5))):
     z = Z.copy()
     for place in at:
         z[place] = np.nan
     return z
-
-
-def test_gaps_are_refused_with_their_count_and_the_way_on():
-    with pytest.raises(
-        UserError, match=r"'f': 2 of 20 samples are missing in 1 of 2 lines, the fir"
-    ):
-        lines(z=gappy())
-    with pytest.raises(UserError, match=r"sample 5 of line 2: surface.gaps = \"fill\" .* \"drop\""):
-        lines(z=gappy())
-    x = X.copy()
-    x[0] = np.nan
-    with pytest.raises(UserError, match=r"'f': the position of sample 1 is missing"):
-        lines(x=x)
 
 
 def test_gaps_are_filled_in_by_straight_lines():

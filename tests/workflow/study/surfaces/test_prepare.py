@@ -6,7 +6,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from elastomer_friction.workflow.ground import UserError
-from elastomer_friction.workflow.study.surfaces.positions import uniform_step
+from elastomer_friction.workflow.study.surfaces.positions import precision, uniform_step
 from elastomer_friction.workflow.study.surfaces.profile import (
     DETRENDS,
     PERIODICS,
@@ -21,9 +21,9 @@ LINES = RNG.normal(size=(3, 40)).cumsum(axis=1)
 SEEDS = st.integers(0, 2**32 - 1)
 
 
-def step_of(x, precision=0.0):
+def step_of(x, known=0.0):
     x = np.asarray(x, dtype=float)
-    return uniform_step("surface.file", "f", x, np.full(x.size, precision))
+    return uniform_step("surface.file", "f", x, np.full(x.size, known))
 
 
 @pytest.mark.parametrize("detrend", ["mean", "line", "parabola"])
@@ -38,8 +38,9 @@ def test_levelling_removes_its_polynomial_and_nothing_else(detrend):
     np.testing.assert_allclose(level(LINES, detrend), expected, atol=1e-11)
 
 
-def test_no_levelling_leaves_the_heights():
+def test_heights_may_be_taken_as_they_are():
     assert level(LINES, "none") is LINES
+    assert make_periodic(LINES, "none") is LINES
 
 
 @given(SEEDS, st.integers(8, 50))
@@ -63,10 +64,6 @@ def test_a_tapered_line_meets_its_own_start_and_keeps_its_middle():
     np.testing.assert_allclose(make_periodic(LINES + 9.0, "taper"), tapered + 4.0)
 
 
-def test_a_period_may_be_taken_as_it_is():
-    assert make_periodic(LINES, "none") is LINES
-
-
 @given(st.floats(0.01, 10.0), st.integers(8, 300), st.floats(-5.0, 5.0))
 def test_rounded_positions_have_the_step_they_were_made_of(step, samples, start):
     """Positions to 0.1, whatever part of a step that is, if they show that they are rounded."""
@@ -87,7 +84,7 @@ def gap(samples=200, at=77):
 
 
 @pytest.mark.parametrize(
-    ("x", "precision", "words"),
+    ("x", "known", "words"),
     [
         (gap(), 0.0, "sample 78 is 2 after the one before"),
         (gap(), 1.0, "sample 78 is 2 after the one before"),  # a gap, not rounding to 1
@@ -97,9 +94,9 @@ def gap(samples=200, at=77):
         (np.arange(60.0) + 0.4 * (np.arange(60) % 2), 0.1, "in the mean steps are 1"),
     ],
 )
-def test_positions_that_are_not_uniform_are_refused(x, precision, words):
+def test_positions_that_are_not_uniform_are_refused(x, known, words):
     with pytest.raises(UserError, match="bring the samples to equal steps first") as error:
-        step_of(x, precision)
+        step_of(x, known)
     assert words in str(error.value)
 
 
@@ -120,9 +117,18 @@ def test_flat_lines_are_refused(detrend):
     with pytest.raises(UserError, match=r"surface.file = 'f': line 2 of 2 is flat"):
         check_not_flat("surface.file = 'f'", level(raw, detrend), raw)
     check_not_flat("surface.file = 'f'", level(raw[:1], detrend), raw[:1])
-
-
-def test_a_straight_line_is_flat_once_levelled():
-    raw = 1e-3 * np.arange(1000.0)[None, :]
+    slope = 1e-3 * np.arange(1000.0)[None, :]  # of which levelling leaves rounding
     with pytest.raises(UserError, match="line 1 of 1 is flat"):
-        check_not_flat("surface.file = 'f'", level(raw, "line"), raw)
+        check_not_flat("surface.file = 'f'", level(slope, "line"), slope)
+
+
+@given(st.lists(st.floats(-1e6, 1e6), min_size=2, max_size=30), st.sampled_from([".2f", ".4g"]))
+def test_numbers_are_within_half_their_precision(numbers, form):
+    written = [format(number, form) for number in numbers]
+    off = np.abs(np.array(numbers) - np.array(written, dtype=float))
+    assert np.all(off <= 0.5 * precision(written) * (1.0 + 1e-9) + 1e-300)
+
+
+def test_precision_counts_zeros_that_were_left_out():
+    np.testing.assert_allclose(precision(["0", "0.2", "3", "1499.8"]), 0.1)
+    np.testing.assert_allclose(precision(["1.25e-3", "1.25", "12500"]), [1e-5, 1e-4, 1.0])

@@ -8,7 +8,7 @@ import pytest
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.surfaces.as_read import Asked
 from elastomer_friction.workflow.study.surfaces.files import read_lines
-from elastomer_friction.workflow.study.surfaces.maps import read_map
+from elastomer_friction.workflow.study.surfaces.profile import read_map
 
 RESOURCES = Path(__file__).resolve().parents[3] / "resources"
 X = 0.5 * np.arange(24)

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from elastomer_friction.workflow.ground import UserError
 from elastomer_friction.workflow.study.grid import snapped_spacing
-from elastomer_friction.workflow.study.settings.checks import axis_values, within
+from elastomer_friction.workflow.study.settings import axis_values, within
 
 
 @pytest.mark.parametrize(
