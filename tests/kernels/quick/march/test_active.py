@@ -8,7 +8,7 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import SCHEMES, ConstantForce, Line
+from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.march.active import MARGINS, active_march
 from elastomer_friction.kernels.quick.march.bounds import first_bounds
@@ -150,17 +150,6 @@ def test_long_lines_over_all_steps(jump):
     steps = int(size(4 * jump.m * jump.ratio * jump.x / np.pi, 80))
     setting, load = setting_of(jump, size(3000, 500))
     assert_same(setting, load, jump, np.arange(1, steps + 1))
-
-
-@pytest.mark.parametrize("load", [1e-3, 0.1, 2.0])
-@pytest.mark.parametrize("m", [1, 8])
-def test_measured_lines(load, m):
-    heights = np.random.default_rng(2).standard_normal(size(200, 40)).cumsum()
-    heights -= np.linspace(0.0, heights[-1], heights.size)
-    line = Line.measured(heights / heights.std(), m)
-    jump = Jump(0.5, m, load, 20.0, 1.3)
-    setting, load = setting_of(jump, None, line=(line.z, line.slope))
-    assert_same(setting, load, jump, EVERY)
 
 
 def test_full_contact_has_nothing_to_list():
