@@ -13,9 +13,10 @@ Never more than 2 n + 3 passes over n elements: after the first pass d lies righ
 from then on every pass has a smaller d with fewer elements touching, or is the last. Rounding
 can carry d below every threshold; that restarts it once, from the bound of one element.
 
-What touches is a NamedTuple, Springs or one that knows sums over many elements (quick/): its type
-says what it carries at d. Eq. 4 is solved in two more places, where the elements have come to where
-they are by sliding steadily: model/steady.py, and branches/steady_memory.py for internal variables.
+What touches is a NamedTuple, Springs or one that knows more about many elements (quick/, scene/):
+its type says what it carries at d. Eq. 4 is solved in two more places, where the elements have come
+to where they are by sliding steadily: model/steady.py, and branches/steady_memory.py for internal
+variables.
 """
 
 from typing import NamedTuple
@@ -72,14 +73,6 @@ class Springs(NamedTuple):
     c: np.ndarray  # contact thresholds z_i - w_i, shape (n,), n > 0, in h
 
 
-class SpringRows(NamedTuple):
-    """Springs in rows, those left out that an indentation below some bound does not reach."""
-
-    c: np.ndarray  # as of Springs, shape (rows, length)
-    highest: np.ndarray  # shape (1,): the highest indentation at which it was asked
-    sums: np.ndarray  # room, of the length of a row, which is a power of two
-
-
 class UnlikeSprings(NamedTuple):
     """Elements one by one, each of its own stiffness."""
 
@@ -93,13 +86,6 @@ def _excess_of_springs(contact, load, d):
     return force - load, count, count
 
 
-@excess_at.of(SpringRows)
-def _excess_of_spring_rows(contact, load, d):
-    contact.highest[0] = max(contact.highest[0], d)
-    force, count = overlap_of_rows(contact.c, d, contact.sums)
-    return force - load, count, count
-
-
 @excess_at.of(UnlikeSprings)
 def _excess_of_unlike_springs(contact, load, d):
     force, slope, count = weighted_overlap(contact.c, contact.stiffness, d)
@@ -109,12 +95,6 @@ def _excess_of_unlike_springs(contact, load, d):
 @lowest_of.of(Springs)
 def _lowest_of_springs(contact, load):
     lowest = contact.c.min()
-    return lowest, lowest + load
-
-
-@lowest_of.of(SpringRows)
-def _lowest_of_spring_rows(contact, load):
-    lowest = contact.c.min() if contact.c.size > 0 else np.inf
     return lowest, lowest + load
 
 
@@ -171,40 +151,6 @@ def overlap(c, d):
     total = ((s0 + s4) + (s1 + s5)) + ((s2 + s6) + (s3 + s7))
     count = ((n0 + n4) + (n1 + n5)) + ((n2 + n6) + (n3 + n7))
     return total, count
-
-
-@borrowing
-def overlap_of_rows(c, d, sums):
-    """Return the same, as floats, of thresholds in rows: by columns, of which there are 2^k.
-
-    The compiler takes several columns at once, and here four rows are added in one go: to store the
-    sums takes as long as all else. A row in which nothing touches changes no bit. sums : room for a
-    number for each column.
-    """
-    touching, four = 0, c.shape[0] - c.shape[0] % 4
-    for i in range(sums.size):
-        sums[i] = 0.0
-    for row in range(0, four, 4):
-        for i in range(sums.size):
-            p0, p1 = d - c[row, i], d - c[row + 1, i]
-            p2, p3 = d - c[row + 2, i], d - c[row + 3, i]
-            total = sums[i] + (p0 if p0 > 0.0 else 0.0)
-            total += p1 if p1 > 0.0 else 0.0
-            total += p2 if p2 > 0.0 else 0.0
-            sums[i] = total + (p3 if p3 > 0.0 else 0.0)
-            touching += (1 if p0 > 0.0 else 0) + (1 if p1 > 0.0 else 0)
-            touching += (1 if p2 > 0.0 else 0) + (1 if p3 > 0.0 else 0)
-    for row in range(four, c.shape[0]):
-        for i in range(sums.size):
-            depth = d - c[row, i]
-            sums[i] += depth if depth > 0.0 else 0.0
-            touching += 1 if depth > 0.0 else 0
-    half = sums.size // 2
-    while half > 0:
-        for i in range(half):
-            sums[i] += sums[half + i]
-        half //= 2
-    return sums[0], float(touching)
 
 
 @kernel

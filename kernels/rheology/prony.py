@@ -51,38 +51,42 @@ class Prony(NamedTuple):
 @kernel
 def moments(x):
     """Return (1 - E, beta, alpha): E = exp(-x) and the weights of the end and the start force."""
+    gone = -math.expm1(-x)
     if x > 0.1:
-        gone = -math.expm1(-x)
         return gone, 1.0 - gone / x, gone / x - (1.0 - gone)
-    beta = alpha = 0.0  # differences of nearly equal numbers otherwise
-    term = x
-    for power in range(1, 12):
-        term /= power + 1.0
-        beta += term
-        alpha += power * term
-        term *= -x
-    return -math.expm1(-x), beta, alpha
+    end = 1.0  # a difference of nearly equal numbers otherwise
+    for power in range(11, 2, -1):
+        end = 1.0 - x / power * end
+    end *= 0.5 * x
+    return gone, end, gone - end
 
 
 @law_of.of(Retardation)
 def _law_of(form, dt):
-    count = form.times.size
-    decay, fresh, stale = np.empty(count), np.empty(count), np.empty(count)
-    moved, late = np.empty(count), np.empty(count)  # by a unit force that lasts, and how late
-    for k in range(count):
-        gone, end, start = moments(dt / form.times[k])
-        decay[k] = 1.0 - gone if gone < 0.5 else math.exp(-dt / form.times[k])
-        if not decay[k] > math.sqrt(NEGLIGIBLE):
-            decay[k] = 0.0
-        fresh[k], stale[k] = form.compliances[k] * end, form.compliances[k] * start
-        moved[k], late[k] = form.compliances[k] * gone, start / gone
-    ramp = stale.sum()
-    prompt = form.glass + (moved * (1.0 - late / late.max())).sum()
+    constants = np.empty((5, form.times.size))  # to make one array takes as long as ten samples
+    decay, fresh, stale = constants[0], constants[1], constants[2]
+    moved, late = constants[3], constants[4]  # by a unit force that lasts, and how late
+    ramp = latest = 0.0
+    for k in range(form.times.size):
+        x, compliance = dt / form.times[k], form.compliances[k]
+        gone, end, start = moments(x)
+        left = 1.0 - gone if gone < 0.5 else math.exp(-x)
+        decay[k] = left if left > math.sqrt(NEGLIGIBLE) else 0.0
+        fresh[k], stale[k] = compliance * end, compliance * start
+        moved[k], late[k] = compliance * gone, start / gone
+        ramp += stale[k]
+        latest = max(latest, late[k])
+    prompt = answered = form.glass
+    for k in range(form.times.size):
+        prompt += moved[k] * (1.0 - late[k] / latest)
+        answered += moved[k]
     linear = min(1.0, 4.0 * prompt / ramp)
-    fresh += (1.0 - linear) * stale
-    stale *= linear
-    lag = (1.0 - linear) * ramp / (form.glass + moved.sum())
-    return Prony(decay, fresh, stale, 1.0 / (form.glass + fresh.sum()), lag, linear)
+    softness = form.glass
+    for k in range(form.times.size):
+        fresh[k] += (1.0 - linear) * stale[k]
+        stale[k] *= linear
+        softness += fresh[k]
+    return Prony(decay, fresh, stale, 1.0 / softness, (1.0 - linear) * ramp / answered, linear)
 
 
 @memories.of(Retardation)

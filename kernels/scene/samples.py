@@ -31,10 +31,13 @@ def samples_per_contact(force):
         elif run > 0:
             width[patches], carried[patches] = run, load
             patches, run, load = patches + 1, 0, 0.0
-    half = 0.5 * carried[:patches].sum()
-    total = 0.0
-    for i in np.argsort(width[:patches], kind="mergesort"):
-        total += carried[i]
-        if total >= half:
-            return float(width[i])
+    by_width = np.zeros(width[:patches].max() + 1 if patches > 0 else 1)
+    total = below = 0.0
+    for patch in range(patches):
+        by_width[width[patch]] += carried[patch]
+        total += carried[patch]
+    for wide in range(1, by_width.size):
+        below += by_width[wide]
+        if below >= 0.5 * total:
+            return float(wide)
     return 0.0
