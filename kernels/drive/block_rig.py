@@ -12,10 +12,10 @@ from ..compile.jit import kernel
 from ..model.balance import balance_rows
 from ..rheology.law import Elements, law_of
 from ..rheology.retardation import Retardation
-from ..rheology.scaled import BLOCK, catch_up, go_on, predict
-from ..scene.march_blocks import SLACK, ElementBlocks, cap_over, in_blocks, round_apart, touchable
+from ..rheology.scaled import BLOCK, catch_up, go_on, predict_block
+from ..scene.march_blocks import SLACK, ElementBlocks, can_touch, cap_over, in_blocks, round_apart
 from ..scene.samples import samples_per_contact
-from ..scene.spring_rows import SpringRows, add_overlap, begin_overlap, end_overlap, rows_of
+from ..scene.spring_rows import SpringRows, add_overlap, begin_overlap, end_overlap, spring_rows_of
 from .posed_line import PosedLine, heights_at, seen_from
 from .rig import accept, attempt, friction_of, patch_width
 
@@ -43,7 +43,7 @@ class BlockRig(NamedTuple):
 def block_rig(form: Any, control: Any, line: PosedLine, elements: Elements) -> BlockRig:
     """Return a rig of elements that have taken no step; form : a Retardation."""
     state, n = in_blocks(elements, 0), elements.p.size
-    p, rows = np.maximum(-state.c, 0.0), rows_of(state.c)
+    p, rows = np.maximum(-state.c, 0.0), spring_rows_of(state.c)
     number, d = np.array([0, -1, 0]), np.array([state.d, state.d, state.d, np.inf])
     room = rows, np.empty(n), number, d, np.empty(2)
     return BlockRig(form, control, line, state.blocks, p, *room)
@@ -75,7 +75,7 @@ def _choose(rig, begin, d, before):
     """Choose the blocks that can touch where the indentation is d, and was another before."""
     cap, count = cap_over(d, before, rig.line.lowest), 0
     for b in range(rig.p.shape[0]):
-        if touchable(rig.line.lowest, begin, b, rig.z.size, cap) or np.any(rig.p[b] > 0.0):
+        if can_touch(rig.line.lowest, begin, b, rig.z.size, cap) or np.any(rig.p[b] > 0.0):
             rig.rows.some[count] = b
             count += 1
     rig.d[CAP], rig.number[COUNT] = cap, count
@@ -95,7 +95,7 @@ def _balance(rig, law, begin, t):
     for b in some:
         z = rig.z[b * BLOCK : (b + 1) * BLOCK]
         heights_at(rig.line, begin + b * BLOCK, t, z)
-        predict(share, memory, b, w)
+        predict_block(share, memory, b, w)
         for i in range(z.size):
             c[b, i] = z[i] - (w[i] - now * rig.p[b, i])
         add_overlap(rows, b, old)

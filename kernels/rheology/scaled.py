@@ -80,7 +80,7 @@ def catch_up(scales, memory, seen, some, step):
 
 
 @inlined
-def predict(share, memory, b, total):
+def predict_block(share, memory, b, total):
     """Fill ``total`` (BLOCK,) with sum_k share_k a_k of block b."""
     for i in range(BLOCK):
         total[i] = 0.0

@@ -28,7 +28,7 @@ from ..rheology.scaled import (
     as_it_is,
     catch_up,
     go_on,
-    predict,
+    predict_block,
     settle_and_predict,
 )
 from .cycles import add_impulses
@@ -43,7 +43,7 @@ from .spring_rows import (
     begin_overlap,
     end_overlap,
     fold,
-    rows_of,
+    spring_rows_of,
 )
 
 CELL = 16  # samples of which the lowest is known
@@ -144,7 +144,7 @@ def follow_blocks(
     what is kept, are as of ``follow``. The arrays of the state are changed.
     """
     blocks, c, last, d = state
-    n, passes, rows, room = track.z.shape[1] // 2, 0, rows_of(c), np.empty(2 * BLOCK)
+    n, passes, rows, room = track.z.shape[1] // 2, 0, spring_rows_of(c), np.empty(2 * BLOCK)
     lowest, choice, memory = _lowest(track.z), Choice(-1, np.inf, d, 0), np.empty((0, n))
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
     law, forces = law_of(form, track.dt[0]), np.empty(c.size + c.shape[0] + 1)
@@ -230,7 +230,7 @@ def _balance(control, law, blocks, rows, step, count, z, old, last, room):
         if touching > 0:
             settle_and_predict(blocks.scales.due, blocks.scales.scale, blocks.memory, b, room)
         else:
-            predict(blocks.scales.scale, blocks.memory, b, room)
+            predict_block(blocks.scales.scale, blocks.memory, b, room)
         here = z[b * BLOCK : (b + 1) * BLOCK]
         for i in range(here.size):
             c[b, i] = here[i] - room[i]
@@ -271,7 +271,7 @@ def round_apart(one, other, n):
 
 
 @inlined
-def touchable(lowest, begin, b, n, cap):
+def can_touch(lowest, begin, b, n, cap):
     """Return whether the line is below the cap over block b, while it moves by SLACK."""
     first = (begin + b * BLOCK - SLACK) % n
     last = min(first + BLOCK + 2 * SLACK, 2 * n) - 1
@@ -286,7 +286,7 @@ def _choose(rows, lowest, begin, n, cap, level):
     """List the blocks that can touch, or did in the last step; return their number."""
     count = 0
     for b in range(rows.c.shape[0]):
-        chosen = touchable(lowest, begin, b, n, cap)
+        chosen = can_touch(lowest, begin, b, n, cap)
         if not chosen and rows.c[b, 0] < np.inf:
             for i in range(BLOCK):
                 chosen = chosen or rows.c[b, i] < level
@@ -365,7 +365,7 @@ def _keep_frame(film, frame, blocks, step, p, z, d, stiffness):
     catch_up(blocks.scales, blocks.memory, blocks.seen, np.arange(blocks.seen.size), step)
     u = np.empty(p.size)
     for b in range(blocks.seen.size):
-        predict(blocks.scales.scale, blocks.memory, b, u[b * BLOCK : (b + 1) * BLOCK])
+        predict_block(blocks.scales.scale, blocks.memory, b, u[b * BLOCK : (b + 1) * BLOCK])
     for i in range(z.size):
         u[i] -= p[i] / stiffness
     keep_frame(film, frame, z, d, u[: z.size])
