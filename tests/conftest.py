@@ -2,13 +2,11 @@
 
 import os
 from collections.abc import Iterator
-from typing import Any
 
 import dask
 import pytest
 from distributed import LocalCluster
 from hypothesis import settings
-from xdist.scheduler import LoadScopeScheduling
 
 from tests.last_bit import perturb
 from tests.support import skips
@@ -38,27 +36,6 @@ def pytest_xdist_auto_num_workers() -> int:
     """Return the number of processes: one per core, at least two, at most eight of up to 1 GB."""
     cores = os.sched_getaffinity(0) if hasattr(os, "sched_getaffinity") else (os.cpu_count(),)
     return min(8, max(2, len(cores)))
-
-
-class ByFile(LoadScopeScheduling):
-    """Keep the tests of a file in one process: they share fixtures.
-
-    xdist's own groups (--dist loadgroup) are lost in silence from pytest 9.2 on.
-    """
-
-    def _split_scope(self, nodeid: str) -> str:
-        """Return the name of the group of a test."""
-        return group_of(nodeid)
-
-
-def group_of(nodeid: str) -> str:
-    """Return the name of the group of a test: its file."""
-    return nodeid.partition("::")[0]
-
-
-def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> ByFile:
-    """Return how tests are spread over processes."""
-    return ByFile(config, log)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:

@@ -15,7 +15,7 @@ from ..rheology.retardation import Retardation
 from ..rheology.scaled import BLOCK, catch_up, go_on, predict_block
 from ..scene.march_blocks import SLACK, ElementBlocks, can_touch, cap_over, in_blocks, round_apart
 from ..scene.samples import samples_per_contact
-from ..scene.spring_rows import SpringRows, add_overlap, begin_overlap, end_overlap, spring_rows
+from ..scene.spring_rows import SpringRows, add_overlap, begin_overlap, end_overlap, spring_rows_of
 from .posed_line import PosedLine, heights_at, seen_from
 from .rig import accept, attempt, friction_of, patch_width
 
@@ -43,7 +43,7 @@ class BlockRig(NamedTuple):
 def block_rig(form: Any, control: Any, line: PosedLine, elements: Elements) -> BlockRig:
     """Return a rig of elements that have taken no step; form : a Retardation."""
     state, n = in_blocks(elements, 0), elements.p.size
-    p, rows = np.maximum(-state.c, 0.0), spring_rows(state.c)
+    p, rows = np.maximum(-state.c, 0.0), spring_rows_of(state.c)
     number, d = np.array([0, -1, 0]), np.array([state.d, state.d, state.d, np.inf])
     room = rows, np.empty(n), number, d, np.empty(2)
     return BlockRig(form, control, line, state.blocks, p, *room)

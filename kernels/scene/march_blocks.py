@@ -43,7 +43,7 @@ from .spring_rows import (
     begin_overlap,
     end_overlap,
     fold,
-    spring_rows,
+    spring_rows_of,
 )
 
 CELL = 16  # samples of which the lowest is known
@@ -144,7 +144,7 @@ def follow_blocks(
     what is kept, are as of ``follow``. The arrays of the state are changed.
     """
     blocks, c, last, d = state
-    n, passes, rows, room = track.z.shape[1] // 2, 0, spring_rows(c), np.empty(2 * BLOCK)
+    n, passes, rows, room = track.z.shape[1] // 2, 0, spring_rows_of(c), np.empty(2 * BLOCK)
     lowest, choice, memory = _lowest(track.z), Choice(-1, np.inf, d, 0), np.empty((0, n))
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
     law, forces = law_of(form, track.dt[0]), np.empty(c.size + c.shape[0] + 1)

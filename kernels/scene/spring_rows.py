@@ -26,7 +26,7 @@ class SpringRows(NamedTuple):
 
 
 @kernel
-def spring_rows(c):
+def spring_rows_of(c):
     """Return SpringRows of thresholds, with room for the rest."""
     room = np.empty((3, COLUMNS)), np.empty(1), np.empty(3)
     return SpringRows(c, np.empty(c.shape[0], np.int64), *room)

@@ -103,9 +103,7 @@ class Chaos:
         """
         for number in (signal.SIGKILL, signal.SIGTERM, signal.SIGINT):
             weapons[f"driver, {number.name}"] = lambda number=number: self._at_driver(number)
-        brakes = {
-            f"{n}, stopped": self._stop_instead(weapons[n]) for n in STOPPABLE if n in weapons
-        }
+        brakes = {f"{name}, stopped": weapons[name] for name in STOPPABLE if name in weapons}
         brakes["driver, stopped"] = lambda: self._stop(self.driver.pid)
         plan = [weapons] * count.kills + [brakes] * count.stops
         self.random.shuffle(plan)
@@ -116,6 +114,7 @@ class Chaos:
             if self.finished():
                 raise FinishedTooSoonError
             name = self.random.choice(sorted(plan[-1]))
+            self.stopping = plan[-1] is brakes
             if self.driver.poll() is None and plan[-1][name]():
                 plan.pop()
                 self.strikes[name] += 1
@@ -151,18 +150,6 @@ class Chaos:
                 return self._stop(victim)
             kill(victim, number)
         return bool(pids)
-
-    def _stop_instead(self, weapon: Weapon) -> Weapon:
-        """Return a weapon that stops for a while what the other one kills."""
-
-        def stop() -> bool:
-            self.stopping = True
-            try:
-                return weapon()
-            finally:
-                self.stopping = False
-
-        return stop
 
     def _stop(self, pid: int) -> bool:
         self.stops.stop(pid)

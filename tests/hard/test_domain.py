@@ -117,14 +117,3 @@ def test_more_load_presses_deeper(motion, factor):
     assert deeper <= factor * d * (1.0 + bounds(heavier)["steady"])
     z = motion.line.z
     assert np.sum(z - w_more < deeper) >= np.sum(z - w < d)
-
-
-@FEW
-@given(motions())
-def test_refined_samples_lie_on_the_same_line(motion):
-    """Twice the samples: d moves by less than the height that lies between two samples."""
-    fine, m = motion.line, motion.line.steps_per_spacing
-    coarse = Line.from_samples(fine.z[::m], fine.slope[::m], 1)
-    d_fine, d_coarse = indentation(motion), indentation(motion._replace(line=coarse))
-    between = np.abs(fine.slope).max()
-    assert abs((d_coarse + coarse.datum) - d_fine) <= between + 1e-9 * (d_coarse + d_fine)

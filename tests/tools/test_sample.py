@@ -9,7 +9,6 @@ from elastomer_friction.workflow.simulate.realizations import block_means
 from tests.support.small import small_plan
 from tests.tools.sample import (
     cut_down,
-    drawn,
     number_of_draws,
     strata,
     total,
@@ -41,10 +40,6 @@ def test_the_estimate_is_within_its_error_of_what_all_batches_take(seed):
     assert found.error < 0.2 * truth
 
 
-def test_predictions_off_by_one_factor_leave_no_error():
-    assert total([3.0, 5.0], [[2.0, 2.0], [2.0, 2.0, 2.0]]) == (16.0, 0.0)
-
-
 def test_draws_follow_the_cost_and_fill_the_time_asked_for():
     least, more = (sum(number_of_draws(WHOLE, 60, seconds)) for seconds in (0.0, 1e4))
     assert 60 <= least < more
@@ -61,20 +56,6 @@ def test_the_lines_of_a_draw_are_lines_of_its_batch():
         assert draw.batch.seconds == pytest.approx(50.0)
         firsts.add(draw.batch.first_block)
     assert firsts == {2, 3, 4, 5, 6, 7}  # quartets, two to a block
-
-
-def test_a_short_batch_is_drawn_whole():
-    batch = replace(WHOLE[0].batches[0], blocks=2, seconds=0.1)
-    draw = cut_down("", batch, np.random.default_rng(3))
-    assert draw.share == 1.0
-    assert draw.batch.blocks * draw.batch.realizations_per_block == 16
-
-
-def test_the_same_seed_draws_the_same():
-    one, two = (
-        [draw.batch for draw in drawn(WHOLE[0], 5, np.random.default_rng(7))] for _ in range(2)
-    )
-    assert one == two
 
 
 def test_the_numbers_of_a_draw_are_those_of_the_study():

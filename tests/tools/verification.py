@@ -1,4 +1,4 @@
-"""Print how well scenes agree with what is known, at several refinements, as in docs/scenes.md.
+"""Print how well scenes agree with what is known, refined: the table of docs/verification.md.
 
     python -m tests.tools.verification
 
@@ -10,10 +10,8 @@ from collections.abc import Callable
 import numpy as np
 
 from elastomer_friction.kernels import SCHEMES, ConstantForce, lagged_slope, march, steady_sliding
-from elastomer_friction.kernels.branches.steady_memory import steady_memory
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Slide
-from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
 from tests.convergence import observed_order
 from tests.kernels.branches.test_dissipation import friction
@@ -21,8 +19,6 @@ from tests.kernels.scene.given import MATERIALS, PRONY, SOLID, a_line, trace
 from tests.kernels.scene.test_energy import missing_work
 from tests.kernels.scene.test_follow import errors_over_time, gaps_of_schemes
 from tests.kernels.scene.test_known_answers import Q, relaxation_errors, response
-from tests.lines import random_line
-from tests.viscoelastic import SBR
 
 
 def sinusoid(name: str, refinements: np.ndarray) -> np.ndarray:
@@ -64,17 +60,6 @@ def to_kelvin(glass: np.ndarray) -> np.ndarray:
     return np.array(found)[:, None] / kelvin - 1.0
 
 
-def split(parts: np.ndarray) -> np.ndarray:
-    """Return by how much steady friction changes as a branch splits, its times 1/parts apart."""
-    line, errors = a_line(64, 0.7, 4, 0), []
-    (g,), (t,) = SOLID.moduli, SOLID.times
-    one = friction(SOLID, line, 2.0)[0]
-    for apart in 1.0 / parts:
-        near = Spectrum((g / 2.0, g / 2.0), (t * (1.0 - apart), t * (1.0 + apart)), 0.0)
-        errors.append([friction(near, line, 2.0)[0] / one - 1.0])
-    return np.array(errors)
-
-
 def against_march() -> float:
     """Return the largest difference of mu between the general path and the march, of Kelvin."""
     line = a_line()
@@ -85,19 +70,6 @@ def against_march() -> float:
     mu = march(after, ConstantForce(0.3 * n), line.z, weight, state, kept, np.inf)[0]
     found = trace(line, (Slide(0.5, 1.0 / m), Slide(0.8, 600.0 / m)), KELVIN)["trace_mu"]
     return float(np.abs(found[2:] - mu).max())
-
-
-def steady_work() -> tuple[float, float, float]:
-    """Return (updates without marching, by marching, what is left of it) for 13 branches."""
-    z, _ = random_line(80, 0.7, 4, 5)
-    form, load, speed = retardation(SBR), 0.1 * z.size, 1.0 * z.size
-    found = steady_memory(form, z, speed, load)
-    line = Line.from_samples(z, np.zeros(z.size), 4)
-    turns = 100 * found.work // z.size // z.size + 1
-    programme = (Slide(speed / 4, turns * z.size / 4.0),)
-    depth = trace(line, programme, SBR, load=0.1, start="relaxed")["trace_indentation"]
-    far = abs(depth[0] - line.datum - found.elements.d)
-    return found.work, turns * z.size**2, abs(depth[-1] - line.datum - found.elements.d) / far
 
 
 def row(name: str, refinements: np.ndarray, errors: np.ndarray) -> None:
@@ -129,12 +101,7 @@ def main() -> None:
     row("closing work, kelvin", 2 * m, closing_work(2 * m))
     glass = 10.0 ** np.arange(1, 7)
     row("to Kelvin (G_g/G)", glass, to_kelvin(glass))
-    parts = np.array([1e2, 1e3, 1e4])
-    row("split branch (1/apart)", parts, split(parts))
     print(f"Kelvin, general path against march: {against_march():.1e}")
-    print(
-        "13 branches: {:.2e} updates, by marching {:.2e}, then off by {:.1e}".format(*steady_work())
-    )
 
 
 if __name__ == "__main__":

@@ -33,7 +33,6 @@ from ..study import (
     Oscillate,
     RampSegment,
     SlideSegment,
-    Spring,
     Study,
     axes_of,
     judged,
@@ -396,15 +395,6 @@ def _surface(study: Study) -> Iterator[tuple[bool, str]]:
         yield bool(value), f"{name}: {said}"
 
 
-def _pulled(drive: Spring | None) -> tuple[bool, str]:
-    if drive is None:
-        return False, "drive: scene.drive is not given; the programme moves the line itself"
-    return True, (
-        f"drive: moves so, and pulls by {drive.stiffness:g} N/m, {drive.mass:g} kg, "
-        f"{drive.damping:g} N s/m"
-    )
-
-
 def _motion(study: Study) -> Iterator[tuple[bool, str]]:
     scene = study.scene
     if scene.programme:
@@ -412,7 +402,11 @@ def _motion(study: Study) -> Iterator[tuple[bool, str]]:
         shown = ", ".join(names[:8]) + (", ..." if len(names) > 8 else "")
         again = f", {scene.repeat} times" if scene.repeat > 1 else ""
         yield True, f"programme from {scene.start}: {shown}{again}"
-        yield _pulled(scene.drive)
+        if drive := scene.drive:
+            pull = f"{drive.stiffness:g} N/m, {drive.mass:g} kg, {drive.damping:g} N s/m"
+            yield True, f"drive: moves so, and pulls by {pull}"
+        else:
+            yield False, "drive: scene.drive is not given; the programme moves the line itself"
         for each in scene.sampled:
             yield True, f"programme sampled: {each}"
     else:

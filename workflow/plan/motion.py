@@ -154,7 +154,6 @@ def _leg(segment: Segment, scale: Scale) -> kernels.Leg:
         case FromFile():
             times = tuple(rounded(time / tau) for time in segment.times)
             return kernels.Sampled(times, tuple(rounded(v * tau / dx) for v in segment.velocities))
-    raise UserError(f"scene.programme: {segment!r:.60} is no segment")
 
 
 def check_programme(problem: Problem, steps: Any, origin: Origin) -> None:

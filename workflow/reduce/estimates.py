@@ -76,13 +76,19 @@ def _rate_changes(estimates: Estimates, blocks: Blocks, task: int, change: np.nd
     if estimates["fit_status"][task] != FITTED:
         return np.nan
     time, deviation = blocks.time[task], estimates["deviation"][task, 1:]
-    kept = np.isfinite(time)
-    if not blocks.jumps:
-        kept &= np.arange(kept.size) >= np.nanargmax(np.abs(deviation))
+    kept = _relaxing(blocks, task, deviation)
     before, after = (
         fit_exponential(time[kept], curve[kept])[1] for curve in (deviation, deviation + change)
     )
     return float(abs(after / before - 1.0))
+
+
+def _relaxing(blocks: Blocks, task: int, deviation: np.ndarray) -> np.ndarray:
+    """Return of which samples a task relaxes; deviation : mu - mu_2 of its mean curve."""
+    kept = np.isfinite(blocks.time[task])
+    if not blocks.jumps:  # then friction rises before it relaxes
+        kept &= np.arange(kept.size) >= np.nanargmax(np.abs(deviation))
+    return kept
 
 
 def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) -> None:
@@ -90,9 +96,7 @@ def _relaxations(estimates: Estimates, blocks: Blocks, deviation: np.ndarray) ->
     fits: list[RelaxationFit] = []
     compared: list[Comparison] = []
     for task in range(len(blocks.time)):
-        kept = np.isfinite(blocks.time[task])
-        if not blocks.jumps:  # then friction rises before it relaxes
-            kept &= np.arange(kept.size) >= np.nanargmax(np.abs(deviation[task][0]))
+        kept = _relaxing(blocks, task, deviation[task][0])
         time, curves = blocks.time[task][kept], deviation[task][:, kept]
         fits.append(fit_relaxation(time, curves, blocks.rms_slope[task]))
         if "models" in blocks.quantities:

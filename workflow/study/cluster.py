@@ -7,14 +7,14 @@ from functools import partial
 from typing import Any, NamedTuple
 
 from ..ground import UserError
-from .settings import TEXT, Key, as_text, filled, integer, positive
+from .settings import TEXT, Key, as_text, filled, integer, matching, positive
 
 LOCAL = "local"
 MARGIN = 0.1  # of the walltime, at whose start a worker of a job retires
 BATCHES_PER_LIFETIME = 20  # a worker that retires loses what it is computing
 LEAST_WALLTIME = 60.0  # s
 MEMORY = "[0-9.]+ ?[kMGT]i?B"
-WORD = r"[\w.,:@%+/=-]*"
+WORD, A_WORD = r"[\w.,:@%+/=-]*", "one word of letters, digits and .,:@%+/=-"
 
 
 class BatchSystem(NamedTuple):
@@ -81,13 +81,6 @@ def _where(key: str, value: object) -> str:
     return text
 
 
-def _memory(key: str, value: object) -> str:
-    text = as_text(key, value)
-    if not re.fullmatch(MEMORY, text):
-        raise UserError(f'{key} = {text!r}: must be a size, as "4GB"')
-    return text
-
-
 def _walltime(key: str, value: object) -> str:
     # What is not quoted is a time of day to TOML.
     text = as_text(key, str(value) if isinstance(value, datetime.time) else value)
@@ -108,21 +101,11 @@ def _line(key: str, value: object) -> str:
     return text
 
 
-def _word(key: str, value: object) -> str:
-    """Return a text that stays one word in a directive or a command of a job script."""
-    text = as_text(key, value)
-    if not re.fullmatch(WORD, text):
-        raise UserError(f"{key} = {text!r}: must be one word of letters, digits and .,:@%+/=-")
-    return text
-
-
 def _prologue(key: str, value: object) -> tuple[str, ...]:
     return tuple(_line(key, line) for line in (value if isinstance(value, list) else [value]))
 
 
-ONE_WORD = partial(
-    Key, _word, default="", values="one word", schema={"type": "string", "pattern": f"^{WORD}$"}
-)
+ONE_WORD = partial(Key, partial(matching, pattern=WORD, words=A_WORD), default="")
 PEM = partial(Key, _line, default="", values="the path of a file", schema=TEXT)
 CLUSTER = {
     "where": Key(
@@ -154,12 +137,10 @@ CLUSTER = {
         default=HERE.cores,
     ),
     "memory": Key(
-        _memory,
+        partial(matching, pattern=MEMORY, words='a size, as "4GB"'),
         "The memory of each job. `plan` predicts what a worker needs.",
         "Doubled, each worker may use twice as much before it is ended; nothing gets quicker.",
         default=HERE.memory,
-        values='a size such as `"4GB"`',
-        schema={"type": "string", "pattern": f"^{MEMORY}$"},
     ),
     "walltime": Key(
         _walltime,

@@ -6,6 +6,7 @@ reference follow from it. Knows no table: which keys there are is said where the
 
 import json
 import math
+import re
 from collections.abc import Callable, Iterable, Mapping
 from dataclasses import dataclass
 from functools import partial
@@ -32,6 +33,14 @@ def as_text(key: str, value: object) -> str:
     if not isinstance(value, str):
         raise UserError(f"{key} = {value}: must be a string")
     return value
+
+
+def matching(key: str, value: object, pattern: str, words: str) -> str:
+    """Return ``value`` if it is a string of a pattern or raise UserError; words : what is right."""
+    text = as_text(key, value)
+    if not re.fullmatch(pattern, text):
+        raise UserError(f"{key} = {text!r}: must be {words}")
+    return text
 
 
 def flag(key: str, value: object) -> bool:
@@ -261,6 +270,8 @@ def _taken(check: Callable[..., Any]) -> tuple[Schema, str]:
         if most == UNBOUNDED:
             return schema, f"a whole number, at least {least}"
         return schema | {"maximum": most}, f"a whole number from {least} to {most}"
+    if check.func is matching:
+        return TEXT | {"pattern": f"^{given['pattern']}$"}, given["words"]
     if check.func is choice:
         *others, last = (f'`"{known}"`' for known in given["known"])
         return {"enum": list(given["known"])}, f"{', '.join(others)} or {last}"

@@ -22,13 +22,7 @@ FAMILIES: dict[Dimension, str] = {
     (0, 0, 0, 0, 1): "angle",  # in rad
     (0, 0, 0, 0, 0): "number",  # of no dimension
 }
-LENGTH, TIME, FREQUENCY, PRESSURE = (
-    (1, 0, 0, 0, 0),
-    (0, 0, 1, 0, 0),
-    (0, 0, -1, 0, 1),
-    (-1, 1, -2, 0, 0),
-)
-FORCE, ANGLE, NONE, KELVIN = (1, 1, -2, 0, 0), (0, 0, 0, 0, 1), (0, 0, 0, 0, 0), (0, 0, 0, 1, 0)
+DIMENSIONS = {family: dimension for dimension, family in FAMILIES.items()}
 PREFIXES = {"p": 1e-12, "n": 1e-9, "u": 1e-6, "m": 1e-3, "c": 1e-2, "d": 1e-1, "": 1.0}
 PREFIXES |= {"h": 1e2, "k": 1e3, "M": 1e6, "G": 1e9}
 SPELLED = {"pico": 1e-12, "nano": 1e-9, "micro": 1e-6, "milli": 1e-3, "centi": 1e-2, "": 1.0}
@@ -38,63 +32,63 @@ POUND = 4.4482216152605  # N
 KILOPOND = 9.80665  # N
 
 
-def _prefixed(symbol: str, prefixes: str, factor: float, dimension: Dimension) -> dict:
+def _prefixed(symbol: str, prefixes: str, factor: float, family: str) -> dict:
     each = ("", *prefixes)
-    return {f"{prefix}{symbol}": (PREFIXES[prefix] * factor, dimension) for prefix in each}
+    return {f"{prefix}{symbol}": (PREFIXES[prefix] * factor, family) for prefix in each}
 
 
-def _spelled(words: str, factor: float, dimension: Dimension) -> dict:
+def _spelled(words: str, factor: float, family: str) -> dict:
     return {
-        f"{prefix}{word}{end}": (own * factor, dimension)
+        f"{prefix}{word}{end}": (own * factor, family)
         for prefix, own in SPELLED.items()
         for word in words.split()
         for end in ("", "s")
     }
 
 
-def _words(words: str, factor: float, dimension: Dimension) -> dict:
-    return dict.fromkeys(words.split(), (factor, dimension))
+def _words(words: str, factor: float, family: str) -> dict:
+    return dict.fromkeys(words.split(), (factor, family))
 
 
-KNOWN: dict[str, tuple[float, Dimension]] = {
-    **_prefixed("m", "pnumcdk", 1.0, LENGTH),
-    **_spelled("meter metre", 1.0, LENGTH),
-    **_words("micron microns mic", 1e-6, LENGTH),
-    **_words("Å å angstrom angstroms ångström ångstrom", 1e-10, LENGTH),
-    **_words("in inch inches", INCH, LENGTH),
-    **_words("mil mils thou", 1e-3 * INCH, LENGTH),
-    **_words("uin microinch microinches", 1e-6 * INCH, LENGTH),
-    **_words("ft foot feet", 12.0 * INCH, LENGTH),
-    **_prefixed("s", "num", 1.0, TIME),
-    **_prefixed("sec", "num", 1.0, TIME),
-    **_words("secs", 1.0, TIME),
-    **_spelled("second", 1.0, TIME),
-    **_words("min mins minute minutes", 60.0, TIME),
-    **_words("h hr hrs hour hours", 3600.0, TIME),
-    **_words("d day days", 86400.0, TIME),
-    **_prefixed("Hz", "mkM", 2.0 * math.pi, FREQUENCY),
-    **_spelled("hertz", 2.0 * math.pi, FREQUENCY),
-    **_words("rpm", 2.0 * math.pi / 60.0, FREQUENCY),
-    **_prefixed("rad", "m", 1.0, ANGLE),
-    **_words("radian radians", 1.0, ANGLE),
-    **_words("deg ° degree degrees", math.pi / 180.0, ANGLE),
-    **_words("cycle cycles rev revs turn turns", 2.0 * math.pi, ANGLE),
-    **_prefixed("Pa", "umhkMG", 1.0, PRESSURE),
-    **_spelled("pascal", 1.0, PRESSURE),
-    **_prefixed("bar", "mk", 1e5, PRESSURE),
-    **_words("psi", POUND / INCH**2, PRESSURE),
-    **_words("ksi", 1e3 * POUND / INCH**2, PRESSURE),
-    **_words("dyn dyne dynes", 1e-5, FORCE),
-    **_prefixed("N", "numkM", 1.0, FORCE),
-    **_spelled("newton", 1.0, FORCE),
-    **_words("kgf kp", KILOPOND, FORCE),
-    **_words("gf", 1e-3 * KILOPOND, FORCE),
-    **_words("lbf lb lbs", POUND, FORCE),
-    **_words("kmh kph", 1.0 / 3.6, (1, 0, -1, 0, 0)),
-    **_words("mph", 0.44704, (1, 0, -1, 0, 0)),
-    **_words("K kelvin", 1.0, KELVIN),
-    **_words("1 - . \u2013 \u2014 # none dimensionless unitless", 1.0, NONE),
-    **_words("%", 0.01, NONE),
+KNOWN: dict[str, tuple[float, str]] = {
+    **_prefixed("m", "pnumcdk", 1.0, "length"),
+    **_spelled("meter metre", 1.0, "length"),
+    **_words("micron microns mic", 1e-6, "length"),
+    **_words("Å å angstrom angstroms ångström ångstrom", 1e-10, "length"),
+    **_words("in inch inches", INCH, "length"),
+    **_words("mil mils thou", 1e-3 * INCH, "length"),
+    **_words("uin microinch microinches", 1e-6 * INCH, "length"),
+    **_words("ft foot feet", 12.0 * INCH, "length"),
+    **_prefixed("s", "num", 1.0, "time"),
+    **_prefixed("sec", "num", 1.0, "time"),
+    **_words("secs", 1.0, "time"),
+    **_spelled("second", 1.0, "time"),
+    **_words("min mins minute minutes", 60.0, "time"),
+    **_words("h hr hrs hour hours", 3600.0, "time"),
+    **_words("d day days", 86400.0, "time"),
+    **_prefixed("Hz", "mkM", 2.0 * math.pi, "frequency"),
+    **_spelled("hertz", 2.0 * math.pi, "frequency"),
+    **_words("rpm", 2.0 * math.pi / 60.0, "frequency"),
+    **_prefixed("rad", "m", 1.0, "angle"),
+    **_words("radian radians", 1.0, "angle"),
+    **_words("deg ° degree degrees", math.pi / 180.0, "angle"),
+    **_words("cycle cycles rev revs turn turns", 2.0 * math.pi, "angle"),
+    **_prefixed("Pa", "umhkMG", 1.0, "pressure"),
+    **_spelled("pascal", 1.0, "pressure"),
+    **_prefixed("bar", "mk", 1e5, "pressure"),
+    **_words("psi", POUND / INCH**2, "pressure"),
+    **_words("ksi", 1e3 * POUND / INCH**2, "pressure"),
+    **_words("dyn dyne dynes", 1e-5, "force"),
+    **_prefixed("N", "numkM", 1.0, "force"),
+    **_spelled("newton", 1.0, "force"),
+    **_words("kgf kp", KILOPOND, "force"),
+    **_words("gf", 1e-3 * KILOPOND, "force"),
+    **_words("lbf lb lbs", POUND, "force"),
+    **_words("kmh kph", 1.0 / 3.6, "velocity"),
+    **_words("mph", 0.44704, "velocity"),
+    **_words("K kelvin", 1.0, "temperature"),
+    **_words("1 - . \u2013 \u2014 # none dimensionless unitless", 1.0, "number"),
+    **_words("%", 0.01, "number"),
 }
 FOLDED = {word.lower(): own for word, own in reversed(KNOWN.items()) if len(word) > 1} | {
     name.lower(): KNOWN[name] for name in ("MPa", "MHz", "s")
@@ -143,8 +137,8 @@ def unit_of(text: str) -> Unit | None:
     if not plain or plain in CLOCK:
         return None
     if plain in KNOWN:
-        found = KNOWN[plain]
-        return Unit(text, FAMILIES[found[1]], found[0])
+        factor, family = KNOWN[plain]
+        return Unit(text, family, factor)
     factor, dimension, single = 1.0, np.zeros(5, int), "/" not in plain and "*" not in plain
     for number, part in enumerate(plain.split("/")):
         for word in filter(None, part.split("*")):
@@ -154,9 +148,9 @@ def unit_of(text: str) -> Unit | None:
                 return None
             power = int(match[2] or 1) * (1 if number == 0 else -1)
             factor *= known[0] ** power
-            dimension += power * np.array(known[1])
-    family = FAMILIES.get(tuple(dimension.tolist()))
-    return Unit(text, family, factor) if family else None
+            dimension += power * np.array(DIMENSIONS[known[1]])
+    found = FAMILIES.get(tuple(dimension.tolist()))
+    return Unit(text, found, factor) if found else None
 
 
 def is_product(text: str) -> bool:
@@ -165,8 +159,8 @@ def is_product(text: str) -> bool:
     return len(words) > 1 and all(unit_of(word) for word in words)
 
 
-def _known(word: str, single: bool) -> tuple[float, Dimension] | None:
-    """Return factor and dimension of a word; a single M is no metre, while M/S is m/s."""
+def _known(word: str, single: bool) -> tuple[float, str] | None:
+    """Return factor and family of a word; a single M is no metre, while M/S is m/s."""
     if word in KNOWN:
         return KNOWN[word]
     if word == "M" and not single:

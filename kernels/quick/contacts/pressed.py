@@ -13,6 +13,8 @@ from ...compile.jit import borrowing, kernel
 from ..steady.spans import FIRST, HEIGHT, SLOPE, SPAN, STEEP, Spans
 from .touching import Touching
 
+SIDE = 16  # partial sums, of four samples at a time
+
 
 class MovingLine(NamedTuple):
     """A line, its spans, and the speed at which pressures are asked for."""
@@ -83,35 +85,48 @@ def span_under(line, b, deep):
     return normal, tangential, count
 
 
-@borrowing
-def weighed_in_fours(threshold, weight, slope, deep):
+@kernel
+def weighed_side_by_side(threshold, weight, slope, deep):
     """Return (sum of w p, sum of w p z', sum of w) over samples with pressure p > 0.
 
-    weight : w, or None where it is 1. slope : z', or None where only forces are asked for. Four
-    partial sums in a fixed order.
+    weight : w, or None where it is 1. slope : z', or None where only forces are asked for. Partial
+    sums in a fixed order, all in one array: so the compiler adds several at once.
     """
-    n0 = n1 = n2 = n3 = t0 = t1 = t2 = t3 = c0 = c1 = c2 = c3 = 0.0
-    whole = threshold.size - threshold.size % 4
-    for i in range(0, whole, 4):
-        p0, p1 = deep - threshold[i], deep - threshold[i + 1]
-        p2, p3 = deep - threshold[i + 2], deep - threshold[i + 3]
-        if weight is None:
-            w0, w1 = (1.0 if p0 > 0.0 else 0.0), (1.0 if p1 > 0.0 else 0.0)
-            w2, w3 = (1.0 if p2 > 0.0 else 0.0), (1.0 if p3 > 0.0 else 0.0)
-        else:
-            w0, w1 = (weight[i] if p0 > 0.0 else 0.0), (weight[i + 1] if p1 > 0.0 else 0.0)
-            w2, w3 = (weight[i + 2] if p2 > 0.0 else 0.0), (weight[i + 3] if p3 > 0.0 else 0.0)
-        c0, c1, c2, c3 = c0 + w0, c1 + w1, c2 + w2, c3 + w3
-        w0, w1, w2, w3 = w0 * p0, w1 * p1, w2 * p2, w3 * p3
-        n0, n1, n2, n3 = n0 + w0, n1 + w1, n2 + w2, n3 + w3
-        if slope is not None:
-            t0, t1 = t0 + w0 * slope[i], t1 + w1 * slope[i + 1]
-            t2, t3 = t2 + w2 * slope[i + 2], t3 + w3 * slope[i + 3]
+    sums = np.zeros(3 * SIDE)
+    whole = threshold.size - threshold.size % (4 * SIDE)
+    for first in range(0, whole, 4 * SIDE):
+        for k in range(SIDE):
+            i = first + k
+            p, q = (
+                _at_sample(threshold, weight, slope, i, deep),
+                _at_sample(threshold, weight, slope, i + SIDE, deep),
+            )
+            r, s = (
+                _at_sample(threshold, weight, slope, i + 2 * SIDE, deep),
+                _at_sample(threshold, weight, slope, i + 3 * SIDE, deep),
+            )
+            sums[k] += (p[0] + q[0]) + (r[0] + s[0])
+            sums[SIDE + k] += (p[2] + q[2]) + (r[2] + s[2])
+            if slope is not None:
+                sums[2 * SIDE + k] += (p[1] + q[1]) + (r[1] + s[1])
     for i in range(whole, threshold.size):
-        p0 = deep - threshold[i]
-        if p0 > 0.0:
-            w0 = 1.0 if weight is None else weight[i]
-            c0 += w0
-            n0 += w0 * p0
-            t0 += w0 * p0 * (0.0 if slope is None else slope[i])
-    return (n0 + n1) + (n2 + n3), (t0 + t1) + (t2 + t3), (c0 + c1) + (c2 + c3)
+        k, p = i % SIDE, _at_sample(threshold, weight, slope, i, deep)
+        sums[k] += p[0]
+        sums[SIDE + k] += p[2]
+        sums[2 * SIDE + k] += p[1]
+    normal = tangential = count = 0.0
+    for k in range(SIDE):
+        normal, count = normal + sums[k], count + sums[SIDE + k]
+        tangential += sums[2 * SIDE + k]
+    return normal, tangential, count
+
+
+@borrowing
+def _at_sample(threshold, weight, slope, i, deep):
+    """Return (w p, w p z', w) of a sample, or zeros where p is not positive."""
+    p = deep - threshold[i]
+    p = p if p > 0.0 else 0.0
+    share = 1.0 if weight is None else weight[i]
+    share = share if p > 0.0 else 0.0
+    force = share * p
+    return force, (0.0 if slope is None else force * slope[i]), share

@@ -9,18 +9,19 @@ Source: Li et al. (2014), doi:10.1038/srep05795.
 import numpy as np
 
 from ...compile.jit import borrowing, kernel
-from ...model.contact import excess_at, lowest_of, overlap
+from ...model.contact import excess_at, lowest_of
 from ...model.friction import LEAST_REACH, MOST_REACH
 from ..steady.contacts import AHEAD, BEHIND
 from ..steady.spans import HEIGHT, SLOPE, SPAN, SQUARE, STEEP, WORK
-from .pressed import Pressed, span_under, weighed_in_fours
+from .pressed import Pressed, span_under, weighed_side_by_side
 from .touching import covered
 
 
 @excess_at.of(Pressed)
 def _excess_of_pressed(contact, load, d):
-    force, _, count = weighed_in_fours(contact.threshold, contact.touching.weight, None, d)
-    more, others = overlap(contact.loose, d)
+    threshold, weight = contact.threshold, contact.touching.weight
+    force, _, count = weighed_side_by_side(threshold, weight, None, d)
+    more, _, others = weighed_side_by_side(contact.loose, None, None, d)
     force, count = force + more, count + others
     line = contact.line
     for i in range(contact.spans.size):
@@ -50,10 +51,10 @@ def friction(contact, deep):
     As weighed (model/friction.py), with the sums of spans that are all pressed.
     """
     touching, line = contact.touching, contact.line
-    normal, tangential, count = weighed_in_fours(
+    normal, tangential, count = weighed_side_by_side(
         contact.threshold, touching.weight, touching.slope, deep
     )
-    more, along, others = weighed_in_fours(contact.loose, None, contact.slope, deep)
+    more, along, others = weighed_side_by_side(contact.loose, None, contact.slope, deep)
     normal, tangential, count = normal + more, tangential + along, count + others
     rows, speed = line.spans.rows, line.speed
     for i in range(contact.spans.size):

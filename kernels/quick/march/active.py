@@ -3,7 +3,7 @@
 import numpy as np
 
 from ...compile.jit import kernel
-from ..contacts.pressed import weighed_in_fours
+from ..contacts.pressed import weighed_side_by_side
 from .bounds import first_bounds, widened
 from .crossings import Steady, arrivals_of
 from .lists import lists_of
@@ -34,7 +34,7 @@ def active_march(march, control, kept_steps, margins=MARGINS):
     for attempt in range(1, len(margins) + 1):
         runs, met, sums = classes_of(march, bounds)
         lists = lists_of(runs, met)
-        depth, moment, _ = weighed_in_fours(met.after, None, met.weight, march.end.d)
+        depth, moment, _ = weighed_side_by_side(met.after, None, met.weight, march.end.d)
         # Averaged over a step (model/friction.py).
         settled = (sums.moment + moment) / (sums.depth + depth)
         arrivals = arrivals_of(law, lists, runs, steady, march.z, last)

@@ -6,9 +6,10 @@ import numpy as np
 
 from ...compile.jit import borrowing, kernel
 from ...model.contact import excess_at, indentation_under, lowest_of, overlap
+from ..contacts.pressed import weighed_side_by_side
 from .given import advance
 
-STRIP = 32  # samples, and partial sums
+FEW = 128  # samples, of which overlap is quicker
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
 
 
@@ -67,28 +68,8 @@ def next_indentation(control, law, lists, sums, more, d, guess):
 
 @kernel
 def overlap_of(c, d):
-    """Return (sum of d - c_i, number) over the touching elements c_i < d, as overlap does.
-
-    That one is faster for few elements.
-    """
-    if c.size < 4 * STRIP:
+    """Return (sum of d - c_i, number) over the touching elements c_i < d, as overlap does."""
+    if c.size < FEW:
         return overlap(c, d)
-    depth, count = np.zeros(STRIP), np.zeros(STRIP)
-    strips = c.size // STRIP
-    for s in range(strips):
-        part = c[s * STRIP : (s + 1) * STRIP]
-        for i in range(STRIP):
-            p = d - part[i]
-            depth[i] += p if p > 0.0 else 0.0
-            count[i] += 1.0 if p > 0.0 else 0.0
-    total, touching = overlap(c[strips * STRIP :], d)
-    return total + in_order(depth), touching + in_order(count)
-
-
-@borrowing
-def in_order(parts):
-    """Return the sum of partial sums, from the first to the last."""
-    total = 0.0
-    for part in parts:
-        total += part
-    return total
+    depth, _, touching = weighed_side_by_side(c, None, None, d)
+    return depth, touching

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from ...compile.jit import borrowing
-from ..contacts.pressed import weighed_in_fours
+from ..contacts.pressed import weighed_side_by_side
 from .bounds import NOTHING, are_within, including
 from .crossings import arrive, depart
 from .landings import beside
@@ -67,7 +67,7 @@ def average(lists, sums, more, d, advanced):
     The sums over samples are those of friction.py too, and of contacts/pressure.py at an instant.
     more : overlap and moment of what touches beside both. advanced : D of the samples in sums.
     """
-    depth, moment, _ = weighed_in_fours(lists.c, None, lists.weight, d)
+    depth, moment, _ = weighed_side_by_side(lists.c, None, lists.weight, d)
     over = advanced - sums.level
     moment += more[1] + (sums.moment + over * sums.weight)
     return moment / (depth + more[0] + (sums.depth + over * sums.samples))

@@ -7,6 +7,8 @@ nothing to the mean. That sum has terms of one sign: it is known to rounding, at
 
 from typing import NamedTuple
 
+import numpy as np
+
 from ...compile.jit import borrowing, kernel
 from ...rheology.law import NEGLIGIBLE, reach
 from .contacts import begin_sum, end_sum, enter_span, join_pieces, leave_piece, open_piece
@@ -89,10 +91,11 @@ def carry(decay, z, spans, stay, d, contacts, w):
 def _samples(decay, z, d, first, stop, element, contacts, w):
     """Carry elements from sample ``first`` down to ``stop``, one by one, as carry does."""
     u, du, held, total, slope, touching, pieces = element
+    if u >= -NEGLIGIBLE:
+        u = du = 0.0
     for j in range(first, stop - 1, -1):
-        alive = u < -NEGLIGIBLE
-        free = decay.once * u if alive else 0.0
-        gap = z[j] - d
+        free = decay.once * u
+        gap = z[np.uint64(j)] - d  # an index that is never counted from the end
         if w is not None:
             w[j] = free
         if gap < free:
@@ -110,7 +113,7 @@ def _samples(decay, z, d, first, stop, element, contacts, w):
                 end_sum(contacts, pieces - 1, total)
                 held = False
             u = free
-            du = decay.once * du if alive else 0.0
+            du = decay.once * du
         total -= u
         slope += du
     return u, du, held, total, slope, touching, pieces

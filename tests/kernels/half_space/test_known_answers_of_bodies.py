@@ -40,16 +40,6 @@ def sphere(n: int, side: float, radius: float = 1.0) -> Surface:
     return Surface.from_samples(z, np.broadcast_to(x / radius * side / n, z.shape), 1)
 
 
-def elastic_loss(p: np.ndarray, m: int, loss) -> float:
-    """Sum of (|q|/2) q_x loss(q_x) |u_q|^2 over the mean pressure, of displacements u = -A p."""
-    _, q_x = wave_numbers(p.shape, m)
-    stiffness = half_space_stiffness(p.shape, m)
-    stiffness[0, 0] = np.inf
-    power = np.abs(np.fft.rfft2(p) / p.size / stiffness) ** 2 * two_sided(p.shape)
-    stiffness[0, 0] = 0.0
-    return float(np.sum(stiffness * q_x * loss(q_x) * power)) / float(p.mean())
-
-
 def test_a_sphere_is_pressed_as_hertz_says() -> None:
     """Side 10 contact radii; the radius of the sphere, E* and the side are 1, 1 and n samples."""
     errors = []
@@ -95,23 +85,6 @@ def test_two_waves_close_at_the_pressure_of_johnson_greenwood_and_higginson(
     mean = share * np.pi * height / wavelength
     p = press(z, mean, Operator.of(half_space_stiffness((n, n), 1) * n, n), None, 1e-8).p
     assert (p.min() > 0.0) == full
-
-
-def test_slow_friction_is_the_loss_of_the_elastic_contact() -> None:
-    """mu/(v tau) of a sphere is 1/R, and that of a rough surface what its march gives."""
-    errors = []
-    for n in (64, 128):
-        side = 6.0
-        surface = sphere(n, side)
-        operator = Operator.of(half_space_stiffness((n, n), 1) * n / side, n)
-        p = press(surface.z, 4.0 / 3.0 / side**2, operator, None, 1e-7).p
-        errors.append(elastic_loss(p, 1, lambda q: q) * (n / side) - 1.0)
-    assert np.abs(errors[1]) < 0.6 * np.abs(errors[0]) < 0.1
-    surface, load, speed = rough(16, 8), 0.1, 0.1 / np.pi
-    operator = Operator.of(half_space_stiffness(surface.z.shape, 8), surface.z.shape[1])
-    p = press(surface.z, load / 16, operator, None, 1e-7).p
-    mu = run_case(surface, Case(load, speed, (), (), "exponential"), STEADY).mu_1
-    assert elastic_loss(p, 8, lambda q: q * speed) == pytest.approx(mu, rel=0.04)
 
 
 def steadily(surface: Surface, load: float, speed: float, spectrum: Spectrum) -> SlidingBody:

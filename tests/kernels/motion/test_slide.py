@@ -74,14 +74,6 @@ def lines(z, slope, m, steps, start):
     return np.array(rows)
 
 
-def test_whole_samples_are_the_line_itself_read_from_elsewhere():
-    z, slope = random_line(20, 0.7, 2, seed=1)
-    steps = steps_of((Slide(1.0, 12.0), Slide(-1.0, 30.0)), 2)
-    found = lines(z, slope, 2, steps, 0.0)
-    for row, place in zip(found, np.append(0.0, steps.position), strict=True):
-        np.testing.assert_array_equal(row, [np.roll(v, int(place)) for v in (z, slope)])
-
-
 def test_fractions_are_shifted_and_stages_do_not_show(monkeypatch):
     z, slope = random_line(20, 0.7, 2, seed=1)
     steps = steps_of(PROGRAMME, 2, 0.4)

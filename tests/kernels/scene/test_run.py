@@ -9,9 +9,8 @@ import pytest
 
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS
-from elastomer_friction.kernels.rheology.law import law_of, predict
+from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.scene import ASKED, MOTION, TRACES, Saved, run_scene, scene_steps
-from elastomer_friction.kernels.scene.begin import fresh, relaxed
 from elastomer_friction.kernels.scene.records import (
     Lengths,
     Trace,
@@ -46,16 +45,6 @@ def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
     np.testing.assert_allclose(distance[1:], acting, atol=1e-12)
     np.testing.assert_allclose(velocity[1:], np.diff(place) / steps.dt, atol=1e-12)
     assert (time[0], distance[0], velocity[0]) == (0.0, 0.0, 0.5)
-
-
-@pytest.mark.parametrize("piece", [1, 7, 50])
-def test_a_path_in_pieces_is_the_whole_to_the_bit(monkeypatch, piece):
-    scene = a_scene(EVERY, DAMPED, M)._replace(asked=ASKED)
-    whole = run_scene(a_line(), scene)
-    monkeypatch.setattr("elastomer_friction.kernels.motion.track.PIECE", piece)
-    parts = run_scene(a_line(), scene)
-    for name, values in whole.items():
-        np.testing.assert_array_equal(parts[name], values, err_msg=name)
 
 
 def test_some_kept_steps_are_when_and_where_they_are_among_all():
@@ -117,36 +106,6 @@ def test_a_programme_without_a_step_is_refused(programme):
 
 
 LINE = a_line()
-TOTAL = 0.3 * LINE.z.size
-
-
-@pytest.mark.parametrize("scheme", FORMS)
-@pytest.mark.parametrize("name", MATERIALS)
-def test_relaxed_elements_stay_where_they_are(scheme, name):
-    form = FORMS[scheme](MATERIALS[name])
-    elements = relaxed(form, LINE.z, TOTAL, np.nan)
-    np.testing.assert_allclose(elements.p, np.maximum(0.0, elements.d - LINE.z), atol=1e-12)
-    assert elements.p.sum() == pytest.approx(TOTAL, rel=1e-12)
-    law, w = law_of(form, 0.3), np.empty(LINE.z.size)
-    predict(law, elements.memory, elements.p, w)
-    again = law.stiffness * np.maximum(0.0, elements.d - (LINE.z - w))
-    np.testing.assert_allclose(again, elements.p, atol=1e-11)
-
-
-@pytest.mark.parametrize("scheme", FORMS)
-@pytest.mark.parametrize("spectrum", [SOLID, PRONY], ids=["solid", "prony"])
-def test_fresh_elements_are_glassy_and_keep_their_force_for_a_moment(scheme, spectrum):
-    form = FORMS[scheme](spectrum)
-    stiffness = 1.0 + sum(spectrum.moduli)
-    elements = fresh(form, spectrum, LINE.z, TOTAL, np.nan)
-    np.testing.assert_allclose(
-        elements.p, stiffness * np.maximum(0.0, elements.d - LINE.z), rtol=1e-9
-    )
-    assert elements.p.sum() == pytest.approx(TOTAL, rel=1e-12)
-    law, w = law_of(form, 1e-7), np.empty(LINE.z.size)
-    predict(law, elements.memory, elements.p, w)
-    again = law.stiffness * np.maximum(0.0, elements.d - (LINE.z - w))
-    np.testing.assert_allclose(again, elements.p, rtol=1e-3, atol=1e-6)
 
 
 RNG = np.random.default_rng(4)
@@ -166,13 +125,6 @@ def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
     assert trace.indentation[1] == pytest.approx(1.3)
     for values in trace:
         assert values[0] == values[2] == 0.0
-
-
-def test_friction_is_not_a_number_where_nothing_touches():
-    trace = Trace(*np.zeros((9, 1)))
-    keep_trace(trace, 0, 0.3, np.ones(4), np.ones(4), 1.0, 1.0, np.zeros(4))
-    assert np.isnan(trace.mu[0])
-    assert trace.friction_force[0] == trace.normal_force[0] == trace.contact_fraction[0] == 0.0
 
 
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.9])

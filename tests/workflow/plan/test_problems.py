@@ -18,8 +18,16 @@ from elastomer_friction.workflow.plan.problems import (
     viscous_pressure,
 )
 from elastomer_friction.workflow.simulate.tasks import Problem
-from elastomer_friction.workflow.study.axes import AXES
-from tests.support.small import HOLDING, PROGRAMME, complaint, keys, small_plan, small_study
+from elastomer_friction.workflow.study.axes import AXES, axes_of
+from tests.support.small import (
+    HOLDING,
+    PROGRAMME,
+    TEXT,
+    complaint,
+    keys,
+    small_plan,
+    small_study,
+)
 
 ONE_POINT = "grid.hurst=0.5", "grid.normal_force=0.04", "grid.velocity=0.03"
 NORMAL = st.floats(1e-100, 1e100)
@@ -28,13 +36,6 @@ NORMAL = st.floats(1e-100, 1e100)
 def problems(*settings):
     """Return the distinct problems of the small study."""
     return distinct_problems(small_study(*settings))[0]
-
-
-@pytest.mark.parametrize("factor", [2.0, 1.1])
-def test_stiffness_and_load_scaled_together_are_one_problem(factor):
-    """As are other units: tests/hard/test_units.py."""
-    settings = f"material.shear_modulus={factor * 1e7}", f"grid.normal_force=[{factor * 0.04}]"
-    assert problems(*settings) == problems("grid.normal_force=0.04")
 
 
 @given(NORMAL, st.integers(-80, 80))
@@ -166,7 +167,48 @@ def test_material_and_programme_enter_the_key():
         assert found[0].isdisjoint(other)
 
 
-@pytest.mark.parametrize("value", [0.1, 1e-300, 3.0])
-def test_rounding_is_to_twelve_digits(value):
-    assert rounded(value) == pytest.approx(value, rel=1e-12)
-    assert rounded(rounded(value) * (1.0 + 1e-14)) == rounded(value)
+def test_parts_are_those_of_every_point_the_last_axis_fastest():
+    study = small_study(PROGRAMME, text=HOLDING)
+    assert axes_of(study.grid, "material", "scene") == ["temperature", "hold"]
+    assert axes_of(study.grid, "grid") == list(AXES)
+    found = study.parts("", ["temperature", "hold"])
+    values = [(own.material.temperature, own.scene.segments[1].durations) for own in found]
+    assert values == [(10.0, (1e-3,)), (10.0, (1e-2,)), (20.0, (1e-3,)), (20.0, (1e-2,))]
+
+
+# What follows from a body: the normal force of a pressure, and the modulus E*.
+PRESSED = TEXT.replace(
+    "normal_force = [0.04, 0.4]\nspacing", "normal_pressure = [2e4, 4e4]\nspacing"
+)
+
+
+def loads(*settings, label="", **how):
+    """Return F_N/(E* L h) of the two pressures, or forces, of the small study."""
+    problems, index = distinct_problems(small_study(*settings, **how), label)
+    return np.array([problems[row].load for row in index[0, :, 0, 0, 0, 0]])
+
+
+@pytest.mark.parametrize(("surface", "longest"), [([], 0.01), (["surface.rolloff=1e-3"], 1e-3)])
+def test_a_pressure_acts_on_the_longest_wave_times_the_length(surface, longest):
+    found = small_study(*surface, text=PRESSED).grid["normal_force"]
+    assert found == pytest.approx([2e4 * longest * 0.01, 4e4 * longest * 0.01], rel=1e-15)
+
+
+def test_on_a_half_space_a_pressure_acts_on_the_square_whatever_the_rolloff():
+    study = small_study("surface.rolloff=1e-3", "scene.body=half-space", text=PRESSED)
+    assert study.grid["normal_force"] == pytest.approx([2.0, 4.0], rel=1e-15)
+
+
+def test_bodies_that_are_compared_are_pressed_alike():
+    rolled = ("surface.rolloff=1e-3", "scene.body=half-space")
+    both = (*rolled, "compare.coarse.body=foundation")
+    assert loads(*both, text=PRESSED) == pytest.approx(loads(*rolled, text=PRESSED), rel=1e-12)
+    alone = loads("surface.rolloff=1e-3", text=PRESSED)
+    assert loads(*both, label="coarse", text=PRESSED) == pytest.approx(alone, rel=1e-12)
+
+
+def test_a_compressible_elastomer_is_softer_in_contact():
+    """E* = 2 G/(1 - nu): 4 G at 1/2, half of it at 0."""
+    assert np.array_equal(loads("material.poisson=0.5"), loads())
+    assert loads("material.poisson=0.0") == pytest.approx(2.0 * loads(), rel=1e-12)
+    assert loads("material.poisson=0.3") == pytest.approx(1.4 * loads(), rel=1e-12)

@@ -93,11 +93,6 @@ def test_a_missing_setting_is_named(powers, capsys):
     assert refusal(capsys, "run", "powers") == said
 
 
-def test_a_missing_script_is_named(powers, capsys):
-    (powers / "measure.py").unlink()
-    assert "measure.py: not found" in refusal(capsys, "run", "powers")
-
-
 def test_a_setting_that_is_a_check_alone_is_told_what_it_is_now(powers, capsys):
     script = powers / "measure.py"
     script.write_text(script.read_text() + '\nSETTINGS = {"powers": int, "base": float}\n')

@@ -209,18 +209,6 @@ def test_branches_and_a_file_of_them_take_each_others_place():
     assert study.materials["kelvin"] == Material(1e7, 1e-3)
 
 
-def test_a_comparison_shifts_with_constants_of_its_own():
-    wlf = "{{c1={}, c2=101.6, reference=20}}"
-    study = small_study(
-        f"material.wlf={wlf.format(8.86)}",
-        "material.temperature=[20, 50]",
-        f"compare.other.wlf={wlf.format(17.4)}",
-    )
-    warm = [study.parts(label, ["temperature"])[1].material for label in ("other", "")]
-    assert [own.temperature for own in warm] == [50.0, 50.0]
-    assert warm[0].tau < warm[1].tau
-
-
 MEASURED = without("surface.length", "grid.hurst", "grid.spacing", "grid.roughness")
 OWN_LINE = ('surface.file="two.csv"', "surface.columns=[0, 1, 2]", "study.realizations=2")
 

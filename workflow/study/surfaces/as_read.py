@@ -91,43 +91,39 @@ def lines_of(asked: Asked, raw: Raw) -> Lines:
             "of positions, or write it"
         )
     heights, mended = without_gaps(what, raw.heights, asked.gaps)
-    units = _units(asked, raw)
+    unit, (of_positions, *of_lines) = _factors(asked, raw)
     if samples < LEAST_SAMPLES:
         raise UserError(f"{what}: {samples} samples per line: needs at least {LEAST_SAMPLES}")
     step = raw.step
     if raw.x is not None:
-        step = uniform_step(KEY, asked.name, raw.x, raw.known) * _factor(units[0])
+        step = uniform_step(KEY, asked.name, raw.x, raw.known) * of_positions
     assert step is not None
-    of_lines = units[1:] if len(units) == len(raw.heights) + 1 else units[1:2] * len(raw.heights)
-    if len(heights) < len(raw.heights):  # lines that were left out are of one file and unit
-        of_lines = of_lines[: len(heights)]
-    heights = heights * np.array([[_factor(unit)] for unit in of_lines])
+    if len(of_lines) != len(raw.heights):  # one unit for all
+        of_lines = of_lines[:1] * len(raw.heights)
+    heights = heights * np.array(of_lines[: len(heights)])[:, None]
     if step < 0.0:
         heights = heights[:, ::-1]
     whose = "as given" if asked.units else "as the file names them"
     count = f"{len(heights)} {'line' if len(heights) == 1 else 'lines'} of {samples} samples"
     apart = f"{abs(step):.6g} m apart{' in the mean' if raw.x is not None else ''}"
     parts = [
-        f"{asked.name}: {count}, {apart}, heights in {units[1]}, units {whose}",
+        f"{asked.name}: {count}, {apart}, heights in {unit}, units {whose}",
         *filter(None, (raw.told, mended)),
     ]
     return Lines(heights, abs(step), "; ".join(parts), raw.apart)
 
 
-def _units(asked: Asked, raw: Raw) -> tuple[str, ...]:
-    """Return the units of positions and of lines: as asked for, else as the file names them."""
+def _factors(asked: Asked, raw: Raw) -> tuple[str, list[float]]:
+    """Return the unit of heights, and the metres of those of positions and of lines.
+
+    They are as asked for, else as the file names them; 0 for that of positions where none are.
+    """
     units = asked.units or raw.units
-    needed = units if raw.x is not None else units[1:]
-    if len(units) < 2 or any(metres(unit) is None for unit in needed):
+    factors = [metres(unit) or 0.0 for unit in units]
+    if len(units) < 2 or 0.0 in (factors if raw.x is not None else factors[1:]):
         named = f"names {list(units)}" if any(units) else "names none"
         raise UserError(
             f"surface.units: missing: {asked.name!r} {named}; give those of positions and heights, "
             'as units = ["mm", "um"]'
         )
-    return units
-
-
-def _factor(unit: str) -> float:
-    factor = metres(unit)
-    assert factor is not None  # _units has looked
-    return factor
+    return units[1], factors

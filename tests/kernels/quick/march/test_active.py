@@ -8,15 +8,15 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from elastomer_friction.kernels import SCHEMES, ConstantForce, Line
+from elastomer_friction.kernels import SCHEMES, ConstantForce
 from elastomer_friction.kernels.motion.stretches import touchable
 from elastomer_friction.kernels.quick.march.active import MARGINS, active_march
-from elastomer_friction.kernels.quick.march.bounds import first_bounds
+from elastomer_friction.kernels.quick.march.bounds import are_within, bounds_of, first_bounds
 from elastomer_friction.kernels.quick.march.crossings import Steady, arrivals_of
 from elastomer_friction.kernels.quick.march.landings import beside, land, landed, no_landings
 from elastomer_friction.kernels.quick.march.lists import lists_of
-from elastomer_friction.kernels.quick.march.load_balance import foresee, in_order
-from elastomer_friction.kernels.quick.march.narrow import march_shortening
+from elastomer_friction.kernels.quick.march.load_balance import foresee
+from elastomer_friction.kernels.quick.march.narrow import closer_bounds, march_shortening
 from elastomer_friction.kernels.quick.march.runs import classes_of
 from elastomer_friction.kernels.quick.march.stepping import Stand, march_on
 from tests.kernels.quick.march.given import (
@@ -137,11 +137,6 @@ def test_a_march_that_began_anew_shortens_its_lists_too():
     assert found[3] < size(0.2, 0.9) * long[3]
 
 
-def test_parts_are_added_from_the_first_to_the_last():
-    assert in_order(np.array([1.0, 1e100, -1e100])) == 0.0
-    assert in_order(np.array([1e100, -1e100, 1.0])) == 1.0
-
-
 LONG = [Jump(0.7, 4, 1.0, 78.0, 1.2), Jump(0.7, 4, 0.025, 78.0, 0.8), Jump(1.0, 4, 1.0, 31.0, 1.2)]
 
 
@@ -150,17 +145,6 @@ def test_long_lines_over_all_steps(jump):
     steps = int(size(4 * jump.m * jump.ratio * jump.x / np.pi, 80))
     setting, load = setting_of(jump, size(3000, 500))
     assert_same(setting, load, jump, np.arange(1, steps + 1))
-
-
-@pytest.mark.parametrize("load", [1e-3, 0.1, 2.0])
-@pytest.mark.parametrize("m", [1, 8])
-def test_measured_lines(load, m):
-    heights = np.random.default_rng(2).standard_normal(size(200, 40)).cumsum()
-    heights -= np.linspace(0.0, heights[-1], heights.size)
-    line = Line.measured(heights / heights.std(), m)
-    jump = Jump(0.5, m, load, 20.0, 1.3)
-    setting, load = setting_of(jump, None, line=(line.z, line.slope))
-    assert_same(setting, load, jump, EVERY)
 
 
 def test_full_contact_has_nothing_to_list():
@@ -231,3 +215,16 @@ def test_sums_are_those_of_samples_one_by_one():
     assert beside(landings, step, now, 0) == (3.0, pytest.approx(sum(each), rel=1e-13))
     expected = np.dot(each, weights)
     assert beside(landings, step, now, 1) == (3.0, pytest.approx(expected, rel=1e-13))
+
+
+@pytest.mark.parametrize("room", [0.0, 0.5, 5.0])
+def test_closer_ones_leave_room_but_never_go_beyond(room):
+    """Their own margin is 0.6 of the spread between what was seen, here 2.5, and the end, 2.75."""
+    outer = bounds_of(LAW, 1.0, 3.0, 0.2, 0.9, 0.4)
+    seen = bounds_of(LAW, 2.5, 2.5, 0.6, 0.6, 0.0)
+    found = closer_bounds(LAW, outer, seen, 2.75, (room, 0.01 * room))
+    assert found.high == pytest.approx(max(2.75 + 0.6 * 0.25, min(2.75 + room, outer.high)))
+    assert found.high <= outer.high
+    assert found.low >= outer.low
+    assert found.most >= min(0.6 + 0.01 * room, outer.most)
+    assert are_within(found, 2.75, 0.6)

@@ -152,6 +152,8 @@ def test_what_is_remembered_is_bounded_and_its_mean_lies_among_the_runs(runs):
     logs = [math.log(used / typical) for used, typical in runs] or [0.0]
     assert min(logs) - 1e-9 <= known.log <= max(logs) + 1e-9
     assert known.square >= known.log**2 - 1e-9
+    for used, typical in ((0.5 * LEAST_SECONDS, 10.0), (10.0, 0.0)):  # moments teach nothing
+        assert known.after(used, typical) == known
 
 
 def test_runs_that_disagree_widen_the_interval():
@@ -159,11 +161,6 @@ def test_runs_that_disagree_widen_the_interval():
     apart = learned((100.0, 25.0), (100.0, 100.0)).rate(PLAIN, "steady")
     assert apart.factor == pytest.approx(alike.factor, rel=0.05)
     assert apart.spread > 3.0 * alike.spread
-
-
-def test_moments_teach_nothing():
-    assert Learned().after(0.5 * LEAST_SECONDS, 10.0) == Learned()
-    assert Learned().after(10.0, 0.0) == Learned()
 
 
 def test_one_kind_of_work_teaches_nothing_of_another():

@@ -26,14 +26,12 @@ def folder(tmp_path):
     return tmp_path
 
 
-def test_a_random_surface_is_as_it_was(folder):
-    assert read_surface({"length": 0.01}, folder) == Surface(0.01)
-    assert read_surface({"length": 0.01}, folder).modes(100) == (0.0, 0)
-
-
-def test_a_measured_line(folder):
+def test_lines_are_random_or_measured(folder):
+    surface = read_surface({"length": 0.01}, folder)
+    assert surface == Surface(0.01)
+    assert (surface.modes(100), surface.identity, surface.told) == ((0.0, 0), "", "")
+    assert surface.amplitudes is None
     surface = read_surface(HERE, folder)
-    assert surface.profile is not None
     assert surface.profile.heights.shape == (1, 128)
     assert surface.length == pytest.approx(32e-6)
     assert (surface.lines, surface.modes(128)) == ("measured", (0.0, 0))
@@ -96,9 +94,3 @@ def test_every_kind_of_lines_has_its_identity_and_its_words():
     assert len({surface.identity for surface in surfaces}) == len(surfaces)
     assert len({surface.told for surface in surfaces}) == len(surfaces)
     assert surfaces[1].told == f"random lines of the power spectrum of {PROFILE.notes}"
-
-
-def test_random_lines_without_a_file_have_none_of_it():
-    surface = Surface(0.01)
-    assert (surface.identity, surface.told) == ("", "")
-    assert surface.amplitudes is None
