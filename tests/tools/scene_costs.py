@@ -46,6 +46,8 @@ ELEMENTS, BRANCHES = (50, 500, 5000), (0, 1, 5, 13)
 TURNS = 5
 AGREEMENT = 1e-11  # of the largest mu
 SCENES: dict[str, tuple[tuple, dict]] = {
+    "long slide": ((Slide(SPEED, 2000.0),), {}),
+    "long slide, nearly full contact": ((Slide(SPEED, 2000.0),), {"load": 100.0 * LOAD}),
     "slide": ((Slide(SPEED, 100.0),), {}),
     "slide, nearly full contact": ((Slide(SPEED, 100.0),), {"load": 100.0 * LOAD}),
     "hold after a slide": ((Slide(SPEED, 5.0), Hold(1e6)), {}),
