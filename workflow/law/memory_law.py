@@ -79,6 +79,11 @@ class MemoryLaw(Law):
         if not positive or min(self.rate.min(), self.rate_per_length.min()) < 0.0:
             raise LawError("speeds must increase from above zero, and no rate be below zero")
 
+    @property
+    def numbers(self) -> int:
+        """Return how many numbers a state has."""
+        return self.rate.size + 1
+
     def _init(self, velocity: float) -> np.ndarray:
         """Return (v, g, z_1 ... z_n) of steady sliding."""
         return np.concatenate([[velocity], self._targets(velocity)])

@@ -161,8 +161,8 @@ class Law(FittedLaw):
 
     @property
     def numbers(self) -> int:
-        """Return how many numbers a state has: the velocity first."""
-        return self._init(0.0).size
+        """Return how many numbers a state has: the velocity and one more, of most laws."""
+        return 2
 
     @abstractmethod
     def _step(self, state: np.ndarray, v: float, dt: float) -> tuple[np.ndarray, float]:
@@ -246,9 +246,9 @@ def followed(law: Law, t: np.ndarray, v: np.ndarray) -> np.ndarray:
     mu = np.zeros(t.size)
     if not v.size:
         return mu
-    state = law._init(v[0])
+    state = law.init(v[0])
     for k, dt in enumerate(np.diff(t, prepend=t[:1])):
-        state, mu[k] = law._step(state, v[k], dt)
+        state, mu[k] = law.step(state, v[k], dt)
     return mu
 
 
