@@ -27,7 +27,8 @@ def balance(control, law, z, c, noted, d, step):
 
 @by_type.borrowing
 def balance_rows(control, law, rows, d, step):
-    """Return the same of elements in rows, which note at which indentations they were asked.
+    """Return the same of elements with internal variables.
 
-    rows : as of indentation_under (contact.py), with ``asked`` (scene/spring_rows.py).
+    rows : SpringRows (scene/spring_rows.py). They note the highest indentation that was looked at
+    on the way.
     """

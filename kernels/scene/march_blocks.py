@@ -224,9 +224,8 @@ def _balance(control, law, blocks, rows, step, count, z, old, last, room):
     for b in some:
         touching = 0
         for i in range(BLOCK):
-            depth = last.level - c[b, i]
-            room[BLOCK + i] = last.stiffness * depth if depth > 0.0 else 0.0
-            touching += 1 if depth > 0.0 else 0
+            room[BLOCK + i] = _force(last, c[b, i])
+            touching += 1 if room[BLOCK + i] > 0.0 else 0
         if touching > 0:
             settle_and_predict(blocks.scales.due, blocks.scales.scale, blocks.memory, b, room)
         else:

@@ -150,17 +150,18 @@ def climb(
     the scheme on lines; NaN where it is not installed or fails. The deviation of one realization is
     that at a middle m, on all lines.
     """
-    rows, apart = [], [np.full(4, np.nan)]
+    rows, apart = [], []
     for m in steps:
         rows.append((*np.full((3, 4), np.nan), np.full(2, np.nan)))
+        apart.append(np.full(4, np.nan))
         with suppress(ImportError, ArithmeticError):
             lines = surfaces[: lines_at(m, len(surfaces))]
             runs = run(point, lines, Method(scheme, m, refine))
             found = compare(observe(runs, limit.limit.mu_1.size, limit.end), limit)
             rows[-1] = (*found, seconds(runs))
-            apart.append(deviations(observe(runs, len(lines), limit.end)))
+            apart[-1] = deviations(observe(runs, len(lines), limit.end))
     rms, bias, bias_error, cpu = (np.array(column) for column in zip(*rows, strict=True))
-    middle = [each for each in apart[3:] if np.isfinite(each).all()] or apart[3:] or apart
+    middle = [each for each in apart[2:] if np.isfinite(each).all()] or apart[2:] or apart
     orders = [order(np.array(steps), rms[:, q], 2.0 * limit.error[q]) for q in range(4)]
     return xr.Dataset(
         {

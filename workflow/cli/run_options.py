@@ -73,10 +73,11 @@ def run_grid(options: argparse.Namespace, study: Study, result: Path) -> int:
 
 def paced_plan(study: Study) -> Plan:
     """Return the plan at the pace of this machine, or a typical one where that hardly matters."""
-    known = known_machine()
-    plan = announced_plan(study, known.pace if known else TYPICAL)
+    if known := known_machine():
+        return announced_plan(study, known.pace)
+    plan = announced_plan(study, TYPICAL)
     pace = _pace(plan.prediction().high)
-    return plan if pace == plan.pace else announced_plan(study, pace)
+    return plan if pace is TYPICAL else announced_plan(study, pace)
 
 
 def _pace(seconds: float) -> Pace:

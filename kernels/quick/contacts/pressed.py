@@ -97,14 +97,10 @@ def weighed_side_by_side(threshold, weight, slope, deep):
     for first in range(0, whole, 4 * SIDE):
         for k in range(SIDE):
             i = first + k
-            p, q = (
-                _at_sample(threshold, weight, slope, i, deep),
-                _at_sample(threshold, weight, slope, i + SIDE, deep),
-            )
-            r, s = (
-                _at_sample(threshold, weight, slope, i + 2 * SIDE, deep),
-                _at_sample(threshold, weight, slope, i + 3 * SIDE, deep),
-            )
+            p = _at_sample(threshold, weight, slope, i, deep)
+            q = _at_sample(threshold, weight, slope, i + SIDE, deep)
+            r = _at_sample(threshold, weight, slope, i + 2 * SIDE, deep)
+            s = _at_sample(threshold, weight, slope, i + 3 * SIDE, deep)
             sums[k] += (p[0] + q[0]) + (r[0] + s[0])
             sums[SIDE + k] += (p[2] + q[2]) + (r[2] + s[2])
             if slope is not None:

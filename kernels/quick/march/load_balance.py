@@ -9,7 +9,7 @@ from ...model.contact import excess_at, indentation_under, lowest_of, overlap
 from ..contacts.pressed import weighed_side_by_side
 from .given import advance
 
-FEW = 128  # samples, of which overlap is quicker
+FEW = 128  # samples, below which overlap is quicker
 NEARER, FARTHER = 0.1, 1.2  # of d, and of what its rate after the jump foretells of the first step
 
 

@@ -139,7 +139,7 @@ def given_profile(heights: object, length: float) -> Profile:
             "heights, or lines of them"
         )
     notes = f"given from Python: {len(lines)} of {lines.shape[1]} samples, one period as it is"
-    profile = _given(heights, lines, lines, length, notes)
+    profile = _given(heights, lines, length, notes)
     return profile._replace(alike=alike(level(lines, "mean")))
 
 
@@ -158,14 +158,12 @@ def given_map(heights: object, length: float) -> Profile:
         )
     what = "line contact" if own.shape[0] == 1 else "map"
     notes = f"given from Python: a {what} of {own.shape}, one period as it is"
-    return _given(heights, own, own[None], length, notes)
+    return _given(heights, own[None], length, notes)
 
 
-def _given(
-    heights: object, rows: np.ndarray, own: np.ndarray, length: float, notes: str
-) -> Profile:
-    """Return the profile of checked heights as they are; rows : they, for messages."""
-    check_finite(heights, rows, "line" if own is rows else "row")
+def _given(heights: object, own: np.ndarray, length: float, notes: str) -> Profile:
+    """Return the profile of lines, or of one map, as they are once they are checked."""
+    check_finite(heights, own.reshape(-1, own.shape[-1]), "line" if own.ndim == 2 else "row")
     check_not_flat("profile", own, own)
     profile = _profile(own, length, 1, notes)
     check_slope("profile", "give heights and length both in m", profile)
