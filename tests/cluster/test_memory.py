@@ -1,26 +1,16 @@
 """The memory of a driver: real workers return results of the right size that took no time."""
 
-import numpy as np
 import pytest
 
 from elastomer_friction.workflow.plan.plan import make_plan
 from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
-from elastomer_friction.workflow.simulate import PHASES, SCALARS, BatchResult
 from elastomer_friction.workflow.study.cluster import Cluster
 from elastomer_friction.workflow.study.read import read_study
-from elastomer_friction.workflow.system import peak_bytes, this_maker
+from elastomer_friction.workflow.system import peak_bytes
+from tests.cluster.many_points import pretended
 
 pytestmark = pytest.mark.cluster
-
-
-def pretended(batch):
-    """Stand in for block_means: zeros of the right shapes, in no time."""
-    shape = len(batch.tasks), batch.blocks
-    scalars = np.zeros((*shape, len(SCALARS)))
-    curves = np.zeros((*shape, batch.recording.samples - 1))
-    spent = np.zeros((len(batch.tasks), len(PHASES)))
-    return BatchResult(scalars, curves, spent, batch.seconds, 0, this_maker())
 
 
 @pytest.mark.parametrize("realizations", [200, 20_000])
