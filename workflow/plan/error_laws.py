@@ -37,15 +37,15 @@ def known(problem: Problem, body: str = FOUNDATION) -> Numbers:
 class Coarseness(NamedTuple):
     """The constants of the error of an estimate of steady sliding, or of the jump."""
 
-    size: float
-    load: float  # exponents: of the load, of the viscous pressure over it,
-    pressed: float
-    sliding: float  # and of 1 + 1/vbar
-    elements: float  # and of elements over so many, times H
-    rough: float
-    slow: tuple[float, float]  # where contacts are followed, below x = 1: over the steps, at most
-    fast: float  # and from x = 1 on, over the steps
-    whole: float  # what is left of any contact, over the square of the steps
+    size: float  # prefactor
+    load: float  # exponent of the load
+    pressed: float  # exponent of 1 + the viscous pressure over the load
+    sliding: float  # exponent of 1 + 1/vbar
+    elements: float  # the number of elements is counted in so many
+    rough: float  # exponent of that number, times H
+    slow: tuple[float, float]  # error below x = 1 where contacts are followed: times m, and at most
+    fast: float  # error from x = 1 on where contacts are followed, times m
+    whole: float  # error that every contact has besides, times m^2
 
 
 STEADY = Coarseness(0.060, -0.32, 0.41, 0.92, 88.0, -1.22, (0.10, 0.005), 0.010, 0.03)

@@ -121,8 +121,8 @@ class PowerLaw(NamedTuple):
 def fit_power_law(x: np.ndarray, rate: np.ndarray, bias: np.ndarray) -> PowerLaw:
     """Fit log b = alpha log x (eq. 13) over the given points, all with x > 1.
 
-    x : shape (points,). rate : b, shape (points, replicates). bias : relative bound of its, shape
-    (points,). NaN where fewer than 3 points.
+    x : shape (points,). rate : b, shape (points, replicates). bias : relative bound of the bias
+    of b, shape (points,). NaN where fewer than 3 points.
     """
     count, size = rate.shape
     if count < 3 or np.ptp(x) == 0.0:

@@ -141,6 +141,7 @@ CLUSTER = {
         "The memory of each job. `plan` predicts what a worker needs.",
         "Doubled, each worker may use twice as much before it is ended; nothing gets quicker.",
         default=HERE.memory,
+        values='a size such as `"4GB"`',
     ),
     "walltime": Key(
         _walltime,

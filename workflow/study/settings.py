@@ -256,7 +256,7 @@ def values_of(key: Key) -> str:
 
 
 def _taken(check: Callable[..., Any]) -> tuple[Schema, str]:
-    """Return what a check takes. Raises KeyError for one that is none of those of checks.py."""
+    """Return what a check takes. Raises KeyError for a check that is not known here."""
     if not isinstance(check, partial):
         return PLAIN[check]
     given = check.keywords

@@ -79,14 +79,14 @@ SLIDE = {
     ),
     "distance": Key(
         positive,
-        "The distance. Give it or `duration`.",
+        "How far the line, or the drive, moves in this segment. Give it or `duration`.",
         "Doubled, the march of this segment takes twice as long.",
         "m",
         default=None,
     ),
     "duration": Key(
         positive,
-        "The duration.",
+        "How long this segment lasts.",
         "Doubled, the march of this segment takes twice as long.",
         "s",
         default=None,
@@ -189,6 +189,8 @@ PULL = {
         check=partial(one_or_several, positive),
         means="How long the drive moves like this. Where it is held, at velocity 0, a list or "
         "range makes one programme for each value, and the dimension `hold` of the result.",
+        doubled="Doubled, the march of this segment takes twice as long, and what is held ages "
+        "longer.",
     ),
 }
 HEAVIEST = 1e12  # of a mass and a damper: beyond them nothing moves
