@@ -1,6 +1,7 @@
 """Properties over all of H = 0 to 1, Fbar = 1e-6 to 1e4, x = 1e-4 to 1e6, v2/v1 = 1e-3 to 101."""
 
 import numpy as np
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
@@ -117,3 +118,32 @@ def test_more_load_presses_deeper(motion, factor):
     assert deeper <= factor * d * (1.0 + bounds(heavier)["steady"])
     z = motion.line.z
     assert np.sum(z - w_more < deeper) >= np.sum(z - w < d)
+
+
+@FEW
+@given(motions(), st.floats(3.0, 10.0))
+def test_full_contact_superposes(motion, factor):
+    """Everything touches: d and displacements are linear in load and heights."""
+    line = motion.line
+    steep = line.z.max() + motion.speed * np.abs(line.slope).max()
+    one = motion._replace(load=factor * steep)  # every pressure is positive
+    law = one.step(1.0)[1]
+    (w, d), _ = one.steady(law)
+    assert np.all(line.z - w < d)
+    lost = MARGIN * EPS * (1.0 + law.stiffness)
+    assert d == pytest.approx(one.load + line.z.mean(), rel=lost)
+    added = Line(2.0 * line.z, 2.0 * line.slope, 0.0, line.steps_per_spacing)
+    both = indentation(one._replace(line=added, load=3.0 * one.load))
+    rest = indentation(one._replace(load=2.0 * one.load))
+    assert both == pytest.approx(d + rest, rel=lost)
+
+
+@FEW
+@given(motions())
+def test_refined_samples_lie_on_the_same_line(motion):
+    """Twice the samples: d moves by less than the height that lies between two samples."""
+    fine, m = motion.line, motion.line.steps_per_spacing
+    coarse = Line.from_samples(fine.z[::m], fine.slope[::m], 1)
+    d_fine, d_coarse = indentation(motion), indentation(motion._replace(line=coarse))
+    between = np.abs(fine.slope).max()
+    assert abs((d_coarse + coarse.datum) - d_fine) <= between + 1e-9 * (d_coarse + d_fine)

@@ -6,8 +6,9 @@ import pytest
 from elastomer_friction.kernels.lines.line import Line
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
 from elastomer_friction.kernels.rheology.forms import FORMS
-from elastomer_friction.kernels.rheology.spectrum import Spectrum
-from tests.kernels.scene.given import MATERIALS, OF_ANY, a_line, trace
+from elastomer_friction.kernels.rheology.spectrum import Spectrum, complex_modulus
+from tests.kernels.scene.given import MATERIALS, OF_ANY, SOLID, a_line, trace
+from tests.kernels.scene.test_known_answers import Q, response
 from tests.sizes import size
 
 SPREAD = np.geomspace(1e-7, 1e7, 30)  # fourteen decades
@@ -32,6 +33,24 @@ def test_thirty_branches_over_fourteen_decades(scheme, start):
     asked = OF_ANY if scheme == "exponential" else ("trace",)
     found = trace(a_line(size(40, 12)), PROGRAMME, THIRTY, scheme=scheme, start=start, asked=asked)
     assert_sound(found)
+
+
+def test_branches_of_equal_times_are_one_to_the_bit():
+    line = a_line(12)
+    (g,), (t,) = SOLID.moduli, SOLID.times
+    halves = Spectrum((0.25 * g, 0.75 * g), (t, t), 0.0)
+    one, two = (trace(line, PROGRAMME, spectrum) for spectrum in (SOLID, halves))
+    for name, values in one.items():
+        np.testing.assert_array_equal(two[name], values)
+
+
+@pytest.mark.parametrize("apart", [1e-2, 1e-4])
+def test_a_branch_split_into_two_near_ones_changes_friction_by_the_square(apart):
+    line = a_line(12)
+    (g,), (t,) = SOLID.moduli, SOLID.times
+    near = Spectrum((0.5 * g, 0.5 * g), (t * (1.0 - apart), t * (1.0 + apart)), 0.0)
+    one, two = (trace(line, PROGRAMME, spectrum)["trace_mu"] for spectrum in (SOLID, near))
+    assert np.abs(two - one).max() < apart**2 * np.abs(one).max()
 
 
 @pytest.mark.parametrize("name", ["kelvin", "solid"])
@@ -67,6 +86,23 @@ def test_an_indentation_that_lifts_off_and_returns(name):
     assert again["trace_normal_force"][-1] == pytest.approx(
         found["trace_normal_force"][-1], rel=1e-2
     )
+
+
+def test_a_reversal_within_a_contact_turns_friction_round():
+    """By the time the line has gone back by the size of a contact, and not at once."""
+    found = trace(a_line(), (Slide(0.5, 10.25), Slide(-0.5, 30.0)), SOLID)
+    mu = found["trace_mu"]
+    assert mu[-1] < 0.0 < mu[0]
+    assert np.isfinite(mu).all()
+    back = trace(a_line(), (Slide(-0.5, 1.0),), SOLID)
+    assert mu[-1] == pytest.approx(back["trace_mu"][0], rel=1e-2)
+
+
+@pytest.mark.parametrize("omega", [3.0, 30.0])
+def test_an_oscillation_of_a_thousandth_of_a_sample_shows_the_complex_modulus(omega):
+    expected = (complex_modulus(SOLID, omega) - 1.0) * 0.5 * Q**2
+    found = response(SOLID, omega, 4, 8, samples=1e-3)
+    assert abs(found / expected - 1.0) < 5e-3
 
 
 @pytest.mark.parametrize("name", MATERIALS)

@@ -136,6 +136,30 @@ def test_shard_that_the_journal_does_not_know_is_whole_or_missing(sound, stride)
         assert readable(folder) == TRUTH.keys() - inside
 
 
+@sweep("step", 7, 1)
+def test_full_disk_keeps_what_was_stored(tmp_path, sound, step):
+    """The disk is full after any number of pages."""
+    needed = sum(-(-path.stat().st_size // 4096) * 4096 for path in sound.iterdir())
+    refused = 0
+    with mounted(tmp_path / "disk", str(2 * needed)) as disk:
+        folder, ballast = disk / "store", disk / "ballast"
+        for pages in range(0, needed // 4096 + 2, step):
+            shutil.rmtree(folder, ignore_errors=True)
+            ballast.write_bytes(bytes(shutil.disk_usage(disk).free - pages * 4096))
+            folder.mkdir()
+            store = Store(folder)
+            with contextlib.suppress(UserError):
+                fill(store)
+            refused += held(store) < TRUTH.keys()
+            stored = checked(Store(folder))
+            assert stored >= held(store)
+            assert not list(folder.glob(".*"))
+            ballast.unlink()
+            fill(reopened(folder))
+            assert checked(Store(folder)) == TRUTH.keys()
+    assert refused > 3
+
+
 def test_read_only_folder_is_read_and_left_as_it_is(tmp_path, sound):
     with mounted(tmp_path / "disk", "4m") as disk:
         folder = disk / "store"

@@ -11,6 +11,7 @@ from elastomer_friction.kernels import (
     State,
     lagged_slope,
     march,
+    quadrature,
     steady_sliding,
 )
 from tests.convergence import observed_order
@@ -48,6 +49,10 @@ class Start(NamedTuple):
         """Return the same elements, to slide continuously."""
         return Sliding(LINE, self.x, np.minimum(self.w, self.z - self.d), self.d, self.load, speed)
 
+    def friction(self, speed):
+        """Return mu at once after a change of the speed."""
+        return quadrature(self.z, self.slope, self.w, self.d, self.speed, speed, self.load)[0]
+
 
 def after_the_jump(m, scheme, load, speed, ratio):
     """Return mu averaged over each step of one tau after the jump: of the kernels, continuous."""
@@ -72,3 +77,22 @@ def test_relaxation_runs_into_the_continuous_one(scheme, name, refinements):
     assert observed_order(refinements, rms) > ORDERS[scheme]
     if scheme == "exponential":
         assert rms[-1][0] < 10.0 / m**2 * np.ptp(continuous)
+
+
+@pytest.mark.parametrize("load", [0.05, 0.3])
+def test_steady_sliding_is_the_mean_of_the_continuous_motion(load):
+    errors = []
+    for m in REFINEMENTS:
+        start = Start.at(m, "exponential", load, 1.0)
+        mu, sliding = start.friction(1.0), start.sliding(1.0)
+        sliding.advance(3.0)
+        errors.append([mu - sliding.advance(3.0 + 1.0 / m)])  # to where the next element was
+    assert abs(errors[-1][0]) < 1e-3 * mu
+    assert observed_order(REFINEMENTS, errors) > 1.5
+
+
+@pytest.mark.parametrize("ratio", [0.5, 2.0])
+def test_the_jump_is_that_of_the_elements_at_rest(ratio):
+    start = Start.at(256, "exponential", 0.3, 1.0)
+    _, friction = start.sliding(ratio).derivatives(0.0, [start.d, 0.0])
+    assert friction / start.load == pytest.approx(start.friction(ratio), rel=5e-3)

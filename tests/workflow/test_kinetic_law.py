@@ -99,6 +99,15 @@ def test_step_is_the_same_as_a_formula_and_sampled_however_densely(v2, count):
     np.testing.assert_allclose(found[2:], known.after_jump(0.05, v2, times), rtol=1e-9, atol=1e-12)
 
 
+@pytest.mark.parametrize("ends", [(0.01, 0.1), (0.1, 1e-4), (-0.1, 0.2), (0.0, 0.05)])
+def test_response_to_a_ramp_does_not_depend_on_its_samples(ends):
+    time = 0.3 * TAU
+    whole = law().response([0.0, time], ends)[-1]
+    for count in (3, 10, 3000):
+        many = law().response(np.linspace(0.0, time, count), np.linspace(*ends, count))
+        assert many[-1] == pytest.approx(whole, rel=2e-4)
+
+
 def test_response_is_the_solution_of_its_equation():
     """Of dE/dt = -E/t_relax + d(jumps - steady)/dt, in steps of Euler far below t_relax."""
     time = np.linspace(0.0, 2.0 * TAU, 40_001)
@@ -110,6 +119,20 @@ def test_response_is_the_solution_of_its_equation():
         excess[k + 1] = excess[k] * keep[k] + left[k]
     found = law().response(time[::100], v[::100])
     np.testing.assert_allclose(found, (law().steady(v) + excess)[::100], atol=1e-3 * SLOPE)
+
+
+def test_constant_velocity_is_steady():
+    time = np.linspace(0.0, 1.0, 11)
+    assert np.array_equal(law().response(time, np.full(11, 0.03)), [law().steady(0.03)] * 11)
+    assert law().response([], []).shape == (0,)
+
+
+def test_slow_change_stays_steady_and_a_quick_one_does_not():
+    velocity = np.geomspace(0.01, 0.1, 500)
+    slow = law().response(np.linspace(0.0, 100.0, 500), velocity)
+    quick = law().response(np.linspace(0.0, 1e-4, 500), velocity)
+    np.testing.assert_allclose(slow, law().steady(velocity), rtol=3e-3)
+    assert quick[-1] > 1.05 * law().steady(velocity[-1])
 
 
 def test_law_says_where_it_does_not_hold():

@@ -12,7 +12,7 @@ from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, complex_modulus
 from tests.convergence import observed_order
 from tests.sizes import PLAIN_PYTHON, size
-from tests.viscoelastic import MATERIALS, PRONY3
+from tests.viscoelastic import MATERIALS, PRONY3, SBR
 
 ELEMENTS = size(120, 30)
 
@@ -84,6 +84,15 @@ def test_kelvin_element_by_quadrature(speed):
     found = friction(KELVIN, line, speed)
     assert found[0] == pytest.approx(mu, rel=0.02)
     assert found[1] == pytest.approx(contact, abs=0.01)
+
+
+@pytest.mark.parametrize("material", [PRONY3, SBR, KELVIN])
+def test_reversed_motion_of_the_mirrored_line(material):
+    line = line_of(4)
+    z, slope = np.roll(line.z[::-1], 1), -np.roll(line.slope[::-1], 1)
+    mirror = Line(z, slope, line.datum, line.steps_per_spacing)
+    one, two = friction(material, line, 2.0), friction(material, mirror, -2.0)
+    assert two == pytest.approx((-one[0], one[1]), rel=1e-9)
 
 
 def test_nothing_touches():

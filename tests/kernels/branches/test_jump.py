@@ -59,6 +59,15 @@ def test_full_contact_jumps_by_what_the_dashpot_bears(way):
         assert found == pytest.approx(expected, rel=1e-9)
 
 
+def test_both_forms_jump_alike():
+    line = line_of(32)
+    found = [
+        friction_jump(*at_once(MATERIALS["dashpot"], line, 3.0, scheme), 3.0, 2.0)
+        for scheme in FORMS
+    ]
+    assert found[0] == pytest.approx(found[1], rel=0.02)
+
+
 def test_a_march_jumps_as_far():
     """The first step after the jump, finer and finer, against the formula."""
     material, speed, ratio = MATERIALS["dashpot"], 3.0, 2.0
@@ -95,6 +104,12 @@ def test_without_a_dashpot_the_rate_jumps(ratio):
     constant = (first_step(units, line, elements, speed) - start) * speed * 512
     expected = initial_rate(units, line, elements, speed, ratio)
     assert found - constant == pytest.approx(expected, rel=0.1)
+
+
+def test_a_jump_to_the_same_speed_is_none():
+    line = line_of(4)
+    units, elements = steady(STANDARD, line, 1.0)
+    assert initial_rate(units, line, elements, 1.0, 1.0) == 0.0
 
 
 def test_each_material_has_one_of_them():

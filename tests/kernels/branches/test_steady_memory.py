@@ -7,16 +7,21 @@ from hypothesis import strategies as st
 
 from elastomer_friction.kernels import SCHEMES, steady_sliding
 from elastomer_friction.kernels.branches.steady_memory import (
+    _carry,
+    _no_powers,
+    _take_steps,
     steady_at,
     steady_memory,
 )
 from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.law import Elements, law_of, memories, rest
 from elastomer_friction.kernels.rheology.retardation import retardation
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum
 from tests.convergence import observed_order
 from tests.lines import random_line
-from tests.sizes import size
-from tests.viscoelastic import MATERIALS, PRONY3, Foundation, of_unit_tau
+from tests.references import sorted_root
+from tests.sizes import PLAIN_PYTHON, size
+from tests.viscoelastic import MATERIALS, PRONY3, SBR, Foundation, of_unit_tau
 
 N, M, LOAD = size(40, 12), 4, 0.1
 
@@ -41,6 +46,37 @@ def test_a_march_stays_where_it_started(name, scheme, speed):
         line.step(way, 1.0 / abs(speed), load=load)
         assert line.d == pytest.approx(found.elements.d, rel=1e-10)
     assert np.roll(line.p, -line.position) == pytest.approx(found.elements.p, abs=1e-9 * load)
+
+
+@pytest.mark.parametrize("name", ["Prony3", "dashpot"])
+def test_marching_from_rest_ends_there(name):
+    z = three_modes(48)
+    form, load = retardation(MATERIALS[name]), LOAD * z.size
+    speed = 2.0 * z.size  # memory: the longest time is worth a few periods
+    start = sorted_root(z, load)
+    p = np.maximum(0.0, start - z)
+    line = Foundation(form, z, Elements(rest(form, p), p, start))
+    found = steady_memory(form, z, speed, load)
+    far = abs(start - found.elements.d)
+    for _ in range(24 * z.size):
+        line.step(1, 1.0 / speed, load=load)
+    assert line.d == pytest.approx(found.elements.d, abs=1e-4 * far)
+
+
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: counts are the same, and slow")
+def test_thirteen_branches_cost_a_hundredth_of_marching():
+    """With a hundred times the updates of elements a march is not within 1e-3 yet."""
+    z, _ = random_line(80, 0.7, M, 5)
+    form, load = retardation(SBR), LOAD * z.size
+    speed = 1.0 * z.size  # the slowest branch lasts for 16 periods
+    found = steady_memory(form, z, speed, load)
+    start = sorted_root(z, load)
+    p = np.maximum(0.0, start - z)
+    line = Foundation(form, z, Elements(rest(form, p), p, start))
+    far = abs(start - found.elements.d)
+    for _ in range(100 * found.work // z.size):
+        line.step(1, 1.0 / speed, load=load)
+    assert abs(line.d - found.elements.d) > 1e-3 * far
 
 
 @pytest.mark.parametrize("speed", [0.1, 3.0, 80.0])
@@ -76,6 +112,24 @@ def test_given_indentation_carries_the_load_that_leads_to_it(name):
     assert not above.memory.any()
 
 
+@pytest.mark.parametrize("name", ["standard", "Prony3"])
+def test_both_schemes_converge_to_one_steady_state(name):
+    refinements = np.array([1, 2, 4, 8])[: size(4, 3)]
+    gaps = []
+    for k in refinements * 64:
+        gap = []
+        for offset in (0.0, 0.3, 0.7):
+            d = [
+                steady_memory(form(MATERIALS[name]), three_modes(k, offset), 1.0 * k, 0.3 * k)
+                for form in FORMS.values()
+            ]
+            gap.append(d[0].elements.d - d[1].elements.d)
+        gaps.append(gap)
+    # The fastest branch is resolved at the end.
+    assert observed_order(refinements, gaps) > size(1.4, 1.2)
+    assert np.abs(gaps[-1]).max() < 1e-3
+
+
 def test_a_glassy_modulus_that_grows_leads_to_the_kelvin_element():
     """One branch with g t = 1 and g -> inf: the difference falls as G / G_g."""
     z = three_modes(size(256, 64))
@@ -87,6 +141,32 @@ def test_a_glassy_modulus_that_grows_leads_to_the_kelvin_element():
         for g in glass
     ]
     assert observed_order(glass, np.array(gaps) - kelvin) == pytest.approx(1.0, abs=0.1)
+
+
+LINES = {
+    "flat": np.zeros(50),
+    "spikes": 5.0 - 5.0 * (np.arange(60) % 17 == 3) - 2.0 * (np.arange(60) == 40),
+    "ties": np.array([0.0, 1.0, 1.0, 0.0, 2.0, 2.0, 0.0] * 6),
+    "teeth": np.arange(40) % 2 * 1.0,
+    "plateaus": np.round(3.0 * np.sin(np.arange(64) * 0.3)) + 3.0,
+    "one sample": np.zeros(1),
+}
+
+
+@pytest.mark.parametrize("name", LINES)
+@pytest.mark.parametrize("scheme", FORMS)
+def test_lines_without_a_slope(name, scheme):
+    z = LINES[name]
+    for material in (PRONY3, SBR, MATERIALS["dashpot"]):
+        for speed, load in ((1e-4, 1e-6), (0.3, 0.1), (-50.0, 3.0), (1e5, 1e-3)):
+            form = FORMS[scheme](material)
+            found = steady_memory(form, z, speed, load * z.size)
+            assert found.residual < 1e-7
+            assert found.elements.p.sum() == pytest.approx(load * z.size, rel=1e-6)
+            assert found.elements.p.min() >= 0.0
+            assert found.elements.memory.shape == (memories(form), z.size)
+    if name in ("flat", "one sample"):
+        assert found.elements.d == pytest.approx(load, rel=1e-6)
 
 
 @settings(max_examples=size(150, 10))
@@ -125,3 +205,17 @@ def test_what_is_not_found_is_said(monkeypatch):
     monkeypatch.setattr(f"{steady_memory.__module__}.TURNS", 1)
     with pytest.raises(ValueError, match="speed = 2 samples per tau: no steady state was found"):
         steady_memory(retardation(PRONY3), three_modes(8), 2.0, 1.0)
+
+
+@pytest.mark.parametrize("touching", [True, False])
+@pytest.mark.parametrize("scheme", FORMS)
+def test_many_steps_do_to_tangents_what_one_after_the_other_does(scheme, touching):
+    form, length = FORMS[scheme](PRONY3), 700
+    law, units = law_of(form, 0.01), memories(form)
+    start = np.random.default_rng(2).normal(size=(units + 3, units + 2))
+    one_by_one, at_once = start.copy(), start.copy()
+    powers = _no_powers(units + 3, length)
+    _take_steps(law, touching, length, one_by_one)
+    _carry(law, powers, touching, length, at_once)
+    assert powers.known[int(touching)] == length.bit_length()
+    np.testing.assert_allclose(at_once, one_by_one, rtol=1e-10, atol=1e-12)

@@ -114,6 +114,37 @@ def test_the_drive_works_for_friction_spring_damper_and_mass():
     assert place[-1] == pytest.approx(8.0, abs=0.5)
 
 
+@pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: two ways of 3000 spacings")
+def test_it_sticks_and_slips_below_the_critical_stiffness_alone():
+    """k_c = -(d mu/d ln v) F_N / (v t_b), t_b the branch's time (Rice & Ruina, 1983)."""
+    line = a_line(100, 0.7)
+    speeds = 30.0 * np.array([0.97, 1.0, 1.03])
+    mu = [run_scene(line, a_scene((Slide(v, 1.0),), SOLID))["trace_mu"][0] for v in speeds]
+    weakening = -(mu[2] - mu[0]) / math.log(speeds[2] / speeds[0])
+    assert weakening > 0.0
+    critical = weakening * LOAD / (speeds[1] * SOLID.times[0]) / scale_of(line)
+    found = []
+    for share in (5.0, 0.3):
+        legs = (Slide(speeds[1], 3000.0),)
+        asked = ("trace", "stick_slip", "slip_events")
+        found.append(pulled(line, legs, (share * critical,), start="relaxed", asked=asked))
+    steady, slipping = found
+    assert steady["drive_swing"] < 0.02 * slipping["drive_swing"]
+    assert steady["peak_velocity"] < 1.1 * speeds[1] < 2.0 * speeds[1] < slipping["peak_velocity"]
+    assert np.isnan(steady["slip_period"])
+    # Between slips the spring is stretched at the velocity of the drive, nearly.
+    swing = float(slipping["drive_swing"]) * LOAD
+    loading = swing / (0.3 * critical * scale_of(line) * speeds[1])
+    assert 0.2 * loading < float(slipping["slip_period"]) < 4.0 * loading
+    assert ENDS not in steady["slip_event_kind"]  # it comes free once, and goes on
+    time, kind = slipping["slip_event_time"], slipping["slip_event_kind"]
+    begins, ends = (time[kind == each] for each in (BEGINS, ENDS))
+    assert (begins[: ends.size] < ends).all()
+    assert (ends[: begins.size - 1] < begins[1:]).all()
+    late = begins[begins > 0.5 * 3000.0 / speeds[1]]
+    assert np.mean(np.diff(late)) == pytest.approx(float(slipping["slip_period"]), rel=0.02)
+
+
 @pytest.mark.skipif(PLAIN_PYTHON, reason="NUMBA_DISABLE_JIT=1: six ways of 400 spacings")
 def test_stick_and_slip_without_a_mass_converges_at_second_order():
     """The force of a wave that jumps by its length: its errors are those of the samples.
@@ -193,6 +224,43 @@ def test_a_spring_that_is_slack_is_stretched_before_anything_slides():
     assert found["trace_drive_force"][0] == 0.0
     early = found["trace_time"] < 0.5
     np.testing.assert_array_less(found["trace_distance"][early], 0.5)
+
+
+def test_its_own_time_is_that_of_the_drive_whatever_the_line():
+    scene = a_scene(THERE_AND_BACK, SOLID)
+    times = [run_pulled(a_line(20, seed=seed), scene, Drive(0.1))["trace_time"] for seed in (1, 2)]
+    np.testing.assert_array_equal(*times)
+
+
+@MATERIALS
+def test_it_goes_as_well_the_other_way(spectrum):
+    line = a_line(20)
+    back = type(line)(line.z[::-1].copy(), -line.slope[::-1], *line[2:])
+    mirrored = tuple(
+        leg
+        if isinstance(leg, Hold)
+        else Slide(-leg.speed, leg.distance)
+        if isinstance(leg, Slide)
+        else Sampled(leg.times, tuple(-v for v in leg.speeds))
+        for leg in THERE_AND_BACK
+    )
+    drive = (2.0, 0.1, 0.05)
+    one, other = (
+        pulled(line, THERE_AND_BACK, drive, spectrum),
+        pulled(back, mirrored, drive, spectrum),
+    )
+    for name, sign in (("mu", -1.0), ("distance", -1.0), ("contact_fraction", 1.0)):
+        expected = sign * one[f"trace_{name}"]
+        np.testing.assert_allclose(other[f"trace_{name}"], expected, atol=5e-3, err_msg=name)
+
+
+def test_both_schemes_go_to_one_limit():
+    line = a_line(12, m=32)
+    found = [
+        pulled(line, (Slide(1.3, 2.0), Slide(2.6, 3.0)), (1.0,), m=32, scheme=each)
+        for each in ("exponential", "implicit-euler")
+    ]
+    np.testing.assert_allclose(found[0]["trace_mu"], found[1]["trace_mu"], atol=0.02)
 
 
 @MATERIALS

@@ -23,7 +23,7 @@ from elastomer_friction.kernels.quick.case import Case, Quantities
 from elastomer_friction.kernels.rheology.forms import form_of
 from elastomer_friction.kernels.rheology.law import displacement
 from elastomer_friction.kernels.rheology.spectrum import KELVIN, Spectrum, complex_modulus
-from tests.kernels.half_space.test_limits import BRANCHES, STEPS, rough
+from tests.kernels.half_space.test_limits import BRANCHES, STEPS, closed_friction, rough
 
 STEADY = Quantities(jump=False, relaxation=False)
 
@@ -38,6 +38,16 @@ def sphere(n: int, side: float, radius: float = 1.0) -> Surface:
     x = centred(n) * side / n
     z = (x[:, None] ** 2 + x[None, :] ** 2) / (2.0 * radius)
     return Surface.from_samples(z, np.broadcast_to(x / radius * side / n, z.shape), 1)
+
+
+def elastic_loss(p: np.ndarray, m: int, loss) -> float:
+    """Sum of (|q|/2) q_x loss(q_x) |u_q|^2 over the mean pressure, of displacements u = -A p."""
+    _, q_x = wave_numbers(p.shape, m)
+    stiffness = half_space_stiffness(p.shape, m)
+    stiffness[0, 0] = np.inf
+    power = np.abs(np.fft.rfft2(p) / p.size / stiffness) ** 2 * two_sided(p.shape)
+    stiffness[0, 0] = 0.0
+    return float(np.sum(stiffness * q_x * loss(q_x) * power)) / float(p.mean())
 
 
 def test_a_sphere_is_pressed_as_hertz_says() -> None:
@@ -85,6 +95,23 @@ def test_two_waves_close_at_the_pressure_of_johnson_greenwood_and_higginson(
     mean = share * np.pi * height / wavelength
     p = press(z, mean, Operator.of(half_space_stiffness((n, n), 1) * n, n), None, 1e-8).p
     assert (p.min() > 0.0) == full
+
+
+def test_slow_friction_is_the_loss_of_the_elastic_contact() -> None:
+    """mu/(v tau) of a sphere is 1/R, and that of a rough surface what its march gives."""
+    errors = []
+    for n in (64, 128):
+        side = 6.0
+        surface = sphere(n, side)
+        operator = Operator.of(half_space_stiffness((n, n), 1) * n / side, n)
+        p = press(surface.z, 4.0 / 3.0 / side**2, operator, None, 1e-7).p
+        errors.append(elastic_loss(p, 1, lambda q: q) * (n / side) - 1.0)
+    assert np.abs(errors[1]) < 0.6 * np.abs(errors[0]) < 0.1
+    surface, load, speed = rough(16, 8), 0.1, 0.1 / np.pi
+    operator = Operator.of(half_space_stiffness(surface.z.shape, 8), surface.z.shape[1])
+    p = press(surface.z, load / 16, operator, None, 1e-7).p
+    mu = run_case(surface, Case(load, speed, (), (), "exponential"), STEADY).mu_1
+    assert elastic_loss(p, 8, lambda q: q * speed) == pytest.approx(mu, rel=0.04)
 
 
 def steadily(surface: Surface, load: float, speed: float, spectrum: Spectrum) -> SlidingBody:
@@ -193,3 +220,12 @@ def test_friction_does_not_depend_on_the_number_of_rolloff_lengths() -> None:
     (one, error), (four, other) = means
     assert abs(one - four) < 4.0 * np.hypot(error, other)
     assert abs(one / four - 1.0) < 0.1
+
+
+def test_the_closed_form_is_that_of_the_text() -> None:
+    """One wave along x: mu sigma_0 = (q/2) q E''(q v) h^2, h the rms height."""
+    x = 2.0 * np.pi * np.arange(32) / 32
+    z = np.sqrt(2.0) * np.cos(x)[None, :].repeat(32, axis=0)
+    surface = Surface.from_samples(z, np.zeros_like(z), 4)
+    q = 2.0 * np.pi / 8.0
+    assert closed_friction(surface, KELVIN, 0.4, 8.0) == pytest.approx(0.5 * q * q * q * 0.4)

@@ -85,6 +85,26 @@ def equal_stiffness(surface: Surface, elements: int = 16) -> np.ndarray:
     return np.full((rows, n // 2 + 1), 1.0 / elements)
 
 
+@pytest.mark.parametrize("spectrum", [BRANCHES, BOTH], ids=["branches", "both"])
+def test_a_stiffness_that_is_the_same_for_all_waves_is_the_foundation(spectrum: Spectrum) -> None:
+    """Friction, indentation and relaxation of a line, whose elements remember all branches."""
+    line, surfaces = line_and_surfaces()
+    case = Case(0.3, 0.7, (1.2, -0.8), (STEPS, STEPS), "exponential", spectrum, refine=False)
+    foundation = run_foundation(line, case, Quantities())
+    for surface in surfaces:
+        found = run_case(surface, case, Quantities(), equal_stiffness(surface))
+        space = HalfSpace.under(
+            form_of(spectrum, "exponential"), surface, case.load, equal_stiffness(surface)
+        )
+        touching = slide_steadily(space, spectrum, case.speed).body.p > 0.0
+        assert np.mean(touching) == foundation.contact_fraction
+        assert found.indentation + case.load == pytest.approx(foundation.indentation, abs=1e-6)
+        for curve, two, expected, settled in zip(
+            found.curves, found.mu_2, foundation.curves, foundation.mu_2, strict=True
+        ):
+            assert np.allclose(curve - two, expected - settled, atol=1e-5)
+
+
 def test_the_initial_rate_is_that_of_the_foundation() -> None:
     """Without a dashpot, where all waves are as stiff; behind one mu jumps."""
     asked, (line, surfaces) = Quantities(initial_rate=True), line_and_surfaces()
@@ -133,6 +153,18 @@ def test_a_mirrored_surface_slides_the_other_way() -> None:
     assert other.mu_1 == pytest.approx(-one.mu_1, abs=1e-7)
     assert other.jump == pytest.approx(-one.jump, abs=1e-6)
     assert other.curves[0] == pytest.approx(-one.curves[0], abs=1e-6)
+
+
+def test_a_shifted_surface_is_the_same() -> None:
+    surface = rough(16, 4)
+    shifted = Surface.from_samples(
+        *(np.roll(field, (5, 9), (0, 1)) for field in (surface.z, surface.slope)), 4
+    )
+    case = Case(0.5, 0.7, (1.2,), (STEPS,), "exponential", BRANCHES)
+    one, other = (run_case(each, case, Quantities()) for each in (surface, shifted))
+    assert other.mu_1 == pytest.approx(one.mu_1, abs=1e-7)
+    assert other.curves[0] == pytest.approx(one.curves[0], abs=1e-6)
+    assert other.samples_per_contact == one.samples_per_contact
 
 
 def test_what_is_not_asked_for_is_not_computed() -> None:

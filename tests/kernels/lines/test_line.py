@@ -13,6 +13,7 @@ from elastomer_friction.kernels import (
     draw_phases,
     measured_amplitudes,
     rms_height,
+    rms_slope,
     sample_line,
 )
 from elastomer_friction.kernels.lines.measured_modes import measured_modes
@@ -114,6 +115,14 @@ def test_slopes_are_those_of_the_cosines(samples, m):
     np.testing.assert_allclose(slope, -0.5 * q * np.sin(q * x + 0.3), atol=1e-13)
 
 
+@pytest.mark.parametrize("samples", [5, 65])  # of an even number the Nyquist mode is half known
+def test_rms_slope_is_that_of_the_line(samples):
+    heights = some_line(samples)
+    _, slope = sample_line(*measured_modes(heights), samples, 2)
+    amplitude = measured_amplitudes(heights[None, :])
+    assert rms_slope(amplitude, samples) == pytest.approx(np.sqrt(np.mean(slope**2)), rel=1e-12)
+
+
 @pytest.mark.parametrize("samples", SIZES)
 def test_a_measured_line_starts_at_its_top_like_any_other(samples):
     heights = some_line(samples)
@@ -121,6 +130,19 @@ def test_a_measured_line_starts_at_its_top_like_any_other(samples):
     assert line.z[0] == line.z.max()
     assert line.datum == pytest.approx(heights.min(), rel=1e-12)
     np.testing.assert_allclose(np.sort(line.z + line.datum), np.sort(heights), atol=1e-12)
+
+
+def test_random_phases_keep_the_power_spectrum_and_follow_the_seed():
+    heights = np.array([some_line(65, seed) for seed in range(5)])
+    amplitude = measured_amplitudes(heights)
+    assert rms_height(amplitude) ** 2 == pytest.approx(np.mean(np.var(heights, axis=1)), rel=1e-12)
+
+    def drawn(seed):
+        return sample_line(amplitude, draw_phases(np.random.default_rng(seed), 65), 65, 1)[0]
+
+    np.testing.assert_allclose(measured_amplitudes(drawn(1)[None, :]), amplitude, rtol=1e-11)
+    np.testing.assert_array_equal(drawn(1), drawn(1))
+    assert not np.any(drawn(1) == drawn(2))
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf])

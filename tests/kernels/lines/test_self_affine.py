@@ -1,5 +1,7 @@
 """Random lines: their normalisation, their spectrum, and the one function behind every sampling."""
 
+import itertools
+
 import numpy as np
 import pytest
 
@@ -32,6 +34,20 @@ def cosine_sum(amplitude, phases, elements, m):
     return np.cos(angle) @ amplitude, -np.sin(angle) @ (amplitude * q)
 
 
+@pytest.mark.parametrize("hurst", HURST)
+@pytest.mark.parametrize(
+    ("elements", "m"), [*itertools.product(SIZES, [2, 3]), (3, 1), (51, 1), (501, 1)]
+)
+def test_rms_height_and_slope_of_the_samples(hurst, elements, m):
+    amplitude, phases = drawn(hurst, elements)
+    z, slope = sample_line(amplitude, phases, elements, m)
+    # Sampled above twice the highest wave number, means of squares are exact sums over modes.
+    assert np.sqrt(np.mean(z**2)) == pytest.approx(1.0, rel=1e-13)
+    assert np.sqrt(np.mean(slope**2)) == pytest.approx(rms_slope(amplitude, elements), rel=1e-13)
+    assert abs(z.mean()) < 1e-14
+    assert abs(slope.mean()) < 1e-13
+
+
 @pytest.mark.parametrize(("hurst", "ratio"), [(0.0, 1.04), (0.3, 1.17), (0.7, 1.39), (1.0, 1.55)])
 def test_integral_normalisation_of_the_paper(hurst, ratio):
     """DESIGN section 2: lines are rougher by these factors at N = 5000 (two decimals)."""
@@ -59,6 +75,18 @@ def test_samples_are_the_cosine_sum(hurst, elements, m):
     np.testing.assert_allclose(slope, slope_sum, atol=3e-13)
 
 
+def test_phases_are_reproducible_and_fill_the_circle():
+    first = draw_phases(np.random.default_rng([7, 3]), 5000)
+    again = draw_phases(np.random.default_rng([7, 3]), 5000)
+    other = draw_phases(np.random.default_rng([7, 4]), 5000)
+    np.testing.assert_array_equal(first, again)
+    assert not np.any(first == other)
+    assert first.min() >= 0.0
+    assert first.max() < 2.0 * np.pi
+    # Uniform phases: the resultant of 2500 unit vectors is of order 50, here within 4 sigma.
+    assert np.abs(np.exp(1j * first).sum()) < 4.0 * np.sqrt(first.size)
+
+
 @pytest.mark.parametrize("hurst", HURST)
 @pytest.mark.parametrize("normalisation", ["modal", "integral"])
 def test_below_the_roll_off_the_spectrum_is_flat_and_beyond_the_cut_off_there_is_none(
@@ -80,6 +108,13 @@ def test_roll_off_and_cut_off_keep_the_normalisation(hurst):
     integral = np.trapezoid(power, k)
     amplitude = amplitudes(hurst, 200, "integral", 7.5, 40)
     assert 0.5 * amplitude[20] ** 2 == pytest.approx(21.0 ** (-2.0 * hurst - 1.0) / integral)
+
+
+@pytest.mark.parametrize("hurst", HURST)
+def test_no_roll_off_and_no_cut_off_leave_every_bit(hurst):
+    """Also where they are given and cut nothing off."""
+    usual = amplitudes(hurst, 51)
+    np.testing.assert_array_equal(amplitudes(hurst, 51, rolloff=1.0, cutoff=25), usual)
 
 
 def test_a_cut_off_leaves_the_other_modes_in_phase():
@@ -124,6 +159,14 @@ def test_the_integral_is_the_mean_square_height_and_slope(length):
     assert np.sum(spectrum * q**2) * step == pytest.approx(slope**2, rel=1e-13)
 
 
+def test_one_cosine_has_one_line():
+    """A cosine of amplitude A holds A^2 / 2, whatever the length of the line."""
+    for length in (1.0, 2.0):
+        q, spectrum = power_spectrum(np.array([0.0, 0.2, 0.0]), length)
+        assert spectrum[1] * q[0] == pytest.approx(0.02)
+        assert (spectrum[0], spectrum[2]) == (0.0, 0.0)
+
+
 N = 4096  # elements, on a length of N: the spacing is 1
 STEP = 2.0 * np.pi / N
 
@@ -141,6 +184,23 @@ def test_height_gradient_and_curvature_are_those_of_the_surface():
     assert rms_height(amplitude) ** 2 == pytest.approx(4.0, rel=1e-4)
     assert rms_slope(amplitude, N) ** 2 == pytest.approx(4.0 * 4.0 / 81.0, rel=1e-4)
     assert curvature == pytest.approx(4.0 * 2.0 * (4.0 / 81.0) ** 2, rel=1e-4)
+
+
+def test_moments_of_a_random_surface_itself():
+    """Rms height and gradient of a drawn periodic surface; a cut through it has half the square."""
+    n, rng = 128, np.random.default_rng(5)
+    k = 2.0 * np.pi * np.fft.fftfreq(n)
+    q = np.hypot(*np.meshgrid(k, k))
+    filtered = np.sqrt(gaussian(q)) * np.fft.fft2(rng.normal(size=(n, n)))
+    height = np.sqrt(np.sum(np.abs(filtered) ** 2)) / n**2
+    gradient = np.sqrt(np.sum(np.abs(q * filtered) ** 2)) / n**2
+    amplitude = equivalent_amplitudes(gaussian, 16 * n, 16 * n)
+    ratio = rms_slope(amplitude, 16 * n) / rms_height(amplitude)
+    assert gradient / height == pytest.approx(ratio, rel=0.05)  # 200 patches of correlation
+    # A cut holds only one of the two components of the gradient.
+    cut = np.fft.ifft2(filtered).real
+    slope = np.fft.ifft(1j * k * np.fft.fft(cut, axis=1), axis=1).real
+    assert np.sqrt(np.mean(slope**2)) == pytest.approx(gradient / np.sqrt(2.0), rel=0.1)
 
 
 @pytest.mark.parametrize("hurst", [0.0, 0.5, 1.0])

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from elastomer_friction.kernels import Case, Quantities, run_case, run_cases
+from elastomer_friction.kernels import SCHEMES, Case, Quantities, run_case, run_cases
 from elastomer_friction.kernels.quick import cases
 from elastomer_friction.kernels.quick.contacts.between_samples import NARROW
 from elastomer_friction.kernels.quick.contacts.steady_friction import (
@@ -13,7 +13,8 @@ from elastomer_friction.kernels.quick.contacts.steady_friction import (
 )
 from elastomer_friction.kernels.quick.march.active import active_march
 from elastomer_friction.kernels.rheology.spectrum import Spectrum
-from tests.cases import ALL, CASE, KEPT, RATIOS, line_of
+from tests.cases import ALL, CASE, KEPT, RATIOS, M, line_of
+from tests.reference_march import Elements, constants, relaxation, steady
 
 
 def test_only_what_is_asked_for_is_computed():
@@ -76,6 +77,31 @@ def test_curve_is_marched_plainly_where_bounds_are_exceeded(monkeypatch):
     assert outcome.work > usual.work
     # Not the wrong first try; more of the line is marched, and rounded otherwise.
     np.testing.assert_allclose(outcome.curves, usual.curves, rtol=1e-12)
+
+
+@pytest.mark.parametrize("shift", [1, 17])
+def test_cyclic_shifts_change_nothing(shift):
+    """Phases turned by q times the shift: the same line, samples rounded differently."""
+    one, other = (run_case(line_of(shift=by), CASE, ALL) for by in (0, shift))
+    for name in ("mu_1", "indentation", "contact_fraction", "mu_2", "jump", "curves"):
+        found, expected = getattr(other, name), getattr(one, name)
+        np.testing.assert_allclose(found, expected, rtol=1e-10, atol=1e-10)
+
+
+@pytest.mark.parametrize("scheme", SCHEMES)
+@pytest.mark.parametrize("load", [0.02, 0.5])
+def test_mirror_image_moving_the_other_way_is_the_same(scheme, load):
+    line = line_of()
+    outcome = run_case(line, CASE._replace(load=load, scheme=scheme), ALL)
+    mirrored, falling = line.z[::-1].copy(), -line.slope[::-1]
+    dt = 1.0 / (M * CASE.speed)
+    u, _, d = steady(mirrored, load, constants(scheme, dt)[0], direction=-1)
+    assert outcome.indentation == pytest.approx(d + line.datum, rel=1e-10, abs=1e-10)
+    step = constants(scheme, dt / RATIOS[1])
+    mu, _ = relaxation(Elements(mirrored, falling, u, d, load, step, direction=-1), KEPT[-1])
+    # The curve carries the constant mu_2 - (steady step average): compare its course.
+    course = outcome.curves[1] - outcome.curves[1][-1]
+    np.testing.assert_allclose(course, -(mu[KEPT - 1] - mu[-1]), atol=1e-10)
 
 
 def test_the_indentation_rate_is_an_effect_of_the_relaxation_alone():

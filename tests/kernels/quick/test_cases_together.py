@@ -58,6 +58,11 @@ def test_no_case_is_no_work():
     assert run_cases(LINE, [], STEADY) == []
 
 
+def test_one_bad_case_is_refused():
+    with pytest.raises(ValueError, match="load"):
+        run_cases(LINE, [CASE, CASE._replace(load=-1.0)], STEADY)
+
+
 def test_time_is_booked_to_the_cases_that_took_it():
     found = run_cases(LINE, CASES[:20], Quantities())
     assert all(min(one.seconds) >= 0.0 for one in found)

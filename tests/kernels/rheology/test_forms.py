@@ -2,6 +2,7 @@
 
 import numpy as np
 import pytest
+from scipy.integrate import quad
 
 from elastomer_friction.kernels import SCHEMES, Kelvin
 from elastomer_friction.kernels.rheology.forms import FORMS
@@ -10,13 +11,18 @@ from elastomer_friction.kernels.rheology.law import (
     displacement,
     lasting,
     law_of,
+    memories,
     predict,
+    predict_one,
     rest,
     settle,
+    settle_one,
 )
+from elastomer_friction.kernels.rheology.prony import moments
 from elastomer_friction.kernels.rheology.relaxed import relaxation
 from elastomer_friction.kernels.rheology.retardation import Retardation, retardation
-from elastomer_friction.kernels.rheology.spectrum import KELVIN
+from elastomer_friction.kernels.rheology.spectrum import KELVIN, relaxation_modulus
+from tests.convergence import observed_order
 from tests.reference_march import constants
 from tests.viscoelastic import MATERIALS, PRONY3, Foundation
 
@@ -32,6 +38,20 @@ def test_constants_are_those_of_the_defining_formulas(scheme, dt):
     assert step[1:] == pytest.approx(expected[1:], rel=1e-12 + lost)
     # Held at u the force must be -u (eq. 2).
     assert step.stiffness * (1.0 - step.decay) == pytest.approx(1.0, rel=lost)
+
+
+def test_lag_of_the_exponential_scheme_between_its_limits():
+    lag = [SCHEMES["exponential"](dt).lag for dt in np.geomspace(1e-12, 1e6, 400)]
+    assert lag[0] == pytest.approx(0.5, abs=1e-12)  # dt -> 0: even weight
+    assert lag[-1] == pytest.approx(1e-6, rel=1e-12)  # dt -> inf: the last tau counts
+    assert np.all(np.diff(lag) < 1e-12)  # falling; rounding of 1/dt - 1/expm1(dt) below 1e-3
+
+
+@pytest.mark.parametrize("seam", [1e-3, 40.0])
+def test_lag_is_continuous_where_its_formula_changes(seam):
+    lag = SCHEMES["exponential"]
+    # Two differences of 1e-9 seam apart; cancellation leaves eps / dt = 2e-13.
+    assert lag(seam * (1 - 1e-9)).lag == pytest.approx(lag(seam * (1 + 1e-9)).lag, rel=3e-9)
 
 
 @pytest.mark.parametrize("scheme", SCHEMES)
@@ -51,6 +71,17 @@ def test_one_unit_is_the_kelvin_element(dt):
     assert law.stiffness == pytest.approx(kelvin.stiffness, rel=1e-14)
     assert law.lag == pytest.approx(kelvin.lag, rel=1e-11)
     assert (law.linear, law.stale[0]) == (0.0, 0.0)
+
+
+@pytest.mark.parametrize("x", [1e-12, 1e-4, 0.0999, 0.1001, 3.0, 50.0, 1e8])
+def test_moments_are_those_of_a_linear_force(x):
+    """Weights of the force at the end and at the start, integrated with e^-(x - s)."""
+    gone, end, start = moments(x)
+    assert gone == pytest.approx(-np.expm1(-x), rel=1e-15)
+    assert end + start == pytest.approx(gone, rel=1e-13)
+    if x < 100.0:
+        expected, _ = quad(lambda s: np.exp(-(1.0 - s) * x) * x * s, 0.0, 1.0, epsrel=1e-13)
+        assert end == pytest.approx(expected, rel=1e-11)
 
 
 def test_a_linear_force_is_followed_exactly():
@@ -105,6 +136,45 @@ def test_a_constant_rate_is_followed_exactly():
     assert memory[:-1, 0] == pytest.approx(-stresses, rel=1e-11)
 
 
+REFINEMENTS = np.array([1, 2, 4, 8])
+
+
+def fresh(form, n=1):
+    """Return elements that nothing has touched."""
+    return Elements(np.zeros((memories(form), n)), np.zeros(n), 0.0)
+
+
+def held_indentation(name, scheme, refinement):
+    """Return the largest relative error of F(t) at constant d, from the second decade on."""
+    spectrum = MATERIALS[name]
+    form = FORMS[scheme](spectrum)
+    glass = 1.0 + sum(spectrum.moduli)
+    # At 0+ the line is in, and no time has passed: nothing has crept yet.
+    elements = Elements(np.zeros((memories(form), 1)), np.full(1, glass), 1.0)
+    if scheme == "implicit-euler":  # its memory is the stress of the branches and u = -1
+        elements.memory[:-1, 0] = -form.moduli
+        elements.memory[-1, 0] = -1.0
+    line, worst, now = Foundation(form, np.zeros(1), elements), 0.0, 0.0
+    for end in np.geomspace(1e-4, 10.0, 40 * refinement + 1):
+        line.step(0, end - now, d=1.0)
+        now = end
+        exact = float(relaxation_modulus(spectrum, now))
+        worst = max(worst, abs(line.p[0] / exact - 1.0)) if now > 1e-3 else worst
+    return worst
+
+
+@pytest.mark.parametrize("name", ["standard", "Prony3"])
+def test_stress_relaxes_as_the_modulus_says_at_second_order(name):
+    errors = [[held_indentation(name, "exponential", k)] for k in REFINEMENTS]
+    assert observed_order(REFINEMENTS, errors) > 1.8
+    assert errors[-1][0] < 2e-3
+
+
+@pytest.mark.parametrize("name", ["standard", "Prony3"])
+def test_stress_relaxes_exactly_in_the_relaxation_form(name):
+    assert held_indentation(name, "implicit-euler", 1) < 1e-12
+
+
 @pytest.mark.parametrize("name", MATERIALS)
 def test_creep_without_force_is_exact_whatever_the_step(name):
     form = retardation(MATERIALS[name])
@@ -137,6 +207,25 @@ def test_what_rests_under_a_force_stays(name, scheme):
         assert line.p == pytest.approx(p, rel=1e-11)  # rounding of u counts 1 / dt times
 
 
+@pytest.mark.parametrize("name", MATERIALS)
+def test_both_forms_press_in_alike(name):
+    """Indented at a constant rate from nothing: two derivations, one limit."""
+
+    def force(scheme, steps):
+        form = FORMS[scheme](MATERIALS[name])
+        line = Foundation(form, np.zeros(1), fresh(form))
+        for k in range(steps):
+            line.step(0, 1.0 / steps, d=(k + 1.0) / steps)
+        return line.p[0]
+
+    counts = 32 * REFINEMENTS
+    gaps = [[force("exponential", k) / force("implicit-euler", k) - 1.0] for k in counts]
+    assert np.abs(gaps).max() < 3e-2
+    assert abs(gaps[-1][0]) < 3e-3
+    if name in ("Kelvin", "standard", "Prony3"):  # what is fast is resolved from the first on
+        assert observed_order(counts, gaps) > 0.9
+
+
 @pytest.mark.parametrize("dt", np.geomspace(1e-9, 1e6, 16))
 @pytest.mark.parametrize("name", ["standard", "Prony3", "SBR", "dashpot"])
 def test_the_old_force_comes_back_with_a_gain_below_one(name, dt):
@@ -144,3 +233,21 @@ def test_the_old_force_comes_back_with_a_gain_below_one(name, dt):
     assert 0.0 <= law.linear <= 1.0
     assert law.stale.sum() * law.stiffness <= 0.8 + 1e-12
     assert 0.0 <= law.lag <= 0.5 + 1e-12
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+@pytest.mark.parametrize("scheme", FORMS)
+def test_one_element_is_stepped_like_many(scheme, name):
+    form, rng = FORMS[scheme](MATERIALS[name]), np.random.default_rng(3)
+    law, memory = law_of(form, 0.02), -rng.random((memories(form), 6))
+    p, new = rng.random((2, 6))
+    w = np.empty(6)
+    predict(law, memory, p, w)
+    alone = memory.T.copy()
+    settled, predicted = memory.copy(), w.copy()
+    settle(law, settled, w, p, new)
+    for i in range(6):
+        one = predict_one(law, alone[i], p[i])
+        assert one == pytest.approx(predicted[i], rel=1e-12)
+        settle_one(law, alone[i], one, p[i], new[i])
+        np.testing.assert_allclose(alone[i], settled[:, i], rtol=1e-11, atol=1e-13)

@@ -20,6 +20,7 @@ from elastomer_friction.kernels import (
     steady_sliding,
 )
 from elastomer_friction.kernels.compile.cache import FOLDER
+from elastomer_friction.kernels.model import steady
 from elastomer_friction.kernels.rheology.law import reach
 from tests.sizes import PLAIN_PYTHON
 from tests.support.sweeps import sweep
@@ -81,3 +82,20 @@ def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_
     printed, kelvin, squared = numbers
     assert (printed != kelvin) == (marches > 0)  # the control plays a part in marches alone
     assert squared == kelvin[: len(squared)]
+
+
+def test_decay_never_leaves_subnormal_numbers():
+    """Where decay > 1/2 the smallest subnormal times decay rounds back to itself, for ever."""
+    products = []
+
+    class Watched(float):
+        def __mul__(self, other):
+            products.append(abs(float(self) * other))
+            return float(self) * other
+
+    z = np.full(3000, 5.0)
+    z[2998] = 0.0  # one element touches, all others decay for almost the whole period
+    law, w = Kelvin(Watched(0.7), 1.0, 0.0), np.empty_like(z)
+    assert getattr(steady.sweep, "py_func", steady.sweep)(law, z, 1.0, 2998, w) == (1.0, 1.0, 1)
+    assert len(products) > 2000
+    assert min(p for p in products if p > 0.0) > 1e-300

@@ -6,8 +6,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from scipy.integrate import quad
 
-from elastomer_friction.kernels.rheology.retardation import retardation
+from elastomer_friction.kernels.rheology.retardation import merged, retardation
 from elastomer_friction.kernels.rheology.spectrum import (
+    KELVIN,
     Spectrum,
     complex_modulus,
     relaxation_modulus,
@@ -25,6 +26,12 @@ def test_complex_modulus_is_the_transform_of_the_relaxation_modulus(omega):
     ]  # fmt: skip
     expected = 1.0 + 1j * omega * (parts[0] - 1j * parts[1])
     assert complex_modulus(PRONY3, omega) == pytest.approx(expected, rel=1e-6)
+
+
+def test_kelvin_element():
+    omega = np.array([0.0, 0.5, 7.0])
+    assert complex_modulus(KELVIN, omega) == pytest.approx(1.0 + 1j * omega, rel=1e-15)
+    assert np.all(relaxation_modulus(KELVIN, omega + 1.0) == 1.0)
 
 
 @pytest.mark.parametrize("name", MATERIALS)
@@ -78,6 +85,14 @@ def test_any_branches_over_fourteen_decades(branches, viscosity):
     assert exchanged(spectrum) < 1e-12
 
 
+def test_retardation_times_lie_between_relaxation_times():
+    spectrum = Spectrum(tuple(np.full(30, 0.7)), tuple(np.geomspace(1e-7, 1e7, 30)), 0.0)
+    units, times = retardation(spectrum), np.sort(spectrum.times)[::-1]
+    assert np.all(units.times > times)
+    assert np.all(units.times[1:] < times[:-1])
+    assert exchanged(spectrum) < 1e-13
+
+
 def test_order_of_branches_and_branches_that_are_split_change_nothing():
     (a, b, c), (s, t, u) = PRONY3.moduli, PRONY3.times
     units = retardation(PRONY3)
@@ -94,6 +109,16 @@ def test_times_that_differ_in_their_last_bit():
     assert exchanged(close) < 1e-14
     one = Spectrum((3.0,), (1.0,), 0.0)
     assert np.allclose(compliance(close), compliance(one), rtol=1e-14)
+
+
+def test_kelvin_element_is_one_unit():
+    assert retardation(MATERIALS["Kelvin"]) == (0.0, np.ones(1), np.ones(1))
+
+
+def test_equal_times_are_added_up_slowest_first():
+    moduli, times = merged(Spectrum((1.0, 2.0, 4.0), (0.5, 3.0, 0.5), 0.0))
+    assert times.tolist() == [3.0, 0.5]
+    assert moduli.tolist() == [2.0, 5.0]
 
 
 @pytest.mark.parametrize(

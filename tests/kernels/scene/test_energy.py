@@ -1,10 +1,15 @@
 """The work balance of programmes, and the dissipation of one unit against quadrature."""
 
+import itertools
+
 import numpy as np
 import pytest
 
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Ramp, Slide
+from elastomer_friction.kernels.rheology.forms import FORMS
+from elastomer_friction.kernels.rheology.law import law_of
 from elastomer_friction.kernels.rheology.spectrum import KELVIN
+from elastomer_friction.kernels.scene.energy import book, stored_energy
 from tests.convergence import observed_order
 from tests.kernels.scene.given import EVERY, MATERIALS, SOLID, a_line, trace
 from tests.sizes import size
@@ -30,6 +35,18 @@ def test_with_a_dashpot_alone_the_balance_closes_to_rounding_by_the_closing_work
     missing, closing, dissipated = balance(found)
     np.testing.assert_allclose(missing, closing, rtol=0, atol=1e-12 * dissipated[-1])
     assert closing[-1] > 1e-4 * dissipated[-1]
+
+
+def test_with_branches_beside_a_dashpot_the_balance_closes_with_the_step():
+    """Old forces act on as far as units are faster than the step (rheology/prony.py)."""
+    refinements, errors = np.array([4, 8, 16, 32])[: size(4, 2)], []
+    for m in refinements:
+        line = a_line(size(20, 8), 1.0, m, 0)
+        found = trace(line, PROGRAMMES["reversal"], MATERIALS["damped"], start="relaxed", asked=ALL)
+        missing, closing, dissipated = balance(found)
+        errors.append([(missing[-1] - closing[-1]) / dissipated[-1]])
+    assert observed_order(refinements, errors) > 1.2
+    assert abs(errors[-1][0]) < size(5e-3, 0.05)
 
 
 @pytest.mark.parametrize("name", MATERIALS)
@@ -67,3 +84,37 @@ def test_no_motion_of_a_relaxed_line_costs_no_work():
     for name in ("dissipated_energy", "work", "closing_work"):
         np.testing.assert_allclose(found[name], 0.0, atol=1e-14)
     np.testing.assert_allclose(found["stored_energy"], found["stored_energy"][0], rtol=1e-13)
+
+
+@pytest.mark.parametrize("name", MATERIALS)
+@pytest.mark.parametrize("dt", [1e-6, 0.03, 50.0])
+def test_a_step_dissipates_the_integral_of_the_rates(name, dt):
+    """lambda/J int (dy/dt)^2 dt of every unit, under the force that the scheme assumes."""
+    form = FORMS["exponential"](MATERIALS[name])
+    law = law_of(form, dt)
+    rng = np.random.default_rng(1)
+    memory, (p, new) = -rng.random((form.times.size, 3)), rng.random((2, 3))
+    sums = np.zeros(3)
+    book(form, law, dt, memory, p, new, np.ones(3), 2.0 * np.ones(3), sums)
+    begun = law.linear * p + (1.0 - law.linear) * new
+    expected = 0.0
+    nodes, weights = np.polynomial.legendre.leggauss(40)
+    for compliance, time, y in zip(form.compliances, form.times, memory, strict=True):
+        slope = (new - begun) / dt
+        steady = -compliance * (begun - time * slope)  # what y tends to, at the start
+        # Parts between which the exponential is smooth, whatever the step.
+        edges = np.unique(np.minimum(np.array([0.0, 1.0, 4.0, 16.0, 40.0, np.inf]) * time, dt))
+        for a, b in itertools.pairwise(edges):
+            t = 0.5 * (a + b) + 0.5 * (b - a) * nodes[:, None]
+            rate = -compliance * slope - (y - steady) / time * np.exp(-t / time)
+            expected += time / compliance * 0.5 * (b - a) * np.sum(weights[:, None] * rate**2)
+    assert sums[0] == pytest.approx(expected, rel=1e-7)
+    mean = np.sum(new + 0.5 * law.linear * (p - new))
+    np.testing.assert_allclose(sums[1:], [mean, 2.0 * mean], rtol=1e-13)
+
+
+def test_stored_energy_is_that_of_the_springs():
+    form = FORMS["exponential"](SOLID)
+    memory, p = np.array([[-0.3, -0.1]]), np.array([0.4, 0.0])
+    units = (0.3**2 + 0.1**2) / form.compliances[0]
+    assert stored_energy(form, memory, p) == pytest.approx((form.glass * 0.16 + units) / 4.0)

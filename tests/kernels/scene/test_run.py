@@ -9,12 +9,15 @@ import pytest
 
 from elastomer_friction.kernels.motion.legs import Hold, Oscillation, Slide, steps_of
 from elastomer_friction.kernels.rheology.forms import FORMS
-from elastomer_friction.kernels.rheology.law import law_of
+from elastomer_friction.kernels.rheology.law import law_of, predict
 from elastomer_friction.kernels.scene import ASKED, MOTION, TRACES, Saved, run_scene, scene_steps
+from elastomer_friction.kernels.scene.begin import fresh, relaxed
 from elastomer_friction.kernels.scene.records import (
+    Film,
     Lengths,
     Trace,
     count_lengths,
+    keep_frame,
     keep_trace,
 )
 from elastomer_friction.kernels.scene.samples import samples_per_contact
@@ -45,6 +48,16 @@ def test_a_trace_is_where_and_when_the_force_of_a_step_acts(scheme):
     np.testing.assert_allclose(distance[1:], acting, atol=1e-12)
     np.testing.assert_allclose(velocity[1:], np.diff(place) / steps.dt, atol=1e-12)
     assert (time[0], distance[0], velocity[0]) == (0.0, 0.0, 0.5)
+
+
+@pytest.mark.parametrize("piece", [1, 7, 50])
+def test_a_path_in_pieces_is_the_whole_to_the_bit(monkeypatch, piece):
+    scene = a_scene(EVERY, DAMPED, M)._replace(asked=ASKED)
+    whole = run_scene(a_line(), scene)
+    monkeypatch.setattr("elastomer_friction.kernels.motion.track.PIECE", piece)
+    parts = run_scene(a_line(), scene)
+    for name, values in whole.items():
+        np.testing.assert_array_equal(parts[name], values, err_msg=name)
 
 
 def test_some_kept_steps_are_when_and_where_they_are_among_all():
@@ -106,6 +119,36 @@ def test_a_programme_without_a_step_is_refused(programme):
 
 
 LINE = a_line()
+TOTAL = 0.3 * LINE.z.size
+
+
+@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("name", MATERIALS)
+def test_relaxed_elements_stay_where_they_are(scheme, name):
+    form = FORMS[scheme](MATERIALS[name])
+    elements = relaxed(form, LINE.z, TOTAL, np.nan)
+    np.testing.assert_allclose(elements.p, np.maximum(0.0, elements.d - LINE.z), atol=1e-12)
+    assert elements.p.sum() == pytest.approx(TOTAL, rel=1e-12)
+    law, w = law_of(form, 0.3), np.empty(LINE.z.size)
+    predict(law, elements.memory, elements.p, w)
+    again = law.stiffness * np.maximum(0.0, elements.d - (LINE.z - w))
+    np.testing.assert_allclose(again, elements.p, atol=1e-11)
+
+
+@pytest.mark.parametrize("scheme", FORMS)
+@pytest.mark.parametrize("spectrum", [SOLID, PRONY], ids=["solid", "prony"])
+def test_fresh_elements_are_glassy_and_keep_their_force_for_a_moment(scheme, spectrum):
+    form = FORMS[scheme](spectrum)
+    stiffness = 1.0 + sum(spectrum.moduli)
+    elements = fresh(form, spectrum, LINE.z, TOTAL, np.nan)
+    np.testing.assert_allclose(
+        elements.p, stiffness * np.maximum(0.0, elements.d - LINE.z), rtol=1e-9
+    )
+    assert elements.p.sum() == pytest.approx(TOTAL, rel=1e-12)
+    law, w = law_of(form, 1e-7), np.empty(LINE.z.size)
+    predict(law, elements.memory, elements.p, w)
+    again = law.stiffness * np.maximum(0.0, elements.d - (LINE.z - w))
+    np.testing.assert_allclose(again, elements.p, rtol=1e-3, atol=1e-6)
 
 
 RNG = np.random.default_rng(4)
@@ -127,6 +170,13 @@ def test_a_trace_is_friction_force_and_contact_at_the_moment_the_force_acts():
         assert values[0] == values[2] == 0.0
 
 
+def test_friction_is_not_a_number_where_nothing_touches():
+    trace = Trace(*np.zeros((9, 1)))
+    keep_trace(trace, 0, 0.3, np.ones(4), np.ones(4), 1.0, 1.0, np.zeros(4))
+    assert np.isnan(trace.mu[0])
+    assert trace.friction_force[0] == trace.normal_force[0] == trace.contact_fraction[0] == 0.0
+
+
 @pytest.mark.parametrize("share", [0.1, 0.5, 0.9])
 def test_lengths_are_those_of_runs_round_the_period(share):
     pressed = RNG.random(200) < share
@@ -137,6 +187,21 @@ def test_lengths_are_those_of_runs_round_the_period(share):
         lengths = Lengths(np.array([1.0, 2.0, 4.0, 8.0, 300.0]), np.zeros(4))
         count_lengths(lengths, np.roll(pressed, shift).astype(float))
         np.testing.assert_array_equal(lengths.counts, np.histogram(runs, lengths.edges)[0])
+
+
+def test_full_contact_is_one_and_none_is_none():
+    lengths = Lengths(np.array([0.0, 9.5, 20.0]), np.zeros(2))
+    count_lengths(lengths, np.ones(10))
+    count_lengths(lengths, np.zeros(10))
+    np.testing.assert_array_equal(lengths.counts, [0.0, 1.0])
+
+
+def test_a_frame_is_the_line_over_the_foundation_and_the_elements():
+    film = Film(*np.zeros((2, 2, 5)))
+    z, u = RNG.normal(size=(2, 5))
+    keep_frame(film, 1, z, 0.5, u)
+    np.testing.assert_array_equal(film.height, [np.zeros(5), z - 0.5])
+    np.testing.assert_array_equal(film.displacement, [np.zeros(5), u])
 
 
 ALL = {"asked": OF_ANY, "edges": np.array([0.0, 1.0, 2.0, 4.0, 100.0])}
@@ -165,6 +230,14 @@ def test_a_programme_cut_and_resumed_is_the_same_to_the_bit(name, cut):
     np.testing.assert_array_equal(
         np.append(first["stored_energy"], second["stored_energy"]), found["stored_energy"]
     )
+
+
+def test_what_else_is_asked_for_changes_no_bit():
+    alone = run_scene(LINE, a_scene(EVERY, PRONY, M))
+    together = run_scene(LINE, a_scene(EVERY, PRONY, M, **ALL))
+    for name, values in alone.items():
+        np.testing.assert_array_equal(together[name], values)
+    assert set(alone) == {name for name in together if name.startswith("trace_")} | {"updates"}
 
 
 def test_lengths_and_fractions_of_contact_agree():

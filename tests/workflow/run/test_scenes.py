@@ -5,10 +5,11 @@ import pytest
 
 from elastomer_friction.workflow.run.grid_run import run_plan
 from elastomer_friction.workflow.run.workers import RunOptions
+from elastomer_friction.workflow.simulate import block_means
 from elastomer_friction.workflow.store.store import Store, store_folder
 from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
 from tests.support.documents import without
-from tests.support.runs import Run
+from tests.support.runs import Run, shards
 from tests.support.shards import held
 from tests.support.small import all_records, small_plan
 
@@ -26,10 +27,10 @@ SCENES = (
 )
 
 
-def run(folder, *settings, scheduler=LOCAL, batch_seconds=0.2):
+def run(folder, *settings, scheduler=LOCAL, batch_seconds=0.2, **how):
     """Run the scenes, in this process unless a scheduler is given."""
     plan, path = small_plan(*SCENES, *settings, text=TEXT), folder / "small.nc"
-    how = RunOptions(Cluster(scheduler), batch_seconds=batch_seconds)
+    how = RunOptions(Cluster(scheduler), batch_seconds=batch_seconds, **how)
     return Run(plan, run_plan(plan, path, how), path)
 
 
@@ -57,6 +58,27 @@ def test_other_batches_on_a_cluster_give_the_same_bytes(whole, scheduler, tmp_pa
     cut = run(tmp_path, scheduler=scheduler, batch_seconds=1e-6)
     assert cut.summary.batches > 2 * whole.summary.batches
     assert cut.path.read_bytes() == whole.path.read_bytes()
+
+
+def _ends_early(batch):
+    """Compute a batch, but for the problems of the rougher lines."""
+    if batch.tasks[0].problem.hurst < 0.5:
+        raise RuntimeError("ended")
+    return block_means(batch)
+
+
+def test_a_run_that_ends_early_goes_on_and_a_second_one_computes_nothing(whole, tmp_path):
+    ended = run(tmp_path, max_failures=10**6, work=_ends_early)
+    stored = held(Store(store_folder(ended.path)))
+    assert 0 < len(stored) < len(all_records(ended.plan))
+    before = shards(tmp_path)
+    resumed = run(tmp_path, retry_failed=True)
+    assert resumed.summary.reused == len(stored)
+    assert before.items() <= shards(tmp_path).items()
+    assert resumed.path.read_bytes() == whole.path.read_bytes()
+    again = run(tmp_path)
+    assert (again.summary.batches, again.summary.reused) == (0, len(all_records(whole.plan)))
+    assert again.path.read_bytes() == whole.path.read_bytes()
 
 
 def test_a_temperature_that_acts_as_a_velocity_does_is_computed_once(tmp_path):

@@ -77,6 +77,13 @@ def test_records_of_measured_lines_hold_what_halved_steps_change(batch):
         np.testing.assert_allclose(found[1:], read - coarse.curves[0][1:], rtol=1e-9, atol=1e-15)
 
 
+def test_changes_do_not_depend_on_the_cut(batch):
+    whole = block_means(batch).curves
+    cut = [block_means(b).curves for b in cut_batches(small_plan(*TWO, text=MEASURED), set(), 1e-9)]
+    cut = [own for own in cut if own.shape[2] == whole.shape[2]][:2]
+    np.testing.assert_array_equal(np.concatenate(cut, axis=1), whole)
+
+
 @pytest.mark.parametrize("settings", [(), (*TWO, "numerics.steps_per_spacing=4")])
 def test_lines_with_a_law_or_steps_of_the_user_are_run_once(settings):
     plan = small_plan(*settings, text=MEASURED) if settings else small_plan()

@@ -1,5 +1,7 @@
 """Programmes in batches: which steps are kept, where they lie, the same bits whatever the cut."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -9,6 +11,7 @@ from elastomer_friction.kernels import (
     MOTION,
     QUARTET,
     SCHEMES,
+    Case,
     Hold,
     Line,
     Oscillation,
@@ -17,6 +20,7 @@ from elastomer_friction.kernels import (
     Spectrum,
     amplitudes,
     draw_phases,
+    run_case,
     run_scene,
 )
 from elastomer_friction.workflow.simulate import realizations
@@ -27,7 +31,7 @@ from elastomer_friction.workflow.simulate.kept import (
     record_steps,
     record_times,
 )
-from elastomer_friction.workflow.simulate.layout import row_layout, row_width, unpack
+from elastomer_friction.workflow.simulate.layout import BINS, EDGES, row_layout, row_width, unpack
 from elastomer_friction.workflow.simulate.programmes import scene_of
 from elastomer_friction.workflow.simulate.realizations import block_means
 from elastomer_friction.workflow.simulate.tasks import PHASES, SCALARS, Problem, Recording, Task
@@ -43,8 +47,41 @@ def test_recorded_steps_run_from_the_first_to_the_last(march, samples):
     assert recorded.size == samples - 1 or march < 2 * samples
 
 
+def test_every_step_is_recorded_where_there_are_few():
+    assert record_steps(10, 64).tolist() == list(range(1, 11))
+
+
+def deviation(moments, steps, lag=None):
+    """Return mu - mu_2 of 8 lines at moments of slow creep after a jump, with m = ``steps``.
+
+    lag : where within a step friction acts, other than by the scheme.
+    """
+    speed, total = 0.3, 0.0
+    steps_per_tau = 1.2 * speed * steps
+    recorded = np.arange(1, int(3 * steps_per_tau))
+    times = record_times(recorded, steps_per_tau, "exponential")
+    if lag is not None:
+        times = (recorded - lag) / steps_per_tau
+    for seed in range(8):
+        phases = draw_phases(np.random.default_rng(seed), 200)
+        line = Line.self_affine(amplitudes(0.0, 200), phases, 200, steps)
+        found = run_case(line, Case(0.1, speed, (1.2,), (recorded,), "exponential"), Quantities())
+        total += np.interp(moments, times, found.curves[0] - found.mu_2[0])
+    return total
+
+
+def test_recorded_friction_belongs_to_its_times():
+    moments = np.linspace(0.5, 2.0, 12)
+    limit = deviation(moments, 256)
+    error = {m: np.abs(deviation(moments, m) / limit - 1.0).max() for m in (16, 64)}
+    at_the_end = np.abs(deviation(moments, 16, lag=0.0) / limit - 1.0).max()
+    assert error[16] < 0.02
+    assert error[64] < 0.002
+    assert at_the_end > 0.08  # of first order
+
+
 @pytest.mark.parametrize("scheme", SCHEMES)
-def test_recorded_friction_belongs_to_where_its_force_acts_within_the_step(scheme):
+def test_recorded_times_lie_within_their_steps(scheme):
     recorded = np.array([1, 2, 7])
     for steps_per_tau in (0.1, 1.0, 30.0):
         times = record_times(recorded, steps_per_tau, scheme) * steps_per_tau
@@ -100,6 +137,15 @@ def test_every_kth_step_is_kept_where_that_is_asked_for():
     assert (third[:-1] % 3 == 0).all()
 
 
+def test_samples_over_time_and_distance_are_even():
+    march = programme_steps(PROBLEM, 16)
+    time = np.append(0.0, march.time)[kept_steps(PROBLEM, 16, Recording(20, "time"))]
+    assert np.diff(time).max() < 2.5 * time[-1] / 19
+    way = np.append(0.0, np.cumsum(march.moved))
+    distance = way[kept_steps(PROBLEM, 16, Recording(20, "distance"))]
+    assert np.diff(distance).max() < 2.5 * distance[-1] / 19
+
+
 @pytest.mark.parametrize("record", ["time", "distance"])
 def test_samples_that_fall_on_steps_are_those_steps(record):
     """Whatever the last bit of a sum of steps says."""
@@ -128,6 +174,12 @@ def test_the_last_cycle_of_an_oscillation_is_a_closed_loop(m):
     assert loop.size == min(256, time.size - first)
 
 
+def test_recorded_steps_of_many_times_grow_by_a_factor():
+    recorded = record_steps(10_000, 64, Spectrum((1.0,), (1.0,), 0.0))
+    assert recorded[:3].tolist() == [1, 2, 3]
+    assert recorded[-1] / recorded[-2] == pytest.approx(recorded[-2] / recorded[-3], rel=0.01)
+
+
 SPECTRUM = Spectrum((2.0, 1.0), (0.1, 1.0), 0.0)
 HELD = (Slide(1.0, 4.0), Hold(2.0), Slide(1.0, 4.0))
 BRANCHED = Problem(0.7, 16, 0.1, 1.0, 1.0, spectrum=SPECTRUM, programme=HELD)
@@ -149,6 +201,17 @@ def test_parts_follow_each_other_without_gaps_and_unpack_to_their_shapes(count):
     assert np.array_equal(joined, rows)
     assert parts["curve"].shape == (3, 19)
     assert parts["initial_rate"].shape == (3,)
+
+
+def test_without_a_march_a_row_is_empty():
+    asked = Quantities(relaxation=False)
+    assert row_width(row_layout(TASK, asked, "exponential", Recording(64))) == 0
+
+
+def test_contact_lengths_are_counted_from_a_sixteenth_of_a_spacing_on():
+    assert EDGES.size == BINS + 1
+    assert EDGES[:5].tolist()[::2] == [0.0625, 0.125, 0.25]
+    np.testing.assert_allclose(EDGES[1:] / EDGES[:-1], np.sqrt(2.0), rtol=1e-15)
 
 
 SMALL = "material.temperature=20.0", "grid.velocity=0.03", "numerics.samples=16"
@@ -176,18 +239,32 @@ def test_a_trace_is_the_mean_over_the_lines_of_its_block():
     done = block_means(batch)
     task = batch.tasks[-1]
     places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
-    found = unpack(done.curves[-1], places)
+    found = unpack(done.curves[-1], places)["trace_mu"]
     scene = scene_of(task, batch.scheme, batch.recording)
     hurst, elements = task.problem.hurst, task.problem.elements
     for block in range(batch.blocks):
         assert batch.realizations_per_block == QUARTET
         phases = draw_phases(line_generator(batch.seed, hurst, elements, block), elements)
         lines = Line.quartet(amplitudes(hurst, elements), phases, elements, 1)
-        each = [run_scene(line, scene) for line in lines]
-        expected = np.mean([one["trace_mu"] for one in each], axis=0)
-        np.testing.assert_allclose(found["trace_mu"][block], expected, rtol=1e-12, equal_nan=True)
-        for name in MOTION:  # when and where: that of the lines, to the bit
-            np.testing.assert_array_equal(found[name][block], each[0][name])
+        expected = np.mean([run_scene(line, scene)["trace_mu"] for line in lines], axis=0)
+        np.testing.assert_allclose(found[block], expected, rtol=1e-12, equal_nan=True)
+
+
+def test_when_and_where_is_that_of_the_lines_to_the_bit_whatever_their_number():
+    batch = next(cut_batches(PLAN, set(), 1e9))
+    batch = replace(batch, realizations_per_block=12)
+    done = block_means(batch)
+    task = batch.tasks[-1]
+    places = row_layout(task, batch.quantities, batch.scheme, batch.recording)
+    found = unpack(done.curves[-1], places)
+    scene = scene_of(task, batch.scheme, batch.recording)
+    hurst, elements = task.problem.hurst, task.problem.elements
+    phases = draw_phases(line_generator(batch.seed, hurst, elements, 0), elements)
+    line = next(iter(Line.quartet(amplitudes(hurst, elements), phases, elements, 1)))
+    expected = run_scene(line, scene)
+    for name in MOTION:
+        for block in found[name]:
+            np.testing.assert_array_equal(block, expected[name])
 
 
 def test_the_time_of_a_programme_is_booked_to_marching(monkeypatch):

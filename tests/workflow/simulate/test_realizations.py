@@ -78,6 +78,12 @@ def test_a_block_of_measured_lines_is_the_mean_over_them():
     np.testing.assert_allclose(both.scalars, expected, rtol=1e-14)
 
 
+def test_blocks_are_different_realizations():
+    scalars, curves, *_ = block_means(one_batch())
+    assert len(np.unique(scalars[0, :, 0])) == 4
+    assert len(np.unique(curves[0, :, 0])) == 4
+
+
 def test_what_is_not_asked_for_is_no_number():
     scalars, curves, *_ = block_means(one_batch('scene.quantities=["steady"]'))
     missing = np.isnan(scalars).all(axis=(0, 1))
@@ -127,6 +133,13 @@ def test_time_is_booked_to_the_phases_that_were_asked_for():
     assert booked["jump"] == booked["marching"] == 0.0
     assert min(booked["surfaces"], booked["steady"]) > 0.0
     assert sum(booked.values()) <= done.seconds
+
+
+def test_every_task_pays_its_part():
+    done = block_means(WHOLE)
+    assert (done.spent > 0.0).all()
+    assert done.spent.sum() <= done.seconds
+    assert len(np.unique(done.spent[:, 0])) == 1  # of the lines all share
 
 
 BATCH = next(cut_batches(small_plan("study.realizations=2"), set(), 1e9))
@@ -195,6 +208,13 @@ def test_load_scheme_and_scene_play_no_part_in_the_lines(drawn, setting):
     drawn.clear()
     block_means(one_batch(setting))
     assert {tuple(p) for _, p in drawn} == {tuple(p) for p in before}
+
+
+def test_tasks_of_one_resolution_share_the_line(drawn):
+    batch = one_batch("numerics.steps_per_spacing=4")
+    assert len(batch.tasks) == 4
+    block_means(batch)
+    assert len(drawn) * QUARTET == batch.blocks * batch.realizations_per_block
 
 
 @pytest.mark.parametrize("count", [1, 2, 3])
