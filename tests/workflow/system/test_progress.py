@@ -1,13 +1,16 @@
 """What is said of work: whole lines in a log, a bar in a terminal, what is compiled, once."""
 
 import io
+import itertools
 import re
 import sys
+from types import SimpleNamespace
 
 import numba
 import pytest
 from numba.core import event
 
+from elastomer_friction.workflow.system import compiling
 from elastomer_friction.workflow.system.compiling import FILE, WAITING, saying_what_compiles
 from elastomer_friction.workflow.system.progress import Reporter, core_time, duration
 
@@ -117,7 +120,9 @@ def test_it_is_said_once_and_only_where_something_is_compiled(saying, capsys):
     assert capsys.readouterr().err == ""
 
 
-def test_what_it_took_on_this_machine_is_said_the_next_time(saying, tmp_path, capsys):
+def test_what_it_took_on_this_machine_is_said_the_next_time(saying, tmp_path, capsys, monkeypatch):
+    seconds = itertools.count(0.0, 0.01)  # whatever the machine takes
+    monkeypatch.setattr(compiling, "time", SimpleNamespace(monotonic=lambda: next(seconds)))
     with saying():
         compile_one()
     capsys.readouterr()
