@@ -26,11 +26,9 @@ def tried(folder, skips, *options):
     (folder / "test_some.py").write_text(TESTS)
     (folder / "pytest.ini").write_text("[pytest]\n")
     (folder / "skips.txt").write_text(skips)
-    (folder / "conftest.py").write_text(
-        "from tests.support.skips import register\ndef pytest_configure(config): register(config)\n"
-    )
+    plugins = ["-p", "no:cacheprovider", "-p", "tests.support.skips"]
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", *options],
+        [sys.executable, "-m", "pytest", "-q", *plugins, *options],
         cwd=folder,
         env={**os.environ, "SKIPS": "skips.txt", "PYTHONPATH": str(ROOT)},
         capture_output=True,
