@@ -1,10 +1,8 @@
 """Running the small study: on the cluster of the tests, or as a user would, in a process."""
 
 import contextlib
-import os
 import subprocess
 import sys
-import time
 from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
@@ -56,19 +54,6 @@ def shards(folder: Path) -> dict[str, tuple[int, int]]:
     return {file.name: (file.stat().st_ino, file.stat().st_mtime_ns) for file in files}
 
 
-def start(*arguments: str) -> subprocess.Popen:
-    """Start ``python -m workflow`` in a process group of its own."""
-    return subprocess.Popen(
-        [sys.executable, "-m", "workflow", *arguments],
-        cwd=ROOT,
-        env={**os.environ, "PYTHONUNBUFFERED": "1"},
-        stdout=subprocess.PIPE,
-        stderr=subprocess.PIPE,
-        text=True,
-        start_new_session=True,
-    )
-
-
 @contextlib.contextmanager
 def standing(script: str, *arguments: str) -> Iterator[tuple[subprocess.Popen, str]]:
     """Yield a process that runs a script, once it has said a line, and that line; then kill it."""
@@ -79,12 +64,3 @@ def standing(script: str, *arguments: str) -> Iterator[tuple[subprocess.Popen, s
     finally:
         process.kill()
         process.communicate(timeout=PATIENCE)
-
-
-def wait_for_shards(process: subprocess.Popen, folder: Path, count: int) -> None:
-    """Wait until the process has finished ``count`` batches; it must still be running then."""
-    end = time.monotonic() + PATIENCE
-    while len(shards(folder)) < count:
-        assert process.poll() is None, process.communicate()
-        assert time.monotonic() < end, "no batch was finished"
-        time.sleep(0.002)
