@@ -9,7 +9,7 @@ from pathlib import Path
 
 from ..cli import command_parser
 from .api import api_page
-from .keys import keys_page, measures_page
+from .keys import keys_page
 
 COMMANDS_HEAD = """# Every command
 
@@ -98,7 +98,6 @@ def _usual(action: argparse.Action) -> str:
 PAGES: dict[str, Callable[[], str]] = {
     "commands.md": commands_page,
     "keys.md": keys_page,
-    "measures.md": measures_page,
     "python.md": api_page,
 }
 

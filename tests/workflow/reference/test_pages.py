@@ -8,7 +8,7 @@ import pytest
 import elastomer_friction as ef
 from elastomer_friction.workflow.cli import command_parser
 from elastomer_friction.workflow.reference import PAGES, write_pages
-from elastomer_friction.workflow.study import EVERY_TABLE, QUANTITIES, described_measures
+from elastomer_friction.workflow.study import EVERY_TABLE, QUANTITIES
 
 FOLDER = Path(__file__).resolve().parents[3] / "docs" / "reference"
 
@@ -36,10 +36,6 @@ def test_every_key_and_quantity_has_its_place(written):
         assert f"\n## The table [{table}]\n" in written["keys.md"]
         for key in keys:
             assert f"\n### {table}.{key}\n" in written["keys.md"]
-    for study, keys in described_measures().items():
-        assert f"\n## The table [measure] of {study}\n" in written["measures.md"]
-        for key in keys:
-            assert f"\n### {study}: measure.{key}\n" in written["measures.md"]
     for name in QUANTITIES:
         assert f"\n| `{name}` | " in written["keys.md"]
 
