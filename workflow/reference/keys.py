@@ -1,14 +1,6 @@
 """The page of every key of study.toml."""
 
-from ..study import (
-    COMPARE,
-    EVERY_TABLE,
-    QUANTITIES,
-    Key,
-    default_of,
-    described_measures,
-    values_of,
-)
+from ..study import COMPARE, EVERY_TABLE, QUANTITIES, Key, default_of, values_of
 
 HEAD = """# Every key of study.toml
 
@@ -30,12 +22,6 @@ replaces single values.
 
 **Comparisons.** A table `[compare.NAME]` repeats the study on the same random lines with other
 values of {compare}. Its results are the group NAME of the file.
-"""
-MEASURES_HEAD = """# Keys of the studies that measure the program
-
-A study whose folder holds `measure.py` measures the program itself. In place of a grid it has a
-table `[measure]`, whose keys are its own; entries read as on the page of
-[all other keys](keys.md).
 """
 INTRODUCTIONS = {
     "study": "What the study is called and how many lines it averages over.",
@@ -65,15 +51,6 @@ def keys_page() -> str:
         lines += [_entry(f"{table}.{name}", key) for name, key in keys.items()]
         if table == "scene":
             lines += _quantities()
-    return "\n".join(lines)
-
-
-def measures_page() -> str:
-    """Return the page of the keys of measured studies as Markdown."""
-    lines = [MEASURES_HEAD]
-    for study, keys in described_measures().items():
-        lines.append(f"## The table [measure] of {study}\n")
-        lines += [_entry(f"{study}: measure.{name}", key) for name, key in keys.items()]
     return "\n".join(lines)
 
 

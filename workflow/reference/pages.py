@@ -1,4 +1,4 @@
-"""The pages of reference: which there are, how they are written, and that of the commands.
+"""The pages that the code tells: which there are, how they are written, and that of the commands.
 
 The page of commands is made of the parsers of the command line.
 """
@@ -9,8 +9,7 @@ from pathlib import Path
 
 from ..cli import command_parser
 from .api import api_page
-from .keys import keys_page, measures_page
-from .results import results_page
+from .keys import keys_page
 
 COMMANDS_HEAD = """# Every command
 
@@ -99,9 +98,7 @@ def _usual(action: argparse.Action) -> str:
 PAGES: dict[str, Callable[[], str]] = {
     "commands.md": commands_page,
     "keys.md": keys_page,
-    "measures.md": measures_page,
     "python.md": api_page,
-    "results.md": results_page,
 }
 
 
