@@ -17,10 +17,7 @@ TAKEN = """## What several commands take
 |---|---|---|"""
 COMMON = 2  # a row of as many commands stands in the first table alone
 # Below an introduction that is written by hand.
-MARK = (
-    "<!-- What follows is written by `make docs` from the tables in the code; change the texts "
-    "there. -->\n\n"
-)
+MARK = "<!-- From here on written by `make docs` from the code; change the texts there. -->\n\n"
 
 
 def commands_page() -> str:
