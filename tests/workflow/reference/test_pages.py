@@ -1,6 +1,7 @@
 """The pages of reference: as the tables in the code are now, and in the repository."""
 
 import re
+import shutil
 from pathlib import Path
 
 import pytest
@@ -8,14 +9,14 @@ import pytest
 import elastomer_friction as ef
 from elastomer_friction.workflow.cli import command_parser
 from elastomer_friction.workflow.reference import PAGES, write_pages
-from elastomer_friction.workflow.study import EVERY_TABLE, QUANTITIES
+from elastomer_friction.workflow.study import COMPARE, EVERY_TABLE, QUANTITIES
 
 FOLDER = Path(__file__).resolve().parents[3] / "docs" / "reference"
 
 
 @pytest.fixture(scope="module")
 def written(tmp_path_factory):
-    folder = tmp_path_factory.mktemp("docs") / "reference"
+    folder = shutil.copytree(FOLDER, tmp_path_factory.mktemp("docs") / "reference")
     return {path.name: path.read_text(encoding="utf-8") for path in write_pages(folder)}
 
 
@@ -36,6 +37,9 @@ def test_every_key_and_quantity_has_its_place(written):
         assert f"\n## The table [{table}]\n" in written["keys.md"]
         for key in keys:
             assert f"\n### {table}.{key}\n" in written["keys.md"]
+    paragraph = written["keys.md"].partition("**Comparisons.**")[2].partition("\n\n")[0]
+    compared = paragraph.partition("values of")[2].partition(". ")[0]
+    assert re.findall(r"`(\w+)`", compared) == list(COMPARE)
     for name in QUANTITIES:
         assert f"\n| `{name}` | " in written["keys.md"]
 
