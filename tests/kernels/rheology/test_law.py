@@ -67,8 +67,8 @@ def test_a_second_process_compiles_nothing_whatever_the_law_and_the_control(tmp_
     )
     assert misses >= max(1, marches - 1)  # the new law at least
     assert second == (numbers, 0)
-    printed, kelvin, squared = numbers
-    assert (printed != kelvin) == (marches > 0)  # the control plays a part in marches alone
+    as_printed, kelvin, squared = numbers
+    assert (as_printed != kelvin) == (marches > 0)  # the control plays a part in marches alone
     assert squared == kelvin[: len(squared)]
 
 
