@@ -1,12 +1,8 @@
 """How tests are run: a skip that is not on the list is a failure; a file is in one process."""
 
-import os
-import subprocess
-import sys
-
 import pytest
 
-from tests.support.runs import PATIENCE, ROOT
+from tests.support.python import ROOT, python
 
 TESTS = """
 import pytest
@@ -27,15 +23,8 @@ def tried(folder, skips, *options):
     (folder / "pytest.ini").write_text("[pytest]\n")
     (folder / "skips.txt").write_text(skips)
     plugins = ["-p", "no:cacheprovider", "-p", "tests.support.skips"]
-    done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-q", *plugins, *options],
-        cwd=folder,
-        env={**os.environ, "SKIPS": "skips.txt", "PYTHONPATH": str(ROOT)},
-        capture_output=True,
-        text=True,
-        timeout=PATIENCE,
-        check=False,
-    )
+    words = ["-m", "pytest", "-q", *plugins, *options]
+    done = python(*words, cwd=folder, SKIPS="skips.txt", PYTHONPATH=str(ROOT))
     return done.returncode, done.stdout
 
 

@@ -1,9 +1,5 @@
-"""Running the small study: on the cluster of the tests, or as a user would, in a process."""
+"""Running the small study: in the process of a test, or on the cluster of the tests."""
 
-import contextlib
-import subprocess
-import sys
-from collections.abc import Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -16,9 +12,6 @@ from elastomer_friction.workflow.run.workers import RunOptions
 from elastomer_friction.workflow.store.store import store_folder
 from elastomer_friction.workflow.study.cluster import LOCAL, Cluster
 from tests.support.small import small_plan
-
-ROOT = Path(__file__).resolve().parents[2]
-PATIENCE = 120.0  # seconds to wait for a process at most
 
 
 class Run(NamedTuple):
@@ -52,15 +45,3 @@ def shards(folder: Path) -> dict[str, tuple[int, int]]:
     """Return the finished shards beside a result; a shard written again differs."""
     files = store_folder(folder / "small.nc").glob("*.nc")
     return {file.name: (file.stat().st_ino, file.stat().st_mtime_ns) for file in files}
-
-
-@contextlib.contextmanager
-def standing(script: str, *arguments: str) -> Iterator[tuple[subprocess.Popen, str]]:
-    """Yield a process that runs a script, once it has said a line, and that line; then kill it."""
-    words = [sys.executable, "-c", script, *arguments]
-    process = subprocess.Popen(words, cwd=ROOT, stdout=subprocess.PIPE, text=True)
-    try:
-        yield process, process.stdout.readline().strip()
-    finally:
-        process.kill()
-        process.communicate(timeout=PATIENCE)
