@@ -10,11 +10,11 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import borrowing, kernel
-from ...lines.polynomials import height, quintic
+from ...lines.polynomials import height, septic
 from .events import AREA, BOTTOM, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
 from .smooth_line import first_zero, pressure, products, squared
 
-LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-4
+LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-6
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump
 CLOSE = 3e-4  # of the load: an excess whose square is as good as none
 JUMP_CLOSE = 5e-3  # the same of the pressures that a jump adds
@@ -108,7 +108,7 @@ def _sums(line, contact, patches):
             if stop - start == 1.0:
                 square += squares[j]
             else:
-                square += squared(quintic(z, slope, bend, h, j), start, stop) / h
+                square += squared(septic(z, slope, bend, h, j), start, stop) / h
     return Integrals(length, rise, square)
 
 
@@ -149,9 +149,9 @@ def _unpressed(line, speed, deep, patches, count):
                 continue
             t = at[k, TOP] if i == after[k, TOP] else 0.0
             stop = at[k, BOTTOM] if i == after[k, BOTTOM] else 1.0
-            c = quintic(z, slope, bend, h, j)
+            c = septic(z, slope, bend, h, j)
             p = pressure(c, deep, speed / h)
-            pull = (-p[0], -p[1], -p[2], -p[3], -p[4], -p[5])
+            pull = (-p[0], -p[1], -p[2], -p[3], -p[4], -p[5], -p[6], -p[7])
             pressed, fresh = height(p, t) > 0.0, True
             for _ in range(MOST_EVENTS):
                 zero = first_zero(p if pressed else pull, 0.0, 0.0, t, stop, fresh)

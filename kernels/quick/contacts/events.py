@@ -14,7 +14,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import borrowing, kernel
-from ...lines.polynomials import height, quintic, steepness
+from ...lines.polynomials import height, septic, steepness
 from ...rheology.law import NEGLIGIBLE
 from ..steady.spans import SPAN
 from .smooth_line import first_zero, integral, pressure
@@ -79,8 +79,8 @@ def turn(line, speed, d, patches):
                     i, j = i + 1, j - 1 if j > 0 else n - 1
                 else:
                     break
-        c, stop, fresh = quintic(z, slope, bend, h, j), 1.0 if i < n else begin, True
-        over, p = (c[0] - d, c[1], c[2], c[3], c[4], c[5]), pressure(c, d, speed / h)
+        c, stop, fresh = septic(z, slope, bend, h, j), 1.0 if i < n else begin, True
+        over, p = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7]), pressure(c, d, speed / h)
         for _ in range(MOST_EVENTS):
             if held:
                 zero = first_zero(p, 0.0, 0.0, t, stop, True)
