@@ -20,7 +20,7 @@ def bends(z, slope, spacing):
     n = z.size
     found = np.empty((n, 2))
     for j in range(n):  # below zero an index counts from the end, as the period does
-        one, two, three = j + 1 - n, j + 2 - n, j + 3 - n
+        one, two = j + 1 - n, j + 2 - n
         rise = 64.0 / 27.0 * ((z[one] - z[j]) - (z[j] - z[j - 1]))
         rise += 7.0 / 54.0 * ((z[two] - z[j]) - (z[j] - z[j - 2]))
         turn = 8.0 / 9.0 * (slope[one] - slope[j - 1])

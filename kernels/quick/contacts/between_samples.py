@@ -16,8 +16,8 @@ from .smooth_line import first_zero, pressure, products, squared
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-6
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump
-CLOSE = 3e-4  # of the load: an excess whose square is as good as none
-JUMP_CLOSE = 5e-3  # the same of the pressures that a jump adds
+CLOSE = 2e-6  # of the load: what is left is made up for to first order
+JUMP_CLOSE = 1e-3  # the same of the pressures that a jump adds
 MOST_TURNS = 40
 LEAST_DEPTH = 1e-9  # of what the line rises beside its deepest point: a depth that is no rounding
 
