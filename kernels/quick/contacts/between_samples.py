@@ -16,8 +16,9 @@ from .smooth_line import first_zero, pressure, products, squared
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-6
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump
-CLOSE = 2e-6  # of the load: what is left is made up for to first order
-JUMP_CLOSE = 1e-3  # the same of the pressures that a jump adds
+CLOSE = 3e-4  # of the load: an excess whose square is as good as none
+JUMP_CLOSE = 2e-5  # the same where jumps are asked for, which hang on the excess itself
+PRESSED = 5e-3  # of the load: an excess after a jump whose square is as good as none
 MOST_TURNS = 40
 LEAST_DEPTH = 1e-9  # of what the line rises beside its deepest point: a depth that is no rounding
 
@@ -48,10 +49,11 @@ def slide_between(line, speed, others, loads, guesses):
     Columns; of jumps, shape (loads, others), each is a change of mu.
     """
     h, patches = line.spacing, room_for_patches(line.z.size)
+    close = JUMP_CLOSE if others.size else CLOSE
     table, jumps = np.zeros((loads.size, 5)), np.zeros((loads.size, others.size))
     for i in range(loads.size):
         load = h * loads[i]
-        contact, turns = _balanced(line, speed, load, guesses[i], patches)
+        contact, turns = _balanced(line, speed, load, guesses[i], close, patches)
         if turns == 0:
             continue
         sums = _sums(line, contact, patches)
@@ -68,11 +70,12 @@ def slide_between(line, speed, others, loads, guesses):
 
 
 @borrowing
-def _balanced(line, speed, load, guess, patches):
+def _balanced(line, speed, load, guess, close, patches):
     """Return (Contact that carries the load, eq. 4, turns), by Newton's method; no turns: none.
 
-    load : integral of p in dx. The force is an increasing, convex function of d (model/steady.py);
-    the first step would be exact were it a power of the depth.
+    load : integral of p in dx. close : excess that is as good as none, of the load. The force is an
+    increasing, convex function of d (model/steady.py); the first step would be exact were it a
+    power of the depth.
     """
     j, _, deepest = line.deepest
     least = LEAST_DEPTH * (max(line.z[j], line.z[j + 1 if j + 1 < line.z.size else 0]) - deepest)
@@ -80,7 +83,7 @@ def _balanced(line, speed, load, guess, patches):
     while True:
         contact = turn(line, speed, d, patches)
         excess, turns = contact.force - load, turns + 1
-        if abs(excess) <= CLOSE * load:
+        if abs(excess) <= close * load:
             return contact, turns
         if turns == 1:
             power = (d - deepest) * contact.rate / contact.force
@@ -121,7 +124,7 @@ def _jump(line, speeds, contact, sums, patches):
     """
     own, other = speeds
     more = other - own
-    rate, close = -more * sums.rise / sums.length, JUMP_CLOSE * min(1.0, abs(more) / own)
+    rate, close = -more * sums.rise / sums.length, PRESSED * min(1.0, abs(more) / own)
     for _ in range(MOST_TURNS):
         lost = _unpressed(line, other, contact.d + rate, patches, contact.patches)
         excess = rate * sums.length + more * sums.rise - lost[0]

@@ -80,10 +80,10 @@ def turn(line, speed, d, patches):
                 else:
                     break
         c, stop, fresh = septic(z, slope, bend, h, j), 1.0 if i < n else begin, True
-        over, p = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7]), pressure(c, d, speed / h)
+        over = (c[0] - d, c[1], c[2], c[3], c[4], c[5], c[6], c[7])
         for _ in range(MOST_EVENTS):
             if held:
-                zero = first_zero(p, 0.0, 0.0, t, stop, True)
+                zero = first_zero(pressure(c, d, speed / h), 0.0, 0.0, t, stop, True)
                 end = min(zero, stop)
                 area, width = area - h * integral(over, t, end), width + h * (end - t)
                 if zero > stop:
