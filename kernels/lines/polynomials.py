@@ -82,13 +82,24 @@ def bernstein(c):
 
 @kernel
 def height(c, t):
-    """Return the value of a polynomial."""
-    high = c[4] + t * (c[5] + t * (c[6] + t * c[7]))
-    return c[0] + t * (c[1] + t * (c[2] + t * (c[3] + t * high)))
+    """Return the value of a polynomial; by pairs (G. Estrin), which wait for each other less."""
+    square = t * t
+    low = (c[0] + t * c[1]) + square * (c[2] + t * c[3])
+    return low + square * square * ((c[4] + t * c[5]) + square * (c[6] + t * c[7]))
 
 
 @kernel
 def steepness(c, t):
     """Return the derivative of a polynomial."""
-    high = 4.0 * c[4] + t * (5.0 * c[5] + t * (6.0 * c[6] + t * 7.0 * c[7]))
-    return c[1] + t * (2.0 * c[2] + t * (3.0 * c[3] + t * high))
+    square = t * t
+    low = (c[1] + t * (2.0 * c[2])) + square * (3.0 * c[3] + t * (4.0 * c[4]))
+    high = (5.0 * c[5] + t * (6.0 * c[6])) + square * (7.0 * c[7])
+    return low + square * square * high
+
+
+@kernel
+def bending(c, t):
+    """Return the second derivative of a polynomial."""
+    square = t * t
+    low = (2.0 * c[2] + t * (6.0 * c[3])) + square * (12.0 * c[4] + t * (20.0 * c[5]))
+    return low + square * square * (30.0 * c[6] + t * (42.0 * c[7]))

@@ -6,7 +6,7 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import borrowing, kernel
-from ...lines.polynomials import bends, bernstein, height, septic, steepness
+from ...lines.polynomials import bending, bends, bernstein, height, septic, steepness
 from ..steady.spans import SPAN
 
 THIRD_NODE = math.sqrt(0.6)
@@ -190,9 +190,7 @@ def first_zero(c, u, a, start, stop, fresh):
 @kernel
 def three_at(c, u, a, start, t):
     """Return c(t) - u e^(-a (t - start)), its derivative and the second one."""
-    bend = 20.0 * c[5] + t * (30.0 * c[6] + t * 42.0 * c[7])
-    bend = 2.0 * c[2] + t * (6.0 * c[3] + t * (12.0 * c[4] + t * bend))
     if u == 0.0:
-        return height(c, t), steepness(c, t), bend
+        return height(c, t), steepness(c, t), bending(c, t)
     left = u * math.exp(-a * (t - start))
-    return height(c, t) - left, steepness(c, t) + a * left, bend - a * a * left
+    return height(c, t) - left, steepness(c, t) + a * left, bending(c, t) - a * a * left
