@@ -10,15 +10,14 @@ from typing import NamedTuple
 import numpy as np
 
 from ...compile.jit import borrowing, kernel
-from ...lines.polynomials import height, septic
-from .events import AREA, BOTTOM, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
+from ...lines.polynomials import height, septic, steepness
+from .events import AREA, BOTTOM, GROWTH, MOST_EVENTS, RISE, TOP, WIDTH, room_for_patches, turn
 from .smooth_line import first_zero, pressure, products, squared
 
 LEAST_STEPS = 4  # samples per spacing, eight in the shortest wave: mu in narrow contacts to 1e-6
 NARROW = 24.0  # samples per contact; in wider ones quadrature keeps 2 % of the jump
-CLOSE = 3e-4  # of the load: an excess whose square is as good as none
-JUMP_CLOSE = 2e-5  # the same where jumps are asked for, which hang on the excess itself
-PRESSED = 5e-3  # of the load: an excess after a jump whose square is as good as none
+CLOSE = 5e-4  # of the load: an excess whose square is as good as none
+JUMP_CLOSE = 5e-3  # the same of the pressures that a jump adds
 MOST_TURNS = 40
 LEAST_DEPTH = 1e-9  # of what the line rises beside its deepest point: a depth that is no rounding
 
@@ -49,11 +48,10 @@ def slide_between(line, speed, others, loads, guesses):
     Columns; of jumps, shape (loads, others), each is a change of mu.
     """
     h, patches = line.spacing, room_for_patches(line.z.size)
-    close = JUMP_CLOSE if others.size else CLOSE
     table, jumps = np.zeros((loads.size, 5)), np.zeros((loads.size, others.size))
     for i in range(loads.size):
         load = h * loads[i]
-        contact, turns = _balanced(line, speed, load, guesses[i], close, patches)
+        contact, turns = _balanced(line, speed, load, guesses[i], patches)
         if turns == 0:
             continue
         sums = _sums(line, contact, patches)
@@ -65,17 +63,17 @@ def slide_between(line, speed, others, loads, guesses):
         table[i, 3] = _median_width(contact, speed, patches)
         table[i, 4] = turns * contact.patches
         for k in range(others.size):
-            jumps[i, k] = _jump(line, (speed, others[k]), contact, sums, patches)
+            after = _after_jump(line, (speed, others[k]), contact, sums, change, patches)
+            jumps[i, k] = (work + after) / load - table[i, 1]
     return table, jumps
 
 
 @borrowing
-def _balanced(line, speed, load, guess, close, patches):
+def _balanced(line, speed, load, guess, patches):
     """Return (Contact that carries the load, eq. 4, turns), by Newton's method; no turns: none.
 
-    load : integral of p in dx. close : excess that is as good as none, of the load. The force is an
-    increasing, convex function of d (model/steady.py); the first step would be exact were it a
-    power of the depth.
+    load : integral of p in dx. The force is an increasing, convex function of d (model/steady.py);
+    the first step would be exact were it a power of the depth.
     """
     j, _, deepest = line.deepest
     least = LEAST_DEPTH * (max(line.z[j], line.z[j + 1 if j + 1 < line.z.size else 0]) - deepest)
@@ -83,7 +81,7 @@ def _balanced(line, speed, load, guess, close, patches):
     while True:
         contact = turn(line, speed, d, patches)
         excess, turns = contact.force - load, turns + 1
-        if abs(excess) <= close * load:
+        if abs(excess) <= CLOSE * load:
             return contact, turns
         if turns == 1:
             power = (d - deepest) * contact.rate / contact.force
@@ -116,15 +114,16 @@ def _sums(line, contact, patches):
 
 
 @borrowing
-def _jump(line, speeds, contact, sums, patches):
-    """Return by how much mu (in h/dx) changes at the moment of a jump from one speed to another.
+def _after_jump(line, speeds, contact, sums, left, patches):
+    """Return by how much the integral of p z' changes as one speed jumps to another.
 
     What touches stays, and p changes by d' + (v2 - v1) z' where it stays positive (friction.py).
     Were all of it pressed, eq. 4 would give d', which falls where some is not.
+    left : change of d by which the contact still misses its load, made up for to first order.
     """
     own, other = speeds
     more = other - own
-    rate, close = -more * sums.rise / sums.length, PRESSED * min(1.0, abs(more) / own)
+    rate, close = -more * sums.rise / sums.length, JUMP_CLOSE * min(1.0, abs(more) / own)
     for _ in range(MOST_TURNS):
         lost = _unpressed(line, other, contact.d + rate, patches, contact.patches)
         excess = rate * sums.length + more * sums.rise - lost[0]
@@ -132,8 +131,28 @@ def _jump(line, speeds, contact, sums, patches):
         if abs(excess) <= close * contact.force:
             break
         rate -= change
-    work = rate * sums.rise + more * sums.square - lost[1] - change * (sums.rise - lost[3])
-    return work / contact.force
+    force, work = _grown(line, other, contact.d + rate, left, patches, contact.patches)
+    change += (force - contact.rate * left) / (sums.length - lost[2])
+    return rate * sums.rise + more * sums.square - lost[1] - change * (sums.rise - lost[3]) + work
+
+
+@borrowing
+def _grown(line, speed, deep, left, patches, count):
+    """Return integrals of p and p z' over what patches grow by once d rises by ``left``.
+
+    deep : as of _unpressed.
+    """
+    z, slope, bend, h, _, _, _, _, _, _, (first, _, _) = line
+    after, at = patches
+    force = work = 0.0
+    for k in range(count):
+        for end in (TOP, BOTTOM):
+            i, t = after[k, end], at[k, end]
+            c = septic(z, slope, bend, h, first - i if i <= first else first - i + z.size)
+            along = -steepness(c, t) / h
+            some = max(deep - height(c, t) + speed * along, 0.0) * at[k, GROWTH + end] * left
+            force, work = force + some, work + some * along
+    return force, work
 
 
 @borrowing
