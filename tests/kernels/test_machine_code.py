@@ -94,5 +94,5 @@ def test_recorders_that_are_off_leave_nothing_in_the_machine_code():
     arguments = (form, control, track, elements, 0, none, none, None, None, None, None, None)
     stripped = len(instructions(names["follow"], *arguments))
     assert len(instructions(function, *arguments)) <= 1.02 * stripped
-    trace = Trace(*np.empty((8, 0)))
+    trace = Trace(*np.empty((len(Trace._fields), 0)))
     assert len(instructions(function, *arguments[:7], trace, *arguments[8:])) > 1.05 * stripped

@@ -11,7 +11,7 @@ from ..steady.spans import SPAN
 
 THIRD_NODE = math.sqrt(0.6)
 NEVER = 2.0  # a t behind every interval
-SURE = 1e-2  # of an interval, or of the way to where f is least: steps so small are the last ones
+SURE = 1e-4  # of an interval, or of the way to where f is least: steps so small are the last ones
 HALVINGS = 60  # at most: then an interval is as short as its rounding
 # Points and weights of Gauss and Legendre from 0 to 1: exact to the ninth degree, and to 1e-12
 # of the products of two polynomials of a line that has eight samples in its shortest wave.

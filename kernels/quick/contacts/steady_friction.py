@@ -169,7 +169,8 @@ def follow_narrow(sliding: Sliding, before: Sliding | None = None) -> np.ndarray
         if before is not None:
             deepest = ground.smooth.deepest[2]
             depth = before.indentation[j, narrow] - ground.line.datum - deepest
-            d = deepest + (d - deepest) * depth / (before.d[j, narrow] - deepest)
+            missed = depth / (before.d[j, narrow] - deepest)
+            d = deepest + (d - deepest) * np.where(before.followed[j, narrow], missed, 1.0)
         table, jumps = slide_between(ground.smooth, *speeds, sliding.loads[narrow], d)
         found = Columns(*table.T)
         some = found.events > 0.0
