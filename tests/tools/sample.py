@@ -1,10 +1,10 @@
 """A random sample of the work of a plan, and what follows from it for the whole.
 
 Batches are drawn within each variant, with repetition, in proportion to their predicted cost, and a
-few of their lines by chance, or one of a quartet that takes long. The mean of measured over predicted time of the draws, times the
-predicted time of the variant, estimates what the variant takes. It does so without bias however
-wrong predictions are: wrong ones widen the standard error, which is that of a mean of independent
-draws.
+few of their lines by chance, or one of a quartet that takes long. The mean of measured over
+predicted time of the draws, times the predicted time of the variant, estimates what the variant
+takes. It does so without bias however wrong predictions are: wrong ones widen the standard error,
+which is that of a mean of independent draws.
 """
 
 import math
