@@ -109,17 +109,6 @@ def test_what_no_series_describes_is_no_material(capsys, tmp_path):
     assert "column 0 as a frequency in rad/s (assumed)" in text
 
 
-def test_a_flat_loss_has_a_range_and_a_material_within_it(capsys, tmp_path):
-    """Branches go on for decades below the lowest frequency, where data end."""
-    omega, times = np.geomspace(1e-2, 1e3, 16), np.geomspace(1e-4, 1e4, 17)
-    values = 3e5 + np.sum(1e5 * 1j * omega[:, None] * times / (1 + 1j * omega[:, None] * times), 1)
-    np.savetxt(tmp_path / "f.txt", np.c_[omega, values.real, values.imag])
-    text = output(capsys, "prony", str(tmp_path / "f.txt"))
-    low, high = (float(part.split()[0]) for part in text.split("modulus: ")[1].split("...")[:2])
-    assert low <= 3e5 <= high
-    assert low <= tomllib.loads(text)["material"]["shear_modulus"] <= high
-
-
 def sweeps(tmp_path, wlf, temperatures):
     """Write E' and E'' of two branches at several temperatures and return the path."""
     rows, f = ["T (°C);f (Hz);E' (MPa);E'' (MPa)"], np.geomspace(0.1, 100.0, 8)

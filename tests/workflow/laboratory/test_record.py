@@ -13,17 +13,6 @@ def read(tmp_path, text, *arguments, **options):
     return read_record(path, *arguments, **options)
 
 
-def test_columns_and_units_of_the_header(tmp_path):
-    text = "t (ms)\tload\tv [mm/s]\tmu\n0\t9\t100\t0.3\n10\t9\t120\t0.4\n"
-    for columns in ((0, 2, 3), None):
-        found = read(tmp_path, text, columns)
-        np.testing.assert_allclose(found.time, [0.0, 0.01])
-        np.testing.assert_allclose(found.velocity, [0.1, 0.12])
-        assert found.friction.tolist() == [0.3, 0.4]
-        assert found.name == "r.txt"
-    assert "column 2 v as a velocity in mm/s" in found.told[0]
-
-
 @pytest.mark.parametrize(
     ("header", "time", "velocity"),
     [
@@ -104,8 +93,3 @@ def test_refusals_name_file_and_line(tmp_path, text, answer):
     with pytest.raises(UserError, match=r"^fit") as error:
         read(tmp_path, text)
     assert answer in str(error.value)
-
-
-def test_a_file_that_is_not_there(tmp_path):
-    with pytest.raises(UserError, match=r"none\.txt': cannot be read: No such file"):
-        read_record(tmp_path / "none.txt")

@@ -35,30 +35,6 @@ def test_steady_friction_is_odd_linear_in_region_one_and_constant_above():
     assert LAW.steady(0.5) == LAW.steady(SPEEDS[-1])
 
 
-def test_a_jump_is_the_direct_effect_and_then_sums_of_exponentials():
-    v1, v2, t = SPEEDS[1], SPEEDS[3], 0.004
-    state, at_once = LAW.step(LAW.init(v1), v2, 0.0)
-    whole = LAW.direct[3] + LAW.target[:, 1].sum()
-    assert at_once == pytest.approx(LAW.age[1] * whole, rel=1e-13)
-    decay = np.exp(-t * (v2 * LAW.rate_per_length + LAW.rate))
-    age = LAW.age[3] + (LAW.age[1] - LAW.age[3]) * decay[0]
-    states = LAW.target[:, 3] + (LAW.target[:, 1] - LAW.target[:, 3]) * decay[1:]
-    assert LAW.step(state, v2, t)[1] == pytest.approx(
-        age * (LAW.direct[3] + states.sum()), rel=1e-13
-    )
-
-
-def test_at_rest_what_is_remembered_of_the_motion_fades_with_its_times_alone():
-    state, _ = LAW.step(LAW.init(0.05), 0.0, 0.0)
-    after, mu = LAW.step(state, 0.0, 0.01)
-    assert after[2:] == pytest.approx(state[2:] * np.exp(-0.01 * LAW.rate[1:]), rel=1e-13)
-    assert mu == pytest.approx(after[1] * after[2:].sum(), rel=1e-13)
-
-
-def test_it_is_antisymmetric_to_the_bit():
-    assert LAW.run(TIME, -SWING).tolist() == (-LAW.run(TIME, SWING)).tolist()
-
-
 def test_an_independent_integrator_gives_the_same():
     """solve_ivp on the differential equations of the docstring, in smooth v(t) through zero."""
 
@@ -83,13 +59,6 @@ def test_an_independent_integrator_gives_the_same():
     errors = [np.abs(LAW.run(time[::n], velocity(time[::n])) - expected[::n]).max() for n in (1, 4)]
     assert errors[0] < 2e-4 * np.abs(expected).max()
     assert errors[1] < 10.0 * errors[0]  # of fourfold samples: v(t) is linear between them
-
-
-def test_a_ramp_counts_and_not_its_samples():
-    ends = np.array([0.0, 0.1, 0.2]), np.array([0.05, -0.08, 0.01])
-    time = np.linspace(0.0, 0.2, 4001)
-    fine = LAW.run(time, np.interp(time, *ends))
-    assert LAW.run(*ends) == pytest.approx(fine[[0, 2000, 4000]], abs=2e-3 * np.abs(fine).max())
 
 
 def test_a_factor_of_times_is_positive():
