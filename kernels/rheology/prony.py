@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import kernel
+from ..compile.jit import borrowing, kernel
 from .law import (
     NEGLIGIBLE,
     displacement,
@@ -48,7 +48,7 @@ class Prony(NamedTuple):
     linear: float  # kappa: 1 where the force is linear, 0 where it is constant
 
 
-@kernel
+@borrowing
 def moments(x):
     """Return (1 - E, beta, alpha): E = exp(-x) and the weights of the end and the start force."""
     gone = -math.expm1(-x)
@@ -64,6 +64,12 @@ def moments(x):
 @law_of.of(Retardation)
 def _law_of(form, dt):
     constants = np.empty((5, form.times.size))  # to make one array takes as long as ten samples
+    return Prony(constants[0], constants[1], constants[2], *fill_law(form, dt, constants))
+
+
+@borrowing
+def fill_law(form, dt, constants):
+    """Fill the rows of ``constants`` (5, K) with decay, fresh, stale, and room; return the rest."""
     decay, fresh, stale = constants[0], constants[1], constants[2]
     moved, late = constants[3], constants[4]  # by a unit force that lasts, and how late
     ramp = latest = 0.0
@@ -86,7 +92,7 @@ def _law_of(form, dt):
         fresh[k] += (1.0 - linear) * stale[k]
         stale[k] *= linear
         softness += fresh[k]
-    return Prony(decay, fresh, stale, 1.0 / softness, (1.0 - linear) * ramp / answered, linear)
+    return 1.0 / softness, (1.0 - linear) * ramp / answered, linear
 
 
 @memories.of(Retardation)

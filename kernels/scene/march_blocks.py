@@ -18,9 +18,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import inlined, kernel
+from ..compile.jit import borrowing, inlined, kernel
 from ..model.balance import balance_rows
-from ..rheology.law import NEGLIGIBLE, Elements, law_of
+from ..rheology.law import NEGLIGIBLE, Elements
+from ..rheology.prony import Prony, fill_law
 from ..rheology.scaled import (
     BLOCK,
     Scales,
@@ -84,6 +85,18 @@ class Choice(NamedTuple):
     number: int  # of them
 
 
+class Progress(NamedTuple):
+    """How far a march has come."""
+
+    passes: int  # over the thresholds
+    old: float  # indentation before the last step, in h
+    d: float  # after it
+    last: Pressing
+    lag: float  # of the law of the last step
+    linear: float
+    choice: Choice
+
+
 @kernel
 def in_blocks(elements, done):
     """Return the BlockElements of Elements, after a number of steps."""
@@ -144,23 +157,23 @@ def follow_blocks(
     what is kept, are as of ``follow``. The arrays of the state are changed.
     """
     blocks, c, last, d = state
-    n, passes, rows, room = track.z.shape[1] // 2, 0, spring_rows_of(c), np.empty(2 * BLOCK)
-    lowest, choice, memory = _lowest(track.z), Choice(-1, np.inf, d, 0), np.empty((0, n))
+    n, s, passes, rows, room = track.z.shape[1] // 2, 0, 0, spring_rows_of(c), np.empty(2 * BLOCK)
+    lowest, memory, forces = _lowest(track.z), np.empty((0, n)), np.empty(c.size + c.shape[0] + 1)
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
-    law, forces = law_of(form, track.dt[0]), np.empty(c.size + c.shape[0] + 1)
-    for s in range(track.dt.size):
-        step, old = done + s + 1, d
-        if s > 0 and track.dt[s] != track.dt[s - 1]:
-            law = law_of(form, track.dt[s])
+    constants = np.empty((5, blocks.memory.shape[1]))
+    now = Progress(0, d, d, last, 0.0, 0.0, Choice(-1, np.inf, d, 0))
+    while s < track.dt.size:
+        until = min(track.dt.size, _at(kept, k) - done, _at(frames, frame) - done)
+        until = min(until, _at(ends, end) - done)
+        if ledger is not None or (spell is not None and spell.after < done + until):
+            until = s + 1
+        every = ledger is not None
         if ledger is not None:
             p = _forces(c, last)[:n]
             memory = _memory(blocks, p)
-        every = ledger is not None
-        d, used, choice = _move(
-            control, law, blocks, rows, step, lowest, choice, every, track, s, old, last, room
-        )
-        passes += used
-        last = Pressing(d, law.stiffness)
+        now = _march(form, control, track, s, until, done, blocks, rows, lowest, every, now, constants, room)
+        s, step, last, d = until - 1, done + until, now.last, now.last.level
+        law = Prony(constants[0], constants[1], constants[2], last.stiffness, now.lag, now.linear)
         if film is not None and frame < frames.size and step == frames[frame]:
             z = seen_at(track.z, track, s + 1, n)
             _keep_frame(film, frame, blocks, step, _forces(c, last), z, d, law.stiffness)
@@ -168,15 +181,15 @@ def follow_blocks(
         if ledger is not None:
             w = seen_at(track.z, track, s + 1, n) - c.reshape(-1)[:n]
             new = _forces(c, last)[:n]
-            book_step(form, law, ledger, track, s, memory, p, new, w, old, d)
+            book_step(form, law, ledger, track, s, memory, p, new, w, now.old, d)
         if spell is not None and spell.after < step <= spell.last:
-            sums = _sums(law, track, s, rows, choice.number, d, room)
+            sums = _sums(law, track, s, rows, now.choice.number, d, room)
             add_impulses(spell, sums, track.dt[s])
         if k < kept.size and step == kept[k]:
             if trace is not None:
-                count = choice.number
+                count = now.choice.number
                 sums = _sums(law, track, s, rows, count, d, room)
-                keep_forces(trace, k, law.lag, sums, n, old, d)
+                keep_forces(trace, k, law.lag, sums, n, now.old, d)
                 gathered = _gather(c, last, rows.some[:count], n, forces)
                 trace.samples_per_contact[k] = samples_per_contact(forces[:gathered])
                 keep_motion(trace, k, law.lag, track, s)
@@ -188,7 +201,36 @@ def follow_blocks(
         if end < ends.size and step == ends[end]:
             _count_as_it_is(blocks, _forces(c, last), step)
             end += 1
-    return BlockElements(blocks, c, last, d), passes
+        s = until
+    return BlockElements(blocks, c, last, d), now.passes
+
+
+@inlined
+def _at(numbers, k):
+    """Return number k of some, or one above all steps where there is none."""
+    return numbers[k] if k < numbers.size else 2**62
+
+
+@borrowing
+def _march(form, control, track, s, until, done, blocks, rows, lowest, every, now, constants, room):
+    """Take some blocks from step s of a track to another; return Progress.
+
+    done : steps before the track. every : whether all blocks are to be looked at. constants : of
+    the law of the step before, as fill_law leaves them; changed. room : of settle_and_predict.
+    """
+    passes, old, d, last, lag, linear, choice = now
+    for t in range(s, until):
+        law = Prony(constants[0], constants[1], constants[2], last.stiffness, lag, linear)
+        if t == 0 or track.dt[t] != track.dt[t - 1]:
+            stiffness, lag, linear = fill_law(form, track.dt[t], constants)
+            law = Prony(constants[0], constants[1], constants[2], stiffness, lag, linear)
+        old = d
+        d, used, choice = _move(
+            control, law, blocks, rows, done + t + 1, lowest, choice, every, track, t, old, last, room
+        )
+        passes += used
+        last = Pressing(d, law.stiffness)
+    return Progress(passes, old, d, last, lag, linear, choice)
 
 
 @inlined
