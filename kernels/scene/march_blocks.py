@@ -36,7 +36,7 @@ from .cycles import add_impulses
 from .energy import keep_energies
 from .follow import book_step, first_after, seen_at
 from .records import count_lengths, keep_forces, keep_frame, keep_motion
-from .samples import samples_per_contact
+from .samples import median_width
 from .spring_rows import (
     COLUMNS,
     SpringRows,
@@ -159,6 +159,7 @@ def follow_blocks(
     blocks, c, last, d = state
     n, s, passes, rows, room = track.z.shape[1] // 2, 0, 0, spring_rows_of(c), np.empty(2 * BLOCK)
     lowest, memory, forces = _lowest(track.z), np.empty((0, n)), np.empty(c.size + c.shape[0] + 1)
+    carried = np.zeros(n)
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
     constants = np.empty((5, blocks.memory.shape[1]))
     now = Progress(0, d, d, last, 0.0, 0.0, Choice(-1, np.inf, d, 0))
@@ -183,16 +184,11 @@ def follow_blocks(
             new = _forces(c, last)[:n]
             book_step(form, law, ledger, track, s, memory, p, new, w, now.old, d)
         if spell is not None and spell.after < step <= spell.last:
-            sums = _sums(law, track, s, rows, now.choice.number, d, room)
+            sums, _ = _sums(track, s, rows, now, room, forces)
             add_impulses(spell, sums, track.dt[s])
         if k < kept.size and step == kept[k]:
             if trace is not None:
-                count = now.choice.number
-                sums = _sums(law, track, s, rows, count, d, room)
-                keep_forces(trace, k, law.lag, sums, n, now.old, d)
-                gathered = _gather(c, last, rows.some[:count], n, forces)
-                trace.samples_per_contact[k] = samples_per_contact(forces[:gathered])
-                keep_motion(trace, k, law.lag, track, s)
+                _keep_trace(trace, k, track, s, rows, now, room, forces, carried)
             if ledger is not None:
                 keep_energies(ledger, k, form, _memory(blocks, new), new)
             if lengths is not None:
@@ -211,7 +207,7 @@ def _at(numbers, k):
     return numbers[k] if k < numbers.size else 2**62
 
 
-@borrowing
+@inlined
 def _march(form, control, track, s, until, done, blocks, rows, lowest, every, now, constants, room):
     """Take some blocks from step s of a track to another; return Progress.
 
@@ -354,50 +350,52 @@ def _count_as_it_is(blocks, p, step):
 
 
 @inlined
-def _gather(c, last, some, n, forces):
-    """Gather the forces of some blocks of n elements, a free one where others lie between.
-
-    Return how many there are. forces : room for BLOCK + 1 numbers for each of some blocks, and one.
-    """
-    at, after = 0, 0
-    for b in some:
-        if b != after:
-            forces[at] = 0.0
-            at += 1
-        size, after = min(BLOCK, n - b * BLOCK), b + 1
-        for i in range(size):
-            forces[at + i] = _force(last, c[b, i])
-        at += size
-    if after * BLOCK < n:
-        forces[at] = 0.0
-        at += 1
-    return at
+def _keep_trace(trace, k, track, s, rows, now, slope, depths, carried):
+    """Keep what there is to know of step s. depths : of _sums. carried : of median_width."""
+    sums, gathered = _sums(track, s, rows, now, slope, depths)
+    keep_forces(trace, k, now.lag, sums, track.z.shape[1] // 2, now.old, now.d)
+    trace.samples_per_contact[k] = median_width(depths[:gathered], carried)
+    keep_motion(trace, k, now.lag, track, s)
 
 
 @inlined
-def _sums(law, track, s, rows, count, d, slope):
-    """Return the sums of eq. 5 of a step (model/friction.py) over some rows.
+def _sums(track, s, rows, now, slope, depths):
+    """Return (sums of eq. 5 of a step (model/friction.py), number of depths).
 
-    By columns, as in add_overlap. slope : room for BLOCK finite numbers.
+    By columns, as in add_overlap. depths : room for BLOCK + 1 numbers for each row, and one: how
+    deep elements are, row by row of those that touch, a free one where others lie between.
     """
-    n, sums = track.z.shape[1] // 2, rows.sums
+    n, sums, at, after = track.z.shape[1] // 2, rows.sums, 0, 0
     before = track.slope[track.line[s], track.begin[s] :]
-    now = track.slope[track.line[s + 1], track.begin[s + 1] :]
+    ahead = track.slope[track.line[s + 1], track.begin[s + 1] :]
     for i in range(COLUMNS):
         sums[0, i] = sums[1, i] = sums[2, i] = 0.0
-    for b in rows.some[:count]:
-        first = b * BLOCK
-        for i in range(min(BLOCK, n - first)):
-            slope[i] = now[first + i] + law.lag * (before[first + i] - now[first + i])
+    for b in rows.some[: now.choice.number]:
+        touching, size = 0, min(BLOCK, n - b * BLOCK)
+        if b != after:
+            depths[at] = 0.0
+            at += 1
+        deep = depths[at : at + BLOCK]
+        for i in range(BLOCK):
+            depth = now.d - rows.c[b, i]
+            deep[i] = depth if depth > 0.0 else 0.0
+            touching += 1 if depth > 0.0 else 0
+        if touching == 0:
+            continue
+        add_overlap(rows, b, now.d)
+        one, two = before[b * BLOCK :], ahead[b * BLOCK :]
+        for i in range(size):
+            slope[i] = two[i] + now.lag * (one[i] - two[i])
         for part in range(0, BLOCK, COLUMNS):
             for i in range(COLUMNS):
-                depth = d - rows.c[b, part + i]
-                depth = depth if depth > 0.0 else 0.0
-                sums[0, i] += depth
-                sums[1, i] += 1.0 if depth > 0.0 else 0.0
-                sums[2, i] += depth * slope[part + i]
+                sums[2, i] += deep[part + i] * slope[part + i]
+        at, after = at + size, b + 1
+    if after * BLOCK < n:
+        depths[at] = 0.0
+        at += 1
     fold(sums)
-    return law.stiffness * sums[0, 0], law.stiffness * sums[2, 0], sums[1, 0]
+    stiffness = now.last.stiffness
+    return (stiffness * sums[0, 0], stiffness * sums[2, 0], sums[1, 0]), at
 
 
 @kernel
