@@ -97,9 +97,12 @@ def settle_and_predict(due, share, memory, b, room):
     room : shape (2 BLOCK,): the sums, and the forces p. One array: those that could overlap are
     looked at for it in every loop.
     """
+    of_unit, taken = share[0], due[0]
     for i in range(BLOCK):
-        room[i] = 0.0
-    for k in range(share.size):
+        y = memory[b, 0, i] - taken * room[BLOCK + i]
+        memory[b, 0, i] = y
+        room[i] = of_unit * y
+    for k in range(1, share.size):
         of_unit, taken = share[k], due[k]
         for i in range(BLOCK):
             y = memory[b, k, i] - taken * room[BLOCK + i]

@@ -260,14 +260,9 @@ def _balance(control, law, blocks, rows, step, count, z, old, last, room):
     rows.highest[0] = -np.inf
     begin_overlap(rows, old)
     for b in some:
-        touching = 0
         for i in range(BLOCK):
             room[BLOCK + i] = _force(last, c[b, i])
-            touching += 1 if room[BLOCK + i] > 0.0 else 0
-        if touching > 0:
-            settle_and_predict(blocks.scales.due, blocks.scales.scale, blocks.memory, b, room)
-        else:
-            predict_block(blocks.scales.scale, blocks.memory, b, room)
+        settle_and_predict(blocks.scales.due, blocks.scales.scale, blocks.memory, b, room)
         here = z[b * BLOCK : (b + 1) * BLOCK]
         for i in range(here.size):
             c[b, i] = here[i] - room[i]
