@@ -41,8 +41,7 @@ from .spring_rows import (
     COLUMNS,
     SpringRows,
     add_overlap,
-    begin_overlap,
-    end_overlap,
+    filled,
     fold,
     spring_rows_of,
 )
@@ -257,8 +256,7 @@ def _balance(control, law, blocks, rows, step, count, z, old, last, room):
     some, c = rows.some[:count], rows.c
     rows = SpringRows(c, some, rows.sums, rows.highest, rows.found)
     catch_up(blocks.scales, blocks.memory, blocks.seen, some, step)
-    rows.highest[0] = -np.inf
-    begin_overlap(rows, old)
+    filled(rows)
     for b in some:
         for i in range(BLOCK):
             room[BLOCK + i] = _force(last, c[b, i])
@@ -266,8 +264,6 @@ def _balance(control, law, blocks, rows, step, count, z, old, last, room):
         here = z[b * BLOCK : (b + 1) * BLOCK]
         for i in range(here.size):
             c[b, i] = here[i] - room[i]
-        add_overlap(rows, b, old)
-    end_overlap(rows, old)
     all_settled(blocks.scales)
     return balance_rows(control, law, rows, old, step)
 
