@@ -171,7 +171,9 @@ def follow_blocks(
         if ledger is not None:
             p = _forces(c, last)[:n]
             memory = _memory(blocks, p)
-        now = _march(form, control, track, s, until, done, blocks, rows, lowest, every, now, constants, room)
+        now = _march(
+            form, control, track, s, until, done, blocks, rows, lowest, every, now, constants, room
+        )
         s, step, last, d = until - 1, done + until, now.last, now.last.level
         law = Prony(constants[0], constants[1], constants[2], last.stiffness, now.lag, now.linear)
         if film is not None and frame < frames.size and step == frames[frame]:
@@ -221,7 +223,19 @@ def _march(form, control, track, s, until, done, blocks, rows, lowest, every, no
             law = Prony(constants[0], constants[1], constants[2], stiffness, lag, linear)
         old = d
         d, used, choice = _move(
-            control, law, blocks, rows, done + t + 1, lowest, choice, every, track, t, old, last, room
+            control,
+            law,
+            blocks,
+            rows,
+            done + t + 1,
+            lowest,
+            choice,
+            every,
+            track,
+            t,
+            old,
+            last,
+            room,
         )
         passes += used
         last = Pressing(d, law.stiffness)
