@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import borrowing, kernel
+from ..compile.jit import borrowing
 from .law import (
     NEGLIGIBLE,
     displacement,
@@ -69,7 +69,7 @@ def _law_of(form, dt):
 
 @borrowing
 def fill_law(form, dt, constants):
-    """Fill the rows of ``constants`` (5, K) with decay, fresh, stale, and room; return the rest."""
+    """Return (stiffness, lag, linear); the first rows of ``constants`` (5, K) get the others."""
     decay, fresh, stale = constants[0], constants[1], constants[2]
     moved, late = constants[3], constants[4]  # by a unit force that lasts, and how late
     ramp = latest = 0.0

@@ -14,14 +14,16 @@ programme that is cut between legs goes on to the bit.
 The plain march (follow.py) is what it is tested against.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..compile.jit import borrowing, inlined, kernel
+from ..compile.jit import inlined, kernel
 from ..model.balance import balance_rows
-from ..rheology.law import NEGLIGIBLE, Elements
+from ..motion.track import Track
+from ..rheology.law import NEGLIGIBLE, Elements, law_of
 from ..rheology.prony import Prony, fill_law
+from ..rheology.retardation import Retardation
 from ..rheology.scaled import (
     BLOCK,
     Scales,
@@ -84,6 +86,23 @@ class Choice(NamedTuple):
     number: int  # of them
 
 
+class BlockMarch(NamedTuple):
+    """What a march along a track goes by, and room for what it does."""
+
+    form: Retardation
+    control: Any  # what the indentation follows from (model/balance.py)
+    track: Track
+    done: int  # steps before it
+    every: bool  # whether all blocks are looked at
+    lowest: np.ndarray  # of all lines, in cells
+    blocks: ElementBlocks
+    rows: SpringRows  # the thresholds of blocks, of which those that are chosen come first
+    constants: np.ndarray  # of the law of the last step, as fill_law leaves them
+    forces: np.ndarray  # of settle_and_predict
+    depths: np.ndarray  # of _sums
+    carried: np.ndarray  # of median_width
+
+
 class Progress(NamedTuple):
     """How far a march has come."""
 
@@ -91,8 +110,7 @@ class Progress(NamedTuple):
     old: float  # indentation before the last step, in h
     d: float  # after it
     last: Pressing
-    lag: float  # of the law of the last step
-    linear: float
+    law: tuple[float, float, float]  # of the last step: what fill_law returns
     choice: Choice
 
 
@@ -156,40 +174,37 @@ def follow_blocks(
     what is kept, are as of ``follow``. The arrays of the state are changed.
     """
     blocks, c, last, d = state
-    n, s, passes, rows, room = track.z.shape[1] // 2, 0, 0, spring_rows_of(c), np.empty(2 * BLOCK)
-    lowest, memory, forces = _lowest(track.z), np.empty((0, n)), np.empty(c.size + c.shape[0] + 1)
-    carried = np.zeros(n)
+    n, s, rows = track.z.shape[1] // 2, 0, spring_rows_of(c)
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
-    constants = np.empty((5, blocks.memory.shape[1]))
-    now = Progress(0, d, d, last, 0.0, 0.0, Choice(-1, np.inf, d, 0))
+    room = np.empty((5, blocks.memory.shape[1])), np.empty(2 * BLOCK)
+    more_room = np.empty(c.size + c.shape[0] + 1), np.zeros(n)
+    every, lowest, memory = ledger is not None, _lowest(track.z), np.empty((0, n))
+    march = BlockMarch(form, control, track, done, every, lowest, blocks, rows, *room, *more_room)
+    now = Progress(0, d, d, last, (1.0, 0.0, 0.0), Choice(-1, np.inf, d, 0))
     while s < track.dt.size:
-        until = min(track.dt.size, _at(kept, k) - done, _at(frames, frame) - done)
-        until = min(until, _at(ends, end) - done)
+        until = min(_number(kept, k), _number(frames, frame), _number(ends, end)) - done
+        until = min(until, track.dt.size)
         if ledger is not None or (spell is not None and spell.after < done + until):
             until = s + 1
-        every = ledger is not None
         if ledger is not None:
             p = _forces(c, last)[:n]
             memory = _memory(blocks, p)
-        now = _march(
-            form, control, track, s, until, done, blocks, rows, lowest, every, now, constants, room
-        )
-        s, step, last, d = until - 1, done + until, now.last, now.last.level
-        law = Prony(constants[0], constants[1], constants[2], last.stiffness, now.lag, now.linear)
+        now = _march(march, now, s, until)
+        s, step, last, d = until, done + until, now.last, now.d
         if film is not None and frame < frames.size and step == frames[frame]:
-            z = seen_at(track.z, track, s + 1, n)
-            _keep_frame(film, frame, blocks, step, _forces(c, last), z, d, law.stiffness)
+            z = seen_at(track.z, track, s, n)
+            _keep_frame(film, frame, blocks, step, _forces(c, last), z, d, last.stiffness)
             frame += 1
         if ledger is not None:
-            w = seen_at(track.z, track, s + 1, n) - c.reshape(-1)[:n]
-            new = _forces(c, last)[:n]
-            book_step(form, law, ledger, track, s, memory, p, new, w, now.old, d)
+            w = seen_at(track.z, track, s, n) - c.reshape(-1)[:n]
+            new, law = _forces(c, last)[:n], law_of(form, track.dt[s - 1])
+            book_step(form, law, ledger, track, s - 1, memory, p, new, w, now.old, d)
         if spell is not None and spell.after < step <= spell.last:
-            sums, _ = _sums(track, s, rows, now, room, forces)
-            add_impulses(spell, sums, track.dt[s])
+            sums, _ = _sums(march, now, s)
+            add_impulses(spell, sums, track.dt[s - 1])
         if k < kept.size and step == kept[k]:
             if trace is not None:
-                _keep_trace(trace, k, track, s, rows, now, room, forces, carried)
+                _keep_trace(trace, k, march, now, s)
             if ledger is not None:
                 keep_energies(ledger, k, form, _memory(blocks, new), new)
             if lengths is not None:
@@ -198,66 +213,45 @@ def follow_blocks(
         if end < ends.size and step == ends[end]:
             _count_as_it_is(blocks, _forces(c, last), step)
             end += 1
-        s = until
     return BlockElements(blocks, c, last, d), now.passes
 
 
 @inlined
-def _at(numbers, k):
+def _number(numbers, k):
     """Return number k of some, or one above all steps where there is none."""
     return numbers[k] if k < numbers.size else 2**62
 
 
 @inlined
-def _march(form, control, track, s, until, done, blocks, rows, lowest, every, now, constants, room):
-    """Take some blocks from step s of a track to another; return Progress.
-
-    done : steps before the track. every : whether all blocks are to be looked at. constants : of
-    the law of the step before, as fill_law leaves them; changed. room : of settle_and_predict.
-    """
-    passes, old, d, last, lag, linear, choice = now
+def _march(march, now, s, until):
+    """Go on from step s of the track to another; return Progress."""
+    dt, constants = march.track.dt, march.constants
+    passes, old, d, last, of_law, choice = now
     for t in range(s, until):
-        law = Prony(constants[0], constants[1], constants[2], last.stiffness, lag, linear)
-        if t == 0 or track.dt[t] != track.dt[t - 1]:
-            stiffness, lag, linear = fill_law(form, track.dt[t], constants)
-            law = Prony(constants[0], constants[1], constants[2], stiffness, lag, linear)
-        old = d
-        d, used, choice = _move(
-            control,
-            law,
-            blocks,
-            rows,
-            done + t + 1,
-            lowest,
-            choice,
-            every,
-            track,
-            t,
-            old,
-            last,
-            room,
-        )
+        if t == 0 or dt[t] != dt[t - 1]:
+            of_law = fill_law(march.form, dt[t], constants)
+        law, old = Prony(constants[0], constants[1], constants[2], *of_law), d
+        d, used, choice = _step(march, law, t, old, last, choice)
         passes += used
         last = Pressing(d, law.stiffness)
-    return Progress(passes, old, d, last, lag, linear, choice)
+    return Progress(passes, old, d, last, of_law, choice)
 
 
 @inlined
-def _move(control, law, blocks, rows, step, lowest, choice, every, track, s, old, last, room):
-    """Take some blocks over a step; return (d, passes, Choice). Their thresholds fill ``rows``.
+def _step(march, law, t, old, last, choice):
+    """Take some blocks over step t from the indentation ``old``; return (d, passes, Choice).
 
-    every : whether all blocks are to be looked at. s : steps of the track before this one.
-    last : Pressing of the last step. room : of settle_and_predict.
+    last : Pressing of the last step. Their thresholds fill the rows.
     """
-    n, begin = track.z.shape[1] // 2, track.begin[s + 1]
-    z = track.z[track.line[s + 1], begin : begin + n]
-    go_on(law, blocks.scales, step)
+    track, rows, lowest = march.track, march.rows, march.lowest
+    n, begin = track.z.shape[1] // 2, track.begin[t + 1]
+    go_on(law, march.blocks.scales, march.done + t + 1)
     at, cap, chosen, count = choice
     if at < 0 or round_apart(begin, at, n) > SLACK:
-        at, cap = begin, np.inf if every else cap_over(old, chosen, lowest)
+        at, cap = begin, np.inf if march.every else cap_over(old, chosen, lowest)
         count, chosen = _choose(rows, lowest, at, n, cap, last.level), old
     while True:
-        d, passes = _balance(control, law, blocks, rows, step, count, z, old, last, room)
+        d, passes = _balance(march, law, t, old, last, count)
         if rows.highest[0] <= cap:
             return d, passes, Choice(at, cap, chosen, count)
         cap = cap_over(rows.highest[0], old, lowest)  # what was left out would have been looked at
@@ -265,21 +259,23 @@ def _move(control, law, blocks, rows, step, lowest, choice, every, track, s, old
 
 
 @inlined
-def _balance(control, law, blocks, rows, step, count, z, old, last, room):
-    """Return (d, passes) of a step, taken with the first blocks that are active alone."""
-    some, c = rows.some[:count], rows.c
-    rows = SpringRows(c, some, rows.sums, rows.highest, rows.found)
-    catch_up(blocks.scales, blocks.memory, blocks.seen, some, step)
+def _balance(march, law, t, old, last, count):
+    """Return (d, passes) of a step, taken with the first blocks that are chosen alone."""
+    (memory, seen, scales), p, track = march.blocks, march.forces, march.track
+    c, some, sums, highest, found = march.rows
+    rows, begin = SpringRows(c, some[:count], sums, highest, found), track.begin[t + 1]
+    step, z = march.done + t + 1, track.z[track.line[t + 1], begin : begin + track.z.shape[1] // 2]
+    catch_up(scales, memory, seen, rows.some, step)
     filled(rows)
-    for b in some:
+    for b in rows.some:
         for i in range(BLOCK):
-            room[BLOCK + i] = _force(last, c[b, i])
-        settle_and_predict(blocks.scales.due, blocks.scales.scale, blocks.memory, b, room)
+            p[BLOCK + i] = _force(last, c[b, i])
+        settle_and_predict(scales.due, scales.scale, memory, b, p)
         here = z[b * BLOCK : (b + 1) * BLOCK]
         for i in range(here.size):
-            c[b, i] = here[i] - room[i]
-    all_settled(blocks.scales)
-    return balance_rows(control, law, rows, old, step)
+            c[b, i] = here[i] - p[i]
+    all_settled(scales)
+    return balance_rows(march.control, law, rows, old, step)
 
 
 @kernel
@@ -355,24 +351,26 @@ def _count_as_it_is(blocks, p, step):
 
 
 @inlined
-def _keep_trace(trace, k, track, s, rows, now, slope, depths, carried):
-    """Keep what there is to know of step s. depths : of _sums. carried : of median_width."""
-    sums, gathered = _sums(track, s, rows, now, slope, depths)
-    keep_forces(trace, k, now.lag, sums, track.z.shape[1] // 2, now.old, now.d)
-    trace.samples_per_contact[k] = median_width(depths[:gathered], carried)
-    keep_motion(trace, k, now.lag, track, s)
+def _keep_trace(trace, k, march, now, s):
+    """Keep what there is to know of the last of s steps."""
+    lag, track = now.law[1], march.track
+    sums, gathered = _sums(march, now, s)
+    keep_forces(trace, k, lag, sums, track.z.shape[1] // 2, now.old, now.d)
+    trace.samples_per_contact[k] = median_width(march.depths[:gathered], march.carried)
+    keep_motion(trace, k, lag, track, s - 1)
 
 
 @inlined
-def _sums(track, s, rows, now, slope, depths):
-    """Return (sums of eq. 5 of a step (model/friction.py), number of depths).
+def _sums(march, now, s):
+    """Return the sums of eq. 5 of the last of s steps (model/friction.py), and a number.
 
-    By columns, as in add_overlap. depths : room for BLOCK + 1 numbers for each row, and one: how
-    deep elements are, row by row of those that touch, a free one where others lie between.
+    By columns, as in add_overlap. So many depths are noted: how deep elements are, row by row of
+    those that touch, and that of a free one where others lie between.
     """
-    n, sums, at, after = track.z.shape[1] // 2, rows.sums, 0, 0
-    before = track.slope[track.line[s], track.begin[s] :]
-    ahead = track.slope[track.line[s + 1], track.begin[s + 1] :]
+    track, rows, slope, depths = march.track, march.rows, march.forces, march.depths
+    (stiffness, lag, _), n, sums, at, after = now.law, track.z.shape[1] // 2, rows.sums, 0, 0
+    before = track.slope[track.line[s - 1], track.begin[s - 1] :]
+    ahead = track.slope[track.line[s], track.begin[s] :]
     for i in range(COLUMNS):
         sums[0, i] = sums[1, i] = sums[2, i] = 0.0
     for b in rows.some[: now.choice.number]:
@@ -390,7 +388,7 @@ def _sums(track, s, rows, now, slope, depths):
         add_overlap(rows, b, now.d)
         one, two = before[b * BLOCK :], ahead[b * BLOCK :]
         for i in range(size):
-            slope[i] = two[i] + now.lag * (one[i] - two[i])
+            slope[i] = two[i] + lag * (one[i] - two[i])
         for part in range(0, BLOCK, COLUMNS):
             for i in range(COLUMNS):
                 sums[2, i] += deep[part + i] * slope[part + i]
@@ -399,7 +397,6 @@ def _sums(track, s, rows, now, slope, depths):
         depths[at] = 0.0
         at += 1
     fold(sums)
-    stiffness = now.last.stiffness
     return (stiffness * sums[0, 0], stiffness * sums[2, 0], sums[1, 0]), at
 
 
