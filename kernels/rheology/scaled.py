@@ -71,10 +71,12 @@ def catch_up(scales, memory, seen, some, step):
         latest = max(latest, scales.last[k])
     for b in some:
         for k in range(scales.last.size if seen[b] < latest else 0):
-            if scales.last[k] > seen[b]:
-                factor = SHRUNK if scales.before[k] <= seen[b] else 0.0
+            if scales.before[k] > seen[b]:
                 for i in range(BLOCK):
-                    y = factor * memory[b, k, i]
+                    memory[b, k, i] = 0.0
+            elif scales.last[k] > seen[b]:
+                for i in range(BLOCK):
+                    y = SHRUNK * memory[b, k, i]
                     memory[b, k, i] = y if abs(y) > GONE else 0.0
         seen[b] = max(seen[b], step)
 

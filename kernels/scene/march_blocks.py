@@ -159,9 +159,15 @@ def _memory(blocks, p):
     for k in range(memory.shape[0]):
         scale, fresh = blocks.scales.scale[k], blocks.scales.fresh[k]
         for i in range(p.size):
-            y = scale * blocks.memory[i // BLOCK, k, i % BLOCK] - fresh * p[i]
-            memory[k, i] = y if abs(y) > NEGLIGIBLE else 0.0
+            memory[k, i] = _known(scale, fresh, blocks.memory[i // BLOCK, k, i % BLOCK], p[i])
     return memory
+
+
+@inlined
+def _known(scale, fresh, scaled, p):
+    """Return memory as it is, which knows of the force p of the last step."""
+    y = scale * scaled - fresh * p
+    return y if abs(y) > NEGLIGIBLE else 0.0
 
 
 @kernel
@@ -341,11 +347,12 @@ def _count_as_it_is(blocks, p, step):
     """Let the memory of all blocks count as it is, and know of the last step; p : its forces."""
     memory, seen, scales = blocks
     catch_up(scales, memory, seen, np.arange(seen.size), step)
-    known = _memory(blocks, p)
     for b in range(seen.size):
+        of_block = p[b * BLOCK : (b + 1) * BLOCK]
         for k in range(scales.scale.size):
+            scale, fresh = scales.scale[k], scales.fresh[k]
             for i in range(BLOCK):
-                memory[b, k, i] = known[k, b * BLOCK + i]
+                memory[b, k, i] = _known(scale, fresh, memory[b, k, i], of_block[i])
     for k in range(scales.scale.size):
         scales.scale[k], scales.fresh[k] = 1.0, 0.0
 
