@@ -76,9 +76,8 @@ def _loss(units, p, dt):
     y = np.empty(n)
     for k in range(units.times.size):
         x = dt / units.times[k]
-        _, end, start = moments(x)
+        decay, _, end, start = moments(x)
         end, start = units.compliances[k] * end, units.compliances[k] * start
-        decay = math.exp(-x)
         now = 0.0
         for turn in range(2):
             for i in range(n):

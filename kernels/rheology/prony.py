@@ -19,7 +19,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ..compile.jit import kernel
+from ..compile.jit import borrowing, inlined
 from .law import (
     NEGLIGIBLE,
     displacement,
@@ -35,6 +35,8 @@ from .law import (
 from .retardation import Retardation
 
 SCHEME = "exponential"
+HALF_GONE = math.log(2.0)
+SHARES = tuple(1.0 / power for power in range(11, 2, -1))  # of a series, from its last term on
 
 
 class Prony(NamedTuple):
@@ -48,29 +50,39 @@ class Prony(NamedTuple):
     linear: float  # kappa: 1 where the force is linear, 0 where it is constant
 
 
-@kernel
+@inlined
 def moments(x):
-    """Return (1 - E, beta, alpha): E = exp(-x) and the weights of the end and the start force."""
-    gone = -math.expm1(-x)
+    """Return (E, 1 - E, beta, alpha): E = exp(-x), weights of the end and the start force."""
+    if x > HALF_GONE:
+        left = math.exp(-x)
+        gone = 1.0 - left
+        return left, gone, 1.0 - gone / x, gone / x - left
     if x > 0.1:
-        return gone, 1.0 - gone / x, gone / x - (1.0 - gone)
+        gone = -math.expm1(-x)
+        return 1.0 - gone, gone, 1.0 - gone / x, gone / x - (1.0 - gone)
     end = 1.0  # a difference of nearly equal numbers otherwise
-    for power in range(11, 2, -1):
-        end = 1.0 - x / power * end
+    for share in SHARES:
+        end = 1.0 - x * share * end
     end *= 0.5 * x
-    return gone, end, gone - end
+    gone = x * (1.0 - end)
+    return 1.0 - gone, gone, end, gone - end
 
 
 @law_of.of(Retardation)
 def _law_of(form, dt):
     constants = np.empty((5, form.times.size))  # to make one array takes as long as ten samples
+    return Prony(constants[0], constants[1], constants[2], *fill_law(form, dt, constants))
+
+
+@borrowing
+def fill_law(form, dt, constants):
+    """Return (stiffness, lag, linear); the first rows of ``constants`` (5, K) get the others."""
     decay, fresh, stale = constants[0], constants[1], constants[2]
     moved, late = constants[3], constants[4]  # by a unit force that lasts, and how late
     ramp = latest = 0.0
     for k in range(form.times.size):
         x, compliance = dt / form.times[k], form.compliances[k]
-        gone, end, start = moments(x)
-        left = 1.0 - gone if gone < 0.5 else math.exp(-x)
+        left, gone, end, start = moments(x)
         decay[k] = left if left > math.sqrt(NEGLIGIBLE) else 0.0
         fresh[k], stale[k] = compliance * end, compliance * start
         moved[k], late[k] = compliance * gone, start / gone
@@ -86,7 +98,7 @@ def _law_of(form, dt):
         fresh[k] += (1.0 - linear) * stale[k]
         stale[k] *= linear
         softness += fresh[k]
-    return Prony(decay, fresh, stale, 1.0 / softness, (1.0 - linear) * ramp / answered, linear)
+    return 1.0 / softness, (1.0 - linear) * ramp / answered, linear
 
 
 @memories.of(Retardation)

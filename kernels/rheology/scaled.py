@@ -71,10 +71,12 @@ def catch_up(scales, memory, seen, some, step):
         latest = max(latest, scales.last[k])
     for b in some:
         for k in range(scales.last.size if seen[b] < latest else 0):
-            if scales.last[k] > seen[b]:
-                factor = SHRUNK if scales.before[k] <= seen[b] else 0.0
+            if scales.before[k] > seen[b]:
                 for i in range(BLOCK):
-                    y = factor * memory[b, k, i]
+                    memory[b, k, i] = 0.0
+            elif scales.last[k] > seen[b]:
+                for i in range(BLOCK):
+                    y = SHRUNK * memory[b, k, i]
                     memory[b, k, i] = y if abs(y) > GONE else 0.0
         seen[b] = max(seen[b], step)
 
@@ -97,9 +99,12 @@ def settle_and_predict(due, share, memory, b, room):
     room : shape (2 BLOCK,): the sums, and the forces p. One array: those that could overlap are
     looked at for it in every loop.
     """
+    of_unit, taken = share[0], due[0]
     for i in range(BLOCK):
-        room[i] = 0.0
-    for k in range(share.size):
+        y = memory[b, 0, i] - taken * room[BLOCK + i]
+        memory[b, 0, i] = y
+        room[i] = of_unit * y
+    for k in range(1, share.size):
         of_unit, taken = share[k], due[k]
         for i in range(BLOCK):
             y = memory[b, k, i] - taken * room[BLOCK + i]

@@ -14,13 +14,16 @@ programme that is cut between legs goes on to the bit.
 The plain march (follow.py) is what it is tested against.
 """
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from ..compile.jit import inlined, kernel
 from ..model.balance import balance_rows
+from ..motion.track import Track
 from ..rheology.law import NEGLIGIBLE, Elements, law_of
+from ..rheology.prony import Prony, fill_law
+from ..rheology.retardation import Retardation
 from ..rheology.scaled import (
     BLOCK,
     Scales,
@@ -35,13 +38,12 @@ from .cycles import add_impulses
 from .energy import keep_energies
 from .follow import book_step, first_after, seen_at
 from .records import count_lengths, keep_forces, keep_frame, keep_motion
-from .samples import samples_per_contact
+from .samples import median_width
 from .spring_rows import (
     COLUMNS,
     SpringRows,
     add_overlap,
-    begin_overlap,
-    end_overlap,
+    filled,
     fold,
     spring_rows_of,
 )
@@ -82,6 +84,34 @@ class Choice(NamedTuple):
     cap: float  # none of the others touches below this indentation, in h
     chosen: float  # the indentation before the step in which they were chosen
     number: int  # of them
+
+
+class BlockMarch(NamedTuple):
+    """What a march along a track goes by, and room for what it does."""
+
+    form: Retardation
+    control: Any  # what the indentation follows from (model/balance.py)
+    track: Track
+    done: int  # steps before it
+    every: bool  # whether all blocks are looked at
+    lowest: np.ndarray  # of all lines, in cells
+    blocks: ElementBlocks
+    rows: SpringRows  # the thresholds of blocks, of which those that are chosen come first
+    constants: np.ndarray  # of the law of the last step, as fill_law leaves them
+    forces: np.ndarray  # of settle_and_predict
+    depths: np.ndarray  # of _sums
+    carried: np.ndarray  # of median_width
+
+
+class Progress(NamedTuple):
+    """How far a march has come."""
+
+    passes: int  # over the thresholds
+    old: float  # indentation before the last step, in h
+    d: float  # after it
+    last: Pressing
+    law: tuple[float, float, float]  # of the last step: what fill_law returns
+    choice: Choice
 
 
 @kernel
@@ -129,9 +159,15 @@ def _memory(blocks, p):
     for k in range(memory.shape[0]):
         scale, fresh = blocks.scales.scale[k], blocks.scales.fresh[k]
         for i in range(p.size):
-            y = scale * blocks.memory[i // BLOCK, k, i % BLOCK] - fresh * p[i]
-            memory[k, i] = y if abs(y) > NEGLIGIBLE else 0.0
+            memory[k, i] = _known(scale, fresh, blocks.memory[i // BLOCK, k, i % BLOCK], p[i])
     return memory
+
+
+@inlined
+def _known(scale, fresh, scaled, p):
+    """Return memory as it is, which knows of the force p of the last step."""
+    y = scale * scaled - fresh * p
+    return y if abs(y) > NEGLIGIBLE else 0.0
 
 
 @kernel
@@ -144,42 +180,37 @@ def follow_blocks(
     what is kept, are as of ``follow``. The arrays of the state are changed.
     """
     blocks, c, last, d = state
-    n, passes, rows, room = track.z.shape[1] // 2, 0, spring_rows_of(c), np.empty(2 * BLOCK)
-    lowest, choice, memory = _lowest(track.z), Choice(-1, np.inf, d, 0), np.empty((0, n))
+    n, s, rows = track.z.shape[1] // 2, 0, spring_rows_of(c)
     k, frame, end = first_after(kept, done), first_after(frames, done), first_after(ends, done)
-    law, forces = law_of(form, track.dt[0]), np.empty(c.size + c.shape[0] + 1)
-    for s in range(track.dt.size):
-        step, old = done + s + 1, d
-        if s > 0 and track.dt[s] != track.dt[s - 1]:
-            law = law_of(form, track.dt[s])
+    room = np.empty((5, blocks.memory.shape[1])), np.empty(2 * BLOCK)
+    more_room = np.empty(c.size + c.shape[0] + 1), np.zeros(n)
+    every, lowest, memory = ledger is not None, _lowest(track.z), np.empty((0, n))
+    march = BlockMarch(form, control, track, done, every, lowest, blocks, rows, *room, *more_room)
+    now = Progress(0, d, d, last, (1.0, 0.0, 0.0), Choice(-1, np.inf, d, 0))
+    while s < track.dt.size:
+        until = min(_number(kept, k), _number(frames, frame), _number(ends, end)) - done
+        until = min(until, track.dt.size)
+        if ledger is not None or (spell is not None and spell.after < done + until):
+            until = s + 1
         if ledger is not None:
             p = _forces(c, last)[:n]
             memory = _memory(blocks, p)
-        every = ledger is not None
-        d, used, choice = _move(
-            control, law, blocks, rows, step, lowest, choice, every, track, s, old, last, room
-        )
-        passes += used
-        last = Pressing(d, law.stiffness)
+        now = _march(march, now, s, until)
+        s, step, last, d = until, done + until, now.last, now.d
         if film is not None and frame < frames.size and step == frames[frame]:
-            z = seen_at(track.z, track, s + 1, n)
-            _keep_frame(film, frame, blocks, step, _forces(c, last), z, d, law.stiffness)
+            z = seen_at(track.z, track, s, n)
+            _keep_frame(film, frame, blocks, step, _forces(c, last), z, d, last.stiffness)
             frame += 1
         if ledger is not None:
-            w = seen_at(track.z, track, s + 1, n) - c.reshape(-1)[:n]
-            new = _forces(c, last)[:n]
-            book_step(form, law, ledger, track, s, memory, p, new, w, old, d)
+            w = seen_at(track.z, track, s, n) - c.reshape(-1)[:n]
+            new, law = _forces(c, last)[:n], law_of(form, track.dt[s - 1])
+            book_step(form, law, ledger, track, s - 1, memory, p, new, w, now.old, d)
         if spell is not None and spell.after < step <= spell.last:
-            sums = _sums(law, track, s, rows, choice.number, d, room)
-            add_impulses(spell, sums, track.dt[s])
+            sums, _ = _sums(march, now, s)
+            add_impulses(spell, sums, track.dt[s - 1])
         if k < kept.size and step == kept[k]:
             if trace is not None:
-                count = choice.number
-                sums = _sums(law, track, s, rows, count, d, room)
-                keep_forces(trace, k, law.lag, sums, n, old, d)
-                gathered = _gather(c, last, rows.some[:count], n, forces)
-                trace.samples_per_contact[k] = samples_per_contact(forces[:gathered])
-                keep_motion(trace, k, law.lag, track, s)
+                _keep_trace(trace, k, march, now, s)
             if ledger is not None:
                 keep_energies(ledger, k, form, _memory(blocks, new), new)
             if lengths is not None:
@@ -188,25 +219,45 @@ def follow_blocks(
         if end < ends.size and step == ends[end]:
             _count_as_it_is(blocks, _forces(c, last), step)
             end += 1
-    return BlockElements(blocks, c, last, d), passes
+    return BlockElements(blocks, c, last, d), now.passes
 
 
 @inlined
-def _move(control, law, blocks, rows, step, lowest, choice, every, track, s, old, last, room):
-    """Take some blocks over a step; return (d, passes, Choice). Their thresholds fill ``rows``.
+def _number(numbers, k):
+    """Return number k of some, or one above all steps where there is none."""
+    return numbers[k] if k < numbers.size else 2**62
 
-    every : whether all blocks are to be looked at. s : steps of the track before this one.
-    last : Pressing of the last step. room : of settle_and_predict.
+
+@inlined
+def _march(march, now, s, until):
+    """Go on from step s of the track to another; return Progress."""
+    dt, constants = march.track.dt, march.constants
+    passes, old, d, last, of_law, choice = now
+    for t in range(s, until):
+        if t == 0 or dt[t] != dt[t - 1]:
+            of_law = fill_law(march.form, dt[t], constants)
+        law, old = Prony(constants[0], constants[1], constants[2], *of_law), d
+        d, used, choice = _step(march, law, t, old, last, choice)
+        passes += used
+        last = Pressing(d, law.stiffness)
+    return Progress(passes, old, d, last, of_law, choice)
+
+
+@inlined
+def _step(march, law, t, old, last, choice):
+    """Take some blocks over step t from the indentation ``old``; return (d, passes, Choice).
+
+    last : Pressing of the last step. Their thresholds fill the rows.
     """
-    n, begin = track.z.shape[1] // 2, track.begin[s + 1]
-    z = track.z[track.line[s + 1], begin : begin + n]
-    go_on(law, blocks.scales, step)
+    track, rows, lowest = march.track, march.rows, march.lowest
+    n, begin = track.z.shape[1] // 2, track.begin[t + 1]
+    go_on(law, march.blocks.scales, march.done + t + 1)
     at, cap, chosen, count = choice
     if at < 0 or round_apart(begin, at, n) > SLACK:
-        at, cap = begin, np.inf if every else cap_over(old, chosen, lowest)
+        at, cap = begin, np.inf if march.every else cap_over(old, chosen, lowest)
         count, chosen = _choose(rows, lowest, at, n, cap, last.level), old
     while True:
-        d, passes = _balance(control, law, blocks, rows, step, count, z, old, last, room)
+        d, passes = _balance(march, law, t, old, last, count)
         if rows.highest[0] <= cap:
             return d, passes, Choice(at, cap, chosen, count)
         cap = cap_over(rows.highest[0], old, lowest)  # what was left out would have been looked at
@@ -214,29 +265,23 @@ def _move(control, law, blocks, rows, step, lowest, choice, every, track, s, old
 
 
 @inlined
-def _balance(control, law, blocks, rows, step, count, z, old, last, room):
-    """Return (d, passes) of a step, taken with the first blocks that are active alone."""
-    some, c = rows.some[:count], rows.c
-    rows = SpringRows(c, some, rows.sums, rows.highest, rows.found)
-    catch_up(blocks.scales, blocks.memory, blocks.seen, some, step)
-    rows.highest[0] = -np.inf
-    begin_overlap(rows, old)
-    for b in some:
-        touching = 0
+def _balance(march, law, t, old, last, count):
+    """Return (d, passes) of a step, taken with the first blocks that are chosen alone."""
+    (memory, seen, scales), p, track = march.blocks, march.forces, march.track
+    c, some, sums, highest, found = march.rows
+    rows, begin = SpringRows(c, some[:count], sums, highest, found), track.begin[t + 1]
+    step, z = march.done + t + 1, track.z[track.line[t + 1], begin : begin + track.z.shape[1] // 2]
+    catch_up(scales, memory, seen, rows.some, step)
+    filled(rows)
+    for b in rows.some:
         for i in range(BLOCK):
-            room[BLOCK + i] = _force(last, c[b, i])
-            touching += 1 if room[BLOCK + i] > 0.0 else 0
-        if touching > 0:
-            settle_and_predict(blocks.scales.due, blocks.scales.scale, blocks.memory, b, room)
-        else:
-            predict_block(blocks.scales.scale, blocks.memory, b, room)
+            p[BLOCK + i] = _force(last, c[b, i])
+        settle_and_predict(scales.due, scales.scale, memory, b, p)
         here = z[b * BLOCK : (b + 1) * BLOCK]
         for i in range(here.size):
-            c[b, i] = here[i] - room[i]
-        add_overlap(rows, b, old)
-    end_overlap(rows, old)
-    all_settled(blocks.scales)
-    return balance_rows(control, law, rows, old, step)
+            c[b, i] = here[i] - p[i]
+    all_settled(scales)
+    return balance_rows(march.control, law, rows, old, step)
 
 
 @kernel
@@ -302,60 +347,64 @@ def _count_as_it_is(blocks, p, step):
     """Let the memory of all blocks count as it is, and know of the last step; p : its forces."""
     memory, seen, scales = blocks
     catch_up(scales, memory, seen, np.arange(seen.size), step)
-    known = _memory(blocks, p)
     for b in range(seen.size):
+        of_block = p[b * BLOCK : (b + 1) * BLOCK]
         for k in range(scales.scale.size):
+            scale, fresh = scales.scale[k], scales.fresh[k]
             for i in range(BLOCK):
-                memory[b, k, i] = known[k, b * BLOCK + i]
+                memory[b, k, i] = _known(scale, fresh, memory[b, k, i], of_block[i])
     for k in range(scales.scale.size):
         scales.scale[k], scales.fresh[k] = 1.0, 0.0
 
 
 @inlined
-def _gather(c, last, some, n, forces):
-    """Gather the forces of some blocks of n elements, a free one where others lie between.
-
-    Return how many there are. forces : room for BLOCK + 1 numbers for each of some blocks, and one.
-    """
-    at, after = 0, 0
-    for b in some:
-        if b != after:
-            forces[at] = 0.0
-            at += 1
-        size, after = min(BLOCK, n - b * BLOCK), b + 1
-        for i in range(size):
-            forces[at + i] = _force(last, c[b, i])
-        at += size
-    if after * BLOCK < n:
-        forces[at] = 0.0
-        at += 1
-    return at
+def _keep_trace(trace, k, march, now, s):
+    """Keep what there is to know of the last of s steps."""
+    lag, track = now.law[1], march.track
+    sums, gathered = _sums(march, now, s)
+    keep_forces(trace, k, lag, sums, track.z.shape[1] // 2, now.old, now.d)
+    trace.samples_per_contact[k] = median_width(march.depths[:gathered], march.carried)
+    keep_motion(trace, k, lag, track, s - 1)
 
 
 @inlined
-def _sums(law, track, s, rows, count, d, slope):
-    """Return the sums of eq. 5 of a step (model/friction.py) over some rows.
+def _sums(march, now, s):
+    """Return the sums of eq. 5 of the last of s steps (model/friction.py), and a number.
 
-    By columns, as in add_overlap. slope : room for BLOCK finite numbers.
+    By columns, as in add_overlap. So many depths are noted: how deep elements are, row by row of
+    those that touch, and that of a free one where others lie between.
     """
-    n, sums = track.z.shape[1] // 2, rows.sums
-    before = track.slope[track.line[s], track.begin[s] :]
-    now = track.slope[track.line[s + 1], track.begin[s + 1] :]
+    track, rows, slope, depths = march.track, march.rows, march.forces, march.depths
+    (stiffness, lag, _), n, sums, at, after = now.law, track.z.shape[1] // 2, rows.sums, 0, 0
+    before = track.slope[track.line[s - 1], track.begin[s - 1] :]
+    ahead = track.slope[track.line[s], track.begin[s] :]
     for i in range(COLUMNS):
         sums[0, i] = sums[1, i] = sums[2, i] = 0.0
-    for b in rows.some[:count]:
-        first = b * BLOCK
-        for i in range(min(BLOCK, n - first)):
-            slope[i] = now[first + i] + law.lag * (before[first + i] - now[first + i])
+    for b in rows.some[: now.choice.number]:
+        touching, size = 0, min(BLOCK, n - b * BLOCK)
+        if b != after:
+            depths[at] = 0.0
+            at += 1
+        deep = depths[at : at + BLOCK]
+        for i in range(BLOCK):
+            depth = now.d - rows.c[b, i]
+            deep[i] = depth if depth > 0.0 else 0.0
+            touching += 1 if depth > 0.0 else 0
+        if touching == 0:
+            continue
+        add_overlap(rows, b, now.d)
+        one, two = before[b * BLOCK :], ahead[b * BLOCK :]
+        for i in range(size):
+            slope[i] = two[i] + lag * (one[i] - two[i])
         for part in range(0, BLOCK, COLUMNS):
             for i in range(COLUMNS):
-                depth = d - rows.c[b, part + i]
-                depth = depth if depth > 0.0 else 0.0
-                sums[0, i] += depth
-                sums[1, i] += 1.0 if depth > 0.0 else 0.0
-                sums[2, i] += depth * slope[part + i]
+                sums[2, i] += deep[part + i] * slope[part + i]
+        at, after = at + size, b + 1
+    if after * BLOCK < n:
+        depths[at] = 0.0
+        at += 1
     fold(sums)
-    return law.stiffness * sums[0, 0], law.stiffness * sums[2, 0], sums[1, 0]
+    return (stiffness * sums[0, 0], stiffness * sums[2, 0], sums[1, 0]), at
 
 
 @kernel

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from ..compile.jit import kernel
+from ..compile.jit import borrowing, kernel
 
 
 @kernel
@@ -13,31 +13,35 @@ def samples_per_contact(force):
     A patch is a run of touching samples; patches up to this width carry half of the load. n in
     full contact, 0 where nothing touches.
     """
-    n = force.size
-    start = 0
-    while start < n and force[start] > 0.0:
-        start += 1
-    if start == n:
+    return median_width(force, np.zeros(force.size))
+
+
+@borrowing
+def median_width(force, carried):
+    """Return the same; carried : room, shape (n,) or more, all zero before and after."""
+    n, total, load = force.size, 0.0, 0.0
+    begun = run = widest = 0
+    for f in force:
+        if not f > 0.0:
+            break
+        begun += 1
+    if begun == n:
         return float(n)
-    width, carried = np.empty(n // 2 + 1, np.int64), np.empty(n // 2 + 1)
-    patches = run = 0
-    load = 0.0
-    for k in range(1, n + 1):
-        i = start + k
-        f = force[i if i < n else i - n]  # the last one is free again
+    for f in force[begun:]:
         if f > 0.0:
             run += 1
             load += f
         elif run > 0:
-            width[patches], carried[patches] = run, load
-            patches, run, load = patches + 1, 0, 0.0
-    by_width = np.zeros(width[:patches].max() + 1 if patches > 0 else 1)
-    total = below = 0.0
-    for patch in range(patches):
-        by_width[width[patch]] += carried[patch]
-        total += carried[patch]
-    for wide in range(1, by_width.size):
-        below += by_width[wide]
-        if below >= 0.5 * total:
-            return float(wide)
-    return 0.0
+            carried[run] += load
+            total, widest, run, load = total + load, max(widest, run), 0, 0.0
+    for f in force[:begun]:  # round the period
+        run += 1
+        load += f
+    carried[run] += load
+    total, widest, below, median = total + load, max(widest, run), 0.0, 0
+    for width in range(1, widest + 1):
+        below += carried[width]
+        carried[width] = 0.0
+        if median == 0 and below >= 0.5 * total:
+            median = width
+    return float(median)

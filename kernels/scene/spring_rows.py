@@ -33,11 +33,9 @@ def spring_rows_of(c):
 
 
 @inlined
-def begin_overlap(rows, d):
-    """Begin to add up the overlap at d."""
-    for i in range(COLUMNS):
-        rows.sums[0, i] = rows.sums[1, i] = rows.sums[2, i] = 0.0
-    rows.highest[0] = max(rows.highest[0], d)
+def filled(rows):
+    """Note that other thresholds fill the rows."""
+    rows.highest[0], rows.found[0] = -np.inf, np.nan
 
 
 @inlined
@@ -60,13 +58,6 @@ def add_overlap(rows, row, d):
 
 
 @inlined
-def end_overlap(rows, d):
-    """Note what has been added up."""
-    fold(rows.sums)
-    rows.found[0], rows.found[1], rows.found[2] = d, rows.sums[0, 0], rows.sums[1, 0]
-
-
-@inlined
 def fold(sums):
     """Add up the columns of every row, in the first of them."""
     half = COLUMNS // 2
@@ -79,12 +70,16 @@ def fold(sums):
 
 @excess_at.of(SpringRows)
 def _excess_of_spring_rows(contact, load, d):
-    if d != contact.found[0]:
-        begin_overlap(contact, d)
+    sums, found = contact.sums, contact.found
+    if d != found[0]:
+        contact.highest[0] = max(contact.highest[0], d)
+        for i in range(COLUMNS):
+            sums[0, i] = sums[1, i] = 0.0
         for row in contact.some:
             add_overlap(contact, row, d)
-        end_overlap(contact, d)
-    return contact.found[1] - load, contact.found[2], contact.found[2]
+        fold(sums)
+        found[0], found[1], found[2] = d, sums[0, 0], sums[1, 0]
+    return found[1] - load, found[2], found[2]
 
 
 @lowest_of.of(SpringRows)

@@ -2,8 +2,9 @@
 
     python -m tests.tools.scene_costs
 
-All ways march the same elements along the same track and must agree in mu. Printed are ratios of
-CPU times of one thread, the least of several taken in turns. Printed by `make bench` (bench.py).
+All ways march the same elements along the same track, keep the same and must agree in all of it.
+Printed are ratios of CPU times of one thread, the least of several taken in turns. Printed by
+`make bench` (bench.py).
 """
 
 import contextlib
@@ -34,6 +35,7 @@ from elastomer_friction.kernels.rheology.law import Elements
 from elastomer_friction.kernels.scene.begin import begun
 from elastomer_friction.kernels.scene.follow import follow
 from elastomer_friction.kernels.scene.march_blocks import follow_blocks, in_blocks
+from elastomer_friction.kernels.scene.records import Trace
 from elastomer_friction.kernels.scene.run import Recorders
 from elastomer_friction.kernels.scene.scene_case import indentation_at
 from tests.kernels.scene import given
@@ -44,7 +46,7 @@ from tests.tools.rivals.limits import Limits
 M, SPEED, LOAD = 4, 5.0, 0.05
 ELEMENTS, BRANCHES = (50, 500, 5000), (0, 1, 5, 13)
 TURNS = 5
-AGREEMENT = 1e-11  # of the largest mu
+AGREEMENT = 1e-11  # of the largest value
 SCENES: dict[str, tuple[tuple, dict]] = {
     "long slide": ((Slide(SPEED, 2000.0),), {}),
     "long slide, nearly full contact": ((Slide(SPEED, 2000.0),), {"load": 100.0 * LOAD}),
@@ -77,16 +79,16 @@ def a_scene(name: str, count: int) -> SceneCase:
     programme, changes = SCENES[name]
     usual: dict[str, Any] = {"load": LOAD, "start": "relaxed"}
     scene = given.a_scene(programme, branches(count), M, **usual | changes)
-    return scene._replace(kept=np.unique(np.linspace(0, scene.kept[-1], 65).astype(np.int64)))
+    return scene._replace(kept=np.linspace(0, scene.kept[-1], 65).astype(np.int64)[1:])
 
 
 class Marches(NamedTuple):
     """The same scene, marched in three ways."""
 
     steps: int
-    by_blocks: Callable[[], np.ndarray]  # they return mu at the kept steps
-    all_elements: Callable[[], np.ndarray]
-    in_c: Callable[[], np.ndarray]
+    by_blocks: Callable[[], Trace]  # they return it at the kept steps
+    all_elements: Callable[[], Trace]
+    in_c: Callable[[], Trace]
 
     @classmethod
     def of(cls, line: Line, scene: SceneCase, compiled: Compiled) -> "Marches":
@@ -103,25 +105,27 @@ class Marches(NamedTuple):
         ends = np.flatnonzero(np.diff(steps.leg, append=-1)) + 1
         elements = Elements(begin.memory, begin.p, begin.d)
 
-        def recorded(way: Callable, state: object, *more: np.ndarray) -> np.ndarray:
+        def recorded(way: Callable, state: object, *more: np.ndarray) -> Trace:
             kept = Recorders(scene, line, steps)
             way(form, control, track, state, 0, *more, *kept.all())
-            return kept.values(line.datum)["trace_mu"][1:]
+            assert kept.trace
+            return kept.trace
 
         load = 0.0 if scene.indentation is not None else scene.load * line.z.size
-        kept = scene.kept[1:]
         return cls(
             steps.dt.size,
             lambda: recorded(follow_blocks, in_blocks(elements, 0), ends),
             lambda: recorded(follow, elements),
-            lambda: compiled.follow(form, track, load, given_d, elements, kept),
+            lambda: compiled.follow(form, track, load, given_d, elements, scene.kept),
         )
 
     def taken(self) -> list[float]:
         """Return the seconds of each. Raises AssertionError where they differ."""
         expected = self.in_c()
         for way in self[1:3]:
-            np.testing.assert_allclose(way(), expected, atol=AGREEMENT * np.abs(expected).max())
+            for name, found, values in zip(Trace._fields, way(), expected, strict=True):
+                atol = AGREEMENT * np.abs(values).max()
+                np.testing.assert_allclose(found, values, rtol=0.0, atol=atol, err_msg=name)
         turns = [[fastest(way, 0.02) for way in self[1:]] for _ in range(TURNS)]
         return [min(each) for each in zip(*turns, strict=True)]
 

@@ -8,6 +8,8 @@ from pathlib import Path
 
 import numpy as np
 
+from elastomer_friction.kernels.scene.records import Trace
+
 FLAGS = ["-O3", "-march=native", "-ffast-math", "-fPIC", "-shared"]
 SOURCES = ("dense.c", "scene.c", "limits.c")
 NUMBERS = np.ctypeslib.ndpointer(np.float64, flags="C_CONTIGUOUS")
@@ -35,8 +37,8 @@ class Compiled:
         self._friction.argtypes = [NUMBERS, NUMBERS, NUMBERS, COUNT, REAL, REAL, REAL]
         self._march.argtypes = [NUMBERS, NUMBERS, NUMBERS, COUNT, *[REAL] * 4, COUNT, NUMBERS]
         of_form, of_track = [COUNT, REAL, NUMBERS, NUMBERS], [NUMBERS, NUMBERS, INTEGERS, INTEGERS]
-        steps_and_control = [NUMBERS, COUNT, REAL, ctypes.c_void_p]
-        state, kept = [REAL, *[NUMBERS] * 4], [INTEGERS, COUNT, NUMBERS]
+        steps_and_control = [*[NUMBERS] * 3, COUNT, REAL, ctypes.c_void_p]
+        state, kept = [REAL, *[NUMBERS] * 5], [INTEGERS, COUNT, NUMBERS]
         self._follow.argtypes = [COUNT, *of_form, *of_track, *steps_and_control, *state, *kept]
         self._triad.argtypes, self._add.argtypes = [NUMBERS, NUMBERS, COUNT, COUNT], [COUNT]
 
@@ -56,14 +58,15 @@ class Compiled:
         return mu
 
     def follow(self, form, track, load, given, elements, kept):
-        """Return mu at the kept steps of a scene; given : d at every step, or None."""
+        """Return a Trace of the kept steps of a scene; given : d at every step, or None."""
         n, place = elements.p.size, None if given is None else given.ctypes.data
         of_form = form.times.size, form.glass, form.compliances, form.times
-        of_track = track.z, track.slope, track.line, track.begin, track.dt, track.dt.size
-        state = elements.d, elements.memory.copy(), elements.p.copy(), np.zeros(n), np.empty(n)
-        mu = np.empty(kept.size)
-        self._follow(n, *of_form, *of_track, load, place, *state, kept, kept.size, mu)
-        return mu
+        of_track = *track[:5], track.place, track.time, track.dt.size
+        room = np.zeros(n), np.empty(n), np.zeros(n + 1)
+        state = elements.d, elements.memory.copy(), elements.p.copy(), *room
+        values = np.empty((len(Trace._fields), kept.size))
+        self._follow(n, *of_form, *of_track, load, place, *state, kept, kept.size, values)
+        return Trace(*values)
 
     def triad(self, a, b, times):
         """Read two arrays and write the first, so many times."""

@@ -79,11 +79,45 @@ static double law_of(long K, double glass, const double *J, const double *times,
     return 1.0 / sum;
 }
 
+/* The median over the load of how many samples a patch is wide (kernels/scene/samples.py).
+ * carried: by patches of each width, (n + 1), all zero before and after. */
+static double patch_width(const double *p, long n, double *carried)
+{
+    long start = 0, run = 0, widest = 0, median = 0;
+    double load = 0.0, total = 0.0, below = 0.0;
+    while (start < n && p[start] > 0.0)
+        start++;
+    if (start == n)
+        return n;
+    for (long k = start + 1; k <= start + n; k++) {
+        double force = p[k < n ? k : k - n];
+        if (force > 0.0) {
+            run++;
+            load += force;
+        } else if (run) {
+            carried[run] += load;
+            total += load;
+            widest = run > widest ? run : widest;
+            run = 0;
+            load = 0.0;
+        }
+    }
+    for (long wide = 1; wide <= widest; wide++) {
+        below += carried[wide];
+        carried[wide] = 0.0;
+        if (!median && 2.0 * below >= total)
+            median = wide;
+    }
+    return median;
+}
+
 /* Take elements along a track. z2, slope2: two periods of every line, (lines, 2 n). given: d at every step, or
- * none, where the load n Fbar is. memory: (K, n), p: (n), changed; older, c: room, (n). mu: at the kept steps. Returns the last d. */
+ * none, where the load n Fbar is. memory: (K, n), p: (n), changed; older, c: room, (n); carried: of patch_width.
+ * values: a Trace (kernels/scene/records.py), (9, keeps). Returns the last d. */
 double follow(long n, long K, double glass, const double *J, const double *times, const double *z2, const double *slope2,
-            const long *line, const long *begin, const double *dt, long steps, double load, const double *given,
-            double d, double *memory, double *p, double *older, double *c, const long *kept, long keeps, double *mu)
+            const long *line, const long *begin, const double *dt, const double *place, const double *time, long steps,
+            double load, const double *given, double d, double *memory, double *p, double *older, double *c,
+            double *carried, const long *kept, long keeps, double *values)
 {
     double E[K], B[K], A[K], decay[K], fresh[K], stale[K], lag = 0.0, stiffness = 1.0, w[CHUNK];
     for (long k = 0; k < K; k++)
@@ -111,6 +145,7 @@ double follow(long n, long K, double glass, const double *J, const double *times
             for (long j = 0; j < size; j++)
                 to[j] = z[first + j] - w[j];
         }
+        double before = d;
         d = given ? given[s] : threshold(c, n, load / stiffness, d);
         double *turn = p;
         p = older;
@@ -120,13 +155,19 @@ double follow(long n, long K, double glass, const double *J, const double *times
         for (long k = 0; k < K; k++)
             decay[k] = E[k], fresh[k] = B[k], stale[k] = A[k];
         if (at < keeps && kept[at] == s + 1) {
-            const double *before = slope2 + line[s] * 2 * n + begin[s], *after = slope2 + line[s + 1] * 2 * n + begin[s + 1];
-            double total = 0.0, drag = 0.0;
+            const double *behind = slope2 + line[s] * 2 * n + begin[s];
+            const double *ahead = slope2 + line[s + 1] * 2 * n + begin[s + 1];
+            double total = 0.0, drag = 0.0, touching = 0.0, moved = place[s + 1] - place[s], *value = values + at++;
             for (long j = 0; j < n; j++) {
                 total += p[j];
-                drag += p[j] * (after[j] + lag * (before[j] - after[j]));
+                drag += p[j] * (ahead[j] + lag * (behind[j] - ahead[j]));
+                touching += p[j] > 0.0 ? 1.0 : 0.0;
             }
-            mu[at++] = drag / total;
+            double width = patch_width(p, n, carried);
+            double of_trace[9] = {drag / total, d + lag * (before - d), total / n, drag / n, touching / n, width,
+                time[s + 1] - lag * dt[s], place[s + 1] - lag * moved, moved / dt[s]};
+            for (int i = 0; i < 9; i++)
+                value[i * keeps] = of_trace[i];
         }
     }
     return d;
