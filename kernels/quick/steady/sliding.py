@@ -40,26 +40,16 @@ def approach(decay, z, spans, stay, load):
     d = elastic_guess(z, spans.deepest, load)
     for step in range(STEPS):
         total, slope, _, _ = carry(decay, z, spans, stay, d, None, None)
-        d = _next(step, d, total, slope, load, z[spans.deepest])
+        if step < POWER_STEPS:
+            # Halley's for total = load, were total a power of the depth: never far off.
+            depth = d - z[spans.deepest]
+            power = depth * slope / total
+            up, down = power + 1.0, power - 1.0
+            depth *= (down * total + up * load) / (up * total + down * load)
+            d = z[spans.deepest] + depth
+        else:
+            d -= (total - load) / slope
     return d
-
-
-@kernel
-def _next(step, d, total, slope, load, deepest):
-    """Return d after a step of the approach. total, slope : force and its derivative at d.
-
-    The first steps are Halley's for total = load, were total a power of the depth over the deepest
-    sample: never far off.
-    """
-    excess = total - load
-    if abs(excess) <= CLOSE * load:
-        return d
-    if step < POWER_STEPS:
-        depth = d - deepest
-        power = depth * slope / total
-        up, down = power + 1.0, power - 1.0
-        return deepest + depth * (down * total + up * load) / (up * total + down * load)
-    return d - excess / slope
 
 
 class Carried(NamedTuple):
