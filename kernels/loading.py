@@ -59,11 +59,11 @@ def load(scheme: str, asked: Quantities) -> None:
     ]
     with compiling(), nothing_collected():  # a sixth of a compiler's time went there
         with _helped(scheme, asked):
-            at_speed, nobody = AtSpeed.of(scheme, STEPS, WIDE[1], (1.2,), (1.2,)), np.empty((1, 0))
+            at_speed, nobody = AtSpeed.of(scheme, STEPS, WIDE[1], (1.2,)), np.empty(0)
             how = How(float(STEPS), at_speed.share, True)
-            slide_on(at_speed.law, _stack(line), at_speed.at_speeds, nobody[0], nobody, how)
+            slide_on(at_speed.law, _stack(line), at_speed.at_speeds, nobody, how)
             smooth = smooth_line(line.z, line.slope, 1.0 / STEPS)
-            slide_between(smooth, WIDE[1], nobody[0], nobody[0], nobody[0])
+            slide_between(smooth, WIDE[1], nobody, nobody, nobody)
             law_of(form_of(KELVIN, scheme), 1.0)  # which says the times of a curve
         run_cases(line, cases, asked)
 

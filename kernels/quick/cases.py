@@ -76,11 +76,10 @@ def _run_loads(grounds: Grounds, some: Together, asked: Quantities) -> list[list
         events = follow_narrow(one)
         clocks.lap(events, 0.3 * jumping * events)  # as measured
     twos = []
-    for k, later in enumerate(some.following):
+    for later in some.following:
         two = one
         if later.speed != some.at_speed.speed:
-            guesses = np.ascontiguousarray(one.found.ahead[..., k])
-            two = steady_friction(grounds, later, loads, guesses)
+            two = steady_friction(grounds, later, loads)
             clocks.lap(_work(two))
             if refine:
                 clocks.lap(follow_narrow(two, one))

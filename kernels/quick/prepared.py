@@ -58,7 +58,7 @@ def _together(rows: list[int], cases: Sequence[Case], steps: int, asked: Quantit
     after = tuple(ratio * speed for ratio in ratios)
     to = after if asked.jump or asked.relaxation else ()
     following = after if asked.steady or asked.relaxation else ()
-    at_speed = AtSpeed.of(scheme, steps, speed, to, following)
+    at_speed = AtSpeed.of(scheme, steps, speed, to)
     twos = tuple(AtSpeed.of(scheme, steps, later) for later in following)
     loads, nothing = np.array([case.load for case in own]), np.full(len(ratios), np.nan)
     return Together(rows, own, loads, at_speed, twos, nothing)

@@ -12,9 +12,8 @@ import numpy as np
 
 from ...compile.jit import borrowing, kernel
 from ...model.contact import indentation_under
-from ..steady.ahead import indentation_ahead
 from ..steady.contacts import first, room_for
-from ..steady.sliding import POWER_STEPS, STEPS, approach, elastic_guess, indentation
+from ..steady.sliding import STEPS, approach, indentation
 from ..steady.spans import SPAN
 from ..steady.thresholds import Thresholds
 from .pressed import MovingLine, pressed, room_for_pressed
@@ -27,13 +26,12 @@ INDENTATION, MU, CONTACT, SAMPLES, SWEEPS, FULL = range(6)
 
 
 class Speeds(NamedTuple):
-    """The speed of steady sliding, those jumped to, and those of which it is asked next."""
+    """The speed of steady sliding, and those jumped to."""
 
     own: float  # vbar
     thresholds: Thresholds  # at it
     others: np.ndarray  # vbar, shape (others,)
     press: np.ndarray  # shape (others, spans + 1): thresholds of the pressure, of all samples last
-    ahead: np.ndarray  # what is left of a displacement after one sample at the next, shape (next,)
 
 
 class Found(NamedTuple):
@@ -43,7 +41,6 @@ class Found(NamedTuple):
     jumps: np.ndarray  # shape (..., loads, others): change of mu at the jumps to other speeds
     rates: np.ndarray  # of the same shape: d' after them
     entered: np.ndarray  # shape (..., loads, spans + 1), as of Contacts
-    ahead: np.ndarray  # shape (..., loads, next): about d at the next speeds
 
 
 class How(NamedTuple):
@@ -55,41 +52,36 @@ class How(NamedTuple):
 
 
 @kernel
-def slide(decay, z, slope, spans, speeds, loads, guesses, how, into):
+def slide(decay, z, slope, spans, speeds, loads, how, into):
     """Fill ``into``, which is Found, for steady sliding of one line under all loads.
 
-    decay, spans : of the law and of the line. loads : n Fbar. guesses : of d, all NaN where there
-    are none.
+    decay, spans : of the law and of the line. loads : n Fbar.
     """
     n, own = z.size, speeds.thresholds
     contacts, rooms = room_for(slope, speeds.own), (room_for_all(n), room_for_pressed(n))
-    table, jumps, rates, entered, ahead = into
-    d, sweeps, full = _indentations(decay, z, spans, own, loads, guesses)
+    table, jumps, rates, entered = into
     for i in range(loads.size):
-        load, pieces, held = loads[i], 1, n
-        if full[i]:
-            _list_whole_line(z, d[i], contacts)
+        load, pieces, sweeps = loads[i], 1, 0
+        d = load / n + (z[0] + spans.whole[0] / n)
+        full = d > own.stay_all
+        if full:
+            _list_whole_line(z, d, contacts)
         else:
-            d[i], used, held, pieces = indentation(decay, z, spans, own.stay, load, d[i], contacts)
-            sweeps[i] += used
+            near = approach(decay, z, spans, own.stay, load)
+            d, sweeps, pieces = indentation(decay, z, spans, own.stay, load, near, contacts)
+            sweeps += STEPS
         listed = first(contacts, pieces)
-        for k in range(speeds.ahead.size):
-            ahead[i, k] = d[i]
-            if not full[i]:
-                ahead[i, k] = indentation_ahead(speeds.ahead[k], z, d[i], load, held, listed)
         for b in range(contacts.entered.size):
             entered[i, b] = contacts.entered[b]
         at = MovingLine(z, slope, spans, speeds.own, own.press)
-        mu, contact = _weigh(
-            at, speeds, listed, load, d[i], full[i], how, rooms, jumps[i], rates[i]
-        )
+        mu, contact = _weigh(at, speeds, listed, load, d, full, how, rooms, jumps[i], rates[i])
         if how.smooth and mu <= 0.0:
             # That it takes work is sure: what the forces do while the line rises.
-            mu = how.steps * mean_rise(z, d[i], decay, listed)
-        table[i, INDENTATION], table[i, MU] = d[i], mu
+            mu = how.steps * mean_rise(z, d, decay, listed)
+        table[i, INDENTATION], table[i, MU] = d, mu
         table[i, CONTACT] = min(contact / n, 1.0)  # edges of two contacts can overlap
-        table[i, SAMPLES] = median_width(z, d[i], decay, listed)
-        table[i, SWEEPS], table[i, FULL] = sweeps[i], full[i]
+        table[i, SAMPLES] = median_width(z, d, decay, listed)
+        table[i, SWEEPS], table[i, FULL] = sweeps, full
 
 
 @kernel
@@ -109,30 +101,6 @@ def _weigh(at, speeds, contacts, load, d, full, how, rooms, jumps, rates):
         limit = steepest(at.spans, touching)
         mu = min(max(mu + how.share / load * missing, -limit), limit)
     return mu, contact
-
-
-@kernel
-def _indentations(decay, z, spans, own, loads, guesses):
-    """Return (d, sweeps, full): where the whole line touches, d itself, elsewhere near it."""
-    size = loads.size
-    d, full, sweeps = np.empty(size), np.empty(size, np.bool_), np.zeros(size, np.int64)
-    some, partly, near = np.empty(size, np.int64), np.empty(size), np.empty(size)
-    count, guessed = 0, False
-    for i in range(size):
-        d[i] = loads[i] / z.size + (z[0] + spans.whole[0] / z.size)
-        full[i] = d[i] > own.stay_all
-        if not full[i]:
-            some[count], partly[count], near[count] = i, loads[i], guesses[i]
-            guessed = guessed or not np.isnan(guesses[i])
-            count += 1
-    if not guessed:
-        for k in range(count):
-            near[k] = elastic_guess(z, spans.deepest, partly[k])
-    steps = POWER_STEPS if guessed else STEPS
-    near = approach(decay, z, spans, own.stay, partly[:count], near[:count], steps)
-    for k in range(count):
-        d[some[k]], sweeps[some[k]] = near[k], steps
-    return d, sweeps, full
 
 
 @borrowing

@@ -11,30 +11,29 @@ from .loads import Found, Speeds, slide
 
 
 @kernel
-def slide_on(law, stack, at_speeds, loads, guesses, how):
+def slide_on(law, stack, at_speeds, loads, how):
     """Return (largest thresholds of contact of the spans, the Decay, Found).
 
-    law : for steps of one sample. at_speeds : own and others, vbar; and what is left of
-    displacements at those that follow. loads, guesses : as of slide; guesses of each line. The
+    law : for steps of one sample. at_speeds : own and others, vbar. loads : as of slide. The
     thresholds are those of Thresholds, shape (lines, spans).
     """
-    speed, others, left = at_speeds
+    speed, others = at_speeds
     lines, n = stack.z.shape
     decay = decay_of(law)
-    found, stay = _room(lines, n, loads, others, left), np.empty((lines, n // SPAN))
+    found, stay = _room(lines, n, loads, others), np.empty((lines, n // SPAN))
     for k in range(lines):
         z, slope = stack.z[k], stack.slope[k]
         own = thresholds_of(z, slope, speed, law.stiffness)
-        speeds = Speeds(speed, own, others, presses_at(z, slope, others), left)
+        speeds = Speeds(speed, own, others, presses_at(z, slope, others))
         into = _of_line(found, k)
-        slide(decay, z, slope, spans_in(stack, k), speeds, loads, guesses[k], how, into)
+        slide(decay, z, slope, spans_in(stack, k), speeds, loads, how, into)
         for b in range(own.stay.size):
             stay[k, b] = own.stay[b]
     return stay, decay, found
 
 
 @kernel
-def _room(lines, samples, loads, others, left):
+def _room(lines, samples, loads, others):
     """Return Found of so many lines, empty."""
     shape = lines, loads.size, others.size
     return Found(
@@ -42,11 +41,10 @@ def _room(lines, samples, loads, others, left):
         np.empty(shape),
         np.empty(shape),
         np.empty((lines, loads.size, samples // SPAN + 1)),
-        np.empty((lines, loads.size, left.size)),
     )
 
 
 @kernel
 def _of_line(found, k):
     """Return what is found of line k: rows of all."""
-    return Found(found.table[k], found.jumps[k], found.rates[k], found.entered[k], found.ahead[k])
+    return Found(found.table[k], found.jumps[k], found.rates[k], found.entered[k])

@@ -64,7 +64,7 @@ class AtSpeed(NamedTuple):
     scheme: str
     law: Kelvin  # for steps of one sample
     share: float  # of the elastic part of mu that is corrected
-    at_speeds: tuple[float, np.ndarray, np.ndarray]  # as of slide_on
+    at_speeds: tuple[float, np.ndarray]  # as of slide_on
 
     @classmethod
     def of(
@@ -73,14 +73,10 @@ class AtSpeed(NamedTuple):
         steps: int,
         speed: float,
         others: tuple[float, ...] = (),
-        following: tuple[float, ...] = (),
     ) -> "AtSpeed":
-        """Return what holds at ``speed`` with ``steps`` samples per spacing; all speeds vbar.
-
-        following : speeds at which steady sliding is asked for next, for which d is guessed.
-        """
-        law, *later = (SCHEMES[scheme](1.0 / (steps * some)) for some in (speed, *following))
-        at_speeds = speed, np.array(others, float), np.array([own.decay for own in later])
+        """Return what holds at ``speed`` with ``steps`` samples per spacing; all speeds vbar."""
+        law = SCHEMES[scheme](1.0 / (steps * speed))
+        at_speeds = speed, np.array(others, float)
         return cls(speed, others, scheme, law, corrected_share(steps, speed), at_speeds)
 
 
@@ -118,21 +114,15 @@ class Sliding(NamedTuple):
         return State(w, d)
 
 
-def steady_friction(
-    grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray, guesses: np.ndarray | None = None
-) -> Sliding:
+def steady_friction(grounds: Grounds, at_speed: AtSpeed, loads: np.ndarray) -> Sliding:
     """Return steady sliding on every line, its friction and its jumps to other speeds.
 
-    loads : n Fbar, guesses : of d, shape (lines, loads). What is found under a load depends on
-    its own guess and on no other load or line. Narrow contacts are to be followed after it.
+    loads : n Fbar. What is found under a load depends on no other load or line. Narrow contacts are
+    to be followed after it.
     """
     one = grounds.each[0].line
-    if guesses is None:
-        guesses = np.full((len(grounds.each), loads.size), np.nan)
     how = How(float(one.steps_per_spacing), at_speed.share, one.band_limited)
-    stay, decay, found = slide_on(
-        at_speed.law, grounds.stack, at_speed.at_speeds, loads, guesses, how
-    )
+    stay, decay, found = slide_on(at_speed.law, grounds.stack, at_speed.at_speeds, loads, how)
     table = found.table
     datum = np.array([[ground.line.datum] for ground in grounds.each])
     return Sliding(
@@ -149,7 +139,7 @@ def steady_friction(
         table[..., INDENTATION] + datum,
         table[..., SAMPLES],
         table[..., SWEEPS] * one.z.size,
-        np.zeros(guesses.shape, bool),
+        np.zeros(table.shape[:2], bool),
     )
 
 

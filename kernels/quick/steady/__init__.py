@@ -2,6 +2,5 @@
 
 model/steady.py visits every sample and is the reference. These files find the same for many loads
 of one line: ``spans`` says what is known of sixteen samples in a row, ``carry`` is a sweep that
-uses it and can list the contacts, ``sliding`` solves with it for the indentation. ``ahead`` guesses
-from the contacts what it will be at another speed.
+uses it and can list the contacts, ``sliding`` solves with it for the indentation.
 """

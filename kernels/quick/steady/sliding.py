@@ -1,9 +1,8 @@
-"""The indentation of steady sliding under a load, found with spans, and many of them side by side.
+"""The indentation of steady sliding under a load, found with spans.
 
 The force F(d) is increasing and convex (model/steady.py), so Newton's method from the right keeps
 right of the root and from the left jumps there. Two steps go before that are exact where F is a
-power of d: they need no good guess, and where there is one they are all. Sweeps that end the search
-list the contacts.
+power of d: they need no good guess. Sweeps that end the search list the contacts.
 """
 
 from typing import NamedTuple
@@ -17,7 +16,7 @@ from .carry import Decay, carry
 from .contacts import Contacts
 from .spans import Spans
 
-POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed; the first with a guess
+POWER_STEPS, STEPS = 2, 3  # of the approach, before contacts are listed
 CLOSE = 1e-13  # of the load: what may be left of an excess, beyond the rounding of long sums
 FEW = 512  # samples of a line that are asked where an elastic foundation would be
 
@@ -36,35 +35,21 @@ def elastic_guess(z, deepest, load):
 
 
 @kernel
-def approach(decay, z, spans, stay, loads, guesses, steps):
-    """Return d near the roots under all loads n Fbar. Each follows from its own load and guess.
-
-    decay, z, spans, stay : as of carry. guesses : of d. steps : sweeps for each load.
-    """
-    d = guesses.copy()
-    for i in range(loads.size):
-        for step in range(steps):
-            total, slope, _, _ = carry(decay, z, spans, stay, d[i], None, None)
-            d[i] = _next(step, d[i], total, slope, loads[i], z[spans.deepest])
+def approach(decay, z, spans, stay, load):
+    """Return d near the root under the load n Fbar. decay, z, spans, stay : as of carry."""
+    d = elastic_guess(z, spans.deepest, load)
+    for step in range(STEPS):
+        total, slope, _, _ = carry(decay, z, spans, stay, d, None, None)
+        if step < POWER_STEPS:
+            # Halley's for total = load, were total a power of the depth: never far off.
+            depth = d - z[spans.deepest]
+            power = depth * slope / total
+            up, down = power + 1.0, power - 1.0
+            depth *= (down * total + up * load) / (up * total + down * load)
+            d = z[spans.deepest] + depth
+        else:
+            d -= (total - load) / slope
     return d
-
-
-@kernel
-def _next(step, d, total, slope, load, deepest):
-    """Return d after a step of the approach. total, slope : force and its derivative at d.
-
-    The first steps are Halley's for total = load, were total a power of the depth over the deepest
-    sample: never far off.
-    """
-    excess = total - load
-    if abs(excess) <= CLOSE * load:
-        return d
-    if step < POWER_STEPS:
-        depth = d - deepest
-        power = depth * slope / total
-        up, down = power + 1.0, power - 1.0
-        return deepest + depth * (down * total + up * load) / (up * total + down * load)
-    return d - excess / slope
 
 
 class Carried(NamedTuple):
@@ -87,11 +72,11 @@ def _excess_of_carried(contact, load, d):
 
 @kernel
 def indentation(decay, z, spans, stay, load, near, contacts):
-    """Return (d, sweeps, touching, pieces) of steady sliding under the load n Fbar.
+    """Return (d, sweeps, pieces) of steady sliding under the load n Fbar.
 
-    touching : samples; contacts are filled with so many pieces.
-    decay, z, spans, stay, contacts : as of carry. near : d as approach leaves it.
+    contacts are filled with so many pieces. decay, z, spans, stay, contacts : as of carry. near : d
+    as approach leaves it.
     """
     elements = Carried(decay, z, spans, stay, contacts, np.zeros(1, np.int64))
-    d, sweeps, touching = steady_indentation(elements, load, near, False, z.size, CLOSE)
-    return d, sweeps, touching, elements.pieces[0]
+    d, sweeps, _ = steady_indentation(elements, load, near, False, z.size, CLOSE)
+    return d, sweeps, elements.pieces[0]

@@ -14,7 +14,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from ...compile.jit import borrowing, kernel
+from ...compile.jit import borrowing
 
 SPAN = 16
 # Columns of what is known of a span, as many as the processor fetches at once: height z0 and slope
@@ -50,10 +50,10 @@ def fill_spans(z, slope, spans):
         first = b * SPAN
         a0 = a1 = a2 = a3 = steep = 0.0
         low = z[first]
-        for j in range(first, first + SPAN, 4):
-            four = _four(z, slope, j, z[first], slope[first])
-            a0, a1, a2, a3 = a0 + four[0], a1 + four[1], a2 + four[2], a3 + four[3]
-            low, steep = smaller(low, four[4]), larger(steep, four[5])
+        for j in range(first, first + SPAN):
+            a, c = z[j] - z[first], slope[j] - slope[first]
+            a0, a1, a2, a3 = a0 + a, a1 + c, a2 + a * c, a3 + c * c
+            low, steep = min(low, z[j]), max(steep, abs(slope[j]))
         lowest[b], steepest[b] = low, steep
         rows[b, FIRST], rows[b, STEEP] = z[first], slope[first]
         rows[b, HEIGHT], rows[b, SLOPE], rows[b, WORK], rows[b, SQUARE] = a0, a1, a2, a3
@@ -73,23 +73,7 @@ def fill_spans(z, slope, spans):
     after = count * SPAN if count * SPAN < n else 0
     rows[count, :] = np.nan
     rows[count, FIRST], rows[count, STEEP] = z[after], slope[after]
-    return _deepest(z, lowest)
-
-
-@borrowing
-def _deepest(z, lowest):
-    """Return the first of the lowest samples; numpy's argmin takes as long as all sums."""
-    low, at = np.inf, lowest.size
-    for b in range(lowest.size):
-        if lowest[b] < low:
-            low, at = lowest[b], b
-    for j in range(lowest.size * SPAN, z.size):
-        if z[j] < low:
-            low, at = z[j], lowest.size
-    j = at * SPAN
-    while z[j] > low:
-        j += 1
-    return j
+    return int(np.argmin(z))
 
 
 @borrowing
@@ -104,28 +88,3 @@ def add_rises(rows, z, slope):
             one += (slope[j] - slope[first]) * up
             other += (slope[above] - slope[j]) * up
         rows[b, RISE], rows[b, TURN] = one, other
-
-
-@borrowing
-def _four(z, slope, j, z0, s0):
-    """Return the sums, the lowest height and the largest |z'| of four samples from j on."""
-    a, b, c, d = z[j] - z0, z[j + 1] - z0, z[j + 2] - z0, z[j + 3] - z0
-    p, q, r, s = slope[j] - s0, slope[j + 1] - s0, slope[j + 2] - s0, slope[j + 3] - s0
-    low = smaller(smaller(z[j], z[j + 1]), smaller(z[j + 2], z[j + 3]))
-    steep = larger(
-        larger(abs(slope[j]), abs(slope[j + 1])), larger(abs(slope[j + 2]), abs(slope[j + 3]))
-    )
-    work, square = (a * p + b * q) + (c * r + d * s), (p * p + q * q) + (r * r + s * s)
-    return (a + b) + (c + d), (p + q) + (r + s), work, square, low, steep
-
-
-@kernel
-def smaller(a, b):
-    """Return the smaller number, the second where both are the same."""
-    return a if a < b else b
-
-
-@kernel
-def larger(a, b):
-    """Return the larger number, the second where both are the same."""
-    return a if a > b else b

@@ -29,27 +29,24 @@ def slid(line, speed, several, criterion=True):
     if not criterion:
         own, there = (at._replace(stay_all=np.inf, press_all=np.inf) for at in (own, there))
     press = np.append(there.press, there.press_all)[None]
-    later = decay_of(known(line, 1.2 * speed)[0]).once
-    speeds = Speeds(speed, own, np.array([1.2 * speed]), press, np.array([later]))
-    none = np.full(several.size, np.nan)
+    speeds = Speeds(speed, own, np.array([1.2 * speed]), press)
     total, how = several * line.z.size, How(float(line.steps_per_spacing), 0.0, True)
-    shapes = 6, 1, 1, line.z.size // SPAN + 1, 1
+    shapes = 6, 1, 1, line.z.size // SPAN + 1
     into = Found(*(np.full((several.size, width), np.nan) for width in shapes))
-    slide(decay_of(law), line.z, line.slope, spans, speeds, total, none, how, into)
+    slide(decay_of(law), line.z, line.slope, spans, speeds, total, how, into)
     return into
 
 
 @on_every_line
 def test_every_load_is_as_alone_and_full_contact_where_all_samples_touch(hurst, elements, m, speed):
     line = line_of(hurst, elements, m)
-    found, jumps, rates, entered, ahead = slid(line, speed, SEVERAL)
+    found, jumps, rates, entered = slid(line, speed, SEVERAL)
     above = np.append(np.arange(SPAN, line.z.size, SPAN), 0)
     for i, load in enumerate(SEVERAL):
-        alone, jump, rate, enter, next_d = slid(line, speed, SEVERAL[i : i + 1])
+        alone, jump, rate, enter = slid(line, speed, SEVERAL[i : i + 1])
         np.testing.assert_array_equal(alone[0], found[i])
         np.testing.assert_array_equal(jump[0], jumps[i])
         np.testing.assert_array_equal(rate[0], rates[i])
-        np.testing.assert_array_equal(next_d[0], ahead[i])
         np.testing.assert_array_equal(enter[0][: above.size], entered[i][: above.size])
         (w, d), _ = steady_sliding(known(line, speed)[0], line.z, load * line.z.size)
         assert (found[i, FULL] == 1.0) == touching(line.z, w, d).all()

@@ -1,6 +1,5 @@
 """The indentation under loads, by spans: the plain solver's, from any guess, in few sweeps."""
 
-import numpy as np
 import pytest
 from hypothesis import example, given, settings
 from hypothesis import strategies as st
@@ -9,10 +8,8 @@ from elastomer_friction.kernels import SCHEMES, Line, steady_sliding
 from elastomer_friction.kernels.quick.steady.carry import decay_of
 from elastomer_friction.kernels.quick.steady.contacts import room_for
 from elastomer_friction.kernels.quick.steady.sliding import (
-    POWER_STEPS,
     STEPS,
     approach,
-    elastic_guess,
     indentation,
 )
 from elastomer_friction.kernels.quick.steady.thresholds import thresholds_of
@@ -30,11 +27,10 @@ def solved(point, load, guess=None):
     line = Line.from_samples(*random_line(elements, hurst, m, 3), m)
     law, spans = SCHEMES["exponential"](1.0 / (m * speed)), spans_of(line.z, line.slope)
     own, total = thresholds_of(line.z, line.slope, speed, law.stiffness), load * line.z.size
-    steps = STEPS if guess is None else POWER_STEPS
-    guess = elastic_guess(line.z, spans.deepest, total) if guess is None else guess
-    to = decay_of(law), line.z, spans, own.stay
-    (near,) = approach(*to, np.array([total]), np.array([guess]), steps)
-    d, after, _, _ = indentation(*to, total, near, room_for(line.slope, speed))
+    to, steps = (decay_of(law), line.z, spans, own.stay), 0
+    if guess is None:
+        guess, steps = approach(*to, total), STEPS
+    d, after, _ = indentation(*to, total, guess, room_for(line.slope, speed))
     plain = steady_sliding(law, line.z, total)[0].d
     # The plain balance is known to 1e-15 of d times the stiffness, m vbar and more.
     return (
