@@ -21,7 +21,7 @@ import numpy as np
 
 from ..compile.jit import kernel
 from ..model.contact import solve_indentation
-from ..rheology.foreseen import foreseen, from_memory, memory_one, step_one
+from ..rheology.foreseen import foreseen, from_memory, remember, step_one
 from ..rheology.forms import Form
 from ..rheology.law import (
     Elements,
@@ -38,7 +38,8 @@ EXACT = 1e-13  # residual that is as good as none
 GUESSED = 1e-3  # and that is as good as it need be of a first guess
 SOUND = 1e-6  # residual that is taken
 FINEST = 1e-13  # and beside it, times the stiffness of a step: what rounding leaves
-COARSER, COARSEST = 4, 200  # samples of the line for one of a guess, and how many it has at least
+TOGETHER = 16  # samples at which the memory of a unit is filled before that of the next
+COARSER, COARSEST = 4, 1000  # samples of the line for one of a guess, and how many it has at least
 
 
 class SteadyMemory(NamedTuple):
@@ -119,16 +120,14 @@ def _as_met(z, first, way, count):
 def _as_found(law, z, first, way, x, forces):
     """Return the elements at the samples of the line, from x and the forces in turn."""
     y, memory, p = x[:-1].copy(), np.empty((x.size - 1, z.size)), np.empty(z.size)
-    row, j, w = np.empty(y.size), first, predict_one(law, y, 0.0)
-    for i in range(z.size):
-        j += way
-        if j < 0 or j == z.size:
-            j = 0 if j > 0 else z.size - 1
-        new = p[j] = forces[i]
-        memory_one(law, y, w, new, row)
-        w = step_one(law, y, w, new)
-        for k in range(y.size):
-            memory[k, j] = row[k]
+    i, j = 0, first
+    while i < z.size:
+        j = (j + way) % z.size
+        some = min(TOGETHER, z.size - i, j + 1 if way < 0 else z.size - j)
+        for k in range(some):
+            p[j + way * k] = forces[i + k]
+        remember(law, y, forces[i : i + some], memory, j, way)
+        i, j = i + some, j + way * (some - 1)
     return Elements(memory, p, x[-1] + z[first])
 
 
@@ -287,6 +286,7 @@ def _multiply(a, b):
                 for c in range(row.size):
                     row[c] += factor * other[c]
     b[:] = product
+
 
 @kernel
 def _step(tangents, excess):

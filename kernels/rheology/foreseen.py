@@ -38,10 +38,11 @@ def step_one(law, y, w, new):
 
 
 @by_type
-def memory_one(law, y, w, new, memory):
-    """Fill ``memory`` (M,) with what an element remembers after a step with the force new.
+def remember(law, y, forces, memory, at, way):
+    """Fill what an element remembers at the samples at, at + way, ... of ``memory`` (M, n).
 
-    law, y, w : as of ``step_one``; y stays.
+    law : as ``foreseen`` returns it. y (M,) : what it counts of the element before it comes to the
+    first of them, changed to that after the last. forces : at these samples.
     """
 
 
@@ -93,10 +94,11 @@ def _settle(law, memory, w, p, new):
 
 @predict_one.of(Foreseen)
 def _predict_one(law, y, p):
-    w = 0.0
-    for k in range(y.size):
-        w += y[k]
-    return w
+    even = odd = 0.0  # one sum would wait for itself
+    for k in range(0, y.size - 1, 2):
+        even += y[k]
+        odd += y[k + 1]
+    return even + odd + (y[-1] if y.size % 2 == 1 else 0.0)
 
 
 @step_one.of(Foreseen)
@@ -106,10 +108,7 @@ def _step_one(law, y, w, new):
     if new == 0.0:
         for k in range(y.size):
             y[k] = y[k] if abs(y[k]) > NEGLIGIBLE else 0.0
-    w = 0.0
-    for k in range(y.size):
-        w += y[k]
-    return w
+    return predict_one(law, y, 0.0)
 
 
 @step_one.of(Relaxed)
@@ -118,13 +117,20 @@ def _step_of_branches(law, y, w, new):
     return predict_one(law, y, 0.0)
 
 
-@memory_one.of(Foreseen)
-def _memory_one(law, y, w, new, memory):
+@remember.of(Foreseen)
+def _remember(law, y, forces, memory, at, way):
     for k in range(y.size):
-        memory[k] = y[k] - law.fresh[k] * new
+        decay, due, fresh, v, j = law.decay[k], law.due[k], law.fresh[k], y[k], at
+        for i in range(forces.size):
+            memory[k, j] = v - fresh * forces[i]
+            v = decay * v - due * forces[i]
+            j += way
+        y[k] = v if abs(v) > NEGLIGIBLE else 0.0
 
 
-@memory_one.of(Relaxed)
-def _memory_of_branches(law, y, w, new, memory):
-    memory[:] = y
-    settle_one(law, memory, w, 0.0, new)
+@remember.of(Relaxed)
+def _remember_branches(law, y, forces, memory, at, way):
+    for i in range(forces.size):
+        settle_one(law, y, predict_one(law, y, 0.0), 0.0, forces[i])
+        for k in range(y.size):
+            memory[k, at + way * i] = y[k]
